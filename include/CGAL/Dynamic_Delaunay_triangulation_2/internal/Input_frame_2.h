@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_INPUT_FRAME_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_INPUT_FRAME_2_H
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Reads and checks the positions of a frame, before anything changes.
+template <class Maintained>
+class Input_frame_2
+{
+  using Point = typename Maintained::Point;
+
+public:
+  // The points of the first frame.
+  template <class InputIterator, class PointMap>
+  std::vector<Point> read_all(InputIterator first, InputIterator beyond, const PointMap& point_map,
+                              Maintained& maintained)
+  {
+    std::vector<Point> points;
+    maintained.positions_are_exact = true;
+    for (; first != beyond; ++first) {
+      points.push_back(get(point_map, *first));
+      read_position(points.back(), points.size() - 1, maintained.positions_are_exact);
+    }
+    return points;
+  }
+
+  // Writes a frame into the previous positions, from where it is exchanged into place.
+  template <class InputIterator, class PointMap>
+  void stage(InputIterator first, InputIterator beyond, const PointMap& point_map,
+             Maintained& maintained)
+  {
+    const Index points = maintained.ids.number_of_points();
+    bool are_exact = true;
+    maintained.previous_guests = maintained.ids.guests();
+    auto guest = maintained.previous_guests.begin(); // sorted by id
+    Index id = 0;
+    for (; id < points && first != beyond; ++id, ++first) {
+      const Point& p = get(point_map, *first);
+      const Position_2 position = read_position(p, id, are_exact);
+      if (guest != maintained.previous_guests.end() && guest->id == id)
+        (guest++)->point = p;
+      else
+        write(position, p, maintained.ids.vertex(id), maintained);
+    }
+    if (first != beyond)
+      throw Point_count_error_2(points, points + std::size_t(1));
+    if (id < points)
+      throw Point_count_error_2(points, id);
+    maintained.previous_positions_are_exact = are_exact;
+  }
+
+  // Whether points that shared a vertex until now are at different places.
+  bool coincident_points_part(const Maintained& maintained) const
+  {
+    for (const auto& guest : maintained.ids.guests())
+      if (guest.point != maintained.point(maintained.ids.vertex(guest.id)))
+        return true;
+    return false;
+  }
+
+private:
+  static Position_2 read_position(const Point& p, std::size_t id, bool& are_exact)
+  {
+    const Position_2 position{CGAL::to_double(p.x()), CGAL::to_double(p.y())};
+    if (!std::isfinite(position.x) || !std::isfinite(position.y))
+      throw Non_finite_coordinate_error_2(id, position.x, position.y);
+    if constexpr (!Maintained::coordinates_are_doubles)
+      are_exact = are_exact && is_a_double(p.x()) && is_a_double(p.y());
+    return position;
+  }
+
+  // Whether converting a coordinate to a double has not rounded it, as far as its interval tells.
+  template <class FT>
+  static bool is_a_double(const FT& coordinate)
+  {
+    const std::pair<double, double> interval = CGAL::to_interval(coordinate);
+    return interval.first == interval.second;
+  }
+
+  static void write(const Position_2& position, const Point& p, Index vertex,
+                    Maintained& maintained)
+  {
+    maintained.previous_positions[vertex] = position;
+    if constexpr (!Maintained::coordinates_are_doubles)
+      maintained.previous_points[vertex] = p;
+  }
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_INPUT_FRAME_2_H

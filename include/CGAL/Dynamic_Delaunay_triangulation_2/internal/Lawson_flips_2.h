@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_LAWSON_FLIPS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_LAWSON_FLIPS_2_H
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Lawson's flips, started from some edges. Every edge that a flip touches is examined again, so
+// what is not returned as open has been examined since its neighborhood last changed, and is
+// proved.
+class Lawson_flips_2
+{
+public:
+  // Flips from the edges of `open`, and leaves those there that it could not prove. Returns the
+  // number of flips.
+  template <class Maintained>
+  std::size_t run(const Maintained& maintained, Topology_editor_2<Maintained>& editor,
+                  std::vector<Index>& open)
+  {
+    // Lawson's proof of termination needs counterclockwise faces; with inverted ones flips can go
+    // round in circles. Recorded motion took at most 3 flips an edge to begin with.
+    const std::size_t limit = 100 + 20 * open.size();
+    std::size_t flips = 0;
+    start(maintained.mirror.number_of_edges(), open);
+    open.clear();
+    while (m_head < m_queue.size() && flips < limit)
+      if (examine(maintained, editor, pop(), open))
+        ++flips;
+    open.insert(open.end(), m_queue.begin() + std::ptrdiff_t(m_head), m_queue.end());
+    for (; m_head < m_queue.size(); ++m_head)
+      m_is_queued[m_queue[m_head]] = false;
+    keep_unproved(maintained, open);
+    return flips;
+  }
+
+private:
+  void start(std::size_t number_of_edges, const std::vector<Index>& edges)
+  {
+    m_queue.clear();
+    m_head = 0;
+    m_is_queued.resize(number_of_edges, false);
+    for (const Index e : edges)
+      push(e);
+  }
+
+  void push(Index e)
+  {
+    if (m_is_queued[e])
+      return;
+    m_is_queued[e] = true;
+    m_queue.push_back(e);
+  }
+
+  Index pop()
+  {
+    const Index e = m_queue[m_head++];
+    m_is_queued[e] = false;
+    return e;
+  }
+
+  // Flips e if it is illegal and can be flipped; notes it as open if it is not Delaunay and cannot.
+  template <class Maintained>
+  bool examine(const Maintained& maintained, Topology_editor_2<Maintained>& editor, Index e,
+               std::vector<Index>& open)
+  {
+    const Edge_state_2 state = Certificate_2<Maintained>(maintained).state(e);
+    if (state == Edge_state_2::DELAUNAY)
+      return false;
+    const auto& mirror = maintained.mirror;
+    const Index h = mirror.halfedge(e);
+    if (state == Edge_state_2::TWISTED || !editor.can_flip(h)) {
+      open.push_back(e);
+      return false;
+    }
+    editor.flip(h);
+    const Index diagonal = mirror.halfedge(e);
+    const Index twin = mirror.twin(diagonal);
+    for (const Index side : {diagonal, mirror.next(diagonal), mirror.previous(diagonal),
+                             mirror.next(twin), mirror.previous(twin)})
+      push(mirror.edge_of(side));
+    return true;
+  }
+
+  // What was open for want of a flip may have been righted by a later one.
+  template <class Maintained>
+  static void keep_unproved(const Maintained& maintained, std::vector<Index>& open)
+  {
+    std::sort(open.begin(), open.end());
+    open.erase(std::unique(open.begin(), open.end()), open.end());
+    const Certificate_2<Maintained> certificate(maintained);
+    open.erase(
+        std::remove_if(open.begin(), open.end(),
+                       [&](Index e) { return certificate.state(e) == Edge_state_2::DELAUNAY; }),
+        open.end());
+  }
+
+  std::vector<Index> m_queue;
+  std::size_t m_head = 0;
+  std::vector<char> m_is_queued;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_LAWSON_FLIPS_2_H

@@ -1,0 +1,201 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_NEIGHBORHOOD_MIRROR_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_NEIGHBORHOOD_MIRROR_2_H
+
+#include <CGAL/assertions.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+
+/// Index of a vertex, a half-edge, an edge or a face in the flat arrays.
+using Index = std::uint32_t;
+
+/// The coordinates of a vertex in the flat arrays: exact where the kernel's coordinates are
+/// doubles, the nearest doubles elsewhere.
+struct Position_2
+{
+  double x, y;
+};
+
+/// An edge with its two opposite vertices: (left, source, target) and (right, target, source) are
+/// the two faces at the edge, both counterclockwise.
+struct Edge_2
+{
+  Index source, target, left, right;
+};
+
+namespace internal {
+
+constexpr Index infinite_index = 0;
+constexpr Index no_index = std::numeric_limits<Index>::max();
+
+// The topology of a two-dimensional CGAL triangulation in flat arrays.
+//
+// Vertex 0 is the infinite one; its position is NaN, so that every comparison with it fails and the
+// passes over all edges need no branch for the hull. Half-edge 3f+i is the edge of face f opposite
+// to its i-th vertex, the face's vertices being the CGAL face's own in the same places: face f here
+// and the CGAL face f never differ by so much as a rotation.
+class Neighborhood_mirror_2
+{
+public:
+  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  static Index face_of(Index h) { return h / 3; }
+
+  Index number_of_faces() const { return Index(m_apex.size() / 3); }
+  Index number_of_edges() const { return Index(m_edges.size()); }
+
+  // The vertex opposite to half-edge h, which is also the i-th vertex of its face.
+  Index apex(Index h) const { return m_apex[h]; }
+  Index source(Index h) const { return m_apex[next(h)]; }
+  Index target(Index h) const { return m_apex[previous(h)]; }
+  Index twin(Index h) const { return m_twin[h]; }
+  Index edge_of(Index h) const { return m_edge_of[h]; }
+  Index halfedge(Index edge) const { return m_halfedge_of_edge[edge]; }
+  const Edge_2& edge(Index e) const { return m_edges[e]; }
+  const std::vector<Edge_2>& edges() const { return m_edges; }
+  std::array<Index, 3> face(Index f) const
+  {
+    return {m_apex[3 * f], m_apex[3 * f + 1], m_apex[3 * f + 2]};
+  }
+
+  // A corner of v: a half-edge whose apex is v.
+  Index corner(Index v) const { return m_corner[v]; }
+  // The corner of the same vertex in the next face counterclockwise.
+  Index next_corner(Index h) const { return next(twin(next(h))); }
+
+  // Calls f(corner) for every face at v, counterclockwise.
+  template <class Function>
+  void for_each_corner(Index v, Function&& f) const
+  {
+    const Index first = m_corner[v];
+    Index h = first;
+    do {
+      f(h);
+      h = next_corner(h);
+    } while (h != first);
+  }
+
+  // Calls f(w) for every neighbour w of v, counterclockwise, the infinite vertex among them.
+  template <class Function>
+  void for_each_neighbor(Index v, Function&& f) const
+  {
+    for_each_corner(v, [&](Index h) { f(m_apex[next(h)]); });
+  }
+
+  bool are_neighbors(Index v, Index w) const
+  {
+    if (v == infinite_index)
+      std::swap(v, w); // the star of the infinite vertex is the whole hull
+    const Index first = m_corner[v];
+    Index h = first;
+    do {
+      if (m_apex[next(h)] == w)
+        return true;
+      h = next_corner(h);
+    } while (h != first);
+    return false;
+  }
+
+  // The writing part, for the topology editor alone.
+
+  void clear()
+  {
+    m_apex.clear();
+    m_twin.clear();
+    m_edge_of.clear();
+    m_edges.clear();
+    m_halfedge_of_edge.clear();
+    m_corner.clear();
+  }
+
+  void resize(Index vertices, Index faces)
+  {
+    m_corner.assign(vertices + 1, no_index);
+    m_apex.resize(3 * std::size_t(faces));
+    m_twin.resize(3 * std::size_t(faces));
+    m_edge_of.resize(3 * std::size_t(faces));
+    m_edges.resize(3 * std::size_t(faces) / 2);
+    m_halfedge_of_edge.resize(3 * std::size_t(faces) / 2);
+  }
+
+  void set_apex(Index h, Index v)
+  {
+    m_apex[h] = v;
+    m_corner[v] = h;
+  }
+
+  void link(Index h, Index g)
+  {
+    m_twin[h] = g;
+    m_twin[g] = h;
+  }
+
+  // Makes e the edge of h and of its twin, and reads its four vertices anew.
+  void set_edge(Index e, Index h)
+  {
+    const Index g = m_twin[h];
+    m_edge_of[h] = m_edge_of[g] = e;
+    m_halfedge_of_edge[e] = h;
+    m_edges[e] = Edge_2{source(h), target(h), m_apex[h], m_apex[g]};
+  }
+
+  // Numbers the edges along the faces, so that edges close in space are close in memory.
+  void number_edges()
+  {
+    Index e = 0;
+    for (Index h = 0; h < Index(m_apex.size()); ++h)
+      if (h < m_twin[h])
+        set_edge(e++, h);
+    CGAL_postcondition(e == number_of_edges());
+  }
+
+  // Exchanges the diagonal at half-edge h, vertex by vertex as CGAL's TDS_2::flip(face, i) does.
+  void flip(Index h)
+  {
+    const Index g = m_twin[h];
+    const Index h_next = next(h), h_previous = previous(h);
+    const Index g_next = next(g), g_previous = previous(g);
+    const Index b = m_apex[h_next], c = m_apex[h_previous];
+    const Index edge = m_edge_of[h];
+    const Index outer_h = m_twin[h_next], outer_g = m_twin[g_next];
+    const Index edge_of_h_next = m_edge_of[h_next], edge_of_g_next = m_edge_of[g_next];
+
+    m_apex[h_previous] = m_apex[g];
+    m_apex[g_previous] = m_apex[h];
+    link(h, outer_g);
+    link(g, outer_h);
+    link(h_next, g_next);
+    if (m_corner[c] == h_previous)
+      m_corner[c] = g_next;
+    if (m_corner[b] == g_previous)
+      m_corner[b] = h_next;
+
+    set_edge(edge, h_next);
+    set_edge(edge_of_g_next, h);
+    set_edge(edge_of_h_next, g);
+    set_edge(m_edge_of[h_previous], h_previous);
+    set_edge(m_edge_of[g_previous], g_previous);
+  }
+
+private:
+  std::vector<Index> m_apex;
+  std::vector<Index> m_twin;
+  std::vector<Index> m_edge_of;
+  std::vector<Edge_2> m_edges;
+  std::vector<Index> m_halfedge_of_edge;
+  std::vector<Index> m_corner;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_NEIGHBORHOOD_MIRROR_2_H

@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_VALIDITY_CHECK_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_VALIDITY_CHECK_2_H
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
+#include <CGAL/exceptions.h>
+
+#include <iostream>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Everything that must be true of a maintained triangulation between two calls.
+template <class Maintained>
+class Validity_check_2
+{
+public:
+  Validity_check_2(const Maintained& maintained, bool verbose)
+    : m_maintained(maintained)
+    , m_verbose(verbose)
+  {
+  }
+
+  bool passes(int level, bool is_certified) const
+  {
+    return says(is_data_structure_valid(level), "the triangulation data structure is not valid") &&
+           says(is_nobody_lost(), "a point has no vertex, or not its own") &&
+           says(is_mirror_in_step(), "the flat arrays differ from the data structure") &&
+           says(!is_certified || is_delaunay(), "the triangulation is certified, and not Delaunay");
+  }
+
+private:
+  bool says(bool is_right, const char* complaint) const
+  {
+    if (!is_right && m_verbose)
+      std::cerr << complaint << std::endl;
+    return is_right;
+  }
+
+  // CGAL's own check fails an assertion where those are on, instead of answering.
+  bool is_data_structure_valid(int level) const
+  {
+    try {
+      return m_maintained.triangulation.tds().is_valid(m_verbose, level);
+    } catch (const Failure_exception&) {
+      return false;
+    }
+  }
+
+  bool is_nobody_lost() const
+  {
+    const auto& ids = m_maintained.ids;
+    if (m_maintained.triangulation.number_of_vertices() != m_maintained.number_of_vertices())
+      return false;
+    for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v)
+      if (m_maintained.vertices[v]->mirror_index() != v)
+        return false;
+    Index guests = 0;
+    for (Index id = 0; id < ids.number_of_points(); ++id) {
+      const Index v = ids.vertex(id);
+      if (v == infinite_index || v > m_maintained.number_of_vertices())
+        return false;
+      if (!ids.is_host(id)) {
+        ++guests;
+        if (ids.guest(id).point != m_maintained.point(v))
+          return false;
+      }
+    }
+    return guests == ids.guests().size() &&
+           m_maintained.number_of_vertices() + guests == ids.number_of_points();
+  }
+
+  bool is_mirror_in_step() const
+  {
+    const auto& mirror = m_maintained.mirror;
+    const auto& faces = m_maintained.faces;
+    if (!m_maintained.is_mirrored())
+      return mirror.number_of_faces() == 0;
+    if (faces.size() != m_maintained.triangulation.tds().number_of_faces())
+      return false;
+    for (Index h = 0; h < 3 * Index(faces.size()); ++h)
+      if (!is_halfedge_in_step(h))
+        return false;
+    for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v)
+      if (mirror.apex(mirror.corner(v)) != v)
+        return false;
+    return true;
+  }
+
+  bool is_halfedge_in_step(Index h) const
+  {
+    const auto& mirror = m_maintained.mirror;
+    const auto& face = m_maintained.faces[h / 3];
+    const Index g = mirror.twin(h);
+    const Edge_2& edge = mirror.edge(mirror.edge_of(h));
+    const bool is_forward = edge.source == mirror.source(h);
+    const Index left = is_forward ? edge.left : edge.right;
+    const Index right = is_forward ? edge.right : edge.left;
+    return face->vertex(int(h % 3)) == m_maintained.vertices[mirror.apex(h)] &&
+           face->neighbor(int(h % 3)) == m_maintained.faces[g / 3] && mirror.twin(g) == h &&
+           mirror.edge_of(g) == mirror.edge_of(h) && left == mirror.apex(h) &&
+           right == mirror.apex(g) && (is_forward ? edge.target : edge.source) == mirror.target(h);
+  }
+
+  bool is_delaunay() const
+  {
+    if (m_maintained.is_mirrored())
+      return Certificate_2<Maintained>(m_maintained).holds();
+    try { // without a mirror the triangulation is CGAL's own work
+      return m_maintained.triangulation.is_valid();
+    } catch (const Failure_exception&) {
+      return false;
+    }
+  }
+
+  const Maintained& m_maintained;
+  bool m_verbose;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_VALIDITY_CHECK_2_H

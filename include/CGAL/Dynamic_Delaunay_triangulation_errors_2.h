@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_ERRORS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_ERRORS_2_H
+
+#include <cstddef>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Errors
+
+The base of every exception that the package throws for bad input or bad use. Each is thrown before
+anything changes.
+*/
+class Dynamic_Delaunay_triangulation_error_2 : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Errors
+
+A coordinate is NaN or infinite, or too large for a double.
+*/
+class Non_finite_coordinate_error_2 : public Dynamic_Delaunay_triangulation_error_2
+{
+public:
+  /// \cond
+  Non_finite_coordinate_error_2(std::size_t id, double x, double y)
+    : Dynamic_Delaunay_triangulation_error_2(message(id, x, y))
+    , m_id(id)
+    , m_x(x)
+    , m_y(y)
+  {
+  }
+  /// \endcond
+
+  /// the id of the point.
+  std::size_t id() const { return m_id; }
+  /// its first coordinate, as a double.
+  double x() const { return m_x; }
+  /// its second coordinate, as a double.
+  double y() const { return m_y; }
+
+private:
+  static std::string message(std::size_t id, double x, double y)
+  {
+    std::ostringstream out;
+    out << "point " << id << " has the coordinates (" << x << ", " << y
+        << "): both must be finite numbers";
+    return out.str();
+  }
+
+  std::size_t m_id;
+  double m_x, m_y;
+};
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Errors
+
+A frame has too few or too many points.
+*/
+class Point_count_error_2 : public Dynamic_Delaunay_triangulation_error_2
+{
+public:
+  /// \cond
+  Point_count_error_2(std::size_t expected, std::size_t given)
+    : Dynamic_Delaunay_triangulation_error_2(message(expected, given))
+    , m_expected(expected)
+    , m_given(given)
+  {
+  }
+  /// \endcond
+
+  /// the number of points in the triangulation.
+  std::size_t expected() const { return m_expected; }
+  /// the number of points in the frame; `expected() + 1` stands for "or more".
+  std::size_t given() const { return m_given; }
+
+private:
+  static std::string message(std::size_t expected, std::size_t given)
+  {
+    std::ostringstream out;
+    out << "the frame has " << given << (given > expected ? " or more" : "")
+        << " points, and the triangulation has " << expected
+        << ": give one position for each id from 0 to the last";
+    return out.str();
+  }
+
+  std::size_t m_expected, m_given;
+};
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Errors
+
+An id that no point has.
+*/
+class Unknown_id_error_2 : public Dynamic_Delaunay_triangulation_error_2
+{
+public:
+  /// \cond
+  Unknown_id_error_2(std::size_t id, std::size_t number_of_points)
+    : Dynamic_Delaunay_triangulation_error_2(message(id, number_of_points))
+    , m_id(id)
+    , m_number_of_points(number_of_points)
+  {
+  }
+  /// \endcond
+
+  /// the id that was asked for.
+  std::size_t id() const { return m_id; }
+  /// the number of points: ids are smaller.
+  std::size_t number_of_points() const { return m_number_of_points; }
+
+private:
+  static std::string message(std::size_t id, std::size_t number_of_points)
+  {
+    std::ostringstream out;
+    out << "there is no point with id " << id << ": ";
+    if (number_of_points == 0)
+      out << "the triangulation has no points";
+    else
+      out << "ids run from 0 to " << number_of_points - 1;
+    return out.str();
+  }
+
+  std::size_t m_id, m_number_of_points;
+};
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Errors
+
+The CGAL triangulation was asked for while nothing proves that it is Delaunay. CGAL's point location
+and insertion may loop or abort on inverted faces, so it is not handed out then.
+*/
+class Uncertified_triangulation_error_2 : public Dynamic_Delaunay_triangulation_error_2
+{
+public:
+  /// \cond
+  Uncertified_triangulation_error_2()
+    : Dynamic_Delaunay_triangulation_error_2(
+          "the triangulation is not certified after a heuristic update: call mend() to make it "
+          "Delaunay, or certify() to find out whether it is; tds() and frame() can be read as it "
+          "is")
+  {
+  }
+  /// \endcond
+};
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Errors
+
+A parameter of a classifier or a repair is out of its range.
+*/
+class Parameter_error_2 : public Dynamic_Delaunay_triangulation_error_2
+{
+public:
+  /// \cond
+  Parameter_error_2(const std::string& name, double value, double lowest, double highest)
+    : Dynamic_Delaunay_triangulation_error_2(message(name, value, lowest, highest))
+    , m_value(value)
+  {
+  }
+  /// \endcond
+
+  /// the value that was given.
+  double value() const { return m_value; }
+
+private:
+  static std::string message(const std::string& name, double value, double lowest, double highest)
+  {
+    std::ostringstream out;
+    out << name << " is " << value << ": it must be from " << lowest << " to " << highest;
+    return out.str();
+  }
+
+  double m_value;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_ERRORS_2_H

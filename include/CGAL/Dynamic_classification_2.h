@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_CLASSIFICATION_2_H
+#define CGAL_DYNAMIC_CLASSIFICATION_2_H
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2
+
+What a classifier fills: the Classified set of a frame (thesis 4.1.3).
+
+\tparam Maintained an internal type.
+*/
+template <class Maintained>
+class Dynamic_classification_2
+{
+public:
+  /// as in `Dynamic_frame_2`.
+  using Index = Dynamic_Delaunay_triangulations_2::Index;
+
+  /// \cond
+  void clear(const Maintained& maintained)
+  {
+    m_maintained = &maintained;
+    m_vertices.clear(maintained.vertices.size());
+    m_whole_vertices.clear(maintained.vertices.size());
+    m_edges.clear();
+  }
+  /// \endcond
+
+  /// classifies vertex `v`; nothing happens if it is the infinite one. Of every edge that is not
+  /// Delaunay, an exact classifier classifies an end so, or it gives the edge to `add_edge()`.
+  void add_vertex(Index v)
+  {
+    if (v != Dynamic_Delaunay_triangulations_2::internal::infinite_index) {
+      m_vertices.insert(v);
+      m_whole_vertices.insert(v);
+    }
+  }
+
+  /// classifies the vertex of the point `id`.
+  /// \throws Unknown_id_error_2 if there is no such point.
+  void add_id(std::size_t id)
+  {
+    if (id >= m_maintained->ids.number_of_points())
+      throw Unknown_id_error_2(id, m_maintained->ids.number_of_points());
+    add_vertex(m_maintained->ids.vertex(Index(id)));
+  }
+
+  /// classifies the four vertices of edge `e`, for the sake of that edge alone: repairs that work
+  /// on edges start there, and need not look at all the edges of its vertices.
+  void add_edge(Index e)
+  {
+    const auto& edge = m_maintained->mirror.edge(e);
+    m_edges.push_back(e);
+    for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+      if (v != Dynamic_Delaunay_triangulations_2::internal::infinite_index)
+        m_vertices.insert(v);
+  }
+
+  /// whether nothing is classified.
+  bool empty() const { return m_vertices.empty(); }
+  /// the number of classified vertices.
+  std::size_t size() const { return m_vertices.size(); }
+  /// the classified vertices, in the order of their classification.
+  const std::vector<Index>& vertices() const { return m_vertices.members(); }
+  /// the vertices given to `add_vertex()` or `add_id()`.
+  const std::vector<Index>& whole_vertices() const { return m_whole_vertices.members(); }
+  /// the edges given to `add_edge()`.
+  const std::vector<Index>& edges() const { return m_edges; }
+
+private:
+  const Maintained* m_maintained = nullptr;
+  Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_vertices;
+  Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_whole_vertices;
+  std::vector<Index> m_edges;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_CLASSIFICATION_2_H

@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_FRAME_2_H
+#define CGAL_DYNAMIC_FRAME_2_H
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2
+
+What a classifier sees: the points, edges and faces of the maintained triangulation as flat arrays,
+at the positions of the current frame and with the topology of the last one. It is a view: it copies
+nothing, and is good until the next update.
+
+Vertices are numbered from 1 to `number_of_vertices()` along the plane, 0 is the infinite vertex;
+edges and faces are numbered from 0. These numbers may change when the triangulation is rebuilt; the
+ids of the points never do. A frame has edges and faces only while the points span the plane;
+otherwise classifiers are not asked.
+
+\tparam Maintained an internal type.
+*/
+template <class Maintained>
+class Dynamic_frame_2
+{
+public:
+  /// the type of all numbers: an unsigned integer of 32 bits.
+  using Index = Dynamic_Delaunay_triangulations_2::Index;
+  /// two doubles, `x` and `y`. Where the kernel's coordinates are not doubles, the nearest ones.
+  using Position = Dynamic_Delaunay_triangulations_2::Position_2;
+  /// four vertices, `source`, `target`, `left` and `right`: the ends of an edge, and the vertices
+  /// opposite to it in its two faces.
+  using Edge = Dynamic_Delaunay_triangulations_2::Edge_2;
+
+  /// \cond
+  explicit Dynamic_frame_2(const Maintained& maintained)
+    : m_maintained(&maintained)
+  {
+  }
+  /// \endcond
+
+  /// \name Sizes
+  /// @{
+
+  /// the number of points, which is the number of ids.
+  Index number_of_points() const { return m_maintained->ids.number_of_points(); }
+  /// the number of finite vertices: fewer than points, if some of these coincide.
+  Index number_of_vertices() const { return m_maintained->number_of_vertices(); }
+  /// the number of edges, those to the infinite vertex included.
+  Index number_of_edges() const { return m_maintained->mirror.number_of_edges(); }
+  /// the number of faces, the infinite ones included.
+  Index number_of_faces() const { return m_maintained->mirror.number_of_faces(); }
+
+  /// @}
+  /// \name Points
+  /// @{
+
+  /// the vertex of the point `id`, which must be smaller than `number_of_points()`.
+  Index vertex(Index id) const { return m_maintained->ids.vertex(id); }
+  /// the id of a point at the finite vertex `v`; of the one that was there first, if several are.
+  Index id(Index v) const { return m_maintained->ids.host(v); }
+  /// whether `v` is the infinite vertex.
+  static bool is_infinite(Index v)
+  {
+    return v == Dynamic_Delaunay_triangulations_2::internal::infinite_index;
+  }
+  /// where vertex `v` is; NaNs for the infinite one.
+  const Position& position(Index v) const { return m_maintained->positions[v]; }
+  /// where vertex `v` was one frame ago. Only while classifying.
+  const Position& previous_position(Index v) const { return m_maintained->previous_positions[v]; }
+  /// whether all positions are the very coordinates of the points, none of them rounded.
+  bool positions_are_exact() const { return m_maintained->positions_are_exact; }
+
+  /// @}
+  /// \name Edges and Faces
+  /// @{
+
+  /// edge `e` with its two opposite vertices.
+  const Edge& edge(Index e) const { return m_maintained->mirror.edge(e); }
+  /// all edges, in their numbering.
+  const std::vector<Edge>& edges() const { return m_maintained->mirror.edges(); }
+  /// whether one end of `edge` is the infinite vertex.
+  static bool is_infinite(const Edge& edge)
+  {
+    return is_infinite(edge.source) || is_infinite(edge.target);
+  }
+  /// the three vertices of face `f`, counterclockwise when the face was made.
+  std::array<Index, 3> face(Index f) const { return m_maintained->mirror.face(f); }
+
+  /// calls `f(w)` for every neighbor `w` of vertex `v`, the infinite vertex included.
+  template <class Function>
+  void for_each_neighbor(Index v, Function&& f) const
+  {
+    m_maintained->mirror.for_each_neighbor(v, f);
+  }
+  /// calls `f(e)` for every edge `e` at vertex `v`.
+  template <class Function>
+  void for_each_incident_edge(Index v, Function&& f) const
+  {
+    const auto& mirror = m_maintained->mirror;
+    mirror.for_each_corner(v, [&](Index h) { f(mirror.edge_of(mirror.previous(h))); });
+  }
+
+  /// whether edge `e` needs no repair: locally Delaunay, with counterclockwise faces, the hull
+  /// convex there. Decided exactly.
+  bool is_delaunay(Index e) const
+  {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    return Certificate_2<Maintained>(*m_maintained).state(e) == Edge_state_2::DELAUNAY;
+  }
+
+  /// @}
+  /// \name What the last update triangulated anew
+  /// @{
+
+  /// whether that was everything: at the start, after a rebuild, and after relocations.
+  bool everything_is_new() const { return m_maintained->everything_is_new; }
+  /// the edges in the regions that were triangulated anew, if not everything was; an edge can be
+  /// there more than once.
+  const std::vector<Index>& new_edges() const { return m_maintained->new_edges; }
+
+  /// @}
+
+private:
+  const Maintained* m_maintained;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_FRAME_2_H

@@ -1,0 +1,234 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_MENDER_2_H
+#define CGAL_DYNAMIC_MENDER_2_H
+
+#include <CGAL/Dynamic_classification_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Border_splice_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Lawson_flips_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
+#include <CGAL/Dynamic_frame_2.h>
+#include <CGAL/Update_report_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2
+
+The tools that a repair works with: it calls them in the order that it likes. A mender knows what
+was classified and which edges are still *open*, that is, not yet proved Delaunay; each tool works
+on these, and what it opens and cannot close again stays open. At the start the open edges are those
+that the classifier named, and all edges of the vertices that it named.
+
+\tparam Maintained an internal type.
+*/
+template <class Maintained>
+class Dynamic_mender_2
+{
+  using Editor = Dynamic_Delaunay_triangulations_2::internal::Topology_editor_2<Maintained>;
+  using Certificate = Dynamic_Delaunay_triangulations_2::internal::Certificate_2<Maintained>;
+  using Edge_state = Dynamic_Delaunay_triangulations_2::internal::Edge_state_2;
+  using Splice_result = Dynamic_Delaunay_triangulations_2::internal::Splice_result_2;
+
+public:
+  /// as in `Dynamic_frame_2`.
+  using Index = Dynamic_Delaunay_triangulations_2::Index;
+
+  /// \cond
+  explicit Dynamic_mender_2(Maintained& maintained)
+    : m_maintained(maintained)
+    , m_editor(maintained)
+    , m_splice(maintained.traits())
+  {
+  }
+
+  Editor& editor() { return m_editor; }
+
+  // Before the classifier is asked.
+  Dynamic_classification_2<Maintained>& start(Update_report_2& report)
+  {
+    m_report = &report;
+    m_open.clear();
+    m_padded.clear();
+    m_border.clear();
+    m_classification.clear(m_maintained);
+    return m_classification;
+  }
+
+  // After it has answered.
+  void take_classification(bool has_to_prove, bool was_certified)
+  {
+    m_has_to_prove = has_to_prove;
+    m_was_certified = was_certified;
+    m_report->classified = m_classification.size();
+    m_open = m_classification.edges();
+    const Dynamic_frame_2<Maintained> frame(m_maintained);
+    for (const Index v : m_classification.whole_vertices())
+      frame.for_each_incident_edge(v, [this](Index e) { m_open.push_back(e); });
+  }
+
+  const std::vector<Index>& padded() const { return m_padded; }
+  const std::vector<Index>& border() const { return m_border; }
+  /// \endcond
+
+  /// \name What There Is to Do
+  /// @{
+
+  /// what the classifier picked.
+  const Dynamic_classification_2<Maintained>& classification() const { return m_classification; }
+  /// whether the update has to end with a proof: the classifier is exact. If it has, and edges are
+  /// left open, the triangulation is rebuilt after the repair.
+  bool has_to_prove() const { return m_has_to_prove; }
+  /// the number of open edges.
+  std::size_t number_of_open_edges() const { return m_open.size(); }
+  /// the number of all edges.
+  std::size_t number_of_edges() const { return m_maintained.mirror.number_of_edges(); }
+  /// whether there is nothing left to do.
+  bool is_done() const { return m_open.empty() || m_report->rebuilt(); }
+
+  /// @}
+  /// \name Tools
+  /// @{
+
+  /// flips edges from the open ones on until none that can be flipped violates the in-circle
+  /// condition (Lawson). Expected cost: proportional to the number of flips. Leaves open what it
+  /// cannot right: at inverted faces flips can get stuck.
+  void flip()
+  {
+    // the neighborhoods that it has looked at count as triangulated anew
+    auto& new_edges = m_maintained.new_edges;
+    new_edges.insert(new_edges.end(), m_open.begin(), m_open.end());
+    m_report->flips += m_lawson.run(m_maintained, m_editor, m_open);
+  }
+
+  /// splices around the classified vertices with `padding` layers. Rebuilds if the region holds
+  /// more than half of the vertices, also after it had to grow, or if points in it coincide.
+  void splice_classified(unsigned padding)
+  {
+    splice(m_classification.vertices(), padding);
+    if (!m_report->rebuilt()) {
+      for (std::size_t i = 0; i < m_splice.number_of_padded(); ++i)
+        m_padded.push_back(m_splice.padded(i));
+      m_border.assign(m_splice.border().begin(), m_splice.border().end());
+    }
+  }
+
+  /// splices around the vertices of the open edges with `padding` layers. Rebuilds as
+  /// `splice_classified()` does.
+  void splice_open(unsigned padding)
+  {
+    std::vector<Index> vertices;
+    for (const Index e : m_open) {
+      const auto& edge = m_maintained.mirror.edge(e);
+      for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+        if (!Dynamic_frame_2<Maintained>::is_infinite(v))
+          vertices.push_back(v);
+    }
+    splice(vertices, padding);
+  }
+
+  /// takes all vertices back to where they were a frame ago, and lets CGAL's
+  /// `move_if_no_collision()` bring one after the other to where it is now. Rebuilds if the
+  /// triangulation was not certified a frame ago, or if points coincide.
+  void relocate()
+  {
+    if (!m_was_certified)
+      return rebuild(Rebuild_reason_2::STUCK);
+    m_maintained.exchange_positions();
+    const bool all_arrived = relocate_all();
+    m_maintained.exchange_positions();
+    m_editor.read_back();
+    m_open.clear();
+    if (!all_arrived)
+      rebuild(Rebuild_reason_2::COINCIDENCE);
+    else if (m_maintained.is_mirrored() && !Certificate(m_maintained).holds())
+      rebuild(Rebuild_reason_2::STUCK);
+  }
+
+  /// triangulates everything anew, in the order of the last triangulation, and closes all edges.
+  void rebuild(Rebuild_reason_2 reason)
+  {
+    m_editor.rebuild();
+    m_report->rebuild_reason = reason;
+    m_open.clear();
+  }
+
+  /// @}
+
+private:
+  void splice(const std::vector<Index>& vertices, unsigned padding)
+  {
+    std::size_t growths = 0;
+    const Splice_result result = m_splice.run(m_maintained, m_editor, vertices, padding, growths);
+    m_report->growths += growths;
+    if (result == Splice_result::TOO_LARGE)
+      return rebuild(growths == 0 ? Rebuild_reason_2::TOO_MUCH_BROKEN : Rebuild_reason_2::STUCK);
+    if (result == Splice_result::COINCIDENCE)
+      return rebuild(Rebuild_reason_2::COINCIDENCE);
+    ++m_report->splices;
+    m_report->padded += m_splice.number_of_padded();
+    m_report->border += m_splice.number_of_border();
+    reopen();
+  }
+
+  // The spliced faces are Delaunay among themselves; what lies across their boundary may not be.
+  // Open edges elsewhere stay open.
+  void reopen()
+  {
+    if (!m_has_to_prove) {
+      m_open.clear();
+      return;
+    }
+    const Certificate certificate(m_maintained);
+    m_splice.for_each_edge(m_maintained.mirror, [this](Index e) { m_open.push_back(e); });
+    std::sort(m_open.begin(), m_open.end());
+    m_open.erase(std::unique(m_open.begin(), m_open.end()), m_open.end());
+    m_open.erase(
+        std::remove_if(m_open.begin(), m_open.end(),
+                       [&](Index e) { return certificate.state(e) == Edge_state::DELAUNAY; }),
+        m_open.end());
+  }
+
+  // False if some could not: others are, or stay, where they have to go.
+  bool relocate_all()
+  {
+    std::vector<Index> waiting;
+    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
+      if (m_maintained.point(v) != m_maintained.next_point(v))
+        waiting.push_back(v);
+    // whoever finds its place taken tries again when the others have moved on
+    for (std::size_t before = waiting.size() + 1; !waiting.empty() && waiting.size() < before;) {
+      before = waiting.size();
+      waiting.erase(std::remove_if(waiting.begin(), waiting.end(),
+                                   [this](Index v) {
+                                     const bool arrived =
+                                         m_editor.relocate(v, m_maintained.next_point(v));
+                                     m_report->relocated += arrived;
+                                     return arrived;
+                                   }),
+                    waiting.end());
+    }
+    return waiting.empty();
+  }
+
+  Maintained& m_maintained;
+  Editor m_editor;
+  Dynamic_Delaunay_triangulations_2::internal::Lawson_flips_2 m_lawson;
+  Dynamic_Delaunay_triangulations_2::internal::Border_splice_2<Maintained> m_splice;
+  Dynamic_classification_2<Maintained> m_classification;
+  std::vector<Index> m_open;
+  std::vector<Index> m_padded, m_border;
+  Update_report_2* m_report = nullptr;
+  bool m_has_to_prove = false;
+  bool m_was_certified = false;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_MENDER_2_H

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_FLIP_AND_SPLICE_REPAIR_2_H
+#define CGAL_FLIP_AND_SPLICE_REPAIR_2_H
+
+#include <CGAL/Update_report_2.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Repairs
+
+The default for exact use: flips first, border splices around what flips cannot right. If so much is
+classified that mending would cost more than a rebuild, it rebuilds at once.
+
+\cgalModels `DelaunayRepair_2`
+*/
+class Flip_and_splice_repair_2
+{
+public:
+  /// \param padding the number of layers that the first splice is padded with.
+  explicit Flip_and_splice_repair_2(unsigned padding = 1)
+    : m_padding(padding)
+  {
+  }
+
+  /// the number of layers.
+  unsigned padding() const { return m_padding; }
+
+  /// repairs.
+  template <class Mender>
+  void operator()(Mender& mender) const
+  {
+    constexpr unsigned rounds = 6;
+    if (is_too_much(mender))
+      return mender.rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
+    mender.flip();
+    for (unsigned round = 0; round < rounds && !mender.is_done(); ++round) {
+      mender.splice_open(m_padding + round);
+      if (!mender.is_done())
+        mender.flip();
+    }
+  }
+
+private:
+  template <class Mender>
+  static bool is_too_much(const Mender& mender)
+  {
+    return 3 * mender.number_of_open_edges() > mender.number_of_edges();
+  }
+
+  unsigned m_padding;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_FLIP_AND_SPLICE_REPAIR_2_H

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_FLIP_REPAIR_2_H
+#define CGAL_FLIP_REPAIR_2_H
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Repairs
+
+Flips edges (Lawson), and nothing else. Where flips get stuck at inverted faces, an update with an
+exact classifier rebuilds; one with a heuristic classifier leaves them.
+
+\cgalModels `DelaunayRepair_2`
+*/
+class Flip_repair_2
+{
+public:
+  /// repairs.
+  template <class Mender>
+  void operator()(Mender& mender) const
+  {
+    mender.flip();
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_FLIP_REPAIR_2_H

@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REBUILD_REPAIR_2_H
+#define CGAL_REBUILD_REPAIR_2_H
+
+#include <CGAL/Update_report_2.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Repairs
+
+Rebuilds the triangulation whenever anything is classified: a static triangulation, but for the
+frames in which nothing broke.
+
+\cgalModels `DelaunayRepair_2`
+*/
+class Rebuild_repair_2
+{
+public:
+  /// repairs.
+  template <class Mender>
+  void operator()(Mender& mender) const
+  {
+    mender.rebuild(Rebuild_reason_2::REPAIR);
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_REBUILD_REPAIR_2_H

@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RELOCATION_REPAIR_2_H
+#define CGAL_RELOCATION_REPAIR_2_H
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Repairs
+
+Lets CGAL's `Delaunay_triangulation_2::move_if_no_collision()` move every vertex that has moved, one
+after the other, whenever anything is classified. CGAL's function needs a Delaunay triangulation
+before and after each single move, so the vertices are taken back to their last positions first, and
+it is not enough to move the classified ones.
+
+\cgalModels `DelaunayRepair_2`
+*/
+class Relocation_repair_2
+{
+public:
+  /// repairs.
+  template <class Mender>
+  void operator()(Mender& mender) const
+  {
+    mender.relocate();
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_RELOCATION_REPAIR_2_H

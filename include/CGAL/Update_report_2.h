@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_UPDATE_REPORT_2_H
+#define CGAL_UPDATE_REPORT_2_H
+
+#include <cstddef>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2
+
+Why an update rebuilt the triangulation instead of mending it.
+*/
+enum class Rebuild_reason_2 {
+  NONE,            ///< it did not
+  REPAIR,          ///< the repair is `Rebuild_repair_2`, and something was classified
+  TOO_MUCH_BROKEN, ///< so much was classified that mending would have cost more
+  STUCK,           ///< what the repair left broken
+  COINCIDENCE,     ///< points came to coincide, or coincident points parted
+  DIMENSION        ///< fewer than three points, or all points on a line, before or after the frame
+};
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2
+
+What one update did. Equal input and settings give equal reports.
+*/
+struct Update_report_2
+{
+  /// vertices that the classifier picked.
+  std::size_t classified = 0;
+  /// vertices in the layers of padding around them (border splice only).
+  std::size_t padded = 0;
+  /// vertices in the layer beyond the padding (border splice only).
+  std::size_t border = 0;
+  /// edges flipped.
+  std::size_t flips = 0;
+  /// border splices: regions triangulated anew and put in place of the old ones.
+  std::size_t splices = 0;
+  /// times that a region grew because its boundary and that of its new triangulation disagreed.
+  std::size_t growths = 0;
+  /// vertices relocated by CGAL's `move()`.
+  std::size_t relocated = 0;
+  /// whether the triangulation was rebuilt, and why.
+  Rebuild_reason_2 rebuild_reason = Rebuild_reason_2::NONE;
+  /// whether the certificate holds at the end: the triangulation is proved Delaunay.
+  bool certified = false;
+
+  /// whether the triangulation was rebuilt.
+  bool rebuilt() const { return rebuild_reason != Rebuild_reason_2::NONE; }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_UPDATE_REPORT_2_H
