@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What every test asks of a triangulation, and the points that tests are made of.
+
+#ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_ORACLE_H
+#define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_ORACLE_H
+
+#include <CGAL/delaunay_agreement.h>
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <string>
+#include <vector>
+
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
+
+// Nobody is lost, and the structure is sound, whatever else is true.
+template <class Dynamic>
+void expect_valid(const Dynamic& dt, const std::vector<typename Dynamic::Point>& points)
+{
+  ASSERT_EQ(dt.number_of_points(), points.size());
+  ASSERT_TRUE(dt.is_valid(true));
+  for (std::size_t id = 0; id < points.size(); ++id)
+    ASSERT_EQ(dt.point(id), points[id]) << "id " << id;
+}
+
+// On top of that it is certified, and agrees with a fresh CGAL triangulation edge for edge.
+template <class Dynamic>
+void expect_exact(const Dynamic& dt, const std::vector<typename Dynamic::Point>& points)
+{
+  ASSERT_NO_FATAL_FAILURE(expect_valid(dt, points));
+  ASSERT_TRUE(dt.is_certified());
+  const CGAL::Delaunay_triangulation_2<typename Dynamic::Geom_traits> fresh(points.begin(),
+                                                                            points.end());
+  ASSERT_EQ(dt.number_of_vertices(), fresh.number_of_vertices());
+  ASSERT_EQ(dt.triangulation().dimension(), fresh.dimension());
+  const CGAL::Delaunay_agreement agreement = CGAL::delaunay_agreement(dt, fresh);
+  ASSERT_EQ(agreement.false_positives(), 0u);
+  ASSERT_EQ(agreement.false_negatives(), 0u);
+}
+
+// Random points and motions over doubles, for any kernel.
+template <class Kernel>
+class Cloud
+{
+public:
+  using Point = typename Kernel::Point_2;
+  using Points = std::vector<Point>;
+
+  explicit Cloud(unsigned seed)
+    : m_random(seed)
+  {
+  }
+
+  // n points in a square, one to a unit of area.
+  Points uniform(std::size_t n)
+  {
+    std::uniform_real_distribution<double> coordinate(0, std::sqrt(double(n)));
+    Points points;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double x = coordinate(m_random);
+      points.push_back(Point(x, coordinate(m_random)));
+    }
+    return points;
+  }
+
+  // An exact square lattice, full of ties.
+  static Points grid(std::size_t columns, std::size_t rows)
+  {
+    Points points;
+    for (std::size_t i = 0; i < rows; ++i)
+      for (std::size_t j = 0; j < columns; ++j)
+        points.push_back(Point(double(j), double(i)));
+    return points;
+  }
+
+  Points on_line(std::size_t n)
+  {
+    std::uniform_int_distribution<int> step(-1000, 1000);
+    Points points;
+    for (std::size_t i = 0; i < n; ++i) {
+      const int t = step(m_random);
+      points.push_back(Point(3 * t, 2 * t + 1));
+    }
+    return points;
+  }
+
+  // Exactly cocircular: integer points on the circle of radius 65 around the origin, at most 36.
+  static Points on_circle(std::size_t n)
+  {
+    Points points;
+    for (int x = -65; x <= 65; ++x)
+      for (int y = -65; y <= 65; ++y)
+        if (x * x + y * y == 65 * 65 && points.size() < n)
+          points.push_back(Point(x, y));
+    return points;
+  }
+
+  Point shifted(const Point& p, double step)
+  {
+    std::normal_distribution<double> normal(0, step);
+    const double dx = normal(m_random);
+    return Point(CGAL::to_double(p.x()) + dx, CGAL::to_double(p.y()) + normal(m_random));
+  }
+
+  void shake(Points& points, double step)
+  {
+    for (Point& p : points)
+      p = shifted(p, step);
+  }
+
+  std::mt19937& random() { return m_random; }
+
+private:
+  std::mt19937 m_random;
+};
+
+template <class Kernel>
+std::vector<typename Kernel::Point_2> scaled(const std::vector<typename Kernel::Point_2>& points,
+                                             double factor, double offset = 0)
+{
+  std::vector<typename Kernel::Point_2> result;
+  for (const auto& p : points)
+    result.emplace_back(CGAL::to_double(p.x()) * factor + offset,
+                        CGAL::to_double(p.y()) * factor + offset);
+  return result;
+}
+
+#endif // DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_ORACLE_H

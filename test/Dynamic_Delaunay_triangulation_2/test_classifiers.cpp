@@ -1,0 +1,237 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the classifiers pick, and that a user's own plugs in.
+
+#include "oracle.h"
+
+#include <CGAL/Point_distance_classifier_2.h>
+#include <CGAL/Random_classifier_2.h>
+
+#include <set>
+
+namespace {
+
+using Points = Cloud<Epick>::Points;
+using Exact = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
+using Distance = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Point_distance_classifier_2>;
+using Random = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Random_classifier_2>;
+
+// Notes, before anything is repaired, which edges the exact classifier names and which it should.
+struct Auditing_classifier
+{
+  static constexpr bool is_exact = true;
+  std::shared_ptr<std::size_t> broken = std::make_shared<std::size_t>(0);
+
+  template <class Frame, class Classification>
+  void operator()(const Frame& frame, Classification& classified)
+  {
+    CGAL::Circumcircle_classifier_2()(frame, classified);
+    const std::set<typename Frame::Index> named(classified.edges().begin(),
+                                                classified.edges().end());
+    for (typename Frame::Index e = 0; e < frame.number_of_edges(); ++e) {
+      EXPECT_EQ(named.count(e) == 0, frame.is_delaunay(e)) << "edge " << e;
+      *broken += named.count(e);
+    }
+  }
+};
+
+// A user's own classifier, heuristic: whoever has moved far since it was last looked at.
+struct Fast_mover_classifier
+{
+  static constexpr bool is_exact = false;
+  double limit;
+
+  template <class Frame, class Classification>
+  void operator()(const Frame& frame, Classification& classified) const
+  {
+    for (typename Frame::Index v = 1; v <= frame.number_of_vertices(); ++v) {
+      const auto &p = frame.position(v), &q = frame.previous_position(v);
+      if (std::hypot(p.x - q.x, p.y - q.y) > limit)
+        classified.add_id(frame.id(v));
+    }
+  }
+};
+
+// A user's own exact classifier that names vertices, not edges.
+struct Vertex_classifier
+{
+  static constexpr bool is_exact = true;
+
+  template <class Frame, class Classification>
+  void operator()(const Frame& frame, Classification& classified) const
+  {
+    for (typename Frame::Index e = 0; e < frame.number_of_edges(); ++e)
+      if (!frame.is_delaunay(e))
+        classified.add_vertex(frame.is_infinite(frame.edge(e).source) ? frame.edge(e).target
+                                                                      : frame.edge(e).source);
+  }
+};
+
+TEST(Circumcircle_classifier, names_every_broken_edge_and_no_other)
+{
+  for (const double step : {1e-3, 0.05, 0.5}) {
+    SCOPED_TRACE(testing::Message() << "step " << step);
+    Cloud<Epick> cloud(1);
+    auto points = cloud.uniform(400);
+    Auditing_classifier classifier;
+    CGAL::Dynamic_Delaunay_triangulation_2<Epick, Auditing_classifier> dt(points.begin(),
+                                                                          points.end(), classifier);
+    for (int frame = 0; frame < 10; ++frame) {
+      cloud.shake(points, step);
+      dt.update(points.begin(), points.end());
+    }
+    EXPECT_GT(*classifier.broken, 0u);
+  }
+}
+
+TEST(Circumcircle_classifier, picks_nobody_when_everything_moves_turns_and_grows_as_one)
+{
+  Cloud<Epick> cloud(2);
+  const auto points = cloud.uniform(400);
+  Exact dt(points.begin(), points.end());
+  Points moved;
+  for (const auto& p : points)
+    moved.emplace_back(1.7 * p.x() - 0.4 * p.y() + 3, 0.4 * p.x() + 1.7 * p.y() - 8);
+  EXPECT_EQ(dt.update(moved.begin(), moved.end()).classified, 0u);
+}
+
+// The filter must never call a tie, or worse, proved: on the integers all signs are known.
+TEST(Edge_filter, never_proves_what_is_not_so)
+{
+  using CGAL::Dynamic_Delaunay_triangulations_2::Position_2;
+  using CGAL::Dynamic_Delaunay_triangulations_2::internal::Edge_filter_2;
+  std::mt19937 random(3);
+  std::size_t proved = 0, ties = 0;
+  for (int i = 0; i < 300000; ++i) {
+    // near 2^50 a unit is far below what the determinant can resolve
+    const double base = i % 3 == 0 ? 0 : i % 3 == 1 ? 0x1p20 : 0x1p50;
+    const double scale = i % 2 == 0 ? 1 : 0x1p-300;
+    std::uniform_int_distribution<int> digit(0, i % 5 == 0 ? 1000000 : 3);
+    Position_2 p[4];
+    Epick::Point_2 q[4];
+    for (int k = 0; k < 4; ++k) {
+      p[k] = {(base + digit(random)) * scale, (base + digit(random)) * scale};
+      q[k] = Epick::Point_2(p[k].x, p[k].y);
+    }
+    const Edge_filter_2 filter(p[0], p[1], p[2], p[3]);
+    const auto circle = CGAL::side_of_oriented_circle(q[0], q[1], q[2], q[3]);
+    const auto left = CGAL::orientation(q[0], q[1], q[2]);
+    const auto right = CGAL::orientation(q[3], q[2], q[1]);
+    const bool is_so =
+        circle == CGAL::ON_NEGATIVE_SIDE && left == CGAL::LEFT_TURN && right == CGAL::LEFT_TURN;
+    ASSERT_TRUE(is_so || !filter.proves_delaunay());
+    const bool is_illegal = filter.in_circle > filter.in_circle_bound;
+    ASSERT_TRUE(!is_illegal || circle == CGAL::ON_POSITIVE_SIDE);
+    proved += filter.proves_delaunay();
+    ties += circle == CGAL::ON_ORIENTED_BOUNDARY;
+  }
+  EXPECT_GT(proved, 1000u);
+  EXPECT_GT(ties, 1000u);
+}
+
+TEST(Point_distance_classifier, picks_the_ends_of_edges_that_left_their_range)
+{
+  const Points points = {{0, 0}, {10, 0}, {10, 10}, {0, 10}, {5, 4}};
+  for (const double x : {0., 0.3, 0.7, 0.9}) {
+    Distance dt(points.begin(), points.end(), CGAL::Point_distance_classifier_2(x));
+    Points moved = points;
+    moved[1] = Epick::Point_2(0 + 10 * (2 - x) - 1e-6, 0); // the edge 0-1 is just within its range
+    dt.update(moved.begin(), moved.end());
+    std::set<std::size_t> classified;
+    for (const auto v : dt.classified_vertices())
+      classified.insert(dt.frame().id(v));
+    EXPECT_EQ(classified.count(0), 0u) << "x = " << x;
+  }
+  Distance dt(points.begin(), points.end(), CGAL::Point_distance_classifier_2(0.9));
+  Points moved = points;
+  moved[1] = Epick::Point_2(11.01, 0);
+  EXPECT_GT(dt.update(moved.begin(), moved.end()).classified, 0u);
+}
+
+TEST(Point_distance_classifier, reacts_to_any_change_at_one_and_to_no_small_one_at_zero)
+{
+  Cloud<Epick> cloud(4);
+  auto points = cloud.uniform(200);
+  Distance one(points.begin(), points.end(), CGAL::Point_distance_classifier_2(1));
+  Distance zero(points.begin(), points.end(), CGAL::Point_distance_classifier_2(0));
+  EXPECT_EQ(one.update(points.begin(), points.end()).classified, 0u);
+  cloud.shake(points, 1e-4);
+  EXPECT_EQ(one.update(points.begin(), points.end()).classified, 200u);
+  EXPECT_EQ(zero.update(points.begin(), points.end()).classified, 0u);
+}
+
+TEST(Point_distance_classifier, measures_from_the_last_time_that_an_edge_was_triangulated)
+{
+  Cloud<Epick> cloud(5);
+  auto points = cloud.uniform(300);
+  Distance dt(points.begin(), points.end(), CGAL::Point_distance_classifier_2(0.9));
+  points[0] = Epick::Point_2(points[0].x() + 0.3, points[0].y());
+  EXPECT_GT(dt.update(points.begin(), points.end()).classified, 0u);
+  EXPECT_EQ(dt.update(points.begin(), points.end()).classified, 0u);
+}
+
+TEST(Point_distance_classifier, misses_what_a_distance_cannot_see)
+{
+  // the diagonal of a square that becomes a slightly flat rhombus
+  const Points points = {{0, 0}, {1, 0}, {1.01, 1.01}, {0, 1}};
+  Distance dt(points.begin(), points.end(), CGAL::Point_distance_classifier_2(0.7));
+  const Points moved = {{0, 0}, {1, 0}, {0.98, 0.98}, {0, 1}};
+  EXPECT_EQ(dt.update(moved.begin(), moved.end()).classified, 0u);
+  EXPECT_FALSE(dt.certify());
+}
+
+TEST(Random_classifier, picks_p_of_the_points_and_repeats_under_its_seed)
+{
+  Cloud<Epick> cloud(6);
+  const auto points = cloud.uniform(2000);
+  const double p = 0.05;
+  std::size_t total = 0;
+  Random first(points.begin(), points.end(), CGAL::Random_classifier_2(p, 1));
+  Random same(points.begin(), points.end(), CGAL::Random_classifier_2(p, 1));
+  Random other(points.begin(), points.end(), CGAL::Random_classifier_2(p, 2));
+  bool differs = false;
+  for (int frame = 0; frame < 50; ++frame) {
+    const auto count = first.update(points.begin(), points.end()).classified;
+    EXPECT_EQ(same.update(points.begin(), points.end()).classified, count);
+    differs = other.update(points.begin(), points.end()).classified != count || differs;
+    total += count;
+  }
+  EXPECT_TRUE(differs);
+  const double mean = 50 * 2000 * p, deviation = std::sqrt(mean * (1 - p));
+  EXPECT_NEAR(double(total), mean, 5 * deviation);
+}
+
+TEST(Classifiers, refuse_parameters_out_of_range)
+{
+  EXPECT_THROW(CGAL::Point_distance_classifier_2(-0.1), CGAL::Parameter_error_2);
+  EXPECT_THROW(CGAL::Point_distance_classifier_2(1.1), CGAL::Parameter_error_2);
+  EXPECT_THROW(CGAL::Point_distance_classifier_2(std::nan("")), CGAL::Parameter_error_2);
+  EXPECT_THROW(CGAL::Random_classifier_2(-1e-9), CGAL::Parameter_error_2);
+  try {
+    CGAL::Random_classifier_2(1.5);
+    FAIL() << "no exception";
+  } catch (const CGAL::Parameter_error_2& error) {
+    EXPECT_EQ(error.value(), 1.5);
+    EXPECT_STREQ(error.what(), "the parameter p of random is 1.5: it must be from 0 to 1");
+  }
+}
+
+TEST(Own_classifiers, plug_in_whether_heuristic_or_exact)
+{
+  Cloud<Epick> cloud(7);
+  auto points = cloud.uniform(300);
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, Fast_mover_classifier> heuristic(
+      points.begin(), points.end(), Fast_mover_classifier{0.1});
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, Vertex_classifier> exact(points.begin(),
+                                                                         points.end());
+  for (int frame = 0; frame < 10; ++frame) {
+    cloud.shake(points, 0.05);
+    EXPECT_GT(heuristic.update(points.begin(), points.end()).classified, 0u);
+    ASSERT_NO_FATAL_FAILURE(expect_valid(heuristic, points));
+    exact.update(points.begin(), points.end());
+    ASSERT_NO_FATAL_FAILURE(expect_exact(exact, points));
+  }
+}
+
+} // namespace

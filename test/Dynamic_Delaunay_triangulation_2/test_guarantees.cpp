@@ -1,0 +1,362 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the package promises whatever it is used with: honest certificates, all or nothing, stable
+// ids, equal results from equal input.
+
+#include "oracle.h"
+
+#include <CGAL/Point_distance_classifier_2.h>
+#include <CGAL/Random_classifier_2.h>
+
+#include <array>
+#include <limits>
+#include <list>
+#include <set>
+
+namespace {
+
+using Points = Cloud<Epick>::Points;
+using Exact = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
+using Heuristic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Point_distance_classifier_2>;
+
+struct Failure_of_a_user
+{
+};
+
+// Names points that do not exist, or throws, when told to.
+struct Faulty_classifier
+{
+  static constexpr bool is_exact = true;
+  std::shared_ptr<int> countdown = std::make_shared<int>(-1);
+  bool names_unknown_id = false;
+
+  template <class Frame, class Classification>
+  void operator()(const Frame& frame, Classification& classified)
+  {
+    CGAL::Circumcircle_classifier_2()(frame, classified);
+    if ((*countdown)-- != 0)
+      return;
+    if (names_unknown_id)
+      classified.add_id(frame.number_of_points());
+    throw Failure_of_a_user();
+  }
+};
+
+// An iterator that throws on its way.
+struct Faulty_iterator
+{
+  using iterator_category = std::input_iterator_tag;
+  using value_type = Epick::Point_2;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const value_type*;
+  using reference = const value_type&;
+  Points::const_iterator position, fault;
+
+  reference operator*() const
+  {
+    if (position == fault)
+      throw Failure_of_a_user();
+    return *position;
+  }
+  Faulty_iterator& operator++()
+  {
+    ++position;
+    return *this;
+  }
+  bool operator!=(const Faulty_iterator& other) const { return position != other.position; }
+};
+
+TEST(Guarantees, an_exact_update_certifies_and_a_heuristic_one_does_not)
+{
+  Cloud<Epick> cloud(1);
+  auto points = cloud.uniform(300);
+  Exact exact(points.begin(), points.end());
+  Heuristic heuristic(points.begin(), points.end());
+  EXPECT_TRUE(heuristic.is_certified()); // as built
+  cloud.shake(points, 0.01);
+  EXPECT_TRUE(exact.update(points.begin(), points.end()).certified);
+  EXPECT_FALSE(heuristic.update(points.begin(), points.end()).certified);
+  EXPECT_FALSE(heuristic.is_certified());
+  EXPECT_THROW(heuristic.triangulation(), CGAL::Uncertified_triangulation_error_2);
+  expect_valid(heuristic, points);
+}
+
+TEST(Guarantees, what_is_not_delaunay_is_not_certified_but_mended_on_demand)
+{
+  Cloud<Epick> cloud(2);
+  auto points = cloud.uniform(300);
+  Heuristic dt(points.begin(), points.end(), CGAL::Point_distance_classifier_2(0.1));
+  cloud.shake(points, 0.05);
+  dt.update(points.begin(), points.end());
+  EXPECT_FALSE(dt.certify());
+  EXPECT_FALSE(dt.is_certified());
+  EXPECT_TRUE(dt.mend().certified);
+  expect_exact(dt, points);
+}
+
+TEST(Guarantees, what_is_delaunay_by_luck_can_be_certified)
+{
+  Cloud<Epick> cloud(3);
+  auto points = cloud.uniform(300);
+  Heuristic dt(points.begin(), points.end());
+  const auto moved = scaled<Epick>(points, 1.001);
+  dt.update(moved.begin(), moved.end());
+  EXPECT_FALSE(dt.is_certified());
+  EXPECT_TRUE(dt.certify());
+  expect_exact(dt, moved);
+}
+
+TEST(Guarantees, heuristics_at_absurd_settings_keep_a_valid_structure_and_everybody)
+{
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Cloud<Epick> cloud(seed);
+    auto points = cloud.uniform(200);
+    CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Random_classifier_2> random(
+        points.begin(), points.end(), CGAL::Random_classifier_2(0.01, seed));
+    Heuristic never(points.begin(), points.end(), CGAL::Point_distance_classifier_2(0));
+    Heuristic always(points.begin(), points.end(), CGAL::Point_distance_classifier_2(1));
+    for (int frame = 0; frame < 40; ++frame) {
+      cloud.shake(points, 0.3);
+      if (frame == 20)
+        points = Points(200, points[0]);
+      random.update(points.begin(), points.end());
+      never.update(points.begin(), points.end());
+      always.update(points.begin(), points.end());
+      ASSERT_NO_FATAL_FAILURE(expect_valid(random, points));
+      ASSERT_NO_FATAL_FAILURE(expect_valid(never, points));
+      ASSERT_NO_FATAL_FAILURE(expect_valid(always, points));
+    }
+    random.mend();
+    ASSERT_NO_FATAL_FAILURE(expect_exact(random, points));
+    never.mend();
+    ASSERT_NO_FATAL_FAILURE(expect_exact(never, points));
+  }
+}
+
+TEST(Guarantees, a_coordinate_that_is_no_number_is_refused_with_its_id_and_nothing_changes)
+{
+  Cloud<Epick> cloud(4);
+  const auto points = cloud.uniform(50);
+  Exact dt(points.begin(), points.end());
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+        -std::numeric_limits<double>::infinity()}) {
+    auto moved = cloud.uniform(50);
+    moved[17] = Epick::Point_2(1, bad);
+    try {
+      dt.update(moved.begin(), moved.end());
+      FAIL() << "no exception";
+    } catch (const CGAL::Non_finite_coordinate_error_2& error) {
+      EXPECT_EQ(error.id(), 17u);
+      EXPECT_EQ(error.x(), 1);
+      EXPECT_NE(std::string(error.what()).find("point 17"), std::string::npos) << error.what();
+    }
+    expect_exact(dt, points);
+    EXPECT_THROW(Exact(moved.begin(), moved.end()), CGAL::Non_finite_coordinate_error_2);
+  }
+}
+
+TEST(Guarantees, too_few_and_too_many_positions_are_refused_and_nothing_changes)
+{
+  Cloud<Epick> cloud(5);
+  const auto points = cloud.uniform(50);
+  Exact dt(points.begin(), points.end());
+  for (const std::size_t count : {0u, 49u, 51u, 100u}) {
+    const auto moved = cloud.uniform(count);
+    try {
+      dt.update(moved.begin(), moved.end());
+      FAIL() << "no exception";
+    } catch (const CGAL::Point_count_error_2& error) {
+      EXPECT_EQ(error.expected(), 50u);
+      EXPECT_EQ(error.given(), std::min<std::size_t>(count, 51));
+    }
+    expect_exact(dt, points);
+  }
+}
+
+TEST(Guarantees, an_unknown_id_is_refused)
+{
+  const Points points(1);
+  const Exact dt(points.begin(), points.end());
+  EXPECT_NO_THROW(dt.vertex(0));
+  try {
+    dt.vertex(1);
+    FAIL() << "no exception";
+  } catch (const CGAL::Unknown_id_error_2& error) {
+    EXPECT_EQ(error.id(), 1u);
+    EXPECT_EQ(error.number_of_points(), 1u);
+  }
+  EXPECT_THROW(Exact().point(0), CGAL::Unknown_id_error_2);
+}
+
+TEST(Guarantees, an_exception_from_the_range_changes_nothing)
+{
+  Cloud<Epick> cloud(6);
+  const auto points = cloud.uniform(50), moved = cloud.uniform(50);
+  Exact dt(points.begin(), points.end());
+  EXPECT_THROW(dt.update(Faulty_iterator{moved.begin(), moved.begin() + 30},
+                         Faulty_iterator{moved.end(), moved.end()}),
+               Failure_of_a_user);
+  expect_exact(dt, points);
+  dt.update(moved.begin(), moved.end());
+  expect_exact(dt, moved);
+}
+
+TEST(Guarantees, an_exception_from_the_classifier_changes_nothing)
+{
+  Cloud<Epick> cloud(7);
+  const auto points = cloud.uniform(50);
+  auto moved = points;
+  cloud.shake(moved, 0.2);
+  Faulty_classifier classifier;
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, Faulty_classifier> dt(points.begin(), points.end(),
+                                                                      classifier);
+  *classifier.countdown = 0;
+  EXPECT_THROW(dt.update(moved.begin(), moved.end()), Failure_of_a_user);
+  expect_exact(dt, points);
+  dt.update(moved.begin(), moved.end());
+  expect_exact(dt, moved);
+}
+
+TEST(Guarantees, an_unknown_id_from_the_classifier_is_refused_and_nothing_changes)
+{
+  Cloud<Epick> cloud(8);
+  const auto points = cloud.uniform(50);
+  auto moved = points;
+  cloud.shake(moved, 0.2);
+  Faulty_classifier classifier;
+  classifier.names_unknown_id = true;
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, Faulty_classifier> dt(points.begin(), points.end(),
+                                                                      classifier);
+  *classifier.countdown = 0;
+  EXPECT_THROW(dt.update(moved.begin(), moved.end()), CGAL::Unknown_id_error_2);
+  expect_exact(dt, points);
+}
+
+TEST(Guarantees, vertices_keep_their_handles_through_flips_splices_and_rebuilds)
+{
+  Cloud<Epick> cloud(9);
+  auto points = cloud.uniform(300);
+  Exact dt(points.begin(), points.end());
+  std::vector<Exact::Vertex_handle> vertices;
+  for (std::size_t id = 0; id < points.size(); ++id)
+    vertices.push_back(dt.vertex(id));
+  std::size_t flips = 0, splices = 0, rebuilds = 0;
+  for (const double step : {0.01, 0.05, 0.1, 0.1, 0.1, 5., 0.01}) {
+    cloud.shake(points, step);
+    const auto report = dt.update(points.begin(), points.end());
+    flips += report.flips;
+    splices += report.splices;
+    rebuilds += report.rebuilt();
+    for (std::size_t id = 0; id < points.size(); ++id) {
+      ASSERT_EQ(dt.vertex(id), vertices[id]);
+      ASSERT_EQ(dt.id(vertices[id]), id);
+    }
+  }
+  EXPECT_GT(flips, 0u);
+  EXPECT_GT(splices, 0u);
+  EXPECT_GT(rebuilds, 0u);
+}
+
+TEST(Guarantees, so_much_broken_that_mending_would_not_pay_is_rebuilt_and_said_so)
+{
+  Cloud<Epick> cloud(10);
+  const auto points = cloud.uniform(500), elsewhere = cloud.uniform(500);
+  Exact dt(points.begin(), points.end());
+  const auto report = dt.update(elsewhere.begin(), elsewhere.end());
+  EXPECT_EQ(report.rebuild_reason, CGAL::Rebuild_reason_2::TOO_MUCH_BROKEN);
+  EXPECT_EQ(report.flips, 0u);
+}
+
+TEST(Guarantees, equal_input_gives_equal_triangulations_and_reports)
+{
+  std::array<std::vector<std::array<std::size_t, 2>>, 2> edges;
+  std::array<std::vector<std::size_t>, 2> counts;
+  for (std::size_t run = 0; run < 2; ++run) {
+    Cloud<Epick> cloud(11);
+    auto points = cloud.uniform(400);
+    Exact dt(points.begin(), points.end());
+    for (int frame = 0; frame < 20; ++frame) {
+      cloud.shake(points, 0.05);
+      const auto report = dt.update(points.begin(), points.end());
+      counts[run].insert(counts[run].end(), {report.classified, report.flips, report.splices,
+                                             report.padded, report.border, report.growths});
+    }
+    dt.for_each_edge([&](std::size_t i, std::size_t j) { edges[run].push_back({i, j}); });
+  }
+  EXPECT_EQ(edges[0], edges[1]);
+  EXPECT_EQ(counts[0], counts[1]);
+}
+
+TEST(Guarantees, none_to_three_points_and_points_on_a_line_work)
+{
+  for (std::size_t n = 0; n <= 3; ++n) {
+    SCOPED_TRACE(testing::Message() << n << " points");
+    Cloud<Epick> cloud(12);
+    auto points = cloud.uniform(n);
+    Exact dt(points.begin(), points.end());
+    expect_exact(dt, points);
+    for (int frame = 0; frame < 3; ++frame) {
+      cloud.shake(points, 0.5);
+      dt.update(points.begin(), points.end());
+      expect_exact(dt, points);
+    }
+    std::size_t edges = 0;
+    dt.for_each_edge([&](std::size_t, std::size_t) { ++edges; });
+    EXPECT_EQ(edges, n < 2 ? 0 : n == 2 ? 1u : 3u);
+  }
+}
+
+TEST(Guarantees, a_moved_object_goes_on_and_an_empty_one_can_be_assigned_to)
+{
+  Cloud<Epick> cloud(13);
+  auto points = cloud.uniform(100);
+  Exact dt(points.begin(), points.end());
+  Exact other(std::move(dt));
+  cloud.shake(points, 0.1);
+  other.update(points.begin(), points.end());
+  expect_exact(other, points);
+  dt = Exact(points.begin(), points.end());
+  cloud.shake(points, 0.1);
+  dt.update(points.begin(), points.end());
+  expect_exact(dt, points);
+}
+
+// A user's own particles, of which the package knows nothing.
+struct Particle
+{
+  std::string name;
+  float mass;
+  double x, y;
+};
+
+struct Position_map
+{
+  using key_type = Particle;
+  using value_type = Epick::Point_2;
+  using reference = value_type;
+  using category = boost::readable_property_map_tag;
+  friend reference get(const Position_map&, const Particle& p) { return {p.x, p.y}; }
+};
+
+TEST(Input, comes_from_any_range_through_any_property_map)
+{
+  Cloud<Epick> cloud(14);
+  auto points = cloud.uniform(60);
+  std::list<Particle> particles;
+  for (const auto& p : points)
+    particles.push_back({"a particle", 1, p.x(), p.y()});
+  Exact dt(particles.begin(), particles.end(), Position_map());
+  expect_exact(dt, points);
+  std::size_t i = 0;
+  for (Particle& particle : particles) {
+    particle.x += 0.1 * std::sin(double(i));
+    points[i++] = Epick::Point_2(particle.x, particle.y);
+  }
+  dt.update(particles.begin(), particles.end(), Position_map());
+  expect_exact(dt, points);
+}
+
+} // namespace

@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Every repair with every classifier: what it promises, and what it reports.
+
+#include "oracle.h"
+
+#include <CGAL/Border_splice_repair_2.h>
+#include <CGAL/Flip_repair_2.h>
+#include <CGAL/Point_distance_classifier_2.h>
+#include <CGAL/Random_classifier_2.h>
+#include <CGAL/Rebuild_repair_2.h>
+#include <CGAL/Relocation_repair_2.h>
+
+namespace {
+
+using Points = Cloud<Epick>::Points;
+
+template <class Repair>
+class Repairs : public testing::Test
+{
+protected:
+  using Exact =
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2, Repair>;
+  using Heuristic =
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Point_distance_classifier_2, Repair>;
+  using Random = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Random_classifier_2, Repair>;
+};
+
+using All_repairs =
+    testing::Types<CGAL::Flip_repair_2, CGAL::Border_splice_repair_2, CGAL::Relocation_repair_2,
+                   CGAL::Rebuild_repair_2, CGAL::Flip_and_splice_repair_2>;
+TYPED_TEST_SUITE(Repairs, All_repairs);
+
+TYPED_TEST(Repairs, end_certified_with_an_exact_classifier)
+{
+  for (const double step : {1e-3, 0.02, 0.2, 2.})
+    for (unsigned seed = 0; seed < 2; ++seed) {
+      SCOPED_TRACE(testing::Message() << "step " << step << ", seed " << seed);
+      Cloud<Epick> cloud(seed);
+      auto points = cloud.uniform(250);
+      typename TestFixture::Exact dt(points.begin(), points.end());
+      for (int frame = 0; frame < 12; ++frame) {
+        cloud.shake(points, step);
+        if (frame == 6)
+          points[3] = points[200]; // meet
+        dt.update(points.begin(), points.end());
+        ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+      }
+    }
+}
+
+TYPED_TEST(Repairs, keep_the_structure_valid_with_heuristic_classifiers)
+{
+  for (const double step : {0.01, 0.1, 1.}) {
+    SCOPED_TRACE(testing::Message() << "step " << step);
+    Cloud<Epick> cloud(3);
+    auto points = cloud.uniform(250);
+    typename TestFixture::Heuristic distance(points.begin(), points.end(),
+                                             CGAL::Point_distance_classifier_2(0.6));
+    typename TestFixture::Random random(points.begin(), points.end(),
+                                        CGAL::Random_classifier_2(0.02, 7));
+    for (int frame = 0; frame < 20; ++frame) {
+      cloud.shake(points, step);
+      distance.update(points.begin(), points.end());
+      random.update(points.begin(), points.end());
+      ASSERT_NO_FATAL_FAILURE(expect_valid(distance, points));
+      ASSERT_NO_FATAL_FAILURE(expect_valid(random, points));
+    }
+    distance.mend();
+    ASSERT_NO_FATAL_FAILURE(expect_exact(distance, points));
+  }
+}
+
+TEST(Flip_and_splice, needs_no_rebuild_on_brownian_motion)
+{
+  for (const double step : {0.001, 0.01, 0.05}) {
+    Cloud<Epick> cloud(4);
+    auto points = cloud.uniform(2000);
+    CGAL::Dynamic_Delaunay_triangulation_2<Epick> dt(points.begin(), points.end());
+    std::size_t flips = 0;
+    for (int frame = 0; frame < 20; ++frame) {
+      cloud.shake(points, step);
+      const auto report = dt.update(points.begin(), points.end());
+      EXPECT_FALSE(report.rebuilt());
+      flips += report.flips;
+    }
+    EXPECT_GT(flips, 0u);
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  }
+}
+
+// One point of a lattice jumps over several others: far out of any region padded with one layer.
+TEST(Border_splice, catches_a_fast_point_by_growing)
+{
+  auto points = Cloud<Epick>::grid(20, 20);
+  Cloud<Epick> cloud(5);
+  cloud.shake(points, 0.01);
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2,
+                                         CGAL::Border_splice_repair_2>
+      dt(points.begin(), points.end(), {}, CGAL::Border_splice_repair_2(1));
+  points[150] = Epick::Point_2(points[150].x() + 5.3, points[150].y() + 0.2);
+  const auto report = dt.update(points.begin(), points.end());
+  EXPECT_FALSE(report.rebuilt());
+  EXPECT_GT(report.growths, 0u);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+}
+
+TEST(Border_splice, mends_the_convex_hull)
+{
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Cloud<Epick> cloud(seed);
+    auto points = cloud.uniform(300);
+    CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2,
+                                           CGAL::Border_splice_repair_2>
+        dt(points.begin(), points.end());
+    // the leftmost point moves out, or so far in that others take its place on the hull
+    auto& corner = *std::min_element(points.begin(), points.end());
+    corner = Epick::Point_2(corner.x() + (seed % 2 == 0 ? -0.8 : 0.8), corner.y() + 0.1);
+    const auto report = dt.update(points.begin(), points.end());
+    EXPECT_GT(report.classified, 0u);
+    EXPECT_FALSE(report.rebuilt());
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  }
+}
+
+TEST(Border_splice, reports_its_sets_and_more_padding_makes_them_larger)
+{
+  Cloud<Epick> cloud(6);
+  const auto points = cloud.uniform(2000);
+  auto moved = points;
+  moved[0] = cloud.shifted(moved[0], 0.3);
+  std::size_t last = 0;
+  for (unsigned padding = 0; padding < 4; ++padding) {
+    CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Point_distance_classifier_2> dt(
+        points.begin(), points.end(), CGAL::Point_distance_classifier_2(0.9),
+        CGAL::Border_splice_repair_2(padding));
+    const auto report = dt.update(moved.begin(), moved.end());
+    EXPECT_EQ(report.splices, 1u);
+    EXPECT_GT(report.classified, 0u);
+    EXPECT_EQ(report.classified, dt.classified_vertices().size());
+    EXPECT_EQ(report.padded, dt.padded_vertices().size());
+    EXPECT_EQ(report.border, dt.border_vertices().size());
+    EXPECT_GT(report.padded + report.border, last);
+    last = report.padded + report.border;
+    ASSERT_NO_FATAL_FAILURE(expect_valid(dt, moved));
+  }
+}
+
+TEST(Relocation, moves_every_vertex_that_has_moved)
+{
+  Cloud<Epick> cloud(7);
+  auto points = cloud.uniform(300);
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2,
+                                         CGAL::Relocation_repair_2>
+      dt(points.begin(), points.end());
+  for (std::size_t id = 0; id < 40; ++id)
+    points[id] = cloud.shifted(points[id], 0.3);
+  const auto report = dt.update(points.begin(), points.end());
+  EXPECT_EQ(report.relocated, 40u);
+  EXPECT_FALSE(report.rebuilt());
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+}
+
+TEST(Relocation, lets_points_take_the_places_of_others_in_turn)
+{
+  Cloud<Epick> cloud(8);
+  auto points = cloud.uniform(100);
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2,
+                                         CGAL::Relocation_repair_2>
+      dt(points.begin(), points.end());
+  for (std::size_t id = 0; id < 10; ++id) // a chain with a free place at its end
+    points[id] = id == 9 ? Epick::Point_2(4.5, 4.5) : points[id + 1];
+  EXPECT_FALSE(dt.update(points.begin(), points.end()).rebuilt());
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  std::swap(points[20], points[21]); // a ring with none
+  EXPECT_TRUE(dt.update(points.begin(), points.end()).rebuilt());
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+}
+
+} // namespace
