@@ -4,11 +4,17 @@
 #ifndef CGAL_CIRCUMCIRCLE_CLASSIFIER_2_H
 #define CGAL_CIRCUMCIRCLE_CLASSIFIER_2_H
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_filter_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_proofs_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
-#include <algorithm>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
+
 #include <cstddef>
-#include <cstdint>
+#include <memory>
+#include <vector>
 
 namespace CGAL {
 
@@ -20,7 +26,7 @@ holds the vertex beyond it, one at a face that is not counterclockwise, one wher
 convex. It is *exact*: it misses none. The signs come from floating-point evaluations with proved
 error bounds over the flat arrays, and from the kernel's exact predicates where these do not decide.
 
-Cost: one pass over all edges. No parameter.
+Cost: one pass over all edges.
 
 \cgalModels `DelaunayClassifier_2`
 */
@@ -30,46 +36,89 @@ public:
   /// it misses no edge.
   static constexpr bool is_exact = true;
 
+  /// \param threads how many threads share the pass, from 1 to 1024. More than one needs TBB
+  ///   (`CGAL::TBB_support`). The result does not depend on it.
+  /// \throws Parameter_error_2 if `threads` is out of its range, or not 1 without TBB.
+  explicit Circumcircle_classifier_2(unsigned threads = 1)
+    : m_threads(threads)
+  {
+#ifdef CGAL_LINKED_WITH_TBB
+    constexpr unsigned most_threads = 1024;
+#else
+    constexpr unsigned most_threads = 1;
+#endif
+    if (threads < 1 || threads > most_threads)
+      throw Parameter_error_2("the number of threads of circumcircle", threads, 1, most_threads);
+#ifdef CGAL_LINKED_WITH_TBB
+    if (threads > 1)
+      m_arena = std::make_shared<tbb::task_arena>(int(threads));
+#endif
+  }
+
+  /// the number of threads.
+  unsigned threads() const
+  {
+    return m_threads;
+  }
+
   /// classifies.
   template <class Frame, class Classification>
-  void operator()(const Frame& frame, Classification& classified) const
+  void operator()(const Frame& frame, Classification& classified)
   {
-    using Index = typename Frame::Index;
-    const Index edges = frame.number_of_edges();
     if (!frame.positions_are_exact()) {
-      for (Index e = 0; e < edges; ++e)
+      for (Index e = 0; e < frame.number_of_edges(); ++e)
         examine(frame, e, classified);
       return;
     }
-    // in blocks: a loop without branches that proves nearly all, then a look at the rest
-    constexpr Index block_size = 256;
-    std::uint8_t proved[block_size];
-    for (Index first = 0; first < edges; first += block_size) {
-      const Index size = (std::min)(block_size, edges - first);
-      for (Index i = 0; i < size; ++i)
-        proved[i] = is_proved(frame, frame.edge(first + i));
-      for (Index i = 0; i < size; ++i)
-        if (!proved[i])
-          examine(frame, first + i, classified);
-    }
+    // a pass without branches proves nearly all; the others are looked at one by one
+    find_unproved(frame);
+    for (const std::vector<Index>& unproved : m_unproved)
+      for (const Index e : unproved)
+        examine(frame, e, classified);
   }
 
 private:
+  using Index = Dynamic_Delaunay_triangulations_2::Index;
+
+  // The edges are shared out in equal parts, each with a list of its own, so that their order is
+  // the same on any number of threads.
   template <class Frame>
-  static bool is_proved(const Frame& frame, const typename Frame::Edge& edge)
+  void find_unproved(const Frame& frame)
   {
-    const Dynamic_Delaunay_triangulations_2::internal::Edge_filter_2 filter(
-        frame.position(edge.left), frame.position(edge.source), frame.position(edge.target),
-        frame.position(edge.right));
-    return filter.proves_delaunay();
+    m_unproved.resize(m_threads);
+#ifdef CGAL_LINKED_WITH_TBB
+    if (m_threads > 1) {
+      m_arena->execute([&] {
+        tbb::parallel_for(0u, m_threads, [&](unsigned part) { find_unproved(frame, part); });
+      });
+      return;
+    }
+#endif
+    find_unproved(frame, 0);
+  }
+
+  template <class Frame>
+  void find_unproved(const Frame& frame, unsigned part)
+  {
+    const std::size_t edges = frame.number_of_edges();
+    m_unproved[part].clear();
+    Dynamic_Delaunay_triangulations_2::internal::append_unproved(
+        frame.edges().data(), &frame.position(0), Index(edges * part / m_threads),
+        Index(edges * (part + 1) / m_threads), m_unproved[part]);
   }
 
   template <class Frame, class Classification>
-  static void examine(const Frame& frame, typename Frame::Index e, Classification& classified)
+  static void examine(const Frame& frame, Index e, Classification& classified)
   {
     if (!frame.is_delaunay(e))
       classified.add_edge(e);
   }
+
+  unsigned m_threads;
+  std::vector<std::vector<Index>> m_unproved; // of each thread
+#ifdef CGAL_LINKED_WITH_TBB
+  std::shared_ptr<tbb::task_arena> m_arena;
+#endif
 };
 
 } // namespace CGAL

@@ -130,6 +130,59 @@ TEST(Edge_filter, never_proves_what_is_not_so)
   EXPECT_GT(ties, 1000u);
 }
 
+// Whichever path the machine takes, the same edges are proved.
+TEST(Edge_filter, proves_the_same_edges_plain_and_vectorised)
+{
+  using namespace CGAL::Dynamic_Delaunay_triangulations_2;
+  std::mt19937 random(4);
+  std::vector<Position_2> positions(1, {std::nan(""), std::nan("")});
+  for (int i = 0; i < 400; ++i) {
+    std::uniform_int_distribution<int> digit(0, 30);
+    const double scale = i % 4 == 0 ? 0.1 : i % 4 == 1 ? 0x1p45 : i % 4 == 2 ? 1e-160 : 1;
+    const double x = digit(random) * scale;
+    positions.push_back({x, digit(random) * scale});
+  }
+  std::vector<Edge_2> edges;
+  std::uniform_int_distribution<Index> any(0, Index(positions.size()) - 1);
+  for (int i = 0; i < 200003; ++i) { // no multiple of four
+    // mostly points of one scale
+    const Index scale = Index(i % 4);
+    const auto vertex = [&] { return i % 10 == 0 ? any(random) : any(random) / 4 * 4 + scale; };
+    Edge_2 edge{vertex(), vertex(), vertex(), vertex()};
+    for (Index* v : {&edge.source, &edge.target, &edge.left, &edge.right})
+      *v = std::min(*v, Index(positions.size()) - 1);
+    edges.push_back(edge);
+  }
+  std::vector<Index> plain, chosen;
+  internal::append_unproved_plain(edges.data(), positions.data(), 0, Index(edges.size()), plain);
+  internal::append_unproved(edges.data(), positions.data(), 0, Index(edges.size()), chosen);
+  EXPECT_EQ(plain, chosen);
+  EXPECT_GT(edges.size() - plain.size(), 1000u); // both answers occur
+  EXPECT_GT(plain.size(), 1000u);
+}
+
+TEST(Circumcircle_classifier, gives_the_same_frames_on_any_number_of_threads)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  Cloud<Epick> cloud(8);
+  auto points = cloud.uniform(3000);
+  Exact one(points.begin(), points.end());
+  Exact three(points.begin(), points.end(), CGAL::Circumcircle_classifier_2(3));
+  for (int frame = 0; frame < 10; ++frame) {
+    cloud.shake(points, 0.02);
+    const auto report = one.update(points.begin(), points.end());
+    const auto same = three.update(points.begin(), points.end());
+    EXPECT_EQ(report.classified, same.classified);
+    EXPECT_EQ(report.flips, same.flips);
+    EXPECT_EQ(one.classified_vertices(), three.classified_vertices());
+    ASSERT_NO_FATAL_FAILURE(expect_exact(three, points));
+  }
+#else
+  EXPECT_THROW(CGAL::Circumcircle_classifier_2(2), CGAL::Parameter_error_2);
+#endif
+  EXPECT_THROW(CGAL::Circumcircle_classifier_2(0), CGAL::Parameter_error_2);
+}
+
 TEST(Point_distance_classifier, picks_the_ends_of_edges_that_left_their_range)
 {
   const Points points = {{0, 0}, {10, 0}, {10, 10}, {0, 10}, {5, 4}};

@@ -34,6 +34,8 @@ namespace internal {
 // out.
 struct Edge_filter_2
 {
+  static constexpr double u = 0x1p-53;
+
   double left, left_bound;
   double right, right_bound;
   double in_circle, in_circle_bound;
@@ -53,7 +55,6 @@ struct Edge_filter_2
     const double ab_sum = std::abs(axby) + std::abs(bxay);
     const double aa = ax * ax + ay * ay, bb = bx * bx + by * by, cc = cx * cx + cy * cy;
 
-    constexpr double u = 1.1102230246251565e-16;
     const double underflow = 1e-290 * (aa + bb + cc + 1);
     right = -bc;
     right_bound = 8 * u * bc_sum + underflow;

@@ -1,0 +1,160 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_EDGE_PROOFS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_EDGE_PROOFS_2_H
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_filter_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+
+#include <vector>
+
+// AVX2 is picked at run time, so that a plain build has it. CGAL_DYNAMIC_DELAUNAY_NO_SIMD leaves it
+// out.
+#if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__)) &&                            \
+    !defined(CGAL_DYNAMIC_DELAUNAY_NO_SIMD)
+#define CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+#include <immintrin.h>
+#endif
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Appends those of the edges [first, beyond) that Edge_filter_2 does not prove Delaunay.
+inline void append_unproved_plain(const Edge_2* edges, const Position_2* positions, Index first,
+                                  Index beyond, std::vector<Index>& unproved)
+{
+  for (Index e = first; e < beyond; ++e) {
+    const Edge_2& edge = edges[e];
+    const Edge_filter_2 filter(positions[edge.left], positions[edge.source], positions[edge.target],
+                               positions[edge.right]);
+    if (!filter.proves_delaunay())
+      unproved.push_back(e);
+  }
+}
+
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+
+#define CGAL_DYNAMIC_DELAUNAY_AVX2 __attribute__((target("avx2"), always_inline)) static inline
+
+// Edge_filter_2 on four edges at once, operation for operation, so that both prove the same edges.
+class Edge_filter_avx2_2
+{
+  struct Corners
+  {
+    __m256d x, y;
+  };
+
+  CGAL_DYNAMIC_DELAUNAY_AVX2 Corners load(const Position_2* positions, Index i, Index j, Index k,
+                                          Index l)
+  {
+    const __m256d ik = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(&positions[i].x)),
+                                            _mm_loadu_pd(&positions[k].x), 1);
+    const __m256d jl = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(&positions[j].x)),
+                                            _mm_loadu_pd(&positions[l].x), 1);
+    return {_mm256_unpacklo_pd(ik, jl), _mm256_unpackhi_pd(ik, jl)};
+  }
+
+  CGAL_DYNAMIC_DELAUNAY_AVX2 Corners minus(const Corners& p, const Corners& q)
+  {
+    return {_mm256_sub_pd(p.x, q.x), _mm256_sub_pd(p.y, q.y)};
+  }
+
+  CGAL_DYNAMIC_DELAUNAY_AVX2 __m256d times(__m256d a, __m256d b) { return _mm256_mul_pd(a, b); }
+  CGAL_DYNAMIC_DELAUNAY_AVX2 __m256d plus(__m256d a, __m256d b) { return _mm256_add_pd(a, b); }
+  CGAL_DYNAMIC_DELAUNAY_AVX2 __m256d absolute(__m256d a)
+  {
+    return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a);
+  }
+  CGAL_DYNAMIC_DELAUNAY_AVX2 __m256d squared_length(const Corners& p)
+  {
+    return plus(times(p.x, p.x), times(p.y, p.y));
+  }
+
+public:
+  // Bit i of the result: edges[i] is proved.
+  CGAL_DYNAMIC_DELAUNAY_AVX2 int prove(const Edge_2* edges, const Position_2* positions)
+  {
+    const Corners d =
+        load(positions, edges[0].right, edges[1].right, edges[2].right, edges[3].right);
+    const Corners a =
+        minus(load(positions, edges[0].left, edges[1].left, edges[2].left, edges[3].left), d);
+    const Corners b = minus(
+        load(positions, edges[0].source, edges[1].source, edges[2].source, edges[3].source), d);
+    const Corners c = minus(
+        load(positions, edges[0].target, edges[1].target, edges[2].target, edges[3].target), d);
+
+    const __m256d bxcy = times(b.x, c.y), cxby = times(c.x, b.y);
+    const __m256d cxay = times(c.x, a.y), axcy = times(a.x, c.y);
+    const __m256d axby = times(a.x, b.y), bxay = times(b.x, a.y);
+    const __m256d bc = _mm256_sub_pd(bxcy, cxby);
+    const __m256d ca = _mm256_sub_pd(cxay, axcy);
+    const __m256d ab = _mm256_sub_pd(axby, bxay);
+    const __m256d bc_sum = plus(absolute(bxcy), absolute(cxby));
+    const __m256d ca_sum = plus(absolute(cxay), absolute(axcy));
+    const __m256d ab_sum = plus(absolute(axby), absolute(bxay));
+    const __m256d aa = squared_length(a), bb = squared_length(b), cc = squared_length(c);
+
+    const __m256d underflow =
+        times(_mm256_set1_pd(1e-290), plus(plus(plus(aa, bb), cc), _mm256_set1_pd(1)));
+    const __m256d eight_u = _mm256_set1_pd(8 * Edge_filter_2::u);
+    const __m256d sixteen_u = _mm256_set1_pd(16 * Edge_filter_2::u);
+    const __m256d right_bound = plus(times(eight_u, bc_sum), underflow);
+    const __m256d left = plus(plus(ab, bc), ca);
+    const __m256d left_bound = plus(times(eight_u, plus(plus(ab_sum, bc_sum), ca_sum)), underflow);
+    const __m256d in_circle = plus(plus(times(aa, bc), times(bb, ca)), times(cc, ab));
+    const __m256d in_circle_bound =
+        plus(times(sixteen_u, plus(plus(times(aa, bc_sum), times(bb, ca_sum)), times(cc, ab_sum))),
+             underflow);
+
+    const __m256d zero = _mm256_setzero_pd();
+    const __m256d is_right = _mm256_cmp_pd(_mm256_sub_pd(zero, bc), right_bound, _CMP_GT_OQ);
+    const __m256d is_left = _mm256_cmp_pd(left, left_bound, _CMP_GT_OQ);
+    const __m256d is_empty =
+        _mm256_cmp_pd(in_circle, _mm256_sub_pd(zero, in_circle_bound), _CMP_LT_OQ);
+    return _mm256_movemask_pd(_mm256_and_pd(is_empty, _mm256_and_pd(is_left, is_right)));
+  }
+};
+
+#undef CGAL_DYNAMIC_DELAUNAY_AVX2
+
+__attribute__((target("avx2"))) inline void append_unproved_avx2(const Edge_2* edges,
+                                                                 const Position_2* positions,
+                                                                 Index first, Index beyond,
+                                                                 std::vector<Index>& unproved)
+{
+  Index e = first;
+  for (; e + 4 <= beyond; e += 4) {
+    const int proved = Edge_filter_avx2_2::prove(edges + e, positions);
+    if (proved != 15)
+      for (Index i = 0; i < 4; ++i)
+        if (!(proved >> i & 1))
+          unproved.push_back(e + i);
+  }
+  append_unproved_plain(edges, positions, e, beyond, unproved);
+}
+
+inline bool has_avx2()
+{
+  static const bool has = __builtin_cpu_supports("avx2");
+  return has;
+}
+
+#endif // CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+
+inline void append_unproved(const Edge_2* edges, const Position_2* positions, Index first,
+                            Index beyond, std::vector<Index>& unproved)
+{
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+  if (has_avx2())
+    return append_unproved_avx2(edges, positions, first, beyond, unproved);
+#endif
+  append_unproved_plain(edges, positions, first, beyond, unproved);
+}
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_EDGE_PROOFS_2_H
