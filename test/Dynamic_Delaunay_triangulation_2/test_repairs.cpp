@@ -98,7 +98,8 @@ TEST(Border_splice, catches_a_fast_point_by_growing)
   cloud.shake(points, 0.01);
   CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2,
                                          CGAL::Border_splice_repair_2>
-      dt(points.begin(), points.end(), {}, CGAL::Border_splice_repair_2(1));
+      dt(points.begin(), points.end(), CGAL::Circumcircle_classifier_2(),
+         CGAL::Border_splice_repair_2(1));
   points[150] = Epick::Point_2(points[150].x() + 5.3, points[150].y() + 0.2);
   const auto report = dt.update(points.begin(), points.end());
   EXPECT_FALSE(report.rebuilt());
