@@ -1,0 +1,1017 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "scenario/Open_motion.h"
+#include "scenario/Static_neighbors.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <memory>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace scenario;
+
+std::string scenario_path(const std::string& name)
+{
+  return std::string(SCENARIOS_DIR) + "/" + name + ".json";
+}
+
+const std::vector<std::string>& scenario_names()
+{
+  static const std::vector<std::string> names = {"dam_break",
+                                                 "spinning",
+                                                 "explosion",
+                                                 "static",
+                                                 "dam_break_hexagonal",
+                                                 "spinning_hexagonal",
+                                                 "explosion_hexagonal",
+                                                 "static_hexagonal",
+                                                 "brownian"};
+  return names;
+}
+
+// Of this process alone, and gone when it ends.
+class Temporary_directory
+{
+public:
+  Temporary_directory()
+    : m_path(testing::TempDir() + "test_scenarios_" + std::to_string(std::random_device()()))
+  {
+    std::filesystem::create_directories(m_path);
+  }
+  Temporary_directory(const Temporary_directory&) = delete;
+  Temporary_directory& operator=(const Temporary_directory&) = delete;
+  ~Temporary_directory()
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(m_path, ignored);
+  }
+
+  std::string path(const std::string& name) const { return (m_path / name).string(); }
+
+private:
+  std::filesystem::path m_path;
+};
+
+std::string temporary_path(const std::string& name)
+{
+  static const Temporary_directory directory;
+  return directory.path(name);
+}
+
+std::string write_file(const std::string& name, const std::string& content)
+{
+  const std::string path = temporary_path(name);
+  std::ofstream(path, std::ios::binary) << content;
+  return path;
+}
+
+std::string with_replaced(std::string text, const std::string& what, const std::string& by)
+{
+  const std::size_t place = text.find(what);
+  EXPECT_NE(place, std::string::npos) << what;
+  return text.replace(place, what.size(), by);
+}
+
+Scenario_error error_of(const std::string& path, const Overrides& overrides = {})
+{
+  try {
+    open_motion(path, overrides);
+  } catch (const Scenario_error& error) {
+    return error;
+  }
+  ADD_FAILURE() << path << " was accepted";
+  return Scenario_error("", "");
+}
+
+void expect_words(const Scenario_error& error, const std::vector<std::string>& words)
+{
+  for (const std::string& word : words) {
+    EXPECT_NE(std::string(error.what()).find(word), std::string::npos)
+        << "'" << error.what() << "' does not say '" << word << "'";
+  }
+}
+
+Overrides with_points(std::size_t points)
+{
+  Overrides overrides;
+  overrides.points = points;
+  return overrides;
+}
+
+std::unique_ptr<Particle_motion> open_particles(const std::string& name,
+                                                const Overrides& overrides = {})
+{
+  const Scenario_description description = read_scenario_file(scenario_path(name));
+  return make_motion(description, std::get<Particle_description>(description.kind), overrides);
+}
+
+bool inside(const Point& point, double width, double height)
+{
+  return point.x >= 0.0 && point.x <= width && point.y >= 0.0 && point.y <= height;
+}
+
+bool all_finite(const std::vector<Point>& points)
+{
+  return std::all_of(points.begin(), points.end(), [](const Point& point) {
+    return std::isfinite(point.x) && std::isfinite(point.y);
+  });
+}
+
+bool same_places(const std::vector<Point>& a, const std::vector<Point>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Point& p, const Point& q) { return p.x == q.x && p.y == q.y; });
+}
+
+// The energy after every frame, the first included.
+std::vector<double> run(Particle_motion& motion, std::size_t frames)
+{
+  Static_neighbors neighbors;
+  std::vector<double> energies;
+  for (std::size_t frame = 0; frame != frames; ++frame) {
+    const Neighbor_edges& edges = neighbors(motion.points());
+    energies.push_back(motion.energy(edges).total());
+    motion.advance(edges);
+  }
+  return energies;
+}
+
+double largest_rise(const std::vector<double>& energies)
+{
+  double lowest = std::numeric_limits<double>::infinity();
+  double rise = 0.0;
+  for (const double energy : energies) {
+    lowest = std::min(lowest, energy);
+    rise = std::max(rise, energy - lowest);
+  }
+  return rise;
+}
+
+// The rotation, counterclockwise, that takes the points [begin, end) from their first places to the
+// second ones, by least squares.
+double rotation(const std::vector<Point>& first, const std::vector<Point>& second,
+                std::size_t begin, std::size_t end)
+{
+  Point a{0.0, 0.0};
+  Point b{0.0, 0.0};
+  const auto number = static_cast<double>(end - begin);
+  for (std::size_t i = begin; i != end; ++i) {
+    a = {a.x + first[i].x / number, a.y + first[i].y / number};
+    b = {b.x + second[i].x / number, b.y + second[i].y / number};
+  }
+  double cosine = 0.0;
+  double sine = 0.0;
+  for (std::size_t i = begin; i != end; ++i) {
+    const Point p{first[i].x - a.x, first[i].y - a.y};
+    const Point q{second[i].x - b.x, second[i].y - b.y};
+    cosine += p.x * q.x + p.y * q.y;
+    sine += p.x * q.y - p.y * q.x;
+  }
+  return std::atan2(sine, cosine);
+}
+
+std::size_t number_where(const std::vector<Point>& points, bool (*predicate)(const Point&))
+{
+  return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), predicate));
+}
+
+} // namespace
+
+TEST(Scenarios, have_the_number_of_points_of_the_thesis)
+{
+  EXPECT_EQ(open_motion(scenario_path("dam_break"))->points().size(), 1008u);
+  EXPECT_EQ(open_motion(scenario_path("spinning"))->points().size(), 800u);
+  EXPECT_EQ(open_motion(scenario_path("explosion"))->points().size(), 968u);
+  EXPECT_EQ(open_motion(scenario_path("static"))->points().size(), 1024u);
+  EXPECT_EQ(open_motion(scenario_path("brownian"))->points().size(), 10000u);
+}
+
+TEST(Scenarios, have_the_same_number_of_points_in_hexagonal_packing)
+{
+  EXPECT_EQ(open_motion(scenario_path("dam_break_hexagonal"))->points().size(), 1008u);
+  EXPECT_EQ(open_motion(scenario_path("spinning_hexagonal"))->points().size(), 800u);
+  EXPECT_EQ(open_motion(scenario_path("explosion_hexagonal"))->points().size(), 968u);
+  EXPECT_EQ(open_motion(scenario_path("static_hexagonal"))->points().size(), 1024u);
+}
+
+TEST(Scenarios, are_named_after_their_files)
+{
+  for (const std::string& name : scenario_names()) {
+    EXPECT_EQ(open_motion(scenario_path(name))->name(), name);
+  }
+}
+
+TEST(Scenarios, run_below_their_largest_stable_time_step)
+{
+  for (const std::string& name : scenario_names()) {
+    const auto motion = open_motion(scenario_path(name));
+    ASSERT_TRUE(motion->time_step()) << name;
+    if (motion->uses_neighbors()) {
+      ASSERT_TRUE(motion->largest_stable_time_step()) << name;
+      EXPECT_LT(*motion->time_step(), *motion->largest_stable_time_step()) << name;
+    }
+  }
+}
+
+TEST(Scenarios, scale_to_exactly_the_number_of_points_asked_for)
+{
+  for (const std::string& name : scenario_names()) {
+    for (const std::size_t points : {1u, 2u, 3u, 4u, 5u, 7u, 10u, 97u, 1000u, 1009u, 100000u}) {
+      const auto motion = open_motion(scenario_path(name), with_points(points));
+      EXPECT_EQ(motion->points().size(), points) << name;
+      EXPECT_EQ(motion->ids().size(), points) << name;
+      EXPECT_TRUE(std::is_sorted(motion->ids().begin(), motion->ids().end())) << name;
+    }
+  }
+}
+
+TEST(Scenarios, run_with_very_few_points)
+{
+  for (const std::string& name : scenario_names()) {
+    for (const std::size_t points : {1u, 2u, 3u, 5u}) {
+      const auto motion = open_motion(scenario_path(name), with_points(points));
+      Static_neighbors neighbors;
+      for (int frame = 0; frame != 200; ++frame) {
+        EXPECT_TRUE(motion->advance(neighbors(motion->points())));
+      }
+      EXPECT_TRUE(all_finite(motion->points())) << name << " with " << points;
+    }
+  }
+}
+
+TEST(Scenarios, keep_their_shape_when_scaled)
+{
+  const auto motion = open_motion(scenario_path("dam_break"), with_points(100 * 1008));
+  double right = 0.0;
+  double top = 0.0;
+  for (const Point& point : motion->points()) {
+    right = std::max(right, point.x);
+    top = std::max(top, point.y);
+  }
+  EXPECT_NEAR(right, 280.0, 1.0);
+  EXPECT_NEAR(top, 360.0, 1.0);
+}
+
+TEST(Scenarios, keep_the_pressure_at_the_bottom_when_scaled)
+{
+  const Scenario_description description = read_scenario_file(scenario_path("dam_break"));
+  const auto& particles = std::get<Particle_description>(description.kind);
+  const Scaled_scenario scaled = scaled_to(particles, 100 * 1008);
+  EXPECT_DOUBLE_EQ(scaled.gravity, particles.gravity / 10.0);
+  EXPECT_DOUBLE_EQ(scaled.box->width, particles.box->width * 10.0);
+}
+
+TEST(Scenarios, move_alike_with_the_same_seed)
+{
+  for (const std::string& name : scenario_names()) {
+    const auto one = open_motion(scenario_path(name));
+    const auto other = open_motion(scenario_path(name));
+    Static_neighbors neighbors_of_one;
+    Static_neighbors neighbors_of_other;
+    for (int frame = 0; frame != 50; ++frame) {
+      one->advance(neighbors_of_one(one->points()));
+      other->advance(neighbors_of_other(other->points()));
+    }
+    EXPECT_TRUE(same_places(one->points(), other->points())) << name;
+    EXPECT_EQ(one->time(), other->time()) << name;
+  }
+}
+
+TEST(Scenarios, move_differently_with_another_seed)
+{
+  Overrides overrides;
+  overrides.seed = 7;
+  for (const std::string& name : scenario_names()) {
+    const auto one = open_motion(scenario_path(name));
+    const auto other = open_motion(scenario_path(name), overrides);
+    EXPECT_FALSE(same_places(one->points(), other->points())) << name;
+  }
+}
+
+TEST(Scenarios, start_with_a_very_small_jitter)
+{
+  const auto motion = open_motion(scenario_path("static"));
+  const Point& first = motion->points()[0];
+  EXPECT_NE(first.x, 0.5);
+  EXPECT_NEAR(first.x, 0.5, 0.001);
+  EXPECT_NEAR(first.y, 0.5, 0.001);
+}
+
+TEST(Scenarios, take_another_packing_on_demand)
+{
+  Overrides overrides;
+  overrides.packing = Packing::hexagonal;
+  const auto motion = open_motion(scenario_path("static"), overrides);
+  EXPECT_NEAR(motion->points()[32].x, 1.0, 0.001);
+  EXPECT_NEAR(motion->points()[32].y, 0.5 + std::sqrt(0.75), 0.001);
+}
+
+TEST(Scenarios, go_through_less_time_with_a_smaller_time_step)
+{
+  Overrides overrides;
+  overrides.time_step = 0.1;
+  const auto motion = open_motion(scenario_path("spinning"), overrides);
+  motion->advance({});
+  EXPECT_DOUBLE_EQ(motion->time(), 0.1);
+  EXPECT_DOUBLE_EQ(*motion->time_step(), 0.1);
+}
+
+TEST(Dam_break, spills_reaches_the_far_wall_and_loses_energy)
+{
+  for (const char* name : {"dam_break", "dam_break_hexagonal"}) {
+    const auto motion = open_particles(name);
+    const std::vector<double> energies = run(*motion, 2000);
+    const auto at_far_wall =
+        number_where(motion->points(), [](const Point& point) { return point.x > 66.0; });
+    EXPECT_GT(at_far_wall, 20u) << name;
+    EXPECT_LT(largest_rise(energies), 0.01 * energies.front()) << name;
+    EXPECT_LT(energies.back(), 0.8 * energies.front()) << name;
+    EXPECT_EQ(motion->system().number_put_back(), 0u) << name;
+    for (const Point& point : motion->points()) {
+      EXPECT_TRUE(inside(point, 70.0, 70.0)) << name;
+    }
+  }
+}
+
+TEST(Dam_break, settles_to_flat_and_calm_water)
+{
+  Overrides overrides;
+  overrides.time_step = 0.5;
+  const auto motion = open_particles("dam_break", overrides);
+  const std::vector<double> energies = run(*motion, 4000);
+  double kinetic = 0.0;
+  for (const Point& velocity : motion->system().velocities()) {
+    kinetic += 0.5 * (velocity.x * velocity.x + velocity.y * velocity.y);
+  }
+  EXPECT_LT(kinetic, 0.005 * energies.front());
+  std::vector<double> top(7, 0.0);
+  for (const Point& point : motion->points()) {
+    double& highest = top[std::min<std::size_t>(6, static_cast<std::size_t>(point.x / 10.0))];
+    highest = std::max(highest, point.y);
+  }
+  const auto [low, high] = std::minmax_element(top.begin(), top.end());
+  EXPECT_GT(*low, 8.0);
+  EXPECT_LT(*high, 18.0);
+  EXPECT_LT(largest_rise(energies), 0.01 * energies.front());
+}
+
+TEST(Dam_break, moves_by_about_four_percent_of_the_spacing_where_it_is_fast)
+{
+  const auto motion = open_particles("dam_break");
+  run(*motion, 1000);
+  double fastest = 0.0;
+  for (const Point& velocity : motion->system().velocities()) {
+    fastest = std::max(fastest, *motion->time_step() * std::hypot(velocity.x, velocity.y));
+  }
+  EXPECT_GT(fastest, 0.03);
+  EXPECT_LT(fastest, 0.06);
+}
+
+TEST(Dam_break, stays_in_its_box_with_more_and_with_fewer_points)
+{
+  for (const std::size_t points : {60u, 5000u}) {
+    const auto motion = open_particles("dam_break", with_points(points));
+    const std::vector<double> energies = run(*motion, 500);
+    const double side = 70.0 * std::sqrt(static_cast<double>(points) / 1008.0);
+    for (const Point& point : motion->points()) {
+      EXPECT_TRUE(inside(point, side, side)) << points;
+    }
+    EXPECT_LT(largest_rise(energies), 0.01 * energies.front()) << points;
+  }
+}
+
+TEST(Spinning, turns_both_squares_clockwise_and_holds_them_together)
+{
+  for (const char* name : {"spinning", "spinning_hexagonal"}) {
+    const auto motion = open_particles(name);
+    const std::vector<Point> first = motion->points();
+    const std::vector<double> energies = run(*motion, 1000);
+    const double expected = -0.007 * motion->time();
+    EXPECT_NEAR(rotation(first, motion->points(), 0, 400), expected, 0.05) << name;
+    EXPECT_NEAR(rotation(first, motion->points(), 400, 800), expected, 0.05) << name;
+    EXPECT_EQ(motion->system().bonds().number_of_broken(), 0u) << name;
+    EXPECT_LT(motion->system().largest_strain(), 0.01) << name;
+    EXPECT_LT(largest_rise(energies), 0.01 * energies.front()) << name;
+    EXPECT_GT(energies.back(), 0.98 * energies.front()) << name;
+  }
+}
+
+TEST(Spinning, keeps_its_squares_apart)
+{
+  const auto motion = open_particles("spinning");
+  Static_neighbors neighbors;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int frame = 0; frame != 1000; ++frame) {
+    const Neighbor_edges& edges = neighbors(motion->points());
+    for (const auto& [a, b] : edges) {
+      if ((a < 400) != (b < 400)) {
+        const Point& p = motion->points()[a];
+        const Point& q = motion->points()[b];
+        nearest = std::min(nearest, std::hypot(p.x - q.x, p.y - q.y));
+      }
+    }
+    motion->advance(edges);
+  }
+  EXPECT_GT(nearest, 1.5);
+}
+
+TEST(Explosion, shatters_both_squares_and_sprays_in_all_directions)
+{
+  for (const char* name : {"explosion", "explosion_hexagonal"}) {
+    const auto motion = open_particles(name);
+    const std::vector<double> energies = run(*motion, 500);
+    const Bond_network& bonds = motion->system().bonds();
+    EXPECT_GT(static_cast<double>(bonds.number_of_broken()),
+              0.95 * static_cast<double>(bonds.number_of_bonds()))
+        << name;
+    const std::vector<Point>& points = motion->points();
+    EXPECT_GT(number_where(points, [](const Point& p) { return p.x < -10.0; }), 20u) << name;
+    EXPECT_GT(number_where(points, [](const Point& p) { return p.x > 64.0; }), 20u) << name;
+    EXPECT_GT(number_where(points, [](const Point& p) { return p.y < -30.0; }), 20u) << name;
+    EXPECT_GT(number_where(points, [](const Point& p) { return p.y > 52.0; }), 20u) << name;
+    EXPECT_LT(largest_rise(energies), 0.02 * energies.front()) << name;
+    EXPECT_TRUE(all_finite(points)) << name;
+  }
+}
+
+TEST(Explosion, moves_by_about_a_quarter_of_the_spacing_where_it_is_fastest)
+{
+  for (const char* name : {"explosion", "explosion_hexagonal"}) {
+    const auto motion = open_particles(name);
+    Static_neighbors neighbors;
+    double fastest = 0.0;
+    for (int frame = 0; frame != 300; ++frame) {
+      motion->advance(neighbors(motion->points()));
+      for (const Point& velocity : motion->system().velocities()) {
+        fastest = std::max(fastest, *motion->time_step() * std::hypot(velocity.x, velocity.y));
+      }
+    }
+    EXPECT_NEAR(fastest, 0.24, 0.03) << name;
+  }
+}
+
+TEST(Static, shivers_imperceptibly_then_settles)
+{
+  for (const char* name : {"static", "static_hexagonal"}) {
+    const auto motion = open_particles(name);
+    const std::vector<Point> first = motion->points();
+    const std::vector<double> energies = run(*motion, 1000);
+    EXPECT_GT(energies[10], 0.1 * energies.front()) << name;
+    EXPECT_LT(energies.back(), 0.01 * energies.front()) << name;
+    EXPECT_EQ(motion->system().bonds().number_of_broken(), 0u) << name;
+    for (std::size_t i = 0; i != first.size(); ++i) {
+      EXPECT_NEAR(motion->points()[i].x, first[i].x, 0.01) << name;
+      EXPECT_NEAR(motion->points()[i].y, first[i].y, 0.01) << name;
+    }
+  }
+}
+
+TEST(Particle_system, lets_only_neighbors_touch)
+{
+  const Particle_parameters parameters{1.0, 1.0, 1.0, 0.0, 0.0, {}};
+  const std::vector<Point> overlapping = {{0.0, 0.0}, {0.5, 0.0}};
+  const std::vector<Point> at_rest(2, Point{0.0, 0.0});
+  Bond_network no_bonds;
+  no_bonds.begin_particle();
+  no_bonds.begin_particle();
+  Particle_system strangers(parameters, overlapping, at_rest, no_bonds);
+  Particle_system neighbors(parameters, overlapping, at_rest, no_bonds);
+  strangers.step({}, 0.1);
+  neighbors.step({{0u, 1u}}, 0.1);
+  EXPECT_EQ(strangers.positions()[0].x, 0.0);
+  EXPECT_DOUBLE_EQ(neighbors.positions()[0].x, -0.005);
+  EXPECT_DOUBLE_EQ(neighbors.positions()[1].x, 0.505);
+}
+
+TEST(Particle_system, moves_alike_however_the_edges_are_listed)
+{
+  const auto one = open_particles("dam_break");
+  const auto other = open_particles("dam_break");
+  Static_neighbors neighbors;
+  for (int frame = 0; frame != 300; ++frame) {
+    Neighbor_edges edges = neighbors(one->points());
+    one->advance(edges);
+    std::reverse(edges.begin(), edges.end());
+    for (auto& [a, b] : edges) {
+      std::swap(a, b);
+    }
+    other->advance(edges);
+  }
+  EXPECT_TRUE(same_places(one->points(), other->points()));
+}
+
+TEST(Particle_system, parts_coincident_neighbors)
+{
+  const Particle_parameters parameters{1.0, 1.0, 1.0, 0.0, 0.0, {}};
+  Bond_network no_bonds;
+  no_bonds.begin_particle();
+  no_bonds.begin_particle();
+  Particle_system system(parameters, {{2.0, 2.0}, {2.0, 2.0}}, {{0.0, 0.0}, {0.0, 0.0}}, no_bonds);
+  system.step({{0u, 1u}}, 0.1);
+  EXPECT_GT(system.positions()[1].x - system.positions()[0].x, 0.0);
+}
+
+TEST(Particle_system, puts_a_particle_back_that_passed_a_wall)
+{
+  const Particle_parameters parameters{1.0, 1.0, 1.0, 0.0, 0.0, Box{10.0, 10.0}};
+  Bond_network no_bonds;
+  no_bonds.begin_particle();
+  Particle_system system(parameters, {{5.0, 5.0}}, {{100.0, -1000.0}}, no_bonds);
+  system.step({}, 0.1);
+  EXPECT_TRUE(inside(system.positions()[0], 10.0, 10.0));
+  EXPECT_EQ(system.number_put_back(), 2u);
+}
+
+TEST(Particle_system, breaks_a_bond_beyond_its_strain_limit)
+{
+  const Particle_parameters parameters{1.0, 1.0, 1.0, 0.0, 0.0, {}};
+  Bond_network bonds;
+  bonds.begin_particle();
+  bonds.add(1, 1.0, 0.1);
+  bonds.begin_particle();
+  bonds.add(2, 1.0, std::nullopt);
+  bonds.begin_particle();
+  Particle_system system(parameters, {{0.0, 0.0}, {1.2, 0.0}, {2.4, 0.0}},
+                         std::vector<Point>(3, Point{0.0, 0.0}), bonds);
+  system.step({}, 0.1);
+  EXPECT_EQ(system.bonds().number_of_broken(), 1u);
+  EXPECT_EQ(system.positions()[0].x, 0.0);
+  EXPECT_LT(system.positions()[2].x, 2.4);
+}
+
+TEST(Brownian_motion, stays_in_its_box_and_takes_steps_of_the_size_asked_for)
+{
+  Overrides overrides;
+  overrides.time_step = 0.1;
+  const auto motion = open_motion(scenario_path("brownian"), overrides);
+  const std::vector<Point> first = motion->points();
+  motion->advance({});
+  double sum = 0.0;
+  for (std::size_t i = 0; i != first.size(); ++i) {
+    const Point& point = motion->points()[i];
+    EXPECT_TRUE(inside(point, 1.0, 1.0));
+    sum += std::pow(point.x - first[i].x, 2) + std::pow(point.y - first[i].y, 2);
+  }
+  const double step = std::sqrt(sum / (2.0 * static_cast<double>(first.size())));
+  EXPECT_NEAR(step / 0.01, 0.1, 0.005); // the mean spacing of 10000 points is 0.01
+}
+
+TEST(Brownian_motion, stays_in_its_box_with_huge_steps)
+{
+  Overrides overrides;
+  overrides.time_step = 10.0;
+  overrides.points = 10;
+  const auto motion = open_motion(scenario_path("brownian"), overrides);
+  for (int frame = 0; frame != 100; ++frame) {
+    motion->advance({});
+    for (const Point& point : motion->points()) {
+      EXPECT_TRUE(inside(point, 1.0, 1.0));
+    }
+  }
+}
+
+namespace {
+
+const char* const small_scenario = R"({
+  "name": "small", "kind": "particles", "packing": "square", "jitter": 0.001, "seed": 1,
+  "frames": 10, "time_step": 0.3, "diameter": 1, "mass": 1, "stiffness": 1, "damping": 0.1,
+  "gravity": 0.001, "box": [10, 10],
+  "bodies": [ { "rows": 2, "columns": 3, "position": [0, 0] } ]
+})";
+
+const char* const small_cloud = R"({
+  "name": "cloud", "kind": "brownian", "seed": 1, "frames": 10, "time_step": 0.01, "points": 5,
+  "box": [1, 1] })";
+
+Scenario_error error_with(const std::string& what, const std::string& by)
+{
+  return error_of(write_file("changed.json", with_replaced(small_scenario, what, by)));
+}
+
+} // namespace
+
+TEST(Scenario_file, is_accepted_when_it_is_right)
+{
+  EXPECT_EQ(open_motion(write_file("right.json", small_scenario))->points().size(), 6u);
+  EXPECT_EQ(open_motion(write_file("cloud.json", small_cloud))->points().size(), 5u);
+}
+
+TEST(Scenario_file, that_is_missing_is_named)
+{
+  expect_words(error_of("/no/such/scenario.json"), {"/no/such/scenario.json", "cannot be opened"});
+}
+
+TEST(Scenario_file, that_is_a_directory_is_refused)
+{
+  const std::string path = temporary_path("directory.json");
+  std::filesystem::create_directories(path);
+  expect_words(error_of(path), {"is a directory"});
+}
+
+TEST(Scenario_file, with_an_unknown_extension_is_refused_with_the_known_ones)
+{
+  expect_words(error_of("motion.xyz"), {"'.xyz'", ".json", ".csv", ".lammpstrj", ".dump"});
+}
+
+TEST(Scenario_file, with_an_unknown_key_is_refused_with_the_allowed_ones)
+{
+  expect_words(error_with("\"gravity\"", "\"gravitas\""),
+               {"unknown key 'gravitas'", "allowed are", "stiffness", "gravity"});
+  expect_words(error_with("\"rows\": 2", "\"rows\": 2, \"depth\": 3"),
+               {"unknown key 'bodies[0].depth'", "rows, columns, position"});
+  const std::string cloud = with_replaced(small_cloud, "\"points\"", "\"gravity\": 1, \"points\"");
+  expect_words(error_of(write_file("changed.json", cloud)),
+               {"unknown key 'gravity'", "points, box"});
+}
+
+TEST(Scenario_file, without_a_needed_key_is_refused)
+{
+  expect_words(error_with("\"mass\": 1,", ""), {"key 'mass' is missing"});
+  expect_words(error_with("\"rows\": 2,", ""), {"key 'bodies[0].rows' is missing"});
+  expect_words(error_with("\"kind\": \"particles\",", ""), {"key 'kind' is missing"});
+}
+
+TEST(Scenario_file, with_a_key_twice_is_refused)
+{
+  expect_words(error_with("\"mass\": 1,", "\"mass\": 1, \"mass\": 2,"), {"key 'mass' is twice"});
+}
+
+TEST(Scenario_file, with_a_value_of_the_wrong_type_is_refused)
+{
+  expect_words(error_with("\"mass\": 1", "\"mass\": \"heavy\""),
+               {"key 'mass'", "\"heavy\"", "expected a number"});
+  expect_words(error_with("\"seed\": 1", "\"seed\": 1.5"),
+               {"key 'seed'", "1.5", "expected an integer"});
+  expect_words(error_with("\"name\": \"small\"", "\"name\": 3"), {"key 'name'", "a string"});
+  expect_words(error_with("\"box\": [10, 10]", "\"box\": [10]"),
+               {"key 'box'", "[10]", "an array of two numbers"});
+  expect_words(error_with("\"position\": [0, 0]", "\"position\": [0, true]"),
+               {"key 'bodies[0].position[1]'", "true", "a number"});
+  expect_words(error_with("\"rows\": 2", "\"bonded\": 1, \"rows\": 2"),
+               {"key 'bodies[0].bonded'", "true or false"});
+  expect_words(error_with("[ { \"rows\": 2, \"columns\": 3, \"position\": [0, 0] } ]", "[]"),
+               {"key 'bodies'", "at least one object"});
+  expect_words(error_with("[ { \"rows\": 2, \"columns\": 3, \"position\": [0, 0] } ]", "[4]"),
+               {"key 'bodies[0]' is a number", "expected an object"});
+  expect_words(error_of(write_file("array.json", "[1, 2]")), {"is an array", "expected an object"});
+}
+
+TEST(Scenario_file, with_a_value_out_of_range_is_refused_with_the_range)
+{
+  expect_words(error_with("\"mass\": 1", "\"mass\": -3"),
+               {"key 'mass' is -3", "allowed are values above 0 to 1e+06"});
+  expect_words(error_with("\"time_step\": 0.3", "\"time_step\": 0"),
+               {"key 'time_step' is 0", "above 0 to 10"});
+  expect_words(error_with("\"rows\": 2", "\"rows\": 0"),
+               {"key 'bodies[0].rows' is 0", "from 1 to 10000000"});
+  expect_words(error_with("\"seed\": 1", "\"seed\": -1"), {"key 'seed' is -1", "from 0 to"});
+  expect_words(error_with("\"packing\": \"square\"", "\"packing\": \"cubic\""),
+               {"key 'packing' is 'cubic'", "allowed are square, hexagonal"});
+  expect_words(error_with("\"kind\": \"particles\"", "\"kind\": \"waves\""),
+               {"key 'kind' is 'waves'", "allowed are particles, brownian"});
+  expect_words(error_with("\"rows\": 2, \"columns\": 3", "\"rows\": 9999999, \"columns\": 9999999"),
+               {"'bodies'", "too many points", "10000000"});
+  expect_words(error_with("\"mass\": 1", "\"mass\": 1e999"), {"out of range", "1e999"});
+}
+
+TEST(Scenario_file, with_a_body_outside_of_the_box_is_refused)
+{
+  expect_words(error_with("\"position\": [0, 0]", "\"position\": [8, 0]"),
+               {"'bodies[0]'", "not inside of the box"});
+}
+
+TEST(Scenario_file, with_a_strain_limit_but_no_bonds_is_refused)
+{
+  expect_words(error_with("\"rows\": 2", "\"strain_limit\": 0.1, \"rows\": 2"),
+               {"'bodies[0].strain_limit'", "'bodies[0].bonded'"});
+}
+
+TEST(Scenario_file, that_is_broken_json_is_refused_with_line_and_column)
+{
+  const Scenario_error error = error_of(write_file("broken.json", "{\n  \"name\": }\n"));
+  EXPECT_EQ(error.line(), 2u);
+  EXPECT_EQ(error.column(), 11u);
+  expect_words(error, {"line 2, column 11", "not valid JSON", "'}'"});
+}
+
+TEST(Scenario_file, that_ends_too_early_is_refused_with_line_and_column)
+{
+  const Scenario_error error = error_of(write_file("cut.json", "{\n  \"name\": \"a\",\n"));
+  EXPECT_GE(error.line(), 2u);
+  expect_words(error, {"not valid JSON", "ends too early"});
+  expect_words(error_of(write_file("empty.json", "")), {"line 1", "ends too early"});
+}
+
+TEST(Overrides, out_of_range_are_refused)
+{
+  const std::string path = scenario_path("dam_break");
+  expect_words(error_of(path, with_points(0)), {"0 points", "allowed are 1 to 10000000"});
+  expect_words(error_of(path, with_points(most_points + 1)), {"10000001 points"});
+  for (const double time_step : {0.0, -1.0, 11.0, std::nan("")}) {
+    Overrides overrides;
+    overrides.time_step = time_step;
+    expect_words(error_of(path, overrides), {"time step", "allowed are values above 0 to 10"});
+  }
+}
+
+TEST(Overrides, are_refused_where_they_mean_nothing)
+{
+  Overrides overrides;
+  overrides.packing = Packing::square;
+  expect_words(error_of(scenario_path("brownian"), overrides), {"packing"});
+  const std::string path = write_file("recorded.csv", "frame,time,id,x,y\n0,0,1,2,3\n");
+  expect_words(error_of(path, overrides), {"is a recording"});
+  expect_words(error_of(path, with_points(3)), {"is a recording"});
+}
+
+TEST(Csv_motion, gives_frames_ids_and_points_to_the_last_bit)
+{
+  const auto motion = open_motion(write_file(
+      "good.csv", "frame,time,id,x,y\n0,0.5,7,0.1,1e-300\n0,0.5,3,-2,0.30000000000000004\n"));
+  EXPECT_EQ(motion->name(), "good");
+  EXPECT_EQ(motion->ids(), (std::vector<std::int64_t>{3, 7}));
+  EXPECT_EQ(motion->points()[1].x, 0.1);
+  EXPECT_EQ(motion->points()[1].y, 1e-300);
+  EXPECT_EQ(motion->points()[0].y, 0.30000000000000004);
+  EXPECT_EQ(motion->time(), 0.5);
+  EXPECT_EQ(motion->frames(), 0u);
+  EXPECT_FALSE(motion->advance({}));
+}
+
+TEST(Csv_motion, finds_its_columns_by_name)
+{
+  const auto motion = open_motion(write_file(
+      "columns.csv", "\xEF\xBB\xBFy, speed ,id,frame,x,time\r\n\r\n2,fast,5,0,+1,9\r\n"));
+  EXPECT_EQ(motion->ids(), std::vector<std::int64_t>{5});
+  EXPECT_EQ(motion->points()[0].x, 1.0);
+  EXPECT_EQ(motion->points()[0].y, 2.0);
+  EXPECT_EQ(motion->time(), 9.0);
+}
+
+TEST(Csv_motion, groups_rows_that_are_sorted_by_id_into_ascending_frames)
+{
+  const auto motion = open_motion(write_file("by_id.csv", "frame,time,id,x,y\n"
+                                                          "10,1,1,0,0\n11,2,1,1,0\n14,5,1,2,0\n"
+                                                          "9,0,2,0,5\n10,1,2,0,6\n14,5,2,0,7"));
+  EXPECT_EQ(motion->frames(), 3u);
+  EXPECT_EQ(motion->ids(), std::vector<std::int64_t>{2});
+  ASSERT_TRUE(motion->advance({}));
+  EXPECT_TRUE(motion->population_changed());
+  EXPECT_EQ(motion->ids(), (std::vector<std::int64_t>{1, 2}));
+  ASSERT_TRUE(motion->advance({}));
+  EXPECT_EQ(motion->ids(), std::vector<std::int64_t>{1});
+  ASSERT_TRUE(motion->advance({}));
+  EXPECT_EQ(motion->time(), 5.0);
+  EXPECT_EQ(motion->points()[1].y, 7.0);
+  EXPECT_FALSE(motion->advance({}));
+}
+
+TEST(Csv_motion, says_whether_the_population_changed)
+{
+  const auto motion = open_motion(
+      write_file("population.csv", "frame,time,id,x,y\n0,0,1,0,0\n1,1,1,1,1\n2,2,4,1,1\n"));
+  EXPECT_FALSE(motion->population_changed());
+  motion->advance({});
+  EXPECT_FALSE(motion->population_changed());
+  motion->advance({});
+  EXPECT_TRUE(motion->population_changed());
+}
+
+TEST(Csv_motion, without_content_is_refused)
+{
+  expect_words(error_of(write_file("empty.csv", "")), {"is empty", "frame,time,id,x,y"});
+  expect_words(error_of(write_file("header.csv", "frame,time,id,x,y\n")), {"no rows"});
+  expect_words(error_of("/no/such/motion.csv"), {"/no/such/motion.csv", "cannot be opened"});
+}
+
+TEST(Csv_motion, with_wrong_columns_is_refused)
+{
+  const Scenario_error error = error_of(write_file("missing.csv", "frame,time,id,x\n0,0,1,2\n"));
+  EXPECT_EQ(error.line(), 1u);
+  expect_words(error, {"line 1", "column 'y' is missing"});
+  expect_words(error_of(write_file("twice.csv", "frame,time,id,x,y,x\n")),
+               {"column 'x' is there twice"});
+}
+
+TEST(Csv_motion, with_a_wrong_row_is_refused_with_its_line)
+{
+  const std::string head = "frame,time,id,x,y\n0,0,1,0,0\n";
+  expect_words(error_of(write_file("bad.csv", head + "0,0,2,abc,0\n")),
+               {"line 3", "x 'abc' is not a number"});
+  expect_words(error_of(write_file("bad.csv", head + "0,0,2,1.5m,0\n")), {"line 3", "'1.5m'"});
+  expect_words(error_of(write_file("bad.csv", head + "0,0,2.5,1,0\n")),
+               {"line 3", "id '2.5' is not an integer"});
+  expect_words(error_of(write_file("bad.csv", head + "\n0,0,2,,0\n")), {"line 4", "x ''"});
+  expect_words(error_of(write_file("bad.csv", head + "0,0,2,1\n")),
+               {"line 3", "4 fields", "the header has 5"});
+  expect_words(error_of(write_file("bad.csv", head + "0,0,2,1e999,0\n")),
+               {"line 3", "'1e999' is out of range"});
+  EXPECT_EQ(error_of(write_file("bad.csv", head + "0,0,2,abc,0\n")).line(), 3u);
+}
+
+TEST(Csv_motion, with_a_coordinate_that_is_not_finite_is_refused_with_line_and_id)
+{
+  const std::string head = "frame,time,id,x,y\n0,0,1,0,0\n";
+  expect_words(error_of(write_file("nan.csv", head + "0,0,22,1,nan\n")),
+               {"line 3", "y of id 22", "'nan'", "not a finite number"});
+  expect_words(error_of(write_file("inf.csv", head + "0,0,23,-inf,1\n")),
+               {"line 3", "x of id 23", "'-inf'"});
+}
+
+TEST(Csv_motion, with_the_same_id_twice_in_a_frame_is_refused_with_both_lines)
+{
+  const Scenario_error error =
+      error_of(write_file("same.csv", "frame,time,id,x,y\n4,0,8,0,0\n4,0,9,1,1\n4,0,8,2,2\n"));
+  EXPECT_EQ(error.line(), 4u);
+  expect_words(error, {"id 8 is twice in frame 4", "first in line 2"});
+}
+
+namespace {
+
+std::string dump_frame(int timestep, const std::string& columns,
+                       const std::vector<std::string>& atoms)
+{
+  std::string text = "ITEM: TIMESTEP\n" + std::to_string(timestep) + "\nITEM: NUMBER OF ATOMS\n" +
+                     std::to_string(atoms.size()) +
+                     "\nITEM: BOX BOUNDS pp pp pp\n-1 3\n10 20\n0 1\nITEM: ATOMS " + columns + "\n";
+  for (const std::string& atom : atoms) {
+    text += atom + "\n";
+  }
+  return text;
+}
+
+} // namespace
+
+TEST(Lammps_dump, gives_atoms_sorted_by_id_whatever_the_order_of_rows_and_columns)
+{
+  const auto motion = open_motion(
+      write_file("good.lammpstrj", dump_frame(0, "id x y", {"2 0.5 1", "1 0.1 2"}) +
+                                       dump_frame(250, "y type id vx x ",
+                                                  {"7 1 2 0 6 ", "5 1 1 0 4 ", "9 1 3 0 8 "})));
+  EXPECT_EQ(motion->frames(), 1u);
+  EXPECT_EQ(motion->ids(), (std::vector<std::int64_t>{1, 2}));
+  EXPECT_EQ(motion->points()[0].x, 0.1);
+  ASSERT_TRUE(motion->advance({}));
+  EXPECT_EQ(motion->time(), 250.0);
+  EXPECT_EQ(motion->ids(), (std::vector<std::int64_t>{1, 2, 3}));
+  EXPECT_EQ(motion->points()[1].x, 6.0);
+  EXPECT_EQ(motion->points()[1].y, 7.0);
+}
+
+TEST(Lammps_dump, may_have_frames_of_no_one_and_two_atoms)
+{
+  const auto motion = open_motion(write_file(
+      "few.dump", dump_frame(0, "id x y", {}) + dump_frame(1, "id x y", {"1 0 0"}) +
+                      dump_frame(2, "id x y", {"1 0 0", "2 1 1"}) + dump_frame(3, "id x y", {})));
+  for (const std::size_t expected : {0u, 1u, 2u, 0u}) {
+    EXPECT_EQ(motion->points().size(), expected);
+    motion->advance({});
+  }
+}
+
+TEST(Lammps_dump, scales_scaled_coordinates_by_the_box_and_takes_unwrapped_ones)
+{
+  const auto scaled =
+      open_motion(write_file("scaled.lammpstrj", dump_frame(0, "id xs ys", {"1 0.5 0.25"})));
+  EXPECT_EQ(scaled->points()[0].x, 1.0);
+  EXPECT_EQ(scaled->points()[0].y, 12.5);
+  const auto unwrapped =
+      open_motion(write_file("unwrapped.lammpstrj", dump_frame(0, "id xu yu", {"1 50 60"})));
+  EXPECT_EQ(unwrapped->points()[0].x, 50.0);
+}
+
+TEST(Lammps_dump, in_a_tilted_box_takes_only_coordinates_that_are_not_scaled)
+{
+  const std::string tilted = "BOX BOUNDS xy xz yz pp pp pp\n-1 3 0\n10 20 0\n0 1 0";
+  const std::string plain = "BOX BOUNDS pp pp pp\n-1 3\n10 20\n0 1";
+  const std::string good = with_replaced(dump_frame(0, "id x y", {"1 2 3"}), plain, tilted);
+  EXPECT_EQ(open_motion(write_file("tilted.dump", good))->points().size(), 1u);
+  const std::string bad = with_replaced(dump_frame(0, "id xs ys", {"1 2 3"}), plain, tilted);
+  expect_words(error_of(write_file("tilted.dump", bad)), {"tilted box", "not supported"});
+}
+
+TEST(Lammps_dump, takes_the_time_where_it_is_written)
+{
+  const auto motion = open_motion(write_file(
+      "time.dump", "ITEM: UNITS\nlj\nITEM: TIME\n0.25\n" + dump_frame(100, "id x y", {"1 0 0"})));
+  EXPECT_EQ(motion->time(), 0.25);
+}
+
+TEST(Lammps_dump, that_is_truncated_is_refused_with_the_frame_and_the_counts)
+{
+  const std::string whole =
+      dump_frame(0, "id x y", {"1 0 0"}) + dump_frame(250, "id x y", {"1 0 0", "2 1 1", "3 2 2"});
+  const Scenario_error error =
+      error_of(write_file("cut.lammpstrj", with_replaced(whole, "2 1 1\n3 2 2\n", "")));
+  EXPECT_EQ(error.line(), 20u);
+  expect_words(error, {"timestep 250", "truncated", "3 atoms expected", "1 found"});
+  expect_words(error_of(write_file("cut.lammpstrj", with_replaced(whole, "1 0 0\nITEM", "ITEM"))),
+               {"timestep 0", "1 atoms expected", "0 found"});
+  expect_words(error_of(write_file("cut.lammpstrj", "ITEM: TIMESTEP\n5\n")),
+               {"timestep 5", "truncated"});
+  expect_words(error_of(write_file("cut.lammpstrj", "ITEM: TIMESTEP\n5\nITEM: NUMBER OF ATOMS\n")),
+               {"timestep 5", "truncated in its head"});
+  expect_words(error_of(write_file("cut.lammpstrj", "ITEM: TIMESTEP\n")), {"ends in the head"});
+}
+
+TEST(Lammps_dump, with_a_number_of_atoms_that_cannot_be_is_refused)
+{
+  const std::string whole = dump_frame(0, "id x y", {"1 0 0"});
+  expect_words(error_of(write_file("many.dump", with_replaced(whole, "ATOMS\n1\n",
+                                                              "ATOMS\n9000000000000000000\n"))),
+               {"9000000000000000000 atoms expected", "1 found"});
+  expect_words(
+      error_of(write_file("minus.dump", with_replaced(whole, "ATOMS\n1\n", "ATOMS\n-1\n"))),
+      {"line 4", "-1 is negative"});
+}
+
+TEST(Lammps_dump, without_content_is_refused)
+{
+  expect_words(error_of(write_file("empty.lammpstrj", "")), {"is empty", "ITEM: TIMESTEP"});
+  expect_words(error_of(write_file("other.lammpstrj", "hello\n")),
+               {"line 1", "expected ITEM: TIMESTEP", "'hello'"});
+}
+
+TEST(Lammps_dump, with_wrong_columns_is_refused)
+{
+  expect_words(error_of(write_file("id.dump", dump_frame(0, "type x y", {"1 0 0"}))),
+               {"line 9", "column 'id' is missing"});
+  expect_words(error_of(write_file("y.dump", dump_frame(0, "id x z", {"1 0 0"}))),
+               {"line 9", "column 'y' is missing", "xs ys"});
+}
+
+TEST(Lammps_dump, with_a_wrong_atom_is_refused_with_its_line)
+{
+  const auto error = [](const std::string& atom) {
+    return error_of(write_file("bad.dump", dump_frame(0, "id x y", {"1 0 0", atom})));
+  };
+  expect_words(error("2 abc 0"), {"line 11", "x 'abc' is not a number"});
+  expect_words(error("2 0 nan"), {"line 11", "y of id 2", "not a finite number"});
+  expect_words(error("2 0"), {"line 11", "2 fields", "3 columns"});
+  expect_words(error("1 5 5"), {"line 11", "id 1 is twice", "timestep 0", "first in line 10"});
+}
+
+TEST(Scenario_error, keeps_a_message_short_when_the_file_is_not)
+{
+  const std::string line(100000, 'z');
+  const Scenario_error error = error_of(write_file("long.lammpstrj", line));
+  EXPECT_LT(std::string(error.what()).size(), 500u);
+}
+
+namespace {
+
+struct Shared_file
+{
+  const char* name;
+  std::size_t number_of_frames;
+  std::size_t fewest;
+  std::size_t most;
+};
+
+std::string shared_data_directory()
+{
+  const char* const variable = std::getenv("SHARED_DATA_DIR");
+  return variable != nullptr ? variable : SHARED_DATA_DIR;
+}
+
+} // namespace
+
+TEST(Recorded_data, parses_with_the_frames_and_points_its_description_states)
+{
+  const std::string directory = shared_data_directory();
+  if (!std::filesystem::is_directory(directory)) {
+    GTEST_SKIP() << "no recorded data in " << directory
+                 << "; set SHARED_DATA_DIR to the directory that holds it";
+  }
+  const std::vector<Shared_file> files = {
+      {"traffic_bologna.csv", 201, 1005, 1099}, {"sph_dambreak.csv", 35, 3938, 3938},
+      {"cells_c2c12.csv", 780, 31, 267},        {"crowd_juelich.csv", 3247, 1, 50},
+      {"crowd_bottleneck.csv", 1657, 1, 75},    {"madras_1A.csv", 297, 39, 51},
+      {"satellites.csv", 150, 833, 833},        {"asteroids.csv", 25, 7098, 7098},
+      {"md_crack.lammpstrj", 11, 8141, 8141},   {"granular_pour.lammpstrj", 101, 0, 1000}};
+  for (const Shared_file& file : files) {
+    const auto motion = open_motion(directory + "/" + file.name);
+    EXPECT_EQ(motion->frames() + 1, file.number_of_frames) << file.name;
+    std::size_t fewest = motion->points().size();
+    std::size_t most = fewest;
+    while (motion->advance({})) {
+      EXPECT_EQ(motion->ids().size(), motion->points().size()) << file.name;
+      fewest = std::min(fewest, motion->points().size());
+      most = std::max(most, motion->points().size());
+    }
+    EXPECT_EQ(fewest, file.fewest) << file.name;
+    EXPECT_EQ(most, file.most) << file.name;
+  }
+}
