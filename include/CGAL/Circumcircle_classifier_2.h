@@ -103,7 +103,7 @@ private:
     const std::size_t edges = frame.number_of_edges();
     m_unproved[part].clear();
     Dynamic_Delaunay_triangulations_2::internal::append_unproved(
-        frame.edges().data(), &frame.position(0), Index(edges * part / m_threads),
+        frame.edges().data(), frame.positions(), Index(edges * part / m_threads),
         Index(edges * (part + 1) / m_threads), m_unproved[part]);
   }
 

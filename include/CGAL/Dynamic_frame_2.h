@@ -74,6 +74,8 @@ public:
   }
   /// where vertex `v` is; NaNs for the infinite one.
   const Position& position(Index v) const { return m_maintained->positions[v]; }
+  /// where all vertices are, by their numbers.
+  const std::vector<Position>& positions() const { return m_maintained->positions; }
   /// where vertex `v` was one frame ago. Only while classifying.
   const Position& previous_position(Index v) const { return m_maintained->previous_positions[v]; }
   /// whether all positions are the very coordinates of the points, none of them rounded.

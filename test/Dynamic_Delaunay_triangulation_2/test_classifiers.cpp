@@ -118,11 +118,9 @@ TEST(Edge_filter, never_proves_what_is_not_so)
     const auto circle = CGAL::side_of_oriented_circle(q[0], q[1], q[2], q[3]);
     const auto left = CGAL::orientation(q[0], q[1], q[2]);
     const auto right = CGAL::orientation(q[3], q[2], q[1]);
-    const bool is_so =
-        circle == CGAL::ON_NEGATIVE_SIDE && left == CGAL::LEFT_TURN && right == CGAL::LEFT_TURN;
-    ASSERT_TRUE(is_so || !filter.proves_delaunay());
-    const bool is_illegal = filter.in_circle > filter.in_circle_bound;
-    ASSERT_TRUE(!is_illegal || circle == CGAL::ON_POSITIVE_SIDE);
+    const bool are_left_turns = left == CGAL::LEFT_TURN && right == CGAL::LEFT_TURN;
+    ASSERT_TRUE(!filter.proves_delaunay() || (are_left_turns && circle == CGAL::ON_NEGATIVE_SIDE));
+    ASSERT_TRUE(!filter.proves_illegal() || (are_left_turns && circle == CGAL::ON_POSITIVE_SIDE));
     proved += filter.proves_delaunay();
     ties += circle == CGAL::ON_ORIENTED_BOUNDARY;
   }
@@ -155,7 +153,11 @@ TEST(Edge_filter, proves_the_same_edges_plain_and_vectorised)
   }
   std::vector<Index> plain, chosen;
   internal::append_unproved_plain(edges.data(), positions.data(), 0, Index(edges.size()), plain);
-  internal::append_unproved(edges.data(), positions.data(), 0, Index(edges.size()), chosen);
+  internal::append_unproved(edges.data(), positions, 0, Index(edges.size()), chosen);
+  EXPECT_EQ(plain, chosen);
+  positions.resize(internal::fewest_vertices_to_prefetch); // far apart in memory, on another path
+  chosen.clear();
+  internal::append_unproved(edges.data(), positions, 0, Index(edges.size()), chosen);
   EXPECT_EQ(plain, chosen);
   EXPECT_GT(edges.size() - plain.size(), 1000u); // both answers occur
   EXPECT_GT(plain.size(), 1000u);

@@ -217,6 +217,14 @@ private:
         note(*b++);
       else
         ++a, ++b;
+    for (const std::vector<Boundary_edge_2>* boundary : {&m_old.boundary, &m_new.boundary}) {
+      // an edge that is there twice does not say which face is beyond it
+      const auto twice =
+          std::adjacent_find(boundary->begin(), boundary->end(),
+                             [](const auto& e, const auto& f) { return e.joins_same_vertices(f); });
+      if (twice != boundary->end())
+        note(*twice);
+    }
   }
 
   void find_outside(const Maintained& maintained)

@@ -14,8 +14,10 @@ namespace internal {
 
 enum class Edge_state_2 {
   DELAUNAY, // locally Delaunay, its finite faces counterclockwise, the hull convex here
-  ILLEGAL,  // an opposite vertex is inside the circle, or the hull turns the wrong way: flip it
-  TWISTED   // no flip is called for, but a face at it is not counterclockwise
+  ILLEGAL,  // both faces are counterclockwise, and each circle holds the other's vertex: flip it
+  CROSSED,  // a face at it is not counterclockwise, or the hull not convex, and a flip may right
+            // that
+  TWISTED   // the same, and a flip does not
 };
 
 // The certificate: a triangulated sphere with one vertex at infinity is the Delaunay triangulation
@@ -88,13 +90,13 @@ private:
     if (m_maintained.positions_are_exact) {
       if (filter.proves_delaunay())
         return Edge_state_2::DELAUNAY;
-      if (filter.in_circle > filter.in_circle_bound)
+      if (filter.proves_illegal())
         return Edge_state_2::ILLEGAL;
     }
-    if (in_circle(edge.left, edge.source, edge.target, edge.right) == ON_POSITIVE_SIDE)
-      return Edge_state_2::ILLEGAL;
     const bool is_twisted = orientation(edge.left, edge.source, edge.target) != LEFT_TURN ||
                             orientation(edge.right, edge.target, edge.source) != LEFT_TURN;
+    if (in_circle(edge.left, edge.source, edge.target, edge.right) == ON_POSITIVE_SIDE)
+      return is_twisted ? Edge_state_2::CROSSED : Edge_state_2::ILLEGAL;
     return is_twisted ? Edge_state_2::TWISTED : Edge_state_2::DELAUNAY;
   }
 
@@ -105,9 +107,9 @@ private:
     case LEFT_TURN:
       return Edge_state_2::DELAUNAY;
     case RIGHT_TURN:
-      return Edge_state_2::ILLEGAL;
+      return Edge_state_2::CROSSED;
     default:
-      return is_strictly_between(b, a, c) ? Edge_state_2::ILLEGAL : Edge_state_2::TWISTED;
+      return is_strictly_between(b, a, c) ? Edge_state_2::CROSSED : Edge_state_2::TWISTED;
     }
   }
 
@@ -118,7 +120,7 @@ private:
     case LEFT_TURN:
       return Edge_state_2::DELAUNAY;
     case RIGHT_TURN:
-      return Edge_state_2::ILLEGAL;
+      return Edge_state_2::CROSSED;
     default: // the hull must not turn back on itself
       return is_strictly_between(before, v, after) ? Edge_state_2::DELAUNAY : Edge_state_2::TWISTED;
     }

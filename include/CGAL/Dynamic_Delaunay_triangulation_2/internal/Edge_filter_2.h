@@ -20,54 +20,68 @@ namespace internal {
 //   left             orientation(a, b, c)  = ab + bc + ca
 //   in_circle        |a|^2 bc + |b|^2 ca + |c|^2 ab, positive if d is inside the circle of abc
 //
-// Bounds (u = 2^-53). A difference, a product and a sum each round once, by a factor within 1 +- u.
-// A term of a minor is a product of two differences: 3 roundings; the minor's subtraction: 1 more;
-// at most two additions in `left`: 2 more. So |error(left)| <= (6u + O(u^2)) S, S the sum of the
-// terms' absolute values; the computed S is at least (1 - 9u) of the true one, and 8u S covers it.
-// The same bound covers `right`. A square |a|^2 takes two differences, a product and a sum: 4
-// roundings; its product with a minor (4) is 9; two additions: 11. So |error(in_circle)| <= (11u +
-// O(u^2)) P, and 16u P covers it, P = |a|^2 S_bc + |b|^2 S_ca + |c|^2 S_ab computed with 11
-// roundings at most. Underflow: differences are exact then; a product that underflows errs by at
-// most 2^-1075, times a factor of at most 2(|a|^2 + |b|^2 + |c|^2) where it is multiplied further:
-// 1e-290 (|a|^2 + |b|^2 + |c|^2 + 1) is above any sum of them. Overflow gives infinities or NaNs,
-// with which every comparison below fails. Contraction to fused multiply-adds only leaves roundings
+// Bounds. Let u = 2^-53 and s = |a|^2 + |b|^2 + |c|^2. A difference, a product and a sum each round
+// once, by a factor within 1 +- u.
+//   A term of a minor is a product of two differences: 3 roundings; the minor's subtraction: 1
+//   more; at
+// most two additions in `left`: 2 more. So |error(left)| <= 6u T + O(u^2), T the sum of the terms'
+// absolute values, |bx cy| + |cx by| + ... By |bx cy| + |cx by| <= |b||c| <= (|b|^2 + |c|^2) / 2
+// and its like, T <= s. The same holds for `right`.
+//   A square |a|^2 takes two differences, a product and a sum: 4 roundings; its product with a
+//   minor (4)
+// is 9; two additions: 11. So |error(in_circle)| <= 11u P + O(u^2) with P = |a|^2 (|bx cy| + |cx
+// by|) +
+// ..., and P <= |a|^2 |b||c| + |b|^2 |c||a| + |c|^2 |a||b| <= s^2 / 3 (the sum of x^2 yz is at most
+// that of x^2 y^2, as xy yz <= (x^2 y^2 + y^2 z^2) / 2). That is 3.67u s^2.
+//   The computed s is within 6u of s, relatively. 8u s and 5u s^2, computed, cover all of this.
+//   Underflow: differences are exact then; a product that underflows errs by at most 2^-1075, times
+//   at
+// most 2s where it is multiplied further, some 30 s 2^-1075 altogether; with s >= 1e-120 that is
+// far below u s and u s^2, so smaller s are left to the kernel. Overflow gives infinities or NaNs,
+// with which the comparisons below fail. Contraction to fused multiply-adds only leaves roundings
 // out.
 struct Edge_filter_2
 {
-  static constexpr double u = 0x1p-53;
+  static constexpr double orientation_factor = 8 * 0x1p-53;
+  static constexpr double in_circle_factor = 5 * 0x1p-53;
+  static constexpr double smallest_s = 1e-120;
 
-  double left, left_bound;
-  double right, right_bound;
-  double in_circle, in_circle_bound;
+  double s, left, right, in_circle;
 
   Edge_filter_2(const Position_2& a, const Position_2& b, const Position_2& c, const Position_2& d)
   {
     const double ax = a.x - d.x, ay = a.y - d.y;
     const double bx = b.x - d.x, by = b.y - d.y;
     const double cx = c.x - d.x, cy = c.y - d.y;
-
-    const double bxcy = bx * cy, cxby = cx * by;
-    const double cxay = cx * ay, axcy = ax * cy;
-    const double axby = ax * by, bxay = bx * ay;
-    const double bc = bxcy - cxby, ca = cxay - axcy, ab = axby - bxay;
-    const double bc_sum = std::abs(bxcy) + std::abs(cxby);
-    const double ca_sum = std::abs(cxay) + std::abs(axcy);
-    const double ab_sum = std::abs(axby) + std::abs(bxay);
-    const double aa = ax * ax + ay * ay, bb = bx * bx + by * by, cc = cx * cx + cy * cy;
-
-    const double underflow = 1e-290 * (aa + bb + cc + 1);
+    const double bc = bx * cy - cx * by;
+    const double ca = cx * ay - ax * cy;
+    const double ab = ax * by - bx * ay;
+    const double aa = ax * ax + ay * ay;
+    const double bb = bx * bx + by * by;
+    const double cc = cx * cx + cy * cy;
+    s = aa + bb + cc;
     right = -bc;
-    right_bound = 8 * u * bc_sum + underflow;
     left = ab + bc + ca;
-    left_bound = 8 * u * (ab_sum + bc_sum + ca_sum) + underflow;
     in_circle = aa * bc + bb * ca + cc * ab;
-    in_circle_bound = 16 * u * (aa * bc_sum + bb * ca_sum + cc * ab_sum) + underflow;
   }
 
-  // Both faces are counterclockwise and the edge is locally Delaunay, no tie: proved.
+  // Both faces are counterclockwise: proved.
+  bool proves_counterclockwise() const
+  {
+    const double bound = orientation_factor * s;
+    return (left > bound) & (right > bound) & (s > smallest_s);
+  }
+
+  // They are, and the edge is locally Delaunay, no tie: proved.
   bool proves_delaunay() const
   {
-    return (in_circle < -in_circle_bound) & (left > left_bound) & (right > right_bound);
+    return proves_counterclockwise() & (in_circle < -(in_circle_factor * s * s));
+  }
+
+  // They are, and the edge is not locally Delaunay: proved.
+  bool proves_illegal() const
+  {
+    return proves_counterclockwise() & (in_circle > in_circle_factor * s * s);
   }
 };
 

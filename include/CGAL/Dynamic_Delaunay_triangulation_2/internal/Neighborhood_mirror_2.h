@@ -5,10 +5,12 @@
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_NEIGHBORHOOD_MIRROR_2_H
 
 #include <CGAL/assertions.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Prefetch_2.h>
 
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -49,22 +51,30 @@ public:
   static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
   static Index face_of(Index h) { return h / 3; }
 
-  Index number_of_faces() const { return Index(m_apex.size() / 3); }
+  Index number_of_faces() const { return Index(m_halfedges.size() / 3); }
   Index number_of_edges() const { return Index(m_edges.size()); }
 
   // The vertex opposite to half-edge h, which is also the i-th vertex of its face.
-  Index apex(Index h) const { return m_apex[h]; }
-  Index source(Index h) const { return m_apex[next(h)]; }
-  Index target(Index h) const { return m_apex[previous(h)]; }
-  Index twin(Index h) const { return m_twin[h]; }
-  Index edge_of(Index h) const { return m_edge_of[h]; }
+  Index apex(Index h) const { return m_halfedges[h].apex; }
+  Index source(Index h) const { return apex(next(h)); }
+  Index target(Index h) const { return apex(previous(h)); }
+  Index twin(Index h) const { return m_halfedges[h].twin; }
+  Index edge_of(Index h) const { return m_halfedges[h].edge; }
   Index halfedge(Index edge) const { return m_halfedge_of_edge[edge]; }
   const Edge_2& edge(Index e) const { return m_edges[e]; }
   const std::vector<Edge_2>& edges() const { return m_edges; }
   std::array<Index, 3> face(Index f) const
   {
-    return {m_apex[3 * f], m_apex[3 * f + 1], m_apex[3 * f + 2]};
+    return {apex(3 * f), apex(3 * f + 1), apex(3 * f + 2)};
   }
+
+  // Before edge(e) and halfedge(e) are asked for, and before edge e is flipped.
+  void prefetch_edge(Index e) const
+  {
+    prefetch(&m_edges[e]);
+    prefetch(&m_halfedge_of_edge[e]);
+  }
+  void prefetch_face_at(Index e) const { prefetch(&m_halfedges[m_halfedge_of_edge[e]]); }
 
   // A corner of v: a half-edge whose apex is v.
   Index corner(Index v) const { return m_corner[v]; }
@@ -87,7 +97,15 @@ public:
   template <class Function>
   void for_each_neighbor(Index v, Function&& f) const
   {
-    for_each_corner(v, [&](Index h) { f(m_apex[next(h)]); });
+    for_each_corner(v, [&](Index h) { f(apex(next(h))); });
+  }
+
+  // Whether an end of the edge has three neighbours only: then those are neighbours of each other.
+  bool has_end_of_degree_3(Index h) const
+  {
+    const Index g = twin(h);
+    return face_of(twin(previous(h))) == face_of(twin(next(g))) ||
+           face_of(twin(next(h))) == face_of(twin(previous(g)));
   }
 
   bool are_neighbors(Index v, Index w) const
@@ -97,7 +115,7 @@ public:
     const Index first = m_corner[v];
     Index h = first;
     do {
-      if (m_apex[next(h)] == w)
+      if (apex(next(h)) == w)
         return true;
       h = next_corner(h);
     } while (h != first);
@@ -108,9 +126,7 @@ public:
 
   void clear()
   {
-    m_apex.clear();
-    m_twin.clear();
-    m_edge_of.clear();
+    m_halfedges.clear();
     m_edges.clear();
     m_halfedge_of_edge.clear();
     m_corner.clear();
@@ -119,76 +135,91 @@ public:
   void resize(Index vertices, Index faces)
   {
     m_corner.assign(vertices + 1, no_index);
-    m_apex.resize(3 * std::size_t(faces));
-    m_twin.resize(3 * std::size_t(faces));
-    m_edge_of.resize(3 * std::size_t(faces));
+    m_halfedges.resize(3 * std::size_t(faces));
     m_edges.resize(3 * std::size_t(faces) / 2);
     m_halfedge_of_edge.resize(3 * std::size_t(faces) / 2);
   }
 
   void set_apex(Index h, Index v)
   {
-    m_apex[h] = v;
+    m_halfedges[h].apex = v;
     m_corner[v] = h;
   }
 
   void link(Index h, Index g)
   {
-    m_twin[h] = g;
-    m_twin[g] = h;
+    m_halfedges[h].twin = g;
+    m_halfedges[g].twin = h;
   }
 
   // Makes e the edge of h and of its twin, and reads its four vertices anew.
   void set_edge(Index e, Index h)
   {
-    const Index g = m_twin[h];
-    m_edge_of[h] = m_edge_of[g] = e;
+    const Index g = twin(h);
+    m_halfedges[h].edge = m_halfedges[g].edge = e;
     m_halfedge_of_edge[e] = h;
-    m_edges[e] = Edge_2{source(h), target(h), m_apex[h], m_apex[g]};
+    m_edges[e] = Edge_2{source(h), target(h), apex(h), apex(g)};
   }
 
   // Numbers the edges along the faces, so that edges close in space are close in memory.
   void number_edges()
   {
     Index e = 0;
-    for (Index h = 0; h < Index(m_apex.size()); ++h)
-      if (h < m_twin[h])
+    for (Index h = 0; h < Index(m_halfedges.size()); ++h)
+      if (h < twin(h))
         set_edge(e++, h);
     CGAL_postcondition(e == number_of_edges());
   }
 
-  // Exchanges the diagonal at half-edge h, vertex by vertex as CGAL's TDS_2::flip(face, i) does.
+  // Exchanges the diagonal at half-edge h, vertex by vertex as CGAL's TDS_2::flip(face, i) does:
+  // from faces (a, b, c) and (d, c, b) to (a, b, d) and (d, c, a).
   void flip(Index h)
   {
-    const Index g = m_twin[h];
+    const Index g = twin(h);
     const Index h_next = next(h), h_previous = previous(h);
     const Index g_next = next(g), g_previous = previous(g);
-    const Index b = m_apex[h_next], c = m_apex[h_previous];
-    const Index edge = m_edge_of[h];
-    const Index outer_h = m_twin[h_next], outer_g = m_twin[g_next];
-    const Index edge_of_h_next = m_edge_of[h_next], edge_of_g_next = m_edge_of[g_next];
+    const Index a = apex(h), b = apex(h_next), c = apex(h_previous), d = apex(g);
+    const Index ab = edge_of(h_previous), bd = edge_of(g_next);
+    const Index dc = edge_of(g_previous), ca = edge_of(h_next), diagonal = edge_of(h);
 
-    m_apex[h_previous] = m_apex[g];
-    m_apex[g_previous] = m_apex[h];
-    link(h, outer_g);
-    link(g, outer_h);
+    m_halfedges[h_previous].apex = d;
+    m_halfedges[g_previous].apex = a;
+    const Index outer_bd = twin(g_next), outer_ca = twin(h_next);
+    link(h, outer_bd);
+    link(g, outer_ca);
     link(h_next, g_next);
     if (m_corner[c] == h_previous)
       m_corner[c] = g_next;
     if (m_corner[b] == g_previous)
       m_corner[b] = h_next;
 
-    set_edge(edge, h_next);
-    set_edge(edge_of_g_next, h);
-    set_edge(edge_of_h_next, g);
-    set_edge(m_edge_of[h_previous], h_previous);
-    set_edge(m_edge_of[g_previous], g_previous);
+    m_halfedges[h].edge = bd;
+    m_halfedges[g].edge = ca;
+    m_halfedges[h_next].edge = m_halfedges[g_next].edge = diagonal;
+    m_halfedge_of_edge[bd] = h;
+    m_halfedge_of_edge[ca] = g;
+    m_halfedge_of_edge[diagonal] = h_next;
+    m_edges[diagonal] = Edge_2{d, a, b, c};
+    exchange_opposite(ab, c, d);
+    exchange_opposite(bd, c, a);
+    exchange_opposite(dc, b, a);
+    exchange_opposite(ca, b, d);
   }
 
 private:
-  std::vector<Index> m_apex;
-  std::vector<Index> m_twin;
-  std::vector<Index> m_edge_of;
+  // The three half-edges of a face stand together: whoever needs one of them needs the others.
+  struct Halfedge
+  {
+    Index apex, twin, edge;
+  };
+
+  void exchange_opposite(Index e, Index from, Index to)
+  {
+    Edge_2& edge = m_edges[e];
+    (edge.left == from ? edge.left : edge.right) = to;
+  }
+
+  std::vector<Halfedge> m_halfedges;
   std::vector<Edge_2> m_edges;
   std::vector<Index> m_halfedge_of_edge;
   std::vector<Index> m_corner;

@@ -42,19 +42,34 @@ public:
   {
   }
 
-  // A flip that would double an edge would leave the simplicial complexes; it is refused. Among
-  // these are all flips at a vertex of degree 3.
-  bool can_flip(Index h) const
+  // A flip that doubles an edge would break the simplicial complex; it is refused. At a vertex of
+  // degree 3 all flips do so. Elsewhere the new edge can exist already only if faces overlap, and
+  // that is looked for only if a face at the edge is not counterclockwise.
+  bool can_flip(Index h, bool faces_are_counterclockwise) const
   {
     const auto& mirror = m_maintained.mirror;
-    return !mirror.are_neighbors(mirror.apex(h), mirror.apex(mirror.twin(h)));
+    return !mirror.has_end_of_degree_3(h) &&
+           (faces_are_counterclockwise ||
+            !mirror.are_neighbors(mirror.apex(h), mirror.apex(mirror.twin(h))));
   }
 
   void flip(Index h)
   {
-    m_maintained.new_edges.push_back(m_maintained.mirror.edge_of(h));
-    m_maintained.triangulation.tds().flip(m_maintained.faces[h / 3], int(h % 3));
-    m_maintained.mirror.flip(h);
+    auto& mirror = m_maintained.mirror;
+    const Index g = mirror.twin(h);
+    const Index b = mirror.source(h), c = mirror.target(h);
+    const Index corner_of_b = mirror.corner(b), corner_of_c = mirror.corner(c);
+    m_maintained.new_edges.push_back(mirror.edge_of(h));
+    mirror.flip(h);
+    write_vertex(Neighborhood_mirror_2::previous(h));
+    write_vertex(Neighborhood_mirror_2::previous(g));
+    write_neighbors(h);
+    write_neighbors(g);
+    write_neighbors(Neighborhood_mirror_2::next(h));
+    if (mirror.corner(b) != corner_of_b)
+      m_maintained.vertices[b]->set_face(m_maintained.faces[mirror.corner(b) / 3]);
+    if (mirror.corner(c) != corner_of_c)
+      m_maintained.vertices[c]->set_face(m_maintained.faces[mirror.corner(c) / 3]);
   }
 
   // Puts the faces of `patch` in place of `old_faces`, as many, with the same boundary: the
@@ -124,6 +139,9 @@ public:
     fill_mirror(
         faces, triangulation.dimension(), [](Vertex_handle v) { return Index(v->mirror_index()); },
         [&](Face_handle f) { return number_of_face[f]; });
+    if (m_maintained.is_mirrored())
+      for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v)
+        m_maintained.vertices[v]->set_face(faces[m_maintained.mirror.corner(v) / 3]);
   }
 
 private:
@@ -336,7 +354,7 @@ private:
       for (Index i = 0; i < 3; ++i) {
         const Index v = patch.apexes[3 * k + i];
         m_maintained.mirror.set_apex(3 * f + i, v);
-        m_maintained.faces[f]->set_vertex(int(i), m_maintained.vertices[v]);
+        write_vertex(3 * f + i);
         m_maintained.vertices[v]->set_face(m_maintained.faces[f]);
       }
     }
@@ -345,6 +363,21 @@ private:
   void link(Index h, Index g)
   {
     m_maintained.mirror.link(h, g);
+    write_neighbors(h);
+  }
+
+  // CGAL ----------------------------------------------------------------------------------------
+
+  void write_vertex(Index h)
+  {
+    m_maintained.faces[h / 3]->set_vertex(int(h % 3),
+                                          m_maintained.vertices[m_maintained.mirror.apex(h)]);
+  }
+
+  // Both faces at h.
+  void write_neighbors(Index h)
+  {
+    const Index g = m_maintained.mirror.twin(h);
     m_maintained.faces[h / 3]->set_neighbor(int(h % 3), m_maintained.faces[g / 3]);
     m_maintained.faces[g / 3]->set_neighbor(int(g % 3), m_maintained.faces[h / 3]);
   }
