@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef RUN_OUTPUT_FILE_H
+#define RUN_OUTPUT_FILE_H
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+namespace run {
+
+// A file that is there as a whole or not at all: it gets its name when it is finished. A device or
+// a pipe is written directly.
+class Output_file
+{
+public:
+  explicit Output_file(const std::string& path)
+    : m_path(path)
+    , m_written_path(is_special(path) ? path : path + ".part")
+  {
+    errno = 0;
+    m_stream.open(m_written_path, std::ios::binary | std::ios::trunc);
+    if (!m_stream) {
+      throw std::runtime_error(m_path + ": cannot be written: " + std::strerror(errno));
+    }
+  }
+  Output_file(const Output_file&) = delete;
+  Output_file& operator=(const Output_file&) = delete;
+
+  ~Output_file()
+  {
+    if (!m_is_finished && m_written_path != m_path) {
+      m_stream.close();
+      std::error_code ignored;
+      std::filesystem::remove(m_written_path, ignored);
+    }
+  }
+
+  std::ostream& stream() { return m_stream; }
+
+  void finish()
+  {
+    m_stream.close();
+    if (!m_stream) {
+      throw std::runtime_error(m_path + ": cannot be written to its end");
+    }
+    std::error_code error;
+    if (m_written_path != m_path) {
+      std::filesystem::rename(m_written_path, m_path, error);
+    }
+    if (error) {
+      throw std::runtime_error(m_path + ": cannot be written: " + error.message());
+    }
+    m_is_finished = true;
+  }
+
+private:
+  static bool is_special(const std::string& path)
+  {
+    std::error_code ignored;
+    return std::filesystem::exists(path, ignored) &&
+           !std::filesystem::is_regular_file(path, ignored);
+  }
+
+  std::string m_path;
+  std::string m_written_path;
+  std::ofstream m_stream;
+  bool m_is_finished = false;
+};
+
+} // namespace run
+
+#endif // RUN_OUTPUT_FILE_H

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef RUN_REBUILD_REASON_NAME_H
+#define RUN_REBUILD_REASON_NAME_H
+
+#include <CGAL/Update_report_2.h>
+
+#include <string>
+
+namespace run {
+
+inline std::string rebuild_reason_name(CGAL::Rebuild_reason_2 reason)
+{
+  switch (reason) {
+  case CGAL::Rebuild_reason_2::NONE:
+    return "none";
+  case CGAL::Rebuild_reason_2::REPAIR:
+    return "repair";
+  case CGAL::Rebuild_reason_2::TOO_MUCH_BROKEN:
+    return "too_much_broken";
+  case CGAL::Rebuild_reason_2::STUCK:
+    return "stuck";
+  case CGAL::Rebuild_reason_2::COINCIDENCE:
+    return "coincidence";
+  case CGAL::Rebuild_reason_2::DIMENSION:
+    return "dimension";
+  }
+  return "unknown";
+}
+
+} // namespace run
+
+#endif // RUN_REBUILD_REASON_NAME_H

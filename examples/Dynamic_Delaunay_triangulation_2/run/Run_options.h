@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef RUN_RUN_OPTIONS_H
+#define RUN_RUN_OPTIONS_H
+
+#include "Any_repair.h"
+#include "Classifier_choice.h"
+#include "Number_argument.h"
+#include "Scenario_choice.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace run {
+
+// What a person asks for.
+struct Run_options
+{
+  std::string scenario = "dam_break";
+  Classifier_choice classifier = classifier_choice("circumcircle");
+  std::optional<std::string> repair{};
+  unsigned padding = 1;
+  unsigned threads = 1;
+  std::optional<std::size_t> frames{};
+  scenario::Overrides overrides{};
+  std::optional<std::string> report{};
+  std::optional<std::string> csv{};
+  std::optional<std::string> svg{};
+  bool quiet = false;
+
+  std::string repair_name() const { return repair.value_or(usual_repair(classifier.is_exact)); }
+};
+
+inline scenario::Packing packing_argument(const std::string& text)
+{
+  if (text != "square" && text != "hexagonal") {
+    throw std::invalid_argument("there is no packing '" + text + "'; there are square, hexagonal");
+  }
+  return text == "square" ? scenario::Packing::square : scenario::Packing::hexagonal;
+}
+
+// `take` gets the text after the option and throws std::invalid_argument if it dislikes it.
+template <class Take>
+CLI::Option* add_option(CLI::App& app, const std::string& name, const std::string& value,
+                        const std::string& description, Take take)
+{
+  const auto checked_take = [name, take](const std::string& text) {
+    try {
+      take(text);
+    } catch (const std::invalid_argument& error) {
+      throw CLI::ValidationError(name, error.what());
+    }
+  };
+  return app.add_option_function<std::string>(name, checked_take, description)->type_name(value);
+}
+
+inline void add_method_options(CLI::App& app, Run_options& options)
+{
+  constexpr unsigned most_padding = 100;
+  constexpr unsigned most_threads = 1024;
+  add_option(app, "--classifier", "NAME[:PARAMETER]",
+             "what finds the vertices to mend: " + classifier_list() + "; default circumcircle",
+             [&](const std::string& text) { options.classifier = classifier_choice(text); });
+  add_option(app, "--padding", "N",
+             "layers of neighbours around the classified vertices; default 1",
+             [&](const std::string& text) {
+               options.padding = static_cast<unsigned>(count_argument(text, 0, most_padding));
+             });
+  add_option(app, "--repair", "NAME",
+             "what mends: " + scenario::joined(repair_names()) +
+                 "; default flip_and_splice, with a heuristic classifier splice",
+             [&](const std::string& text) {
+               check_repair_name(text);
+               options.repair = text;
+             });
+  add_option(app, "--threads", "N", "threads of the circumcircle classifier; default 1",
+             [&](const std::string& text) {
+               options.threads = static_cast<unsigned>(count_argument(text, 1, most_threads));
+             });
+}
+
+inline void add_motion_options(CLI::App& app, Run_options& options)
+{
+  constexpr std::size_t most_frames = 1'000'000'000;
+  add_option(
+      app, "--frames", "N", "frames after the first one; default what the scenario says",
+      [&](const std::string& text) { options.frames = count_argument(text, 0, most_frames); });
+  add_option(app, "--points", "N", "points that the scenario is scaled to",
+             [&](const std::string& text) {
+               options.overrides.points = count_argument(text, 1, scenario::most_points);
+             });
+  add_option(app, "--time-step", "F",
+             "motion between two frames; small ones are the favourable ones",
+             [&](const std::string& text) {
+               options.overrides.time_step =
+                   number_argument(text, scenario::positive_up_to(scenario::largest_time_step));
+             });
+  add_option(app, "--packing", "NAME", "first places of the points: square, hexagonal",
+             [&](const std::string& text) { options.overrides.packing = packing_argument(text); });
+  add_option(app, "--seed", "N", "seed of the scenario and of the random classifier",
+             [&](const std::string& text) {
+               options.overrides.seed =
+                   count_argument(text, 0, std::numeric_limits<std::uint64_t>::max());
+             });
+}
+
+inline void add_output_options(CLI::App& app, Run_options& options)
+{
+  const auto take_into = [](std::optional<std::string>& target) {
+    return [&target](const std::string& text) { target = text; };
+  };
+  add_option(app, "--report", "FILE.json", "write what came out, as one JSON object",
+             take_into(options.report));
+  add_option(app, "--csv", "FILE.csv", "write a row for each frame", take_into(options.csv));
+  add_option(app, "--svg", "DIR",
+             "draw about 30 frames: classified vertices red, padded green, border cyan",
+             take_into(options.svg));
+  app.add_flag("--quiet", options.quiet, "no progress, no table");
+}
+
+// \throws CLI::Success for --help and --version, another CLI::ParseError for a mistake.
+inline Run_options parse_options(CLI::App& app, int argc, const char* const* argv)
+{
+  Run_options options;
+  app.description("Runs a scenario, keeps its Delaunay triangulation, checks every frame, and "
+                  "compares the time with fresh triangulations.");
+  app.add_option("SCENARIO", options.scenario,
+                 "a scenario, or a .json, .csv, .lammpstrj or .dump file; default dam_break")
+      ->type_name("");
+  add_method_options(app, options);
+  add_motion_options(app, options);
+  add_output_options(app, options);
+  app.set_version_flag("--version", "run_scenario 1.0");
+  app.footer("Scenarios: " + scenario::joined(scenario_names()));
+  app.parse(argc, argv);
+  if (options.report && options.report == options.csv) {
+    throw CLI::ValidationError("--csv", "is the file of --report too");
+  }
+  return options;
+}
+
+} // namespace run
+
+#endif // RUN_RUN_OPTIONS_H

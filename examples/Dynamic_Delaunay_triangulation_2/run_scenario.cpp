@@ -1,0 +1,161 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Runs a scenario, checks the maintained triangulation on every frame, and compares its cost with
+// that of fresh triangulations: run_scenario --help.
+
+#include "run/Any_classifier.h"
+#include "run/Any_repair.h"
+#include "run/Frame_log.h"
+#include "run/Picture_series.h"
+#include "run/Progress_display.h"
+#include "run/Run_options.h"
+#include "run/Run_report.h"
+#include "run/Run_subject.h"
+#include "run/Run_summary.h"
+#include "run/Run_table.h"
+#include "run/Scenario_choice.h"
+#include "run/Scenario_run.h"
+#include "scenario/Open_motion.h"
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace {
+
+// Where the frames go while they pass. Everything is opened before the first one, so that a wrong
+// path is no surprise at the end.
+class Outputs
+{
+public:
+  Outputs(const run::Run_options& options, std::size_t frames,
+          const std::optional<scenario::Box>& box)
+    : m_progress(frames, !options.quiet)
+  {
+    if (options.report) {
+      m_report.emplace(*options.report);
+    }
+    if (options.csv) {
+      m_log.emplace(*options.csv);
+    }
+    if (options.svg) {
+      m_pictures.emplace(*options.svg, frames, box);
+    }
+  }
+
+  template <class Run>
+  void take_first_frame(const Run& run)
+  {
+    if (m_pictures) {
+      m_pictures->draw(run);
+    }
+  }
+
+  template <class Run>
+  void take_frame(const Run& run)
+  {
+    if (m_log) {
+      m_log->write(run.record());
+    }
+    if (m_pictures) {
+      m_pictures->draw(run);
+    }
+    m_progress.show(run.record().frame);
+  }
+
+  void finish(const run::Run_subject& subject, const run::Run_summary& summary)
+  {
+    if (m_log) {
+      m_log->finish();
+    }
+    if (m_report) {
+      run::write_report(m_report->stream(), subject, summary);
+      m_report->finish();
+    }
+  }
+
+private:
+  std::optional<run::Output_file> m_report;
+  std::optional<run::Frame_log> m_log;
+  std::optional<run::Picture_series> m_pictures;
+  run::Progress_display m_progress;
+};
+
+template <class Classifier>
+run::Run_summary run_frames(scenario::Motion& motion, const Classifier& classifier,
+                            const run::Any_repair& repair, std::size_t frames, Outputs& outputs)
+{
+  run::Scenario_run<Classifier> run(motion, classifier, repair);
+  const std::size_t points_of_first_frame = motion.points().size();
+  std::vector<run::Frame_record> records;
+  outputs.take_first_frame(run);
+  while (records.size() != frames && run.advance()) {
+    records.push_back(run.record());
+    outputs.take_frame(run);
+  }
+  return run::summarize(points_of_first_frame, records);
+}
+
+run::Run_summary run_frames(const run::Run_options& options, const run::Run_subject& subject,
+                            scenario::Motion& motion, std::size_t frames, Outputs& outputs)
+{
+  const run::Any_repair repair = run::make_repair(subject.repair, subject.padding);
+  if (subject.classifier.is_exact) {
+    return run_frames(motion, run::make_exact_classifier(options.threads), repair, frames, outputs);
+  }
+  return run_frames(motion,
+                    run::make_heuristic_classifier(subject.classifier, subject.seed.value_or(0)),
+                    repair, frames, outputs);
+}
+
+std::unique_ptr<scenario::Motion> open(const std::string& path, const run::Run_options& options,
+                                       bool is_recording)
+{
+  scenario::Overrides overrides = options.overrides;
+  if (is_recording) {
+    overrides.seed.reset(); // it is the random classifier's alone
+  }
+  return scenario::open_motion(path, overrides);
+}
+
+void run_scenario(const run::Run_options& options)
+{
+  const std::string path = run::scenario_path(options.scenario);
+  const run::Scenario_facts facts = run::scenario_facts(path, options.overrides.points);
+  const auto motion = open(path, options, !facts.seed);
+  const run::Run_subject subject = run::run_subject(options, *motion, facts);
+  std::size_t frames = options.frames.value_or(motion->frames());
+  if (!facts.seed) {
+    frames = std::min(frames, motion->frames()); // a recording ends
+  }
+  run::Run_summary summary;
+  {
+    Outputs outputs(options, frames, facts.box);
+    summary = run_frames(options, subject, *motion, frames, outputs);
+    outputs.finish(subject, summary);
+  }
+  if (!options.quiet) {
+    run::write_table(std::cout, subject, summary);
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  CLI::App app("", "run_scenario");
+  try {
+    run_scenario(run::parse_options(app, argc, argv));
+    return 0;
+  } catch (const CLI::Success& help_or_version) {
+    return app.exit(help_or_version);
+  } catch (const std::exception& error) {
+    std::cerr << "run_scenario: " << error.what() << std::endl;
+    return 1;
+  }
+}

@@ -1,0 +1,420 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The program run_scenario, run as a user runs it.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+// Of this process alone, and gone when it ends.
+class Temporary_directory
+{
+public:
+  Temporary_directory()
+    : m_path(testing::TempDir() + "test_run_scenario_" + std::to_string(std::random_device()()))
+  {
+    std::filesystem::create_directories(m_path);
+  }
+  Temporary_directory(const Temporary_directory&) = delete;
+  Temporary_directory& operator=(const Temporary_directory&) = delete;
+  ~Temporary_directory()
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(m_path, ignored);
+  }
+
+  std::string path(const std::string& name) const { return (m_path / name).string(); }
+
+private:
+  std::filesystem::path m_path;
+};
+
+std::string temporary_path(const std::string& name)
+{
+  static const Temporary_directory directory;
+  return directory.path(name);
+}
+
+std::string write_file(const std::string& name, const std::string& content)
+{
+  const std::string path = temporary_path(name);
+  std::ofstream(path, std::ios::binary) << content;
+  return path;
+}
+
+std::string content_of(const std::string& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::size_t number_of_lines(const std::string& text)
+{
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+struct Outcome
+{
+  bool succeeded;
+  std::string output;
+  std::string errors;
+};
+
+Outcome run(const Words& arguments)
+{
+  const std::string output = temporary_path("output");
+  const std::string errors = temporary_path("errors");
+  std::string command = "\"" RUN_SCENARIO "\"";
+  for (const std::string& argument : arguments) {
+    command += " \"" + argument + "\"";
+  }
+  command += " > \"" + output + "\" 2> \"" + errors + "\"";
+  const bool succeeded = std::system(command.c_str()) == 0;
+  return {succeeded, content_of(output), content_of(errors)};
+}
+
+Json report_of(Words arguments)
+{
+  const std::string path = temporary_path("report.json");
+  std::filesystem::remove(path);
+  arguments.insert(arguments.end(), {"--report", path, "--quiet"});
+  const Outcome outcome = run(arguments);
+  EXPECT_TRUE(outcome.succeeded);
+  EXPECT_EQ(outcome.output + outcome.errors, "");
+  return Json::parse(content_of(path));
+}
+
+void expect_exact_report(const Json& report, std::size_t frames)
+{
+  EXPECT_EQ(report["exact"], true);
+  EXPECT_EQ(report["frames"], frames);
+  EXPECT_EQ(report["certified_frames"], frames);
+  EXPECT_EQ(report["valid_frames"], frames);
+  EXPECT_EQ(report["mcc_min"], 1.0);
+  EXPECT_EQ(report["mcc_mean"], 1.0);
+}
+
+// One message, no report, not even a part of one.
+void expect_refusal(Words arguments, const Words& parts_of_message)
+{
+  const std::string path = temporary_path("refused.json");
+  arguments.insert(arguments.end(), {"--report", path});
+  const Outcome outcome = run(arguments);
+  EXPECT_FALSE(outcome.succeeded);
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_EQ(outcome.errors.rfind("run_scenario: ", 0), 0u) << outcome.errors;
+  EXPECT_EQ(number_of_lines(outcome.errors), 1u) << outcome.errors;
+  for (const std::string& part : parts_of_message) {
+    EXPECT_TRUE(contains(outcome.errors, part)) << part << " is not in: " << outcome.errors;
+  }
+  EXPECT_FALSE(std::filesystem::exists(path));
+  EXPECT_FALSE(std::filesystem::exists(path + ".part"));
+}
+
+// Nobody, one, two, three points on a line, four, the same four a little further.
+std::string small_dump()
+{
+  const std::vector<Words> frames = {{},
+                                     {"1 0 0"},
+                                     {"1 0 0", "2 1 0"},
+                                     {"1 0 0", "2 1 0", "3 2 0"},
+                                     {"1 0 0", "2 1 0", "3 2 0", "4 1 2"},
+                                     {"1 0 0", "2 1 0.5", "3 2 0", "4 1 2"}};
+  std::string text;
+  for (std::size_t frame = 0; frame != frames.size(); ++frame) {
+    text += "ITEM: TIMESTEP\n" + std::to_string(frame) + "\nITEM: NUMBER OF ATOMS\n" +
+            std::to_string(frames[frame].size()) +
+            "\nITEM: BOX BOUNDS ff ff ff\n0 2\n0 2\n0 1\nITEM: ATOMS id x y\n";
+    for (const std::string& atom : frames[frame]) {
+      text += atom + "\n";
+    }
+  }
+  return text;
+}
+
+// Five points of which the last comes and goes.
+std::string small_csv()
+{
+  const Words points = {"0,0", "4,0", "4,4", "0,4", "2,1."};
+  std::string text = "frame,time,id,x,y\n";
+  for (std::size_t frame = 0; frame != 8; ++frame) {
+    const std::string number = std::to_string(frame);
+    const std::size_t size = frame == 3 || frame == 4 ? 4 : 5;
+    for (std::size_t id = 0; id != size; ++id) {
+      text += number + "," + number + "," + std::to_string(id) + "," + points[id] +
+              (id == 4 ? number : "") + "\n";
+    }
+  }
+  return text;
+}
+
+TEST(Report, says_everything_about_a_run)
+{
+  const Json report = report_of({"dam_break", "--frames", "150", "--points", "300"});
+  EXPECT_EQ(report["scenario"], "dam_break");
+  EXPECT_EQ(report["points"], 300);
+  EXPECT_EQ(report["classifier"], "circumcircle");
+  EXPECT_TRUE(report["parameter"].is_null());
+  EXPECT_EQ(report["padding"], 1);
+  EXPECT_EQ(report["repair"], "flip_and_splice");
+  EXPECT_EQ(report["threads"], 1);
+  EXPECT_EQ(report["packing"], "square");
+  EXPECT_EQ(report["population_changes"], 0);
+  EXPECT_TRUE(report["seed"].is_number_unsigned());
+  EXPECT_TRUE(report["time_step"].is_number_float());
+  EXPECT_TRUE(report["rebuild_reasons"].is_object());
+  for (const char* key :
+       {"rebuilds", "classified_mean", "padded_mean", "border_mean", "flips_mean", "splices_mean",
+        "growths_mean", "dynamic_ns_per_point", "static_insert_ns_per_point",
+        "static_fastest_ns_per_point", "speedup_vs_insert", "speedup_vs_fastest",
+        "speedup_vs_insert_last_half"}) {
+    EXPECT_TRUE(report[key].is_number()) << key;
+  }
+  expect_exact_report(report, 150);
+}
+
+TEST(Report, gives_medians_that_lie_between_their_quartiles_and_their_ratios_as_speedups)
+{
+  const Json report = report_of({"static", "--frames", "60"});
+  for (const std::string name : {"dynamic", "static_insert", "static_fastest"}) {
+    const double median = report[name + "_ns_per_point"];
+    const auto quartiles = report[name + "_ns_per_point_quartiles"].get<std::vector<double>>();
+    EXPECT_GT(quartiles.at(0), 0.0);
+    EXPECT_LE(quartiles.at(0), median);
+    EXPECT_LE(median, quartiles.at(1));
+  }
+  EXPECT_DOUBLE_EQ(report["speedup_vs_insert"].get<double>() *
+                       report["dynamic_ns_per_point"].get<double>(),
+                   report["static_insert_ns_per_point"].get<double>());
+}
+
+TEST(Report, leaves_out_the_numbers_that_no_frame_gives)
+{
+  const Json report = report_of({"--frames", "0"});
+  EXPECT_EQ(report["frames"], 0);
+  EXPECT_EQ(report["points"], 1008);
+  for (const char* key : {"mcc_min", "mcc_mean", "flips_mean", "dynamic_ns_per_point",
+                          "dynamic_ns_per_point_quartiles", "speedup_vs_insert"}) {
+    EXPECT_TRUE(report[key].is_null()) << key;
+  }
+}
+
+TEST(Report, is_the_same_of_equal_runs_but_for_the_times)
+{
+  const Words arguments = {"dam_break",    "--points", "200",    "--frames", "80",
+                           "--classifier", "random",   "--seed", "7"};
+  Json first = report_of(arguments);
+  const Json second = report_of(arguments);
+  EXPECT_EQ(first["seed"], 7);
+  for (const auto& [key, value] : second.items()) {
+    if (!contains(key, "_ns_") && !contains(key, "speedup")) {
+      EXPECT_EQ(first[key], value) << key;
+    }
+  }
+}
+
+std::string test_name(const testing::TestParamInfo<std::string>& info)
+{
+  return info.param;
+}
+
+class Thesis_scenarios : public testing::TestWithParam<std::string>
+{
+};
+
+TEST_P(Thesis_scenarios, are_exact_on_every_frame)
+{
+  expect_exact_report(report_of({GetParam(), "--frames", "150"}), 150);
+}
+
+TEST_P(Thesis_scenarios, stay_valid_under_a_heuristic)
+{
+  for (const char* packing : {"square", "hexagonal"}) {
+    const Json report = report_of({GetParam(), "--frames", "150", "--classifier",
+                                   "point_distance:0.9", "--packing", packing});
+    EXPECT_EQ(report["exact"], false);
+    EXPECT_EQ(report["classifier"], "point_distance");
+    EXPECT_EQ(report["parameter"], 0.9);
+    EXPECT_EQ(report["repair"], "splice");
+    EXPECT_EQ(report["packing"], packing);
+    EXPECT_EQ(report["valid_frames"], 150);
+    EXPECT_GT(report["mcc_min"], 0.5);
+    EXPECT_LE(report["mcc_min"], report["mcc_mean"]);
+    EXPECT_LE(report["mcc_mean"], 1.0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Thesis_scenarios,
+                         testing::Values("dam_break", "spinning", "explosion", "static"),
+                         test_name);
+
+TEST(Brownian_motion, is_exact_with_every_repair)
+{
+  for (const char* repair : {"flip_and_splice", "splice", "flip", "relocate", "rebuild"}) {
+    const Json report = report_of({"brownian", "--points", "500", "--frames", "40", "--time-step",
+                                   "0.02", "--repair", repair});
+    SCOPED_TRACE(repair);
+    EXPECT_EQ(report["repair"], repair);
+    EXPECT_EQ(report["time_step"], 0.02);
+    EXPECT_TRUE(report["packing"].is_null());
+    expect_exact_report(report, 40);
+  }
+}
+
+TEST(Random_classifier, picks_everybody_at_one_and_nobody_at_zero)
+{
+  const Words arguments = {"brownian", "--points", "200", "--frames", "10", "--classifier"};
+  const auto classified_mean = [&](const std::string& classifier) {
+    Words all = arguments;
+    all.push_back(classifier);
+    return report_of(all)["classified_mean"];
+  };
+  EXPECT_EQ(classified_mean("random:1"), 200.0);
+  EXPECT_EQ(classified_mean("random:0"), 0.0);
+}
+
+TEST(Recordings, may_change_their_population)
+{
+  const Json report = report_of({write_file("small.csv", small_csv())});
+  EXPECT_EQ(report["scenario"], "small");
+  EXPECT_EQ(report["points"], 5);
+  EXPECT_EQ(report["population_changes"], 2);
+  EXPECT_TRUE(report["seed"].is_null());
+  EXPECT_TRUE(report["time_step"].is_null());
+  expect_exact_report(report, 7);
+}
+
+TEST(Recordings, may_have_no_one_and_two_points)
+{
+  const std::string path = write_file("small.lammpstrj", small_dump());
+  const Json report = report_of({path, "--svg", temporary_path("small_pictures")});
+  EXPECT_EQ(report["points"], 4);
+  EXPECT_EQ(report["population_changes"], 4);
+  expect_exact_report(report, 5);
+}
+
+TEST(Recordings, end_where_they_end_and_seed_the_random_classifier)
+{
+  const Json report = report_of({write_file("small.csv", small_csv()), "--frames", "1000",
+                                 "--classifier", "random:0.5", "--seed", "3"});
+  EXPECT_EQ(report["frames"], 7);
+  EXPECT_EQ(report["seed"], 3);
+}
+
+TEST(Outputs, are_a_table_a_row_for_each_frame_and_pictures)
+{
+  const std::string csv = temporary_path("frames.csv");
+  const std::filesystem::path pictures = temporary_path("pictures/of/it");
+  const Outcome outcome = run({"explosion", "--points", "100", "--frames", "45", "--csv", csv,
+                               "--svg", pictures.string(), "--classifier", "point_distance"});
+  EXPECT_TRUE(outcome.succeeded);
+  EXPECT_EQ(outcome.errors, "") << "progress is for terminals";
+  EXPECT_TRUE(contains(outcome.output, "explosion, 100 points, 45 frames"));
+  EXPECT_TRUE(contains(outcome.output, "point_distance:0.7 (heuristic)"));
+  EXPECT_EQ(number_of_lines(content_of(csv)), 1u + 45u);
+  std::size_t number_of_pictures = 0;
+  for (const auto& file : std::filesystem::directory_iterator(pictures)) {
+    const std::string picture = content_of(file.path().string());
+    EXPECT_EQ(picture.rfind("<svg", 0), 0u);
+    EXPECT_TRUE(contains(picture, "</svg>"));
+    EXPECT_FALSE(contains(picture, "nan"));
+    ++number_of_pictures;
+  }
+  EXPECT_LE(number_of_pictures, 32u);
+  EXPECT_TRUE(std::filesystem::exists(pictures / "frame_00000.svg"));
+  EXPECT_TRUE(std::filesystem::exists(pictures / "frame_00045.svg"));
+}
+
+TEST(Outputs, that_cannot_be_written_end_the_run_before_it_starts)
+{
+  expect_refusal({"--csv", temporary_path("no_such_directory/a.csv")}, {"cannot be written"});
+  expect_refusal({"--svg", write_file("a_file", "")}, {"a_file", "directory"});
+}
+
+TEST(Outputs, leave_the_last_report_alone_when_the_run_fails)
+{
+  const std::string path = write_file("old.json", "old");
+  EXPECT_FALSE(run({"no_such_scenario", "--report", path}).succeeded);
+  EXPECT_FALSE(run({"--time-step", "-1", "--report", path}).succeeded);
+  EXPECT_EQ(content_of(path), "old");
+}
+
+TEST(Help, lists_scenarios_classifiers_and_repairs)
+{
+  const Outcome outcome = run({"--help"});
+  EXPECT_TRUE(outcome.succeeded);
+  for (const char* word : {"dam_break", "point_distance", "flip_and_splice", "--time-step"}) {
+    EXPECT_TRUE(contains(outcome.output, word)) << word;
+  }
+  EXPECT_TRUE(run({"--version"}).succeeded);
+}
+
+TEST(Mistakes, in_a_name_are_answered_with_the_names_that_exist)
+{
+  expect_refusal({"no_such_scenario"}, {"no_such_scenario", "dam_break", "spinning"});
+  expect_refusal({"no_such_file.csv"}, {"no_such_file.csv"});
+  expect_refusal({"--classifier", "oracle"},
+                 {"oracle", "circumcircle", "point_distance", "random"});
+  expect_refusal({"--repair", "glue"}, {"glue", "splice", "flip", "relocate", "rebuild"});
+  expect_refusal({"--packing", "round"}, {"round", "square", "hexagonal"});
+  expect_refusal({"--speed", "1"}, {"--speed"});
+}
+
+TEST(Mistakes, in_a_number_are_answered_with_its_range)
+{
+  expect_refusal({"--classifier", "point_distance:1.5"}, {"point_distance", "1.5", "from 0 to 1"});
+  expect_refusal({"--classifier", "point_distance:nan"}, {"nan", "from 0 to 1"});
+  expect_refusal({"--classifier", "random:-0.1"}, {"random", "-0.1", "from 0 to 1"});
+  expect_refusal({"--classifier", "random:"}, {"random", "from 0 to 1"});
+  expect_refusal({"--classifier", "circumcircle:1"}, {"circumcircle takes no parameter"});
+  expect_refusal({"--frames", "-1"}, {"--frames", "-1", "from 0"});
+  expect_refusal({"--frames", "ten"}, {"--frames", "ten"});
+  expect_refusal({"--points", "0"}, {"--points", "from 1"});
+  expect_refusal({"--points", "99999999999999999999"}, {"--points"});
+  expect_refusal({"--padding", "-1"}, {"--padding", "from 0"});
+  expect_refusal({"--threads", "0"}, {"--threads", "from 1"});
+  for (const char* time_step : {"0", "-1", "nan", "inf", "1e300", "fast"}) {
+    expect_refusal({"--time-step", time_step}, {"--time-step", time_step});
+  }
+}
+
+TEST(Mistakes, in_a_scenario_file_are_answered_with_their_place)
+{
+  expect_refusal({write_file("broken.json", "{\n  \"name\": oops\n}\n")},
+                 {"broken.json", "line 2", "column"});
+  expect_refusal({write_file("key.json", R"({"name": "a", "kind": "brownian", "seed": 1,
+    "frames": 10, "time_step": 0.1, "points": 10, "box": [1.0, 1.0], "wind": 3})")},
+                 {"key.json", "wind"});
+}
+
+TEST(Mistakes, in_a_recording_are_answered_with_their_place)
+{
+  expect_refusal({write_file("columns.csv", "frame,time,id,x\n0,0,1,2\n")}, {"columns.csv", "'y'"});
+  expect_refusal({write_file("nan.csv", "frame,time,id,x,y\n0,0,1,2,3\n0,0,2,nan,3\n")},
+                 {"nan.csv", "line 3", "id 2", "nan"});
+  const std::string dump = small_dump();
+  expect_refusal({write_file("cut.lammpstrj", dump.substr(0, dump.size() - 15))},
+                 {"cut.lammpstrj"});
+  expect_refusal({write_file("small.csv", small_csv()), "--points", "3"}, {"recording"});
+}
+
+} // namespace
