@@ -96,8 +96,14 @@ public:
   /// \name Creation
   /// @{
 
+  /// an empty triangulation, with a classifier and a repair by default.
+  Dynamic_Delaunay_triangulation_2()
+    : Dynamic_Delaunay_triangulation_2(Classifier())
+  {
+  }
+
   /// an empty triangulation.
-  explicit Dynamic_Delaunay_triangulation_2(const Classifier& classifier = Classifier(),
+  explicit Dynamic_Delaunay_triangulation_2(const Classifier& classifier,
                                             const Delaunay_repair& repair = Delaunay_repair())
     : m_classifier(classifier)
     , m_repair(repair)
@@ -110,8 +116,15 @@ public:
   /// \tparam InputIterator its values are convertible to `Point`.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
   template <class InputIterator>
+  Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond)
+    : Dynamic_Delaunay_triangulation_2(first, beyond, Identity_map(), Classifier())
+  {
+  }
+
+  /// the same, with a classifier and a repair.
+  template <class InputIterator>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
-                                   const Classifier& classifier = Classifier(),
+                                   const Classifier& classifier,
                                    const Delaunay_repair& repair = Delaunay_repair())
     : Dynamic_Delaunay_triangulation_2(first, beyond, Identity_map(), classifier, repair)
   {
@@ -122,8 +135,16 @@ public:
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
   template <class InputIterator, class PointMap,
             class = typename boost::property_traits<PointMap>::key_type>
+  Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond, PointMap point_map)
+    : Dynamic_Delaunay_triangulation_2(first, beyond, point_map, Classifier())
+  {
+  }
+
+  /// the same, with a classifier and a repair.
+  template <class InputIterator, class PointMap,
+            class = typename boost::property_traits<PointMap>::key_type>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond, PointMap point_map,
-                                   const Classifier& classifier = Classifier(),
+                                   const Classifier& classifier,
                                    const Delaunay_repair& repair = Delaunay_repair())
     : Dynamic_Delaunay_triangulation_2(classifier, repair)
   {

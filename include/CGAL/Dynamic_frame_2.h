@@ -116,7 +116,7 @@ public:
   bool is_delaunay(Index e) const
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
-    return Certificate_2<Maintained>(*m_maintained).state(e) == Edge_state_2::DELAUNAY;
+    return Certificate_2<Maintained>(*m_maintained).is_delaunay(e);
   }
 
   /// @}

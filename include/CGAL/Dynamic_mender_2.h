@@ -152,11 +152,16 @@ public:
   }
 
   /// triangulates everything anew, in the order of the last triangulation, and closes all edges.
+  /// That may number the vertices anew, so the sets of classified, padded and border vertices are
+  /// empty then.
   void rebuild(Rebuild_reason_2 reason)
   {
     m_editor.rebuild();
     m_report->rebuild_reason = reason;
     m_open.clear();
+    m_padded.clear();
+    m_border.clear();
+    m_classification.clear(m_maintained);
   }
 
   /// @}

@@ -121,6 +121,8 @@ TEST(Edge_filter, never_proves_what_is_not_so)
     const bool are_left_turns = left == CGAL::LEFT_TURN && right == CGAL::LEFT_TURN;
     ASSERT_TRUE(!filter.proves_delaunay() || (are_left_turns && circle == CGAL::ON_NEGATIVE_SIDE));
     ASSERT_TRUE(!filter.proves_illegal() || (are_left_turns && circle == CGAL::ON_POSITIVE_SIDE));
+    ASSERT_TRUE(!filter.disproves_delaunay() || !are_left_turns ||
+                circle == CGAL::ON_POSITIVE_SIDE);
     proved += filter.proves_delaunay();
     ties += circle == CGAL::ON_ORIENTED_BOUNDARY;
   }

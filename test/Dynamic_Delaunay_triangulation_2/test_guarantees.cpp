@@ -12,6 +12,7 @@
 #include <array>
 #include <limits>
 #include <list>
+#include <optional>
 #include <set>
 
 namespace {
@@ -260,6 +261,21 @@ TEST(Guarantees, vertices_keep_their_handles_through_flips_splices_and_rebuilds)
   EXPECT_GT(rebuilds, 0u);
 }
 
+// A rebuild numbers the vertices anew, and with coincident points there are fewer.
+TEST(Guarantees, the_classified_set_names_no_vertex_that_a_rebuild_did_away_with)
+{
+  Cloud<Epick> cloud(15);
+  const auto points = cloud.uniform(200);
+  auto elsewhere = cloud.uniform(200);
+  std::copy(elsewhere.begin(), elsewhere.begin() + 100, elsewhere.begin() + 100);
+  Exact dt(points.begin(), points.end());
+  const auto report = dt.update(elsewhere.begin(), elsewhere.end());
+  EXPECT_TRUE(report.rebuilt());
+  EXPECT_GT(report.classified, 0u);
+  EXPECT_TRUE(dt.classified_vertices().empty());
+  expect_exact(dt, elsewhere);
+}
+
 TEST(Guarantees, so_much_broken_that_mending_would_not_pay_is_rebuilt_and_said_so)
 {
   Cloud<Epick> cloud(10);
@@ -307,6 +323,24 @@ TEST(Guarantees, none_to_three_points_and_points_on_a_line_work)
     dt.for_each_edge([&](std::size_t, std::size_t) { ++edges; });
     EXPECT_EQ(edges, n < 2 ? 0 : n == 2 ? 1u : 3u);
   }
+}
+
+// A classifier that has to be told something.
+struct Classifier_without_default : CGAL::Point_distance_classifier_2
+{
+  explicit Classifier_without_default(double x)
+    : CGAL::Point_distance_classifier_2(x)
+  {
+  }
+};
+
+TEST(Guarantees, a_classifier_needs_no_default)
+{
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier_without_default>;
+  const Points points(5);
+  std::optional<Dynamic> dt;
+  dt.emplace(points.begin(), points.end(), Classifier_without_default(0.5));
+  EXPECT_EQ(dt->classifier().x(), 0.5);
 }
 
 TEST(Guarantees, a_moved_object_goes_on_and_an_empty_one_can_be_assigned_to)

@@ -57,6 +57,18 @@ public:
     return inner_edge_state(edge);
   }
 
+  // The same, answered with yes or no.
+  bool is_delaunay(Index e) const
+  {
+    const Edge_2& edge = m_maintained.mirror.edge(e);
+    const auto& positions = m_maintained.positions;
+    const Edge_filter_2 filter(positions[edge.left], positions[edge.source], positions[edge.target],
+                               positions[edge.right]);
+    if (m_maintained.positions_are_exact && filter.disproves_delaunay())
+      return false;
+    return state(e) == Edge_state_2::DELAUNAY;
+  }
+
   // Condition 4. A locally convex closed curve turns around as often as it has a summit: a vertex
   // that is lexicographically larger than both its neighbours.
   bool hull_turns_once() const

@@ -83,6 +83,14 @@ struct Edge_filter_2
   {
     return proves_counterclockwise() & (in_circle > in_circle_factor * s * s);
   }
+
+  // A face is clockwise, or the edge is not locally Delaunay: proved.
+  bool disproves_delaunay() const
+  {
+    const double bound = orientation_factor * s;
+    return ((left < -bound) | (right < -bound) | (in_circle > in_circle_factor * s * s)) &
+           (s > smallest_s);
+  }
 };
 
 } // namespace internal
