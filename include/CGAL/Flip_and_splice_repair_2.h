@@ -44,10 +44,12 @@ public:
   }
 
 private:
+  // On random clouds mending and rebuilding cost the same when between an eighth and a sixth of the
+  // edges are open, from 1e3 to 1e5 points.
   template <class Mender>
   static bool is_too_much(const Mender& mender)
   {
-    return 3 * mender.number_of_open_edges() > mender.number_of_edges();
+    return 7 * mender.number_of_open_edges() > mender.number_of_edges();
   }
 
   unsigned m_padding;

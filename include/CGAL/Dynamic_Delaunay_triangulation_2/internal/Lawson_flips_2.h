@@ -101,9 +101,12 @@ private:
     editor.flip(h);
     const Index diagonal = mirror.halfedge(e);
     const Index twin = mirror.twin(diagonal);
-    for (const Index side : {diagonal, mirror.next(diagonal), mirror.previous(diagonal),
-                             mirror.next(twin), mirror.previous(twin)})
+    for (const Index side : {mirror.next(diagonal), mirror.previous(diagonal), mirror.next(twin),
+                             mirror.previous(twin)})
       push(mirror.edge_of(side));
+    // between counterclockwise faces the quadrilateral is convex, and the new diagonal Delaunay
+    if (state == Edge_state_2::CROSSED)
+      push(e);
     return true;
   }
 

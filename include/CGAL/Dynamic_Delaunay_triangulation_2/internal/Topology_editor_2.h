@@ -257,22 +257,63 @@ private:
       m_maintained.previous_points.resize(m_maintained.vertices.size());
   }
 
-  // Copies the topology of the static triangulation, its faces numbered along its vertices.
+  // Copies the topology of the static triangulation: into the mirror, and from there, face by face,
+  // into CGAL's structure. Faces are numbered as they were created, which is along the plane.
   void take_faces()
   {
     using Static_face_handle = typename Static_triangulation::Face_handle;
-    std::vector<Static_face_handle> static_faces = number_static_faces();
+    std::vector<Static_face_handle> static_faces;
+    auto& stored = m_static.faces();
+    for (auto f = stored.begin(); f != stored.end(); ++f) {
+      f->info() = Index(static_faces.size());
+      static_faces.push_back(f);
+    }
+    const int dimension = m_static.triangulation().dimension();
+    fill_mirror(
+        static_faces, dimension, [](auto v) { return v->info(); },
+        [](auto f) { return f->info(); });
+    provide_faces(static_faces.size());
+    m_maintained.triangulation.tds().set_dimension(dimension);
+    if (dimension == 2)
+      write_all_faces();
+    else
+      copy_faces(static_faces);
+  }
+
+  void provide_faces(std::size_t number)
+  {
     auto& tds = m_maintained.triangulation.tds();
     auto& faces = m_maintained.faces;
-    while (faces.size() > static_faces.size()) {
+    while (faces.size() > number) {
       tds.delete_face(faces.back());
       faces.pop_back();
     }
-    while (faces.size() < static_faces.size())
+    while (faces.size() < number)
       faces.push_back(tds.create_face());
+  }
 
-    const int dimension = m_static.triangulation().dimension();
-    tds.set_dimension(dimension);
+  // From the mirror.
+  void write_all_faces()
+  {
+    const auto& mirror = m_maintained.mirror;
+    const auto& vertices = m_maintained.vertices;
+    const auto& faces = m_maintained.faces;
+    for (Index f = 0; f < Index(faces.size()); ++f) {
+      const Index h = 3 * f;
+      faces[f]->set_vertices(vertices[mirror.apex(h)], vertices[mirror.apex(h + 1)],
+                             vertices[mirror.apex(h + 2)]);
+      faces[f]->set_neighbors(faces[mirror.twin(h) / 3], faces[mirror.twin(h + 1) / 3],
+                              faces[mirror.twin(h + 2) / 3]);
+    }
+    for (Index v = 0; v < Index(vertices.size()); ++v)
+      vertices[v]->set_face(faces[mirror.corner(v) / 3]);
+  }
+
+  // Below dimension 2, where there is no mirror.
+  template <class Static_face_handle>
+  void copy_faces(const std::vector<Static_face_handle>& static_faces)
+  {
+    const auto& faces = m_maintained.faces;
     for (std::size_t f = 0; f < faces.size(); ++f)
       for (int i = 0; i < 3; ++i) {
         const auto v = static_faces[f]->vertex(i);
@@ -284,36 +325,6 @@ private:
         if (has_vertex)
           faces[f]->vertex(i)->set_face(faces[f]);
       }
-    fill_mirror(
-        static_faces, dimension, [](auto v) { return v->info(); },
-        [](auto f) { return f->info(); });
-  }
-
-  std::vector<typename Static_triangulation::Face_handle> number_static_faces()
-  {
-    std::vector<typename Static_triangulation::Face_handle> numbered;
-    const auto number = [&](auto f) {
-      if (f->info() == no_index) {
-        f->info() = Index(numbered.size());
-        numbered.push_back(f);
-      }
-    };
-    const auto& triangulation = m_static.triangulation();
-    auto& stored = m_static.faces();
-    for (auto f = stored.begin(); f != stored.end(); ++f)
-      f->info() = no_index;
-    if (triangulation.dimension() == 2)
-      for (std::size_t v = 1; v < m_static_vertices.size(); ++v) {
-        auto f = triangulation.incident_faces(m_static_vertices[v]);
-        const auto first = f;
-        do
-          number(typename Static_triangulation::Face_handle(f));
-        while (++f != first);
-      }
-    else
-      for (auto f = stored.begin(); f != stored.end(); ++f)
-        number(typename Static_triangulation::Face_handle(f));
-    return numbered;
   }
 
   // Writes the mirror from faces in their numbering.
@@ -330,7 +341,8 @@ private:
       for (int i = 0; i < 3; ++i) {
         const Any_face_handle g = faces[f]->neighbor(i);
         mirror.set_apex(3 * f + Index(i), number_of_vertex(faces[f]->vertex(i)));
-        mirror.link(3 * f + Index(i), 3 * number_of_face(g) + Index(g->index(faces[f])));
+        if (const Index number = number_of_face(g); number > f) // the other half comes with it
+          mirror.link(3 * f + Index(i), 3 * number + Index(g->index(faces[f])));
       }
     mirror.number_edges();
   }
