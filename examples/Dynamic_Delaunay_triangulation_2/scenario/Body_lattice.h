@@ -4,15 +4,12 @@
 #ifndef SCENARIO_BODY_LATTICE_H
 #define SCENARIO_BODY_LATTICE_H
 
-#include "Bond_network.h"
 #include "Motion.h"
 #include "Scenario_description.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <optional>
 
 namespace scenario {
 
@@ -52,27 +49,16 @@ public:
     return {sum.x / number, sum.y / number};
   }
 
-  // Bonds every two near places, diagonals of square cells included, which make the body resist
-  // shear.
-  void add_bonds(std::uint32_t first_index, const std::optional<double>& strain_limit,
-                 Bond_network& bonds) const
+  // Calls visit(j) for every place j > i near place i. The diagonals of square cells are among
+  // them: bonds there make the body resist shear.
+  template <class Visit>
+  void for_each_later_near_place(std::size_t i, Visit visit) const
   {
-    for (std::size_t i = 0; i != m_number_of_points; ++i) {
-      bonds.begin_particle();
-      const std::size_t end = std::min(m_number_of_points, i + m_columns + 2);
-      for (std::size_t j = i + 1; j < end; j = next_candidate(i, j)) {
-        const double length = distance(i, j);
-        if (length < 1.6 * m_diameter) {
-          bonds.add(first_index + static_cast<std::uint32_t>(j), length, strain_limit);
-        }
+    const std::size_t end = std::min(m_number_of_points, i + m_columns + 2);
+    for (std::size_t j = i + 1; j < end; j = next_candidate(i, j)) {
+      if (distance(i, j) < 1.6 * m_diameter) {
+        visit(j);
       }
-    }
-  }
-
-  void add_no_bonds(Bond_network& bonds) const
-  {
-    for (std::size_t i = 0; i != m_number_of_points; ++i) {
-      bonds.begin_particle();
     }
   }
 

@@ -38,6 +38,9 @@ struct Body_description
   double angular_velocity = 0.0;        // counterclockwise
   bool bonded = false;                  // a hard body, else a fluid
   std::optional<double> strain_limit{}; // where bonds break; without it they never do
+  // The largest speed that a bond gives each of its ends at first, apart or together; in
+  // diameters * sqrt(stiffness / mass).
+  double shiver = 0.0;
 
   std::size_t number_of_points() const { return rows * columns; }
 };
@@ -59,7 +62,7 @@ inline Box extent(const Body_description& body, Packing packing, double diameter
 struct Particle_description
 {
   Packing packing;
-  double jitter; // of the first positions, in diameters
+  double jitter; // of the first positions, in diameters; for a bonded body its shape at rest
   double diameter;
   double mass;
   double stiffness;

@@ -13,10 +13,18 @@
 
 namespace scenario {
 
+inline void check_bonded(const Json_object_reader& reader, const Body_description& body,
+                         const std::string& key)
+{
+  if (!body.bonded) {
+    reader.fail("key '" + reader.path(key) + "' needs '" + reader.path("bonded") + "' to be true");
+  }
+}
+
 inline Body_description read_body(const Json_object_reader& reader)
 {
-  reader.allow_only(
-      {"rows", "columns", "position", "velocity", "angular_velocity", "bonded", "strain_limit"});
+  reader.allow_only({"rows", "columns", "position", "velocity", "angular_velocity", "bonded",
+                     "strain_limit", "shiver"});
   constexpr Range any{-1e6, 1e6};
   const auto [x, y] = reader.pair("position", any);
   Body_description body{
@@ -32,11 +40,12 @@ inline Body_description read_body(const Json_object_reader& reader)
     body.bonded = reader.boolean("bonded");
   }
   if (reader.has("strain_limit")) {
-    if (!body.bonded) {
-      reader.fail("key '" + reader.path("strain_limit") + "' needs '" + reader.path("bonded") +
-                  "' to be true");
-    }
+    check_bonded(reader, body, "strain_limit");
     body.strain_limit = reader.number("strain_limit", positive_up_to(1.0));
+  }
+  if (reader.has("shiver")) {
+    check_bonded(reader, body, "shiver");
+    body.shiver = reader.number("shiver", {0.0, 1.0});
   }
   return body;
 }
