@@ -149,14 +149,15 @@ private:
     std::sort(m_order.begin(), m_order.end()); // the vertices are numbered along the plane
     m_static.clear();
     m_static_inner.clear();
-    for (const Index v : m_order) {
+    bool are_apart = true;
+    for_each_in_rounds(m_order.size(), [&](std::size_t i) {
+      const Index v = m_order[i];
       const auto [vertex, is_new] = m_static.insert(maintained.point(v), v);
-      if (!is_new)
-        return false;
+      are_apart = are_apart && is_new;
       if (m_inner.contains(v))
         m_static_inner.push_back(vertex);
-    }
-    return true;
+    });
+    return are_apart;
   }
 
   void collect_new_faces()

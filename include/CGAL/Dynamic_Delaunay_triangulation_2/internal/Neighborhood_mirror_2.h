@@ -146,6 +146,8 @@ public:
     m_corner[v] = h;
   }
 
+  void set_twin(Index h, Index g) { m_halfedges[h].twin = g; }
+
   void link(Index h, Index g)
   {
     m_halfedges[h].twin = g;
@@ -161,14 +163,21 @@ public:
     m_edges[e] = Edge_2{source(h), target(h), apex(h), apex(g)};
   }
 
-  // Numbers the edges along the faces, so that edges close in space are close in memory.
+  // Numbers the edges along the faces, so that edges close in space are close in memory. Which
+  // half-edge comes first is anybody's guess, so there is no branch on it.
   void number_edges()
   {
-    Index e = 0;
-    for (Index h = 0; h < Index(m_halfedges.size()); ++h)
-      if (h < twin(h))
-        set_edge(e++, h);
-    CGAL_postcondition(e == number_of_edges());
+    Index edges = 0;
+    for (Index h = 0; h < Index(m_halfedges.size()); ++h) {
+      const Index g = twin(h);
+      const Index number_of_twin = m_halfedges[g].edge;
+      const Index e = h < g ? edges : number_of_twin;
+      edges += h < g;
+      m_halfedges[h].edge = e;
+      m_halfedge_of_edge[e] = h;
+      m_edges[e] = Edge_2{source(h), target(h), apex(h), apex(g)};
+    }
+    CGAL_postcondition(edges == number_of_edges());
   }
 
   // Exchanges the diagonal at half-edge h, vertex by vertex as CGAL's TDS_2::flip(face, i) does:

@@ -27,6 +27,7 @@ public:
   };
 
   Index number_of_points() const { return Index(m_vertex_of_id.size()); }
+  Index number_of_hosts() const { return Index(m_host.size()) - 1; }
   Index vertex(Index id) const { return m_vertex_of_id[id]; }
   Index host(Index vertex) const { return m_host[vertex]; }
   bool is_host(Index id) const { return m_host[m_vertex_of_id[id]] == id; }

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -34,6 +35,7 @@ class Topology_editor_2
   using Vertex_handle = typename Maintained::Vertex_handle;
   using Face_handle = typename Maintained::Face_handle;
   using Static_triangulation = Static_triangulation_2<Traits>;
+  using Static_vertex_handle = typename Static_triangulation::Vertex_handle;
 
 public:
   explicit Topology_editor_2(Maintained& maintained)
@@ -204,23 +206,48 @@ private:
     return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
   }
 
+  // Triangulates the points and tells hosts from guests. Whoever was a host is inserted before
+  // those who were guests, so that it stays one.
   template <class Point_of>
   void triangulate(const std::vector<Index>& order, const Point_of& point_of,
                    Point_ids_2<Point>& ids)
   {
-    ids.reset(Index(order.size()));
     m_static.clear();
-    m_static_vertices.assign(1, m_static.triangulation().infinite_vertex());
-    for (const Index id : order) {
-      const Point& p = point_of(id);
-      const auto [vertex, is_new] = m_static.insert(p, Index(m_static_vertices.size()));
-      if (is_new) {
-        ids.add_host(id);
-        m_static_vertices.push_back(vertex);
-      } else {
-        ids.add_guest(id, ids.host(vertex->info()), p);
-      }
-    }
+    m_static_vertices.assign(order.size(), {});
+    m_coincident.clear();
+    const auto insert = [&](std::size_t i) {
+      const auto [vertex, is_new] = m_static.insert(point_of(order[i]), order[i]);
+      if (is_new)
+        m_static_vertices[i] = vertex;
+      else
+        m_coincident.push_back({order[i], vertex});
+    };
+    const auto& old_ids = m_maintained.ids;
+    const auto was_guest = [&](std::size_t i) {
+      return order[i] < old_ids.number_of_points() && !old_ids.is_host(order[i]);
+    };
+    for_each_in_rounds(order.size(), [&](std::size_t i) {
+      if (!was_guest(i))
+        insert(i);
+    });
+    if (!old_ids.guests().empty())
+      for (std::size_t i = 0; i < order.size(); ++i)
+        if (was_guest(i))
+          insert(i);
+    number_vertices(order, point_of, ids);
+  }
+
+  // Numbers the vertices in the order of the points.
+  template <class Point_of>
+  void number_vertices(const std::vector<Index>& order, const Point_of& point_of,
+                       Point_ids_2<Point>& ids) const
+  {
+    ids.reset(Index(order.size()));
+    for (std::size_t i = 0; i < order.size(); ++i)
+      if (m_static_vertices[i] != Static_vertex_handle())
+        m_static_vertices[i]->info() = ids.add_host(order[i]);
+    for (const auto& [id, vertex] : m_coincident)
+      ids.add_guest(id, ids.host(vertex->info()), point_of(id));
     ids.sort_guests();
   }
 
@@ -233,7 +260,7 @@ private:
     std::vector<Vertex_handle> vertices(1, m_maintained.triangulation.infinite_vertex());
     std::vector<Position_2> positions(1, Maintained::nowhere());
     std::vector<Vertex_handle> idle = m_maintained.vertices;
-    for (Index v = 1; v < Index(m_static_vertices.size()); ++v) {
+    for (Index v = 1; v <= ids.number_of_hosts(); ++v) {
       const Index id = ids.host(v);
       const Point& p = point_of(id);
       Vertex_handle vertex;
@@ -333,16 +360,19 @@ private:
                    const Number_of_vertex& number_of_vertex, const Number_of_face& number_of_face)
   {
     auto& mirror = m_maintained.mirror;
-    mirror.clear();
-    if (dimension < 2)
+    if (dimension < 2) {
+      mirror.clear();
       return;
+    }
     mirror.resize(m_maintained.number_of_vertices(), Index(faces.size()));
     for (Index f = 0; f < Index(faces.size()); ++f)
       for (int i = 0; i < 3; ++i) {
         const Any_face_handle g = faces[f]->neighbor(i);
+        // g->index(faces[f]), which branches
+        const Index place =
+            Index(g->neighbor(1) == faces[f]) + 2 * Index(g->neighbor(2) == faces[f]);
         mirror.set_apex(3 * f + Index(i), number_of_vertex(faces[f]->vertex(i)));
-        if (const Index number = number_of_face(g); number > f) // the other half comes with it
-          mirror.link(3 * f + Index(i), 3 * number + Index(g->index(faces[f])));
+        mirror.set_twin(3 * f + Index(i), 3 * number_of_face(g) + place);
       }
     mirror.number_edges();
   }
@@ -396,7 +426,10 @@ private:
 
   Maintained& m_maintained;
   Static_triangulation m_static;
-  std::vector<typename Static_triangulation::Vertex_handle> m_static_vertices;
+  std::vector<Static_vertex_handle>
+      m_static_vertices; // of each point in its order, if it is a host
+  std::vector<std::pair<Index, Static_vertex_handle>>
+      m_coincident; // who is not, and whose guest it is
   std::vector<Index> m_inner_edges;
   double m_walk = 0, m_walk_when_sorted = 0;
 };
