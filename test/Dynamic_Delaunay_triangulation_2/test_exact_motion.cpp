@@ -49,7 +49,7 @@ TYPED_TEST(Exact_motion, follows_tiny_clouds_through_every_degeneracy)
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Cloud<TypeParam> cloud(seed);
     std::uniform_int_distribution<int> coordinate(0, 2 + int(seed % 4));
-    typename TestFixture::Points points(1 + seed % 9);
+    typename TestFixture::Points points(1 + seed % 9, typename Cloud<TypeParam>::Point(0, 0));
     typename TestFixture::Dynamic dt(points.begin(), points.end());
     for (int frame = 0; frame < 25; ++frame) {
       for (auto& p : points)

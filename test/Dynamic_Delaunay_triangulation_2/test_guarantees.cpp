@@ -179,7 +179,7 @@ TEST(Guarantees, too_few_and_too_many_positions_are_refused_and_nothing_changes)
 
 TEST(Guarantees, an_unknown_id_is_refused)
 {
-  const Points points(1);
+  const Points points = {{0, 0}};
   const Exact dt(points.begin(), points.end());
   EXPECT_NO_THROW(dt.vertex(0));
   try {
@@ -337,7 +337,7 @@ struct Classifier_without_default : CGAL::Point_distance_classifier_2
 TEST(Guarantees, a_classifier_needs_no_default)
 {
   using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier_without_default>;
-  const Points points(5);
+  const Points points = {{0, 0}, {1, 0}, {0, 1}};
   std::optional<Dynamic> dt;
   dt.emplace(points.begin(), points.end(), Classifier_without_default(0.5));
   EXPECT_EQ(dt->classifier().x(), 0.5);
