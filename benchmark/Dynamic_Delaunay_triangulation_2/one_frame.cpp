@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -101,17 +102,36 @@ void static_insert(benchmark::State& state)
   });
 }
 
-// The cloud is in spatial order, and small steps keep it so.
+// One by one, each point located from the one before, in the order of `indices`.
+void insert_in_order(benchmark::State& state, Brownian_cloud& cloud,
+                     const std::vector<std::size_t>& indices)
+{
+  run(state, cloud, [&](const std::vector<Point>& points) {
+    CGAL::Delaunay_triangulation_2<Kernel> dt;
+    CGAL::Delaunay_triangulation_2<Kernel>::Face_handle hint;
+    for (const std::size_t i : indices)
+      hint = dt.insert(points[i], hint)->face();
+    benchmark::DoNotOptimize(dt.number_of_vertices());
+  });
+}
+
+// The cloud is numbered along a Hilbert curve, and small steps keep it so.
+void static_along_curve(benchmark::State& state)
+{
+  Brownian_cloud cloud(state);
+  std::vector<std::size_t> indices(cloud.points().size());
+  std::iota(indices.begin(), indices.end(), std::size_t(0));
+  insert_in_order(state, cloud, indices);
+}
+
+// In rounds along the curve, every 8^k-th point first.
 void static_fastest(benchmark::State& state)
 {
   Brownian_cloud cloud(state);
-  run(state, cloud, [](const std::vector<Point>& points) {
-    CGAL::Delaunay_triangulation_2<Kernel> dt;
-    CGAL::Delaunay_triangulation_2<Kernel>::Face_handle hint;
-    for (const Point& p : points)
-      hint = dt.insert(p, hint)->face();
-    benchmark::DoNotOptimize(dt.number_of_vertices());
-  });
+  std::vector<std::size_t> indices;
+  CGAL::Dynamic_Delaunay_triangulations_2::internal::for_each_in_rounds(
+      cloud.points().size(), [&](std::size_t i) { indices.push_back(i); });
+  insert_in_order(state, cloud, indices);
 }
 
 void sizes_and_steps(benchmark::internal::Benchmark* benchmark)
@@ -125,6 +145,7 @@ void sizes_and_steps(benchmark::internal::Benchmark* benchmark)
 BENCHMARK(exact_update)->Apply(sizes_and_steps);
 BENCHMARK(point_distance_update)->Apply(sizes_and_steps);
 BENCHMARK(static_insert)->Apply(sizes_and_steps);
+BENCHMARK(static_along_curve)->Apply(sizes_and_steps);
 BENCHMARK(static_fastest)->Apply(sizes_and_steps);
 
 } // namespace
