@@ -99,8 +99,8 @@ TEST(Circumcircle_classifier, picks_nobody_when_everything_moves_turns_and_grows
 // The filter must never call a tie, or worse, proved: on the integers all signs are known.
 TEST(Edge_filter, never_proves_what_is_not_so)
 {
-  using CGAL::Dynamic_Delaunay_triangulations_2::Position_2;
-  using CGAL::Dynamic_Delaunay_triangulations_2::internal::Edge_filter_2;
+  using namespace CGAL::Dynamic_Delaunay_triangulations_2;
+  using internal::Edge_filter_2;
   std::mt19937 random(3);
   std::size_t proved = 0, ties = 0;
   for (int i = 0; i < 300000; ++i) {
@@ -123,6 +123,8 @@ TEST(Edge_filter, never_proves_what_is_not_so)
     ASSERT_TRUE(!filter.proves_illegal() || (are_left_turns && circle == CGAL::ON_POSITIVE_SIDE));
     ASSERT_TRUE(!filter.disproves_delaunay() || !are_left_turns ||
                 circle == CGAL::ON_POSITIVE_SIDE);
+    const int sign = internal::filtered_orientation(p[0], p[1], p[2]);
+    ASSERT_TRUE(sign == 0 || sign == int(left));
     proved += filter.proves_delaunay();
     ties += circle == CGAL::ON_ORIENTED_BOUNDARY;
   }

@@ -7,6 +7,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_filter_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
@@ -140,6 +141,11 @@ private:
 
   Orientation orientation(Index a, Index b, Index c) const
   {
+    if (m_maintained.positions_are_exact) {
+      const auto& positions = m_maintained.positions;
+      if (const int sign = filtered_orientation(positions[a], positions[b], positions[c]))
+        return sign > 0 ? LEFT_TURN : RIGHT_TURN;
+    }
     return m_maintained.traits().orientation_2_object()(
         m_maintained.point(a), m_maintained.point(b), m_maintained.point(c));
   }
@@ -152,6 +158,10 @@ private:
 
   Comparison_result compare_xy(Index v, Index w) const
   {
+    if (m_maintained.positions_are_exact) {
+      const Position_2 &p = m_maintained.positions[v], &q = m_maintained.positions[w];
+      return p.x != q.x ? CGAL::compare(p.x, q.x) : CGAL::compare(p.y, q.y);
+    }
     const auto& traits = m_maintained.traits();
     const Comparison_result x =
         traits.compare_x_2_object()(m_maintained.point(v), m_maintained.point(w));

@@ -93,6 +93,18 @@ struct Edge_filter_2
   }
 };
 
+// orientation(a, b, c) by the same bound: positive or negative if it is proved, 0 if not.
+inline int filtered_orientation(const Position_2& a, const Position_2& b, const Position_2& c)
+{
+  const double ax = a.x - c.x, ay = a.y - c.y;
+  const double bx = b.x - c.x, by = b.y - c.y;
+  const double determinant = ax * by - bx * ay;
+  const double s = ax * ax + ay * ay + bx * bx + by * by;
+  const double bound = Edge_filter_2::orientation_factor * s;
+  const bool is_large = s > Edge_filter_2::smallest_s;
+  return int((determinant > bound) & is_large) - int((determinant < -bound) & is_large);
+}
+
 } // namespace internal
 } // namespace Dynamic_Delaunay_triangulations_2
 } // namespace CGAL

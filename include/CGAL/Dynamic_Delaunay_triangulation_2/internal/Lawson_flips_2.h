@@ -33,14 +33,11 @@ public:
     std::size_t flips = 0;
     start(maintained.mirror.number_of_edges(), open);
     open.clear();
-    while (m_head < m_queue.size() && flips < limit) {
-      prefetch_ahead(maintained);
-      if (examine(maintained, editor, pop(), open))
+    while (has_edges() && flips < limit)
+      if (examine(maintained, editor, take(maintained), open))
         ++flips;
-    }
-    open.insert(open.end(), m_queue.begin() + std::ptrdiff_t(m_head), m_queue.end());
-    for (; m_head < m_queue.size(); ++m_head)
-      m_is_queued[m_queue[m_head]] = false;
+    while (has_edges())
+      open.push_back(take(maintained));
     keep_unproved(maintained, open);
     return flips;
   }
@@ -48,25 +45,36 @@ public:
 private:
   void start(std::size_t number_of_edges, const std::vector<Index>& edges)
   {
+    m_is_waiting.resize(number_of_edges, false);
     m_queue.clear();
     m_head = 0;
-    m_is_queued.resize(number_of_edges, false);
     for (const Index e : edges)
-      push(e);
+      add(e, m_queue);
   }
 
-  void push(Index e)
+  void add(Index e, std::vector<Index>& edges)
   {
-    if (m_is_queued[e])
+    if (m_is_waiting[e])
       return;
-    m_is_queued[e] = true;
-    m_queue.push_back(e);
+    m_is_waiting[e] = true;
+    edges.push_back(e);
   }
 
-  Index pop()
+  bool has_edges() const { return !m_touched.empty() || m_head < m_queue.size(); }
+
+  // What flips have touched comes first, while it is in the cache.
+  template <class Maintained>
+  Index take(const Maintained& maintained)
   {
-    const Index e = m_queue[m_head++];
-    m_is_queued[e] = false;
+    Index e;
+    if (m_touched.empty()) {
+      prefetch_ahead(maintained);
+      e = m_queue[m_head++];
+    } else {
+      e = m_touched.back();
+      m_touched.pop_back();
+    }
+    m_is_waiting[e] = false;
     return e;
   }
 
@@ -103,10 +111,10 @@ private:
     const Index twin = mirror.twin(diagonal);
     for (const Index side : {mirror.next(diagonal), mirror.previous(diagonal), mirror.next(twin),
                              mirror.previous(twin)})
-      push(mirror.edge_of(side));
+      add(mirror.edge_of(side), m_touched);
     // between counterclockwise faces the quadrilateral is convex, and the new diagonal Delaunay
     if (state == Edge_state_2::CROSSED)
-      push(e);
+      add(e, m_touched);
     return true;
   }
 
@@ -123,9 +131,10 @@ private:
         open.end());
   }
 
-  std::vector<Index> m_queue;
-  std::size_t m_head = 0;
-  std::vector<char> m_is_queued;
+  std::vector<Index> m_queue; // the edges to start from
+  std::size_t m_head = 0;     // the next of them
+  std::vector<Index> m_touched;
+  std::vector<char> m_is_waiting; // of each edge, in either list
 };
 
 } // namespace internal
