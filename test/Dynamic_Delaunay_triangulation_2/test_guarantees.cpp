@@ -6,6 +6,7 @@
 
 #include "oracle.h"
 
+#include <CGAL/Flip_repair_2.h>
 #include <CGAL/Point_distance_classifier_2.h>
 #include <CGAL/Random_classifier_2.h>
 
@@ -133,6 +134,45 @@ TEST(Guarantees, heuristics_at_absurd_settings_keep_a_valid_structure_and_everyb
     ASSERT_NO_FATAL_FAILURE(expect_exact(random, points));
     never.mend();
     ASSERT_NO_FATAL_FAILURE(expect_exact(never, points));
+  }
+}
+
+template <class Dynamic>
+void follow_and_mend(Dynamic&& dt, Points points, Cloud<Epick>& cloud, double step)
+{
+  for (int frame = 0; frame < 20; ++frame) {
+    cloud.shake(points, step);
+    dt.update(points.begin(), points.end());
+    ASSERT_TRUE(dt.is_valid(true)) << "frame " << frame;
+  }
+  dt.mend();
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+}
+
+TEST(Guarantees, thousands_of_rough_frames_under_every_heuristic_stay_valid_and_can_be_mended)
+{
+  using CGAL::Random_classifier_2;
+  for (unsigned seed = 0; seed < 90; ++seed) {
+    Cloud<Epick> cloud(seed);
+    const auto points = cloud.uniform(60 + 2 * seed);
+    const double step = std::pow(10, -2 + 0.35 * (seed % 9));
+    SCOPED_TRACE(testing::Message() << "seed " << seed << ", step " << step);
+    ASSERT_NO_FATAL_FAILURE(
+        follow_and_mend(CGAL::Dynamic_Delaunay_triangulation_2<Epick, Random_classifier_2>(
+                            points.begin(), points.end(), Random_classifier_2(0.01, seed)),
+                        points, cloud, step));
+    ASSERT_NO_FATAL_FAILURE(follow_and_mend(
+        CGAL::Dynamic_Delaunay_triangulation_2<Epick, Random_classifier_2, CGAL::Flip_repair_2>(
+            points.begin(), points.end(), Random_classifier_2(0.05, seed)),
+        points, cloud, step));
+    ASSERT_NO_FATAL_FAILURE(
+        follow_and_mend(CGAL::Dynamic_Delaunay_triangulation_2<Epick, Random_classifier_2,
+                                                               CGAL::Flip_and_splice_repair_2>(
+                            points.begin(), points.end(), Random_classifier_2(0.02, seed)),
+                        points, cloud, step));
+    ASSERT_NO_FATAL_FAILURE(follow_and_mend(
+        Heuristic(points.begin(), points.end(), CGAL::Point_distance_classifier_2(0.3)), points,
+        cloud, step));
   }
 }
 

@@ -72,6 +72,25 @@ TYPED_TEST(Repairs, keep_the_structure_valid_with_heuristic_classifiers)
   }
 }
 
+// Where faces overlap, a flip between two counterclockwise ones could make an edge that exists
+// already: then an edge's vertices would not name it any more, and the flat arrays came apart.
+TEST(Flips, never_double_an_edge_however_rough_the_motion)
+{
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Cloud<Epick> cloud(seed);
+    auto points = cloud.uniform(120);
+    CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Point_distance_classifier_2,
+                                           CGAL::Flip_repair_2>
+        dt(points.begin(), points.end(), CGAL::Point_distance_classifier_2(0.6));
+    for (int frame = 0; frame < 20; ++frame) {
+      cloud.shake(points, 1);
+      dt.update(points.begin(), points.end());
+      ASSERT_NO_FATAL_FAILURE(expect_valid(dt, points));
+    }
+  }
+}
+
 TEST(Flip_and_splice, needs_no_rebuild_on_brownian_motion)
 {
   for (const double step : {0.001, 0.01, 0.05}) {

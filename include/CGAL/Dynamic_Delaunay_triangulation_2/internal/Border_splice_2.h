@@ -59,7 +59,7 @@ public:
       if (!triangulate(maintained))
         return Splice_result_2::COINCIDENCE;
       collect_new_faces();
-      if (boundaries_agree()) {
+      if (boundaries_agree() && !doubles_an_edge(maintained.mirror)) {
         find_outside(maintained);
         editor.replace(m_old_faces, m_new, m_outside);
         return Splice_result_2::DONE;
@@ -218,14 +218,35 @@ private:
         note(*b++);
       else
         ++a, ++b;
-    for (const std::vector<Boundary_edge_2>* boundary : {&m_old.boundary, &m_new.boundary}) {
-      // an edge that is there twice does not say which face is beyond it
-      const auto twice =
-          std::adjacent_find(boundary->begin(), boundary->end(),
-                             [](const auto& e, const auto& f) { return e.joins_same_vertices(f); });
-      if (twice != boundary->end())
-        note(*twice);
+  }
+
+  // Whether the new faces join two vertices of the border, across the region, that are joined
+  // outside already: possible only where old faces overlap. Those vertices then count as
+  // disagreeing.
+  bool doubles_an_edge(const Mirror& mirror)
+  {
+    for (Index h = 0; h < Index(m_new.twins.size()); ++h) {
+      const Index v = m_new.apexes[Mirror::next(h)], w = m_new.apexes[Mirror::previous(h)];
+      if (m_new.twins[h] != no_index && v < w && !m_inner.contains(v) && !m_inner.contains(w) &&
+          is_edge_outside(mirror, w, v)) {
+        m_disagreeing.push_back(v);
+        m_disagreeing.push_back(w);
+      }
     }
+    return !m_disagreeing.empty();
+  }
+
+  // Walks around v, which must be finite.
+  bool is_edge_outside(const Mirror& mirror, Index v, Index w) const
+  {
+    bool is_outside = false;
+    mirror.for_each_corner(v, [&](Index h) {
+      const Index beyond = mirror.twin(Mirror::previous(h));
+      is_outside =
+          is_outside || (mirror.apex(Mirror::next(h)) == w &&
+                         !(m_old_faces.contains(h / 3) && m_old_faces.contains(beyond / 3)));
+    });
+    return is_outside;
   }
 
   void find_outside(const Maintained& maintained)

@@ -102,7 +102,7 @@ private:
       return false;
     const auto& mirror = maintained.mirror;
     const Index h = mirror.halfedge(e);
-    if (state == Edge_state_2::TWISTED || !editor.can_flip(h, state == Edge_state_2::ILLEGAL)) {
+    if (state == Edge_state_2::TWISTED || !editor.can_flip(h)) {
       open.push_back(e);
       return false;
     }

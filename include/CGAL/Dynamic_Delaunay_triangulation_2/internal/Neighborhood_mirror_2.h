@@ -100,14 +100,6 @@ public:
     for_each_corner(v, [&](Index h) { f(apex(next(h))); });
   }
 
-  // Whether an end of the edge has three neighbours only: then those are neighbours of each other.
-  bool has_end_of_degree_3(Index h) const
-  {
-    const Index g = twin(h);
-    return face_of(twin(previous(h))) == face_of(twin(next(g))) ||
-           face_of(twin(next(h))) == face_of(twin(previous(g)));
-  }
-
   bool are_neighbors(Index v, Index w) const
   {
     if (v == infinite_index)

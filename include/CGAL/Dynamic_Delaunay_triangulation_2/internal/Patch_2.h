@@ -22,10 +22,6 @@ struct Boundary_edge_2
   {
     return source != other.source ? source < other.source : target < other.target;
   }
-  bool joins_same_vertices(const Boundary_edge_2& other) const
-  {
-    return source == other.source && target == other.target;
-  }
 };
 
 // A set of faces on its own: half-edge 3k+i is opposite to vertex i of its k-th face, as in the

@@ -44,15 +44,13 @@ public:
   {
   }
 
-  // A flip that doubles an edge would break the simplicial complex; it is refused. At a vertex of
-  // degree 3 all flips do so. Elsewhere the new edge can exist already only if faces overlap, and
-  // that is looked for only if a face at the edge is not counterclockwise.
-  bool can_flip(Index h, bool faces_are_counterclockwise) const
+  // A flip that doubles an edge would leave the simplicial complexes, where an edge is named by its
+  // vertices; it is refused. Among these are all flips at vertices of degree 3. Two
+  // counterclockwise faces at the edge do not rule it out: others may overlap them.
+  bool can_flip(Index h) const
   {
     const auto& mirror = m_maintained.mirror;
-    return !mirror.has_end_of_degree_3(h) &&
-           (faces_are_counterclockwise ||
-            !mirror.are_neighbors(mirror.apex(h), mirror.apex(mirror.twin(h))));
+    return !mirror.are_neighbors(mirror.apex(h), mirror.apex(mirror.twin(h)));
   }
 
   void flip(Index h)

@@ -9,6 +9,7 @@
 #include <CGAL/exceptions.h>
 
 #include <iostream>
+#include <vector>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
@@ -30,6 +31,7 @@ public:
     return says(is_data_structure_valid(level), "the triangulation data structure is not valid") &&
            says(is_nobody_lost(), "a point has no vertex, or not its own") &&
            says(is_mirror_in_step(), "the flat arrays differ from the data structure") &&
+           says(is_simplicial(), "two edges have the same vertices") &&
            says(!is_certified || is_delaunay(), "the triangulation is certified, and not Delaunay");
   }
 
@@ -90,6 +92,20 @@ private:
           m_maintained.vertices[v]->face() != faces[mirror.corner(v) / 3])
         return false;
     return true;
+  }
+
+  bool is_simplicial() const
+  {
+    if (!m_maintained.is_mirrored())
+      return true;
+    std::vector<Index> last_neighbor_of(m_maintained.vertices.size(), no_index);
+    bool is_simplicial = true;
+    for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v)
+      m_maintained.mirror.for_each_neighbor(v, [&](Index w) {
+        is_simplicial = is_simplicial && last_neighbor_of[w] != v;
+        last_neighbor_of[w] = v;
+      });
+    return is_simplicial;
   }
 
   bool is_halfedge_in_step(Index h) const
