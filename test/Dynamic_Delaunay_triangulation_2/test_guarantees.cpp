@@ -11,10 +11,34 @@
 #include <CGAL/Random_classifier_2.h>
 
 #include <array>
+#include <cstdlib>
 #include <limits>
 #include <list>
+#include <new>
 #include <optional>
 #include <set>
+
+// Every allocation of this program is counted. (Inlined, these functions would draw a false warning
+// about mismatched allocation from g++.)
+static std::size_t number_of_allocations = 0;
+
+[[gnu::noinline]] void* operator new(std::size_t size)
+{
+  ++number_of_allocations;
+  if (void* memory = std::malloc(size))
+    return memory;
+  throw std::bad_alloc();
+}
+
+[[gnu::noinline]] void operator delete(void* memory) noexcept
+{
+  std::free(memory);
+}
+
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
+{
+  std::free(memory);
+}
 
 namespace {
 
@@ -381,6 +405,24 @@ TEST(Guarantees, a_classifier_needs_no_default)
   std::optional<Dynamic> dt;
   dt.emplace(points.begin(), points.end(), Classifier_without_default(0.5));
   EXPECT_EQ(dt->classifier().x(), 0.5);
+}
+
+TEST(Guarantees, a_frame_in_which_nothing_breaks_allocates_nothing)
+{
+  Cloud<Epick> cloud(16);
+  auto points = cloud.uniform(1000);
+  Exact dt(points.begin(), points.end());
+  std::size_t calm_frames = 0;
+  for (int frame = 0; frame < 60; ++frame) {
+    cloud.shake(points, 1e-5);
+    const std::size_t before = number_of_allocations;
+    const auto report = dt.update(points.begin(), points.end());
+    if (frame < 20 || report.classified > 0)
+      continue;
+    ++calm_frames;
+    EXPECT_EQ(number_of_allocations, before) << "frame " << frame;
+  }
+  EXPECT_GT(calm_frames, 10u);
 }
 
 TEST(Guarantees, a_moved_object_goes_on_and_an_empty_one_can_be_assigned_to)

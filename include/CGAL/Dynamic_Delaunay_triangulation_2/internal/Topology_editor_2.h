@@ -163,10 +163,9 @@ private:
   // Whether walking from point to point has become more than twice as long, for the size of the
   // whole, as when the order was last renewed: insertion locates each point from the one before.
   template <class Point_of>
-  bool is_spoilt(const std::vector<Index>& order, const Point_of& point_of)
+  bool is_spoilt(const std::vector<Index>& order, const Point_of& point_of) const
   {
-    m_walk = walk(order, point_of);
-    return !(m_walk <= 2 * m_walk_when_sorted);
+    return !(walk(order, point_of) <= 2 * m_walk_when_sorted);
   }
 
   template <class Point_of>
@@ -429,7 +428,7 @@ private:
   std::vector<std::pair<Index, Static_vertex_handle>>
       m_coincident; // who is not, and whose guest it is
   std::vector<Index> m_inner_edges;
-  double m_walk = 0, m_walk_when_sorted = 0;
+  double m_walk_when_sorted = 0;
 };
 
 } // namespace internal
