@@ -3,6 +3,8 @@
 
 // The program run_scenario, run as a user runs it.
 
+#include "temporary_files.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,42 +21,6 @@ namespace {
 
 using Json = nlohmann::json;
 using Words = std::vector<std::string>;
-
-// Of this process alone, and gone when it ends.
-class Temporary_directory
-{
-public:
-  Temporary_directory()
-    : m_path(testing::TempDir() + "test_run_scenario_" + std::to_string(std::random_device()()))
-  {
-    std::filesystem::create_directories(m_path);
-  }
-  Temporary_directory(const Temporary_directory&) = delete;
-  Temporary_directory& operator=(const Temporary_directory&) = delete;
-  ~Temporary_directory()
-  {
-    std::error_code ignored;
-    std::filesystem::remove_all(m_path, ignored);
-  }
-
-  std::string path(const std::string& name) const { return (m_path / name).string(); }
-
-private:
-  std::filesystem::path m_path;
-};
-
-std::string temporary_path(const std::string& name)
-{
-  static const Temporary_directory directory;
-  return directory.path(name);
-}
-
-std::string write_file(const std::string& name, const std::string& content)
-{
-  const std::string path = temporary_path(name);
-  std::ofstream(path, std::ios::binary) << content;
-  return path;
-}
 
 std::string content_of(const std::string& path)
 {

@@ -3,6 +3,7 @@
 
 #include "scenario/Open_motion.h"
 #include "scenario/Static_neighbors.h"
+#include "temporary_files.h"
 
 #include <gtest/gtest.h>
 
@@ -40,42 +41,6 @@ const std::vector<std::string>& scenario_names()
                                                  "static_hexagonal",
                                                  "brownian"};
   return names;
-}
-
-// Of this process alone, and gone when it ends.
-class Temporary_directory
-{
-public:
-  Temporary_directory()
-    : m_path(testing::TempDir() + "test_scenarios_" + std::to_string(std::random_device()()))
-  {
-    std::filesystem::create_directories(m_path);
-  }
-  Temporary_directory(const Temporary_directory&) = delete;
-  Temporary_directory& operator=(const Temporary_directory&) = delete;
-  ~Temporary_directory()
-  {
-    std::error_code ignored;
-    std::filesystem::remove_all(m_path, ignored);
-  }
-
-  std::string path(const std::string& name) const { return (m_path / name).string(); }
-
-private:
-  std::filesystem::path m_path;
-};
-
-std::string temporary_path(const std::string& name)
-{
-  static const Temporary_directory directory;
-  return directory.path(name);
-}
-
-std::string write_file(const std::string& name, const std::string& content)
-{
-  const std::string path = temporary_path(name);
-  std::ofstream(path, std::ios::binary) << content;
-  return path;
 }
 
 std::string with_replaced(std::string text, const std::string& what, const std::string& by)
