@@ -12,6 +12,7 @@
 #include <tbb/task_arena.h>
 #endif
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -36,7 +37,7 @@ public:
   /// it misses no edge.
   static constexpr bool is_exact = true;
 
-  /// \param threads how many threads share the pass, from 1 to 1024. More than one needs TBB
+  /// \param threads how many threads may share the pass, from 1 to 1024. More than one needs TBB
   ///   (`CGAL::TBB_support`). The result does not depend on it.
   /// \throws Parameter_error_2 if `threads` is out of its range, or not 1 without TBB.
   explicit Circumcircle_classifier_2(unsigned threads = 1)
@@ -81,30 +82,32 @@ private:
   using Index = Dynamic_Delaunay_triangulations_2::Index;
 
   // The edges are shared out in equal parts, each with a list of its own, so that their order is
-  // the same on any number of threads.
+  // the same on any number of threads. A part of fewer edges costs more to hand out than to do.
   template <class Frame>
   void find_unproved(const Frame& frame)
   {
-    m_unproved.resize(m_threads);
+    constexpr Index fewest_edges = 1 << 14;
+    const unsigned parts = (std::min)(m_threads, 1 + frame.number_of_edges() / fewest_edges);
+    m_unproved.resize(parts);
 #ifdef CGAL_LINKED_WITH_TBB
-    if (m_threads > 1) {
+    if (parts > 1) {
       m_arena->execute([&] {
-        tbb::parallel_for(0u, m_threads, [&](unsigned part) { find_unproved(frame, part); });
+        tbb::parallel_for(0u, parts, [&](unsigned part) { find_unproved(frame, part, parts); });
       });
       return;
     }
 #endif
-    find_unproved(frame, 0);
+    find_unproved(frame, 0, parts);
   }
 
   template <class Frame>
-  void find_unproved(const Frame& frame, unsigned part)
+  void find_unproved(const Frame& frame, unsigned part, unsigned parts)
   {
     const std::size_t edges = frame.number_of_edges();
     m_unproved[part].clear();
     Dynamic_Delaunay_triangulations_2::internal::append_unproved(
-        frame.edges().data(), frame.positions(), Index(edges * part / m_threads),
-        Index(edges * (part + 1) / m_threads), m_unproved[part]);
+        frame.edges().data(), frame.positions(), Index(edges * part / parts),
+        Index(edges * (part + 1) / parts), m_unproved[part]);
   }
 
   template <class Frame, class Classification>
@@ -115,7 +118,7 @@ private:
   }
 
   unsigned m_threads;
-  std::vector<std::vector<Index>> m_unproved; // of each thread
+  std::vector<std::vector<Index>> m_unproved; // of each part
 #ifdef CGAL_LINKED_WITH_TBB
   std::shared_ptr<tbb::task_arena> m_arena;
 #endif

@@ -171,10 +171,10 @@ TEST(Circumcircle_classifier, gives_the_same_frames_on_any_number_of_threads)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   Cloud<Epick> cloud(8);
-  auto points = cloud.uniform(3000);
+  auto points = cloud.uniform(20000);
   Exact one(points.begin(), points.end());
   Exact three(points.begin(), points.end(), CGAL::Circumcircle_classifier_2(3));
-  for (int frame = 0; frame < 10; ++frame) {
+  for (int frame = 0; frame < 4; ++frame) {
     cloud.shake(points, 0.02);
     const auto report = one.update(points.begin(), points.end());
     const auto same = three.update(points.begin(), points.end());
