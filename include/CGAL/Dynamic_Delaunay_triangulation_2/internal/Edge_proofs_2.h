@@ -22,6 +22,17 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
+// Arrays that no longer fit the second-level cache are fetched ahead, the edges farther than their
+// corners: at 10^5 points, other work between the frames, the pass takes half of the time, at 10^3
+// it would take a third more.
+constexpr Index fewest_vertices_to_prefetch = 1 << 15;
+
+inline void prefetch_corners(const Edge_2& edge, const Position_2* positions)
+{
+  for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+    prefetch(positions + v);
+}
+
 // Appends those of the edges [first, beyond) that Edge_filter_2 does not prove Delaunay.
 inline void append_unproved_plain(const Edge_2* edges, const Position_2* positions, Index first,
                                   Index beyond, std::vector<Index>& unproved)
@@ -108,17 +119,6 @@ public:
 };
 
 #undef CGAL_DYNAMIC_DELAUNAY_AVX2
-
-// Arrays that no longer fit the second-level cache are fetched ahead, the edges farther than their
-// corners: at 10^5 points, other work between the frames, the pass takes half of the time, at 10^3
-// it would take a third more.
-constexpr Index fewest_vertices_to_prefetch = 1 << 15;
-
-inline void prefetch_corners(const Edge_2& edge, const Position_2* positions)
-{
-  for (const Index v : {edge.source, edge.target, edge.left, edge.right})
-    prefetch(positions + v);
-}
 
 template <bool prefetches>
 __attribute__((target("avx2"))) inline void
