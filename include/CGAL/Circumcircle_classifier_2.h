@@ -4,7 +4,9 @@
 #ifndef CGAL_CIRCUMCIRCLE_CLASSIFIER_2_H
 #define CGAL_CIRCUMCIRCLE_CLASSIFIER_2_H
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_proofs_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Safe_edges_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -66,7 +68,9 @@ public:
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified)
   {
+    m_safe_edges.learn(frame); // nothing is new, unless an exception ended the last update
     if (!frame.positions_are_exact()) {
+      m_safe_edges.drop();
       for (Index e = 0; e < frame.number_of_edges(); ++e)
         examine(frame, e, classified);
       return;
@@ -76,16 +80,54 @@ public:
     for (const std::vector<Index>& unproved : m_unproved)
       for (const Index e : unproved)
         examine(frame, e, classified);
+    if (m_safe_edges.holds() && m_safe_edges.hull_turns_once())
+      classified.set_hull_turns_once();
+  }
+
+  /// sees what was triangulated anew, and finds out from time to time which edges need no look for
+  /// a while, since their vertices hardly move.
+  template <class Frame>
+  void after_update(const Frame& frame)
+  {
+    m_safe_edges.learn(frame);
+    if (m_safe_edges.holds())
+      ++m_frames_held;
+    else if (m_frames_to_rest > 0)
+      --m_frames_to_rest;
+    else
+      start_safe_edges(frame);
   }
 
 private:
   using Index = Dynamic_Delaunay_triangulations_2::Index;
+
+  // Finding out which edges are safe costs as much as some ten frames: after each time that it was
+  // not worth it the next attempt waits for twice as long, and takes a larger tolerance.
+  template <class Frame>
+  void start_safe_edges(const Frame& frame)
+  {
+    constexpr unsigned frames_worth_it = 64, shortest_rest = 8, longest_rest = 256;
+    const bool was_worth_it = m_frames_held >= frames_worth_it;
+    m_patience = was_worth_it ? shortest_rest : (std::min)(2 * m_patience, longest_rest);
+    if (m_frames_held > 0 && !was_worth_it)
+      m_share_of_tight_edges = m_share_of_tight_edges == 20 ? 12 : 20;
+    m_frames_to_rest = m_patience;
+    m_frames_held = 0;
+    if (frame.positions_are_exact() && !frame.everything_is_new())
+      m_safe_edges.start(frame, m_share_of_tight_edges);
+  }
 
   // The edges are shared out in equal parts, each with a list of its own, so that their order is
   // the same on any number of threads. A part of fewer edges costs more to hand out than to do.
   template <class Frame>
   void find_unproved(const Frame& frame)
   {
+    if (m_safe_edges.holds()) {
+      m_unproved.resize(1);
+      m_unproved.front().clear();
+      if (m_safe_edges.append_unproved(frame, m_unproved.front()))
+        return;
+    }
     constexpr Index fewest_edges = 1 << 14;
     const unsigned parts = (std::min)(m_threads, 1 + frame.number_of_edges() / fewest_edges);
     m_unproved.resize(parts);
@@ -113,11 +155,20 @@ private:
   template <class Frame, class Classification>
   static void examine(const Frame& frame, Index e, Classification& classified)
   {
-    if (!frame.is_delaunay(e))
+    using Dynamic_Delaunay_triangulations_2::internal::Edge_state_2;
+    const Edge_state_2 state = frame.edge_state(e);
+    if (state == Edge_state_2::ILLEGAL)
+      classified.add_illegal_edge(e);
+    else if (state != Edge_state_2::DELAUNAY)
       classified.add_edge(e);
   }
 
   unsigned m_threads;
+  Dynamic_Delaunay_triangulations_2::internal::Safe_edges_2 m_safe_edges;
+  unsigned m_frames_held = 0;
+  unsigned m_frames_to_rest = 4;
+  unsigned m_patience = 4;
+  unsigned m_share_of_tight_edges = 20;       // one in so many
   std::vector<std::vector<Index>> m_unproved; // of each part
 #ifdef CGAL_LINKED_WITH_TBB
   std::shared_ptr<tbb::task_arena> m_arena;

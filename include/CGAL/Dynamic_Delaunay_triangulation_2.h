@@ -365,7 +365,8 @@ private:
 
   bool is_planar() const
   {
-    return !m_core->maintained.is_mirrored() || m_core->certificate().hull_turns_once();
+    return m_core->mender.is_planar() || !m_core->maintained.is_mirrored() ||
+           m_core->certificate().hull_turns_once();
   }
 
   void rebuild(Update_report_2& report, Rebuild_reason_2 reason)

@@ -8,6 +8,8 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,6 +35,8 @@ public:
     m_vertices.clear(maintained.vertices.size());
     m_whole_vertices.clear(maintained.vertices.size());
     m_edges.clear();
+    m_number_of_illegal = 0;
+    m_hull_turns_once = false;
   }
   /// \endcond
 
@@ -59,12 +63,27 @@ public:
   /// on edges start there, and need not look at all the edges of its vertices.
   void add_edge(Index e)
   {
-    const auto& edge = m_maintained->mirror.edge(e);
     m_edges.push_back(e);
-    for (const Index v : {edge.source, edge.target, edge.left, edge.right})
-      if (v != Dynamic_Delaunay_triangulations_2::internal::infinite_index)
-        m_vertices.insert(v);
+    std::swap(m_edges.back(), m_edges[m_edges.size() - 1 - m_number_of_illegal]);
+    add_vertices_of(e);
   }
+
+  /// \cond
+  // The same for an edge that is known to violate the in-circle condition between two
+  // counterclockwise faces.
+  void add_illegal_edge(Index e)
+  {
+    m_edges.push_back(e);
+    ++m_number_of_illegal;
+    add_vertices_of(e);
+  }
+  // These are at the end of edges().
+  std::size_t number_of_illegal_edges() const { return m_number_of_illegal; }
+
+  // The classifier has proved that the hull turns around once.
+  void set_hull_turns_once() { m_hull_turns_once = true; }
+  bool hull_turns_once() const { return m_hull_turns_once; }
+  /// \endcond
 
   /// whether nothing is classified.
   bool empty() const { return m_vertices.empty(); }
@@ -74,14 +93,24 @@ public:
   const std::vector<Index>& vertices() const { return m_vertices.members(); }
   /// the vertices given to `add_vertex()` or `add_id()`.
   const std::vector<Index>& whole_vertices() const { return m_whole_vertices.members(); }
-  /// the edges given to `add_edge()`.
+  /// the edges given to `add_edge()`, in some order.
   const std::vector<Index>& edges() const { return m_edges; }
 
 private:
+  void add_vertices_of(Index e)
+  {
+    const auto& edge = m_maintained->mirror.edge(e);
+    for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+      if (v != Dynamic_Delaunay_triangulations_2::internal::infinite_index)
+        m_vertices.insert(v);
+  }
+
   const Maintained* m_maintained = nullptr;
   Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_vertices;
   Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_whole_vertices;
   std::vector<Index> m_edges;
+  std::size_t m_number_of_illegal = 0;
+  bool m_hull_turns_once = false;
 };
 
 } // namespace CGAL

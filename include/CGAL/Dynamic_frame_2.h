@@ -113,11 +113,23 @@ public:
 
   /// whether edge `e` needs no repair: locally Delaunay, with counterclockwise faces, the hull
   /// convex there. Decided exactly.
-  bool is_delaunay(Index e) const
+  bool is_delaunay(Index e) const { return certificate().is_delaunay(e); }
+
+  /// \cond
+  auto edge_state(Index e) const { return certificate().state(e); }
+  bool hull_turns_once() const { return certificate().hull_turns_once(); }
+
+  // Calls f(e) for every edge that has v for an end or on one of its sides.
+  template <class Function>
+  void for_each_edge_that_sees(Index v, Function&& f) const
   {
-    using namespace Dynamic_Delaunay_triangulations_2::internal;
-    return Certificate_2<Maintained>(*m_maintained).is_delaunay(e);
+    const auto& mirror = m_maintained->mirror;
+    mirror.for_each_corner(v, [&](Index h) {
+      f(mirror.edge_of(h));
+      f(mirror.edge_of(mirror.previous(h)));
+    });
   }
+  /// \endcond
 
   /// @}
   /// \name What the last update triangulated anew
@@ -132,6 +144,11 @@ public:
   /// @}
 
 private:
+  auto certificate() const
+  {
+    return Dynamic_Delaunay_triangulations_2::internal::Certificate_2<Maintained>(*m_maintained);
+  }
+
   const Maintained* m_maintained;
 };
 

@@ -54,6 +54,7 @@ public:
   Dynamic_classification_2<Maintained>& start(Update_report_2& report)
   {
     m_report = &report;
+    m_is_planar = false;
     m_open.clear();
     m_padded.clear();
     m_border.clear();
@@ -67,12 +68,19 @@ public:
     m_has_to_prove = has_to_prove;
     m_was_certified = was_certified;
     m_report->classified = m_classification.size();
-    m_open = m_classification.edges();
+    m_open.clear();
     const Dynamic_frame_2<Maintained> frame(m_maintained);
     for (const Index v : m_classification.whole_vertices())
       frame.for_each_incident_edge(v, [this](Index e) { m_open.push_back(e); });
+    const auto& edges = m_classification.edges();
+    m_open.insert(m_open.end(), edges.begin(), edges.end());
+    m_number_of_illegal = m_classification.number_of_illegal_edges();
+    m_is_planar = m_open.empty() && m_classification.hull_turns_once();
   }
 
+  // Whether the last tool has proved that the faces tile the convex hull; if no tool was used,
+  // whether the classifier has.
+  bool is_planar() const { return m_is_planar; }
   const std::vector<Index>& padded() const { return m_padded; }
   const std::vector<Index>& border() const { return m_border; }
   /// \endcond
@@ -104,7 +112,11 @@ public:
     // the neighborhoods that it has looked at count as triangulated anew
     auto& new_edges = m_maintained.new_edges;
     new_edges.insert(new_edges.end(), m_open.begin(), m_open.end());
-    m_report->flips += m_lawson.run(m_maintained, m_editor, m_open);
+    const auto result =
+        m_lawson.run(m_maintained, m_editor, m_open, m_number_of_illegal, m_has_to_prove);
+    m_number_of_illegal = 0;
+    m_report->flips += result.flips;
+    m_is_planar = result.is_planar;
   }
 
   /// splices around the classified vertices with `padding` layers. Rebuilds if the region holds
@@ -169,6 +181,8 @@ public:
 private:
   void splice(const std::vector<Index>& vertices, unsigned padding)
   {
+    m_is_planar = false;
+    m_number_of_illegal = 0;
     std::size_t growths = 0;
     const Splice_result result = m_splice.run(m_maintained, m_editor, vertices, padding, growths);
     m_report->growths += growths;
@@ -228,10 +242,12 @@ private:
   Dynamic_Delaunay_triangulations_2::internal::Border_splice_2<Maintained> m_splice;
   Dynamic_classification_2<Maintained> m_classification;
   std::vector<Index> m_open;
+  std::size_t m_number_of_illegal = 0; // at the end of the open ones, until they are flipped
   std::vector<Index> m_padded, m_border;
   Update_report_2* m_report = nullptr;
   bool m_has_to_prove = false;
   bool m_was_certified = false;
+  bool m_is_planar = false;
 };
 
 } // namespace CGAL

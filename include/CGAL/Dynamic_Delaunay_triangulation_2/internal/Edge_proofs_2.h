@@ -7,16 +7,10 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_filter_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Prefetch_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vector_support_2.h>
 
+#include <cstddef>
 #include <vector>
-
-// AVX2 is picked at run time, so that a plain build has it. CGAL_DYNAMIC_DELAUNAY_NO_SIMD leaves it
-// out.
-#if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__)) &&                            \
-    !defined(CGAL_DYNAMIC_DELAUNAY_NO_SIMD)
-#define CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
-#include <immintrin.h>
-#endif
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
@@ -142,10 +136,24 @@ append_unproved_avx2(const Edge_2* edges, const Position_2* positions, Index fir
   append_unproved_plain(edges, positions, e, beyond, unproved);
 }
 
-inline bool has_avx2()
+// The same for the edges in a list.
+__attribute__((target("avx2"))) inline void append_unproved_of_avx2(const Edge_2* edges,
+                                                                    const Position_2* positions,
+                                                                    const std::vector<Index>& list,
+                                                                    std::vector<Index>& unproved)
 {
-  static const bool has = __builtin_cpu_supports("avx2");
-  return has;
+  std::size_t i = 0;
+  for (; i + 4 <= list.size(); i += 4) {
+    const Edge_2 four[4] = {edges[list[i]], edges[list[i + 1]], edges[list[i + 2]],
+                            edges[list[i + 3]]};
+    const int proved = Edge_filter_avx2_2::prove(four, positions);
+    if (proved != 15)
+      for (std::size_t k = 0; k < 4; ++k)
+        if (!(proved >> k & 1))
+          unproved.push_back(list[i + k]);
+  }
+  for (; i < list.size(); ++i)
+    append_unproved_plain(edges, positions, list[i], list[i] + 1, unproved);
 }
 
 #endif // CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
@@ -163,6 +171,17 @@ inline void append_unproved(const Edge_2* edges, const std::vector<Position_2>& 
   }
 #endif
   append_unproved_plain(edges, positions.data(), first, beyond, unproved);
+}
+
+inline void append_unproved_of(const Edge_2* edges, const std::vector<Position_2>& positions,
+                               const std::vector<Index>& list, std::vector<Index>& unproved)
+{
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+  if (has_avx2())
+    return append_unproved_of_avx2(edges, positions.data(), list, unproved);
+#endif
+  for (const Index e : list)
+    append_unproved_plain(edges, positions.data(), e, e + 1, unproved);
 }
 
 } // namespace internal

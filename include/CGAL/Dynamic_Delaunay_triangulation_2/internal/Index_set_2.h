@@ -6,7 +6,6 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -15,29 +14,27 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// A set of indices below a bound, in the order of their insertion. Clearing costs nothing, and
-// after the first frames nothing is allocated.
+// A set of indices below a bound, in the order of their insertion: a bit each, so that what is
+// asked for at random stays in the cache. Clearing costs as much as there are members, and after
+// the first frames nothing is allocated.
 class Index_set_2
 {
 public:
   void clear(std::size_t bound)
   {
+    for (const Index i : m_members)
+      m_words[i / bits] = 0;
     m_members.clear();
-    if (m_stamps.size() < bound)
-      m_stamps.resize(bound, 0);
-    if (++m_stamp == 0) { // wrapped around: the old stamps mean nothing any more
-      std::fill(m_stamps.begin(), m_stamps.end(), 0);
-      m_stamp = 1;
-    }
+    m_words.resize((bound + bits - 1) / bits, 0);
   }
 
-  bool contains(Index i) const { return m_stamps[i] == m_stamp; }
+  bool contains(Index i) const { return m_words[i / bits] >> i % bits & 1; }
 
   bool insert(Index i)
   {
     if (contains(i))
       return false;
-    m_stamps[i] = m_stamp;
+    m_words[i / bits] |= std::uint64_t(1) << i % bits;
     m_members.push_back(i);
     return true;
   }
@@ -50,9 +47,10 @@ public:
   auto end() const { return m_members.end(); }
 
 private:
+  static constexpr Index bits = 64;
+
   std::vector<Index> m_members;
-  std::vector<std::uint32_t> m_stamps;
-  std::uint32_t m_stamp = 0;
+  std::vector<std::uint64_t> m_words;
 };
 
 } // namespace internal

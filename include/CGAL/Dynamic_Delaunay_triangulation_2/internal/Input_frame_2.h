@@ -10,8 +10,11 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -45,9 +48,74 @@ public:
   void stage(InputIterator first, InputIterator beyond, const PointMap& point_map,
              Maintained& maintained)
   {
+    using Category = typename std::iterator_traits<InputIterator>::iterator_category;
+    maintained.previous_guests = maintained.ids.guests();
+    if constexpr (std::is_convertible_v<Category, std::random_access_iterator_tag>)
+      if (maintained.ids.guests().empty())
+        return stage_all_hosts(first, beyond, point_map, maintained);
+    stage_one_by_one(first, beyond, point_map, maintained);
+  }
+
+  // Whether points that shared a vertex until now are at different places.
+  bool coincident_points_part(const Maintained& maintained) const
+  {
+    for (const auto& guest : maintained.ids.guests())
+      if (guest.point != maintained.point(maintained.ids.vertex(guest.id)))
+        return true;
+    return false;
+  }
+
+private:
+  // Where each point has a vertex of its own, and all are at hand: in the order of the vertices,
+  // without a branch. A coordinate x is finite if 0x is 0; two sums take turns, so that no addition
+  // waits for the one before.
+  template <class RandomAccessIterator, class PointMap>
+  static void stage_all_hosts(RandomAccessIterator first, RandomAccessIterator beyond,
+                              const PointMap& point_map, Maintained& maintained)
+  {
+    const std::size_t points = maintained.ids.number_of_points();
+    const std::size_t given = std::size_t(beyond - first);
+    if (given != points)
+      throw Point_count_error_2(points, (std::min)(given, points + 1));
+    const Index* const hosts = maintained.ids.hosts();
+    bool are_exact = true;
+    const auto stage = [&](std::size_t v, Position_2& zero) {
+      using Difference = typename std::iterator_traits<RandomAccessIterator>::difference_type;
+      const Point& p = get(point_map, first[Difference(hosts[v])]);
+      const Position_2 position{CGAL::to_double(p.x()), CGAL::to_double(p.y())};
+      zero.x += 0 * position.x;
+      zero.y += 0 * position.y;
+      if constexpr (!Maintained::coordinates_are_doubles)
+        are_exact = are_exact && is_a_double(p.x()) && is_a_double(p.y());
+      write(position, p, Index(v), maintained);
+    };
+    Position_2 odd{0, 0}, even{0, 0};
+    std::size_t v = 1;
+    for (; v < points; v += 2) {
+      stage(v, odd);
+      stage(v + 1, even);
+    }
+    if (v == points)
+      stage(v, odd);
+    if (!(odd.x + odd.y + even.x + even.y == 0))
+      throw_non_finite(first, beyond, point_map);
+    maintained.previous_positions_are_exact = are_exact;
+  }
+
+  template <class InputIterator, class PointMap>
+  static void throw_non_finite(InputIterator first, InputIterator beyond, const PointMap& point_map)
+  {
+    bool are_exact = true;
+    for (std::size_t id = 0; first != beyond; ++id, ++first)
+      read_position(get(point_map, *first), id, are_exact);
+  }
+
+  template <class InputIterator, class PointMap>
+  static void stage_one_by_one(InputIterator first, InputIterator beyond, const PointMap& point_map,
+                               Maintained& maintained)
+  {
     const Index points = maintained.ids.number_of_points();
     bool are_exact = true;
-    maintained.previous_guests = maintained.ids.guests();
     auto guest = maintained.previous_guests.begin(); // sorted by id
     Index id = 0;
     for (; id < points && first != beyond; ++id, ++first) {
@@ -65,16 +133,6 @@ public:
     maintained.previous_positions_are_exact = are_exact;
   }
 
-  // Whether points that shared a vertex until now are at different places.
-  bool coincident_points_part(const Maintained& maintained) const
-  {
-    for (const auto& guest : maintained.ids.guests())
-      if (guest.point != maintained.point(maintained.ids.vertex(guest.id)))
-        return true;
-    return false;
-  }
-
-private:
   static Position_2 read_position(const Point& p, std::size_t id, bool& are_exact)
   {
     const Position_2 position{CGAL::to_double(p.x()), CGAL::to_double(p.y())};

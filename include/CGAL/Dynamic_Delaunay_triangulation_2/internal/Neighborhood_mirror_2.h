@@ -74,7 +74,20 @@ public:
     prefetch(&m_edges[e]);
     prefetch(&m_halfedge_of_edge[e]);
   }
-  void prefetch_face_at(Index e) const { prefetch(&m_halfedges[m_halfedge_of_edge[e]]); }
+  void prefetch_face_at(Index e) const { prefetch_face(m_halfedge_of_edge[e]); }
+
+  // The same for what a flip changes beyond the face of h, at the two other edges of that face,
+  // once the face itself is there; and for the face across h.
+  void prefetch_around(Index h) const
+  {
+    prefetch_face(twin(h));
+    for (const Index side : {next(h), previous(h)}) {
+      prefetch(&m_edges[edge_of(side)]);
+      prefetch(&m_halfedge_of_edge[edge_of(side)]);
+      prefetch(&m_halfedges[twin(side)]);
+      prefetch(&m_corner[apex(side)]);
+    }
+  }
 
   // A corner of v: a half-edge whose apex is v.
   Index corner(Index v) const { return m_corner[v]; }
@@ -100,17 +113,15 @@ public:
     for_each_corner(v, [&](Index h) { f(apex(next(h))); });
   }
 
-  bool are_neighbors(Index v, Index w) const
+  // Whether the apexes of h and of its twin are neighbours, beyond the two faces.
+  bool are_apexes_neighbors(Index h) const
   {
-    if (v == infinite_index)
-      std::swap(v, w); // the star of the infinite vertex is the whole hull
-    const Index first = m_corner[v];
-    Index h = first;
-    do {
-      if (apex(next(h)) == w)
+    if (apex(h) == infinite_index)
+      h = twin(h); // the star of the infinite vertex is the whole hull
+    const Index opposite = apex(twin(h));
+    for (Index g = next_corner(h); g != h; g = next_corner(g))
+      if (apex(next(g)) == opposite)
         return true;
-      h = next_corner(h);
-    } while (h != first);
     return false;
   }
 
@@ -207,7 +218,13 @@ public:
     exchange_opposite(ca, b, d);
   }
 
-private:
+public:
+  void prefetch_face(Index h) const
+  {
+    prefetch(&m_halfedges[h / 3 * 3]);
+    prefetch(&m_halfedges[h / 3 * 3 + 2].edge);
+  }
+
   // The three half-edges of a face stand together: whoever needs one of them needs the others.
   struct Halfedge
   {

@@ -30,6 +30,8 @@ public:
   Index number_of_hosts() const { return Index(m_host.size()) - 1; }
   Index vertex(Index id) const { return m_vertex_of_id[id]; }
   Index host(Index vertex) const { return m_host[vertex]; }
+  // Of each vertex.
+  const Index* hosts() const { return m_host.data(); }
   bool is_host(Index id) const { return m_host[m_vertex_of_id[id]] == id; }
   const std::vector<Guest>& guests() const { return m_guests; }
   std::vector<Guest>& guests() { return m_guests; }

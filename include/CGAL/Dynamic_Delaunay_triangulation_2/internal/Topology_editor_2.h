@@ -11,6 +11,7 @@
 #include <CGAL/hilbert_sort.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/Triangulation_utils_2.h>
 #include <CGAL/Unique_hash_map.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -47,30 +48,33 @@ public:
   // A flip that doubles an edge would leave the simplicial complexes, where an edge is named by its
   // vertices; it is refused. Among these are all flips at vertices of degree 3. Two
   // counterclockwise faces at the edge do not rule it out: others may overlap them.
-  bool can_flip(Index h) const
-  {
-    const auto& mirror = m_maintained.mirror;
-    return !mirror.are_neighbors(mirror.apex(h), mirror.apex(mirror.twin(h)));
-  }
+  bool can_flip(Index h) const { return !m_maintained.mirror.are_apexes_neighbors(h); }
 
-  void flip(Index h)
+  // Flips, one after the other, in the mirror at once; when the series ends, CGAL's structure takes
+  // the same flips in the same order. What it touches is all over the memory: in a loop of its own
+  // it can be fetched ahead.
+  class Flip_series
   {
-    auto& mirror = m_maintained.mirror;
-    const Index g = mirror.twin(h);
-    const Index b = mirror.source(h), c = mirror.target(h);
-    const Index corner_of_b = mirror.corner(b), corner_of_c = mirror.corner(c);
-    m_maintained.new_edges.push_back(mirror.edge_of(h));
-    mirror.flip(h);
-    write_vertex(Neighborhood_mirror_2::previous(h));
-    write_vertex(Neighborhood_mirror_2::previous(g));
-    write_neighbors(h);
-    write_neighbors(g);
-    write_neighbors(Neighborhood_mirror_2::next(h));
-    if (mirror.corner(b) != corner_of_b)
-      m_maintained.vertices[b]->set_face(m_maintained.faces[mirror.corner(b) / 3]);
-    if (mirror.corner(c) != corner_of_c)
-      m_maintained.vertices[c]->set_face(m_maintained.faces[mirror.corner(c) / 3]);
-  }
+  public:
+    explicit Flip_series(Topology_editor_2& editor)
+      : m_editor(editor)
+    {
+    }
+    Flip_series(const Flip_series&) = delete;
+    Flip_series& operator=(const Flip_series&) = delete;
+    ~Flip_series() { m_editor.write_flips(); }
+
+    void flip(Index h)
+    {
+      Maintained& maintained = m_editor.m_maintained;
+      m_editor.m_flipped.push_back(h);
+      maintained.new_edges.push_back(maintained.mirror.edge_of(h));
+      maintained.mirror.flip(h);
+    }
+
+  private:
+    Topology_editor_2& m_editor;
+  };
 
   // Puts the faces of `patch` in place of `old_faces`, as many, with the same boundary: the
   // half-edge outside the i-th edge of the patch's boundary is `outside[i]`.
@@ -407,6 +411,51 @@ private:
 
   // CGAL ----------------------------------------------------------------------------------------
 
+  void write_flips()
+  {
+    auto& tds = m_maintained.triangulation.tds();
+    const auto& faces = m_maintained.faces;
+    const std::size_t flips = m_flipped.size();
+    for (std::size_t i = 0; i < flips; ++i) {
+      prefetch_flip(i);
+      tds.flip(faces[m_flipped[i] / 3], int(m_flipped[i] % 3));
+    }
+    m_flipped.clear();
+  }
+
+  // In steps, each of which reads what the one before has fetched. An earlier flip may yet change
+  // what is read: then something else is fetched, and nothing is wrong.
+  void prefetch_flip(std::size_t i) const
+  {
+    constexpr std::size_t step = 4;
+    const auto& faces = m_maintained.faces;
+    const std::size_t flips = m_flipped.size();
+    if (i + 4 * step < flips)
+      prefetch(&faces[m_flipped[i + 4 * step] / 3]);
+    if (i + 3 * step < flips)
+      prefetch_face(faces[m_flipped[i + 3 * step] / 3]);
+    if (i + 2 * step < flips) {
+      const Index h = m_flipped[i + 2 * step];
+      const Face_handle f = faces[h / 3];
+      prefetch_face(f->neighbor(int(h % 3)));
+      prefetch_face(f->neighbor(Triangulation_cw_ccw_2::ccw(int(h % 3))));
+      prefetch(&*f->vertex(Triangulation_cw_ccw_2::cw(int(h % 3))));
+      prefetch(&*f->vertex(Triangulation_cw_ccw_2::ccw(int(h % 3))));
+    }
+    if (i + step < flips) {
+      const Index h = m_flipped[i + step];
+      const Face_handle f = faces[h / 3];
+      const Face_handle g = f->neighbor(int(h % 3));
+      prefetch_face(g->neighbor(Triangulation_cw_ccw_2::ccw(g->index(f))));
+    }
+  }
+
+  static void prefetch_face(Face_handle f)
+  {
+    prefetch(&*f);
+    prefetch(reinterpret_cast<const char*>(&*f) + sizeof(*f) - 1);
+  }
+
   void write_vertex(Index h)
   {
     m_maintained.faces[h / 3]->set_vertex(int(h % 3),
@@ -428,6 +477,7 @@ private:
   std::vector<std::pair<Index, Static_vertex_handle>>
       m_coincident; // who is not, and whose guest it is
   std::vector<Index> m_inner_edges;
+  std::vector<Index> m_flipped; // half-edges, in the order of their flips
   double m_walk_when_sorted = 0;
 };
 

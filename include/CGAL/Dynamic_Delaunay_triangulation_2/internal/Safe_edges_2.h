@@ -1,0 +1,221 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SAFE_EDGES_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SAFE_EDGES_2_H
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Displacements_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_proofs_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_slack_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// The edges that need no look. All vertices have a reference position, and there is one tolerance:
+// an edge is *safe* if it is proved Delaunay for all positions of its four vertices within the
+// tolerance of their references (Edge_slack_2), and *tight* if not. While no vertex moves farther,
+// only the tight edges are looked at; if a few vertices do, the edges that see them are as well.
+//
+// Skipping is exact. What is left to show is that both faces at a skipped edge are
+// counterclockwise, for its own proof takes that for granted. Let the vertices of such a face go
+// straight from their references to where they are. If the face has an edge that is looked at, it
+// is found counterclockwise, or the edge is classified. If not, all its edges are safe: the face
+// was counterclockwise at the references, and could only change that by passing through three
+// points on a line (or two in one place), one between the two others; but those two are the ends of
+// a safe edge, inside a circle with the third one outside.
+//
+// The hull turns around as often as at the references, if it has the same vertices and each of its
+// corners has been proved to stay a left turn, or to turn by less than a right angle
+// (Edge_slack_2): the sum of its turning angles is a multiple of 360 degrees, and changes
+// continuously.
+class Safe_edges_2
+{
+public:
+  // Whether there are references.
+  bool holds() const { return m_holds; }
+  // Whether the hull, as append_unproved() has last found it, turns around once.
+  bool hull_turns_once() const { return m_hull_stays; }
+
+  void drop() { m_holds = false; }
+
+  // Takes the positions of the frame for references, with the tolerance that makes one edge in
+  // `share` tight. Not if a typical vertex, at its present speed, would leave that within a few
+  // frames.
+  template <class Frame>
+  void start(const Frame& frame, std::size_t share)
+  {
+    m_holds = false;
+    m_moved.clear();
+    choose_tolerance(frame, share);
+    if (!(m_tolerance > Edge_slack_2::smallest_tolerance) ||
+        typical_step(frame) * fewest_frames > m_tolerance)
+      return;
+    m_references = frame.positions();
+    m_tight.clear(frame.number_of_edges());
+    for (Index e = 0; e < frame.number_of_edges(); ++e)
+      consider(frame, e);
+    check_hull(frame);
+    m_holds = m_tight.size() <= most_tight(frame);
+  }
+
+  // Takes note of what was triangulated anew.
+  template <class Frame>
+  void learn(const Frame& frame)
+  {
+    if (!m_holds)
+      return;
+    m_holds = !frame.everything_is_new() && 64 * frame.new_edges().size() < frame.number_of_edges();
+    if (!m_holds)
+      return;
+    for (const Index e : frame.new_edges())
+      consider_around(frame, e);
+    if (!m_hull_is_checked)
+      check_hull(frame);
+    m_holds = m_tight.size() <= most_tight(frame);
+  }
+
+  // Appends, in ascending order, edges among which are all that are not Delaunay. False, and
+  // nothing is known, if too many vertices have moved too far.
+  template <class Frame>
+  bool append_unproved(const Frame& frame, std::vector<Index>& unproved)
+  {
+    m_moved.clear();
+    m_holds =
+        append_moved(frame.positions(), m_references, m_tolerance, most_moved(frame), m_moved);
+    if (!m_holds)
+      return false;
+    m_hull_stays = m_hull_is_safe;
+    append_unproved_of(frame.edges().data(), frame.positions(), m_tight.members(), unproved);
+    for (const Index v : m_moved)
+      frame.for_each_edge_that_sees(v, [&](Index e) {
+        m_hull_stays = m_hull_stays && !is_at_infinity(frame.edge(e));
+        if (!proves_delaunay(frame, e))
+          unproved.push_back(e);
+      });
+    std::sort(unproved.begin(), unproved.end());
+    unproved.erase(std::unique(unproved.begin(), unproved.end()), unproved.end());
+    return true;
+  }
+
+private:
+  static constexpr double fewest_frames = 8;
+  static constexpr std::size_t sample_size = 256;
+
+  template <class Frame>
+  static std::size_t most_tight(const Frame& frame)
+  {
+    return frame.number_of_edges() / 8;
+  }
+
+  template <class Frame>
+  static std::size_t most_moved(const Frame& frame)
+  {
+    return frame.number_of_vertices() / 64;
+  }
+
+  static bool is_at_infinity(const Edge_2& edge)
+  {
+    return edge.source == infinite_index || edge.target == infinite_index ||
+           edge.left == infinite_index || edge.right == infinite_index;
+  }
+
+  template <class Frame>
+  static bool proves_delaunay(const Frame& frame, Index e)
+  {
+    const Edge_2& edge = frame.edge(e);
+    return Edge_filter_2(frame.position(edge.left), frame.position(edge.source),
+                         frame.position(edge.target), frame.position(edge.right))
+        .proves_delaunay();
+  }
+
+  template <class Frame>
+  void choose_tolerance(const Frame& frame, std::size_t share)
+  {
+    m_sample.clear();
+    const std::size_t edges = frame.number_of_edges();
+    for (std::size_t i = 0; i < sample_size; ++i) {
+      const Edge_2& edge = frame.edge(Index(i * edges / sample_size));
+      if (!is_at_infinity(edge))
+        m_sample.push_back(Edge_slack_2(edge, frame.positions()).value());
+    }
+    m_tolerance = quantile(share);
+  }
+
+  template <class Frame>
+  double typical_step(const Frame& frame)
+  {
+    m_sample.clear();
+    const std::size_t vertices = frame.number_of_vertices();
+    for (std::size_t i = 0; i < sample_size; ++i) {
+      const Index v = Index(1 + i * vertices / sample_size);
+      m_sample.push_back(distance(frame.position(v), frame.previous_position(v)));
+    }
+    return quantile(2);
+  }
+
+  // What one in `part` of the sample is smaller than.
+  double quantile(std::size_t part)
+  {
+    if (m_sample.empty())
+      return 0;
+    const auto place = m_sample.begin() + std::ptrdiff_t(m_sample.size() / part);
+    std::nth_element(m_sample.begin(), place, m_sample.end());
+    return *place;
+  }
+
+  template <class Frame>
+  void consider(const Frame& frame, Index e)
+  {
+    if (!Edge_slack_2(frame.edge(e), m_references).is_safe(m_tolerance))
+      m_tight.insert(e);
+  }
+
+  // Whether the hull turns once, and keeps to that. It does not matter that the hull may look
+  // different at the references: there it turns as often.
+  template <class Frame>
+  void check_hull(const Frame& frame)
+  {
+    m_hull_is_checked = m_moved.empty();
+    m_hull_is_safe = m_hull_is_checked && frame.hull_turns_once();
+    if (m_hull_is_safe)
+      frame.for_each_incident_edge(infinite_index, [&](Index e) {
+        m_hull_is_safe = m_hull_is_safe &&
+                         Edge_slack_2(frame.edge(e), m_references).keeps_turning_angle(m_tolerance);
+      });
+  }
+
+  // A new edge has changed what its own edges see, and the four around it: all of these end at it.
+  template <class Frame>
+  void consider_around(const Frame& frame, Index e)
+  {
+    const Edge_2& edge = frame.edge(e);
+    const bool is_at_hull = is_at_infinity(edge);
+    m_hull_is_safe = m_hull_is_safe && !is_at_hull;
+    m_hull_is_checked = m_hull_is_checked && !is_at_hull;
+    for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+      if (v != infinite_index && (is_at_hull || v == edge.source || v == edge.target))
+        frame.for_each_incident_edge(v, [&](Index f) { consider(frame, f); });
+  }
+
+  bool m_holds = false;
+  double m_tolerance = 0;
+  std::vector<Position_2> m_references; // of each vertex
+  Index_set_2 m_tight;
+  bool m_hull_is_checked = false;
+  bool m_hull_is_safe = false; // it keeps turning once while no vertex leaves the tolerance
+  bool m_hull_stays = false;   // and none at the hull has
+  std::vector<Index> m_moved;
+  std::vector<double> m_sample;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SAFE_EDGES_2_H
