@@ -1,0 +1,277 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What an exact frame costs, in nanoseconds a point, and where the time goes; next to two ways of
+// triangulating the same frame anew, timed in the same process in turn. One row for each case,
+// written as a table and as JSON.
+//
+//   read      reading, checking and writing the positions
+//   classify  the circumcircle classifier
+//   repair    flips, splices and rebuilds
+//   certify   all the rest: the end of the proof, and telling the classifier
+//   insert    CGAL's insertion of the range
+//   fastest   CGAL's insertion one by one in rounds along the last frame's Hilbert curve; of fresh
+//             clouds the better of insert and of sorting along that curve before
+//   vs_...    how many times faster the update is than these
+//
+// Times are medians over the frames, each of its own, so the phases need not add up to the whole;
+// q1 and q3 are the quartiles of the whole. Flips are those a point and frame.
+//
+// The phases are timed by wrapping the classifier and the repair, from outside: four or five
+// readings of the clock to an update, at about 25 ns each. The whole is the time of this same
+// wrapped update, so they are in it: about a tenth of a nanosecond a point at 1000 points. An
+// update that rebuilds before it classifies counts as repair.
+//
+// Outside of the timing every frame has to be certified, and the last frame of every case has to
+// be valid and to agree with a fresh triangulation in every edge. A case that fails says so in
+// place of its figures, and the program ends with an error.
+
+#include "scenario/Open_motion.h"
+#include "speed/Benchmark_options.h"
+#include "speed/Case_list.h"
+#include "speed/Heap_cases.h"
+#include "speed/Motion_cases.h"
+#include "speed/Speed_table_reporter.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <initializer_list>
+#include <iostream>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace {
+
+using namespace speed;
+
+const std::vector<Column> time_columns = {
+    {"points", 9, 0},      {"frames", 7, 0}, {"dynamic", 9, 1},  {"q1", 8, 1},
+    {"q3", 8, 1},          {"read", 8, 1},   {"classify", 9, 1}, {"repair", 8, 1},
+    {"certify", 8, 1},     {"insert", 9, 1}, {"fastest", 9, 1},  {"vs_insert", 10, 2},
+    {"vs_fastest", 11, 2}, {"flips", 9, 5},  {"rebuilds", 9, 0}};
+
+std::vector<Column> time_columns_and(std::initializer_list<Column> further)
+{
+  std::vector<Column> columns = time_columns;
+  columns.insert(columns.end(), further);
+  return columns;
+}
+
+const Table own_step = {"Scenarios at their own time step, ns a point", time_columns};
+const Table largest_step = {"Scenarios at their largest stable time step, ns a point",
+                            time_columns};
+const Table brownian = {"Brownian motion by its steps in spacings, ns a point", time_columns};
+const Table teleport = {"Every point at a fresh random place in every frame, ns a point; 'sorted' "
+                        "sorts along the curve while it is timed",
+                        time_columns_and({{"sorted", 9, 1}, {"of_fastest", 11, 2}})};
+const Table recorded = {"Recorded motion, ns a point, without the frames that change the "
+                        "population; constructions where all do",
+                        time_columns_and({{"changes", 9, 0}})};
+const Table memory = {
+    "Memory, bytes a point",
+    {{"points", 9, 0}, {"frames", 7, 0}, {"dynamic", 9, 1}, {"CGAL", 9, 1}, {"beyond", 9, 1}}};
+const Table allocations = {"Heap allocations a frame without edge changes",
+                           {{"points", 9, 0}, {"frames", 7, 0}, {"allocations", 13, 2}}};
+
+constexpr std::size_t many_points = 100'000;
+constexpr std::size_t most_points = 1'000'000;
+
+std::unique_ptr<scenario::Motion> open(const std::string& name,
+                                       const scenario::Overrides& overrides)
+{
+  return scenario::open_motion((std::filesystem::path(SCENARIOS_DIR) / (name + ".json")).string(),
+                               overrides);
+}
+
+void add_scenario(Case_list& cases, const Table& table, const std::string& name,
+                  const std::string& scenario_name, const scenario::Overrides& overrides,
+                  const Frame_choice& frames)
+{
+  cases.add(table, name, [=] { return motion_case(*open(scenario_name, overrides), frames); });
+}
+
+std::string joined(const std::string& prefix, const std::string& name, std::size_t points)
+{
+  return prefix + name + '/' + std::to_string(points);
+}
+
+// At its own size, and at a large one.
+void add_moving(Case_list& cases, const Table& table, const std::string& prefix,
+                const std::string& name, scenario::Overrides overrides)
+{
+  const std::size_t points = open(name, {})->points().size();
+  add_scenario(cases, table, joined(prefix, name, points), name, overrides, {0, 1000});
+  overrides.points = many_points;
+  add_scenario(cases, table, joined(prefix, name, many_points), name, overrides, {0, 60});
+}
+
+// Settled in the last half of its frames.
+void add_static(Case_list& cases, const Table& table, const std::string& prefix,
+                scenario::Overrides overrides)
+{
+  const auto motion = open("static", {});
+  const std::size_t half = motion->frames() / 2;
+  add_scenario(cases, table, joined(prefix, "static_settled", motion->points().size()), "static",
+               overrides, {motion->frames() - half, half});
+  overrides.points = many_points;
+  add_scenario(cases, table, joined(prefix, "static", many_points), "static", overrides, {0, 60});
+}
+
+void add_own_step(Case_list& cases)
+{
+  for (const char* const name : {"dam_break", "spinning", "explosion"}) {
+    add_moving(cases, own_step, "", name, {});
+  }
+  add_static(cases, own_step, "", {});
+  scenario::Overrides overrides;
+  overrides.points = most_points;
+  for (const char* const name : {"dam_break", "explosion"}) {
+    add_scenario(cases, own_step, joined("", name, most_points), name, overrides, {0, 12});
+  }
+}
+
+scenario::Overrides largest_step_of(const std::string& name)
+{
+  scenario::Overrides overrides;
+  overrides.time_step = open(name, {})->largest_stable_time_step();
+  return overrides;
+}
+
+void add_largest_step(Case_list& cases)
+{
+  const std::string prefix = "largest_step/";
+  for (const char* const name : {"dam_break", "spinning", "explosion"}) {
+    add_moving(cases, largest_step, prefix, name, largest_step_of(name));
+  }
+  add_static(cases, largest_step, prefix, largest_step_of("static"));
+}
+
+std::string with_number(const std::string& text, double number)
+{
+  std::ostringstream name;
+  name << text << number;
+  return name.str();
+}
+
+scenario::Overrides brownian_overrides(double step)
+{
+  scenario::Overrides overrides;
+  overrides.points = many_points;
+  overrides.time_step = step;
+  return overrides;
+}
+
+void add_brownian(Case_list& cases)
+{
+  for (const double step : {0.001, 0.01, 0.03, 0.1}) {
+    add_scenario(cases, brownian, with_number(joined("", "brownian", many_points) + '/', step),
+                 "brownian", brownian_overrides(step), {0, 30});
+  }
+}
+
+void add_teleport(Case_list& cases)
+{
+  for (const std::size_t points : {std::size_t(1000), many_points}) {
+    cases.add(teleport, joined("", "teleport", points), [=] { return teleport_case(points); });
+  }
+}
+
+std::vector<std::filesystem::path> recordings()
+{
+  std::vector<std::filesystem::path> paths;
+  std::error_code ignored;
+  for (const auto& file : std::filesystem::directory_iterator(SHARED_DATA_DIR, ignored)) {
+    const std::string extension = file.path().extension().string();
+    if (extension == ".csv" || extension == ".lammpstrj" || extension == ".dump") {
+      paths.push_back(file.path());
+    }
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+void add_recorded(Case_list& cases)
+{
+  const auto paths = recordings();
+  for (const std::filesystem::path& path : paths) {
+    cases.add(recorded, "recorded/" + path.stem().string(),
+              [=] { return recorded_case(path.string()); });
+  }
+  if (paths.empty()) {
+    std::cerr << "recorded/...: skipped, there are no recordings in " SHARED_DATA_DIR "\n";
+  }
+}
+
+void add_memory(Case_list& cases)
+{
+  for (const double step : {0.001, 0.03}) {
+    cases.add(memory, with_number(joined("", "memory", many_points) + '/', step), [=] {
+      return Case_result{memory_figures(*open("brownian", brownian_overrides(step)), 30)};
+    });
+  }
+}
+
+void add_allocations(Case_list& cases)
+{
+  const auto add = [&cases](const std::string& name, double distance) {
+    cases.add(allocations, joined("", name, many_points), [=] {
+      const auto cloud = open("brownian", brownian_overrides(1.0));
+      return Case_result{allocation_figures(cloud->points(), distance)};
+    });
+  };
+  add("allocations/still", 0.0);
+  add("allocations/drift", 1e-9);
+}
+
+void add_all(Case_list& cases)
+{
+  add_own_step(cases);
+  add_largest_step(cases);
+  add_brownian(cases);
+  add_teleport(cases);
+  add_recorded(cases);
+  add_memory(cases);
+  add_allocations(cases);
+}
+
+std::size_t run_cases(const Case_list& cases, const Benchmark_options& options)
+{
+  if (!options.wants_own_table()) {
+    return benchmark::RunSpecifiedBenchmarks();
+  }
+  Speed_table_reporter table(cases.tables());
+  return benchmark::RunSpecifiedBenchmarks(&table);
+}
+
+bool run_speed(int argc, char** argv)
+{
+  Case_list cases;
+  add_all(cases);
+  Benchmark_options options(argc, argv, RESULTS_DIR "/speed.json");
+  if (!options.initialize() || run_cases(cases, options) == 0) {
+    return false;
+  }
+  if (!options.output_file().empty()) {
+    std::cerr << "JSON: " << options.output_file() << '\n';
+  }
+  return !cases.has_failed();
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try {
+    return run_speed(argc, argv) ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::cerr << "speed: " << error.what() << '\n';
+    return 1;
+  }
+}

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SPEED_MOTION_CASES_H
+#define SPEED_MOTION_CASES_H
+
+#include "Case_list.h"
+#include "run/Progress_display.h"
+#include "run/Static_opponents.h"
+#include "scenario/Open_motion.h"
+#include "Speed_run.h"
+#include "Speed_summary.h"
+#include "Teleport_motion.h"
+#include "Unprepared_opponents.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+namespace speed {
+
+// Which frames of a motion count, after the first one.
+struct Frame_choice
+{
+  std::size_t passed_over;
+  std::size_t measured;
+};
+
+template <class Opponents>
+Speed_records run_frames(scenario::Motion& motion, const Frame_choice& frames)
+{
+  run::Progress_display progress(frames.passed_over + frames.measured, true);
+  Speed_run<Opponents> run(motion);
+  Speed_records records;
+  for (std::size_t i = 0; i != frames.passed_over && run.follow(); ++i) {
+    progress.show(run.record().frame.frame);
+  }
+  while (records.size() != frames.measured && run.measure()) {
+    records.push_back(run.record());
+    progress.show(run.record().frame.frame);
+  }
+  if (!records.empty()) {
+    run.check_thoroughly();
+  }
+  return records;
+}
+
+inline double seconds_of_updates(const Speed_records& records)
+{
+  double nanoseconds = 0.0;
+  for (const Speed_record& record : records) {
+    nanoseconds += record.frame.nanoseconds.dynamic;
+  }
+  return 1e-9 * nanoseconds;
+}
+
+inline Case_result result_of(const Speed_records& records)
+{
+  return {speed_summary(records), seconds_of_updates(counted(records)), ""};
+}
+
+inline Case_result motion_case(scenario::Motion& motion, const Frame_choice& frames)
+{
+  return result_of(run_frames<run::Static_opponents>(motion, frames));
+}
+
+// The fastest of a fresh cloud is whichever of both is faster.
+inline Case_result teleport_case(std::size_t points)
+{
+  Teleport_motion motion(points);
+  Case_result result = result_of(run_frames<Unprepared_opponents>(motion, {0, motion.frames()}));
+  Figures& figures = result.figures;
+  figures["sorted"] = figures["fastest"];
+  figures["fastest"] = std::min(figures["insert"], figures["sorted"]);
+  figures["vs_fastest"] = figures["fastest"] / figures["dynamic"];
+  figures["of_fastest"] = figures["dynamic"] / figures["fastest"];
+  return result;
+}
+
+inline Case_result recorded_case(const std::string& path)
+{
+  const auto motion = scenario::open_motion(path);
+  const Speed_records records = run_frames<run::Static_opponents>(*motion, {0, motion->frames()});
+  Case_result result = result_of(records);
+  result.figures["changes"] = static_cast<double>(
+      std::count_if(records.begin(), records.end(),
+                    [](const Speed_record& record) { return record.frame.population_changed; }));
+  result.note = are_updates(counted(records)) ? "" : "(constructions)";
+  return result;
+}
+
+} // namespace speed
+
+#endif // SPEED_MOTION_CASES_H
