@@ -64,7 +64,7 @@ public:
     return m_threads;
   }
 
-  /// classifies.
+  /// classifies; all vertices, where nearly all edges are broken.
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified)
   {
@@ -75,8 +75,19 @@ public:
         examine(frame, e, classified);
       return;
     }
+    // where one frame has broken nearly everything, the next one may
+    m_is_chaos = m_is_chaos && is_most_of_all_edges_broken(frame);
+    if (m_is_chaos) {
+      classified.add_everything();
+      return;
+    }
     // a pass without branches proves nearly all; the others are looked at one by one
     find_unproved(frame);
+    m_is_chaos = is_most_of_unproved_broken(frame);
+    if (m_is_chaos) {
+      classified.add_everything();
+      return;
+    }
     for (const std::vector<Index>& unproved : m_unproved)
       for (const Index e : unproved)
         examine(frame, e, classified);
@@ -100,6 +111,8 @@ public:
 
 private:
   using Index = Dynamic_Delaunay_triangulations_2::Index;
+
+  static constexpr std::size_t sample_size = 64;
 
   // Finding out which edges are safe costs as much as some ten frames: after each time that it was
   // not worth it the next attempt waits for twice as long, and takes a larger tolerance.
@@ -152,11 +165,40 @@ private:
         Index(edges * (part + 1) / parts), m_unproved[part]);
   }
 
+  // By a sample.
+  template <class Frame>
+  static bool is_most_of_all_edges_broken(const Frame& frame)
+  {
+    std::size_t sampled = 0, broken = 0;
+    const std::size_t stride = 1 + frame.number_of_edges() / sample_size;
+    for (std::size_t e = 0; e < frame.number_of_edges(); e += stride, ++sampled)
+      broken += !frame.is_delaunay(Index(e));
+    return 4 * broken > 3 * sampled;
+  }
+
+  // Whether more than two thirds of the edges are unproved, and most of a sample of these broken:
+  // then naming each of them, which costs three times as much as the pass, has no use.
+  template <class Frame>
+  bool is_most_of_unproved_broken(const Frame& frame) const
+  {
+    std::size_t unproved = 0;
+    for (const std::vector<Index>& part : m_unproved)
+      unproved += part.size();
+    if (3 * unproved <= 2 * std::size_t(frame.number_of_edges()))
+      return false;
+    const std::size_t stride = 1 + unproved / sample_size;
+    std::size_t sampled = 0, broken = 0;
+    for (const std::vector<Index>& part : m_unproved)
+      for (std::size_t i = 0; i < part.size(); i += stride, ++sampled)
+        broken += !frame.is_delaunay(part[i]);
+    return 4 * broken > 3 * sampled;
+  }
+
   template <class Frame, class Classification>
   static void examine(const Frame& frame, Index e, Classification& classified)
   {
     using Dynamic_Delaunay_triangulations_2::internal::Edge_state_2;
-    const Edge_state_2 state = frame.edge_state(e);
+    const Edge_state_2 state = frame.rough_state(e);
     if (state == Edge_state_2::ILLEGAL)
       classified.add_illegal_edge(e);
     else if (state != Edge_state_2::DELAUNAY)
@@ -165,6 +207,7 @@ private:
 
   unsigned m_threads;
   Dynamic_Delaunay_triangulations_2::internal::Safe_edges_2 m_safe_edges;
+  bool m_is_chaos = false; // in the last frame nearly all edges were broken
   unsigned m_frames_held = 0;
   unsigned m_frames_to_rest = 4;
   unsigned m_patience = 4;

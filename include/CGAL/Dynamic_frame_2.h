@@ -113,10 +113,14 @@ public:
 
   /// whether edge `e` needs no repair: locally Delaunay, with counterclockwise faces, the hull
   /// convex there. Decided exactly.
-  bool is_delaunay(Index e) const { return certificate().is_delaunay(e); }
+  bool is_delaunay(Index e) const
+  {
+    using Dynamic_Delaunay_triangulations_2::internal::Edge_state_2;
+    return certificate().rough_state(e) == Edge_state_2::DELAUNAY;
+  }
 
   /// \cond
-  auto edge_state(Index e) const { return certificate().state(e); }
+  auto rough_state(Index e) const { return certificate().rough_state(e); }
   bool hull_turns_once() const { return certificate().hull_turns_once(); }
 
   // Calls f(e) for every edge that has v for an end or on one of its sides.

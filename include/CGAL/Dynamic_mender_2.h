@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -68,13 +69,7 @@ public:
     m_has_to_prove = has_to_prove;
     m_was_certified = was_certified;
     m_report->classified = m_classification.size();
-    m_open.clear();
-    const Dynamic_frame_2<Maintained> frame(m_maintained);
-    for (const Index v : m_classification.whole_vertices())
-      frame.for_each_incident_edge(v, [this](Index e) { m_open.push_back(e); });
-    const auto& edges = m_classification.edges();
-    m_open.insert(m_open.end(), edges.begin(), edges.end());
-    m_number_of_illegal = m_classification.number_of_illegal_edges();
+    open_classified();
     m_is_planar = m_open.empty() && m_classification.hull_turns_once();
   }
 
@@ -179,6 +174,24 @@ public:
   /// @}
 
 private:
+  // The edges that the classifier has named, those that it knows to be illegal last.
+  void open_classified()
+  {
+    m_open.clear();
+    m_number_of_illegal = 0;
+    if (m_classification.is_everything()) {
+      m_open.resize(number_of_edges());
+      std::iota(m_open.begin(), m_open.end(), Index(0));
+      return;
+    }
+    const Dynamic_frame_2<Maintained> frame(m_maintained);
+    for (const Index v : m_classification.whole_vertices())
+      frame.for_each_incident_edge(v, [this](Index e) { m_open.push_back(e); });
+    const auto& edges = m_classification.edges();
+    m_open.insert(m_open.end(), edges.begin(), edges.end());
+    m_number_of_illegal = m_classification.number_of_illegal_edges();
+  }
+
   void splice(const std::vector<Index>& vertices, unsigned padding)
   {
     m_is_planar = false;

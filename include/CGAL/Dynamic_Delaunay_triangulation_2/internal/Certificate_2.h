@@ -58,16 +58,16 @@ public:
     return inner_edge_state(edge);
   }
 
-  // The same, answered with yes or no.
-  bool is_delaunay(Index e) const
+  // The same at less cost: what is twisted may be called crossed.
+  Edge_state_2 rough_state(Index e) const
   {
     const Edge_2& edge = m_maintained.mirror.edge(e);
     const auto& positions = m_maintained.positions;
     const Edge_filter_2 filter(positions[edge.left], positions[edge.source], positions[edge.target],
                                positions[edge.right]);
     if (m_maintained.positions_are_exact && filter.disproves_delaunay())
-      return false;
-    return state(e) == Edge_state_2::DELAUNAY;
+      return filter.proves_illegal() ? Edge_state_2::ILLEGAL : Edge_state_2::CROSSED;
+    return state(e);
   }
 
   // Condition 4. A locally convex closed curve turns around as often as it has a summit: a vertex

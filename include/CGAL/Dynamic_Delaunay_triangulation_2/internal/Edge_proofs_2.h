@@ -16,11 +16,6 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// Arrays that no longer fit the second-level cache are fetched ahead, the edges farther than their
-// corners: at 10^5 points, other work between the frames, the pass takes half of the time, at 10^3
-// it would take a third more.
-constexpr Index fewest_vertices_to_prefetch = 1 << 15;
-
 inline void prefetch_corners(const Edge_2& edge, const Position_2* positions)
 {
   for (const Index v : {edge.source, edge.target, edge.left, edge.right})

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -37,6 +38,16 @@ public:
     m_words[i / bits] |= std::uint64_t(1) << i % bits;
     m_members.push_back(i);
     return true;
+  }
+
+  // Inserts all from `first` to below `bound`, in place of what is there.
+  void fill(Index first, Index bound)
+  {
+    clear(bound);
+    m_members.resize(bound - first);
+    std::iota(m_members.begin(), m_members.end(), first);
+    for (const Index i : m_members)
+      m_words[i / bits] |= std::uint64_t(1) << i % bits;
   }
 
   std::size_t size() const { return m_members.size(); }

@@ -73,8 +73,10 @@ struct Maintained_triangulation_2
     std::swap(positions, previous_positions);
     std::swap(positions_are_exact, previous_positions_are_exact);
     if constexpr (coordinates_are_doubles) {
-      for (Index v = 1; v < Index(vertices.size()); ++v)
-        vertices[v]->set_point(Point(positions[v].x, positions[v].y));
+      if (vertices.size() < fewest_vertices_to_prefetch)
+        write_points<false>();
+      else
+        write_points<true>();
     } else {
       for (Index v = 1; v < Index(vertices.size()); ++v) {
         Point current = vertices[v]->point();
@@ -85,6 +87,21 @@ struct Maintained_triangulation_2
     std::swap(ids.guests(), previous_guests);
   }
 
+private:
+  // The vertices stand in memory as the points came at first: after much motion, anywhere.
+  template <bool prefetches>
+  void write_points()
+  {
+    constexpr Index ahead = 16;
+    const Index bound = Index(vertices.size());
+    for (Index v = 1; v < bound; ++v) {
+      if (prefetches && v + ahead < bound)
+        prefetch(&*vertices[v + ahead]);
+      vertices[v]->set_point(Point(positions[v].x, positions[v].y));
+    }
+  }
+
+public:
   Triangulation triangulation;
   Neighborhood_mirror_2 mirror;
   std::vector<Vertex_handle> vertices; // of each vertex index

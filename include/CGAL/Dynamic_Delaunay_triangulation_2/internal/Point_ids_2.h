@@ -57,6 +57,7 @@ public:
   void reset(Index points)
   {
     m_vertex_of_id.assign(points, no_index);
+    m_host.reserve(points + std::size_t(1));
     m_host.assign(1, no_index); // the infinite vertex has no point
     m_guests.clear();
   }

@@ -4,21 +4,17 @@
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_EDITOR_2_H
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_EDITOR_2_H
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Hilbert_order_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Patch_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulation_2.h>
-#include <CGAL/hilbert_sort.h>
 #include <CGAL/number_utils.h>
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Triangulation_utils_2.h>
 #include <CGAL/Unique_hash_map.h>
 
-#include <boost/property_map/function_property_map.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -37,6 +33,7 @@ class Topology_editor_2
   using Face_handle = typename Maintained::Face_handle;
   using Static_triangulation = Static_triangulation_2<Traits>;
   using Static_vertex_handle = typename Static_triangulation::Vertex_handle;
+  using Numbered_point = typename Hilbert_order_2<Traits>::Numbered_point;
 
 public:
   explicit Topology_editor_2(Maintained& maintained)
@@ -105,18 +102,27 @@ public:
   // The first triangulation of `points`.
   void build(const std::vector<Point>& points)
   {
-    std::vector<Index> order(points.size());
-    std::iota(order.begin(), order.end(), 0);
-    build(std::move(order), [&](Index id) -> const Point& { return points[id]; });
+    m_points.clear();
+    m_points.reserve(points.size());
+    for (const Point& p : points)
+      m_points.emplace_back(p, Index(m_points.size()));
+    build();
   }
 
   // A fresh triangulation of the points where they are now, in the order of the last one.
   void rebuild()
   {
-    build(m_maintained.ids.in_vertex_order(), [this](Index id) -> const Point& {
-      const auto& ids = m_maintained.ids;
-      return ids.is_host(id) ? m_maintained.point(ids.vertex(id)) : ids.guest(id).point;
-    });
+    const auto& ids = m_maintained.ids;
+    m_points.clear();
+    m_points.reserve(ids.number_of_points());
+    if (ids.guests().empty())
+      for (Index v = 1; v < Index(m_maintained.vertices.size()); ++v)
+        m_points.emplace_back(m_maintained.point(v), ids.host(v));
+    else
+      for (const Index id : ids.in_vertex_order())
+        m_points.emplace_back(
+            ids.is_host(id) ? m_maintained.point(ids.vertex(id)) : ids.guest(id).point, id);
+    build();
   }
 
   // Moves vertex v to p by CGAL's own means, in a Delaunay triangulation: false if another vertex
@@ -151,48 +157,48 @@ public:
 private:
   // BUILDING ------------------------------------------------------------------------------------
 
-  template <class Point_of>
-  void build(std::vector<Index> order, const Point_of& point_of)
+  // Of m_points.
+  void build()
   {
-    if (is_spoilt(order, point_of))
-      sort(order, point_of);
+    renew_order();
     Point_ids_2<Point> ids;
-    triangulate(order, point_of, ids);
-    take_vertices(ids, point_of);
+    triangulate(ids);
+    take_vertices(ids);
     m_maintained.ids = std::move(ids);
     take_faces();
     m_maintained.everything_is_new = true;
+    // what was copied from would take as much memory as the triangulation
+    m_static.clear();
+    std::vector<Numbered_point>().swap(m_points);
+    std::vector<Static_vertex_handle>().swap(m_static_vertices);
   }
 
-  // Whether walking from point to point has become more than twice as long, for the size of the
-  // whole, as when the order was last renewed: insertion locates each point from the one before.
-  template <class Point_of>
-  bool is_spoilt(const std::vector<Index>& order, const Point_of& point_of) const
+  // Sorts the points anew if walking from one to the next has become more than twice as long, for
+  // the size of the whole, as when they were last sorted: insertion locates each from the one
+  // before. It starts from the order of the ids, so that the result depends on the positions alone.
+  void renew_order()
   {
-    return !(walk(order, point_of) <= 2 * m_walk_when_sorted);
+    if (walk() <= 2 * m_walk_when_sorted)
+      return;
+    std::vector<Numbered_point> by_id(m_points.size());
+    for (Numbered_point& point : m_points) {
+      const Index id = point.second;
+      by_id[id] = std::move(point);
+    }
+    m_points.swap(by_id);
+    Hilbert_order_2<Traits>(m_maintained.traits()).sort(m_points);
+    m_walk_when_sorted = walk();
   }
 
-  template <class Point_of>
-  void sort(std::vector<Index>& order, const Point_of& point_of)
+  // Its length, divided by the extent of the points; a NaN if it overflows.
+  double walk() const
   {
-    std::sort(order.begin(), order.end()); // so that the result depends on the positions alone
-    const auto map = boost::make_function_property_map<Index, const Point&>(point_of);
-    hilbert_sort(order.begin(), order.end(),
-                 Spatial_sort_traits_adapter_2<Traits, std::decay_t<decltype(map)>>(
-                     map, m_maintained.traits()));
-    m_walk_when_sorted = walk(order, point_of);
-  }
-
-  template <class Point_of>
-  static double walk(const std::vector<Index>& order, const Point_of& point_of)
-  {
-    if (order.empty())
+    if (m_points.empty())
       return 0;
-    const auto at = [&](Index id) { return approximation(point_of(id)); };
-    Position_2 last = at(order.front()), low = last, high = last;
+    Position_2 last = approximation(m_points.front().first), low = last, high = last;
     double length = 0;
-    for (const Index id : order) {
-      const Position_2 p = at(id);
+    for (const Numbered_point& point : m_points) {
+      const Position_2 p = approximation(point.first);
       length += std::abs(p.x - last.x) + std::abs(p.y - last.y);
       low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y)};
       high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y)};
@@ -209,61 +215,64 @@ private:
 
   // Triangulates the points and tells hosts from guests. Whoever was a host is inserted before
   // those who were guests, so that it stays one.
-  template <class Point_of>
-  void triangulate(const std::vector<Index>& order, const Point_of& point_of,
-                   Point_ids_2<Point>& ids)
+  void triangulate(Point_ids_2<Point>& ids)
   {
     m_static.clear();
-    m_static_vertices.assign(order.size(), {});
+    m_static_vertices.assign(m_points.size(), {});
     m_coincident.clear();
     const auto insert = [&](std::size_t i) {
-      const auto [vertex, is_new] = m_static.insert(point_of(order[i]), order[i]);
+      const auto [vertex, is_new] = m_static.insert(m_points[i].first, 0);
       if (is_new)
         m_static_vertices[i] = vertex;
       else
-        m_coincident.push_back({order[i], vertex});
+        m_coincident.push_back({i, vertex});
     };
     const auto& old_ids = m_maintained.ids;
+    const bool were_guests = !old_ids.guests().empty();
     const auto was_guest = [&](std::size_t i) {
-      return order[i] < old_ids.number_of_points() && !old_ids.is_host(order[i]);
+      const Index id = m_points[i].second;
+      return were_guests && id < old_ids.number_of_points() && !old_ids.is_host(id);
     };
-    for_each_in_rounds(order.size(), [&](std::size_t i) {
+    for_each_in_rounds(m_points.size(), [&](std::size_t i) {
       if (!was_guest(i))
         insert(i);
     });
-    if (!old_ids.guests().empty())
-      for (std::size_t i = 0; i < order.size(); ++i)
+    if (were_guests)
+      for (std::size_t i = 0; i < m_points.size(); ++i)
         if (was_guest(i))
           insert(i);
-    number_vertices(order, point_of, ids);
+    number_vertices(ids);
   }
 
+  // Of the points that are built.
+  bool is_host(std::size_t i) const { return m_static_vertices[i] != Static_vertex_handle(); }
+
   // Numbers the vertices in the order of the points.
-  template <class Point_of>
-  void number_vertices(const std::vector<Index>& order, const Point_of& point_of,
-                       Point_ids_2<Point>& ids) const
+  void number_vertices(Point_ids_2<Point>& ids)
   {
-    ids.reset(Index(order.size()));
-    for (std::size_t i = 0; i < order.size(); ++i)
-      if (m_static_vertices[i] != Static_vertex_handle())
-        m_static_vertices[i]->info() = ids.add_host(order[i]);
-    for (const auto& [id, vertex] : m_coincident)
-      ids.add_guest(id, ids.host(vertex->info()), point_of(id));
+    ids.reset(Index(m_points.size()));
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      if (is_host(i))
+        m_static_vertices[i]->info() = ids.add_host(m_points[i].second);
+    for (const auto& [i, vertex] : m_coincident)
+      ids.add_guest(m_points[i].second, ids.host(vertex->info()), m_points[i].first);
     ids.sort_guests();
   }
 
   // Gives every host its vertex: the one that it had, if it had one of its own.
-  template <class Point_of>
-  void take_vertices(const Point_ids_2<Point>& ids, const Point_of& point_of)
+  void take_vertices(const Point_ids_2<Point>& ids)
   {
     auto& tds = m_maintained.triangulation.tds();
     const auto& old_ids = m_maintained.ids;
     std::vector<Vertex_handle> vertices(1, m_maintained.triangulation.infinite_vertex());
     std::vector<Position_2> positions(1, Maintained::nowhere());
+    vertices.reserve(ids.number_of_hosts() + 1);
+    positions.reserve(ids.number_of_hosts() + 1);
     std::vector<Vertex_handle> idle = m_maintained.vertices;
-    for (Index v = 1; v <= ids.number_of_hosts(); ++v) {
-      const Index id = ids.host(v);
-      const Point& p = point_of(id);
+    for (std::size_t i = 0; i < m_points.size(); ++i) {
+      if (!is_host(i))
+        continue;
+      const auto& [p, id] = m_points[i];
       Vertex_handle vertex;
       if (id < old_ids.number_of_points() && old_ids.is_host(id)) {
         std::swap(vertex, idle[old_ids.vertex(id)]);
@@ -271,7 +280,6 @@ private:
         vertex = tds.create_vertex();
         vertex->set_point(p);
       }
-      vertex->set_mirror_index(v);
       vertices.push_back(vertex);
       positions.push_back(approximation(p));
     }
@@ -291,6 +299,7 @@ private:
   {
     using Static_face_handle = typename Static_triangulation::Face_handle;
     std::vector<Static_face_handle> static_faces;
+    static_faces.reserve(m_static.faces().size());
     auto& stored = m_static.faces();
     for (auto f = stored.begin(); f != stored.end(); ++f) {
       f->info() = Index(static_faces.size());
@@ -312,6 +321,7 @@ private:
   {
     auto& tds = m_maintained.triangulation.tds();
     auto& faces = m_maintained.faces;
+    faces.reserve(number);
     while (faces.size() > number) {
       tds.delete_face(faces.back());
       faces.pop_back();
@@ -333,14 +343,22 @@ private:
       faces[f]->set_neighbors(faces[mirror.twin(h) / 3], faces[mirror.twin(h + 1) / 3],
                               faces[mirror.twin(h + 2) / 3]);
     }
-    for (Index v = 0; v < Index(vertices.size()); ++v)
+    // a vertex stays where it is in memory, wherever it has gone in the plane
+    constexpr Index ahead = 16;
+    for (Index v = 0; v < Index(vertices.size()); ++v) {
+      if (v + ahead < Index(vertices.size()))
+        prefetch(&*vertices[v + ahead]);
+      vertices[v]->set_mirror_index(v);
       vertices[v]->set_face(faces[mirror.corner(v) / 3]);
+    }
   }
 
   // Below dimension 2, where there is no mirror.
   template <class Static_face_handle>
   void copy_faces(const std::vector<Static_face_handle>& static_faces)
   {
+    for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v)
+      m_maintained.vertices[v]->set_mirror_index(v);
     const auto& faces = m_maintained.faces;
     for (std::size_t f = 0; f < faces.size(); ++f)
       for (int i = 0; i < 3; ++i) {
@@ -472,10 +490,10 @@ private:
 
   Maintained& m_maintained;
   Static_triangulation m_static;
-  std::vector<Static_vertex_handle>
-      m_static_vertices; // of each point in its order, if it is a host
-  std::vector<std::pair<Index, Static_vertex_handle>>
-      m_coincident; // who is not, and whose guest it is
+  // what is built, in the order of insertion's rounds
+  std::vector<Numbered_point> m_points;
+  std::vector<Static_vertex_handle> m_static_vertices; // of each of m_points, if it is a host
+  std::vector<std::pair<std::size_t, Static_vertex_handle>> m_coincident; // guests, and with whom
   std::vector<Index> m_inner_edges;
   std::vector<Index> m_flipped; // half-edges, in the order of their flips
   double m_walk_when_sorted = 0;
