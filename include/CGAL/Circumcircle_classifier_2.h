@@ -68,6 +68,8 @@ public:
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified)
   {
+    if (m_frames_to_rest == 0 && !m_safe_edges.holds())
+      m_safe_edges.measure_step(frame);
     m_safe_edges.learn(frame); // nothing is new, unless an exception ended the last update
     if (!frame.positions_are_exact()) {
       m_safe_edges.drop();

@@ -186,7 +186,7 @@ public:
     Maintained& maintained = m_core->maintained;
     m_core->input.stage(first, beyond, point_map, maintained);
     const bool was_certified = std::exchange(m_is_certified, false);
-    maintained.exchange_positions();
+    const Point_writer writer{maintained};
     forget_news();
     Update_report_2 report;
     if (!maintained.is_mirrored())
@@ -342,13 +342,20 @@ private:
     }
   };
 
+  // Gives CGAL's vertices their points in the end, also if a repair throws.
+  struct Point_writer
+  {
+    Maintained& maintained;
+    ~Point_writer() { maintained.write_points(); }
+  };
+
   // Asks the classifier. If it throws, the points go back to where they were.
   void classify(Update_report_2& report, bool was_certified)
   {
     try {
       m_classifier(frame(), m_core->mender.start(report));
     } catch (...) {
-      m_core->maintained.exchange_positions();
+      m_core->input.unstage(m_core->maintained);
       m_is_certified = was_certified;
       throw;
     }

@@ -77,7 +77,10 @@ public:
   /// where all vertices are, by their numbers.
   const std::vector<Position>& positions() const { return m_maintained->positions; }
   /// where vertex `v` was one frame ago. Only while classifying.
-  const Position& previous_position(Index v) const { return m_maintained->previous_positions[v]; }
+  Position previous_position(Index v) const
+  {
+    return Maintained::approximation(m_maintained->previous_point(v));
+  }
   /// whether all positions are the very coordinates of the points, none of them rounded.
   bool positions_are_exact() const { return m_maintained->positions_are_exact; }
 

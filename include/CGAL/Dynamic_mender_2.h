@@ -140,16 +140,15 @@ public:
     splice(vertices, padding);
   }
 
-  /// takes all vertices back to where they were a frame ago, and lets CGAL's
-  /// `move_if_no_collision()` bring one after the other to where it is now. Rebuilds if the
-  /// triangulation was not certified a frame ago, or if points coincide.
+  /// lets CGAL's `move_if_no_collision()` bring one vertex after the other from where it was a
+  /// frame ago to where it is now. Rebuilds if the triangulation was not certified a frame ago, if
+  /// it was rebuilt since, or if points coincide.
   void relocate()
   {
-    if (!m_was_certified)
+    if (!m_was_certified || m_maintained.points_are_written)
       return rebuild(Rebuild_reason_2::STUCK);
-    m_maintained.exchange_positions();
     const bool all_arrived = relocate_all();
-    m_maintained.exchange_positions();
+    m_maintained.write_points();
     m_editor.read_back();
     m_open.clear();
     if (!all_arrived)
@@ -232,7 +231,7 @@ private:
   {
     std::vector<Index> waiting;
     for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
-      if (m_maintained.point(v) != m_maintained.next_point(v))
+      if (m_maintained.point(v) != m_maintained.previous_point(v))
         waiting.push_back(v);
     // whoever finds its place taken tries again when the others have moved on
     for (std::size_t before = waiting.size() + 1; !waiting.empty() && waiting.size() < before;) {
@@ -240,7 +239,7 @@ private:
       waiting.erase(std::remove_if(waiting.begin(), waiting.end(),
                                    [this](Index v) {
                                      const bool arrived =
-                                         m_editor.relocate(v, m_maintained.next_point(v));
+                                         m_editor.relocate(v, m_maintained.point(v));
                                      m_report->relocated += arrived;
                                      return arrived;
                                    }),

@@ -43,17 +43,29 @@ public:
     return points;
   }
 
-  // Writes a frame into the previous positions, from where it is exchanged into place.
+  // Reads a frame into the positions; CGAL's vertices keep the points of the last one until they
+  // are written. If the frame is refused, or reading it throws, all is as it was.
   template <class InputIterator, class PointMap>
   void stage(InputIterator first, InputIterator beyond, const PointMap& point_map,
              Maintained& maintained)
   {
-    using Category = typename std::iterator_traits<InputIterator>::iterator_category;
-    maintained.previous_guests = maintained.ids.guests();
-    if constexpr (std::is_convertible_v<Category, std::random_access_iterator_tag>)
-      if (maintained.ids.guests().empty())
-        return stage_all_hosts(first, beyond, point_map, maintained);
-    stage_one_by_one(first, beyond, point_map, maintained);
+    maintained.next_guests = maintained.ids.guests();
+    maintained.previous_positions_are_exact = maintained.positions_are_exact;
+    try {
+      stage_all(first, beyond, point_map, maintained);
+    } catch (...) {
+      maintained.restore_positions();
+      throw;
+    }
+    maintained.points_are_written = false;
+    std::swap(maintained.ids.guests(), maintained.next_guests);
+  }
+
+  // Takes it back.
+  void unstage(Maintained& maintained)
+  {
+    maintained.restore_positions();
+    std::swap(maintained.ids.guests(), maintained.next_guests);
   }
 
   // Whether points that shared a vertex until now are at different places.
@@ -66,6 +78,17 @@ public:
   }
 
 private:
+  template <class InputIterator, class PointMap>
+  static void stage_all(InputIterator first, InputIterator beyond, const PointMap& point_map,
+                        Maintained& maintained)
+  {
+    using Category = typename std::iterator_traits<InputIterator>::iterator_category;
+    if constexpr (std::is_convertible_v<Category, std::random_access_iterator_tag>)
+      if (maintained.ids.guests().empty())
+        return stage_all_hosts(first, beyond, point_map, maintained);
+    stage_one_by_one(first, beyond, point_map, maintained);
+  }
+
   // Where each point has a vertex of its own, and all are at hand: in the order of the vertices,
   // without a branch. A coordinate x is finite if 0x is 0; two sums take turns, so that no addition
   // waits for the one before.
@@ -99,7 +122,7 @@ private:
       stage(v, odd);
     if (!(odd.x + odd.y + even.x + even.y == 0))
       throw_non_finite(first, beyond, point_map);
-    maintained.previous_positions_are_exact = are_exact;
+    maintained.positions_are_exact = are_exact;
   }
 
   template <class InputIterator, class PointMap>
@@ -116,12 +139,12 @@ private:
   {
     const Index points = maintained.ids.number_of_points();
     bool are_exact = true;
-    auto guest = maintained.previous_guests.begin(); // sorted by id
+    auto guest = maintained.next_guests.begin(); // sorted by id
     Index id = 0;
     for (; id < points && first != beyond; ++id, ++first) {
       const Point& p = get(point_map, *first);
       const Position_2 position = read_position(p, id, are_exact);
-      if (guest != maintained.previous_guests.end() && guest->id == id)
+      if (guest != maintained.next_guests.end() && guest->id == id)
         (guest++)->point = p;
       else
         write(position, p, maintained.ids.vertex(id), maintained);
@@ -130,7 +153,7 @@ private:
       throw Point_count_error_2(points, points + std::size_t(1));
     if (id < points)
       throw Point_count_error_2(points, id);
-    maintained.previous_positions_are_exact = are_exact;
+    maintained.positions_are_exact = are_exact;
   }
 
   static Position_2 read_position(const Point& p, std::size_t id, bool& are_exact)
@@ -154,9 +177,9 @@ private:
   static void write(const Position_2& position, const Point& p, Index vertex,
                     Maintained& maintained)
   {
-    maintained.previous_positions[vertex] = position;
+    maintained.positions[vertex] = position;
     if constexpr (!Maintained::coordinates_are_doubles)
-      maintained.previous_points[vertex] = p;
+      maintained.next_points[vertex] = p;
   }
 };
 

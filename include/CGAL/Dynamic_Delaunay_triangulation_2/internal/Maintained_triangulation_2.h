@@ -37,7 +37,6 @@ struct Maintained_triangulation_2
     : triangulation(traits)
     , vertices(1, triangulation.infinite_vertex())
     , positions(1, nowhere())
-    , previous_positions(1, nowhere())
   {
     ids.reset(0);
     auto& stored = triangulation.tds().faces(); // an empty triangulation has one, of dimension -1
@@ -52,52 +51,64 @@ struct Maintained_triangulation_2
   }
 
   Index number_of_vertices() const { return Index(vertices.size()) - 1; }
-  const Point& point(Index vertex) const { return vertices[vertex]->point(); }
-  const Traits& traits() const { return triangulation.geom_traits(); }
 
-  // Where a vertex goes when positions are exchanged.
-  Point next_point(Index vertex) const
+  // Where a vertex is. While a frame is on its way, CGAL's vertex still has the point of the last
+  // one.
+  decltype(auto) point(Index vertex) const
   {
     if constexpr (coordinates_are_doubles)
-      return Point(previous_positions[vertex].x, previous_positions[vertex].y);
+      return Point(positions[vertex].x, positions[vertex].y);
     else
-      return previous_points[vertex];
+      return (points_are_written ? vertices[vertex]->point() : next_points[vertex]);
   }
+
+  const Traits& traits() const { return triangulation.geom_traits(); }
+
+  // Where it was a frame ago, while the points are not written.
+  const Point& previous_point(Index vertex) const { return vertices[vertex]->point(); }
 
   // The mirror exists in dimension 2 only: below, every frame is a rebuild.
   bool is_mirrored() const { return triangulation.dimension() == 2; }
 
-  // Makes the staged positions the current ones, and the current ones the previous.
-  void exchange_positions()
+  // Gives CGAL's vertices the points of the frame.
+  void write_points()
   {
-    std::swap(positions, previous_positions);
-    std::swap(positions_are_exact, previous_positions_are_exact);
-    if constexpr (coordinates_are_doubles) {
+    if (!std::exchange(points_are_written, true)) {
       if (vertices.size() < fewest_vertices_to_prefetch)
-        write_points<false>();
+        write_all_points<false>();
       else
-        write_points<true>();
-    } else {
-      for (Index v = 1; v < Index(vertices.size()); ++v) {
-        Point current = vertices[v]->point();
-        vertices[v]->set_point(previous_points[v]);
-        previous_points[v] = std::move(current);
-      }
+        write_all_points<true>();
     }
-    std::swap(ids.guests(), previous_guests);
+  }
+
+  // Goes back to the points of CGAL's vertices.
+  void restore_positions()
+  {
+    points_are_written = true;
+    positions_are_exact = previous_positions_are_exact;
+    for (Index v = 1; v < Index(vertices.size()); ++v)
+      positions[v] = approximation(vertices[v]->point());
+  }
+
+  static Position_2 approximation(const Point& p)
+  {
+    return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
   }
 
 private:
   // The vertices stand in memory as the points came at first: after much motion, anywhere.
   template <bool prefetches>
-  void write_points()
+  void write_all_points()
   {
     constexpr Index ahead = 16;
     const Index bound = Index(vertices.size());
     for (Index v = 1; v < bound; ++v) {
       if (prefetches && v + ahead < bound)
         prefetch(&*vertices[v + ahead]);
-      vertices[v]->set_point(Point(positions[v].x, positions[v].y));
+      if constexpr (coordinates_are_doubles)
+        vertices[v]->set_point(Point(positions[v].x, positions[v].y));
+      else
+        vertices[v]->set_point(next_points[v]);
     }
   }
 
@@ -108,10 +119,10 @@ public:
   std::vector<Face_handle> faces;      // of each face index
   Point_ids_2<Point> ids;
 
-  std::vector<Position_2> positions;          // of each vertex index
-  std::vector<Position_2> previous_positions; // one frame ago; the staging place of the next frame
-  std::vector<Point> previous_points;         // the same, where coordinates are not doubles
-  std::vector<typename Point_ids_2<Point>::Guest> previous_guests;
+  std::vector<Position_2> positions; // of each vertex index
+  std::vector<Point> next_points;    // the same, where coordinates are not doubles, to be written
+  std::vector<typename Point_ids_2<Point>::Guest> next_guests;
+  bool points_are_written = true;  // into CGAL's vertices
   bool positions_are_exact = true; // no coordinate was rounded on its way into the flat arrays
   bool previous_positions_are_exact = true;
 

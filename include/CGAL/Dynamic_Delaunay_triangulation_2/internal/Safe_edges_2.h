@@ -44,8 +44,21 @@ public:
 
   void drop() { m_holds = false; }
 
+  // How far vertices go from frame to frame, while the previous positions are at hand.
+  template <class Frame>
+  void measure_step(const Frame& frame)
+  {
+    m_sample.clear();
+    const std::size_t vertices = frame.number_of_vertices();
+    for (std::size_t i = 0; i < sample_size; ++i) {
+      const Index v = Index(1 + i * vertices / sample_size);
+      m_sample.push_back(distance(frame.position(v), frame.previous_position(v)));
+    }
+    m_typical_step = quantile(2);
+  }
+
   // Takes the positions of the frame for references, with the tolerance that makes one edge in
-  // `share` tight. Not if a typical vertex, at its present speed, would leave that within a few
+  // `share` tight. Not if a typical vertex, at its measured speed, would leave that within a few
   // frames.
   template <class Frame>
   void start(const Frame& frame, std::size_t share)
@@ -54,7 +67,7 @@ public:
     m_moved.clear();
     choose_tolerance(frame, share);
     if (!(m_tolerance > Edge_slack_2::smallest_tolerance) ||
-        typical_step(frame) * fewest_frames > m_tolerance)
+        m_typical_step * fewest_frames > m_tolerance)
       return;
     m_references = frame.positions();
     m_tight.clear(frame.number_of_edges());
@@ -147,18 +160,6 @@ private:
     m_tolerance = quantile(share);
   }
 
-  template <class Frame>
-  double typical_step(const Frame& frame)
-  {
-    m_sample.clear();
-    const std::size_t vertices = frame.number_of_vertices();
-    for (std::size_t i = 0; i < sample_size; ++i) {
-      const Index v = Index(1 + i * vertices / sample_size);
-      m_sample.push_back(distance(frame.position(v), frame.previous_position(v)));
-    }
-    return quantile(2);
-  }
-
   // What one in `part` of the sample is smaller than.
   double quantile(std::size_t part)
   {
@@ -205,6 +206,7 @@ private:
 
   bool m_holds = false;
   double m_tolerance = 0;
+  double m_typical_step = 0;
   std::vector<Position_2> m_references; // of each vertex
   Index_set_2 m_tight;
   bool m_hull_is_checked = false;

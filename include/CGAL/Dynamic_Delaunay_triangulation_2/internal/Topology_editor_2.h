@@ -195,10 +195,10 @@ private:
   {
     if (m_points.empty())
       return 0;
-    Position_2 last = approximation(m_points.front().first), low = last, high = last;
+    Position_2 last = Maintained::approximation(m_points.front().first), low = last, high = last;
     double length = 0;
     for (const Numbered_point& point : m_points) {
-      const Position_2 p = approximation(point.first);
+      const Position_2 p = Maintained::approximation(point.first);
       length += std::abs(p.x - last.x) + std::abs(p.y - last.y);
       low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y)};
       high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y)};
@@ -206,11 +206,6 @@ private:
     }
     const double extent = (high.x - low.x) + (high.y - low.y);
     return extent > 0 ? length / extent : 0;
-  }
-
-  static Position_2 approximation(const Point& p)
-  {
-    return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
   }
 
   // Triangulates the points and tells hosts from guests. Whoever was a host is inserted before
@@ -278,19 +273,19 @@ private:
         std::swap(vertex, idle[old_ids.vertex(id)]);
       } else {
         vertex = tds.create_vertex();
-        vertex->set_point(p);
       }
+      vertex->set_point(p);
       vertices.push_back(vertex);
-      positions.push_back(approximation(p));
+      positions.push_back(Maintained::approximation(p));
     }
     for (Index v = 1; v < Index(idle.size()); ++v)
       if (idle[v] != Vertex_handle())
         tds.delete_vertex(idle[v]);
     m_maintained.vertices = std::move(vertices);
     m_maintained.positions = std::move(positions);
-    m_maintained.previous_positions = m_maintained.positions;
+    m_maintained.points_are_written = true;
     if constexpr (!Maintained::coordinates_are_doubles)
-      m_maintained.previous_points.resize(m_maintained.vertices.size());
+      m_maintained.next_points.resize(m_maintained.vertices.size());
   }
 
   // Copies the topology of the static triangulation: into the mirror, and from there, face by face,
