@@ -7,6 +7,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_proofs_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Safe_edges_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Safe_edges_schedule_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -68,7 +69,7 @@ public:
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified)
   {
-    if (m_frames_to_rest == 0 && !m_safe_edges.holds())
+    if (m_schedule.is_near() && !m_safe_edges.holds())
       m_safe_edges.measure_step(frame);
     m_safe_edges.learn(frame); // nothing is new, unless an exception ended the last update
     if (!frame.positions_are_exact()) {
@@ -103,34 +104,15 @@ public:
   void after_update(const Frame& frame)
   {
     m_safe_edges.learn(frame);
-    if (m_safe_edges.holds())
-      ++m_frames_held;
-    else if (m_frames_to_rest > 0)
-      --m_frames_to_rest;
-    else
-      start_safe_edges(frame);
+    if (m_schedule.is_due(m_safe_edges.holds()) && frame.positions_are_exact() &&
+        !frame.everything_is_new())
+      m_safe_edges.start(frame, m_schedule.share());
   }
 
 private:
   using Index = Dynamic_Delaunay_triangulations_2::Index;
 
   static constexpr std::size_t sample_size = 64;
-
-  // Finding out which edges are safe costs as much as some ten frames: after each time that it was
-  // not worth it the next attempt waits for twice as long, and takes a larger tolerance.
-  template <class Frame>
-  void start_safe_edges(const Frame& frame)
-  {
-    constexpr unsigned frames_worth_it = 64, shortest_rest = 8, longest_rest = 256;
-    const bool was_worth_it = m_frames_held >= frames_worth_it;
-    m_patience = was_worth_it ? shortest_rest : (std::min)(2 * m_patience, longest_rest);
-    if (m_frames_held > 0 && !was_worth_it)
-      m_share_of_tight_edges = m_share_of_tight_edges == 20 ? 12 : 20;
-    m_frames_to_rest = m_patience;
-    m_frames_held = 0;
-    if (frame.positions_are_exact() && !frame.everything_is_new())
-      m_safe_edges.start(frame, m_share_of_tight_edges);
-  }
 
   // The edges are shared out in equal parts, each with a list of its own, so that their order is
   // the same on any number of threads. A part of fewer edges costs more to hand out than to do.
@@ -210,10 +192,7 @@ private:
   unsigned m_threads;
   Dynamic_Delaunay_triangulations_2::internal::Safe_edges_2 m_safe_edges;
   bool m_is_chaos = false; // in the last frame nearly all edges were broken
-  unsigned m_frames_held = 0;
-  unsigned m_frames_to_rest = 4;
-  unsigned m_patience = 4;
-  unsigned m_share_of_tight_edges = 20;       // one in so many
+  Dynamic_Delaunay_triangulations_2::internal::Safe_edges_schedule_2 m_schedule;
   std::vector<std::vector<Index>> m_unproved; // of each part
 #ifdef CGAL_LINKED_WITH_TBB
   std::shared_ptr<tbb::task_arena> m_arena;
