@@ -6,6 +6,8 @@
 
 #include <CGAL/Update_report_2.h>
 
+#include <cstddef>
+
 namespace CGAL {
 
 /*!
@@ -44,12 +46,14 @@ public:
   }
 
 private:
-  // On random clouds mending and rebuilding cost the same when between an eighth and a sixth of the
-  // edges are open, from 1e3 to 1e5 points.
+  // On random clouds mending and rebuilding cost the same when a seventh of the edges are open, and
+  // a tenth where the flat arrays no longer fit the second-level cache.
   template <class Mender>
   static bool is_too_much(const Mender& mender)
   {
-    return 7 * mender.number_of_open_edges() > mender.number_of_edges();
+    constexpr std::size_t most_edges_in_cache = 3 * 4096;
+    const std::size_t share = mender.number_of_edges() < most_edges_in_cache ? 7 : 9;
+    return share * mender.number_of_open_edges() > mender.number_of_edges();
   }
 
   unsigned m_padding;

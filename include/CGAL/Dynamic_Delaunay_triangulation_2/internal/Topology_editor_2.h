@@ -160,11 +160,10 @@ private:
   // Of m_points.
   void build()
   {
-    renew_order();
-    Point_ids_2<Point> ids;
-    triangulate(ids);
-    take_vertices(ids);
-    m_maintained.ids = std::move(ids);
+    const bool is_sorted_anew = renew_order();
+    triangulate();
+    if (is_sorted_anew || !has_a_vertex_each())
+      number_points();
     take_faces();
     m_maintained.everything_is_new = true;
     // what was copied from would take as much memory as the triangulation
@@ -176,10 +175,10 @@ private:
   // Sorts the points anew if walking from one to the next has become more than twice as long, for
   // the size of the whole, as when they were last sorted: insertion locates each from the one
   // before. It starts from the order of the ids, so that the result depends on the positions alone.
-  void renew_order()
+  bool renew_order()
   {
     if (walk() <= 2 * m_walk_when_sorted)
-      return;
+      return false;
     std::vector<Numbered_point> by_id(m_points.size());
     for (Numbered_point& point : m_points) {
       const Index id = point.second;
@@ -188,6 +187,13 @@ private:
     m_points.swap(by_id);
     Hilbert_order_2<Traits>(m_maintained.traits()).sort(m_points);
     m_walk_when_sorted = walk();
+    return true;
+  }
+
+  // Whether the points had a vertex each, in their present order, and have it again.
+  bool has_a_vertex_each() const
+  {
+    return m_coincident.empty() && m_maintained.number_of_vertices() == m_points.size();
   }
 
   // Its length, divided by the extent of the points; a NaN if it overflows.
@@ -210,13 +216,13 @@ private:
 
   // Triangulates the points and tells hosts from guests. Whoever was a host is inserted before
   // those who were guests, so that it stays one.
-  void triangulate(Point_ids_2<Point>& ids)
+  void triangulate()
   {
     m_static.clear();
     m_static_vertices.assign(m_points.size(), {});
     m_coincident.clear();
     const auto insert = [&](std::size_t i) {
-      const auto [vertex, is_new] = m_static.insert(m_points[i].first, 0);
+      const auto [vertex, is_new] = m_static.insert(m_points[i].first, Index(i + 1));
       if (is_new)
         m_static_vertices[i] = vertex;
       else
@@ -236,22 +242,28 @@ private:
       for (std::size_t i = 0; i < m_points.size(); ++i)
         if (was_guest(i))
           insert(i);
-    number_vertices(ids);
   }
 
   // Of the points that are built.
   bool is_host(std::size_t i) const { return m_static_vertices[i] != Static_vertex_handle(); }
 
   // Numbers the vertices in the order of the points.
-  void number_vertices(Point_ids_2<Point>& ids)
+  void number_points()
   {
+    Point_ids_2<Point> ids;
     ids.reset(Index(m_points.size()));
     for (std::size_t i = 0; i < m_points.size(); ++i)
       if (is_host(i))
-        m_static_vertices[i]->info() = ids.add_host(m_points[i].second);
+        ids.add_host(m_points[i].second);
+    if (!m_coincident.empty())
+      for (std::size_t i = 0; i < m_points.size(); ++i)
+        if (is_host(i))
+          m_static_vertices[i]->info() = ids.vertex(m_points[i].second);
     for (const auto& [i, vertex] : m_coincident)
       ids.add_guest(m_points[i].second, ids.host(vertex->info()), m_points[i].first);
     ids.sort_guests();
+    take_vertices(ids);
+    m_maintained.ids = std::move(ids);
   }
 
   // Gives every host its vertex: the one that it had, if it had one of its own.
