@@ -7,7 +7,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_filter_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/enum.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {

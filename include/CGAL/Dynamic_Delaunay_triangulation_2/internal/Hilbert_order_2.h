@@ -6,7 +6,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/hilbert_sort.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 #include <CGAL/property_map.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
 

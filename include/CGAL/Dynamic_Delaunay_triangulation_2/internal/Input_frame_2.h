@@ -6,7 +6,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -7,7 +7,7 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_ids_2.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <limits>
 #include <type_traits>

@@ -9,7 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Patch_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulation_2.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 #include <CGAL/Triangulation_utils_2.h>
 #include <CGAL/Unique_hash_map.h>
 
