@@ -71,7 +71,7 @@ public:
   {
     if (m_schedule.is_near() && !m_safe_edges.holds())
       m_safe_edges.measure_step(frame);
-    m_safe_edges.learn(frame); // nothing is new, unless an exception ended the last update
+    m_safe_edges.take_news(frame); // nothing is new, unless an exception ended the last update
     if (!frame.positions_are_exact()) {
       m_safe_edges.drop();
       for (Index e = 0; e < frame.number_of_edges(); ++e)

@@ -136,6 +136,18 @@ public:
       f(mirror.edge_of(mirror.previous(h)));
     });
   }
+
+  // Calls f(s) for the four other edges s of the two faces at edge e.
+  template <class Function>
+  void for_each_side(Index e, Function&& f) const
+  {
+    const auto& mirror = m_maintained->mirror;
+    const Index h = mirror.halfedge(e);
+    for (const Index g : {h, mirror.twin(h)}) {
+      f(mirror.edge_of(mirror.next(g)));
+      f(mirror.edge_of(mirror.previous(g)));
+    }
+  }
   /// \endcond
 
   /// @}

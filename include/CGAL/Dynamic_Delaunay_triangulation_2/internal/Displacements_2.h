@@ -26,6 +26,18 @@ inline double distance(const Position_2& p, const Position_2& q)
   return std::sqrt(squared_distance(p, q));
 }
 
+// What a computed squared distance must not exceed to prove that the distance is not larger than
+// `tolerance`: it is within 4u of the true one, relatively, u = 2^-53.
+inline double squared_bound(double tolerance)
+{
+  return tolerance * tolerance * (1 - 16 * 0x1p-53);
+}
+
+inline bool is_within(double tolerance, const Position_2& p, const Position_2& q)
+{
+  return squared_distance(p, q) <= squared_bound(tolerance);
+}
+
 // Appends the vertices [first, beyond) that are farther than the root of `bound` from their
 // references.
 inline void append_moved_plain(const Position_2* positions, const Position_2* references,
@@ -63,14 +75,13 @@ append_moved_avx2(const Position_2* positions, const Position_2* references, Ind
 
 #endif // CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
 
-// Appends all finite vertices that may be farther than `tolerance` from their references: a
-// computed squared distance is within 4u of the true one, relatively, u = 2^-53. False, and the
-// vertices are not complete, if they are more than `most`.
+// Appends all finite vertices that are not proved to be within `tolerance` of their references.
+// False, and the vertices are not complete, if they are more than `most`.
 inline bool append_moved(const std::vector<Position_2>& positions,
                          const std::vector<Position_2>& references, double tolerance,
                          std::size_t most, std::vector<Index>& moved)
 {
-  const double bound = tolerance * tolerance * (1 - 16 * 0x1p-53);
+  const double bound = squared_bound(tolerance);
   const Index vertices = Index(positions.size());
   constexpr Index part = 1 << 10; // motion everywhere is found out early
   for (Index first = 1; first < vertices && moved.size() <= most; first += part) {

@@ -64,7 +64,6 @@ public:
   void start(const Frame& frame, std::size_t share)
   {
     m_holds = false;
-    m_moved.clear();
     choose_tolerance(frame, share);
     if (!(m_tolerance > Edge_slack_2::smallest_tolerance) ||
         m_typical_step * fewest_frames > m_tolerance)
@@ -77,9 +76,18 @@ public:
     m_holds = m_tight.size() <= most_tight(frame);
   }
 
-  // Takes note of what was triangulated anew.
+  // Takes note of what was triangulated anew, at the end of an update.
   template <class Frame>
   void learn(const Frame& frame)
+  {
+    take_news(frame);
+    if (m_holds && !m_hull_is_checked)
+      check_hull(frame);
+  }
+
+  // The same after an update that did not come to its end.
+  template <class Frame>
+  void take_news(const Frame& frame)
   {
     if (!m_holds)
       return;
@@ -88,13 +96,12 @@ public:
       return;
     for (const Index e : frame.new_edges())
       consider_around(frame, e);
-    if (!m_hull_is_checked)
-      check_hull(frame);
     m_holds = m_tight.size() <= most_tight(frame);
   }
 
-  // Appends, in ascending order, edges among which are all that are not Delaunay. False, and
-  // nothing is known, if too many vertices have moved too far.
+  // Appends, in ascending order, edges among which are all that are not Delaunay: of those that
+  // were looked at, and of those that share an inverted face with one. False, and nothing is known,
+  // if too many vertices have moved too far.
   template <class Frame>
   bool append_unproved(const Frame& frame, std::vector<Index>& unproved)
   {
@@ -108,6 +115,14 @@ public:
     for (const Index v : m_moved)
       frame.for_each_edge_that_sees(v, [&](Index e) {
         m_hull_stays = m_hull_stays && !is_at_infinity(frame.edge(e));
+        if (!proves_delaunay(frame, e))
+          unproved.push_back(e);
+      });
+    unproved.erase(std::remove_if(unproved.begin(), unproved.end(),
+                                  [&](Index e) { return frame.is_delaunay(e); }),
+                   unproved.end());
+    for (std::size_t i = 0, broken = unproved.size(); i < broken; ++i)
+      frame.for_each_side(unproved[i], [&](Index e) {
         if (!proves_delaunay(frame, e))
           unproved.push_back(e);
       });
@@ -177,12 +192,17 @@ private:
       m_tight.insert(e);
   }
 
-  // Whether the hull turns once, and keeps to that. It does not matter that the hull may look
-  // different at the references: there it turns as often.
+  // Whether the hull of a certified triangulation, which turns once, keeps to that. It does not
+  // matter that the hull may look different at the references: as long as all its vertices are
+  // within the tolerance, it turns as often there.
   template <class Frame>
   void check_hull(const Frame& frame)
   {
-    m_hull_is_checked = m_moved.empty();
+    m_hull_is_checked = true;
+    frame.for_each_neighbor(infinite_index, [&](Index v) {
+      m_hull_is_checked =
+          m_hull_is_checked && is_within(m_tolerance, frame.position(v), m_references[v]);
+    });
     m_hull_is_safe = m_hull_is_checked && frame.hull_turns_once();
     if (m_hull_is_safe)
       frame.for_each_incident_edge(infinite_index, [&](Index e) {
