@@ -5,10 +5,12 @@
 // triangulating the same frame anew, timed in the same process in turn. One row for each case,
 // written as a table and as JSON.
 //
-//   read      reading, checking and writing the positions
+//   read      reading and checking the positions
 //   classify  the circumcircle classifier
 //   repair    flips, splices and rebuilds
-//   certify   all the rest: the end of the proof, and telling the classifier
+//   certify   all the rest: the end of the proof, writing the points into CGAL's vertices, and
+//   telling
+//             the classifier, which looks for safe edges then
 //   insert    CGAL's insertion of the range
 //   fastest   CGAL's insertion one by one in rounds along the last frame's Hilbert curve; of fresh
 //             clouds the better of insert and of sorting along that curve before
@@ -122,6 +124,8 @@ void add_static(Case_list& cases, const Table& table, const std::string& prefix,
                overrides, {motion->frames() - half, half});
   overrides.points = many_points;
   add_scenario(cases, table, joined(prefix, "static", many_points), "static", overrides, {0, 60});
+  add_scenario(cases, table, joined(prefix, "static_settled", many_points), "static", overrides,
+               {motion->frames() - half, 60});
 }
 
 void add_own_step(Case_list& cases)
@@ -211,7 +215,7 @@ void add_recorded(Case_list& cases)
 
 void add_memory(Case_list& cases)
 {
-  for (const double step : {0.001, 0.03}) {
+  for (const double step : {1e-9, 0.001, 0.03}) {
     cases.add(memory, with_number(joined("", "memory", many_points) + '/', step), [=] {
       return Case_result{memory_figures(*open("brownian", brownian_overrides(step)), 30)};
     });

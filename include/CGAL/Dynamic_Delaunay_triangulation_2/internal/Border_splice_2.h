@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -129,14 +130,15 @@ private:
     for (const Index v : m_inner)
       mirror.for_each_corner(v, [&](Index h) { m_old_faces.insert(h / 3); });
     m_old.clear();
-    m_place.resize(mirror.number_of_faces());
+    // of an old face among the old faces: not initialized, as few of the others are ever touched
+    const std::unique_ptr<Index[]> place(new Index[mirror.number_of_faces()]);
     for (Index k = 0; k < Index(m_old_faces.size()); ++k)
-      m_place[m_old_faces[k]] = k;
+      place[m_old_faces[k]] = k;
     for (const Index f : m_old_faces)
       for (Index h = 3 * f; h < 3 * f + 3; ++h) {
         const Index g = mirror.twin(h);
         m_old.apexes.push_back(mirror.apex(h));
-        m_old.twins.push_back(m_old_faces.contains(g / 3) ? 3 * m_place[g / 3] + g % 3 : no_index);
+        m_old.twins.push_back(m_old_faces.contains(g / 3) ? 3 * place[g / 3] + g % 3 : no_index);
       }
     m_old.find_boundary();
   }
@@ -266,7 +268,6 @@ private:
   std::size_t m_number_of_classified = 0;
   std::vector<Index> m_order;
   Index_set_2 m_old_faces;
-  std::vector<Index> m_place; // of an old face among the old faces
   Patch_2 m_old, m_new;
   std::vector<Index> m_outside;
   std::vector<Index> m_disagreeing;
