@@ -30,7 +30,9 @@ holds the vertex beyond it, one at a face that is not counterclockwise, one wher
 convex. It is *exact*: it misses none. The signs come from floating-point evaluations with proved
 error bounds over the flat arrays, and from the kernel's exact predicates where these do not decide.
 
-Cost: one pass over all edges.
+Cost: one pass over all edges; while vertices hardly move, one over all vertices and a few edges: it
+finds out which edges are proved to stay Delaunay (\ref DynamicDelaunayTriangulation2SafeEdges). A
+classifier that wraps it hands on `after_update()` always, or never.
 
 \cgalModels `DelaunayClassifier_2`
 */
