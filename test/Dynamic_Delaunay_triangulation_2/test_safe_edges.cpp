@@ -14,11 +14,36 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <limits>
 #include <memory>
+#include <new>
 #include <numeric>
 #include <ostream>
 #include <utility>
+
+// Memory that runs out after so many allocations, once; never, if it is negative. (Inlined, these
+// functions would draw a false warning about mismatched allocation from g++.)
+static long number_of_allocations_left = -1;
+
+[[gnu::noinline]] void* operator new(std::size_t size)
+{
+  if (number_of_allocations_left >= 0 && number_of_allocations_left-- == 0)
+    throw std::bad_alloc();
+  if (void* memory = std::malloc(size))
+    return memory;
+  throw std::bad_alloc();
+}
+
+[[gnu::noinline]] void operator delete(void* memory) noexcept
+{
+  std::free(memory);
+}
+
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
+{
+  std::free(memory);
+}
 
 namespace {
 
@@ -1579,6 +1604,81 @@ TYPED_TEST(Skipping, knows_what_a_repair_has_changed_that_failed)
     EXPECT_THROW(dt.update(points.begin(), points.end()), Failure);
     ASSERT_NO_FATAL_FAILURE(expect_followed(dt, home, true));
   }
+}
+
+// As long as it lives.
+class Scarcity
+{
+public:
+  explicit Scarcity(long allocations) { number_of_allocations_left = allocations; }
+  Scarcity(const Scarcity&) = delete;
+  Scarcity& operator=(const Scarcity&) = delete;
+  ~Scarcity() { number_of_allocations_left = -1; }
+};
+
+// False if memory ran out.
+template <class Dynamic>
+bool update_in_scarcity(Dynamic& dt, const std::vector<typename Dynamic::Point>& points,
+                        long allocations)
+{
+  try {
+    const Scarcity scarcity(allocations);
+    dt.update(points.begin(), points.end());
+    return true;
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+}
+
+TEST(Index_set, is_as_it_was_after_an_insertion_that_failed)
+{
+  internal::Index_set_2 set;
+  set.clear(1000);
+  for (Index i = 0; i < 1000; ++i) {
+    try {
+      const Scarcity scarcity(0);
+      set.insert(i);
+    } catch (const std::bad_alloc&) {
+      ASSERT_FALSE(set.contains(i)) << i;
+      ASSERT_TRUE(set.insert(i)) << i;
+    }
+    ASSERT_EQ(set.size(), i + 1);
+  }
+}
+
+TYPED_TEST(Skipping, goes_on_when_memory_has_run_out_for_the_references)
+{
+  const Trembling<Epick> motion({"uniform", Cloud<Epick>(74).uniform(300), 0}, 0, 1e-3);
+  for (long allocations = 0; allocations < 40; ++allocations) {
+    SCOPED_TRACE(testing::Message() << allocations << " allocations");
+    auto dt = this->triangulation_of(motion.at(0));
+    int frame = 0;
+    while (frame < 12 && update_in_scarcity(dt, motion.at(0), allocations))
+      ++frame;
+    stay(dt, motion.at(0), 2);
+    expect_followed(dt, 30, [&](int later) { return motion.at(later); });
+    if (this->HasFatalFailure())
+      return;
+  }
+}
+
+// A point jumps, and at any one of the allocations for that there is no memory; then it jumps on,
+// or comes back.
+TYPED_TEST(Skipping, goes_on_when_memory_has_run_out_for_a_repair)
+{
+  const auto home = Cloud<Epick>(75).uniform(600);
+  for (std::size_t jumper = 0; jumper < 2; ++jumper)
+    for (long allocations = 0, fails = 1; fails > 0; ++allocations) {
+      SCOPED_TRACE(testing::Message() << jumper << ", " << allocations << " allocations");
+      auto dt = this->triangulation_of(home);
+      for (int frame = 0; frame < 12; ++frame)
+        dt.update(home.begin(), home.end());
+      auto points = home;
+      points[jumper] = CGAL::midpoint(home[jumper], home[jumper + 200]);
+      fails = !update_in_scarcity(dt, points, allocations);
+      points[jumper] = CGAL::midpoint(home[jumper], home[jumper + 300]);
+      ASSERT_NO_FATAL_FAILURE(expect_followed(dt, jumper % 2 == 0 ? home : points, true));
+    }
 }
 
 template <class Repair>

@@ -35,8 +35,8 @@ public:
   {
     if (contains(i))
       return false;
+    m_members.push_back(i); // may throw
     m_words[i / bits] |= std::uint64_t(1) << i % bits;
-    m_members.push_back(i);
     return true;
   }
 

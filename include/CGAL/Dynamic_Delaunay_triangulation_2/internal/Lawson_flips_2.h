@@ -42,6 +42,7 @@ public:
     // round in circles. Recorded motion took at most 3 flips an edge to begin with.
     const std::size_t limit = 100 + 20 * open.size();
     Result result{0, false};
+    m_touched.clear(); // an exception may have ended the last run
     typename Topology_editor_2<Maintained>::Flip_series series(editor);
     for (std::size_t before = limit; !open.empty() && result.flips != before; illegal = 0) {
       before = result.flips;

@@ -64,8 +64,8 @@ public:
     void flip(Index h)
     {
       Maintained& maintained = m_editor.m_maintained;
-      m_editor.m_flipped.push_back(h);
       maintained.new_edges.push_back(maintained.mirror.edge_of(h));
+      m_editor.m_flipped.push_back(h); // nothing throws from here on
       maintained.mirror.flip(h);
     }
 
