@@ -81,7 +81,9 @@ public:
     CGAL_precondition(old_faces.size() == patch.number_of_faces());
     CGAL_precondition(outside.size() == patch.boundary.size());
     collect_inner_edges(old_faces);
-    write_faces(old_faces, patch);
+    auto& new_edges = m_maintained.new_edges;
+    new_edges.insert(new_edges.end(), m_inner_edges.begin(), m_inner_edges.end());
+    write_faces(old_faces, patch); // nothing throws from here on
     auto& mirror = m_maintained.mirror;
     const auto global = [&](Index h) { return 3 * old_faces[h / 3] + h % 3; };
     for (Index h = 0; h < Index(patch.twins.size()); ++h)
@@ -95,8 +97,6 @@ public:
         mirror.set_edge(*edge++, global(h));
     for (const Index h : outside)
       mirror.set_edge(mirror.edge_of(h), h);
-    auto& new_edges = m_maintained.new_edges;
-    new_edges.insert(new_edges.end(), m_inner_edges.begin(), m_inner_edges.end());
   }
 
   // The first triangulation of `points`.
@@ -160,12 +160,12 @@ private:
   // Of m_points.
   void build()
   {
+    m_maintained.everything_is_new = true; // also if memory runs out on the way
     const bool is_sorted_anew = renew_order();
     triangulate();
     if (is_sorted_anew || !has_a_vertex_each())
       number_points();
     take_faces();
-    m_maintained.everything_is_new = true;
     // what was copied from would take as much memory as the triangulation
     m_static.clear();
     std::vector<Numbered_point>().swap(m_points);
