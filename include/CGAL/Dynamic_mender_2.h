@@ -45,7 +45,7 @@ public:
   explicit Dynamic_mender_2(Maintained& maintained)
     : m_maintained(maintained)
     , m_editor(maintained)
-    , m_splice(maintained.traits())
+    , m_splice(maintained)
   {
   }
 
@@ -57,6 +57,7 @@ public:
     m_report = &report;
     m_is_planar = false;
     m_open.clear();
+    m_illegal.clear();
     m_padded.clear();
     m_border.clear();
     m_classification.clear(m_maintained);
@@ -70,7 +71,7 @@ public:
     m_was_certified = was_certified;
     m_report->classified = m_classification.size();
     open_classified();
-    m_is_planar = m_open.empty() && m_classification.hull_turns_once();
+    m_is_planar = number_of_open_edges() == 0 && m_classification.hull_turns_once();
   }
 
   // Whether the last tool has proved that the faces tile the convex hull; if no tool was used,
@@ -89,11 +90,14 @@ public:
   /// left open, the triangulation is rebuilt after the repair.
   bool has_to_prove() const { return m_has_to_prove; }
   /// the number of open edges.
-  std::size_t number_of_open_edges() const { return m_open.size(); }
+  std::size_t number_of_open_edges() const { return m_open.size() + m_illegal.size(); }
+  /// whether there are open edges other than those between faces that are known to be
+  /// counterclockwise.
+  bool has_inverted_edges() const { return !m_open.empty(); }
   /// the number of all edges.
   std::size_t number_of_edges() const { return m_maintained.mirror.number_of_edges(); }
   /// whether there is nothing left to do.
-  bool is_done() const { return m_open.empty() || m_report->rebuilt(); }
+  bool is_done() const { return number_of_open_edges() == 0 || m_report->rebuilt(); }
 
   /// @}
   /// \name Tools
@@ -104,20 +108,30 @@ public:
   /// cannot right: at inverted faces flips can get stuck.
   void flip()
   {
-    // the neighborhoods that it has looked at count as triangulated anew
-    auto& new_edges = m_maintained.new_edges;
-    new_edges.insert(new_edges.end(), m_open.begin(), m_open.end());
-    const auto result =
-        m_lawson.run(m_maintained, m_editor, m_open, m_number_of_illegal, m_has_to_prove);
-    m_number_of_illegal = 0;
-    m_report->flips += result.flips;
-    m_is_planar = result.is_planar;
+    if (!m_is_planar)
+      flip_inverted();
+    open_illegal();
+    flip_open();
+  }
+
+  /// the same for those open edges only that may have inverted faces, and what is around them; the
+  /// others stay open. If none is left, the faces tile the convex hull, which makes other flips
+  /// cheaper: they cannot double an edge, so that need not be looked for.
+  void flip_inverted()
+  {
+    flip_open();
+    if (!m_open.empty()) {
+      open_surroundings();
+      flip_open();
+    }
+    m_is_planar = m_has_to_prove && m_open.empty() && Certificate(m_maintained).hull_turns_once();
   }
 
   /// splices around the classified vertices with `padding` layers. Rebuilds if the region holds
   /// more than half of the vertices, also after it had to grow, or if points in it coincide.
   void splice_classified(unsigned padding)
   {
+    open_illegal();
     splice(m_classification.vertices(), padding);
     if (!m_report->rebuilt()) {
       for (std::size_t i = 0; i < m_splice.number_of_padded(); ++i)
@@ -130,13 +144,15 @@ public:
   /// `splice_classified()` does.
   void splice_open(unsigned padding)
   {
+    open_illegal();
+    splice_inverted(padding);
+  }
+
+  /// the same around those open edges only that may have inverted faces.
+  void splice_inverted(unsigned padding)
+  {
     std::vector<Index> vertices;
-    for (const Index e : m_open) {
-      const auto& edge = m_maintained.mirror.edge(e);
-      for (const Index v : {edge.source, edge.target, edge.left, edge.right})
-        if (!Dynamic_frame_2<Maintained>::is_infinite(v))
-          vertices.push_back(v);
-    }
+    for_each_open_vertex([&](Index v) { vertices.push_back(v); });
     splice(vertices, padding);
   }
 
@@ -151,6 +167,7 @@ public:
     m_maintained.write_points();
     m_editor.read_back();
     m_open.clear();
+    m_illegal.clear();
     if (!all_arrived)
       rebuild(Rebuild_reason_2::COINCIDENCE);
     else if (m_maintained.is_mirrored() && !Certificate(m_maintained).holds())
@@ -165,6 +182,7 @@ public:
     m_editor.rebuild();
     m_report->rebuild_reason = reason;
     m_open.clear();
+    m_illegal.clear();
     m_padded.clear();
     m_border.clear();
     m_classification.clear(m_maintained);
@@ -173,11 +191,11 @@ public:
   /// @}
 
 private:
-  // The edges that the classifier has named, those that it knows to be illegal last.
+  // The edges that the classifier has named.
   void open_classified()
   {
     m_open.clear();
-    m_number_of_illegal = 0;
+    m_illegal.clear();
     if (m_classification.is_everything()) {
       m_open.resize(number_of_edges());
       std::iota(m_open.begin(), m_open.end(), Index(0));
@@ -187,16 +205,54 @@ private:
     for (const Index v : m_classification.whole_vertices())
       frame.for_each_incident_edge(v, [this](Index e) { m_open.push_back(e); });
     const auto& edges = m_classification.edges();
+    const auto illegal = edges.end() - std::ptrdiff_t(m_classification.number_of_illegal_edges());
+    m_open.insert(m_open.end(), edges.begin(), illegal);
+    m_illegal.assign(illegal, edges.end());
+  }
+
+  void open_illegal()
+  {
+    m_open.insert(m_open.end(), m_illegal.begin(), m_illegal.end());
+    m_illegal.clear();
+  }
+
+  // What hinders the flips of an open edge may be another edge nearby that is illegal.
+  void open_surroundings()
+  {
+    const Dynamic_frame_2<Maintained> frame(m_maintained);
+    std::vector<Index> edges;
+    for_each_open_vertex(
+        [&](Index v) { frame.for_each_edge_that_sees(v, [&](Index e) { edges.push_back(e); }); });
     m_open.insert(m_open.end(), edges.begin(), edges.end());
-    m_number_of_illegal = m_classification.number_of_illegal_edges();
+    std::sort(m_open.begin(), m_open.end());
+    m_open.erase(std::unique(m_open.begin(), m_open.end()), m_open.end());
+  }
+
+  // The finite ones, some of them more than once.
+  template <class Function>
+  void for_each_open_vertex(const Function& f) const
+  {
+    for (const Index e : m_open) {
+      const auto& edge = m_maintained.mirror.edge(e);
+      for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+        if (!Dynamic_frame_2<Maintained>::is_infinite(v))
+          f(v);
+    }
+  }
+
+  void flip_open()
+  {
+    // the neighborhoods that it has looked at count as triangulated anew
+    auto& new_edges = m_maintained.new_edges;
+    new_edges.insert(new_edges.end(), m_open.begin(), m_open.end());
+    m_report->flips += m_lawson.run(m_maintained, m_editor, m_open, m_is_planar);
   }
 
   void splice(const std::vector<Index>& vertices, unsigned padding)
   {
     m_is_planar = false;
-    m_number_of_illegal = 0;
     std::size_t growths = 0;
-    const Splice_result result = m_splice.run(m_maintained, m_editor, vertices, padding, growths);
+    const Splice_result result = m_splice.run(m_editor, vertices, padding, growths);
     m_report->growths += growths;
     if (result == Splice_result::TOO_LARGE)
       return rebuild(growths == 0 ? Rebuild_reason_2::TOO_MUCH_BROKEN : Rebuild_reason_2::STUCK);
@@ -217,7 +273,8 @@ private:
       return;
     }
     const Certificate certificate(m_maintained);
-    m_splice.for_each_edge(m_maintained.mirror, [this](Index e) { m_open.push_back(e); });
+    const auto& boundary = m_splice.boundary_edges();
+    m_open.insert(m_open.end(), boundary.begin(), boundary.end());
     std::sort(m_open.begin(), m_open.end());
     m_open.erase(std::unique(m_open.begin(), m_open.end()), m_open.end());
     m_open.erase(
@@ -253,8 +310,8 @@ private:
   Dynamic_Delaunay_triangulations_2::internal::Lawson_flips_2 m_lawson;
   Dynamic_Delaunay_triangulations_2::internal::Border_splice_2<Maintained> m_splice;
   Dynamic_classification_2<Maintained> m_classification;
-  std::vector<Index> m_open;
-  std::size_t m_number_of_illegal = 0; // at the end of the open ones, until they are flipped
+  // the open edges: those that are known to be illegal between counterclockwise faces, and others
+  std::vector<Index> m_open, m_illegal;
   std::vector<Index> m_padded, m_border;
   Update_report_2* m_report = nullptr;
   bool m_has_to_prove = false;

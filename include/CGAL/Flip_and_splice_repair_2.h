@@ -22,7 +22,7 @@ class Flip_and_splice_repair_2
 {
 public:
   /// \param padding the number of layers that the first splice is padded with.
-  explicit Flip_and_splice_repair_2(unsigned padding = 1)
+  explicit Flip_and_splice_repair_2(unsigned padding = 0)
     : m_padding(padding)
   {
   }
@@ -37,6 +37,11 @@ public:
     constexpr unsigned rounds = 6;
     if (is_too_much(mender))
       return mender.rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
+    mender.flip_inverted();
+    for (unsigned round = 0; round < rounds && mender.has_inverted_edges(); ++round) {
+      mender.splice_inverted(m_padding + round);
+      mender.flip_inverted();
+    }
     mender.flip();
     for (unsigned round = 0; round < rounds && !mender.is_done(); ++round) {
       mender.splice_open(m_padding + round);
@@ -46,13 +51,13 @@ public:
   }
 
 private:
-  // On random clouds mending and rebuilding cost the same when a seventh of the edges are open, and
-  // a tenth where the flat arrays no longer fit the second-level cache.
+  // On random clouds mending and rebuilding cost the same when an eighth of the edges are open, and
+  // a ninth where the flat arrays no longer fit the second-level cache.
   template <class Mender>
   static bool is_too_much(const Mender& mender)
   {
     constexpr std::size_t most_edges_in_cache = 3 * 4096;
-    const std::size_t share = mender.number_of_edges() < most_edges_in_cache ? 7 : 9;
+    const std::size_t share = mender.number_of_edges() < most_edges_in_cache ? 8 : 9;
     return share * mender.number_of_open_edges() > mender.number_of_edges();
   }
 

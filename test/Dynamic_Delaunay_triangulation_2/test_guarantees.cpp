@@ -309,7 +309,7 @@ TEST(Guarantees, vertices_keep_their_handles_through_flips_splices_and_rebuilds)
   for (std::size_t id = 0; id < points.size(); ++id)
     vertices.push_back(dt.vertex(id));
   std::size_t flips = 0, splices = 0, rebuilds = 0;
-  for (const double step : {0.01, 0.05, 0.1, 0.1, 0.1, 5., 0.01}) {
+  for (const double step : {0.01, 0.05, 0.07, 0.07, 0.07, 0.07, 0.07, 0.07, 5., 0.01}) {
     cloud.shake(points, step);
     const auto report = dt.update(points.begin(), points.end());
     flips += report.flips;

@@ -6,12 +6,12 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Patch_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_engine_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_order_2.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -22,51 +22,50 @@ enum class Splice_result_2 { DONE, TOO_LARGE, COINCIDENCE };
 
 // The border splice (thesis 4.1.3 and 4.1.4): the Triangulation set, which is the Classified set,
 // its padding and one layer of border, is triangulated alone, and the faces of that triangulation
-// around Classified and Padded replace the old ones.
+// around Classified and Padded replace the old ones. This is done for one cluster of these vertices
+// after the other: what it needs stays in the cache.
 //
-// That is right only if both sets of faces have the same boundary, edge for edge (the thesis's open
-// problem: an edge could go missing). It is checked before anything is written; where the
-// boundaries differ, their vertices join the padding and the region is triangulated again. All
-// clusters of classified vertices go into one triangulation.
+// A splice is right only if both sets of faces have the same boundary, edge for edge (the thesis's
+// open problem: an edge could go missing). It is checked before anything is written; where the
+// boundaries differ, their vertices join the cluster and it is triangulated again.
 template <class Maintained>
 class Border_splice_2
 {
   using Mirror = Neighborhood_mirror_2;
-  using Static_triangulation = Static_triangulation_2<typename Maintained::Traits>;
 
 public:
-  explicit Border_splice_2(const typename Maintained::Traits& traits)
-    : m_static(traits)
+  explicit Border_splice_2(const Maintained& maintained)
+    : m_maintained(maintained)
+    , m_order(maintained)
+    , m_engine(maintained)
   {
   }
 
-  // Splices around `classified` with `padding` layers. `growths` counts the times that the region
+  // Splices around `classified` with `padding` layers. `growths` counts the times that a cluster
   // grew.
-  Splice_result_2 run(const Maintained& maintained, Topology_editor_2<Maintained>& editor,
-                      const std::vector<Index>& classified, unsigned padding, std::size_t& growths)
+  Splice_result_2 run(Topology_editor_2<Maintained>& editor, const std::vector<Index>& classified,
+                      unsigned padding, std::size_t& growths)
   {
-    m_inner.clear(maintained.vertices.size());
+    const std::size_t bound = m_maintained.vertices.size();
+    m_inner.clear(bound);
+    m_border.clear(bound);
+    m_spliced.clear(bound);
+    m_boundary_edges.clear();
     for (const Index v : classified)
       m_inner.insert(v);
     m_number_of_classified = m_inner.size();
     for (unsigned layer = 0; layer < padding; ++layer)
-      add_layer(maintained);
-    for (;; ++growths) {
-      find_border(maintained);
-      // from half of all points on, a fresh triangulation of the whole costs less
-      if (2 * (m_inner.size() + m_border.size()) > maintained.number_of_vertices())
-        return Splice_result_2::TOO_LARGE;
-      collect_old_faces(maintained);
-      if (!triangulate(maintained))
-        return Splice_result_2::COINCIDENCE;
-      collect_new_faces();
-      if (boundaries_agree() && !doubles_an_edge(maintained.mirror)) {
-        find_outside(maintained);
-        editor.replace(m_old_faces, m_new, m_outside);
-        return Splice_result_2::DONE;
+      add_layer();
+    if (is_too_large(m_inner.size()))
+      return Splice_result_2::TOO_LARGE;
+    for (std::size_t i = 0; i < m_inner.size(); ++i)
+      if (!m_spliced.contains(m_inner[i])) {
+        collect_cluster(m_inner[i]);
+        const Splice_result_2 result = splice_cluster(editor, growths);
+        if (result != Splice_result_2::DONE)
+          return result;
       }
-      grow();
-    }
+    return Splice_result_2::DONE;
   }
 
   // The sets of the last run, the padding with all that it grew.
@@ -74,120 +73,143 @@ public:
   std::size_t number_of_border() const { return m_border.size(); }
   const Index_set_2& border() const { return m_border; }
   Index padded(std::size_t i) const { return m_inner[m_number_of_classified + i]; }
-
-  // Calls f(e) for every edge of the spliced region, its boundary included.
-  template <class Function>
-  void for_each_edge(const Mirror& mirror, Function&& f) const
-  {
-    for (const Index face : m_old_faces)
-      for (Index h = 3 * face; h < 3 * face + 3; ++h)
-        if (h < mirror.twin(h) || !m_old_faces.contains(mirror.twin(h) / 3))
-          f(mirror.edge_of(h));
-  }
+  // The edges along which its faces were put in: all others of these faces are Delaunay.
+  const std::vector<Index>& boundary_edges() const { return m_boundary_edges; }
 
 private:
   // SETS ----------------------------------------------------------------------------------------
 
-  void add_layer(const Maintained& maintained)
+  // From half of all points on, a fresh triangulation of the whole costs less.
+  bool is_too_large(std::size_t region) const
+  {
+    return 2 * region > m_maintained.number_of_vertices();
+  }
+
+  void add_layer()
   {
     const std::size_t size = m_inner.size();
     for (std::size_t i = 0; i < size; ++i)
-      maintained.mirror.for_each_neighbor(m_inner[i], [&](Index w) {
+      m_maintained.mirror.for_each_neighbor(m_inner[i], [&](Index w) {
         if (w != infinite_index)
           m_inner.insert(w);
       });
   }
 
-  void find_border(const Maintained& maintained)
+  // The inner vertices that hang together with v and wait to be spliced.
+  void collect_cluster(Index v)
   {
-    m_border.clear(maintained.vertices.size());
-    for (const Index v : m_inner)
-      maintained.mirror.for_each_neighbor(v, [&](Index w) {
-        if (w != infinite_index && !m_inner.contains(w))
-          m_border.insert(w);
+    m_cluster.clear(m_maintained.vertices.size());
+    m_cluster.insert(v);
+    for (std::size_t i = 0; i < m_cluster.size(); ++i)
+      m_maintained.mirror.for_each_neighbor(m_cluster[i], [&](Index w) {
+        if (m_inner.contains(w) && !m_spliced.contains(w))
+          m_cluster.insert(w);
       });
   }
 
-  // The vertices where the two boundaries differ join the padding; if the boundaries have the same
+  Splice_result_2 splice_cluster(Topology_editor_2<Maintained>& editor, std::size_t& growths)
+  {
+    for (;; ++growths) {
+      collect_old_faces();
+      if (is_too_large(m_cluster.size() + m_cluster_border.size()))
+        return Splice_result_2::TOO_LARGE;
+      if (!triangulate())
+        return Splice_result_2::COINCIDENCE;
+      collect_new_faces();
+      if (boundaries_agree() && !doubles_an_edge()) {
+        put_in(editor);
+        return Splice_result_2::DONE;
+      }
+      grow();
+    }
+  }
+
+  // The vertices where the two boundaries differ join the cluster; if the boundaries have the same
   // edges and yet do not fit, the whole border does.
   void grow()
   {
-    const std::size_t size = m_inner.size();
+    const std::size_t size = m_cluster.size();
     for (const Index v : m_disagreeing)
       if (v != infinite_index)
-        m_inner.insert(v);
-    if (m_inner.size() == size)
-      for (const Index v : m_border)
-        m_inner.insert(v);
+        m_cluster.insert(v);
+    if (m_cluster.size() == size)
+      for (const Index v : m_cluster_border)
+        m_cluster.insert(v);
+  }
+
+  void put_in(Topology_editor_2<Maintained>& editor)
+  {
+    m_outside.clear();
+    for (const Boundary_edge_2& edge : m_old_boundary) {
+      m_outside.push_back(m_maintained.mirror.twin(edge.halfedge));
+      m_boundary_edges.push_back(m_maintained.mirror.edge_of(edge.halfedge));
+    }
+    for (const Index v : m_cluster) {
+      m_spliced.insert(v);
+      m_inner.insert(v);
+    }
+    for (const Index v : m_cluster_border)
+      m_border.insert(v);
+    editor.replace(m_old_faces, m_new, m_outside);
   }
 
   // FACES ---------------------------------------------------------------------------------------
 
-  void collect_old_faces(const Maintained& maintained)
+  // Those around the cluster, with the vertices beyond it and their boundary.
+  void collect_old_faces()
   {
-    const Mirror& mirror = maintained.mirror;
+    const Mirror& mirror = m_maintained.mirror;
     m_old_faces.clear(mirror.number_of_faces());
-    for (const Index v : m_inner)
-      mirror.for_each_corner(v, [&](Index h) { m_old_faces.insert(h / 3); });
-    m_old.clear();
-    // of an old face among the old faces: not initialized, as few of the others are ever touched
-    const std::unique_ptr<Index[]> place(new Index[mirror.number_of_faces()]);
-    for (Index k = 0; k < Index(m_old_faces.size()); ++k)
-      place[m_old_faces[k]] = k;
+    m_cluster_border.clear(m_maintained.vertices.size());
+    for (const Index v : m_cluster)
+      mirror.for_each_corner(v, [&](Index h) {
+        m_old_faces.insert(h / 3);
+        const Index w = mirror.source(h);
+        if (w != infinite_index && !m_cluster.contains(w))
+          m_cluster_border.insert(w);
+      });
+    m_old_boundary.clear();
     for (const Index f : m_old_faces)
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-        const Index g = mirror.twin(h);
-        m_old.apexes.push_back(mirror.apex(h));
-        m_old.twins.push_back(m_old_faces.contains(g / 3) ? 3 * place[g / 3] + g % 3 : no_index);
-      }
-    m_old.find_boundary();
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (!m_old_faces.contains(mirror.twin(h) / 3))
+          m_old_boundary.push_back({mirror.source(h), mirror.target(h), h});
+    std::sort(m_old_boundary.begin(), m_old_boundary.end());
   }
 
   // False if two of the points coincide: then a vertex would be lost.
-  bool triangulate(const Maintained& maintained)
+  bool triangulate()
   {
-    m_order.assign(m_inner.begin(), m_inner.end());
-    m_order.insert(m_order.end(), m_border.begin(), m_border.end());
-    std::sort(m_order.begin(), m_order.end()); // the vertices are numbered along the plane
-    m_static.clear();
-    m_static_inner.clear();
-    bool are_apart = true;
-    for_each_in_rounds(m_order.size(), [&](std::size_t i) {
-      const Index v = m_order[i];
-      const auto [vertex, is_new] = m_static.insert(maintained.point(v), v);
-      are_apart = are_apart && is_new;
-      if (m_inner.contains(v))
-        m_static_inner.push_back(vertex);
-    });
-    return are_apart;
+    m_region.assign(m_cluster.begin(), m_cluster.end());
+    m_region.insert(m_region.end(), m_cluster_border.begin(), m_cluster_border.end());
+    m_order.sort(m_region.begin(), m_region.end());
+    if (m_order.has_coincident_vertices())
+      return false;
+    m_engine.run(m_order.order());
+    return true;
   }
 
+  // Those with a vertex of the cluster.
   void collect_new_faces()
   {
+    const Flat_faces_2& faces = m_engine.faces();
     m_new.clear();
-    m_new_faces.clear();
-    const auto& triangulation = m_static.triangulation();
-    if (triangulation.dimension() < 2)
-      return;
-    for (auto f = m_static.faces().begin(); f != m_static.faces().end(); ++f)
-      f->info() = no_index;
-    for (const auto& v : m_static_inner) {
-      auto f = triangulation.incident_faces(v);
-      const auto first = f;
-      do
-        if (f->info() == no_index) {
-          f->info() = Index(m_new_faces.size());
-          m_new_faces.push_back(f);
-        }
-      while (++f != first);
+    m_new_number.assign(faces.number_of_faces(), no_index);
+    Index number = 0;
+    for (Index f = 0; f < faces.number_of_faces(); ++f) {
+      const Index h = Flat_faces_2::first_halfedge(f);
+      if (m_cluster.contains(faces.apex(h)) || m_cluster.contains(faces.apex(h + 1)) ||
+          m_cluster.contains(faces.apex(h + 2)))
+        m_new_number[f] = number++;
     }
-    for (const auto& f : m_new_faces)
-      for (int i = 0; i < 3; ++i) {
-        const auto g = f->neighbor(i);
-        m_new.apexes.push_back(f->vertex(i)->info());
-        m_new.twins.push_back(g->info() == no_index ? no_index
-                                                    : 3 * g->info() + Index(g->index(f)));
-      }
+    for (Index f = 0; f < faces.number_of_faces(); ++f)
+      if (m_new_number[f] != no_index)
+        for (Index i = 0; i < 3; ++i) {
+          const Index h = Flat_faces_2::first_halfedge(f) + i;
+          const Index g = Flat_faces_2::number_in_mirror(faces.twin(h));
+          const Index neighbor = m_new_number[g / 3];
+          m_new.apexes.push_back(faces.apex(h));
+          m_new.twins.push_back(neighbor == no_index ? no_index : 3 * neighbor + g % 3);
+        }
     m_new.find_boundary();
   }
 
@@ -198,11 +220,21 @@ private:
   bool boundaries_agree()
   {
     find_disagreeing();
-    return m_disagreeing.empty() && m_old.number_of_faces() == m_new.number_of_faces() &&
-           std::equal(m_old.boundary.begin(), m_old.boundary.end(), m_new.boundary.begin(),
+    return m_disagreeing.empty() && m_old_faces.size() == m_new.number_of_faces() &&
+           std::equal(m_old_boundary.begin(), m_old_boundary.end(), m_new.boundary.begin(),
                       [this](const Boundary_edge_2& a, const Boundary_edge_2& b) {
-                        return m_old.other_end_of_fan(a) == m_new.other_end_of_fan(b);
+                        return other_end_of_old_fan(a) == m_new.other_end_of_fan(b);
                       });
+  }
+
+  // As Patch_2::other_end_of_fan().
+  Index other_end_of_old_fan(const Boundary_edge_2& edge) const
+  {
+    const Mirror& mirror = m_maintained.mirror;
+    Index h = Mirror::previous(edge.halfedge);
+    while (m_old_faces.contains(mirror.twin(h) / 3))
+      h = Mirror::previous(mirror.twin(h));
+    return mirror.source(h);
   }
 
   void find_disagreeing()
@@ -212,11 +244,11 @@ private:
       m_disagreeing.push_back(edge.source);
       m_disagreeing.push_back(edge.target);
     };
-    auto a = m_old.boundary.begin(), b = m_new.boundary.begin();
-    while (a != m_old.boundary.end() || b != m_new.boundary.end())
-      if (b == m_new.boundary.end() || (a != m_old.boundary.end() && *a < *b))
+    auto a = m_old_boundary.begin(), b = m_new.boundary.begin();
+    while (a != m_old_boundary.end() || b != m_new.boundary.end())
+      if (b == m_new.boundary.end() || (a != m_old_boundary.end() && *a < *b))
         note(*a++);
-      else if (a == m_old.boundary.end() || *b < *a)
+      else if (a == m_old_boundary.end() || *b < *a)
         note(*b++);
       else
         ++a, ++b;
@@ -225,12 +257,12 @@ private:
   // Whether the new faces join two vertices of the border, across the region, that are joined
   // outside already: possible only where old faces overlap. Those vertices then count as
   // disagreeing.
-  bool doubles_an_edge(const Mirror& mirror)
+  bool doubles_an_edge()
   {
     for (Index h = 0; h < Index(m_new.twins.size()); ++h) {
       const Index v = m_new.apexes[Mirror::next(h)], w = m_new.apexes[Mirror::previous(h)];
-      if (m_new.twins[h] != no_index && v < w && !m_inner.contains(v) && !m_inner.contains(w) &&
-          is_edge_outside(mirror, w, v)) {
+      if (m_new.twins[h] != no_index && v < w && !m_cluster.contains(v) && !m_cluster.contains(w) &&
+          is_edge_outside(w, v)) {
         m_disagreeing.push_back(v);
         m_disagreeing.push_back(w);
       }
@@ -239,8 +271,9 @@ private:
   }
 
   // Walks around v, which must be finite.
-  bool is_edge_outside(const Mirror& mirror, Index v, Index w) const
+  bool is_edge_outside(Index v, Index w) const
   {
+    const Mirror& mirror = m_maintained.mirror;
     bool is_outside = false;
     mirror.for_each_corner(v, [&](Index h) {
       const Index beyond = mirror.twin(Mirror::previous(h));
@@ -251,24 +284,20 @@ private:
     return is_outside;
   }
 
-  void find_outside(const Maintained& maintained)
-  {
-    m_outside.clear();
-    for (const Boundary_edge_2& edge : m_old.boundary) {
-      const Index h = 3 * m_old_faces[edge.halfedge / 3] + edge.halfedge % 3;
-      m_outside.push_back(maintained.mirror.twin(h));
-    }
-  }
-
-  Static_triangulation m_static;
-  std::vector<typename Static_triangulation::Vertex_handle> m_static_inner;
-  std::vector<typename Static_triangulation::Face_handle> m_new_faces;
-  Index_set_2 m_inner; // Classified, then Padded
+  const Maintained& m_maintained;
+  Vertex_order_2<Maintained> m_order;
+  Static_engine_2<Maintained> m_engine;
+  Index_set_2 m_inner;   // Classified, then Padded
+  Index_set_2 m_spliced; // of these
   Index_set_2 m_border;
+  std::vector<Index> m_boundary_edges;
   std::size_t m_number_of_classified = 0;
-  std::vector<Index> m_order;
-  Index_set_2 m_old_faces;
-  Patch_2 m_old, m_new;
+
+  // of the cluster that is spliced
+  Index_set_2 m_cluster, m_cluster_border, m_old_faces;
+  std::vector<Boundary_edge_2> m_old_boundary; // sorted by source, then target
+  std::vector<Index> m_region, m_new_number;
+  Patch_2 m_new;
   std::vector<Index> m_outside;
   std::vector<Index> m_disagreeing;
 };

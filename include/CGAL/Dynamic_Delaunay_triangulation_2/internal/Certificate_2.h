@@ -6,8 +6,8 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_filter_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_predicates_2.h>
 #include <CGAL/enum.h>
-#include <CGAL/number_type_basic.h>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
@@ -39,6 +39,7 @@ class Certificate_2
 public:
   explicit Certificate_2(const Maintained& maintained)
     : m_maintained(maintained)
+    , m_predicates(maintained)
   {
   }
 
@@ -108,7 +109,8 @@ private:
     }
     const bool is_twisted = orientation(edge.left, edge.source, edge.target) != LEFT_TURN ||
                             orientation(edge.right, edge.target, edge.source) != LEFT_TURN;
-    if (in_circle(edge.left, edge.source, edge.target, edge.right) == ON_POSITIVE_SIDE)
+    if (m_predicates.side_of_circle(edge.left, edge.source, edge.target, edge.right) ==
+        ON_POSITIVE_SIDE)
       return is_twisted ? Edge_state_2::CROSSED : Edge_state_2::ILLEGAL;
     return is_twisted ? Edge_state_2::TWISTED : Edge_state_2::DELAUNAY;
   }
@@ -141,44 +143,20 @@ private:
 
   Orientation orientation(Index a, Index b, Index c) const
   {
-    if (m_maintained.positions_are_exact) {
-      const auto& positions = m_maintained.positions;
-      if (const int sign = filtered_orientation(positions[a], positions[b], positions[c]))
-        return sign > 0 ? LEFT_TURN : RIGHT_TURN;
-    }
-    return m_maintained.traits().orientation_2_object()(
-        m_maintained.point(a), m_maintained.point(b), m_maintained.point(c));
+    return m_predicates.orientation(a, b, c);
   }
 
-  Oriented_side in_circle(Index a, Index b, Index c, Index d) const
-  {
-    return m_maintained.traits().side_of_oriented_circle_2_object()(
-        m_maintained.point(a), m_maintained.point(b), m_maintained.point(c), m_maintained.point(d));
-  }
-
-  Comparison_result compare_xy(Index v, Index w) const
-  {
-    if (m_maintained.positions_are_exact) {
-      const Position_2 &p = m_maintained.positions[v], &q = m_maintained.positions[w];
-      return p.x != q.x ? CGAL::compare(p.x, q.x) : CGAL::compare(p.y, q.y);
-    }
-    const auto& traits = m_maintained.traits();
-    const Comparison_result x =
-        traits.compare_x_2_object()(m_maintained.point(v), m_maintained.point(w));
-    return x != EQUAL ? x
-                      : traits.compare_y_2_object()(m_maintained.point(v), m_maintained.point(w));
-  }
-
-  bool is_larger(Index v, Index w) const { return compare_xy(v, w) == LARGER; }
+  bool is_larger(Index v, Index w) const { return m_predicates.compare_xy(v, w) == LARGER; }
 
   // For three collinear points.
   bool is_strictly_between(Index p, Index q, Index r) const
   {
-    const Comparison_result pq = compare_xy(p, q);
-    return pq != EQUAL && pq == compare_xy(q, r);
+    const Comparison_result pq = m_predicates.compare_xy(p, q);
+    return pq != EQUAL && pq == m_predicates.compare_xy(q, r);
   }
 
   const Maintained& m_maintained;
+  Vertex_predicates_2<Maintained> m_predicates;
 };
 
 } // namespace internal

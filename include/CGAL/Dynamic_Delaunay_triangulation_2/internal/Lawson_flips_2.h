@@ -21,53 +21,33 @@ namespace internal {
 class Lawson_flips_2
 {
 public:
-  struct Result
-  {
-    std::size_t flips;
-    bool is_planar; // proved: the faces tile the convex hull
-  };
-
-  // Flips from the edges of `open`, and leaves those there that it could not prove. The last
-  // `illegal` of them are known to have counterclockwise faces. `others_are_proved`: all edges that
-  // are not in `open` are Delaunay.
-  //
-  // The others come first. If all of them can be righted, and the hull turns once, the faces tile
-  // the hull (see Certificate_2), and flips of illegal edges keep it so: these need no search for a
-  // doubled edge, which takes a sixth of their time.
+  // Flips from the edges of `open`, and leaves those there that it could not prove. Returns the
+  // number of flips. If the faces tile the convex hull (`is_planar`), flips of illegal edges keep
+  // it so and need no search for a doubled edge, which takes a sixth of their time.
   template <class Maintained>
-  Result run(const Maintained& maintained, Topology_editor_2<Maintained>& editor,
-             std::vector<Index>& open, std::size_t illegal, bool others_are_proved)
+  std::size_t run(const Maintained& maintained, Topology_editor_2<Maintained>& editor,
+                  std::vector<Index>& open, bool is_planar)
   {
     // Lawson's proof of termination needs counterclockwise faces; with inverted ones flips can go
     // round in circles. Recorded motion took at most 3 flips an edge to begin with.
     const std::size_t limit = 100 + 20 * open.size();
-    Result result{0, false};
+    std::size_t flips = 0;
     m_touched.clear(); // an exception may have ended the last run
     typename Topology_editor_2<Maintained>::Flip_series series(editor);
-    for (std::size_t before = limit; !open.empty() && result.flips != before; illegal = 0) {
-      before = result.flips;
+    for (std::size_t before = limit; !open.empty() && flips != before;) {
+      before = flips;
       m_seeds.swap(open);
       open.clear();
       for (std::size_t i = 0; i < m_seeds.size(); ++i) {
-        if (i + illegal == m_seeds.size())
-          result.is_planar = others_are_proved && is_planar(maintained, open);
         prefetch_ahead(maintained, i);
-        result.flips += flip_from(maintained, editor, series, m_seeds[i], limit - result.flips,
-                                  result.is_planar, open);
+        flips += flip_from(maintained, editor, series, m_seeds[i], limit - flips, is_planar, open);
       }
       keep_unproved(maintained, open);
     }
-    return result;
+    return flips;
   }
 
 private:
-  template <class Maintained>
-  static bool is_planar(const Maintained& maintained, std::vector<Index>& open)
-  {
-    keep_unproved(maintained, open);
-    return open.empty() && Certificate_2<Maintained>(maintained).hull_turns_once();
-  }
-
   // What a flip has touched is looked at at once, while it is in the cache. At most `limit` flips.
   template <class Maintained, class Flip_series>
   std::size_t flip_from(const Maintained& maintained, const Topology_editor_2<Maintained>& editor,

@@ -42,15 +42,12 @@ public:
                              [](const Guest& guest, Index i) { return guest.id < i; });
   }
 
-  // The points in the order of the vertices, each guest behind its host.
-  std::vector<Index> in_vertex_order() const
+  // All points: the hosts in the order of their vertices, then the guests.
+  std::vector<Index> hosts_and_guests() const
   {
     std::vector<Index> order(m_host.begin() + 1, m_host.end());
     for (const Guest& guest : m_guests)
       order.push_back(guest.id);
-    if (!m_guests.empty())
-      std::stable_sort(order.begin(), order.end(),
-                       [this](Index i, Index j) { return vertex(i) < vertex(j); });
     return order;
   }
 

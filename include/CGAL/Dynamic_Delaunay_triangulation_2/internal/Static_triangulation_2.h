@@ -55,6 +55,7 @@ public:
   explicit Static_triangulation_2(const Traits& traits = Traits())
     : m_triangulation(traits)
   {
+    clear();
   }
 
   const Triangulation& triangulation() const { return m_triangulation; }

@@ -4,17 +4,19 @@
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_EDITOR_2_H
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_EDITOR_2_H
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Hilbert_order_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_faces_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Patch_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_numbering_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_engine_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulation_2.h>
-#include <CGAL/number_type_basic.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_order_2.h>
 #include <CGAL/Triangulation_utils_2.h>
 #include <CGAL/Unique_hash_map.h>
 
-#include <algorithm>
-#include <cmath>
+#include <boost/iterator/counting_iterator.hpp>
+
 #include <utility>
 #include <vector>
 
@@ -32,13 +34,13 @@ class Topology_editor_2
   using Vertex_handle = typename Maintained::Vertex_handle;
   using Face_handle = typename Maintained::Face_handle;
   using Static_triangulation = Static_triangulation_2<Traits>;
-  using Static_vertex_handle = typename Static_triangulation::Vertex_handle;
-  using Numbered_point = typename Hilbert_order_2<Traits>::Numbered_point;
 
 public:
   explicit Topology_editor_2(Maintained& maintained)
     : m_maintained(maintained)
-    , m_static(maintained.traits())
+    , m_vertex_order(maintained)
+    , m_numbering(maintained)
+    , m_engine(maintained)
   {
   }
 
@@ -102,27 +104,22 @@ public:
   // The first triangulation of `points`.
   void build(const std::vector<Point>& points)
   {
-    m_points.clear();
-    m_points.reserve(points.size());
-    for (const Point& p : points)
-      m_points.emplace_back(p, Index(m_points.size()));
-    build();
+    m_maintained.everything_is_new = true; // also if memory runs out on the way
+    m_numbering.number(points);
+    take_vertices();
+    triangulate(m_numbering.order());
   }
 
-  // A fresh triangulation of the points where they are now, in the order of the last one.
+  // A fresh triangulation of the points where they are now. The vertices keep their numbers while
+  // these fit the plane.
   void rebuild()
   {
-    const auto& ids = m_maintained.ids;
-    m_points.clear();
-    m_points.reserve(ids.number_of_points());
-    if (ids.guests().empty())
-      for (Index v = 1; v < Index(m_maintained.vertices.size()); ++v)
-        m_points.emplace_back(m_maintained.point(v), ids.host(v));
-    else
-      for (const Index id : ids.in_vertex_order())
-        m_points.emplace_back(
-            ids.is_host(id) ? m_maintained.point(ids.vertex(id)) : ids.guest(id).point, id);
-    build();
+    m_maintained.everything_is_new = true;
+    if (sort_vertices())
+      return triangulate(m_vertex_order.order());
+    m_numbering.number();
+    take_vertices();
+    triangulate(m_numbering.order());
   }
 
   // Moves vertex v to p by CGAL's own means, in a Delaunay triangulation: false if another vertex
@@ -142,150 +139,46 @@ public:
     auto& stored = triangulation.tds().faces();
     for (auto f = stored.begin(); f != stored.end(); ++f)
       faces.push_back(f);
-    Unique_hash_map<Face_handle, Index> number_of_face(no_index, faces.size());
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      number_of_face[faces[f]] = Index(f);
     m_maintained.everything_is_new = true;
-    fill_mirror(
-        faces, triangulation.dimension(), [](Vertex_handle v) { return Index(v->mirror_index()); },
-        [&](Face_handle f) { return number_of_face[f]; });
     if (m_maintained.is_mirrored())
-      for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v)
-        m_maintained.vertices[v]->set_face(faces[m_maintained.mirror.corner(v) / 3]);
+      read_faces();
+    else
+      m_maintained.mirror.clear();
   }
 
 private:
   // BUILDING ------------------------------------------------------------------------------------
 
-  // Of m_points.
-  void build()
+  // False if the vertices need new numbers: points have come together, or may part, or those that
+  // follow each other in space have numbers far apart.
+  bool sort_vertices()
   {
-    m_maintained.everything_is_new = true; // also if memory runs out on the way
-    const bool is_sorted_anew = renew_order();
-    triangulate();
-    if (is_sorted_anew || !has_a_vertex_each())
-      number_points();
-    take_faces();
-    // what was copied from would take as much memory as the triangulation
-    m_static.clear();
-    std::vector<Numbered_point>().swap(m_points);
-    std::vector<Static_vertex_handle>().swap(m_static_vertices);
-  }
-
-  // Sorts the points anew if walking from one to the next has become more than twice as long, for
-  // the size of the whole, as when they were last sorted: insertion locates each from the one
-  // before. It starts from the order of the ids, so that the result depends on the positions alone.
-  bool renew_order()
-  {
-    if (walk() <= 2 * m_walk_when_sorted)
+    if (!m_maintained.ids.guests().empty())
       return false;
-    std::vector<Numbered_point> by_id(m_points.size());
-    for (Numbered_point& point : m_points) {
-      const Index id = point.second;
-      by_id[id] = std::move(point);
-    }
-    m_points.swap(by_id);
-    Hilbert_order_2<Traits>(m_maintained.traits()).sort(m_points);
-    m_walk_when_sorted = walk();
-    return true;
-  }
-
-  // Whether the points had a vertex each, in their present order, and have it again.
-  bool has_a_vertex_each() const
-  {
-    return m_coincident.empty() && m_maintained.number_of_vertices() == m_points.size();
-  }
-
-  // Its length, divided by the extent of the points; a NaN if it overflows.
-  double walk() const
-  {
-    if (m_points.empty())
-      return 0;
-    Position_2 last = Maintained::approximation(m_points.front().first), low = last, high = last;
-    double length = 0;
-    for (const Numbered_point& point : m_points) {
-      const Position_2 p = Maintained::approximation(point.first);
-      length += std::abs(p.x - last.x) + std::abs(p.y - last.y);
-      low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y)};
-      high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y)};
-      last = p;
-    }
-    const double extent = (high.x - low.x) + (high.y - low.y);
-    return extent > 0 ? length / extent : 0;
-  }
-
-  // Triangulates the points and tells hosts from guests. Whoever was a host is inserted before
-  // those who were guests, so that it stays one.
-  void triangulate()
-  {
-    m_static.clear();
-    m_static_vertices.assign(m_points.size(), {});
-    m_coincident.clear();
-    const auto insert = [&](std::size_t i) {
-      const auto [vertex, is_new] = m_static.insert(m_points[i].first, Index(i + 1));
-      if (is_new)
-        m_static_vertices[i] = vertex;
-      else
-        m_coincident.push_back({i, vertex});
-    };
-    const auto& old_ids = m_maintained.ids;
-    const bool were_guests = !old_ids.guests().empty();
-    const auto was_guest = [&](std::size_t i) {
-      const Index id = m_points[i].second;
-      return were_guests && id < old_ids.number_of_points() && !old_ids.is_host(id);
-    };
-    for_each_in_rounds(m_points.size(), [&](std::size_t i) {
-      if (!was_guest(i))
-        insert(i);
-    });
-    if (were_guests)
-      for (std::size_t i = 0; i < m_points.size(); ++i)
-        if (was_guest(i))
-          insert(i);
-  }
-
-  // Of the points that are built.
-  bool is_host(std::size_t i) const { return m_static_vertices[i] != Static_vertex_handle(); }
-
-  // Numbers the vertices in the order of the points.
-  void number_points()
-  {
-    Point_ids_2<Point> ids;
-    ids.reset(Index(m_points.size()));
-    for (std::size_t i = 0; i < m_points.size(); ++i)
-      if (is_host(i))
-        ids.add_host(m_points[i].second);
-    if (!m_coincident.empty())
-      for (std::size_t i = 0; i < m_points.size(); ++i)
-        if (is_host(i))
-          m_static_vertices[i]->info() = ids.vertex(m_points[i].second);
-    for (const auto& [i, vertex] : m_coincident)
-      ids.add_guest(m_points[i].second, ids.host(vertex->info()), m_points[i].first);
-    ids.sort_guests();
-    take_vertices(ids);
-    m_maintained.ids = std::move(ids);
+    const boost::counting_iterator<Index> first(1), beyond(Index(m_maintained.vertices.size()));
+    m_vertex_order.sort(first, beyond);
+    return 8 * m_vertex_order.number_of_far_steps() <= m_maintained.vertices.size() &&
+           !m_vertex_order.has_coincident_vertices();
   }
 
   // Gives every host its vertex: the one that it had, if it had one of its own.
-  void take_vertices(const Point_ids_2<Point>& ids)
+  void take_vertices()
   {
     auto& tds = m_maintained.triangulation.tds();
-    const auto& old_ids = m_maintained.ids;
+    const auto &ids = m_numbering.ids(), &old_ids = m_maintained.ids;
     std::vector<Vertex_handle> vertices(1, m_maintained.triangulation.infinite_vertex());
     std::vector<Position_2> positions(1, Maintained::nowhere());
     vertices.reserve(ids.number_of_hosts() + 1);
     positions.reserve(ids.number_of_hosts() + 1);
     std::vector<Vertex_handle> idle = m_maintained.vertices;
-    for (std::size_t i = 0; i < m_points.size(); ++i) {
-      if (!is_host(i))
-        continue;
-      const auto& [p, id] = m_points[i];
+    for (Index v = 1; v <= ids.number_of_hosts(); ++v) {
+      const Index id = ids.host(v);
+      const Point& p = m_numbering.point(v);
       Vertex_handle vertex;
-      if (id < old_ids.number_of_points() && old_ids.is_host(id)) {
+      if (id < old_ids.number_of_points() && old_ids.is_host(id))
         std::swap(vertex, idle[old_ids.vertex(id)]);
-      } else {
+      else
         vertex = tds.create_vertex();
-      }
       vertex->set_point(p);
       vertices.push_back(vertex);
       positions.push_back(Maintained::approximation(p));
@@ -296,32 +189,57 @@ private:
     m_maintained.vertices = std::move(vertices);
     m_maintained.positions = std::move(positions);
     m_maintained.points_are_written = true;
+    m_maintained.ids = ids;
     if constexpr (!Maintained::coordinates_are_doubles)
       m_maintained.next_points.resize(m_maintained.vertices.size());
   }
 
-  // Copies the topology of the static triangulation: into the mirror, and from there, face by face,
-  // into CGAL's structure. Faces are numbered as they were created, which is along the plane.
-  void take_faces()
+  // All vertices, in their order: into the mirror, and from there, face by face, into CGAL's
+  // structure. What is only needed on the way would take as much memory as the triangulation.
+  void triangulate(const Spatial_order_2& order)
   {
-    using Static_face_handle = typename Static_triangulation::Face_handle;
-    std::vector<Static_face_handle> static_faces;
-    static_faces.reserve(m_static.faces().size());
-    auto& stored = m_static.faces();
-    for (auto f = stored.begin(); f != stored.end(); ++f) {
-      f->info() = Index(static_faces.size());
-      static_faces.push_back(f);
-    }
-    const int dimension = m_static.triangulation().dimension();
-    fill_mirror(
-        static_faces, dimension, [](auto v) { return v->info(); },
-        [](auto f) { return f->info(); });
-    provide_faces(static_faces.size());
-    m_maintained.triangulation.tds().set_dimension(dimension);
-    if (dimension == 2)
-      write_all_faces();
+    m_engine.run(order);
+    if (m_engine.faces().number_of_faces() > 0)
+      take_faces(m_engine.faces());
     else
-      copy_faces(static_faces);
+      triangulate_line();
+    m_engine.release();
+    m_numbering.release();
+    m_vertex_order.release();
+  }
+
+  void take_faces(const Flat_faces_2& faces)
+  {
+    const Index number = faces.number_of_faces();
+    provide_faces(number);
+    auto& mirror = m_maintained.mirror;
+    mirror.resize(m_maintained.number_of_vertices(), number);
+    for (Index f = 0; f < number; ++f)
+      for (Index i = 0; i < 3; ++i) {
+        const Index h = Flat_faces_2::first_halfedge(f) + i;
+        mirror.set_apex(3 * f + i, faces.apex(h));
+        mirror.set_twin(3 * f + i, Flat_faces_2::number_in_mirror(faces.twin(h)));
+      }
+    mirror.number_edges();
+    m_maintained.triangulation.tds().set_dimension(2);
+    write_all_faces();
+  }
+
+  // Vertices that do not span the plane, by CGAL's insertion. There is no mirror then.
+  void triangulate_line()
+  {
+    Static_triangulation line(m_maintained.traits());
+    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
+      line.insert(m_maintained.point(v), v);
+    std::vector<typename Static_triangulation::Face_handle> faces;
+    for (auto f = line.faces().begin(); f != line.faces().end(); ++f) {
+      f->info() = Index(faces.size());
+      faces.push_back(f);
+    }
+    m_maintained.mirror.clear();
+    provide_faces(faces.size());
+    m_maintained.triangulation.tds().set_dimension(line.triangulation().dimension());
+    copy_faces(faces);
   }
 
   void provide_faces(std::size_t number)
@@ -360,7 +278,6 @@ private:
     }
   }
 
-  // Below dimension 2, where there is no mirror.
   template <class Static_face_handle>
   void copy_faces(const std::vector<Static_face_handle>& static_faces)
   {
@@ -380,27 +297,23 @@ private:
       }
   }
 
-  // Writes the mirror from faces in their numbering.
-  template <class Any_face_handle, class Number_of_vertex, class Number_of_face>
-  void fill_mirror(const std::vector<Any_face_handle>& faces, int dimension,
-                   const Number_of_vertex& number_of_vertex, const Number_of_face& number_of_face)
+  void read_faces()
   {
+    const auto& faces = m_maintained.faces;
+    Unique_hash_map<Face_handle, Index> number_of_face(no_index, faces.size());
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      number_of_face[faces[f]] = Index(f);
     auto& mirror = m_maintained.mirror;
-    if (dimension < 2) {
-      mirror.clear();
-      return;
-    }
     mirror.resize(m_maintained.number_of_vertices(), Index(faces.size()));
     for (Index f = 0; f < Index(faces.size()); ++f)
       for (int i = 0; i < 3; ++i) {
-        const Any_face_handle g = faces[f]->neighbor(i);
-        // g->index(faces[f]), which branches
-        const Index place =
-            Index(g->neighbor(1) == faces[f]) + 2 * Index(g->neighbor(2) == faces[f]);
-        mirror.set_apex(3 * f + Index(i), number_of_vertex(faces[f]->vertex(i)));
-        mirror.set_twin(3 * f + Index(i), 3 * number_of_face(g) + place);
+        const Face_handle g = faces[f]->neighbor(i);
+        mirror.set_apex(3 * f + Index(i), faces[f]->vertex(i)->mirror_index());
+        mirror.set_twin(3 * f + Index(i), 3 * number_of_face[g] + Index(g->index(faces[f])));
       }
     mirror.number_edges();
+    for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v)
+      m_maintained.vertices[v]->set_face(faces[mirror.corner(v) / 3]);
   }
 
   // REPLACING -----------------------------------------------------------------------------------
@@ -496,14 +409,11 @@ private:
   }
 
   Maintained& m_maintained;
-  Static_triangulation m_static;
-  // what is built, in the order of insertion's rounds
-  std::vector<Numbered_point> m_points;
-  std::vector<Static_vertex_handle> m_static_vertices; // of each of m_points, if it is a host
-  std::vector<std::pair<std::size_t, Static_vertex_handle>> m_coincident; // guests, and with whom
+  Vertex_order_2<Maintained> m_vertex_order;
+  Point_numbering_2<Maintained> m_numbering;
+  Static_engine_2<Maintained> m_engine;
   std::vector<Index> m_inner_edges;
   std::vector<Index> m_flipped; // half-edges, in the order of their flips
-  double m_walk_when_sorted = 0;
 };
 
 } // namespace internal

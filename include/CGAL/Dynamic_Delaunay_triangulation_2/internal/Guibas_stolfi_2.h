@@ -1,0 +1,340 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_GUIBAS_STOLFI_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_GUIBAS_STOLFI_2_H
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_faces_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Spatial_order_2.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// The Delaunay triangulation by divide and conquer (thesis 3.3; L. Guibas and J. Stolfi, ACM
+// Transactions on Graphics 4(2), 1985), cut across both axes in turn (R. Dwyer, Algorithmica 2,
+// 1987), on triangles rather than edges (J. Shewchuk's Triangle, 1996).
+//
+// Each part of the points is a triangulated sphere of its own: an infinite face stands at every
+// edge of its hull, at both sides of an edge if the part lies on a line. So n points have 2n - 2
+// faces at any time, and merging two parts takes two new ones, those at the common tangents: all
+// others keep their places. The half-edge of an infinite face that is opposite to infinity, here
+// called a hull edge, runs clockwise along the hull.
+//
+// Cost: O(n log n).
+template <class Predicates>
+class Guibas_stolfi_2
+{
+public:
+  Guibas_stolfi_2(const Predicates& predicates, Flat_faces_2& faces)
+    : m_predicates(predicates)
+    , m_faces(faces)
+  {
+  }
+
+  // Triangulates vertices in a spatial order; no two of them may coincide.
+  void run(const Spatial_order_2& order)
+  {
+    const std::size_t n = order.size();
+    m_has_finite_faces = false;
+    m_faces.resize(n < 2 ? 0 : 2 * n - 2);
+    m_waiting.clear();
+    for (std::size_t i = 0; i < n;) {
+      Part part = make_part(order, i);
+      while (!m_waiting.empty() && m_waiting.back().cut.rank < rank(order, i)) {
+        const Waiting_part& before = m_waiting.back();
+        part = merge(before.part, part, before.cut, Index(2 * before.beyond - 2));
+        m_waiting.pop_back();
+      }
+      if (i < n)
+        m_waiting.push_back({part, order.cut(i), i});
+    }
+    if (!m_has_finite_faces)
+      m_faces.resize(0);
+  }
+
+private:
+  // A single vertex, or two hull edges: at the last two tangents, if it has been merged.
+  struct Part
+  {
+    Index vertex;
+    Index first_hull_edge, last_hull_edge;
+
+    bool is_single() const { return first_hull_edge == no_index; }
+  };
+
+  struct Waiting_part
+  {
+    Part part;
+    Cut_2 cut; // to what comes next
+    std::size_t beyond;
+  };
+
+  static Index first_halfedge(Index face) { return Flat_faces_2::first_halfedge(face); }
+  static Index next(Index h) { return Flat_faces_2::next(h); }
+  static Index previous(Index h) { return Flat_faces_2::previous(h); }
+
+  // From a hull edge to the next one.
+  Index clockwise(Index h) const { return next(m_faces.twin(next(h))); }
+  Index counterclockwise(Index h) const { return previous(m_faces.twin(previous(h))); }
+
+  static int rank(const Spatial_order_2& order, std::size_t i)
+  {
+    return i > 0 && i < order.size() ? order.cut(i).rank : std::numeric_limits<int>::max();
+  }
+
+  // The part of the i-th point and of the one or two behind it, if these are parted from it, and
+  // from each other, last. Then i is what comes next.
+  Part make_part(const Spatial_order_2& order, std::size_t& i)
+  {
+    const std::size_t first = i++;
+    const int before = rank(order, first), inner = rank(order, i);
+    if (i == order.size() || inner > before)
+      return Part{order[first], no_index, no_index};
+    const Index face = Index(2 * first);
+    const int second = rank(order, i + 1);
+    if (i + 1 < order.size() &&
+        (std::max)(inner, second) < (std::min)(before, rank(order, i + 2)) &&
+        make_triangle(order[first], order[first + 1], order[first + 2], face)) {
+      i = first + 3;
+      return Part{no_index, first_halfedge(face + 1), first_halfedge(face + 3)};
+    }
+    if (inner > second)
+      return Part{order[first], no_index, no_index};
+    i = first + 2;
+    return make_edge(order[first], order[first + 1], face);
+  }
+
+  // The parts of two and of three points, each with an infinite face at every edge.
+
+  Part make_edge(Index a, Index b, Index face)
+  {
+    m_faces.set_vertices(face, infinite_index, a, b);
+    m_faces.set_vertices(face + 1, infinite_index, b, a);
+    const Index h = first_halfedge(face), g = first_halfedge(face + 1);
+    m_faces.link(h, g);
+    m_faces.link(h + 1, g + 2);
+    m_faces.link(h + 2, g + 1);
+    return Part{no_index, h, g};
+  }
+
+  // False if the points lie on a line.
+  bool make_triangle(Index a, Index b, Index c, Index face)
+  {
+    const Orientation turn = m_predicates.orientation(a, b, c);
+    if (turn == COLLINEAR)
+      return false;
+    if (turn == RIGHT_TURN)
+      std::swap(b, c);
+    const Index corners[] = {a, b, c};
+    m_faces.set_vertices(face, a, b, c);
+    for (Index i = 0; i < 3; ++i) {
+      const Index infinite_face = face + 1 + i, next_infinite_face = face + 1 + (i + 2) % 3;
+      m_faces.set_vertices(infinite_face, infinite_index, corners[(i + 2) % 3],
+                           corners[(i + 1) % 3]);
+      m_faces.link(first_halfedge(face) + i, first_halfedge(infinite_face));
+      m_faces.link(first_halfedge(infinite_face) + 1, first_halfedge(next_infinite_face) + 2);
+    }
+    m_has_finite_faces = true;
+    return true;
+  }
+
+  // MERGING -------------------------------------------------------------------------------------
+
+  // The gap between two parts, `left` of it and `right`, with its lowest edge, from right to left,
+  // and the half-edges from `left` to infinity and from infinity to `right`, which have no twins
+  // for now. In a cut between below and above, what is below is on the left: everything is turned
+  // by a quarter.
+  struct Gap
+  {
+    Index left, right;
+    Index base, left_side, right_side;
+  };
+
+  Part merge(Part left, Part right, const Cut_2& cut, Index new_face)
+  {
+    if (cut.is_descending)
+      std::swap(left, right);
+    Gap gap = open(left, right, cut.is_horizontal, new_face);
+    close(gap);
+    m_faces.set_vertices(new_face + 1, infinite_index, gap.left, gap.right);
+    const Index h = first_halfedge(new_face + 1);
+    m_faces.link(h, gap.base);
+    m_faces.link(h + 1, gap.right_side);
+    m_faces.link(h + 2, gap.left_side);
+    return Part{no_index, first_halfedge(new_face), h};
+  }
+
+  // Finds the lower tangent and puts an infinite face below it.
+  Gap open(const Part& left, const Part& right, bool is_horizontal, Index face)
+  {
+    Index l = left.vertex, r = right.vertex; // and the hull edges from l, and to r
+    Index from_l = no_index, to_r = no_index;
+    if (!left.is_single()) {
+      from_l = extreme(left, is_horizontal, LARGER);
+      l = m_faces.source(from_l);
+    }
+    if (!right.is_single()) {
+      to_r = counterclockwise(extreme(right, is_horizontal, SMALLER));
+      r = m_faces.target(to_r);
+    }
+    for (bool has_moved = true; has_moved;) {
+      has_moved = false;
+      while (from_l != no_index && is_right_turn(l, r, m_faces.target(from_l))) {
+        l = m_faces.target(from_l);
+        from_l = clockwise(from_l);
+        has_moved = true;
+      }
+      while (to_r != no_index && is_right_turn(l, r, m_faces.source(to_r))) {
+        r = m_faces.source(to_r);
+        to_r = counterclockwise(to_r);
+        has_moved = true;
+      }
+    }
+    m_faces.set_vertices(face, infinite_index, r, l);
+    const Index h = first_halfedge(face);
+    Gap gap{l, r, h, h + 1, h + 2};
+    if (from_l != no_index) {
+      gap.left_side = m_faces.twin(previous(from_l));
+      m_faces.link(h + 1, previous(from_l));
+    }
+    if (to_r != no_index) {
+      gap.right_side = m_faces.twin(next(to_r));
+      m_faces.link(h + 2, next(to_r));
+    }
+    return gap;
+  }
+
+  bool is_right_turn(Index a, Index b, Index c) const
+  {
+    return m_predicates.orientation(a, b, c) == RIGHT_TURN;
+  }
+
+  // The hull edge from the rightmost vertex (LARGER), or the leftmost one, or the uppermost or
+  // lowest: it climbs from the nearest of the last tangents. Along a convex curve there is one
+  // summit, ties being broken by the other coordinate.
+  Index extreme(const Part& part, bool is_horizontal, Comparison_result sense) const
+  {
+    const auto is_farther = [&](Index v, Index w) {
+      return (is_horizontal ? m_predicates.compare_yx(v, w) : m_predicates.compare_xy(v, w)) ==
+             sense;
+    };
+    Index h = part.first_hull_edge;
+    if (is_farther(m_faces.source(part.last_hull_edge), m_faces.source(h)))
+      h = part.last_hull_edge;
+    if (is_farther(m_faces.target(h), m_faces.source(h))) {
+      do
+        h = clockwise(h);
+      while (is_farther(m_faces.target(h), m_faces.source(h)));
+    } else {
+      for (Index g = counterclockwise(h); is_farther(m_faces.source(g), m_faces.source(h));
+           g = counterclockwise(h))
+        h = g;
+    }
+    return h;
+  }
+
+  // Zips the gap up to the upper tangent.
+  void close(Gap& gap)
+  {
+    for (;;) {
+      const bool has_left = is_above(gap, m_faces.apex(gap.left_side));
+      const bool has_right = is_above(gap, m_faces.apex(gap.right_side));
+      if (has_left)
+        remove_left_edges(gap);
+      if (has_right)
+        remove_right_edges(gap);
+      if (!has_left && !has_right)
+        return;
+      m_has_finite_faces = true;
+      if (!has_left ||
+          (has_right && is_inside(gap, m_faces.apex(gap.left_side), m_faces.apex(gap.right_side))))
+        take_right(gap);
+      else
+        take_left(gap);
+    }
+  }
+
+  bool is_above(const Gap& gap, Index v) const
+  {
+    return v != gap.left && v != gap.right &&
+           m_predicates.orientation(gap.left, gap.right, v) == LEFT_TURN;
+  }
+
+  // Whether w is inside the circle through the base and v.
+  bool is_inside(const Gap& gap, Index v, Index w) const
+  {
+    return m_predicates.side_of_circle(gap.left, gap.right, v, w) == ON_POSITIVE_SIDE;
+  }
+
+  // While the face (left, v, w) behind the hull edge from v to left has w inside the circle through
+  // the base and v, the edge goes: that face and the infinite one become two infinite ones.
+  void remove_left_edges(Gap& gap)
+  {
+    for (;;) {
+      const Index h = previous(gap.left_side), g = m_faces.twin(h);
+      const Index v = m_faces.apex(gap.left_side), w = m_faces.apex(g);
+      if (w == infinite_index || !is_inside(gap, v, w))
+        return;
+      m_faces.link(h, m_faces.twin(next(g)));
+      m_faces.set_apex(previous(h), w);
+      m_faces.set_apex(previous(g), infinite_index);
+      m_faces.link(next(g), next(h));
+      gap.left_side = g;
+    }
+  }
+
+  void remove_right_edges(Gap& gap)
+  {
+    for (;;) {
+      const Index h = next(gap.right_side), g = m_faces.twin(h);
+      const Index v = m_faces.apex(gap.right_side), w = m_faces.apex(g);
+      if (w == infinite_index || !is_inside(gap, v, w))
+        return;
+      m_faces.link(h, m_faces.twin(previous(g)));
+      m_faces.set_apex(next(h), w);
+      m_faces.set_apex(next(g), infinite_index);
+      m_faces.link(previous(g), previous(h));
+      gap.right_side = g;
+    }
+  }
+
+  // The infinite face at the hull edge on the left becomes (right, v, left).
+  void take_left(Gap& gap)
+  {
+    const Index v = m_faces.apex(gap.left_side), h = previous(gap.left_side);
+    m_faces.set_apex(h, gap.right);
+    m_faces.link(gap.left_side, gap.base);
+    gap.base = previous(h);
+    gap.left_side = m_faces.twin(gap.base);
+    gap.left = v;
+  }
+
+  void take_right(Gap& gap)
+  {
+    const Index v = m_faces.apex(gap.right_side), h = next(gap.right_side);
+    m_faces.set_apex(h, gap.left);
+    m_faces.link(gap.right_side, gap.base);
+    gap.base = next(h);
+    gap.right_side = m_faces.twin(gap.base);
+    gap.right = v;
+  }
+
+  Predicates m_predicates;
+  Flat_faces_2& m_faces;
+  std::vector<Waiting_part> m_waiting;
+  bool m_has_finite_faces = false;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_GUIBAS_STOLFI_2_H

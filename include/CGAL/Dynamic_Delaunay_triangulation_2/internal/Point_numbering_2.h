@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_POINT_NUMBERING_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_POINT_NUMBERING_2_H
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_ids_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Spatial_order_2.h>
+#include <CGAL/enum.h>
+
+#include <boost/iterator/counting_iterator.hpp>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Puts points into a spatial order, tells hosts from guests, and numbers the vertices in that
+// order. Whoever was a host stays one where points coincide.
+template <class Maintained>
+class Point_numbering_2
+{
+  using Point = typename Maintained::Point;
+  using Ids = Point_ids_2<Point>;
+
+public:
+  explicit Point_numbering_2(const Maintained& maintained)
+    : m_maintained(maintained)
+  {
+  }
+
+  // Takes these points, with their indices for ids.
+  void number(const std::vector<Point>& points)
+  {
+    m_points = points;
+    m_point_ids.assign(boost::counting_iterator<Index>(0),
+                       boost::counting_iterator<Index>(Index(points.size())));
+    number_points();
+  }
+
+  // Takes the points of the maintained triangulation, where they are now.
+  void number()
+  {
+    const Ids& ids = m_maintained.ids;
+    m_point_ids = ids.hosts_and_guests();
+    m_points.clear();
+    m_points.reserve(m_point_ids.size());
+    for (const Index id : m_point_ids)
+      m_points.push_back(ids.is_host(id) ? m_maintained.point(ids.vertex(id))
+                                         : ids.guest(id).point);
+    number_points();
+  }
+
+  // The vertices by their numbers.
+  const Spatial_order_2& order() const { return m_order; }
+  // After numbering: who they are, and where each is.
+  const Ids& ids() const { return m_ids; }
+  const Point& point(Index vertex) const { return m_points[m_place_of_vertex[vertex - 1]]; }
+
+  void release()
+  {
+    m_order.release();
+    m_ids = Ids();
+    std::vector<Point>().swap(m_points);
+    std::vector<Index>().swap(m_point_ids);
+    std::vector<Index>().swap(m_place_of_vertex);
+  }
+
+private:
+  // Sorts m_points by their indices, which become numbers of vertices.
+  void number_points()
+  {
+    sort_points();
+    m_ids.reset(Index(m_points.size()));
+    m_place_of_vertex.clear();
+    m_place_of_vertex.reserve(m_points.size());
+    m_order.merge_coincident(
+        [this](Index i, Index j) { return compare_xy(m_points[i], m_points[j]) == EQUAL; },
+        [this](std::size_t first, std::size_t beyond) { return add_vertex(first, beyond); });
+    m_ids.sort_guests();
+  }
+
+  void sort_points()
+  {
+    const boost::counting_iterator<Index> first(0), beyond(Index(m_points.size()));
+    if (m_maintained.positions_are_exact) {
+      std::vector<Position_2> positions;
+      positions.reserve(m_points.size());
+      for (const Point& p : m_points)
+        positions.push_back(Maintained::approximation(p));
+      m_order.sort(positions, first, beyond);
+    } else
+      m_order.sort_by_comparisons(first, beyond, [this](Index i, Index j) {
+        return compare_xy(m_points[i], m_points[j]) == SMALLER;
+      });
+  }
+
+  // One for the points in these places of the order.
+  Index add_vertex(std::size_t first, std::size_t beyond)
+  {
+    std::size_t host = first;
+    while (host + 1 < beyond && !was_host(m_point_ids[m_order[host]]))
+      ++host;
+    if (!was_host(m_point_ids[m_order[host]]))
+      host = first;
+    const Index id = m_point_ids[m_order[host]];
+    const Index vertex = m_ids.add_host(id);
+    m_place_of_vertex.push_back(m_order[host]);
+    for (std::size_t i = first; i < beyond; ++i)
+      if (i != host)
+        m_ids.add_guest(m_point_ids[m_order[i]], id, m_points[m_order[i]]);
+    return vertex;
+  }
+
+  bool was_host(Index id) const
+  {
+    const Ids& ids = m_maintained.ids;
+    return id < ids.number_of_points() && ids.is_host(id);
+  }
+
+  Comparison_result compare_xy(const Point& p, const Point& q) const
+  {
+    const auto& traits = m_maintained.traits();
+    const Comparison_result x = traits.compare_x_2_object()(p, q);
+    return x != EQUAL ? x : traits.compare_y_2_object()(p, q);
+  }
+
+  const Maintained& m_maintained;
+  Spatial_order_2 m_order;
+  std::vector<Point> m_points; // those that are numbered
+  std::vector<Index> m_point_ids;
+  std::vector<Index> m_place_of_vertex; // of its host in m_points
+  Ids m_ids;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_POINT_NUMBERING_2_H

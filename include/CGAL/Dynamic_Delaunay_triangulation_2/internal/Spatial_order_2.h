@@ -1,0 +1,243 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SPATIAL_ORDER_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SPATIAL_ORDER_2_H
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+
+#include <boost/integer/integer_log2.hpp>
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// The Hilbert curve through 2^16 by 2^16 cells. From the largest quadrants to the smallest; in each
+// the curve is the whole one, its axes exchanged, or turned by half a turn, or both.
+class Hilbert_curve_2
+{
+public:
+  Hilbert_curve_2()
+  {
+    for (unsigned state = 0; state < 4; ++state)
+      for (unsigned cell = 0; cell < 16; ++cell)
+        m_steps[state][cell] = two_digits(state, cell / 4, cell % 4);
+  }
+
+  // The place of the cell (x, y) on the curve, by two of its 16 digits at a time.
+  std::uint32_t place(std::uint32_t x, std::uint32_t y) const
+  {
+    std::uint32_t place = 0;
+    unsigned state = 0;
+    for (int i = 14; i >= 0; i -= 2) {
+      const unsigned step = m_steps[state][(x >> i & 3) << 2 | (y >> i & 3)];
+      place = place << 4 | step >> 2;
+      state = step & 3;
+    }
+    return place;
+  }
+
+private:
+  // The digits, and the state after them below: whether the axes are exchanged, then whether the
+  // curve is turned.
+  static std::uint8_t two_digits(unsigned state, unsigned x, unsigned y)
+  {
+    unsigned digits = 0, are_exchanged = state >> 1, is_turned = state & 1;
+    for (int i = 1; i >= 0; --i) {
+      const unsigned x_bit = x >> i & 1, y_bit = y >> i & 1;
+      const unsigned exchange = (x_bit ^ y_bit) & are_exchanged;
+      const unsigned right = x_bit ^ exchange ^ is_turned, upper = y_bit ^ exchange ^ is_turned;
+      digits = digits << 2 | ((3 * right) ^ upper);
+      is_turned ^= right & ~upper;
+      are_exchanged ^= 1 ^ upper;
+    }
+    return std::uint8_t(digits << 2 | are_exchanged << 1 | is_turned);
+  }
+
+  std::uint8_t m_steps[4][16];
+};
+
+// The line between two points that follow each other in a spatial order. It parts the longest
+// stretches of the order on both sides of it in which no line has a higher rank.
+struct Cut_2
+{
+  std::int16_t rank;
+  bool is_horizontal; // points with smaller y on one side; else with smaller x
+  bool is_descending; // these are the later ones
+};
+
+// The line between the cells at two places of the Hilbert curve, the second farther on. Where the
+// curve's digits first differ, the upper bit of the digit goes with one axis, the lower with the
+// other, exchanged and turned by the digits above: by each 0 or 3, and by each 3.
+inline Cut_2 hilbert_cut(std::uint32_t before, std::uint32_t after)
+{
+  const auto parity = [](std::uint32_t bits) {
+    bits ^= bits >> 16, bits ^= bits >> 8, bits ^= bits >> 4;
+    return (0x6996u >> (bits & 15) & 1) != 0;
+  };
+  const int bit = boost::integer_log2(before ^ after);
+  const std::uint32_t digits_above = bit < 30 ? ~std::uint32_t(0) << (bit / 2 * 2 + 2) : 0;
+  const std::uint32_t low_bits = 0x55555555u & digits_above;
+  const bool are_exchanged = parity(~(after ^ after >> 1) & low_bits);
+  const bool is_turned = parity(after & after >> 1 & low_bits);
+  const bool is_lower_bit = bit % 2 == 0;
+  // the third quadrant is the upper right one, the fourth the lower right one
+  const bool goes_down = is_lower_bit && (after >> (bit + 1) & 1) != 0;
+  return Cut_2{std::int16_t(bit), is_lower_bit != are_exchanged, is_turned != goes_down};
+}
+
+// Sorts points along a Hilbert curve, by the cells of a grid over them, with the lines that part
+// them: what is divided along these is divided as a quadtree divides it, each half cut across the
+// other axis. Points that share a cell are sorted by a finer grid over that cell, or, if they are
+// few, by x, then y. So coincident points follow each other. The result depends on the points and
+// their numbers alone.
+class Spatial_order_2
+{
+public:
+  // Sorts the points with these numbers.
+  template <class Iterator>
+  void sort(const std::vector<Position_2>& positions, Iterator first, Iterator beyond)
+  {
+    m_positions = positions.data();
+    m_places.assign(first, beyond);
+    m_cuts.resize(m_places.size());
+    sort_by_grid(0, m_places.size(), 0);
+  }
+
+  // The same for points of which only comparisons are exact: by x, then y, then number, all lines
+  // upright.
+  template <class Iterator, class Less>
+  void sort_by_comparisons(Iterator first, Iterator beyond, const Less& less)
+  {
+    m_places.assign(first, beyond);
+    m_cuts.resize(m_places.size());
+    sort_by_coordinates(less, 0, m_places.size(), 0);
+  }
+
+  std::size_t size() const { return m_places.size(); }
+  // The number of the i-th point.
+  Index operator[](std::size_t i) const { return Index(m_places[i]); }
+  // Between the i-th point and the one before; i > 0.
+  const Cut_2& cut(std::size_t i) const { return m_cuts[i]; }
+
+  // Keeps one number for each stretch of points that coincide, the one that `merge(first, beyond)`
+  // gives for the stretch from `first` to below `beyond`.
+  template <class Coincide, class Merge>
+  void merge_coincident(const Coincide& coincide, const Merge& merge)
+  {
+    std::size_t kept = 0;
+    for (std::size_t i = 0, next; i < size(); i = next) {
+      for (next = i + 1; next < size() && coincide((*this)[i], (*this)[next]);)
+        ++next;
+      m_places[kept] = merge(i, next);
+      m_cuts[kept++] = m_cuts[i];
+    }
+    m_places.resize(kept);
+    m_cuts.resize(kept);
+  }
+
+  void release()
+  {
+    std::vector<std::uint64_t>().swap(m_places);
+    std::vector<Cut_2>().swap(m_cuts);
+  }
+
+private:
+  // Few points are sorted by their coordinates.
+  static constexpr std::size_t few = 8;
+  // The lines of a grid have the upper half, those between few points the lower half.
+  static constexpr int ranks = 64;
+
+  const Position_2& position(std::size_t i) const { return m_positions[Index(m_places[i])]; }
+  std::uint32_t place(std::size_t i) const { return std::uint32_t(m_places[i] >> 32); }
+
+  void sort_by_grid(std::size_t first, std::size_t beyond, int depth)
+  {
+    if (beyond - first <= few || !find_places(first, beyond))
+      return sort_by_coordinates(first, beyond, depth);
+    boost::sort::spreadsort::integer_sort(m_places.begin() + std::ptrdiff_t(first),
+                                          m_places.begin() + std::ptrdiff_t(beyond));
+    std::uint32_t last_place = 0;
+    for (std::size_t i = first, next; i < beyond; i = next) {
+      const std::uint32_t this_place = place(i);
+      for (next = i + 1; next < beyond && place(next) == this_place;)
+        ++next;
+      if (i > first) {
+        m_cuts[i] = hilbert_cut(last_place, this_place);
+        m_cuts[i].rank = std::int16_t(m_cuts[i].rank + ranks / 2 - ranks * depth);
+      }
+      if (next - i > 1)
+        sort_by_grid(i, next, depth + 1);
+      last_place = this_place;
+    }
+  }
+
+  // False if there is no grid: the extent of the points, or its inverse, is no finite number.
+  // Differences and products are rounded monotonously, so cells that differ part the points.
+  bool find_places(std::size_t first, std::size_t beyond)
+  {
+    Position_2 low = position(first), high = low;
+    for (std::size_t i = first + 1; i < beyond; ++i) {
+      const Position_2& p = position(i);
+      low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y)};
+      high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y)};
+    }
+    const double extent = (std::max)(high.x - low.x, high.y - low.y);
+    const double scale = 65535 / extent;
+    if (!std::isfinite(extent) || !std::isfinite(scale) || scale == 0)
+      return false;
+    static const Hilbert_curve_2 curve;
+    for (std::size_t i = first; i < beyond; ++i) {
+      const Position_2& p = position(i);
+      const std::uint64_t place =
+          curve.place(std::uint32_t((p.x - low.x) * scale), std::uint32_t((p.y - low.y) * scale));
+      m_places[i] = place << 32 | Index(m_places[i]);
+    }
+    return true;
+  }
+
+  void sort_by_coordinates(std::size_t first, std::size_t beyond, int depth)
+  {
+    const auto is_less = [this](Index a, Index b) {
+      const Position_2 &p = m_positions[a], &q = m_positions[b];
+      return p.x != q.x ? p.x < q.x : p.y < q.y;
+    };
+    sort_by_coordinates(is_less, first, beyond, depth);
+  }
+
+  // By x, then y, then number. The ranks divide the points in the middle, again and again.
+  template <class Less>
+  void sort_by_coordinates(const Less& is_less, std::size_t first, std::size_t beyond, int depth)
+  {
+    std::sort(m_places.begin() + std::ptrdiff_t(first), m_places.begin() + std::ptrdiff_t(beyond),
+              [&](std::uint64_t a, std::uint64_t b) {
+                const Index i = Index(a), j = Index(b);
+                return is_less(i, j) || (!is_less(j, i) && i < j);
+              });
+    for (std::size_t i = first + 1; i < beyond; ++i) {
+      int rank = 0;
+      for (std::size_t k = i - first; k % 2 == 0; k /= 2)
+        ++rank;
+      m_cuts[i] =
+          Cut_2{std::int16_t((std::min)(rank, ranks / 2 - 1) - ranks * depth), false, false};
+    }
+  }
+
+  const Position_2* m_positions = nullptr;
+  std::vector<std::uint64_t> m_places; // in a grid; in the lower half the number of the point
+  std::vector<Cut_2> m_cuts;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SPATIAL_ORDER_2_H
