@@ -141,12 +141,7 @@ public:
   template <class Function>
   void for_each_side(Index e, Function&& f) const
   {
-    const auto& mirror = m_maintained->mirror;
-    const Index h = mirror.halfedge(e);
-    for (const Index g : {h, mirror.twin(h)}) {
-      f(mirror.edge_of(mirror.next(g)));
-      f(mirror.edge_of(mirror.previous(g)));
-    }
+    m_maintained->mirror.for_each_side(e, f);
   }
   /// \endcond
 

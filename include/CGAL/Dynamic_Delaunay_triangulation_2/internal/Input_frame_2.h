@@ -5,6 +5,7 @@
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_INPUT_FRAME_2_H
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Prefetch_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/number_type_basic.h>
 
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -100,10 +102,10 @@ private:
     const std::size_t given = std::size_t(beyond - first);
     if (given != points)
       throw Point_count_error_2(points, (std::min)(given, points + 1));
+    using Difference = typename std::iterator_traits<RandomAccessIterator>::difference_type;
     const Index* const hosts = maintained.ids.hosts();
     bool are_exact = true;
     const auto stage = [&](std::size_t v, Position_2& zero) {
-      using Difference = typename std::iterator_traits<RandomAccessIterator>::difference_type;
       const Point& p = get(point_map, first[Difference(hosts[v])]);
       const Position_2 position{CGAL::to_double(p.x()), CGAL::to_double(p.y())};
       zero.x += 0 * position.x;
@@ -112,9 +114,23 @@ private:
         are_exact = are_exact && is_a_double(p.x()) && is_a_double(p.y());
       write(position, p, Index(v), maintained);
     };
+    // one after the other in the plane, the points are anywhere in the range
+    const auto prefetch_point = [&](std::size_t v) {
+      using Reference = typename std::iterator_traits<RandomAccessIterator>::reference;
+      if constexpr (std::is_lvalue_reference_v<Reference>)
+        prefetch(std::addressof(first[Difference(hosts[v])]));
+      prefetch(&maintained.positions[v]);
+    };
+    constexpr std::size_t ahead = 128;
+    const std::size_t end_of_prefetching =
+        points < fewest_vertices_to_prefetch ? 0 : points - ahead - 1;
     Position_2 odd{0, 0}, even{0, 0};
     std::size_t v = 1;
     for (; v < points; v += 2) {
+      if (v < end_of_prefetching) {
+        prefetch_point(v + ahead);
+        prefetch_point(v + ahead + 1);
+      }
       stage(v, odd);
       stage(v + 1, even);
     }

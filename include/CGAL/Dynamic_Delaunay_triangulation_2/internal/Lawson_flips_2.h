@@ -32,6 +32,7 @@ public:
     // round in circles. Recorded motion took at most 3 flips an edge to begin with.
     const std::size_t limit = 100 + 20 * open.size();
     std::size_t flips = 0;
+    const bool prefetches = maintained.vertices.size() >= fewest_vertices_to_prefetch;
     m_touched.clear(); // an exception may have ended the last run
     typename Topology_editor_2<Maintained>::Flip_series series(editor);
     for (std::size_t before = limit; !open.empty() && flips != before;) {
@@ -39,7 +40,8 @@ public:
       m_seeds.swap(open);
       open.clear();
       for (std::size_t i = 0; i < m_seeds.size(); ++i) {
-        prefetch_ahead(maintained, i);
+        if (prefetches && i % stretch == 0)
+          prefetch_stretch(maintained, i);
         flips += flip_from(maintained, editor, series, m_seeds[i], limit - flips, is_planar, open);
       }
       keep_unproved(maintained, open);
@@ -84,32 +86,37 @@ private:
     // between counterclockwise faces the quadrilateral is convex, and the new diagonal Delaunay
     if (state == Edge_state_2::CROSSED)
       m_touched.push_back(e);
-    const Index diagonal = mirror.halfedge(e);
-    const Index twin = mirror.twin(diagonal);
-    for (const Index side : {mirror.next(diagonal), mirror.previous(diagonal), mirror.next(twin),
-                             mirror.previous(twin)})
-      m_touched.push_back(mirror.edge_of(side));
+    mirror.for_each_side(e, [this](Index side) { m_touched.push_back(side); });
     return true;
   }
 
   // What the next seeds need is all over the memory. It is fetched in steps, each of which reads
-  // what the one before has fetched.
+  // what the one before has fetched: at 10^5 points that takes a third of the time of flipping
+  // without. The positions in the end are those that the sides of the new diagonal are examined
+  // with.
   template <class Maintained>
-  void prefetch_ahead(const Maintained& maintained, std::size_t i) const
+  void prefetch_stretch(const Maintained& maintained, std::size_t first) const
   {
-    constexpr std::size_t step = 4;
     const auto& mirror = maintained.mirror;
-    if (i + 4 * step < m_seeds.size())
-      mirror.prefetch_edge(m_seeds[i + 4 * step]);
-    if (i + 3 * step < m_seeds.size()) {
-      const Index e = m_seeds[i + 3 * step];
+    const Position_2* const positions = maintained.positions.data();
+    const auto for_each_seed = [&](const auto& f) {
+      const std::size_t beyond = (std::min)(first + stretch, m_seeds.size());
+      for (std::size_t i = first; i < beyond; ++i)
+        f(m_seeds[i]);
+    };
+    for_each_seed([&](Index e) { mirror.prefetch_edge(e); });
+    for_each_seed([&](Index e) {
       mirror.prefetch_face_at(e);
-      prefetch_corners(mirror.edge(e), maintained.positions.data());
-    }
-    if (i + 2 * step < m_seeds.size())
-      mirror.prefetch_around(mirror.halfedge(m_seeds[i + 2 * step]));
-    if (i + step < m_seeds.size())
-      mirror.prefetch_around(mirror.twin(mirror.halfedge(m_seeds[i + step])));
+      prefetch_corners(mirror.edge(e), positions);
+    });
+    for_each_seed([&](Index e) { mirror.prefetch_face_beyond(e); });
+    for_each_seed([&](Index e) { mirror.prefetch_around(e); });
+    for_each_seed([&](Index e) {
+      mirror.for_each_side(e, [&](Index side) {
+        prefetch(positions + mirror.edge(side).left);
+        prefetch(positions + mirror.edge(side).right);
+      });
+    });
   }
 
   // What was open for want of a flip may have been righted by a later one.
@@ -124,6 +131,8 @@ private:
                        [&](Index e) { return certificate.state(e) == Edge_state_2::DELAUNAY; }),
         open.end());
   }
+
+  static constexpr std::size_t stretch = 16; // of seeds that are fetched together
 
   std::vector<Index> m_seeds;   // the edges to start from
   std::vector<Index> m_touched; // to be examined again

@@ -68,24 +68,34 @@ public:
     return {apex(3 * f), apex(3 * f + 1), apex(3 * f + 2)};
   }
 
-  // Before edge(e) and halfedge(e) are asked for, and before edge e is flipped.
+  // For a flip of edge e, in steps: each reads what the one before has asked for. First edge(e) and
+  // halfedge(e); then the face at it; then the face beyond; then what the flip changes around the
+  // two, one after the other.
   void prefetch_edge(Index e) const
   {
     prefetch(&m_edges[e]);
     prefetch(&m_halfedge_of_edge[e]);
   }
-  void prefetch_face_at(Index e) const { prefetch_face(m_halfedge_of_edge[e]); }
-
-  // The same for what a flip changes beyond the face of h, at the two other edges of that face,
-  // once the face itself is there; and for the face across h.
-  void prefetch_around(Index h) const
+  void prefetch_face_at(Index e) const { prefetch_face(halfedge(e)); }
+  void prefetch_face_beyond(Index e) const { prefetch_face(twin(halfedge(e))); }
+  void prefetch_around(Index e) const
   {
-    prefetch_face(twin(h));
-    for (const Index side : {next(h), previous(h)}) {
+    for (const Index h : {halfedge(e), twin(halfedge(e))}) {
+      const Index side = next(h);
       prefetch(&m_edges[edge_of(side)]);
+      prefetch(&m_edges[edge_of(previous(h))]);
       prefetch(&m_halfedge_of_edge[edge_of(side)]);
       prefetch(&m_halfedges[twin(side)]);
       prefetch(&m_corner[apex(side)]);
+    }
+  }
+  // Calls f(edge) for the edges of the two faces at edge e other than e.
+  template <class Function>
+  void for_each_side(Index e, Function&& f) const
+  {
+    for (const Index h : {halfedge(e), twin(halfedge(e))}) {
+      f(edge_of(next(h)));
+      f(edge_of(previous(h)));
     }
   }
 
@@ -200,10 +210,8 @@ public:
     link(h, outer_bd);
     link(g, outer_ca);
     link(h_next, g_next);
-    if (m_corner[c] == h_previous)
-      m_corner[c] = g_next;
-    if (m_corner[b] == g_previous)
-      m_corner[b] = h_next;
+    m_corner[c] = g_next; // whether it has to change or not: a store waits for nothing
+    m_corner[b] = h_next;
 
     m_halfedges[h].edge = bd;
     m_halfedges[g].edge = ca;
@@ -218,7 +226,7 @@ public:
     exchange_opposite(ca, b, d);
   }
 
-public:
+private:
   void prefetch_face(Index h) const
   {
     prefetch(&m_halfedges[h / 3 * 3]);

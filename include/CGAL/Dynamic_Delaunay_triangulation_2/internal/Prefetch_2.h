@@ -15,11 +15,14 @@ namespace internal {
 // would take a third more.
 constexpr std::uint32_t fewest_vertices_to_prefetch = 1 << 15;
 
-// Asks for memory that will be needed soon; without compiler support nothing happens.
+// Asks for memory that will be needed soon; without compiler support nothing happens. The empty
+// statement is an effect that cannot be left out: g++ takes a function that does nothing but
+// prefetch for one without effects, and removes its calls.
 inline void prefetch(const void* address)
 {
 #if defined(__GNUC__) || defined(__clang__)
   __builtin_prefetch(address);
+  __asm__ volatile("");
 #else
   static_cast<void>(address);
 #endif

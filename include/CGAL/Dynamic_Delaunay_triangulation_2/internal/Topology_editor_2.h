@@ -17,6 +17,7 @@
 
 #include <boost/iterator/counting_iterator.hpp>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -353,39 +354,40 @@ private:
   {
     auto& tds = m_maintained.triangulation.tds();
     const auto& faces = m_maintained.faces;
-    const std::size_t flips = m_flipped.size();
-    for (std::size_t i = 0; i < flips; ++i) {
-      prefetch_flip(i);
+    const bool prefetches = m_maintained.vertices.size() >= fewest_vertices_to_prefetch;
+    for (std::size_t i = 0; i < m_flipped.size(); ++i) {
+      if (prefetches && i % stretch == 0)
+        prefetch_stretch(i);
       tds.flip(faces[m_flipped[i] / 3], int(m_flipped[i] % 3));
     }
     m_flipped.clear();
   }
 
-  // In steps, each of which reads what the one before has fetched. An earlier flip may yet change
-  // what is read: then something else is fetched, and nothing is wrong.
-  void prefetch_flip(std::size_t i) const
+  // In steps, each of which reads what the one before has fetched. A flip of the stretch may yet
+  // change what is read: then something else is fetched, and nothing is wrong.
+  void prefetch_stretch(std::size_t first) const
   {
-    constexpr std::size_t step = 4;
+    using Place = Triangulation_cw_ccw_2;
     const auto& faces = m_maintained.faces;
-    const std::size_t flips = m_flipped.size();
-    if (i + 4 * step < flips)
-      prefetch(&faces[m_flipped[i + 4 * step] / 3]);
-    if (i + 3 * step < flips)
-      prefetch_face(faces[m_flipped[i + 3 * step] / 3]);
-    if (i + 2 * step < flips) {
-      const Index h = m_flipped[i + 2 * step];
+    const auto for_each_flip = [&](const auto& f) {
+      const std::size_t beyond = (std::min)(first + stretch, m_flipped.size());
+      for (std::size_t i = first; i < beyond; ++i)
+        f(m_flipped[i]);
+    };
+    for_each_flip([&](Index h) { prefetch(&faces[h / 3]); });
+    for_each_flip([&](Index h) { prefetch_face(faces[h / 3]); });
+    for_each_flip([&](Index h) {
       const Face_handle f = faces[h / 3];
-      prefetch_face(f->neighbor(int(h % 3)));
-      prefetch_face(f->neighbor(Triangulation_cw_ccw_2::ccw(int(h % 3))));
-      prefetch(&*f->vertex(Triangulation_cw_ccw_2::cw(int(h % 3))));
-      prefetch(&*f->vertex(Triangulation_cw_ccw_2::ccw(int(h % 3))));
-    }
-    if (i + step < flips) {
-      const Index h = m_flipped[i + step];
-      const Face_handle f = faces[h / 3];
-      const Face_handle g = f->neighbor(int(h % 3));
-      prefetch_face(g->neighbor(Triangulation_cw_ccw_2::ccw(g->index(f))));
-    }
+      const int i = int(h % 3);
+      prefetch_face(f->neighbor(i));
+      prefetch_face(f->neighbor(Place::ccw(i)));
+      prefetch(&*f->vertex(Place::cw(i)));
+      prefetch(&*f->vertex(Place::ccw(i)));
+    });
+    for_each_flip([&](Index h) {
+      const Face_handle f = faces[h / 3], g = f->neighbor(int(h % 3));
+      prefetch_face(g->neighbor(Place::ccw(g->index(f))));
+    });
   }
 
   static void prefetch_face(Face_handle f)
@@ -407,6 +409,8 @@ private:
     m_maintained.faces[h / 3]->set_neighbor(int(h % 3), m_maintained.faces[g / 3]);
     m_maintained.faces[g / 3]->set_neighbor(int(g % 3), m_maintained.faces[h / 3]);
   }
+
+  static constexpr std::size_t stretch = 16; // of flips that are fetched together
 
   Maintained& m_maintained;
   Vertex_order_2<Maintained> m_vertex_order;

@@ -88,8 +88,7 @@ private:
       if (!is_halfedge_in_step(h))
         return false;
     for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v)
-      if (mirror.apex(mirror.corner(v)) != v ||
-          m_maintained.vertices[v]->face() != faces[mirror.corner(v) / 3])
+      if (mirror.apex(mirror.corner(v)) != v)
         return false;
     return true;
   }
