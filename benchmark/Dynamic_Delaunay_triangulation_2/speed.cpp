@@ -104,14 +104,22 @@ std::string joined(const std::string& prefix, const std::string& name, std::size
   return prefix + name + '/' + std::to_string(points);
 }
 
-// At its own size, and at a large one.
+constexpr std::size_t many_frames = 1000;
+
+// One frame in so many of them.
+constexpr Frame_choice sample = {0, 60, many_frames / 60};
+
+// At its own size, and at a large one: there one frame in 16 is measured, and the first
+// ones on their own.
 void add_moving(Case_list& cases, const Table& table, const std::string& prefix,
                 const std::string& name, scenario::Overrides overrides)
 {
   const std::size_t points = open(name, {})->points().size();
-  add_scenario(cases, table, joined(prefix, name, points), name, overrides, {0, 1000});
+  add_scenario(cases, table, joined(prefix, name, points), name, overrides, {0, many_frames});
   overrides.points = many_points;
-  add_scenario(cases, table, joined(prefix, name, many_points), name, overrides, {0, 60});
+  add_scenario(cases, table, joined(prefix, name, many_points), name, overrides, sample);
+  add_scenario(cases, table, joined(prefix, name + "_start", many_points), name, overrides,
+               {0, 60});
 }
 
 // Settled in the last half of its frames.
@@ -123,7 +131,9 @@ void add_static(Case_list& cases, const Table& table, const std::string& prefix,
   add_scenario(cases, table, joined(prefix, "static_settled", motion->points().size()), "static",
                overrides, {motion->frames() - half, half});
   overrides.points = many_points;
-  add_scenario(cases, table, joined(prefix, "static", many_points), "static", overrides, {0, 60});
+  add_scenario(cases, table, joined(prefix, "static", many_points), "static", overrides, sample);
+  add_scenario(cases, table, joined(prefix, "static_start", many_points), "static", overrides,
+               {0, 60});
   add_scenario(cases, table, joined(prefix, "static_settled", many_points), "static", overrides,
                {motion->frames() - half, 60});
 }
@@ -137,7 +147,7 @@ void add_own_step(Case_list& cases)
   scenario::Overrides overrides;
   overrides.points = most_points;
   for (const char* const name : {"dam_break", "explosion"}) {
-    add_scenario(cases, own_step, joined("", name, most_points), name, overrides, {0, 12});
+    add_scenario(cases, own_step, joined("", name, most_points), name, overrides, {0, 12, 8});
   }
 }
 

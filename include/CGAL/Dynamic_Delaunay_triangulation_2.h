@@ -104,29 +104,31 @@ public:
 
   /// an empty triangulation.
   explicit Dynamic_Delaunay_triangulation_2(const Classifier& classifier,
-                                            const Delaunay_repair& repair = Delaunay_repair())
+                                            const Delaunay_repair& repair = Delaunay_repair(),
+                                            const Static_engines_2& engines = {})
     : m_classifier(classifier)
     , m_repair(repair)
     , m_core(std::make_unique<Core>())
   {
+    m_core->mender.set_engines(engines);
   }
 
-  /// triangulates the points of the range; the i-th one has id i. Expected cost: that of CGAL's
-  /// insertion of a range of points.
-  /// \tparam InputIterator its values are convertible to `Point`.
-  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
+  /// triangulates the points of the range; the i-th one has id i. Cost: O(n log n); about that of
+  /// CGAL's insertion of a range of points. \tparam InputIterator its values are convertible to
+  /// `Point`. \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
   template <class InputIterator>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond)
     : Dynamic_Delaunay_triangulation_2(first, beyond, Identity_map(), Classifier())
   {
   }
 
-  /// the same, with a classifier and a repair.
+  /// the same, with a classifier, a repair, and the engines that triangulate anew.
   template <class InputIterator>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
                                    const Classifier& classifier,
-                                   const Delaunay_repair& repair = Delaunay_repair())
-    : Dynamic_Delaunay_triangulation_2(first, beyond, Identity_map(), classifier, repair)
+                                   const Delaunay_repair& repair = Delaunay_repair(),
+                                   const Static_engines_2& engines = {})
+    : Dynamic_Delaunay_triangulation_2(first, beyond, Identity_map(), classifier, repair, engines)
   {
   }
 
@@ -140,13 +142,14 @@ public:
   {
   }
 
-  /// the same, with a classifier and a repair.
+  /// the same, with a classifier, a repair, and the engines that triangulate anew.
   template <class InputIterator, class PointMap,
             class = typename boost::property_traits<PointMap>::key_type>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond, PointMap point_map,
                                    const Classifier& classifier,
-                                   const Delaunay_repair& repair = Delaunay_repair())
-    : Dynamic_Delaunay_triangulation_2(classifier, repair)
+                                   const Delaunay_repair& repair = Delaunay_repair(),
+                                   const Static_engines_2& engines = {})
+    : Dynamic_Delaunay_triangulation_2(classifier, repair, engines)
   {
     m_core->mender.editor().build(
         m_core->input.read_all(first, beyond, point_map, m_core->maintained));

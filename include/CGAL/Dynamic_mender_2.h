@@ -10,6 +10,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Lawson_flips_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
 #include <CGAL/Dynamic_frame_2.h>
+#include <CGAL/Static_engine_2.h>
 #include <CGAL/Update_report_2.h>
 
 #include <algorithm>
@@ -50,6 +51,12 @@ public:
   }
 
   Editor& editor() { return m_editor; }
+
+  void set_engines(const Static_engines_2& engines)
+  {
+    m_editor.set_engine(engines.whole);
+    m_splice.set_engine(engines.region);
+  }
 
   // Before the classifier is asked.
   Dynamic_classification_2<Maintained>& start(Update_report_2& report)

@@ -19,23 +19,31 @@
 
 namespace speed {
 
-// Which frames of a motion count, after the first one.
+// Which frames of a motion are measured, after the first one: one in `stride`, up to so many,
+// behind those that are passed over. All others are followed without the opponents.
 struct Frame_choice
 {
   std::size_t passed_over;
   std::size_t measured;
+  std::size_t stride = 1;
 };
 
 template <class Opponents>
 Speed_records run_frames(scenario::Motion& motion, const Frame_choice& frames)
 {
-  run::Progress_display progress(frames.passed_over + frames.measured, true);
+  run::Progress_display progress(frames.passed_over + frames.measured * frames.stride, true);
   Speed_run<Opponents> run(motion);
   Speed_records records;
-  for (std::size_t i = 0; i != frames.passed_over && run.follow(); ++i) {
-    progress.show(run.record().frame.frame);
-  }
-  while (records.size() != frames.measured && run.measure()) {
+  const auto follow = [&](std::size_t number) {
+    bool goes_on = true;
+    for (std::size_t i = 0; i != number && goes_on; ++i) {
+      goes_on = run.follow();
+      progress.show(run.record().frame.frame);
+    }
+    return goes_on;
+  };
+  follow(frames.passed_over);
+  while (records.size() != frames.measured && follow(frames.stride - 1) && run.measure()) {
     records.push_back(run.record());
     progress.show(run.record().frame.frame);
   }

@@ -6,7 +6,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Patch_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_engine_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulator_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_order_2.h>
 
@@ -37,9 +37,11 @@ public:
   explicit Border_splice_2(const Maintained& maintained)
     : m_maintained(maintained)
     , m_order(maintained)
-    , m_engine(maintained)
+    , m_triangulator(maintained)
   {
   }
+
+  void set_engine(Static_engine_2 engine) { m_triangulator.set_engine(engine); }
 
   // Splices around `classified` with `padding` layers. `growths` counts the times that a cluster
   // grew.
@@ -184,14 +186,14 @@ private:
     m_order.sort(m_region.begin(), m_region.end());
     if (m_order.has_coincident_vertices())
       return false;
-    m_engine.run(m_order.order());
+    m_triangulator.run(m_order.order());
     return true;
   }
 
   // Those with a vertex of the cluster.
   void collect_new_faces()
   {
-    const Flat_faces_2& faces = m_engine.faces();
+    const Flat_faces_2& faces = m_triangulator.faces();
     m_new.clear();
     m_new_number.assign(faces.number_of_faces(), no_index);
     Index number = 0;
@@ -286,7 +288,7 @@ private:
 
   const Maintained& m_maintained;
   Vertex_order_2<Maintained> m_order;
-  Static_engine_2<Maintained> m_engine;
+  Static_triangulator_2<Maintained> m_triangulator;
   Index_set_2 m_inner;   // Classified, then Padded
   Index_set_2 m_spliced; // of these
   Index_set_2 m_border;

@@ -11,7 +11,8 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <cstddef>
-#include <utility>
+#include <iterator>
+#include <vector>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
@@ -36,9 +37,9 @@ void for_each_in_rounds(std::size_t n, Function&& f)
         f(i);
 }
 
-// A fresh CGAL Delaunay triangulation whose vertices and faces carry a number: what rebuilds and
-// splices copy from. Points are inserted one after the other, each located from the one before, so
-// give them in a spatial order.
+// A fresh CGAL Delaunay triangulation whose vertices and faces carry a number, to be copied from.
+// Points are inserted one after the other, each located from the one before, so give them in a
+// spatial order; no two of them may coincide.
 template <class Traits>
 class Static_triangulation_2
 {
@@ -69,21 +70,39 @@ public:
     m_last = Vertex_handle();
   }
 
-  // The vertex at p, with `number` if it is new; and whether it is.
-  std::pair<Vertex_handle, bool> insert(const Point& p, Index number)
+  // A vertex at p with this number; by flips.
+  void insert(const Point& p, Index number)
   {
-    const auto before = m_triangulation.number_of_vertices();
-    m_last = m_last == Vertex_handle() ? m_triangulation.insert(p)
-                                       : m_triangulation.insert(p, m_last->face());
-    const bool is_new = m_triangulation.number_of_vertices() != before;
-    if (is_new)
-      m_last->info() = number;
-    return {m_last, is_new};
+    take(m_last == Vertex_handle() ? m_triangulation.insert(p)
+                                   : m_triangulation.insert(p, m_last->face()),
+         number);
+  }
+
+  // The same by a star in place of the faces in conflict with p.
+  void insert_star(const Point& p, Index number)
+  {
+    if (m_triangulation.dimension() < 2)
+      return insert(p, number);
+    m_conflicts.clear();
+    m_boundary.clear();
+    m_triangulation.get_conflicts_and_boundary(p, std::back_inserter(m_conflicts),
+                                               std::back_inserter(m_boundary), m_last->face());
+    take(m_triangulation.star_hole(p, m_boundary.begin(), m_boundary.end(), m_conflicts.begin(),
+                                   m_conflicts.end()),
+         number);
   }
 
 private:
+  void take(Vertex_handle vertex, Index number)
+  {
+    vertex->info() = number;
+    m_last = vertex;
+  }
+
   Triangulation m_triangulation;
   Vertex_handle m_last;
+  std::vector<Face_handle> m_conflicts;
+  std::vector<typename Triangulation::Edge> m_boundary;
 };
 
 } // namespace internal

@@ -9,8 +9,8 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Patch_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_numbering_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_engine_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulator_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_order_2.h>
 #include <CGAL/Triangulation_utils_2.h>
 #include <CGAL/Unique_hash_map.h>
@@ -41,9 +41,12 @@ public:
     : m_maintained(maintained)
     , m_vertex_order(maintained)
     , m_numbering(maintained)
-    , m_engine(maintained)
+    , m_triangulator(maintained)
   {
   }
+
+  // For builds and rebuilds.
+  void set_engine(Static_engine_2 engine) { m_triangulator.set_engine(engine); }
 
   // A flip that doubles an edge would leave the simplicial complexes, where an edge is named by its
   // vertices; it is refused. Among these are all flips at vertices of degree 3. Two
@@ -199,12 +202,12 @@ private:
   // structure. What is only needed on the way would take as much memory as the triangulation.
   void triangulate(const Spatial_order_2& order)
   {
-    m_engine.run(order);
-    if (m_engine.faces().number_of_faces() > 0)
-      take_faces(m_engine.faces());
+    m_triangulator.run(order);
+    if (m_triangulator.faces().number_of_faces() > 0)
+      take_faces(m_triangulator.faces());
     else
       triangulate_line();
-    m_engine.release();
+    m_triangulator.release();
     m_numbering.release();
     m_vertex_order.release();
   }
@@ -415,7 +418,7 @@ private:
   Maintained& m_maintained;
   Vertex_order_2<Maintained> m_vertex_order;
   Point_numbering_2<Maintained> m_numbering;
-  Static_engine_2<Maintained> m_engine;
+  Static_triangulator_2<Maintained> m_triangulator;
   std::vector<Index> m_inner_edges;
   std::vector<Index> m_flipped; // half-edges, in the order of their flips
 };
