@@ -105,12 +105,13 @@ run::Run_summary run_frames(const run::Run_options& options, const run::Run_subj
                             scenario::Motion& motion, std::size_t frames, Outputs& outputs)
 {
   const run::Any_repair repair = run::make_repair(subject.repair, subject.padding);
+  const run::Classifier_settings settings{options.threads, subject.seed.value_or(0)};
   if (subject.classifier.is_exact) {
-    return run_frames(motion, run::make_exact_classifier(options.threads), repair, frames, outputs);
+    return run_frames(motion, run::Exact_classifiers::make(subject.classifier, settings), repair,
+                      frames, outputs);
   }
-  return run_frames(motion,
-                    run::make_heuristic_classifier(subject.classifier, subject.seed.value_or(0)),
-                    repair, frames, outputs);
+  return run_frames(motion, run::All_classifiers::make(subject.classifier, settings), repair,
+                    frames, outputs);
 }
 
 std::unique_ptr<scenario::Motion> open(const std::string& path, const run::Run_options& options,

@@ -4,7 +4,7 @@
 #ifndef CGAL_CIRCUMCIRCLE_CLASSIFIER_2_H
 #define CGAL_CIRCUMCIRCLE_CLASSIFIER_2_H
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_examination_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_proofs_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Safe_edges_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Safe_edges_schedule_2.h>
@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -71,6 +72,8 @@ public:
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified)
   {
+    using Dynamic_Delaunay_triangulations_2::internal::examine;
+    m_was_asked = true;
     if (m_schedule.is_near() && !m_safe_edges.holds())
       m_safe_edges.measure_step(frame);
     m_safe_edges.take_news(frame); // nothing is new, unless an exception ended the last update
@@ -100,12 +103,22 @@ public:
       classified.set_hull_turns_once();
   }
 
+  /// whether edge `e` is not Delaunay.
+  template <class Frame>
+  bool names_edge(const Frame& frame, typename Frame::Index e) const
+  {
+    return !frame.is_delaunay(e);
+  }
+
   /// sees what was triangulated anew, and finds out from time to time which edges need no look for
   /// a while, since their vertices hardly move.
   template <class Frame>
   void after_update(const Frame& frame)
   {
     m_safe_edges.learn(frame);
+    // whoever asks edge by edge has no use for them
+    if (!std::exchange(m_was_asked, false))
+      return;
     if (m_schedule.is_due(m_safe_edges.holds()) && frame.positions_are_exact() &&
         !frame.everything_is_new())
       m_safe_edges.start(frame, m_schedule.share());
@@ -180,19 +193,9 @@ private:
     return 4 * broken > 3 * sampled;
   }
 
-  template <class Frame, class Classification>
-  static void examine(const Frame& frame, Index e, Classification& classified)
-  {
-    using Dynamic_Delaunay_triangulations_2::internal::Edge_state_2;
-    const Edge_state_2 state = frame.rough_state(e);
-    if (state == Edge_state_2::ILLEGAL)
-      classified.add_illegal_edge(e);
-    else if (state != Edge_state_2::DELAUNAY)
-      classified.add_edge(e);
-  }
-
   unsigned m_threads;
   Dynamic_Delaunay_triangulations_2::internal::Safe_edges_2 m_safe_edges;
+  bool m_was_asked = true; // since the last update
   bool m_is_chaos = false; // in the last frame nearly all edges were broken
   Dynamic_Delaunay_triangulations_2::internal::Safe_edges_schedule_2 m_schedule;
   std::vector<std::vector<Index>> m_unproved; // of each part

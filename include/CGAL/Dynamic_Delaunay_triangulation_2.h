@@ -48,8 +48,9 @@ vertices.
 \tparam Traits a CGAL kernel with exact predicates whose points have `x()` and `y()`, such as
   `Exact_predicates_inexact_constructions_kernel`.
 \tparam Classifier a model of `DelaunayClassifier_2`, what may be broken.
-\tparam Repair a model of `DelaunayRepair_2`, what mends it. `Default` stands for
-  `Flip_and_splice_repair_2` if the classifier is exact, and for `Border_splice_repair_2` else.
+\tparam Repair a model of `DelaunayRepair_2`, what mends it. `Default` stands for the classifier's
+  `Usual_repair` if it has one; else for `Flip_and_splice_repair_2` if the classifier is exact, and
+  for `Border_splice_repair_2` if it is not.
 \tparam Tds a triangulation data structure whose vertex base is
   `Dynamic_Delaunay_triangulation_vertex_base_2` or derives from it; `Default` for a plain one.
 */
@@ -57,8 +58,17 @@ template <class Traits, class Classifier = Circumcircle_classifier_2, class Repa
           class Tds = Default>
 class Dynamic_Delaunay_triangulation_2
 {
-  using Default_repair =
-      std::conditional_t<Classifier::is_exact, Flip_and_splice_repair_2, Border_splice_repair_2>;
+  template <class C, class = void>
+  struct Usual_repair
+  {
+    using type = std::conditional_t<C::is_exact, Flip_and_splice_repair_2, Border_splice_repair_2>;
+  };
+  template <class C>
+  struct Usual_repair<C, std::void_t<typename C::Usual_repair>>
+  {
+    using type = typename C::Usual_repair;
+  };
+  using Default_repair = typename Usual_repair<Classifier>::type;
   using Default_tds =
       Triangulation_data_structure_2<Dynamic_Delaunay_triangulation_vertex_base_2<Traits>,
                                      Triangulation_face_base_2<Traits>>;

@@ -40,6 +40,14 @@ public:
   }
   /// \endcond
 
+  /// an empty classification of the same frame, for classifiers that ask others.
+  Dynamic_classification_2 empty_copy() const
+  {
+    Dynamic_classification_2 copy;
+    copy.clear(*m_maintained);
+    return copy;
+  }
+
   /// classifies vertex `v`; nothing happens if it is the infinite one. Of every edge that is not
   /// Delaunay, an exact classifier classifies an end so, or it gives the edge to `add_edge()`.
   void add_vertex(Index v)
@@ -108,6 +116,8 @@ public:
   const std::vector<Index>& vertices() const { return m_vertices.members(); }
   /// the vertices given to `add_vertex()` or `add_id()`.
   const std::vector<Index>& whole_vertices() const { return m_whole_vertices.members(); }
+  /// whether vertex `v` was given to `add_vertex()` or `add_id()`.
+  bool is_whole_vertex(Index v) const { return m_whole_vertices.contains(v); }
   /// the edges given to `add_edge()`, in some order.
   const std::vector<Index>& edges() const { return m_edges; }
 

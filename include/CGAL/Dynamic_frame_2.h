@@ -100,11 +100,29 @@ public:
   /// the three vertices of face `f`, counterclockwise when the face was made.
   std::array<Index, 3> face(Index f) const { return m_maintained->mirror.face(f); }
 
+  /// the two faces at edge `e`: the one with the vertex `left` of `edge(e)`, and the one with
+  /// `right`.
+  std::array<Index, 2> faces_at(Index e) const
+  {
+    const auto& mirror = m_maintained->mirror;
+    const Index h = mirror.halfedge(e);
+    const Index f = mirror.face_of(h), g = mirror.face_of(mirror.twin(h));
+    if (mirror.source(h) == edge(e).source)
+      return {f, g};
+    return {g, f};
+  }
+
   /// calls `f(w)` for every neighbor `w` of vertex `v`, the infinite vertex included.
   template <class Function>
   void for_each_neighbor(Index v, Function&& f) const
   {
     m_maintained->mirror.for_each_neighbor(v, f);
+  }
+  /// calls `f(s)` for the four other edges `s` of the two faces at edge `e`.
+  template <class Function>
+  void for_each_side(Index e, Function&& f) const
+  {
+    m_maintained->mirror.for_each_side(e, f);
   }
   /// calls `f(e)` for every edge `e` at vertex `v`.
   template <class Function>
@@ -136,13 +154,6 @@ public:
       f(mirror.edge_of(mirror.previous(h)));
     });
   }
-
-  // Calls f(s) for the four other edges s of the two faces at edge e.
-  template <class Function>
-  void for_each_side(Index e, Function&& f) const
-  {
-    m_maintained->mirror.for_each_side(e, f);
-  }
   /// \endcond
 
   /// @}
@@ -154,6 +165,41 @@ public:
   /// the edges in the regions that were triangulated anew, if not everything was; an edge can be
   /// there more than once.
   const std::vector<Index>& new_edges() const { return m_maintained->new_edges; }
+  /// whether anything was. While classifying that is so only if an exception ended the last update
+  /// before the classifier was told.
+  bool has_news() const { return everything_is_new() || !new_edges().empty(); }
+
+  /// calls `f(e)` for every edge `e` that was triangulated anew or may have got another opposite
+  /// vertex by that; for some of them more than once. Every face that has changed has a new edge,
+  /// so these are the new edges and the other edges of their faces.
+  template <class Function>
+  void for_each_changed_edge(Function&& f) const
+  {
+    if (everything_is_new()) {
+      for (Index e = 0; e < number_of_edges(); ++e)
+        f(e);
+      return;
+    }
+    for (const Index e : new_edges()) {
+      f(e);
+      for_each_side(e, f);
+    }
+  }
+
+  /// calls `f(g)` for every face `g` that may have changed by that, for some of them more than
+  /// once.
+  template <class Function>
+  void for_each_changed_face(Function&& f) const
+  {
+    if (everything_is_new()) {
+      for (Index g = 0; g < number_of_faces(); ++g)
+        f(g);
+      return;
+    }
+    for (const Index e : new_edges())
+      for (const Index g : faces_at(e))
+        f(g);
+  }
 
   /// @}
 

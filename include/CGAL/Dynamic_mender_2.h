@@ -134,12 +134,13 @@ public:
     m_is_planar = m_has_to_prove && m_open.empty() && Certificate(m_maintained).hull_turns_once();
   }
 
-  /// splices around the classified vertices with `padding` layers. Rebuilds if the region holds
+  /// splices around the classified vertices with `padding` layers; with a heuristic classifier all
+  /// edges count as closed after it, looked at or not. Rebuilds if the region holds
   /// more than half of the vertices, also after it had to grow, or if points in it coincide.
   void splice_classified(unsigned padding)
   {
     open_illegal();
-    splice(m_classification.vertices(), padding);
+    splice(m_classification.vertices(), padding, m_has_to_prove);
     if (!m_report->rebuilt()) {
       for (std::size_t i = 0; i < m_splice.number_of_padded(); ++i)
         m_padded.push_back(m_splice.padded(i));
@@ -147,8 +148,8 @@ public:
     }
   }
 
-  /// splices around the vertices of the open edges with `padding` layers. Rebuilds as
-  /// `splice_classified()` does.
+  /// splices around the vertices of the open edges with `padding` layers, and leaves those edges
+  /// open that it could not prove. Rebuilds as `splice_classified()` does.
   void splice_open(unsigned padding)
   {
     open_illegal();
@@ -160,7 +161,7 @@ public:
   {
     std::vector<Index> vertices;
     for_each_open_vertex([&](Index v) { vertices.push_back(v); });
-    splice(vertices, padding);
+    splice(vertices, padding, true);
   }
 
   /// lets CGAL's `move_if_no_collision()` bring one vertex after the other from where it was a
@@ -255,7 +256,7 @@ private:
     m_report->flips += m_lawson.run(m_maintained, m_editor, m_open, m_is_planar);
   }
 
-  void splice(const std::vector<Index>& vertices, unsigned padding)
+  void splice(const std::vector<Index>& vertices, unsigned padding, bool has_to_look)
   {
     m_is_planar = false;
     std::size_t growths = 0;
@@ -268,17 +269,16 @@ private:
     ++m_report->splices;
     m_report->padded += m_splice.number_of_padded();
     m_report->border += m_splice.number_of_border();
-    reopen();
+    if (has_to_look)
+      reopen();
+    else
+      m_open.clear();
   }
 
   // The spliced faces are Delaunay among themselves; what lies across their boundary may not be.
   // Open edges elsewhere stay open.
   void reopen()
   {
-    if (!m_has_to_prove) {
-      m_open.clear();
-      return;
-    }
     const Certificate certificate(m_maintained);
     const auto& boundary = m_splice.boundary_edges();
     m_open.insert(m_open.end(), boundary.begin(), boundary.end());

@@ -14,7 +14,9 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2Repairs
 
 The default for exact use: flips first, border splices around what flips cannot right. If so much is
-classified that mending would cost more than a rebuild, it rebuilds at once.
+classified that mending would cost more than a rebuild, it rebuilds at once; if flips and splices
+leave edges open, it does so in the end. So no edge is left open, with heuristic classifiers
+neither.
 
 \cgalModels `DelaunayRepair_2`
 */
@@ -48,6 +50,8 @@ public:
       if (!mender.is_done())
         mender.flip();
     }
+    if (!mender.is_done())
+      mender.rebuild(Rebuild_reason_2::STUCK);
   }
 
 private:

@@ -258,6 +258,50 @@ TEST(Random_classifier, picks_everybody_at_one_and_nobody_at_zero)
   EXPECT_EQ(classified_mean("random:0"), 0.0);
 }
 
+TEST(Classifiers, run_by_their_names_and_exact_ones_end_certified)
+{
+  const Words arguments = {"brownian", "--points",    "300",  "--frames",
+                           "20",       "--time-step", "0.01", "--classifier"};
+  const auto report_under = [&](const std::string& classifier) {
+    Words all = arguments;
+    all.push_back(classifier);
+    return report_of(all);
+  };
+  for (const char* name : {"circumcircle", "safe_region", "refined:safe_region+circumcircle",
+                           "refined:circumcircle+safe_region"}) {
+    SCOPED_TRACE(name);
+    const Json report = report_under(name);
+    EXPECT_EQ(report["repair"], "flip_and_splice");
+    expect_exact_report(report, 20);
+  }
+  for (const char* name :
+       {"point_distance", "inflation_aware:0.9", "voronoi_circumcenter",
+        "voronoi_circumcenter_estimated", "voronoi_edge_length:0.3", "random:0.1",
+        "refined:point_distance:1e+0+voronoi_circumcenter", "refined:circumcircle+random:0.5"}) {
+    SCOPED_TRACE(name);
+    const Json report = report_under(name);
+    EXPECT_EQ(report["exact"], false);
+    EXPECT_EQ(report["repair"], "splice");
+    EXPECT_EQ(report["valid_frames"], 20);
+    EXPECT_GT(report["mcc_min"], 0.7);
+  }
+  EXPECT_EQ(report_under("nearly_delaunay")["repair"], "flip_and_splice");
+  EXPECT_EQ(report_under("nearly_delaunay")["parameter"], 0.05);
+}
+
+TEST(Classifiers, that_are_refined_are_reported_with_both_of_their_parts)
+{
+  const Words arguments = {
+      "--points", "200", "--frames", "20", "--classifier", "refined:point_distance+random:0.5",
+      "--seed",   "3"};
+  const Json report = report_of(arguments);
+  EXPECT_EQ(report["classifier"], "refined");
+  EXPECT_EQ(report["parameter"], "point_distance:0.7+random:0.5");
+  EXPECT_EQ(report["seed"], 3);
+  const Outcome outcome = run(arguments);
+  EXPECT_TRUE(contains(outcome.output, "refined:point_distance:0.7+random:0.5 (heuristic)"));
+}
+
 TEST(Recordings, may_change_their_population)
 {
   const Json report = report_of({write_file("small.csv", small_csv())});
@@ -339,7 +383,16 @@ TEST(Mistakes, in_a_name_are_answered_with_the_names_that_exist)
   expect_refusal({"no_such_scenario"}, {"no_such_scenario", "dam_break", "spinning"});
   expect_refusal({"no_such_file.csv"}, {"no_such_file.csv"});
   expect_refusal({"--classifier", "oracle"},
-                 {"oracle", "circumcircle", "point_distance", "random"});
+                 {"oracle", "circumcircle", "safe_region", "point_distance", "inflation_aware",
+                  "voronoi_circumcenter", "voronoi_circumcenter_estimated", "voronoi_edge_length",
+                  "nearly_delaunay", "random", "refined:FIRST+SECOND"});
+  expect_refusal({"--classifier", "refined:oracle+circumcircle"}, {"oracle", "safe_region"});
+  expect_refusal({"--classifier", "refined:circumcircle"}, {"takes two", "safe_region"});
+  for (const char* name : {"refined", "refined:", "refined:1", "refined:1+1", "refined:+"}) {
+    expect_refusal({"--classifier", name}, {"safe_region", "refined:FIRST+SECOND"});
+  }
+  expect_refusal({"--classifier", "refined:circumcircle+refined:random+random"},
+                 {"no refined classifier", "safe_region"});
   expect_refusal({"--repair", "glue"}, {"glue", "splice", "flip", "relocate", "rebuild"});
   expect_refusal({"--packing", "round"}, {"round", "square", "hexagonal"});
   expect_refusal({"--speed", "1"}, {"--speed"});
@@ -352,6 +405,17 @@ TEST(Mistakes, in_a_number_are_answered_with_its_range)
   expect_refusal({"--classifier", "random:-0.1"}, {"random", "-0.1", "from 0 to 1"});
   expect_refusal({"--classifier", "random:"}, {"random", "from 0 to 1"});
   expect_refusal({"--classifier", "circumcircle:1"}, {"circumcircle takes no parameter"});
+  for (const char* name :
+       {"safe_region", "voronoi_circumcenter", "voronoi_circumcenter_estimated"}) {
+    expect_refusal({"--classifier", std::string(name) + ":1"}, {name, "takes no parameter"});
+  }
+  for (const char* name : {"inflation_aware", "voronoi_edge_length", "nearly_delaunay"}) {
+    for (const char* value : {"-0.1", "1.01", "nan", "", "x"}) {
+      expect_refusal({"--classifier", std::string(name) + ":" + value},
+                     {name, value, "from 0 to 1"});
+    }
+  }
+  expect_refusal({"--classifier", "refined:circumcircle+random:2"}, {"random", "2", "from 0 to 1"});
   expect_refusal({"--frames", "-1"}, {"--frames", "-1", "from 0"});
   expect_refusal({"--frames", "ten"}, {"--frames", "ten"});
   expect_refusal({"--points", "0"}, {"--points", "from 1"});

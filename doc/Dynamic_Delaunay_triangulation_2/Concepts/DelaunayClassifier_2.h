@@ -14,8 +14,15 @@ frame to frame.
 
 \cgalHasModelsBegin
 \cgalHasModels{Circumcircle_classifier_2}
+\cgalHasModels{Safe_region_classifier_2}
 \cgalHasModels{Point_distance_classifier_2}
+\cgalHasModels{Inflation_aware_classifier_2}
+\cgalHasModels{Voronoi_circumcenter_classifier_2}
+\cgalHasModels{Estimated_voronoi_circumcenter_classifier_2}
+\cgalHasModels{Voronoi_edge_length_classifier_2}
+\cgalHasModels{Nearly_delaunay_classifier_2}
 \cgalHasModels{Random_classifier_2}
+\cgalHasModels{Refined_classifier_2}
 \cgalHasModelsEnd
 */
 class DelaunayClassifier_2
@@ -33,6 +40,12 @@ public:
   static constexpr bool is_exact = false;
 
   /*!
+  (optional) the repair that an update uses if it is given none. Without it, that is
+  `Flip_and_splice_repair_2` if the classifier is exact, and `Border_splice_repair_2` if it is not.
+  */
+  using Usual_repair = unspecified_type;
+
+  /*!
   classifies. It is called once in every frame in which the points span the plane and no coincident points
   part (else the triangulation is rebuilt).
 
@@ -48,8 +61,18 @@ public:
   (optional) is called at the end of every update and after construction, with the new topology. Classifiers
   with data per edge bring it up to date here: `Dynamic_frame_2::everything_is_new()` tells whether the
   numbers of vertices and edges have changed their meaning, `Dynamic_frame_2::new_edges()` which edges were
-  triangulated anew otherwise.
+  triangulated anew otherwise. A new edge also changes what is around it: what depends on opposite vertices or
+  faces is brought up to date at `Dynamic_frame_2::for_each_changed_edge()` and
+  `Dynamic_frame_2::for_each_changed_face()`.
   */
   template <class Frame>
   void after_update(const Frame& frame);
+
+  /*!
+  (optional) for classifiers that decide edge by edge, and name edges alone: whether `operator()` would hand
+  edge `e` of this frame to `Dynamic_classification_2::add_edge()`. With it, `Refined_classifier_2` asks for
+  the edges that it has to, instead of all.
+  */
+  template <class Frame>
+  bool names_edge(const Frame& frame, typename Frame::Index e) const;
 };

@@ -5,6 +5,7 @@
 #define RUN_ANY_REPAIR_H
 
 #include "../scenario/Json_object_reader.h"
+#include "Classifier_choice.h"
 
 #include <CGAL/Border_splice_repair_2.h>
 #include <CGAL/Flip_and_splice_repair_2.h>
@@ -52,9 +53,10 @@ inline const std::vector<std::string>& repair_names()
   return names;
 }
 
-inline std::string usual_repair(bool classifier_is_exact)
+inline std::string usual_repair(const Classifier_choice& classifier)
 {
-  return classifier_is_exact ? "flip_and_splice" : "splice";
+  const bool needs_flips = classifier.is_exact || classifier.name == "nearly_delaunay";
+  return needs_flips ? "flip_and_splice" : "splice";
 }
 
 inline void check_repair_name(const std::string& name)

@@ -35,7 +35,7 @@ struct Run_options
   std::optional<std::string> svg{};
   bool quiet = false;
 
-  std::string repair_name() const { return repair.value_or(usual_repair(classifier.is_exact)); }
+  std::string repair_name() const { return repair.value_or(usual_repair(classifier)); }
 };
 
 inline scenario::Packing packing_argument(const std::string& text)
@@ -73,13 +73,14 @@ inline void add_method_options(CLI::App& app, Run_options& options)
              [&](const std::string& text) {
                options.padding = static_cast<unsigned>(count_argument(text, 0, most_padding));
              });
-  add_option(app, "--repair", "NAME",
-             "what mends: " + scenario::joined(repair_names()) +
-                 "; default flip_and_splice, with a heuristic classifier splice",
-             [&](const std::string& text) {
-               check_repair_name(text);
-               options.repair = text;
-             });
+  add_option(
+      app, "--repair", "NAME",
+      "what mends: " + scenario::joined(repair_names()) +
+          "; default flip_and_splice, with a heuristic classifier but nearly_delaunay splice",
+      [&](const std::string& text) {
+        check_repair_name(text);
+        options.repair = text;
+      });
   add_option(app, "--threads", "N", "threads of the circumcircle classifier; default 1",
              [&](const std::string& text) {
                options.threads = static_cast<unsigned>(count_argument(text, 1, most_threads));

@@ -38,10 +38,15 @@ inline Json packing_json(const std::optional<scenario::Packing>& packing)
   return *packing == scenario::Packing::square ? "square" : "hexagonal";
 }
 
+inline Json parameter_json(const Classifier_choice& choice)
+{
+  return choice.parts.empty() ? json_of(choice.parameter) : Json(choice.parameter_text());
+}
+
 inline void add_subject(Json& json, const Run_subject& subject)
 {
   json["classifier"] = subject.classifier.name;
-  json["parameter"] = json_of(subject.classifier.parameter);
+  json["parameter"] = parameter_json(subject.classifier);
   json["padding"] = subject.padding;
   json["repair"] = subject.repair;
   json["threads"] = subject.threads;

@@ -30,7 +30,7 @@ struct Run_subject
 inline Run_subject run_subject(const Run_options& options, const scenario::Motion& motion,
                                const Scenario_facts& facts)
 {
-  const bool is_random = facts.seed || options.classifier.name == "random";
+  const bool is_random = facts.seed || options.classifier.uses_chance();
   const std::uint64_t seed = options.overrides.seed.value_or(facts.seed.value_or(0));
   return {motion.name(),
           options.classifier,

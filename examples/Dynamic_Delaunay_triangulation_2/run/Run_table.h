@@ -68,16 +68,12 @@ inline void write_times(std::ostream& out, const std::string& label,
 
 inline void write_subject(std::ostream& out, const Run_subject& subject, const Run_summary& summary)
 {
-  std::ostringstream classifier;
-  classifier << subject.classifier.name;
-  if (subject.classifier.parameter) {
-    classifier << ':' << *subject.classifier.parameter;
-  }
   write_line(out, "scenario",
              subject.scenario + ", " + std::to_string(summary.points) + " points, " +
                  std::to_string(summary.frames) + " frames");
   write_line(out, "classifier",
-             classifier.str() + (subject.classifier.is_exact ? " (exact)" : " (heuristic)"));
+             subject.classifier.text() +
+                 (subject.classifier.is_exact ? " (exact)" : " (heuristic)"));
   write_line(out, "repair", subject.repair);
 }
 

@@ -68,6 +68,14 @@ public:
     return m_is_counterclockwise && m_outer - m_inner > 2 * t + 16 * 0x1p-53 * (m_outer + m_inner);
   }
 
+  // A tolerance with which the edge is safe, the largest one but for rounding; negative if there is
+  // none. However it is computed, is_safe() has the last word.
+  double tolerance() const
+  {
+    const double t = (1 - 1e-12) * (m_is_at_hull ? root_of_bound() : slack_less_rounding());
+    return t > smallest_tolerance && is_safe(t) ? t : -1;
+  }
+
   // False only if the edge goes from a corner of the hull to infinity, and the hull could turn back
   // on itself there.
   bool keeps_turning_angle(double t) const
@@ -114,6 +122,15 @@ private:
   {
     measure_turn(p, q, w);
     m_is_corner = true;
+  }
+
+  double slack_less_rounding() const { return value() - 8 * 0x1p-53 * (m_outer + m_inner); }
+
+  // Where bound() reaches the determinant.
+  double root_of_bound() const
+  {
+    const double room = (m_determinant - Edge_filter_2::orientation_factor * m_squares) / 1.0001;
+    return room / (m_lengths + std::sqrt(m_lengths * m_lengths + 4 * room));
   }
 
   double bound(double t) const

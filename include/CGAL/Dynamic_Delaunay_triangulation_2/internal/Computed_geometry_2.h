@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_COMPUTED_GEOMETRY_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_COMPUTED_GEOMETRY_2_H
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// What heuristic classifiers compute in plain floating point, as rounded as it comes out.
+
+inline Position_2 operator-(const Position_2& p, const Position_2& q)
+{
+  return {p.x - q.x, p.y - q.y};
+}
+
+inline double cross(const Position_2& u, const Position_2& v)
+{
+  return u.x * v.y - u.y * v.x;
+}
+
+inline double dot(const Position_2& u, const Position_2& v)
+{
+  return u.x * v.x + u.y * v.y;
+}
+
+// Of the triangle of the origin, u and v, in either order. Infinite or no number if these are on a
+// line.
+inline Position_2 circumcenter(const Position_2& u, const Position_2& v)
+{
+  const double uu = dot(u, u), vv = dot(v, v);
+  const double scale = 0.5 / cross(u, v);
+  return {(v.y * uu - u.y * vv) * scale, (u.x * vv - v.x * uu) * scale};
+}
+
+inline bool is_at_infinity(const Edge_2& edge)
+{
+  return edge.source == infinite_index || edge.target == infinite_index ||
+         edge.left == infinite_index || edge.right == infinite_index;
+}
+
+// For an edge at infinity: whether its finite face is not counterclockwise, or the hull turns right
+// where it passes the edge's end.
+inline bool breaks_hull(const Edge_2& edge, const std::vector<Position_2>& positions)
+{
+  const auto orientation = [&](Index p, Index q, Index r) {
+    return cross(positions[q] - positions[p], positions[r] - positions[p]);
+  };
+  if (edge.left == infinite_index)
+    return !(orientation(edge.right, edge.target, edge.source) > 0);
+  if (edge.right == infinite_index)
+    return !(orientation(edge.left, edge.source, edge.target) > 0);
+  if (edge.source == infinite_index)
+    return !(orientation(edge.left, edge.target, edge.right) >= 0);
+  return !(orientation(edge.right, edge.source, edge.left) >= 0);
+}
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_COMPUTED_GEOMETRY_2_H

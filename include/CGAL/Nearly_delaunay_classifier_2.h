@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_NEARLY_DELAUNAY_CLASSIFIER_2_H
+#define CGAL_NEARLY_DELAUNAY_CLASSIFIER_2_H
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_examination_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_filter_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+#include <CGAL/Flip_and_splice_repair_2.h>
+
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Classifiers
+
+Leaves an edge alone that is not Delaunay, but nearly (thesis 7.2.5). An edge `bc` between the
+counterclockwise faces `abc` and `dcb` is *nearly Delaunay* if `d` is not deeper in the circumcircle
+of `abc` than `eps` times its radius, nor `a` in that of `dcb`: with `o` and `R` the center and the
+radius of the first one,
+
+\f[ |od| \ge (1 - \mathit{eps})\, R , \f]
+
+and so for the second one. The vertices of all other edges that are not Delaunay are classified,
+whatever `eps` is also where a face is not counterclockwise or the hull not convex.
+
+**The bound.** With `Flip_and_splice_repair_2`, which is what an update with this classifier uses if
+it is not told otherwise, every update ends with all finite faces counterclockwise, the hull turning
+left or going straight on at each vertex, and all edges between finite faces nearly Delaunay.
+For flips and splices leave no edge that has got another vertex before it is proved Delaunay, and
+that repair rebuilds where they cannot. Rounding is on the safe side. With other repairs the bound
+is not promised: flips alone get stuck at inverted faces, and a border splice looks neither at its
+own boundary nor beyond.
+
+It is *heuristic*: the result is no Delaunay triangulation, and not certified. With `eps = 0` it
+classifies what the circumcircle classifier does.
+
+Cost: one pass over all edges; it keeps nothing.
+
+\cgalModels `DelaunayClassifier_2`
+*/
+class Nearly_delaunay_classifier_2
+{
+public:
+  /// it leaves edges alone that are not Delaunay.
+  static constexpr bool is_exact = false;
+  /// the repair that keeps the bound.
+  using Usual_repair = Flip_and_splice_repair_2;
+
+  /// \param eps how deep a vertex may be in a circumcircle, in radii, from 0 to 1.
+  /// \throws Parameter_error_2 if `eps` is out of this range.
+  explicit Nearly_delaunay_classifier_2(double eps = 0.05)
+    : m_eps(eps)
+  {
+    if (!(eps >= 0 && eps <= 1))
+      throw Parameter_error_2("the parameter eps of nearly_delaunay", eps, 0, 1);
+  }
+
+  /// the parameter.
+  double eps() const { return m_eps; }
+
+  /// classifies.
+  template <class Frame, class Classification>
+  void operator()(const Frame& frame, Classification& classified)
+  {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    find_unproved(frame, m_unproved);
+    for (const Index e : m_unproved)
+      if (!frame.positions_are_exact() || !is_proved_near(frame, frame.edge(e)))
+        examine(frame, e, classified);
+  }
+
+  /// whether edge `e` is not even nearly Delaunay.
+  template <class Frame>
+  bool names_edge(const Frame& frame, typename Frame::Index e) const
+  {
+    return !(frame.positions_are_exact() && is_proved_near(frame, frame.edge(e))) &&
+           !frame.is_delaunay(e);
+  }
+
+private:
+  using Index = Dynamic_Delaunay_triangulations_2::Index;
+  using Position = Dynamic_Delaunay_triangulations_2::Position_2;
+
+  // With the power R^2 - |od|^2 of d, which is in_circle / left, and R^2 = |ab|^2 |bc|^2 |ca|^2 /
+  // (4 left^2), the edge is nearly Delaunay if
+  //     4 left in_circle <= eps (2 - eps) |ab|^2 |bc|^2 |ca|^2,
+  // and with the other face's orientation and lengths in place of these. The errors of in_circle
+  // and left are those of Edge_filter_2; the few roundings of the products, each within 2^-53, are
+  // far below 1e-14.
+  template <class Frame>
+  bool is_proved_near(const Frame& frame, const typename Frame::Edge& edge) const
+  {
+    using Dynamic_Delaunay_triangulations_2::internal::Edge_filter_2;
+    const Position &a = frame.position(edge.left), &b = frame.position(edge.source),
+                   &c = frame.position(edge.target), &d = frame.position(edge.right);
+    const Edge_filter_2 filter(a, b, c, d);
+    if (!filter.proves_counterclockwise())
+      return false;
+    const double in_circle =
+        filter.in_circle + Edge_filter_2::in_circle_factor * filter.s * filter.s;
+    const double error = Edge_filter_2::orientation_factor * filter.s;
+    return is_bounded((filter.left + error) * in_circle, a, b, c) &&
+           is_bounded((filter.right + error) * in_circle, d, c, b);
+  }
+
+  bool is_bounded(double product, const Position& p, const Position& q, const Position& r) const
+  {
+    constexpr double smallest_lengths = 1e-250; // smaller ones may have underflowed on the way
+    const double lengths = squared_length(p, q) * squared_length(q, r) * squared_length(r, p);
+    return lengths > smallest_lengths && 4 * product <= (1 - 1e-14) * m_eps * (2 - m_eps) * lengths;
+  }
+
+  static double squared_length(const Position& p, const Position& q)
+  {
+    return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y);
+  }
+
+  double m_eps;
+  std::vector<Index> m_unproved;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_NEARLY_DELAUNAY_CLASSIFIER_2_H

@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SAFE_REGION_CLASSIFIER_2_H
+#define CGAL_SAFE_REGION_CLASSIFIER_2_H
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Displacements_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_examination_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_slack_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Classifiers
+
+Gives every vertex a *safe region*, a disk around where it was: as long as all vertices stay in
+theirs, the triangulation stays Delaunay (thesis 4.2.2, Proposition 1 of [CD08]: de Castro and
+Devillers, *Self-adapting point location*, 2008). For an edge `bc` with the opposite vertices `a`
+and `d`, let `r` be the larger one of `|ob|` and `|oc|`, and `R` the smaller one of `|oa|` and
+`|od|`, with `o` where the bisectors of `bc` and `ad` meet. The radius of a vertex's disk is the
+smallest `(R - r) / 2` of all edges that it is an end of or opposite to; at the hull about half of a
+distance takes its place. Of the vertices that have left their disks, all such edges are looked at,
+by exact predicates, and the vertices of those that are not Delaunay are classified: nobody, if
+nothing has broken.
+
+It is *exact*: it misses no edge (\ref SafeEdgesVertices). So it classifies what
+`Circumcircle_classifier_2` does. That one keeps its slack by edges instead of vertices, with one
+tolerance for all, and is faster: here one edge near a tie spoils the disks of four vertices.
+
+Cost: one pass over all vertices, where few have left their disks; these take about half a
+microsecond each, as their disks are made anew. Else one pass over all edges, now and then another
+one to make all disks anew. Three doubles a vertex and one an edge of memory.
+
+\cgalModels `DelaunayClassifier_2`
+*/
+class Safe_region_classifier_2
+{
+public:
+  /// it misses no edge.
+  static constexpr bool is_exact = true;
+
+  /// classifies.
+  template <class Frame, class Classification>
+  void operator()(const Frame& frame, Classification& classified)
+  {
+    // an exception may have ended the last update before this was told
+    m_holds = m_holds && !frame.has_news() && frame.positions_are_exact() && find_moved(frame);
+    if (m_holds)
+      find_edges_of_moved(frame);
+    else
+      Dynamic_Delaunay_triangulations_2::internal::find_unproved(frame, m_unproved);
+    for (const Index e : m_unproved)
+      Dynamic_Delaunay_triangulations_2::internal::examine(frame, e, classified);
+  }
+
+  /// makes the disks of the vertices that have left theirs, and of those around what was
+  /// triangulated anew.
+  template <class Frame>
+  void after_update(const Frame& frame)
+  {
+    if (m_holds && !frame.everything_is_new() && frame.positions_are_exact()) {
+      ++m_held;
+      renew(frame);
+      return;
+    }
+    m_holds = false;
+    judge();
+    if (m_rest > 0)
+      --m_rest;
+    else if (frame.positions_are_exact())
+      start(frame);
+  }
+
+private:
+  using Index = Dynamic_Delaunay_triangulations_2::Index;
+  using Position = Dynamic_Delaunay_triangulations_2::Position_2;
+
+  static constexpr unsigned frames_worth_it = 16, longest_rest = 64;
+
+  // False if they are too many: then looking at all edges costs less.
+  template <class Frame>
+  bool find_moved(const Frame& frame)
+  {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    m_moved.clear();
+    for (Index v = 1; v <= frame.number_of_vertices(); ++v)
+      if (!(squared_distance(frame.position(v), m_references[v]) <= m_squared_bounds[v]))
+        m_moved.push_back(v);
+    return 64 * m_moved.size() <= frame.number_of_vertices();
+  }
+
+  template <class Frame>
+  void find_edges_of_moved(const Frame& frame)
+  {
+    m_edges.clear(frame.number_of_edges());
+    for (const Index v : m_moved)
+      frame.for_each_edge_that_sees(v, [&](Index e) { m_edges.insert(e); });
+    m_unproved.assign(m_edges.begin(), m_edges.end());
+    std::sort(m_unproved.begin(), m_unproved.end());
+  }
+
+  // Disks that did not last are not made again for a while.
+  void judge()
+  {
+    if (!m_was_started)
+      return;
+    m_was_started = false;
+    m_patience = m_held >= frames_worth_it ? 1 : (std::min)(2 * m_patience, longest_rest);
+    m_rest = m_held >= frames_worth_it ? 0 : m_patience;
+  }
+
+  template <class Frame>
+  void start(const Frame& frame)
+  {
+    m_was_started = true;
+    m_held = 0;
+    m_moved.clear();
+    m_references = frame.positions();
+    m_tolerances.resize(frame.number_of_edges());
+    m_squared_bounds.resize(m_references.size());
+    for (Index e = 0; e < frame.number_of_edges(); ++e)
+      measure(frame, e);
+    for (Index v = 1; v <= frame.number_of_vertices(); ++v)
+      take_smallest(frame, v);
+    m_holds = true;
+  }
+
+  template <class Frame>
+  void renew(const Frame& frame)
+  {
+    m_holds = false; // until it is done: memory may run out
+    m_edges.clear(frame.number_of_edges());
+    for (const Index v : m_moved) {
+      m_references[v] = frame.position(v);
+      frame.for_each_edge_that_sees(v, [&](Index e) { m_edges.insert(e); });
+    }
+    frame.for_each_changed_edge([&](Index e) { m_edges.insert(e); });
+    m_vertices.clear(m_references.size());
+    for (const Index e : m_edges) {
+      measure(frame, e);
+      const auto& edge = frame.edge(e);
+      for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+        m_vertices.insert(v);
+    }
+    for (const Index v : m_vertices)
+      if (!frame.is_infinite(v))
+        take_smallest(frame, v);
+    m_holds = true;
+  }
+
+  template <class Frame>
+  void measure(const Frame& frame, Index e)
+  {
+    using Dynamic_Delaunay_triangulations_2::internal::Edge_slack_2;
+    m_tolerances[e] = Edge_slack_2(frame.edge(e), m_references).tolerance();
+  }
+
+  template <class Frame>
+  void take_smallest(const Frame& frame, Index v)
+  {
+    double smallest = (std::numeric_limits<double>::max)();
+    frame.for_each_edge_that_sees(
+        v, [&](Index e) { smallest = (std::min)(smallest, m_tolerances[e]); });
+    m_squared_bounds[v] =
+        smallest > 0 ? Dynamic_Delaunay_triangulations_2::internal::squared_bound(smallest) : -1;
+  }
+
+  bool m_holds = false;
+  std::vector<Position> m_references;   // the centers of the disks
+  std::vector<double> m_squared_bounds; // of the disks' radii; negative where there is no disk
+  std::vector<double> m_tolerances;     // of each edge
+  std::vector<Index> m_moved;           // out of their disks
+  std::vector<Index> m_unproved;
+  Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_edges, m_vertices;
+  unsigned m_held = 0;     // for so many frames
+  unsigned m_patience = 1; // frames
+  unsigned m_rest = 0;     // frames
+  bool m_was_started = false;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_SAFE_REGION_CLASSIFIER_2_H

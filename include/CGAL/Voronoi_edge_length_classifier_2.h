@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_VORONOI_EDGE_LENGTH_CLASSIFIER_2_H
+#define CGAL_VORONOI_EDGE_LENGTH_CLASSIFIER_2_H
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Classifiers
+
+Lets Voronoi edges bound how far vertices may go (thesis 7.2.3). The Voronoi edge of an edge `bc`
+with the opposite vertices `a` and `d` gets shorter when `b` and `c` move apart, away from it, and
+when `a` and `d` approach each other, towards its ends. So each Voronoi edge bounds the ways of four
+vertices, and those of a vertex with six neighbors are bounded in twelve directions. With `Vt` the
+length of the Voronoi edge when the neighborhood was last triangulated, and `bct` and `adt` the
+distances at that time, the four are classified when
+
+\f[ (|bc| - bc_t) + (ad_t - |ad|) > x\, V_t . \f]
+
+Between equilateral faces 0.6 of what `b` and `c` move apart and 0.7 of what `a` and `d` approach
+each other is lost to the Voronoi edge, so `x = 1` is cautious there; at flat faces it is not. At
+the hull, where Voronoi edges do not end, edges are classified as by
+`Voronoi_circumcenter_classifier_2`. It is *heuristic*: what moves along the edge goes unnoticed.
+
+Cost: one pass over all edges with two distances each; one double an edge of memory.
+
+\cgalModels `DelaunayClassifier_2`
+*/
+class Voronoi_edge_length_classifier_2
+{
+public:
+  /// it may miss edges.
+  static constexpr bool is_exact = false;
+
+  /// \param x the share of a Voronoi edge that motion may use up, from 0 to 1.
+  /// \throws Parameter_error_2 if `x` is out of this range.
+  explicit Voronoi_edge_length_classifier_2(double x = 1)
+    : m_x(x)
+  {
+    if (!(x >= 0 && x <= 1))
+      throw Parameter_error_2("the parameter x of voronoi_edge_length", x, 0, 1);
+  }
+
+  /// the parameter.
+  double x() const { return m_x; }
+
+  /// classifies.
+  template <class Frame, class Classification>
+  void operator()(const Frame& frame, Classification& classified)
+  {
+    if (frame.has_news())
+      after_update(frame);
+    for (Index e = 0; e < frame.number_of_edges(); ++e)
+      if (names_edge(frame, e))
+        classified.add_edge(e);
+  }
+
+  /// whether motion has used up too much of the Voronoi edge of edge `e`.
+  template <class Frame>
+  bool names_edge(const Frame& frame, Dynamic_Delaunay_triangulations_2::Index e) const
+  {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    const auto& edge = frame.edge(e);
+    if (is_at_infinity(edge))
+      return breaks_hull(edge, frame.positions());
+    return !(stretch(frame, edge) <= m_limits[e]); // what is no number is broken
+  }
+
+  /// measures the Voronoi edges that were triangulated anew: also those of edges that only got
+  /// another opposite vertex.
+  template <class Frame>
+  void after_update(const Frame& frame)
+  {
+    m_limits.resize(frame.number_of_edges());
+    m_measured.clear(frame.number_of_edges());
+    frame.for_each_changed_edge([&](Index e) {
+      if (!m_measured.insert(e))
+        return;
+      const auto& edge = frame.edge(e);
+      m_limits[e] = stretch(frame, edge) + m_x * voronoi_edge_length(frame, edge);
+    });
+  }
+
+private:
+  using Index = Dynamic_Delaunay_triangulations_2::Index;
+
+  template <class Frame>
+  static double distance(const Frame& frame, Index v, Index w)
+  {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    const auto difference = frame.position(v) - frame.position(w);
+    return std::sqrt(dot(difference, difference));
+  }
+
+  template <class Frame>
+  static double stretch(const Frame& frame, const typename Frame::Edge& edge)
+  {
+    return distance(frame, edge.source, edge.target) - distance(frame, edge.left, edge.right);
+  }
+
+  // Negative if the edge is not Delaunay; no number at a face that is not counterclockwise. As
+  // the center of abc is above bc by half of |bc| times the cotangent of the angle at a, the length
+  // takes no centers.
+  template <class Frame>
+  static double voronoi_edge_length(const Frame& frame, const typename Frame::Edge& edge)
+  {
+    return distance(frame, edge.source, edge.target) / 2 *
+           (cotangent(frame, edge.left, edge.source, edge.target) +
+            cotangent(frame, edge.right, edge.target, edge.source));
+  }
+
+  template <class Frame>
+  static double cotangent(const Frame& frame, Index apex, Index first, Index second)
+  {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    const auto u = frame.position(first) - frame.position(apex);
+    const auto v = frame.position(second) - frame.position(apex);
+    const double area = cross(u, v);
+    return area > 0 ? dot(u, v) / area : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  double m_x;
+  std::vector<double> m_limits; // of |bc| - |ad|, for each edge
+  Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_measured;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_VORONOI_EDGE_LENGTH_CLASSIFIER_2_H
