@@ -23,8 +23,9 @@ neither.
 class Flip_and_splice_repair_2
 {
 public:
-  /// \param padding the number of layers that the first splice is padded with.
-  explicit Flip_and_splice_repair_2(unsigned padding = 0)
+  /// \param padding the number of layers that the second splice is padded with, if the first one,
+  /// without any, has left edges open; each further one takes one more.
+  explicit Flip_and_splice_repair_2(unsigned padding = 1)
     : m_padding(padding)
   {
   }
@@ -41,12 +42,12 @@ public:
       return mender.rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
     mender.flip_inverted();
     for (unsigned round = 0; round < rounds && mender.has_inverted_edges(); ++round) {
-      mender.splice_inverted(m_padding + round);
+      mender.splice_inverted(layers(round));
       mender.flip_inverted();
     }
     mender.flip();
     for (unsigned round = 0; round < rounds && !mender.is_done(); ++round) {
-      mender.splice_open(m_padding + round);
+      mender.splice_open(layers(round));
       if (!mender.is_done())
         mender.flip();
     }
@@ -55,6 +56,8 @@ public:
   }
 
 private:
+  unsigned layers(unsigned round) const { return round == 0 ? 0 : m_padding + round - 1; }
+
   // On random clouds mending and rebuilding cost the same when an eighth of the edges are open, and
   // a ninth where the flat arrays no longer fit the second-level cache.
   template <class Mender>
