@@ -357,9 +357,8 @@ private:
   {
     auto& tds = m_maintained.triangulation.tds();
     const auto& faces = m_maintained.faces;
-    const bool prefetches = m_maintained.vertices.size() >= fewest_vertices_to_prefetch;
     for (std::size_t i = 0; i < m_flipped.size(); ++i) {
-      if (prefetches && i % stretch == 0)
+      if (i % stretch == 0)
         prefetch_stretch(i);
       tds.flip(faces[m_flipped[i] / 3], int(m_flipped[i] % 3));
     }
