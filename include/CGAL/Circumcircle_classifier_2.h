@@ -72,7 +72,6 @@ public:
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified)
   {
-    using Dynamic_Delaunay_triangulations_2::internal::examine;
     m_was_asked = true;
     if (m_schedule.is_near() && !m_safe_edges.holds())
       m_safe_edges.measure_step(frame);
@@ -80,7 +79,7 @@ public:
     if (!frame.positions_are_exact()) {
       m_safe_edges.drop();
       for (Index e = 0; e < frame.number_of_edges(); ++e)
-        examine(frame, e, classified);
+        Dynamic_Delaunay_triangulations_2::internal::examine(frame, e, classified);
       return;
     }
     // where one frame has broken nearly everything, the next one may
@@ -97,8 +96,7 @@ public:
       return;
     }
     for (const std::vector<Index>& unproved : m_unproved)
-      for (const Index e : unproved)
-        examine(frame, e, classified);
+      Dynamic_Delaunay_triangulations_2::internal::examine_all(frame, unproved, classified);
     if (m_safe_edges.holds() && m_safe_edges.hull_turns_once())
       classified.set_hull_turns_once();
   }

@@ -54,8 +54,7 @@ public:
       find_edges_of_moved(frame);
     else
       Dynamic_Delaunay_triangulations_2::internal::find_unproved(frame, m_unproved);
-    for (const Index e : m_unproved)
-      Dynamic_Delaunay_triangulations_2::internal::examine(frame, e, classified);
+    Dynamic_Delaunay_triangulations_2::internal::examine_all(frame, m_unproved, classified);
   }
 
   /// makes the disks of the vertices that have left theirs, and of those around what was

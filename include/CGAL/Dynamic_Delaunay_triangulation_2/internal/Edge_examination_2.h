@@ -25,6 +25,20 @@ void examine(const Frame& frame, Index e, Classification& classified)
     classified.add_edge(e);
 }
 
+// The same for all edges of a list. After a pass over all edges they are no longer in the cache.
+template <class Frame, class Classification>
+void examine_all(const Frame& frame, const std::vector<Index>& edges, Classification& classified)
+{
+  constexpr std::size_t ahead = 8;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (i + 2 * ahead < edges.size())
+      prefetch(&frame.edge(edges[i + 2 * ahead]));
+    if (i + ahead < edges.size())
+      prefetch_corners(frame.edge(edges[i + ahead]), frame.positions().data());
+    examine(frame, edges[i], classified);
+  }
+}
+
 // Lists edges among which are all that are not Delaunay: those that the pass over all edges does
 // not prove.
 template <class Frame>
