@@ -4,6 +4,7 @@
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_H
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_H
 
+#include <CGAL/Always_dynamic_policy_2.h>
 #include <CGAL/Border_splice_repair_2.h>
 #include <CGAL/Circumcircle_classifier_2.h>
 #include <CGAL/Default.h>
@@ -53,9 +54,10 @@ vertices.
   for `Border_splice_repair_2` if it is not.
 \tparam Tds a triangulation data structure whose vertex base is
   `Dynamic_Delaunay_triangulation_vertex_base_2` or derives from it; `Default` for a plain one.
+\tparam Policy a model of `DelaunayUpdatePolicy_2`, which frames are rebuilt instead.
 */
 template <class Traits, class Classifier = Circumcircle_classifier_2, class Repair = Default,
-          class Tds = Default>
+          class Tds = Default, class Policy = Always_dynamic_policy_2>
 class Dynamic_Delaunay_triangulation_2
 {
   template <class C, class = void>
@@ -89,6 +91,8 @@ public:
   using Delaunay_classifier = Classifier;
   /// the repair.
   using Delaunay_repair = typename Default::Get<Repair, Default_repair>::type;
+  /// the update policy.
+  using Delaunay_update_policy = Policy;
   /// the CGAL triangulation that is maintained.
   using Triangulation = typename Maintained::Triangulation;
   /// its data structure.
@@ -115,9 +119,11 @@ public:
   /// an empty triangulation.
   explicit Dynamic_Delaunay_triangulation_2(const Classifier& classifier,
                                             const Delaunay_repair& repair = Delaunay_repair(),
-                                            const Static_engines_2& engines = {})
+                                            const Static_engines_2& engines = {},
+                                            const Policy& policy = Policy())
     : m_classifier(classifier)
     , m_repair(repair)
+    , m_policy(policy)
     , m_core(std::make_unique<Core>())
   {
     m_core->mender.set_engines(engines);
@@ -132,13 +138,15 @@ public:
   {
   }
 
-  /// the same, with a classifier, a repair, and the engines that triangulate anew.
+  /// the same, with a classifier, a repair, the engines that triangulate anew, and a policy.
   template <class InputIterator>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
                                    const Classifier& classifier,
                                    const Delaunay_repair& repair = Delaunay_repair(),
-                                   const Static_engines_2& engines = {})
-    : Dynamic_Delaunay_triangulation_2(first, beyond, Identity_map(), classifier, repair, engines)
+                                   const Static_engines_2& engines = {},
+                                   const Policy& policy = Policy())
+    : Dynamic_Delaunay_triangulation_2(first, beyond, Identity_map(), classifier, repair, engines,
+                                       policy)
   {
   }
 
@@ -152,14 +160,15 @@ public:
   {
   }
 
-  /// the same, with a classifier, a repair, and the engines that triangulate anew.
+  /// the same, with a classifier, a repair, the engines that triangulate anew, and a policy.
   template <class InputIterator, class PointMap,
             class = typename boost::property_traits<PointMap>::key_type>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond, PointMap point_map,
                                    const Classifier& classifier,
                                    const Delaunay_repair& repair = Delaunay_repair(),
-                                   const Static_engines_2& engines = {})
-    : Dynamic_Delaunay_triangulation_2(classifier, repair, engines)
+                                   const Static_engines_2& engines = {},
+                                   const Policy& policy = Policy())
+    : Dynamic_Delaunay_triangulation_2(classifier, repair, engines, policy)
   {
     m_core->mender.editor().build(
         m_core->input.read_all(first, beyond, point_map, m_core->maintained));
@@ -183,10 +192,10 @@ public:
   /// \throws Point_count_error_2 if there are not `number_of_points()` positions.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
   ///
-  /// Nothing changes if it throws one of these, or if the range or the classifier throws. After any
-  /// other exception the positions are the new ones and the triangulation is not certified; the
-  /// next update, or `mend()`, certifies it again. \post `is_certified()`, if the classifier is
-  /// exact.
+  /// Nothing changes if it throws one of these, or if the range, the policy or the classifier
+  /// throws. After any other exception the positions are the new ones and the triangulation is not
+  /// certified; the next update, or `mend()`, certifies it again. \post `is_certified()`, if the
+  /// classifier is exact.
   template <class InputIterator>
   Update_report_2 update(InputIterator first, InputIterator beyond)
   {
@@ -207,13 +216,18 @@ public:
       rebuild(report, Rebuild_reason_2::DIMENSION);
     else if (m_core->input.coincident_points_part(maintained))
       rebuild(report, Rebuild_reason_2::COINCIDENCE);
+    else if (ask([&] { return m_policy.wants_rebuild(frame()); }, was_certified))
+      rebuild(report, Rebuild_reason_2::POLICY);
     else {
-      classify(report, was_certified);
+      ask([&] { m_classifier(frame(), m_core->mender.start(report)); }, was_certified);
+      m_core->mender.take_classification(Classifier::is_exact, was_certified);
       if (!m_core->mender.classification().empty())
         m_repair(m_core->mender);
       prove(report, Classifier::is_exact);
     }
-    return finish(report);
+    finish(report);
+    m_policy.after_update(frame(), report);
+    return report;
   }
 
   /// makes the triangulation Delaunay and certified, whatever the classifier is: the circumcircle
@@ -230,7 +244,8 @@ public:
     m_core->mender.take_classification(true, false);
     Flip_and_splice_repair_2()(m_core->mender);
     prove(report, true);
-    return finish(report);
+    finish(report);
+    return report;
   }
 
   /// finds out whether the triangulation is Delaunay, by exact predicates at every edge; changes
@@ -312,6 +327,8 @@ public:
   const Classifier& classifier() const { return m_classifier; }
   /// the repair.
   const Delaunay_repair& repair() const { return m_repair; }
+  /// the update policy.
+  const Policy& policy() const { return m_policy; }
 
   /// the Classified set of the last update, as vertices of `frame()`. Empty after a rebuild that
   /// came before classification.
@@ -363,17 +380,17 @@ private:
     ~Point_writer() { maintained.write_points(); }
   };
 
-  // Asks the classifier. If it throws, the points go back to where they were.
-  void classify(Update_report_2& report, bool was_certified)
+  // Asks the policy or the classifier. If it throws, the points go back to where they were.
+  template <class Question>
+  auto ask(const Question& question, bool was_certified)
   {
     try {
-      m_classifier(frame(), m_core->mender.start(report));
+      return question();
     } catch (...) {
       m_core->input.unstage(m_core->maintained);
       m_is_certified = was_certified;
       throw;
     }
-    m_core->mender.take_classification(Classifier::is_exact, was_certified);
   }
 
   // Rebuilds if there has to be a proof and the repair has not brought it to an end.
@@ -397,11 +414,10 @@ private:
     m_is_certified = true;
   }
 
-  Update_report_2 finish(Update_report_2& report)
+  void finish(Update_report_2& report)
   {
     inform_classifier();
     report.certified = m_is_certified;
-    return report;
   }
 
   void forget_news()
@@ -441,6 +457,7 @@ private:
 
   Classifier m_classifier;
   Delaunay_repair m_repair;
+  Policy m_policy;
   std::unique_ptr<Core> m_core;
   bool m_is_certified = true;
   bool m_is_classifier_informed = true;

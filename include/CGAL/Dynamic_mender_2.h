@@ -269,6 +269,7 @@ private:
     ++m_report->splices;
     m_report->padded += m_splice.number_of_padded();
     m_report->border += m_splice.number_of_border();
+    m_report->spliced += m_splice.number_of_vertices();
     if (has_to_look)
       reopen();
     else

@@ -19,7 +19,8 @@ enum class Rebuild_reason_2 {
   TOO_MUCH_BROKEN, ///< so much was classified that mending would have cost more
   STUCK,           ///< what the repair left broken
   COINCIDENCE,     ///< points came to coincide, or coincident points parted
-  DIMENSION        ///< fewer than three points, or all points on a line, before or after the frame
+  DIMENSION,       ///< fewer than three points, or all points on a line, before or after the frame
+  POLICY           ///< the update policy wanted it
 };
 
 /*!
@@ -39,6 +40,8 @@ struct Update_report_2
   std::size_t flips = 0;
   /// border splices: regions triangulated anew and put in place of the old ones.
   std::size_t splices = 0;
+  /// vertices of these regions, with their borders; those of several regions more than once.
+  std::size_t spliced = 0;
   /// times that a region grew because its boundary and that of its new triangulation disagreed.
   std::size_t growths = 0;
   /// vertices relocated by CGAL's `move()`.

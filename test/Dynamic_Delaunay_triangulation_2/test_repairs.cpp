@@ -126,6 +126,77 @@ TEST(Border_splice, catches_a_fast_point_by_growing)
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
 }
 
+// Names the point with id 0 and nobody else, which is all that moves.
+struct Flier_classifier
+{
+  static constexpr bool is_exact = false;
+
+  template <class Frame, class Classification>
+  void operator()(const Frame&, Classification& classified) const
+  {
+    classified.add_id(0);
+  }
+};
+
+struct Flight
+{
+  int right_frames = 0;
+  std::size_t growths = 0;
+};
+
+// Through a cloud at rest, by two spacings a frame. `check` sees every frame.
+template <class Classifier, class Check>
+Flight flight(unsigned padding, const Check& check)
+{
+  using Dynamic =
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier, CGAL::Border_splice_repair_2>;
+  Cloud<Epick> cloud(1);
+  auto points = cloud.uniform(900);
+  points[0] = Epick::Point_2(2, 6);
+  Dynamic dt(points.begin(), points.end(), Classifier(), CGAL::Border_splice_repair_2(padding));
+  Flight flight;
+  for (int frame = 0; frame < 12; ++frame) {
+    points[0] = points[0] + Epick::Vector_2(1.8, 0.9);
+    const auto report = dt.update(points.begin(), points.end());
+    EXPECT_FALSE(report.rebuilt());
+    flight.growths += report.growths;
+    check(dt, points);
+    flight.right_frames += dt.certify();
+  }
+  return flight;
+}
+
+template <class Classifier>
+Flight flight(unsigned padding)
+{
+  return flight<Classifier>(padding,
+                            [](const auto& dt, const Points& points) { expect_valid(dt, points); });
+}
+
+// Thesis 6.2.2. The region grows until its boundaries agree, so that no edge goes missing, but with
+// a heuristic nobody looks across them.
+TEST(Border_splice, is_outrun_by_a_fast_point_under_a_heuristic_with_too_little_padding)
+{
+  const Flight outrun = flight<Flier_classifier>(0);
+  EXPECT_LT(outrun.right_frames, 12);
+  EXPECT_GT(outrun.growths, 0u);
+  EXPECT_LT(flight<Flier_classifier>(1).right_frames, 12);
+  const Flight kept_up = flight<Flier_classifier>(4);
+  EXPECT_EQ(kept_up.right_frames, 12);
+  EXPECT_EQ(kept_up.growths, 0u);
+}
+
+TEST(Border_splice, is_outrun_by_nobody_under_an_exact_classifier_with_any_padding)
+{
+  for (const unsigned padding : {0u, 1u, 2u, 4u}) {
+    SCOPED_TRACE(testing::Message() << "padding " << padding);
+    const Flight kept_up = flight<CGAL::Circumcircle_classifier_2>(
+        padding, [](const auto& dt, const Points& points) { expect_exact(dt, points); });
+    EXPECT_EQ(kept_up.right_frames, 12);
+    EXPECT_TRUE(padding > 0 || kept_up.growths > 0);
+  }
+}
+
 TEST(Border_splice, mends_the_convex_hull)
 {
   for (unsigned seed = 0; seed < 20; ++seed) {
@@ -162,6 +233,7 @@ TEST(Border_splice, reports_its_sets_and_more_padding_makes_them_larger)
     EXPECT_EQ(report.classified, dt.classified_vertices().size());
     EXPECT_EQ(report.padded, dt.padded_vertices().size());
     EXPECT_EQ(report.border, dt.border_vertices().size());
+    EXPECT_EQ(report.spliced, report.classified + report.padded + report.border);
     EXPECT_GT(report.padded + report.border, last);
     last = report.padded + report.border;
     ASSERT_NO_FATAL_FAILURE(expect_valid(dt, moved));

@@ -302,6 +302,45 @@ TEST(Classifiers, that_are_refined_are_reported_with_both_of_their_parts)
   EXPECT_TRUE(contains(outcome.output, "refined:point_distance:0.7+random:0.5 (heuristic)"));
 }
 
+TEST(Policies, run_by_their_names_and_are_reported)
+{
+  const Words arguments = {"brownian", "--points",    "300", "--frames",
+                           "20",       "--time-step", "0.3", "--policy"};
+  const auto report_under = [&](const std::string& policy) {
+    Words all = arguments;
+    all.push_back(policy);
+    const Json report = report_of(all);
+    expect_exact_report(report, 20);
+    return report;
+  };
+  const Json dynamic = report_under("always_dynamic");
+  EXPECT_EQ(dynamic["policy"], "always_dynamic");
+  EXPECT_TRUE(dynamic["policy_parameter"].is_null());
+  EXPECT_FALSE(dynamic["rebuild_reasons"].contains("policy"));
+  EXPECT_EQ(report_under("always_static")["rebuild_reasons"]["policy"], 20);
+  const Json key_frames = report_under("key_frames:4");
+  EXPECT_EQ(key_frames["policy"], "key_frames");
+  EXPECT_EQ(key_frames["policy_parameter"], 4);
+  EXPECT_EQ(key_frames["rebuild_reasons"]["policy"], 5);
+  EXPECT_EQ(report_under("key_frames")["policy_parameter"], 10);
+  const Json hybrid = report_under("hybrid");
+  EXPECT_EQ(hybrid["policy"], "hybrid");
+  EXPECT_GT(hybrid["rebuild_reasons"]["policy"], 15);
+  EXPECT_EQ(report_of({"--frames", "3"})["policy"], "always_dynamic");
+}
+
+TEST(Policies, certify_the_key_frames_of_a_heuristic)
+{
+  const Words arguments = {"dam_break",    "--points", "300",      "--frames",    "40",
+                           "--classifier", "random:0", "--policy", "key_frames:8"};
+  const Json report = report_of(arguments);
+  EXPECT_EQ(report["exact"], false);
+  EXPECT_EQ(report["rebuilds"], 5);
+  EXPECT_GE(report["certified_frames"], 5);
+  const Outcome outcome = run(arguments);
+  EXPECT_TRUE(contains(outcome.output, "key_frames:8"));
+}
+
 TEST(Recordings, may_change_their_population)
 {
   const Json report = report_of({write_file("small.csv", small_csv())});
@@ -368,11 +407,12 @@ TEST(Outputs, leave_the_last_report_alone_when_the_run_fails)
   EXPECT_EQ(content_of(path), "old");
 }
 
-TEST(Help, lists_scenarios_classifiers_and_repairs)
+TEST(Help, lists_scenarios_classifiers_repairs_and_policies)
 {
   const Outcome outcome = run({"--help"});
   EXPECT_TRUE(outcome.succeeded);
-  for (const char* word : {"dam_break", "point_distance", "flip_and_splice", "--time-step"}) {
+  for (const char* word :
+       {"dam_break", "point_distance", "flip_and_splice", "key_frames:K", "--time-step"}) {
     EXPECT_TRUE(contains(outcome.output, word)) << word;
   }
   EXPECT_TRUE(run({"--version"}).succeeded);
@@ -394,6 +434,10 @@ TEST(Mistakes, in_a_name_are_answered_with_the_names_that_exist)
   expect_refusal({"--classifier", "refined:circumcircle+refined:random+random"},
                  {"no refined classifier", "safe_region"});
   expect_refusal({"--repair", "glue"}, {"glue", "splice", "flip", "relocate", "rebuild"});
+  for (const char* name : {"sometimes", "", "Hybrid"}) {
+    expect_refusal({"--policy", name}, {name, "always_dynamic", "always_static", "hybrid",
+                                        "key_frames:K", "from 1 to 1000000"});
+  }
   expect_refusal({"--packing", "round"}, {"round", "square", "hexagonal"});
   expect_refusal({"--speed", "1"}, {"--speed"});
 }
@@ -416,6 +460,13 @@ TEST(Mistakes, in_a_number_are_answered_with_its_range)
     }
   }
   expect_refusal({"--classifier", "refined:circumcircle+random:2"}, {"random", "2", "from 0 to 1"});
+  for (const char* value : {"0", "-1", "1000001", "2.5", "", "x"}) {
+    expect_refusal({"--policy", std::string("key_frames:") + value},
+                   {"key_frames", value, "from 1 to 1000000"});
+  }
+  for (const char* name : {"always_dynamic", "always_static", "hybrid"}) {
+    expect_refusal({"--policy", std::string(name) + ":1"}, {name, "takes no parameter"});
+  }
   expect_refusal({"--frames", "-1"}, {"--frames", "-1", "from 0"});
   expect_refusal({"--frames", "ten"}, {"--frames", "ten"});
   expect_refusal({"--points", "0"}, {"--points", "from 1"});

@@ -46,8 +46,8 @@ public:
   using Usual_repair = unspecified_type;
 
   /*!
-  classifies. It is called once in every frame in which the points span the plane and no coincident points
-  part (else the triangulation is rebuilt).
+  classifies. It is called once in every frame in which the points span the plane, no coincident points part, and
+  the update policy does not want a rebuild (else the triangulation is rebuilt).
 
   If it throws, the update changes nothing and hands the exception on.
 

@@ -25,6 +25,8 @@ inline std::string rebuild_reason_name(CGAL::Rebuild_reason_2 reason)
     return "coincidence";
   case CGAL::Rebuild_reason_2::DIMENSION:
     return "dimension";
+  case CGAL::Rebuild_reason_2::POLICY:
+    return "policy";
   }
   return "unknown";
 }

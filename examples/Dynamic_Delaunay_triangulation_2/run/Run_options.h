@@ -7,6 +7,7 @@
 #include "Any_repair.h"
 #include "Classifier_choice.h"
 #include "Number_argument.h"
+#include "Policy_choice.h"
 #include "Scenario_choice.h"
 
 #include <CLI/CLI.hpp>
@@ -26,6 +27,7 @@ struct Run_options
   std::string scenario = "dam_break";
   Classifier_choice classifier = classifier_choice("circumcircle");
   std::optional<std::string> repair{};
+  Policy_choice policy = policy_choice("always_dynamic");
   unsigned padding = 1;
   unsigned threads = 1;
   std::optional<std::size_t> frames{};
@@ -81,6 +83,9 @@ inline void add_method_options(CLI::App& app, Run_options& options)
         check_repair_name(text);
         options.repair = text;
       });
+  add_option(app, "--policy", "NAME[:PARAMETER]",
+             "which frames are rebuilt instead: " + policy_list() + "; default always_dynamic",
+             [&](const std::string& text) { options.policy = policy_choice(text); });
   add_option(app, "--threads", "N", "threads of the circumcircle classifier; default 1",
              [&](const std::string& text) {
                options.threads = static_cast<unsigned>(count_argument(text, 1, most_threads));

@@ -20,6 +20,7 @@ struct Run_subject
   std::string scenario;
   Classifier_choice classifier;
   std::string repair;
+  Policy_choice policy;
   unsigned padding;
   unsigned threads;
   std::optional<double> time_step;
@@ -35,6 +36,7 @@ inline Run_subject run_subject(const Run_options& options, const scenario::Motio
   return {motion.name(),
           options.classifier,
           options.repair_name(),
+          options.policy,
           options.padding,
           options.threads,
           motion.time_step(),

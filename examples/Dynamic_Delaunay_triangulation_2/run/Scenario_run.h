@@ -5,6 +5,7 @@
 #define RUN_SCENARIO_RUN_H
 
 #include "../scenario/Motion.h"
+#include "Any_policy.h"
 #include "Any_repair.h"
 #include "Frame_record.h"
 #include "Kernel.h"
@@ -28,15 +29,17 @@ template <class Classifier>
 class Scenario_run
 {
 public:
-  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, Any_repair>;
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, Any_repair,
+                                                         CGAL::Default, Any_policy>;
 
-  Scenario_run(scenario::Motion& motion, const Classifier& classifier, const Any_repair& repair)
+  Scenario_run(scenario::Motion& motion, const Classifier& classifier, const Any_repair& repair,
+               const Any_policy& policy)
     : m_motion(motion)
     , m_repair(repair)
   {
     with_frame_in_message([&] {
       prepare();
-      construct(classifier);
+      construct(classifier, policy);
       m_opponents.time_insert();
       check();
     });
@@ -136,14 +139,16 @@ private:
   double time_construction()
   {
     const Classifier classifier = m_triangulation->classifier();
+    const Any_policy policy = m_triangulation->policy();
     m_triangulation.reset();
-    return nanoseconds_of([&] { construct(classifier); });
+    return nanoseconds_of([&] { construct(classifier, policy); });
   }
 
-  void construct(const Classifier& classifier)
+  void construct(const Classifier& classifier, const Any_policy& policy)
   {
     const auto& points = m_motion.points();
-    m_triangulation.emplace(points.begin(), points.end(), Point_map(), classifier, m_repair);
+    m_triangulation.emplace(points.begin(), points.end(), Point_map(), classifier, m_repair,
+                            CGAL::Static_engines_2(), policy);
   }
 
   void check()

@@ -73,6 +73,7 @@ public:
   // The sets of the last run, the padding with all that it grew.
   std::size_t number_of_padded() const { return m_inner.size() - m_number_of_classified; }
   std::size_t number_of_border() const { return m_border.size(); }
+  std::size_t number_of_vertices() const { return m_inner.size() + m_border.size(); }
   const Index_set_2& border() const { return m_border; }
   Index padded(std::size_t i) const { return m_inner[m_number_of_classified + i]; }
   // The edges along which its faces were put in: all others of these faces are Delaunay.

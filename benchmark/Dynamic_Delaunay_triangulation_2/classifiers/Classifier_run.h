@@ -1,0 +1,226 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CLASSIFIERS_CLASSIFIER_RUN_H
+#define CLASSIFIERS_CLASSIFIER_RUN_H
+
+#include "Classification_truth.h"
+#include "Confusion.h"
+#include "Observed_update.h"
+#include "Recorded_scenario.h"
+#include "run/Any_classifier.h"
+#include "run/Any_policy.h"
+#include "run/Any_repair.h"
+#include "run/Kernel.h"
+
+#include <CGAL/delaunay_agreement.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace classifiers {
+
+// Who is tried.
+struct Method
+{
+  run::Classifier_choice classifier;
+  std::string repair;
+  unsigned padding;
+  run::Policy_choice policy{"always_dynamic"};
+};
+
+// With what an update would use if it was told nothing else.
+inline Method method(const std::string& classifier)
+{
+  const run::Classifier_choice choice = run::classifier_choice(classifier);
+  const std::string repair = run::usual_repair(choice);
+  const unsigned padding = repair == "splice" ? CGAL::Border_splice_repair_2().padding()
+                                              : CGAL::Flip_and_splice_repair_2().padding();
+  return {choice, repair, padding};
+}
+
+template <class Classifier>
+using Observed_triangulation =
+    CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, Observed_classifier<Classifier>,
+                                           Observed_repair, CGAL::Default, run::Any_policy>;
+
+// Keeps a triangulation through a recording.
+template <class Classifier>
+class Observed_subject
+{
+public:
+  Observed_subject(const Points& points, const Classifier& classifier, const Method& method)
+    : m_triangulation(
+          points.begin(), points.end(), run::Point_map(),
+          Observed_classifier<Classifier>(classifier, m_observation),
+          Observed_repair(run::make_repair(method.repair, method.padding), m_observation),
+          CGAL::Static_engines_2(), run::make_policy(method.policy))
+  {
+  }
+  Observed_subject(const Observed_subject&) = delete;
+  Observed_subject& operator=(const Observed_subject&) = delete;
+
+  // Whether the classified sets are kept, for whom they are of use.
+  void set_keeps_sets(bool keeps) { m_observation.keeps_sets = keeps; }
+
+  void update(const Points& points)
+  {
+    m_observation.terms = {};
+    m_observation.aside = 0.0;
+    m_observation.was_asked = false;
+    const double total = run::nanoseconds_of(
+        [&] { m_report = m_triangulation.update(points.begin(), points.end(), run::Point_map()); });
+    m_observation.terms.total = total - m_observation.aside;
+  }
+
+  const Observed_triangulation<Classifier>& triangulation() const { return m_triangulation; }
+  const Observation& observation() const { return m_observation; }
+  const CGAL::Update_report_2& report() const { return m_report; }
+
+  void check_certificate(std::size_t frame) const
+  {
+    const bool is_promised = Classifier::is_exact || m_report.rebuilt();
+    if (is_promised && !m_triangulation.is_certified()) {
+      fail(frame, "the triangulation is not certified");
+    }
+  }
+
+  // By everything that tells a wrong triangulation from what the method promises.
+  void check(std::size_t frame) const
+  {
+    check_certificate(frame);
+    if (!m_triangulation.is_valid()) {
+      fail(frame, "the triangulation is not valid");
+    }
+  }
+
+private:
+  [[noreturn]] static void fail(std::size_t frame, const std::string& what)
+  {
+    throw std::runtime_error("frame " + std::to_string(frame) + ": " + what);
+  }
+
+  Observation m_observation;
+  Observed_triangulation<Classifier> m_triangulation;
+  CGAL::Update_report_2 m_report;
+};
+
+// What came out of one method on one recording.
+struct Classifier_record
+{
+  Confusion confusion{};
+  std::vector<Cost_terms> terms{}; // of each frame
+  std::vector<double> validity{};  // of those that were compared
+  std::size_t frames = 0;
+  std::size_t asked = 0;
+  std::size_t right_frames = 0; // of those that were compared
+  double wrong_edges = 0.0;
+  double classified = 0.0;
+  double padded = 0.0;
+  double growths = 0.0;
+  double rebuilds = 0.0;
+};
+
+inline run::Static_triangulation fresh_triangulation(const Points& points)
+{
+  std::vector<run::Kernel::Point_2> places;
+  for (const scenario::Point& point : points) {
+    places.emplace_back(point.x, point.y);
+  }
+  return run::Static_triangulation(places.begin(), places.end());
+}
+
+template <class Triangulation>
+void compare(const Triangulation& triangulation, const Points& points, Classifier_record& record)
+{
+  const CGAL::Delaunay_agreement agreement =
+      CGAL::delaunay_agreement(triangulation, fresh_triangulation(points));
+  record.validity.push_back(agreement.matthews_correlation_coefficient());
+  record.right_frames += agreement.is_perfect() ? 1 : 0;
+  record.wrong_edges += static_cast<double>(agreement.false_positives());
+}
+
+inline void count(const CGAL::Update_report_2& report, Classifier_record& record)
+{
+  ++record.frames;
+  record.classified += static_cast<double>(report.classified);
+  record.padded += static_cast<double>(report.padded);
+  record.growths += static_cast<double>(report.growths);
+  record.rebuilds += report.rebuilt() ? 1.0 : 0.0;
+}
+
+// Looks at every update from all sides; the truth is found before the clock starts. Every
+// `stride`-th frame is compared with a fresh triangulation.
+template <class Classifier>
+Classifier_record observe(const Recorded_frames& recording, const Classifier& classifier,
+                          const Method& method, std::size_t stride)
+{
+  Classifier_record record;
+  Observed_subject<Classifier> subject(recording.front(), classifier, method);
+  Classification_truth truth;
+  for (std::size_t frame = 1; frame < recording.size(); ++frame) {
+    const Points& points = recording[frame];
+    const auto view = subject.triangulation().frame();
+    truth.find(view, points);
+    const auto edges = view.edges(); // a copy: repairs change them
+    subject.update(points);
+    count(subject.report(), record);
+    if (subject.observation().was_asked) {
+      ++record.asked;
+      count(truth, subject.observation(), edges, record.confusion);
+    }
+    record.terms.push_back(subject.observation().terms);
+    subject.check(frame);
+    if (frame % stride == 0) {
+      compare(subject.triangulation(), points, record);
+    }
+  }
+  return record;
+}
+
+// Another pass for the times alone. All passes do the same, so of each frame the fastest one
+// counts.
+template <class Classifier>
+void time_again(const Recorded_frames& recording, const Classifier& classifier,
+                const Method& method, Classifier_record& record)
+{
+  Observed_subject<Classifier> subject(recording.front(), classifier, method);
+  subject.set_keeps_sets(false);
+  for (std::size_t frame = 1; frame < recording.size(); ++frame) {
+    subject.update(recording[frame]);
+    Cost_terms& fastest = record.terms[frame - 1];
+    if (subject.observation().terms.total < fastest.total) {
+      fastest = subject.observation().terms;
+    }
+  }
+}
+
+// Calls `use(classifier)`: exact ones and others are different types.
+template <class Use>
+auto with_method(const Method& method, Use use)
+{
+  const run::Classifier_settings settings{1, 1};
+  if (method.classifier.is_exact) {
+    return use(run::Exact_classifiers::make(method.classifier, settings));
+  }
+  return use(run::All_classifiers::make(method.classifier, settings));
+}
+
+inline Classifier_record run_method(const Recorded_frames& recording, const Method& method,
+                                    std::size_t passes, std::size_t stride)
+{
+  return with_method(method, [&](const auto& classifier) {
+    Classifier_record record = observe(recording, classifier, method, stride);
+    for (std::size_t pass = 1; pass < passes; ++pass) {
+      time_again(recording, classifier, method, record);
+    }
+    return record;
+  });
+}
+
+} // namespace classifiers
+
+#endif // CLASSIFIERS_CLASSIFIER_RUN_H

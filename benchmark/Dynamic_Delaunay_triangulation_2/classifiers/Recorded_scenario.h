@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CLASSIFIERS_RECORDED_SCENARIO_H
+#define CLASSIFIERS_RECORDED_SCENARIO_H
+
+#include "run/Kernel.h"
+#include "scenario/Motion.h"
+#include "scenario/Random_source.h"
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace classifiers {
+
+using Points = std::vector<scenario::Point>;
+
+// The points of all frames, so that everybody follows the same motion.
+using Recorded_frames = std::vector<Points>;
+
+// Its neighbors come from an exact triangulation.
+inline Recorded_frames record(scenario::Motion& motion, std::size_t frames)
+{
+  using Exact = CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel>;
+  Recorded_frames recording = {motion.points()};
+  Exact triangulation(recording.front().begin(), recording.front().end(), run::Point_map());
+  scenario::Neighbor_edges neighbors;
+  while (recording.size() <= frames) {
+    neighbors.clear();
+    triangulation.for_each_edge([&](std::size_t i, std::size_t j) {
+      neighbors.emplace_back(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
+    });
+    if (!motion.advance(neighbors)) {
+      break;
+    }
+    recording.push_back(motion.points());
+    triangulation.update(recording.back().begin(), recording.back().end(), run::Point_map());
+  }
+  return recording;
+}
+
+// One to a unit of area.
+inline Points random_cloud(std::size_t number, scenario::Random_source& random)
+{
+  const double side = std::sqrt(static_cast<double>(number));
+  Points points;
+  for (std::size_t i = 0; i != number; ++i) {
+    const double x = random.uniform(0.0, side);
+    points.push_back({x, random.uniform(0.0, side)});
+  }
+  return points;
+}
+
+// So many frames of hardly any motion, then as many of which each is a new cloud, and so on.
+inline Recorded_frames record_turns(std::size_t number, std::size_t frames, std::size_t turn)
+{
+  constexpr double step = 0.001;
+  scenario::Random_source random(1);
+  Recorded_frames recording = {random_cloud(number, random)};
+  while (recording.size() <= frames) {
+    Points points = recording.back();
+    if (recording.size() / turn % 2 == 0) {
+      for (scenario::Point& point : points) {
+        point.x += step * random.gaussian();
+        point.y += step * random.gaussian();
+      }
+    } else {
+      points = random_cloud(number, random);
+    }
+    recording.push_back(points);
+  }
+  return recording;
+}
+
+// A random cloud at rest, and a point that flies through it at `speed` spacings a frame, away from
+// the hull.
+inline Recorded_frames record_flight(double speed, std::size_t frames)
+{
+  constexpr std::size_t number = 2000;
+  constexpr double margin = 3.0;
+  scenario::Random_source random(1);
+  Points points = random_cloud(number, random);
+  const double side = std::sqrt(static_cast<double>(number));
+  scenario::Point& flier = points.front();
+  flier = {margin, 0.5 * side};
+  double dx = speed * 0.94;
+  double dy = speed * 0.34;
+  const auto fly = [&](double place, double& velocity) {
+    if (place + velocity < margin || place + velocity > side - margin) {
+      velocity = -velocity;
+    }
+    return place + velocity;
+  };
+  Recorded_frames recording = {points};
+  while (recording.size() <= frames) {
+    flier = {fly(flier.x, dx), fly(flier.y, dy)};
+    recording.push_back(points);
+  }
+  return recording;
+}
+
+} // namespace classifiers
+
+#endif // CLASSIFIERS_RECORDED_SCENARIO_H

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Concepts
+\cgalConcept
+
+An update policy decides, frame by frame, whether the triangulation is rebuilt at once, or classified and
+repaired. A frame that it has rebuilt ends certified, also with a heuristic classifier, and its report has
+`Rebuild_reason_2::POLICY`.
+
+A policy is copied into the triangulation when that is constructed, and may keep data of its own from frame
+to frame. To keep updates deterministic it goes by what it sees and counts, not by clocks.
+
+\cgalHasModelsBegin
+\cgalHasModels{Always_dynamic_policy_2}
+\cgalHasModels{Always_static_policy_2}
+\cgalHasModels{Hybrid_policy_2}
+\cgalHasModels{Key_frame_policy_2}
+\cgalHasModelsEnd
+*/
+class DelaunayUpdatePolicy_2
+{
+public:
+  /*!
+  whether this frame is to be rebuilt, without asking the classifier. It is asked before the classifier, at
+  the positions of the current frame and with the topology of the last one, in every frame in which the points
+  span the plane and no coincident points part (else the triangulation is rebuilt anyway).
+
+  If it throws, the update changes nothing and hands the exception on.
+
+  \tparam Frame `Dynamic_frame_2`
+  */
+  template <class Frame>
+  bool wants_rebuild(const Frame& frame);
+
+  /*!
+  is called at the end of every update, also of one for which `wants_rebuild()` was not asked, with what it has
+  done. It must not throw. Construction and `Dynamic_Delaunay_triangulation_2::mend()` are no updates.
+  */
+  template <class Frame>
+  void after_update(const Frame& frame, const Update_report_2& report);
+};
