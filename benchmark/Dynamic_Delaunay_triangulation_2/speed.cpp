@@ -29,13 +29,10 @@
 // place of its figures, and the program ends with an error.
 
 #include "scenario/Open_motion.h"
-#include "speed/Benchmark_options.h"
 #include "speed/Case_list.h"
 #include "speed/Heap_cases.h"
 #include "speed/Motion_cases.h"
-#include "speed/Speed_table_reporter.h"
-
-#include <benchmark/benchmark.h>
+#include "speed/Run_cases.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -261,27 +258,11 @@ void add_all(Case_list& cases)
   add_allocations(cases);
 }
 
-std::size_t run_cases(const Case_list& cases, const Benchmark_options& options)
-{
-  if (!options.wants_own_table()) {
-    return benchmark::RunSpecifiedBenchmarks();
-  }
-  Speed_table_reporter table(cases.tables());
-  return benchmark::RunSpecifiedBenchmarks(&table);
-}
-
 bool run_speed(int argc, char** argv)
 {
   Case_list cases;
   add_all(cases);
-  Benchmark_options options(argc, argv, RESULTS_DIR "/speed.json");
-  if (!options.initialize() || run_cases(cases, options) == 0) {
-    return false;
-  }
-  if (!options.output_file().empty()) {
-    std::cerr << "JSON: " << options.output_file() << '\n';
-  }
-  return !cases.has_failed();
+  return run_cases(cases, argc, argv, RESULTS_DIR "/speed.json");
 }
 
 } // namespace

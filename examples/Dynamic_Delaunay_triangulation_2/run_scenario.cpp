@@ -7,6 +7,7 @@
 #include "run/Any_classifier.h"
 #include "run/Any_policy.h"
 #include "run/Any_repair.h"
+#include "run/Engine_choice.h"
 #include "run/Frame_log.h"
 #include "run/Picture_series.h"
 #include "run/Progress_display.h"
@@ -89,10 +90,11 @@ private:
 
 template <class Classifier>
 run::Run_summary run_frames(scenario::Motion& motion, const Classifier& classifier,
-                            const run::Any_repair& repair, const run::Any_policy& policy,
-                            std::size_t frames, Outputs& outputs)
+                            const run::Run_subject& subject, std::size_t frames, Outputs& outputs)
 {
-  run::Scenario_run<Classifier> run(motion, classifier, repair, policy);
+  run::Scenario_run<Classifier> run(
+      motion, classifier, run::make_repair(subject.repair, subject.padding),
+      run::engines_named(subject.engine), run::make_policy(subject.policy));
   const std::size_t points_of_first_frame = motion.points().size();
   std::vector<run::Frame_record> records;
   outputs.take_first_frame(run);
@@ -106,15 +108,13 @@ run::Run_summary run_frames(scenario::Motion& motion, const Classifier& classifi
 run::Run_summary run_frames(const run::Run_options& options, const run::Run_subject& subject,
                             scenario::Motion& motion, std::size_t frames, Outputs& outputs)
 {
-  const run::Any_repair repair = run::make_repair(subject.repair, subject.padding);
-  const run::Any_policy policy = run::make_policy(subject.policy);
   const run::Classifier_settings settings{options.threads, subject.seed.value_or(0)};
   if (subject.classifier.is_exact) {
-    return run_frames(motion, run::Exact_classifiers::make(subject.classifier, settings), repair,
-                      policy, frames, outputs);
+    return run_frames(motion, run::Exact_classifiers::make(subject.classifier, settings), subject,
+                      frames, outputs);
   }
-  return run_frames(motion, run::All_classifiers::make(subject.classifier, settings), repair,
-                    policy, frames, outputs);
+  return run_frames(motion, run::All_classifiers::make(subject.classifier, settings), subject,
+                    frames, outputs);
 }
 
 std::unique_ptr<scenario::Motion> open(const std::string& path, const run::Run_options& options,

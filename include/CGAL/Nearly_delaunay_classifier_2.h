@@ -9,6 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Flip_and_splice_repair_2.h>
 
+#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -100,7 +101,7 @@ private:
     if (!filter.proves_counterclockwise())
       return false;
     const double in_circle =
-        filter.in_circle + Edge_filter_2::in_circle_factor * filter.s * filter.s;
+        filter.in_circle + Edge_filter_2::in_circle_factor * (filter.s * filter.s);
     const double error = Edge_filter_2::orientation_factor * filter.s;
     return is_bounded((filter.left + error) * in_circle, a, b, c) &&
            is_bounded((filter.right + error) * in_circle, d, c, b);
@@ -110,7 +111,8 @@ private:
   {
     constexpr double smallest_lengths = 1e-250; // smaller ones may have underflowed on the way
     const double lengths = squared_length(p, q) * squared_length(q, r) * squared_length(r, p);
-    return lengths > smallest_lengths && 4 * product <= (1 - 1e-14) * m_eps * (2 - m_eps) * lengths;
+    return lengths > smallest_lengths && std::isfinite(lengths) &&
+           4 * product <= (1 - 1e-14) * m_eps * (2 - m_eps) * lengths;
   }
 
   static double squared_length(const Position& p, const Position& q)

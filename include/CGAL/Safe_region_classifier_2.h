@@ -71,8 +71,8 @@ public:
     judge();
     if (m_rest > 0)
       --m_rest;
-    else if (frame.positions_are_exact())
-      start(frame);
+    else if (frame.positions_are_exact() && frame.number_of_edges() > 0)
+      start(frame); // without edges the points do not span the plane
   }
 
 private:

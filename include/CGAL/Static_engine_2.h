@@ -13,14 +13,13 @@ Ways to triangulate points that have no triangulation yet (thesis chapter 3). Al
 triangulation by exact predicates; where points are cocircular, not always the same one.
 */
 enum class Static_engine_2 {
-  /// divide and conquer on flat arrays (thesis 3.3; Guibas and Stolfi 1985), cut across both axes
-  /// in
-  /// turn (Dwyer 1987), from which CGAL's structure is written at the end. O(n log n).
+  /// divide and conquer on flat arrays (thesis 3.2; Guibas and Stolfi 1985), cut across both axes
+  /// in turn (Dwyer 1987), from which CGAL's structure is written at the end. O(n log n).
   GUIBAS_STOLFI,
   /// CGAL's insertion, point after point in a spatial order, by flips. Expected cost with it: O(n).
   INSERTION,
   /// the same with CGAL's cavities: the faces in conflict with a point make way for a star around
-  /// it (thesis 3.2; Bowyer 1981, Watson 1981).
+  /// it (thesis 3.1; Bowyer 1981, Watson 1981).
   BOWYER_WATSON
 };
 

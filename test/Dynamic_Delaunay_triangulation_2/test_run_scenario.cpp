@@ -142,6 +142,7 @@ TEST(Report, says_everything_about_a_run)
   EXPECT_TRUE(report["parameter"].is_null());
   EXPECT_EQ(report["padding"], 1);
   EXPECT_EQ(report["repair"], "flip_and_splice");
+  EXPECT_EQ(report["engine"], "guibas_stolfi");
   EXPECT_EQ(report["threads"], 1);
   EXPECT_EQ(report["packing"], "square");
   EXPECT_EQ(report["population_changes"], 0);
@@ -243,6 +244,22 @@ TEST(Brownian_motion, is_exact_with_every_repair)
     EXPECT_EQ(report["time_step"], 0.02);
     EXPECT_TRUE(report["packing"].is_null());
     expect_exact_report(report, 40);
+  }
+}
+
+TEST(Engines, run_by_their_names_for_rebuilds_and_for_splices)
+{
+  for (const char* engine : {"guibas_stolfi", "insertion", "bowyer_watson"}) {
+    SCOPED_TRACE(engine);
+    const Words arguments = {"brownian",    "--points", "300",      "--frames", "20",
+                             "--time-step", "0.05",     "--engine", engine,     "--repair"};
+    for (const char* repair : {"rebuild", "splice"}) {
+      Words all = arguments;
+      all.push_back(repair);
+      const Json report = report_of(all);
+      EXPECT_EQ(report["engine"], engine);
+      expect_exact_report(report, 20);
+    }
   }
 }
 
@@ -379,6 +396,7 @@ TEST(Outputs, are_a_table_a_row_for_each_frame_and_pictures)
   EXPECT_EQ(outcome.errors, "") << "progress is for terminals";
   EXPECT_TRUE(contains(outcome.output, "explosion, 100 points, 45 frames"));
   EXPECT_TRUE(contains(outcome.output, "point_distance:0.7 (heuristic)"));
+  EXPECT_TRUE(contains(outcome.output, "guibas_stolfi"));
   EXPECT_EQ(number_of_lines(content_of(csv)), 1u + 45u);
   std::size_t number_of_pictures = 0;
   for (const auto& file : std::filesystem::directory_iterator(pictures)) {
@@ -407,12 +425,13 @@ TEST(Outputs, leave_the_last_report_alone_when_the_run_fails)
   EXPECT_EQ(content_of(path), "old");
 }
 
-TEST(Help, lists_scenarios_classifiers_repairs_and_policies)
+TEST(Help, lists_scenarios_classifiers_repairs_policies_and_engines)
 {
   const Outcome outcome = run({"--help"});
   EXPECT_TRUE(outcome.succeeded);
   for (const char* word :
-       {"dam_break", "point_distance", "flip_and_splice", "key_frames:K", "--time-step"}) {
+       {"dam_break", "point_distance", "flip_and_splice", "key_frames:K", "bowyer_watson",
+        "--time-step"}) {
     EXPECT_TRUE(contains(outcome.output, word)) << word;
   }
   EXPECT_TRUE(run({"--version"}).succeeded);
@@ -438,6 +457,8 @@ TEST(Mistakes, in_a_name_are_answered_with_the_names_that_exist)
     expect_refusal({"--policy", name}, {name, "always_dynamic", "always_static", "hybrid",
                                         "key_frames:K", "from 1 to 1000000"});
   }
+  expect_refusal({"--engine", "steam"},
+                 {"--engine", "steam", "guibas_stolfi", "insertion", "bowyer_watson"});
   expect_refusal({"--packing", "round"}, {"round", "square", "hexagonal"});
   expect_refusal({"--speed", "1"}, {"--speed"});
 }

@@ -1683,6 +1683,39 @@ TEST(All_classifiers, keep_a_sound_triangulation_and_everybody_at_absurd_setting
   expect_sound_under(Safe_and_circumcircle());
 }
 
+// There are no edges then, and no flat arrays to be read.
+template <class Classifier>
+void expect_sound_from_a_line_on(const Classifier& classifier)
+{
+  for (const unsigned n : {0u, 1u, 2u, 3u, 20u}) {
+    SCOPED_TRACE(testing::Message() << n << " points");
+    Cloud<Epick> cloud(n);
+    Points points = cloud.on_line(n);
+    Triangulation<Classifier> dt(points.begin(), points.end(), classifier);
+    for (int frame = 0; frame < 6; ++frame) {
+      points = frame % 3 == 2 ? cloud.uniform(n) : cloud.on_line(n);
+      dt.update(points.begin(), points.end());
+      ASSERT_NO_FATAL_FAILURE(expect_valid(dt, points));
+    }
+    dt.mend();
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  }
+}
+
+TEST(All_classifiers, start_where_points_do_not_span_the_plane)
+{
+  expect_sound_from_a_line_on(CGAL::Circumcircle_classifier_2());
+  expect_sound_from_a_line_on(CGAL::Safe_region_classifier_2());
+  expect_sound_from_a_line_on(Safe_and_circumcircle());
+  expect_sound_from_a_line_on(CGAL::Point_distance_classifier_2());
+  expect_sound_from_a_line_on(CGAL::Inflation_aware_classifier_2());
+  expect_sound_from_a_line_on(CGAL::Voronoi_circumcenter_classifier_2());
+  expect_sound_from_a_line_on(CGAL::Estimated_voronoi_circumcenter_classifier_2());
+  expect_sound_from_a_line_on(CGAL::Voronoi_edge_length_classifier_2());
+  expect_sound_from_a_line_on(CGAL::Nearly_delaunay_classifier_2());
+  expect_sound_from_a_line_on(CGAL::Random_classifier_2());
+}
+
 TEST(All_classifiers, refuse_parameters_out_of_range)
 {
   for (const double x : {-0.1, 1.1, -1e-300, double(std::nan("")), 1e300}) {

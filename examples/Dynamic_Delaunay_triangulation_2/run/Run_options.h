@@ -6,6 +6,7 @@
 
 #include "Any_repair.h"
 #include "Classifier_choice.h"
+#include "Engine_choice.h"
 #include "Number_argument.h"
 #include "Policy_choice.h"
 #include "Scenario_choice.h"
@@ -28,6 +29,7 @@ struct Run_options
   Classifier_choice classifier = classifier_choice("circumcircle");
   std::optional<std::string> repair{};
   Policy_choice policy = policy_choice("always_dynamic");
+  std::string engine = engine_names().front();
   unsigned padding = 1;
   unsigned threads = 1;
   std::optional<std::size_t> frames{};
@@ -86,6 +88,13 @@ inline void add_method_options(CLI::App& app, Run_options& options)
   add_option(app, "--policy", "NAME[:PARAMETER]",
              "which frames are rebuilt instead: " + policy_list() + "; default always_dynamic",
              [&](const std::string& text) { options.policy = policy_choice(text); });
+  add_option(app, "--engine", "NAME",
+             "what triangulates anew, everything or a region: " + scenario::joined(engine_names()) +
+                 "; default " + options.engine,
+             [&](const std::string& text) {
+               engines_named(text); // throws
+               options.engine = text;
+             });
   add_option(app, "--threads", "N", "threads of the circumcircle classifier; default 1",
              [&](const std::string& text) {
                options.threads = static_cast<unsigned>(count_argument(text, 1, most_threads));

@@ -51,6 +51,7 @@ inline void add_subject(Json& json, const Run_subject& subject)
   json["repair"] = subject.repair;
   json["policy"] = subject.policy.name;
   json["policy_parameter"] = json_of(subject.policy.parameter);
+  json["engine"] = subject.engine;
   json["threads"] = subject.threads;
   json["time_step"] = json_of(subject.time_step);
   json["seed"] = json_of(subject.seed);

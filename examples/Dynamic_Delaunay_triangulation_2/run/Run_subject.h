@@ -22,6 +22,7 @@ struct Run_subject
   std::string repair;
   Policy_choice policy;
   unsigned padding;
+  std::string engine;
   unsigned threads;
   std::optional<double> time_step;
   std::optional<std::uint64_t> seed; // where there is chance
@@ -38,6 +39,7 @@ inline Run_subject run_subject(const Run_options& options, const scenario::Motio
           options.repair_name(),
           options.policy,
           options.padding,
+          options.engine,
           options.threads,
           motion.time_step(),
           is_random ? std::optional(seed) : std::nullopt,

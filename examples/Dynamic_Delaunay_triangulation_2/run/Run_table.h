@@ -76,6 +76,7 @@ inline void write_subject(std::ostream& out, const Run_subject& subject, const R
                  (subject.classifier.is_exact ? " (exact)" : " (heuristic)"));
   write_line(out, "repair", subject.repair);
   write_line(out, "policy", subject.policy.text());
+  write_line(out, "engine", subject.engine);
 }
 
 inline std::string rebuild_text(const Run_summary& summary)

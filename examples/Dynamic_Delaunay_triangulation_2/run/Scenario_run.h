@@ -33,9 +33,10 @@ public:
                                                          CGAL::Default, Any_policy>;
 
   Scenario_run(scenario::Motion& motion, const Classifier& classifier, const Any_repair& repair,
-               const Any_policy& policy)
+               const CGAL::Static_engines_2& engines, const Any_policy& policy)
     : m_motion(motion)
     , m_repair(repair)
+    , m_engines(engines)
   {
     with_frame_in_message([&] {
       prepare();
@@ -148,7 +149,7 @@ private:
   {
     const auto& points = m_motion.points();
     m_triangulation.emplace(points.begin(), points.end(), Point_map(), classifier, m_repair,
-                            CGAL::Static_engines_2(), policy);
+                            m_engines, policy);
   }
 
   void check()
@@ -164,6 +165,7 @@ private:
 
   scenario::Motion& m_motion;
   Any_repair m_repair;
+  CGAL::Static_engines_2 m_engines;
   std::optional<Dynamic> m_triangulation;
   Static_opponents m_opponents;
   scenario::Neighbor_edges m_neighbors;

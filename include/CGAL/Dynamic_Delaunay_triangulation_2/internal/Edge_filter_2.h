@@ -37,9 +37,11 @@ namespace internal {
 //   Underflow: differences are exact then; a product that underflows errs by at most 2^-1075, times
 //   at
 // most 2s where it is multiplied further, some 30 s 2^-1075 altogether; with s >= 1e-120 that is
-// far below u s and u s^2, so smaller s are left to the kernel. Overflow gives infinities or NaNs,
-// with which the comparisons below fail. Contraction to fused multiply-adds only leaves roundings
-// out.
+// far below u s and u s^2, so smaller s are left to the kernel.
+//   Overflow: what is summed up is at most s, or s^2 / 3, so where it overflows the bound is
+// infinite (for that s^2 has to be computed before the factor is applied), and every comparison
+// below fails.
+//   Contraction to fused multiply-adds only leaves roundings out.
 struct Edge_filter_2
 {
   static constexpr double orientation_factor = 8 * 0x1p-53;
@@ -75,20 +77,20 @@ struct Edge_filter_2
   // They are, and the edge is locally Delaunay, no tie: proved.
   bool proves_delaunay() const
   {
-    return proves_counterclockwise() & (in_circle < -(in_circle_factor * s * s));
+    return proves_counterclockwise() & (in_circle < -(in_circle_factor * (s * s)));
   }
 
   // They are, and the edge is not locally Delaunay: proved.
   bool proves_illegal() const
   {
-    return proves_counterclockwise() & (in_circle > in_circle_factor * s * s);
+    return proves_counterclockwise() & (in_circle > in_circle_factor * (s * s));
   }
 
   // A face is clockwise, or the edge is not locally Delaunay: proved.
   bool disproves_delaunay() const
   {
     const double bound = orientation_factor * s;
-    return ((left < -bound) | (right < -bound) | (in_circle > in_circle_factor * s * s)) &
+    return ((left < -bound) | (right < -bound) | (in_circle > in_circle_factor * (s * s))) &
            (s > smallest_s);
   }
 };
@@ -111,7 +113,7 @@ inline int filtered_in_circle(const Position_2& a, const Position_2& b, const Po
                               const Position_2& d)
 {
   const Edge_filter_2 filter(a, b, c, d);
-  const double bound = Edge_filter_2::in_circle_factor * filter.s * filter.s;
+  const double bound = Edge_filter_2::in_circle_factor * (filter.s * filter.s);
   const bool is_large = filter.s > Edge_filter_2::smallest_s;
   return int((filter.in_circle > bound) & is_large) - int((filter.in_circle < -bound) & is_large);
 }

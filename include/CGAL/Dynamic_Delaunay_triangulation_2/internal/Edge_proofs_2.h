@@ -94,7 +94,7 @@ public:
 
     const __m256d bound = times(_mm256_set1_pd(Edge_filter_2::orientation_factor), s);
     const __m256d in_circle_bound =
-        times(times(_mm256_set1_pd(Edge_filter_2::in_circle_factor), s), s);
+        times(_mm256_set1_pd(Edge_filter_2::in_circle_factor), times(s, s));
     const __m256d sign = _mm256_set1_pd(-0.0);
     const __m256d is_left = _mm256_cmp_pd(left, bound, _CMP_GT_OQ);
     const __m256d is_right = _mm256_cmp_pd(_mm256_xor_pd(sign, bc), bound, _CMP_GT_OQ);

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// The Delaunay triangulation by divide and conquer (thesis 3.3; L. Guibas and J. Stolfi, ACM
+// The Delaunay triangulation by divide and conquer (thesis 3.2; L. Guibas and J. Stolfi, ACM
 // Transactions on Graphics 4(2), 1985), cut across both axes in turn (R. Dwyer, Algorithmica 2,
 // 1987), on triangles rather than edges (J. Shewchuk's Triangle, 1996).
 //

@@ -1,0 +1,372 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the static engines cost, in nanoseconds a point: for rebuilds of everything, and for the
+// regions of border splices. All of them are timed in the same process on the same points, in turn.
+// `i/g` and `b/g` are the times of the others as multiples of that of the first one: medians of the
+// ratios in a frame.
+//
+// A rebuild is what Rebuild_repair_2 does: it sorts the points, triangulates, and writes the flat
+// arrays and CGAL's structure. Only the triangulating differs.
+//   jump    every point is at a fresh random place in every frame: vertices are numbered anew
+//   step    every point takes a Gaussian step of a fifth of the spacing: they keep their numbers
+//   grid    a square grid whose points are displaced by up to a tenth of its spacing in every frame
+//
+// A splice is what Border_splice_repair_2 does: it finds the sets, triangulates, compares the
+// boundaries, and writes. Single points of a random cloud, scattered, and others in every frame,
+// are named, with more and more padding around them. Nobody moves, so every region has to come out
+// as it was. `points` is the mean size of a region, its border in it: its points are what the times
+// are divided by.
+//
+// Times are medians over the frames, with their quartiles. After the last frame every triangulation
+// has to be valid and to be proved Delaunay by exact predicates, edge by edge. A case that fails
+// says so in place of its figures, and the program ends with an error.
+
+#include "run/Engine_choice.h"
+#include "run/Kernel.h"
+#include "run/Spread.h"
+#include "run/Stopwatch.h"
+#include "scenario/Random_source.h"
+#include "speed/Case_list.h"
+#include "speed/Run_cases.h"
+
+#include <CGAL/Border_splice_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Rebuild_repair_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace speed;
+using Point = run::Kernel::Point_2;
+using Points = std::vector<Point>;
+using Ids = std::vector<std::size_t>;
+
+// TRIANGULATIONS ----------------------------------------------------------------------------------
+
+// What the classifiers and repairs of a contest share with it.
+struct Frame_notes
+{
+  Ids named;
+  double nanoseconds = 0.0; // of the repair
+};
+
+// Names the points in the notes. Nobody has to prove anything.
+class Noted_classifier
+{
+public:
+  static constexpr bool is_exact = false;
+
+  explicit Noted_classifier(const Frame_notes& notes)
+    : m_notes(&notes)
+  {
+  }
+
+  template <class Frame, class Classification>
+  void operator()(const Frame&, Classification& classified) const
+  {
+    for (const std::size_t id : m_notes->named) {
+      classified.add_id(id);
+    }
+  }
+
+private:
+  const Frame_notes* m_notes;
+};
+
+template <class Repair>
+class Noting_repair
+{
+public:
+  Noting_repair(const Repair& repair, Frame_notes& notes)
+    : m_repair(repair)
+    , m_notes(&notes)
+  {
+  }
+
+  template <class Mender>
+  void operator()(Mender& mender) const
+  {
+    m_notes->nanoseconds = run::nanoseconds_of([&] { m_repair(mender); });
+  }
+
+private:
+  Repair m_repair;
+  Frame_notes* m_notes;
+};
+
+// One triangulation for each engine, all of the same points.
+template <class Repair>
+class Contest
+{
+public:
+  Contest(const Points& points, const Repair& repair)
+    : m_times(run::engines().size())
+  {
+    for (const auto& [name, engine] : run::engines()) {
+      m_triangulations.emplace_back(points.begin(), points.end(), Noted_classifier(m_notes),
+                                    Noting_repair<Repair>(repair, m_notes),
+                                    CGAL::Static_engines_2{engine, engine});
+    }
+  }
+  Contest(const Contest&) = delete;
+  Contest& operator=(const Contest&) = delete;
+
+  // Lets all of them repair a frame at these points. `divisor(report)` is what a time is divided
+  // by. The order rotates: whoever comes first warms the caches for the others.
+  template <class Divisor>
+  void measure(const Points& points, const Ids& named, Divisor divisor)
+  {
+    m_notes.named = named;
+    for (std::size_t i = 0; i != m_times.size(); ++i) {
+      const std::size_t engine = (m_frames + i) % m_times.size();
+      const auto report = m_triangulations[engine].update(points.begin(), points.end());
+      m_times[engine].push_back(m_notes.nanoseconds / divisor(report));
+    }
+    ++m_frames;
+  }
+
+  void check()
+  {
+    for (auto& triangulation : m_triangulations) {
+      if (!triangulation.certify() || !triangulation.is_valid()) {
+        throw std::runtime_error("a triangulation is not Delaunay");
+      }
+    }
+  }
+
+  Case_result result(double points) const
+  {
+    Case_result result;
+    Figures& figures = result.figures;
+    figures["points"] = points;
+    figures["frames"] = static_cast<double>(m_frames);
+    for (std::size_t engine = 0; engine != m_times.size(); ++engine) {
+      const std::string& name = run::engines()[engine].first;
+      const std::string letter = name.substr(0, 1);
+      const run::Spread spread = *run::spread(m_times[engine]);
+      figures[name] = spread.median;
+      figures[letter + "_q1"] = spread.low_quartile;
+      figures[letter + "_q3"] = spread.high_quartile;
+      figures[letter + "/g"] = ratio_to_first(engine);
+    }
+    return result;
+  }
+
+private:
+  // Frame by frame, so that what disturbs a whole frame does not count.
+  double ratio_to_first(std::size_t engine) const
+  {
+    std::vector<double> ratios;
+    for (std::size_t frame = 0; frame != m_frames; ++frame) {
+      ratios.push_back(m_times[engine][frame] / m_times.front()[frame]);
+    }
+    return run::spread(ratios)->median;
+  }
+
+  using Dynamic =
+      CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, Noted_classifier, Noting_repair<Repair>>;
+
+  Frame_notes m_notes;
+  std::vector<Dynamic> m_triangulations;
+  std::vector<std::vector<double>> m_times;
+  std::size_t m_frames = 0;
+};
+
+// REBUILDS ----------------------------------------------------------------------------------------
+
+// One point to a unit of area.
+Points random_cloud(std::size_t number, scenario::Random_source& random)
+{
+  const double side = std::sqrt(static_cast<double>(number));
+  Points points;
+  for (std::size_t i = 0; i != number; ++i) {
+    const double x = random.uniform(0.0, side);
+    points.emplace_back(x, random.uniform(0.0, side));
+  }
+  return points;
+}
+
+Points displaced_grid(std::size_t number, scenario::Random_source& random)
+{
+  const auto columns = static_cast<std::size_t>(std::lround(std::sqrt(number)));
+  Points points;
+  for (std::size_t i = 0; i != number; ++i) {
+    const double x = static_cast<double>(i % columns) + random.uniform(-0.1, 0.1);
+    points.emplace_back(x, static_cast<double>(i / columns) + random.uniform(-0.1, 0.1));
+  }
+  return points;
+}
+
+Points stepped(const Points& points, scenario::Random_source& random)
+{
+  constexpr double step = 0.2;
+  Points result;
+  for (const Point& point : points) {
+    const double dx = step * random.gaussian();
+    result.emplace_back(point.x() + dx, point.y() + step * random.gaussian());
+  }
+  return result;
+}
+
+// More of small ones, whose times scatter.
+std::size_t frames_for(std::size_t points)
+{
+  constexpr std::size_t fewest = 5, most = 1000, all_points = 3'000'000;
+  return std::clamp(all_points / points, fewest, most);
+}
+
+// `move(points, random)` gives the next frame.
+template <class Move>
+Case_result rebuild_case(std::size_t number, Move move)
+{
+  scenario::Random_source random(number);
+  Points points = random_cloud(number, random);
+  Contest<CGAL::Rebuild_repair_2> contest(points, CGAL::Rebuild_repair_2());
+  for (std::size_t frame = 0; frame != frames_for(number); ++frame) {
+    points = move(points, random);
+    contest.measure(points, {0}, [&](const auto&) { return static_cast<double>(points.size()); });
+  }
+  contest.check();
+  return contest.result(static_cast<double>(number));
+}
+
+Case_result jump_case(std::size_t number)
+{
+  return rebuild_case(number, [](const Points& points, scenario::Random_source& random) {
+    return random_cloud(points.size(), random);
+  });
+}
+
+Case_result step_case(std::size_t number)
+{
+  return rebuild_case(number, stepped);
+}
+
+Case_result grid_case(std::size_t number)
+{
+  return rebuild_case(number, [](const Points& points, scenario::Random_source& random) {
+    return displaced_grid(points.size(), random);
+  });
+}
+
+// SPLICES -----------------------------------------------------------------------------------------
+
+// Points near the places of a lattice that lies anywhere, so far from each other.
+Ids scattered_ids(const Points& points, double distance, scenario::Random_source& random)
+{
+  const double side = std::sqrt(static_cast<double>(points.size()));
+  const auto rows = static_cast<std::size_t>(side / distance);
+  const double x0 = random.uniform(0.0, distance), y0 = random.uniform(0.0, distance);
+  std::vector<double> nearest(rows * rows, 1.0); // farther ones are not near
+  Ids ids(rows * rows, points.size());
+  for (std::size_t id = 0; id != points.size(); ++id) {
+    const double x = (points[id].x() - x0) / distance, y = (points[id].y() - y0) / distance;
+    const double column = std::round(x), row = std::round(y);
+    const double squared_distance =
+        distance * distance * ((x - column) * (x - column) + (y - row) * (y - row));
+    if (column < 0.0 || row < 0.0) {
+      continue;
+    }
+    const std::size_t place =
+        static_cast<std::size_t>(row) * rows + static_cast<std::size_t>(column);
+    if (column < static_cast<double>(rows) && place < ids.size() &&
+        squared_distance < nearest[place]) {
+      nearest[place] = squared_distance;
+      ids[place] = id;
+    }
+  }
+  ids.erase(std::remove(ids.begin(), ids.end(), points.size()), ids.end());
+  return ids;
+}
+
+Case_result splice_case(unsigned padding)
+{
+  constexpr std::size_t number = 20'000, frames = 100;
+  const double distance = 3.0 * (padding + 2.0); // an edge is hardly ever longer than 1.5
+  scenario::Random_source random(padding);
+  const Points points = random_cloud(number, random);
+  Contest<CGAL::Border_splice_repair_2> contest(points, CGAL::Border_splice_repair_2(padding));
+  double regions = 0.0, points_of_regions = 0.0;
+  for (std::size_t frame = 0; frame != frames; ++frame) {
+    const Ids named = scattered_ids(points, distance, random);
+    contest.measure(points, named, [&](const CGAL::Update_report_2& report) {
+      if (report.rebuilt() || report.growths != 0) {
+        throw std::runtime_error("a region has not come out as it was");
+      }
+      const auto size = static_cast<double>(report.classified + report.padded + report.border);
+      regions += static_cast<double>(named.size());
+      points_of_regions += size;
+      return size;
+    });
+  }
+  contest.check();
+  return contest.result(points_of_regions / regions);
+}
+
+// ALL ---------------------------------------------------------------------------------------------
+
+std::vector<Column> columns(int decimals_of_points)
+{
+  return {{"points", 9, decimals_of_points},
+          {"frames", 7, 0},
+          {"guibas_stolfi", 15, 0},
+          {"g_q1", 6, 0},
+          {"g_q3", 6, 0},
+          {"insertion", 11, 0},
+          {"i_q1", 6, 0},
+          {"i_q3", 6, 0},
+          {"bowyer_watson", 15, 0},
+          {"b_q1", 6, 0},
+          {"b_q3", 6, 0},
+          {"i/g", 7, 2},
+          {"b/g", 7, 2}};
+}
+
+const Table jump = {"Rebuilds, every point at a fresh random place in every frame, ns a point",
+                    columns(0)};
+const Table step = {"Rebuilds, random steps of a fifth of the spacing, ns a point", columns(0)};
+const Table grid = {"Rebuilds of a square grid, displaced in every frame, ns a point", columns(0)};
+const Table splice = {"Splices by the size of their regions, ns a point of a region", columns(1)};
+
+void add_rebuilds(Case_list& cases, const Table& table, const std::string& name,
+                  Case_result (*rebuild)(std::size_t))
+{
+  for (const std::size_t number :
+       {10u, 20u, 50u, 100u, 300u, 1000u, 10'000u, 100'000u, 1'000'000u}) {
+    cases.add(table, name + '/' + std::to_string(number), [=] { return rebuild(number); });
+  }
+}
+
+bool run_engines(int argc, char** argv)
+{
+  Case_list cases;
+  add_rebuilds(cases, jump, "jump", jump_case);
+  add_rebuilds(cases, step, "step", step_case);
+  add_rebuilds(cases, grid, "grid", grid_case);
+  for (const unsigned padding : {0u, 1u, 2u, 3u, 5u, 13u}) {
+    cases.add(splice, "splice/padding_" + std::to_string(padding),
+              [=] { return splice_case(padding); });
+  }
+  return run_cases(cases, argc, argv, RESULTS_DIR "/static_engines.json");
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try {
+    return run_engines(argc, argv) ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::cerr << "static_engines: " << error.what() << '\n';
+    return 1;
+  }
+}
