@@ -18,8 +18,8 @@ Chooses for every frame between mending and rebuilding, from an estimate of both
 7.2.1). It mends until a frame has cost more than a rebuild. From then on it looks at a sample of
 the edges before it decides: a frame in which more than a ninth of them are not Delaunay is
 rebuilt, any other one is mended. If that cost more again, which happens with classifiers that name
-more than is broken, it tries again when half as many edges are broken, or after a rest that doubles
-from one failure to the next, up to 63 frames.
+more than is broken, it tries again when half as many edges are broken, or after a rest that grows
+by a frame from one failure to the next, up to 63 frames.
 
 Costs are counted, not clocked: in flips, and in vertices that were spliced or relocated, each with
 the time that it was measured to take. So equal input gives equal choices.
@@ -54,7 +54,7 @@ public:
     }
     m_lost_share = m_share;
     m_rest = m_patience;
-    m_patience = (std::min)(2 * m_patience + 1, longest_rest);
+    m_patience = (std::min)(m_patience + 1, longest_rest);
   }
 
 private:
@@ -65,8 +65,8 @@ private:
   // Nanoseconds, as measured on random clouds of 1,000 to 10,000 points; their ratios count. A flip
   // comes with what has to be looked at for it.
   static constexpr double cost_of_rebuilding = 250; // a vertex
-  static constexpr double cost_of_flip = 500;
-  static constexpr double cost_of_splicing = 500; // a vertex of the Triangulation set
+  static constexpr double cost_of_flip = 300;
+  static constexpr double cost_of_splicing = 300; // a vertex of the Triangulation set
   static constexpr double cost_of_relocation = 700;
 
   template <class Frame>

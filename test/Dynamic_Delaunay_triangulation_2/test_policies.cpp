@@ -19,6 +19,7 @@
 #include <CGAL/Voronoi_circumcenter_classifier_2.h>
 #include <CGAL/Voronoi_edge_length_classifier_2.h>
 
+#include <algorithm>
 #include <memory>
 #include <set>
 #include <type_traits>
@@ -297,7 +298,7 @@ TEST(Hybrid_policy, rests_longer_and_longer_from_a_classifier_that_names_too_muc
     ASSERT_TRUE(was_asked || dt.is_certified());
   }
   EXPECT_GE(dt.classifier().answers->asked, 3);
-  EXPECT_LE(dt.classifier().answers->asked, 12);
+  EXPECT_LE(dt.classifier().answers->asked, 21); // 0 + 1 + ... + 19 frames of rest
 }
 
 // A hundred vertices whose edges are all Delaunay.
@@ -321,12 +322,13 @@ int rest(CGAL::Hybrid_policy_2& policy, Reason outcome)
   return frames;
 }
 
-TEST(Hybrid_policy, doubles_its_rests_from_failure_to_failure_and_forgets_them_with_a_success)
+TEST(Hybrid_policy, lengthens_its_rests_from_failure_to_failure_and_forgets_them_with_a_success)
 {
   CGAL::Hybrid_policy_2 policy;
   for (int round = 0; round < 2; ++round) {
-    for (const int expected : {0, 0, 1, 3, 7, 15, 31, 63, 63})
-      EXPECT_EQ(rest(policy, Reason::STUCK), expected);
+    EXPECT_EQ(rest(policy, Reason::STUCK), 0);
+    for (int failures = 0; failures < 70; ++failures)
+      EXPECT_EQ(rest(policy, Reason::STUCK), std::min(failures, 63));
     EXPECT_EQ(rest(policy, Reason::NONE), 63);
   }
 }
