@@ -12,6 +12,7 @@
 #include <CGAL/Inflation_aware_classifier_2.h>
 #include <CGAL/Nearly_delaunay_classifier_2.h>
 #include <CGAL/Point_distance_classifier_2.h>
+#include <CGAL/Predictive_point_distance_classifier_2.h>
 #include <CGAL/Random_classifier_2.h>
 #include <CGAL/Rebuild_repair_2.h>
 #include <CGAL/Refined_classifier_2.h>
@@ -878,6 +879,46 @@ TEST(Point_distance_classifier, predicts_the_frame_in_which_it_picks_somebody)
       }
     }
   }
+}
+
+struct Velocities
+{
+  std::shared_ptr<const Points> of_id;
+  Position_2 operator()(Index id) const { return {(*of_id)[id].x(), (*of_id)[id].y()}; }
+};
+
+TEST(Predictive_point_distance_classifier, looks_only_when_point_distance_would_classify_somebody)
+{
+  Cloud<Epick> cloud(16);
+  std::normal_distribution<double> speed(0, 2e-4);
+  Points points = cloud.uniform(100);
+  const auto velocities = std::make_shared<Points>();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double x = speed(cloud.random());
+    velocities->emplace_back(x, speed(cloud.random()));
+  }
+  using Predictive = CGAL::Predictive_point_distance_classifier_2<Velocities>;
+  Triangulation<CGAL::Point_distance_classifier_2> plain(points.begin(), points.end());
+  Triangulation<Predictive> predictive(points.begin(), points.end(),
+                                       Predictive(Velocities{velocities}));
+  const Points start = points;
+  std::size_t quiet = 0, picked = 0;
+  for (int frame = 1; frame <= 2000; ++frame) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      points[i] = Epick::Point_2(start[i].x() + frame * (*velocities)[i].x(),
+                                 start[i].y() + frame * (*velocities)[i].y());
+    const bool is_quiet = predictive.classifier().number_of_quiet_frames() > 0;
+    const auto expected = plain.update(points.begin(), points.end());
+    const auto report = predictive.update(points.begin(), points.end());
+    ASSERT_EQ(report.classified, expected.classified) << "frame " << frame;
+    ASSERT_EQ(report.spliced, expected.spliced) << "frame " << frame;
+    ASSERT_TRUE(!is_quiet || report.classified == 0) << "frame " << frame;
+    quiet += is_quiet;
+    picked += report.classified > 0;
+  }
+  EXPECT_GT(picked, 50u);
+  EXPECT_GT(quiet, 1000u);
+  ASSERT_NO_FATAL_FAILURE(expect_valid(predictive, points));
 }
 
 // -------------------------------------------------------------------------------------------------

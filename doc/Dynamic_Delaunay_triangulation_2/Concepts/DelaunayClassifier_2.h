@@ -16,6 +16,7 @@ frame to frame.
 \cgalHasModels{Circumcircle_classifier_2}
 \cgalHasModels{Safe_region_classifier_2}
 \cgalHasModels{Point_distance_classifier_2}
+\cgalHasModels{Predictive_point_distance_classifier_2}
 \cgalHasModels{Inflation_aware_classifier_2}
 \cgalHasModels{Voronoi_circumcenter_classifier_2}
 \cgalHasModels{Estimated_voronoi_circumcenter_classifier_2}

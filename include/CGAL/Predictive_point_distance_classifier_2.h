@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PREDICTIVE_POINT_DISTANCE_CLASSIFIER_2_H
+#define CGAL_PREDICTIVE_POINT_DISTANCE_CLASSIFIER_2_H
+
+#include <CGAL/Point_distance_classifier_2.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Classifiers
+
+`Point_distance_classifier_2` where velocities are known: it predicts the first frame in which it
+can classify somebody (thesis 4.2.2), and looks at no edge until then. It classifies the same
+vertices while the velocities stay what they were when it was last asked for its prediction: after
+each frame in which it looked, or in which something was triangulated anew. It is *heuristic*.
+
+Cost: none in the frames in between; else that of `Point_distance_classifier_2`, and of
+`Point_distance_classifier_2::predict()`. So it pays where frames in which somebody is classified
+are rare.
+
+\tparam Velocity a function from ids to velocities with `x` and `y`, in lengths a frame.
+
+\cgalModels `DelaunayClassifier_2`
+*/
+template <class Velocity>
+class Predictive_point_distance_classifier_2
+{
+public:
+  /// it may miss edges.
+  static constexpr bool is_exact = false;
+
+  /// \param velocity tells how fast points move; a copy is kept.
+  /// \param x as in `Point_distance_classifier_2`.
+  /// \throws Parameter_error_2 if `x` is out of its range.
+  explicit Predictive_point_distance_classifier_2(const Velocity& velocity, double x = 0.7)
+    : m_classifier(x)
+    , m_velocity(velocity)
+  {
+  }
+
+  /// the parameter.
+  double x() const { return m_classifier.x(); }
+  /// in how many of the next frames it will not look.
+  std::size_t number_of_quiet_frames() const { return m_quiet_frames; }
+
+  /// classifies.
+  template <class Frame, class Classification>
+  void operator()(const Frame& frame, Classification& classified)
+  {
+    m_has_looked = frame.has_news() || m_quiet_frames == 0;
+    if (m_has_looked)
+      m_classifier(frame, classified);
+    else
+      --m_quiet_frames;
+  }
+
+  /// takes references as `Point_distance_classifier_2` does, and predicts anew if need be.
+  template <class Frame>
+  void after_update(const Frame& frame)
+  {
+    m_classifier.after_update(frame);
+    if (!m_has_looked && !frame.has_news())
+      return;
+    m_has_looked = false;
+    constexpr double most_frames = 1e9;
+    const double first = m_classifier.predict(frame, m_velocity);
+    m_quiet_frames = std::size_t((std::min)(first, most_frames)) - 1;
+  }
+
+private:
+  Point_distance_classifier_2 m_classifier;
+  Velocity m_velocity;
+  std::size_t m_quiet_frames = 0;
+  bool m_has_looked = false;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_PREDICTIVE_POINT_DISTANCE_CLASSIFIER_2_H
