@@ -17,6 +17,7 @@
 #include <CGAL/Dynamic_frame_2.h>
 #include <CGAL/Dynamic_mender_2.h>
 #include <CGAL/Flip_and_splice_repair_2.h>
+#include <CGAL/inform_classifier.h>
 #include <CGAL/Triangulation_data_structure_2.h>
 #include <CGAL/Triangulation_face_base_2.h>
 #include <CGAL/Update_report_2.h>
@@ -172,7 +173,7 @@ public:
   {
     m_core->mender.editor().build(
         m_core->input.read_all(first, beyond, point_map, m_core->maintained));
-    inform_classifier();
+    spread_news();
   }
 
   /// the moved-from object can only be assigned to or destroyed.
@@ -416,7 +417,7 @@ private:
 
   void finish(Update_report_2& report)
   {
-    inform_classifier();
+    spread_news();
     report.certified = m_is_certified;
   }
 
@@ -429,21 +430,9 @@ private:
     m_is_classifier_informed = false;
   }
 
-  template <class C, class = void>
-  struct Has_after_update : std::false_type
+  void spread_news()
   {
-  };
-  template <class C>
-  struct Has_after_update<
-      C, std::void_t<decltype(std::declval<C&>().after_update(std::declval<const Frame&>()))>>
-    : std::true_type
-  {
-  };
-
-  void inform_classifier()
-  {
-    if constexpr (Has_after_update<Classifier>::value)
-      m_classifier.after_update(frame());
+    inform_classifier(m_classifier, frame());
     m_is_classifier_informed = true;
   }
 

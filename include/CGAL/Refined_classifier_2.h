@@ -5,6 +5,7 @@
 #define CGAL_REFINED_CLASSIFIER_2_H
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
+#include <CGAL/inform_classifier.h>
 
 #include <cstddef>
 #include <type_traits>
@@ -72,8 +73,8 @@ public:
   template <class Frame>
   void after_update(const Frame& frame)
   {
-    inform(m_first, frame, 0);
-    inform(m_second, frame, 0);
+    inform_classifier(m_first, frame);
+    inform_classifier(m_second, frame);
   }
 
 private:
@@ -95,7 +96,7 @@ private:
   void ask_edge_by_edge(const Frame& frame, const Classification& first, Classification& classified)
   {
     if (frame.has_news())
-      inform(m_second, frame, 0); // its operator() would have to
+      inform_classifier(m_second, frame); // its operator() would have to
     m_seen.clear(frame.number_of_edges());
     const std::size_t first_illegal = first.edges().size() - first.number_of_illegal_edges();
     for (std::size_t i = 0; i < first.edges().size(); ++i) {
@@ -170,19 +171,6 @@ private:
           if (second.is_whole_vertex(w) && !first.is_whole_vertex(w) && m_seen.insert(e))
             classified.add_edge(e);
         });
-  }
-
-  template <class Classifier, class Frame>
-  static auto inform(Classifier& classifier, const Frame& frame, int)
-      -> decltype(classifier.after_update(frame))
-  {
-    classifier.after_update(frame);
-  }
-
-  // For classifiers that do not want to know.
-  template <class Classifier, class Frame>
-  static void inform(Classifier&, const Frame&, long)
-  {
   }
 
   First m_first;

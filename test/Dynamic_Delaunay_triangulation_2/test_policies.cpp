@@ -51,18 +51,6 @@ CGAL::Update_report_2 update(Dynamic& dt, const Points& points)
   return dt.update(points.begin(), points.end());
 }
 
-template <class Classifier, class Frame>
-auto inform(Classifier& classifier, const Frame& frame, int)
-    -> decltype(classifier.after_update(frame))
-{
-  classifier.after_update(frame);
-}
-
-template <class Classifier, class Frame>
-void inform(Classifier&, const Frame&, long)
-{
-}
-
 // What a classifier was asked, and whom it has picked last.
 struct Answers
 {
@@ -92,7 +80,7 @@ struct Observed
   void after_update(const Frame& frame)
   {
     answers->everything_is_new = frame.everything_is_new();
-    inform(classifier, frame, 0);
+    CGAL::inform_classifier(classifier, frame);
   }
 };
 

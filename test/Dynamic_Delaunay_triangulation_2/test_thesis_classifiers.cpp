@@ -54,19 +54,6 @@ Points turned(const Points& points, double angle, const Epick::Point_2& center =
   return result;
 }
 
-// Tells a classifier that wants to know.
-template <class Classifier, class Frame>
-auto inform(Classifier& classifier, const Frame& frame, int)
-    -> decltype(classifier.after_update(frame))
-{
-  classifier.after_update(frame);
-}
-
-template <class Classifier, class Frame>
-void inform(Classifier&, const Frame&, long)
-{
-}
-
 // Everybody straight on.
 class Drift
 {
@@ -128,7 +115,7 @@ struct Audited
   template <class Frame>
   void after_update(const Frame& frame)
   {
-    inform(classifier, frame, 0);
+    CGAL::inform_classifier(classifier, frame);
   }
 };
 
@@ -527,7 +514,7 @@ struct Noting_classifier
   template <class Frame>
   void after_update(const Frame& frame)
   {
-    inform(classifier, frame, 0);
+    CGAL::inform_classifier(classifier, frame);
   }
 };
 
@@ -628,7 +615,7 @@ struct Reserved_classifier
   template <class Frame>
   void after_update(const Frame& frame)
   {
-    inform(classifier, frame, 0);
+    CGAL::inform_classifier(classifier, frame);
   }
 };
 

@@ -9,6 +9,7 @@
 #include <CGAL/Circumcircle_classifier_2.h>
 #include <CGAL/Estimated_voronoi_circumcenter_classifier_2.h>
 #include <CGAL/Inflation_aware_classifier_2.h>
+#include <CGAL/inform_classifier.h>
 #include <CGAL/Nearly_delaunay_classifier_2.h>
 #include <CGAL/Point_distance_classifier_2.h>
 #include <CGAL/Random_classifier_2.h>
@@ -58,21 +59,7 @@ public:
   template <class Frame>
   void after_update(const Frame& frame)
   {
-    std::visit([&](auto& classifier) { inform(classifier, frame, 0); }, m_classifier);
-  }
-
-private:
-  template <class Classifier, class Frame>
-  static auto inform(Classifier& classifier, const Frame& frame, int)
-      -> decltype(classifier.after_update(frame))
-  {
-    classifier.after_update(frame);
-  }
-
-  // For classifiers that do not want to know.
-  template <class Classifier, class Frame>
-  static void inform(Classifier&, const Frame&, long)
-  {
+    std::visit([&](auto& classifier) { CGAL::inform_classifier(classifier, frame); }, m_classifier);
   }
 
 protected:
