@@ -18,6 +18,7 @@
 #include <CGAL/Dynamic_mender_2.h>
 #include <CGAL/Flip_and_splice_repair_2.h>
 #include <CGAL/inform_classifier.h>
+#include <CGAL/property_map.h>
 #include <CGAL/Triangulation_data_structure_2.h>
 #include <CGAL/Triangulation_face_base_2.h>
 #include <CGAL/Update_report_2.h>
@@ -25,6 +26,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <iterator>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -39,7 +41,9 @@ Keeps a Delaunay triangulation right while its points move. Every `update()` tak
 of all points, finds what the motion broke, mends that, and reports what it did.
 
 Points have ids: 0, 1, 2, ... in the order in which they were given. An id keeps its vertex through
-all updates. Points that coincide share a vertex while they do.
+all updates. Points that coincide share a vertex while they do. Points come by `insert()` and go by
+`remove()`; the id of one that went is free, and the next point that comes gets the smallest free
+id. `Dynamic_population_2` keeps points by ids of the user's own.
 
 After construction, and after every update with an exact classifier, the triangulation is
 *certified*: its faces are counterclockwise, its hull is convex and turns around once, and each of
@@ -80,6 +84,7 @@ class Dynamic_Delaunay_triangulation_2
       Dynamic_Delaunay_triangulations_2::internal::Maintained_triangulation_2<Traits,
                                                                               Data_structure>;
   using Mender = Dynamic_mender_2<Maintained>;
+  using Input = Dynamic_Delaunay_triangulations_2::internal::Input_frame_2<Maintained>;
   using Index = Dynamic_Delaunay_triangulations_2::Index;
 
 public:
@@ -171,8 +176,10 @@ public:
                                    const Policy& policy = Policy())
     : Dynamic_Delaunay_triangulation_2(classifier, repair, engines, policy)
   {
-    m_core->mender.editor().build(
-        m_core->input.read_all(first, beyond, point_map, m_core->maintained));
+    auto newcomers = Input::read_newcomers(first, beyond, point_map, m_core->maintained);
+    m_core->maintained.positions_are_exact = newcomers.are_exact;
+    m_core->mender.editor().build(std::move(newcomers.ids), std::move(newcomers.points),
+                                  Index(newcomers.points.size()));
     spread_news();
   }
 
@@ -186,11 +193,12 @@ public:
   /// @{
 
   /// moves point i to the i-th position of the range, for all points, and mends the triangulation.
+  /// There is a position for each id; those for ids of removed points are not looked at.
   ///
   /// Cost: one pass over all points and one of the classifier, and the repair of what it
   /// classified; never much more than that of a rebuild. Nothing is allocated where nothing breaks,
   /// but for the first time that the circumcircle classifier skips edges (16 bytes a vertex).
-  /// \throws Point_count_error_2 if there are not `number_of_points()` positions.
+  /// \throws Point_count_error_2 if there are not `number_of_ids()` positions.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
   ///
   /// Nothing changes if it throws one of these, or if the range, the policy or the classifier
@@ -208,28 +216,159 @@ public:
   Update_report_2 update(InputIterator first, InputIterator beyond, PointMap point_map)
   {
     Maintained& maintained = m_core->maintained;
+    Mender& mender = m_core->mender;
     m_core->input.stage(first, beyond, point_map, maintained);
-    const bool was_certified = std::exchange(m_is_certified, false);
     const Point_writer writer{maintained};
-    forget_news();
+    const bool was_certified = begin();
     Update_report_2 report;
+    const std::vector<Index> parted = mender.population().parted_guests();
     if (!maintained.is_mirrored())
       rebuild(report, Rebuild_reason_2::DIMENSION);
-    else if (m_core->input.coincident_points_part(maintained))
+    else if (!parted.empty() && mender.population().are_too_many(parted.size()))
       rebuild(report, Rebuild_reason_2::COINCIDENCE);
     else if (ask([&] { return m_policy.wants_rebuild(frame()); }, was_certified))
       rebuild(report, Rebuild_reason_2::POLICY);
     else {
-      ask([&] { m_classifier(frame(), m_core->mender.start(report)); }, was_certified);
-      m_core->mender.take_classification(Classifier::is_exact, was_certified);
-      if (!m_core->mender.classification().empty())
-        m_repair(m_core->mender);
-      prove(report, Classifier::is_exact);
+      ask([&] { m_classifier(frame(), mender.start(report)); }, was_certified);
+      mender.take_classification(Classifier::is_exact, was_certified);
+      if (!mender.classification().empty())
+        m_repair(mender);
+      prove(report);
+      if (!parted.empty() && !report.rebuilt())
+        report.parted += part(parted, report);
     }
     finish(report);
     m_policy.after_update(frame(), report);
     return report;
   }
+
+  /// moves some points, and mends what that breaks, by exact predicates whatever the classifier is;
+  /// the policy is not asked. All other points stay where they are.
+  ///
+  /// Cost: proportional to the number of points in the range, and what they break; with points that
+  /// coincide, to the number of those as well. \tparam InputIterator its values are pairs of an id,
+  /// which is an integer, and a `Point`.
+  /// \throws Unknown_id_error_2 if there is no such point.
+  /// \throws Repeated_id_error_2 if an id is there more than once.
+  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
+  ///
+  /// Nothing changes if it throws one of these, or if the range throws. After any other exception
+  /// the triangulation is not certified; `mend()` certifies it again. \post `is_certified()`, if it
+  /// was, or if the classifier is exact.
+  template <class InputIterator>
+  Update_report_2 move(InputIterator first, InputIterator beyond)
+  {
+    using Value = typename std::iterator_traits<InputIterator>::value_type;
+    return move(first, beyond, First_of_pair_property_map<Value>(),
+                Second_of_pair_property_map<Value>());
+  }
+
+  /// the same for ids and points that the property maps read from the values of the range.
+  template <class InputIterator, class IdMap, class PointMap>
+  Update_report_2 move(InputIterator first, InputIterator beyond, IdMap id_map, PointMap point_map)
+  {
+    const auto movers = Input::read_movers(first, beyond, id_map, point_map, m_core->maintained);
+    return change([&](Update_report_2& report, bool was_certified) {
+      Mender& mender = m_core->mender;
+      m_core->maintained.positions_are_exact &= movers.are_exact;
+      if (mender.population().are_too_many(movers.ids.size())) {
+        mender.population().move_all(movers.ids, movers.points);
+        if (!m_core->maintained.is_mirrored())
+          return rebuild(report, Rebuild_reason_2::DIMENSION);
+        mender.classify_around(movers.ids, was_certified);
+        Flip_and_splice_repair_2()(mender);
+      } else {
+        report.merged += mender.population().move_few(movers.ids, movers.points);
+        mender.classify_around(movers.ids, was_certified);
+        mender.open_news(was_certified);
+        Flip_and_splice_repair_2().mend(mender);
+      }
+      prove(report);
+      if (!report.rebuilt())
+        report.parted += part(mender.population().parted_guests(), report);
+    });
+  }
+
+  /// moves one point, in the same way.
+  Update_report_2 move(size_type id, const Point& p)
+  {
+    const std::pair<size_type, Point> mover(id, p);
+    return move(&mover, &mover + 1);
+  }
+
+  /// @}
+  /// \name Population
+  /// Points that come and go. What that breaks is mended by exact predicates, whatever the
+  /// classifier is. If memory runs out, each point has either come or gone, or it has not, and the
+  /// triangulation is not certified; `mend()` certifies it again.
+  /// @{
+
+  /// adds a point, and returns its id: the smallest free one. Where another point is already, it
+  /// shares its vertex. Cost: O(n<sup>1/3</sup>) expected for evenly spread points to find its
+  /// place, and what it breaks; that of a rebuild while the points do not span the plane.
+  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite; nothing changes.
+  /// \post `is_certified()`, if it was, or if the classifier is exact.
+  size_type insert(const Point& p)
+  {
+    size_type id = 0;
+    insert(&p, &p + 1, &id);
+    return id;
+  }
+
+  /// adds the points of the range, and writes their ids to `ids`. Where they are more than one to
+  /// eight vertices, everything is triangulated anew.
+  template <class InputIterator, class OutputIterator>
+  Update_report_2 insert(InputIterator first, InputIterator beyond, OutputIterator ids)
+  {
+    return insert(first, beyond, Identity_map(), ids);
+  }
+
+  /// adds the points that `point_map` reads from the values of the range.
+  template <class InputIterator, class PointMap, class OutputIterator>
+  Update_report_2 insert(InputIterator first, InputIterator beyond, PointMap point_map,
+                         OutputIterator ids)
+  {
+    const auto newcomers = Input::read_newcomers(first, beyond, point_map, m_core->maintained);
+    const Update_report_2 report = change([&](Update_report_2& done, bool was_certified) {
+      m_core->maintained.positions_are_exact &= newcomers.are_exact;
+      if (m_core->mender.population().insert(newcomers.ids, newcomers.points))
+        take_rebuild(done);
+      else
+        mend_news(done, was_certified);
+      done.inserted = newcomers.ids.size();
+    });
+    for (const Index id : newcomers.ids)
+      *ids++ = id;
+    return report;
+  }
+
+  /// takes a point away; its id is free from then on. Cost: proportional to the number of its
+  /// neighbors, and what that breaks; that of a rebuild if the points do not span the plane before
+  /// or after; with points that coincide, to the number of those as well.
+  /// \throws Unknown_id_error_2 if there is no such point; nothing changes.
+  /// \post `is_certified()`, if it was, or if the classifier is exact.
+  Update_report_2 remove(size_type id) { return remove(&id, &id + 1); }
+
+  /// takes the points with these ids away. Where they are more than one in eight vertices,
+  /// everything is triangulated anew. \tparam InputIterator its values are integers.
+  /// \throws Unknown_id_error_2 if there is no such point; nothing changes.
+  /// \throws Repeated_id_error_2 if an id is there more than once; nothing changes.
+  template <class InputIterator>
+  Update_report_2 remove(InputIterator first, InputIterator beyond)
+  {
+    const std::vector<Index> ids = Input::read_ids(first, beyond, m_core->maintained);
+    return change([&](Update_report_2& report, bool was_certified) {
+      if (m_core->mender.population().remove(ids))
+        take_rebuild(report);
+      else
+        mend_news(report, was_certified);
+      report.removed = ids.size();
+    });
+  }
+
+  /// @}
+  /// \name Certainty
+  /// @{
 
   /// makes the triangulation Delaunay and certified, whatever the classifier is: the circumcircle
   /// classifier finds what is broken, and `Flip_and_splice_repair_2` mends it. Does nothing if it
@@ -240,11 +379,8 @@ public:
     report.certified = true;
     if (m_is_certified)
       return report;
-    forget_news();
-    Circumcircle_classifier_2()(frame(), m_core->mender.start(report));
-    m_core->mender.take_classification(true, false);
-    Flip_and_splice_repair_2()(m_core->mender);
-    prove(report, true);
+    begin();
+    mend(report);
     finish(report);
     return report;
   }
@@ -283,6 +419,11 @@ public:
 
   /// the number of points.
   size_type number_of_points() const { return m_core->maintained.ids.number_of_points(); }
+  /// what all ids are smaller than: as many as there ever were points at the same time. It never
+  /// gets smaller.
+  size_type number_of_ids() const { return m_core->maintained.ids.number_of_ids(); }
+  /// whether there is a point with this id.
+  bool has_id(size_type id) const { return m_core->maintained.ids.is_taken(id); }
   /// the number of finite vertices: fewer, if points coincide.
   size_type number_of_vertices() const { return m_core->maintained.number_of_vertices(); }
 
@@ -290,8 +431,8 @@ public:
   /// \throws Unknown_id_error_2 if there is no such point.
   Vertex_handle vertex(size_type id) const
   {
-    if (id >= number_of_points())
-      throw Unknown_id_error_2(id, number_of_points());
+    if (!has_id(id))
+      throw Unknown_id_error_2(id, number_of_ids());
     return m_core->maintained.vertices[m_core->maintained.ids.vertex(Index(id))];
   }
 
@@ -366,7 +507,7 @@ private:
   {
     Maintained maintained;
     Mender mender{maintained};
-    Dynamic_Delaunay_triangulations_2::internal::Input_frame_2<Maintained> input;
+    Input input;
 
     auto certificate() const
     {
@@ -394,11 +535,67 @@ private:
     }
   }
 
-  // Rebuilds if there has to be a proof and the repair has not brought it to an end.
-  void prove(Update_report_2& report, bool has_to)
+  // What has changed from here on is news. Returns whether the triangulation was certified.
+  bool begin()
   {
-    if (has_to && !report.rebuilt() && !(m_core->mender.is_done() && is_planar()))
-      m_core->mender.rebuild(Rebuild_reason_2::STUCK);
+    if (m_is_classifier_informed)
+      m_core->maintained.forget_news();
+    else if (frame().has_other_numbers()) // and there will be others again
+      m_core->maintained.everything_is_new = true;
+    m_is_classifier_informed = false;
+    return std::exchange(m_is_certified, false);
+  }
+
+  void finish(Update_report_2& report)
+  {
+    spread_news();
+    report.certified = m_is_certified;
+  }
+
+  void spread_news()
+  {
+    inform_classifier(m_classifier, frame());
+    m_is_classifier_informed = true;
+  }
+
+  // Points that come, go or move without the others. With an exact classifier the triangulation is
+  // certified in the end, whatever it was before.
+  template <class Work>
+  Update_report_2 change(const Work& work)
+  {
+    Update_report_2 report;
+    const bool was_certified = begin();
+    m_core->mender.start(report);
+    work(report, was_certified);
+    if (Classifier::is_exact && !m_is_certified)
+      mend(report);
+    finish(report);
+    return report;
+  }
+
+  void mend(Update_report_2& report)
+  {
+    Circumcircle_classifier_2()(frame(), m_core->mender.start(report));
+    m_core->mender.take_classification(true, false);
+    Flip_and_splice_repair_2()(m_core->mender);
+    prove(report);
+  }
+
+  // Mends what was triangulated anew in this call.
+  void mend_news(Update_report_2& report, bool was_certified)
+  {
+    m_core->mender.open_news(was_certified);
+    Flip_and_splice_repair_2().mend(m_core->mender);
+    prove(report);
+  }
+
+  // Rebuilds if there has to be a proof and the repair has not brought it to an end.
+  void prove(Update_report_2& report)
+  {
+    Mender& mender = m_core->mender;
+    const bool has_to = mender.has_to_prove();
+    if (has_to && !report.rebuilt() && !(mender.is_done() && is_planar()))
+      mender.rebuild(Rebuild_reason_2::STUCK);
     m_is_certified = has_to || report.rebuilt();
   }
 
@@ -415,25 +612,22 @@ private:
     m_is_certified = true;
   }
 
-  void finish(Update_report_2& report)
+  // After a change of the population that has rebuilt everything.
+  void take_rebuild(Update_report_2& report)
   {
-    spread_news();
-    report.certified = m_is_certified;
+    m_core->mender.start(report);
+    report.rebuild_reason = m_core->maintained.is_mirrored() ? Rebuild_reason_2::POPULATION
+                                                             : Rebuild_reason_2::DIMENSION;
+    m_is_certified = true;
   }
 
-  void forget_news()
+  // Gives vertices to guests that are no longer where theirs is. Returns their number.
+  std::size_t part(const std::vector<Index>& guests, Update_report_2& report)
   {
-    if (!m_is_classifier_informed)
-      return;
-    m_core->maintained.everything_is_new = false;
-    m_core->maintained.new_edges.clear();
-    m_is_classifier_informed = false;
-  }
-
-  void spread_news()
-  {
-    inform_classifier(m_classifier, frame());
-    m_is_classifier_informed = true;
+    const bool was_certified = std::exchange(m_is_certified, false);
+    m_core->mender.population().part(guests);
+    mend_news(report, was_certified);
+    return guests.size();
   }
 
   template <class Function>

@@ -78,7 +78,7 @@ public:
   }
   /// \endcond
 
-  /// the number of points in the triangulation.
+  /// the number of ids.
   std::size_t expected() const { return m_expected; }
   /// the number of points in the frame; `expected() + 1` stands for "or more".
   std::size_t given() const { return m_given; }
@@ -89,7 +89,8 @@ private:
     std::ostringstream out;
     out << "the frame has " << given << (given > expected ? " or more" : "")
         << " points, and the triangulation has " << expected
-        << ": give one position for each id from 0 to the last";
+        << " ids: give one position for each id from 0 to the last, any one for those of removed "
+           "points";
     return out.str();
   }
 
@@ -105,32 +106,63 @@ class Unknown_id_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
 public:
   /// \cond
-  Unknown_id_error_2(std::size_t id, std::size_t number_of_points)
-    : Dynamic_Delaunay_triangulation_error_2(message(id, number_of_points))
+  Unknown_id_error_2(std::size_t id, std::size_t number_of_ids)
+    : Dynamic_Delaunay_triangulation_error_2(message(id, number_of_ids))
     , m_id(id)
-    , m_number_of_points(number_of_points)
+    , m_number_of_ids(number_of_ids)
   {
   }
   /// \endcond
 
   /// the id that was asked for.
   std::size_t id() const { return m_id; }
-  /// the number of points: ids are smaller.
-  std::size_t number_of_points() const { return m_number_of_points; }
+  /// all ids are smaller.
+  std::size_t number_of_ids() const { return m_number_of_ids; }
 
 private:
-  static std::string message(std::size_t id, std::size_t number_of_points)
+  static std::string message(std::size_t id, std::size_t number_of_ids)
   {
     std::ostringstream out;
     out << "there is no point with id " << id << ": ";
-    if (number_of_points == 0)
-      out << "the triangulation has no points";
+    if (id < number_of_ids)
+      out << "it was removed";
+    else if (number_of_ids == 0)
+      out << "the triangulation never had any points";
     else
-      out << "ids run from 0 to " << number_of_points - 1;
+      out << "ids run from 0 to " << number_of_ids - 1;
     return out.str();
   }
 
-  std::size_t m_id, m_number_of_points;
+  std::size_t m_id, m_number_of_ids;
+};
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Errors
+
+An id that is given more than once in one call.
+*/
+class Repeated_id_error_2 : public Dynamic_Delaunay_triangulation_error_2
+{
+public:
+  /// \cond
+  template <class Id>
+  explicit Repeated_id_error_2(const Id& id)
+    : Dynamic_Delaunay_triangulation_error_2(message(std::to_string(id)))
+    , m_id(std::to_string(id))
+  {
+  }
+  /// \endcond
+
+  /// the id, in decimal digits: those of a population may be integers of any type.
+  const std::string& id() const { return m_id; }
+
+private:
+  static std::string message(const std::string& id)
+  {
+    return "the id " + id + " is given more than once: each must be there at most once in one call";
+  }
+
+  std::string m_id;
 };
 
 /*!

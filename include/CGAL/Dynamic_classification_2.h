@@ -62,8 +62,8 @@ public:
   /// \throws Unknown_id_error_2 if there is no such point.
   void add_id(std::size_t id)
   {
-    if (id >= m_maintained->ids.number_of_points())
-      throw Unknown_id_error_2(id, m_maintained->ids.number_of_points());
+    if (!m_maintained->ids.is_taken(id))
+      throw Unknown_id_error_2(id, m_maintained->ids.number_of_ids());
     add_vertex(m_maintained->ids.vertex(Index(id)));
   }
 

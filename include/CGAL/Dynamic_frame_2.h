@@ -22,9 +22,9 @@ at the positions of the current frame and with the topology of the last one. It 
 nothing, and is good until the next update.
 
 Vertices are numbered from 1 to `number_of_vertices()` along the plane, 0 is the infinite vertex;
-edges and faces are numbered from 0. These numbers may change when the triangulation is rebuilt; the
-ids of the points never do. A frame has edges and faces only while the points span the plane;
-otherwise classifiers are not asked.
+edges and faces are numbered from 0. These numbers may change when the triangulation is rebuilt, and
+a few of them when points come or go; the ids of the points never do. A frame has edges and faces
+only while the points span the plane; otherwise classifiers are not asked.
 
 \tparam Maintained an internal type.
 */
@@ -50,8 +50,10 @@ public:
   /// \name Sizes
   /// @{
 
-  /// the number of points, which is the number of ids.
+  /// the number of points.
   Index number_of_points() const { return m_maintained->ids.number_of_points(); }
+  /// what all ids are smaller than: more than the number of points, if some were removed.
+  Index number_of_ids() const { return m_maintained->ids.number_of_ids(); }
   /// the number of finite vertices: fewer than points, if some of these coincide.
   Index number_of_vertices() const { return m_maintained->number_of_vertices(); }
   /// the number of edges, those to the infinite vertex included.
@@ -63,7 +65,9 @@ public:
   /// \name Points
   /// @{
 
-  /// the vertex of the point `id`, which must be smaller than `number_of_points()`.
+  /// whether there is a point `id`.
+  bool has_id(Index id) const { return m_maintained->ids.is_taken(id); }
+  /// the vertex of the point `id`. \pre `has_id(id)`
   Index vertex(Index id) const { return m_maintained->ids.vertex(id); }
   /// the id of a point at the finite vertex `v`; of the one that was there first, if several are.
   Index id(Index v) const { return m_maintained->ids.host(v); }
@@ -165,9 +169,39 @@ public:
   /// the edges in the regions that were triangulated anew, if not everything was; an edge can be
   /// there more than once.
   const std::vector<Index>& new_edges() const { return m_maintained->new_edges; }
+  /// whether vertices came or went, and everything else is not new: then some vertices, edges and
+  /// faces have taken the numbers of others that went.
+  bool has_other_numbers() const
+  {
+    return !everything_is_new() && !m_maintained->renumberings.vertices.is_none();
+  }
+  /// brings data of each vertex, in the order of their numbers from 0 on, in step after vertices
+  /// came or went, if not everything is new: moves those of vertices that have other numbers now,
+  /// and appends `make(v)` for every vertex `v` that came. Cost: proportional to those.
+  template <class T, class Make>
+  void follow_vertices(std::vector<T>& data, const Make& make) const
+  {
+    m_maintained->renumberings.vertices.follow(data, number_of_vertices() + std::size_t(1), make);
+  }
+  /// the same for data of each edge, with `T()` for those that came: all of them are among
+  /// `new_edges()`.
+  template <class T>
+  void follow_edges(std::vector<T>& data) const
+  {
+    m_maintained->renumberings.edges.follow(data, number_of_edges(), [](Index) { return T(); });
+  }
+  /// the same for data of each face; all that came are visited by `for_each_changed_face()`.
+  template <class T>
+  void follow_faces(std::vector<T>& data) const
+  {
+    m_maintained->renumberings.faces.follow(data, number_of_faces(), [](Index) { return T(); });
+  }
   /// whether anything was. While classifying that is so only if an exception ended the last update
   /// before the classifier was told.
-  bool has_news() const { return everything_is_new() || !new_edges().empty(); }
+  bool has_news() const
+  {
+    return everything_is_new() || !new_edges().empty() || has_other_numbers();
+  }
 
   /// calls `f(e)` for every edge `e` that was triangulated anew or may have got another opposite
   /// vertex by that; for some of them more than once. Every face that has changed has a new edge,

@@ -7,7 +7,9 @@
 #include <CGAL/Dynamic_classification_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Border_splice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_examination_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Lawson_flips_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Population_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
 #include <CGAL/Dynamic_frame_2.h>
 #include <CGAL/Static_engine_2.h>
@@ -46,11 +48,13 @@ public:
   explicit Dynamic_mender_2(Maintained& maintained)
     : m_maintained(maintained)
     , m_editor(maintained)
+    , m_population(maintained, m_editor)
     , m_splice(maintained)
   {
   }
 
   Editor& editor() { return m_editor; }
+  auto& population() { return m_population; }
 
   void set_engines(const Static_engines_2& engines)
   {
@@ -69,6 +73,29 @@ public:
     m_border.clear();
     m_classification.clear(m_maintained);
     return m_classification;
+  }
+
+  // Opens the edges that were triangulated anew, and those that got another opposite vertex by
+  // that, without asking anybody.
+  void open_news(bool has_to_prove)
+  {
+    m_has_to_prove = has_to_prove;
+    m_was_certified = false;
+    const Dynamic_frame_2<Maintained> frame(m_maintained);
+    frame.for_each_changed_edge([this](Index e) { m_open.push_back(e); });
+  }
+
+  // Classifies the edges that see one of these points, and are not Delaunay.
+  void classify_around(const std::vector<Index>& ids, bool has_to_prove)
+  {
+    const Dynamic_frame_2<Maintained> frame(m_maintained);
+    std::vector<Index> edges;
+    for (const Index id : ids)
+      frame.for_each_edge_that_sees(frame.vertex(id), [&](Index e) { edges.push_back(e); });
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    Dynamic_Delaunay_triangulations_2::internal::examine_all(frame, edges, m_classification);
+    take_classification(has_to_prove, false);
   }
 
   // After it has answered.
@@ -136,7 +163,9 @@ public:
 
   /// splices around the classified vertices with `padding` layers; with a heuristic classifier all
   /// edges count as closed after it, looked at or not. Rebuilds if the region holds
-  /// more than half of the vertices, also after it had to grow, or if points in it coincide.
+  /// more than half of the vertices, also after it had to grow, or, with a heuristic classifier, if
+  /// points in it coincide; with an exact one they become one vertex, and everything is looked at
+  /// again.
   void splice_classified(unsigned padding)
   {
     open_illegal();
@@ -265,7 +294,7 @@ private:
     if (result == Splice_result::TOO_LARGE)
       return rebuild(growths == 0 ? Rebuild_reason_2::TOO_MUCH_BROKEN : Rebuild_reason_2::STUCK);
     if (result == Splice_result::COINCIDENCE)
-      return rebuild(Rebuild_reason_2::COINCIDENCE);
+      return merge();
     ++m_report->splices;
     m_report->padded += m_splice.number_of_padded();
     m_report->border += m_splice.number_of_border();
@@ -289,6 +318,27 @@ private:
         std::remove_if(m_open.begin(), m_open.end(),
                        [&](Index e) { return certificate.state(e) == Edge_state::DELAUNAY; }),
         m_open.end());
+  }
+
+  // Vertices that have come to coincide become one; then all edges are looked at.
+  void merge()
+  {
+    std::vector<Index> candidates = m_splice.region();
+    for_each_open_vertex([&](Index v) { candidates.push_back(v); });
+    std::sort(candidates.begin(), candidates.end());
+    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+    const std::size_t merged = m_has_to_prove ? m_population.merge(candidates) : 0;
+    if (merged == 0)
+      return rebuild(Rebuild_reason_2::COINCIDENCE);
+    m_report->merged += merged;
+    m_padded.clear();
+    m_border.clear();
+    m_classification.clear(m_maintained);
+    std::vector<Index> edges;
+    const Dynamic_frame_2<Maintained> frame(m_maintained);
+    Dynamic_Delaunay_triangulations_2::internal::find_unproved(frame, edges);
+    Dynamic_Delaunay_triangulations_2::internal::examine_all(frame, edges, m_classification);
+    open_classified();
   }
 
   // False if some could not: others are, or stay, where they have to go.
@@ -315,6 +365,7 @@ private:
 
   Maintained& m_maintained;
   Editor m_editor;
+  Dynamic_Delaunay_triangulations_2::internal::Population_2<Maintained> m_population;
   Dynamic_Delaunay_triangulations_2::internal::Lawson_flips_2 m_lawson;
   Dynamic_Delaunay_triangulations_2::internal::Border_splice_2<Maintained> m_splice;
   Dynamic_classification_2<Maintained> m_classification;

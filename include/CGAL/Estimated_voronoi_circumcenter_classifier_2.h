@@ -55,6 +55,8 @@ public:
   template <class Frame>
   void after_update(const Frame& frame)
   {
+    if (!frame.everything_is_new())
+      frame.follow_faces(m_offsets);
     m_offsets.resize(frame.number_of_faces());
     m_centers.resize(frame.number_of_faces());
     frame.for_each_changed_face([&](Index f) { m_offsets[f] = offset(frame, f); });

@@ -37,9 +37,17 @@ public:
   template <class Mender>
   void operator()(Mender& mender) const
   {
-    constexpr unsigned rounds = 6;
     if (is_too_much(mender))
-      return mender.rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
+      mender.rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
+    else
+      mend(mender);
+  }
+
+  /// repairs, however much is classified: rebuilds only if edges are open in the end.
+  template <class Mender>
+  void mend(Mender& mender) const
+  {
+    constexpr unsigned rounds = 6;
     mender.flip_inverted();
     for (unsigned round = 0; round < rounds && mender.has_inverted_edges(); ++round) {
       mender.splice_inverted(layers(round));

@@ -71,15 +71,17 @@ public:
   template <class Frame>
   void after_update(const Frame& frame)
   {
-    m_growths.resize(frame.number_of_edges());
-    m_references.resize(frame.number_of_edges());
     if (frame.everything_is_new()) {
       m_growths.assign(frame.number_of_edges(), 1);
+      m_references.resize(frame.number_of_edges());
       sum_up(frame);
       for (Index e = 0; e < frame.number_of_edges(); ++e)
         m_references[e] = relative_square(frame, e);
       return;
     }
+    frame.follow_edges(m_growths);
+    frame.follow_edges(m_references);
+    frame.follow_vertices(m_sums, [](Index) { return 0.; });
     m_changed.clear(frame.positions().size());
     for (const Index e : frame.new_edges()) {
       m_growths[e] = 1;

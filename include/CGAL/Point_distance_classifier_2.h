@@ -70,6 +70,7 @@ public:
       for (Index e = 0; e < frame.number_of_edges(); ++e)
         m_squared_references[e] = squared_length(frame, e);
     } else {
+      frame.follow_edges(m_squared_references);
       for (const Index e : frame.new_edges())
         m_squared_references[e] = squared_length(frame, e);
     }

@@ -62,7 +62,9 @@ public:
   template <class Frame>
   void after_update(const Frame& frame)
   {
-    if (m_holds && !frame.everything_is_new() && frame.positions_are_exact()) {
+    // who has moved is known by numbers of vertices
+    if (m_holds && !frame.everything_is_new() && frame.positions_are_exact() &&
+        !(frame.has_other_numbers() && !m_moved.empty())) {
       ++m_held;
       renew(frame);
       return;
@@ -133,6 +135,9 @@ private:
   void renew(const Frame& frame)
   {
     m_holds = false; // until it is done: memory may run out
+    frame.follow_vertices(m_references, [&](Index v) { return frame.position(v); });
+    frame.follow_vertices(m_squared_bounds, [](Index) { return -1.; });
+    frame.follow_edges(m_tolerances);
     m_edges.clear(frame.number_of_edges());
     for (const Index v : m_moved) {
       m_references[v] = frame.position(v);
@@ -149,6 +154,7 @@ private:
     for (const Index v : m_vertices)
       if (!frame.is_infinite(v))
         take_smallest(frame, v);
+    m_moved.clear();
     m_holds = true;
   }
 

@@ -18,7 +18,8 @@ enum class Rebuild_reason_2 {
   REPAIR,          ///< the repair is `Rebuild_repair_2`, and something was classified
   TOO_MUCH_BROKEN, ///< so much was classified that mending would have cost more
   STUCK,           ///< what the repair left broken
-  COINCIDENCE,     ///< points came to coincide, or coincident points parted
+  COINCIDENCE,     ///< many points came to coincide, or coincident points parted
+  POPULATION,      ///< many points came or went
   DIMENSION,       ///< fewer than three points, or all points on a line, before or after the frame
   POLICY           ///< the update policy wanted it
 };
@@ -46,6 +47,14 @@ struct Update_report_2
   std::size_t growths = 0;
   /// vertices relocated by CGAL's `move()`.
   std::size_t relocated = 0;
+  /// points that came.
+  std::size_t inserted = 0;
+  /// points that went.
+  std::size_t removed = 0;
+  /// vertices that went because others came to be in the same place, but for rebuilds.
+  std::size_t merged = 0;
+  /// points that left a vertex which they had shared, but for rebuilds.
+  std::size_t parted = 0;
   /// whether the triangulation was rebuilt, and why.
   Rebuild_reason_2 rebuild_reason = Rebuild_reason_2::NONE;
   /// whether the certificate holds at the end: the triangulation is proved Delaunay.
@@ -53,6 +62,27 @@ struct Update_report_2
 
   /// whether the triangulation was rebuilt.
   bool rebuilt() const { return rebuild_reason != Rebuild_reason_2::NONE; }
+
+  /// adds what was done after this: counts are added, the first reason for a rebuild stays.
+  Update_report_2& operator+=(const Update_report_2& next)
+  {
+    classified += next.classified;
+    padded += next.padded;
+    border += next.border;
+    flips += next.flips;
+    splices += next.splices;
+    spliced += next.spliced;
+    growths += next.growths;
+    relocated += next.relocated;
+    inserted += next.inserted;
+    removed += next.removed;
+    merged += next.merged;
+    parted += next.parted;
+    if (!rebuilt())
+      rebuild_reason = next.rebuild_reason;
+    certified = next.certified;
+    return *this;
+  }
 };
 
 } // namespace CGAL

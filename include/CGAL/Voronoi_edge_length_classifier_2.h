@@ -80,6 +80,8 @@ public:
   template <class Frame>
   void after_update(const Frame& frame)
   {
+    if (!frame.everything_is_new())
+      frame.follow_edges(m_limits);
     m_limits.resize(frame.number_of_edges());
     m_measured.clear(frame.number_of_edges());
     frame.for_each_changed_edge([&](Index e) {

@@ -251,7 +251,7 @@ TEST(Guarantees, an_unknown_id_is_refused)
     FAIL() << "no exception";
   } catch (const CGAL::Unknown_id_error_2& error) {
     EXPECT_EQ(error.id(), 1u);
-    EXPECT_EQ(error.number_of_points(), 1u);
+    EXPECT_EQ(error.number_of_ids(), 1u);
   }
   EXPECT_THROW(Exact().point(0), CGAL::Unknown_id_error_2);
 }

@@ -76,6 +76,8 @@ public:
   std::size_t number_of_vertices() const { return m_inner.size() + m_border.size(); }
   const Index_set_2& border() const { return m_border; }
   Index padded(std::size_t i) const { return m_inner[m_number_of_classified + i]; }
+  // The vertices that it has triangulated last; two of them coincide if it found a coincidence.
+  const std::vector<Index>& region() const { return m_region; }
   // The edges along which its faces were put in: all others of these faces are Delaunay.
   const std::vector<Index>& boundary_edges() const { return m_boundary_edges; }
 

@@ -31,18 +31,59 @@ class Input_frame_2
   using Point = typename Maintained::Point;
 
 public:
-  // The points of the first frame.
-  template <class InputIterator, class PointMap>
-  std::vector<Point> read_all(InputIterator first, InputIterator beyond, const PointMap& point_map,
-                              Maintained& maintained)
+  // Points that come, and whether none of their coordinates has to be rounded for the flat arrays.
+  struct Newcomers
   {
+    std::vector<Index> ids; // that they will get
     std::vector<Point> points;
-    maintained.positions_are_exact = true;
+    bool are_exact = true;
+  };
+
+  template <class InputIterator, class PointMap>
+  static Newcomers read_newcomers(InputIterator first, InputIterator beyond,
+                                  const PointMap& point_map, const Maintained& maintained)
+  {
+    Newcomers newcomers;
+    for (; first != beyond; ++first)
+      newcomers.points.push_back(get(point_map, *first));
+    newcomers.ids = maintained.ids.next_ids(newcomers.points.size());
+    for (std::size_t i = 0; i < newcomers.points.size(); ++i)
+      read_position(newcomers.points[i], newcomers.ids[i], newcomers.are_exact);
+    return newcomers;
+  }
+
+  // Ids of points that are there, each once, in the order of the range.
+  template <class InputIterator>
+  static std::vector<Index> read_ids(InputIterator first, InputIterator beyond,
+                                     const Maintained& maintained)
+  {
+    std::vector<Index> ids;
+    for (; first != beyond; ++first)
+      ids.push_back(read_id(*first, maintained));
+    check_distinct(ids);
+    return ids;
+  }
+
+  // Points with new positions.
+  struct Movers
+  {
+    std::vector<Index> ids;
+    std::vector<Point> points;
+    bool are_exact = true;
+  };
+
+  template <class InputIterator, class IdMap, class PointMap>
+  static Movers read_movers(InputIterator first, InputIterator beyond, const IdMap& id_map,
+                            const PointMap& point_map, const Maintained& maintained)
+  {
+    Movers movers;
     for (; first != beyond; ++first) {
-      points.push_back(get(point_map, *first));
-      read_position(points.back(), points.size() - 1, maintained.positions_are_exact);
+      movers.ids.push_back(read_id(get(id_map, *first), maintained));
+      movers.points.push_back(get(point_map, *first));
+      read_position(movers.points.back(), movers.ids.back(), movers.are_exact);
     }
-    return points;
+    check_distinct(movers.ids);
+    return movers;
   }
 
   // Reads a frame into the positions; CGAL's vertices keep the points of the last one until they
@@ -70,15 +111,6 @@ public:
     std::swap(maintained.ids.guests(), maintained.next_guests);
   }
 
-  // Whether points that shared a vertex until now are at different places.
-  bool coincident_points_part(const Maintained& maintained) const
-  {
-    for (const auto& guest : maintained.ids.guests())
-      if (guest.point != maintained.point(maintained.ids.vertex(guest.id)))
-        return true;
-    return false;
-  }
-
 private:
   template <class InputIterator, class PointMap>
   static void stage_all(InputIterator first, InputIterator beyond, const PointMap& point_map,
@@ -98,11 +130,12 @@ private:
   static void stage_all_hosts(RandomAccessIterator first, RandomAccessIterator beyond,
                               const PointMap& point_map, Maintained& maintained)
   {
-    const std::size_t points = maintained.ids.number_of_points();
+    const std::size_t ids = maintained.ids.number_of_ids();
     const std::size_t given = std::size_t(beyond - first);
-    if (given != points)
-      throw Point_count_error_2(points, (std::min)(given, points + 1));
+    if (given != ids)
+      throw Point_count_error_2(ids, (std::min)(given, ids + 1));
     using Difference = typename std::iterator_traits<RandomAccessIterator>::difference_type;
+    const Index points = maintained.ids.number_of_hosts();
     const Index* const hosts = maintained.ids.hosts();
     bool are_exact = true;
     const auto stage = [&](std::size_t v, Position_2& zero) {
@@ -137,27 +170,31 @@ private:
     if (v == points)
       stage(v, odd);
     if (!(odd.x + odd.y + even.x + even.y == 0))
-      throw_non_finite(first, beyond, point_map);
+      throw_non_finite(first, beyond, point_map, maintained);
     maintained.positions_are_exact = are_exact;
   }
 
   template <class InputIterator, class PointMap>
-  static void throw_non_finite(InputIterator first, InputIterator beyond, const PointMap& point_map)
+  static void throw_non_finite(InputIterator first, InputIterator beyond, const PointMap& point_map,
+                               const Maintained& maintained)
   {
     bool are_exact = true;
     for (std::size_t id = 0; first != beyond; ++id, ++first)
-      read_position(get(point_map, *first), id, are_exact);
+      if (maintained.ids.is_taken(id))
+        read_position(get(point_map, *first), id, are_exact);
   }
 
   template <class InputIterator, class PointMap>
   static void stage_one_by_one(InputIterator first, InputIterator beyond, const PointMap& point_map,
                                Maintained& maintained)
   {
-    const Index points = maintained.ids.number_of_points();
+    const Index ids = maintained.ids.number_of_ids();
     bool are_exact = true;
     auto guest = maintained.next_guests.begin(); // sorted by id
     Index id = 0;
-    for (; id < points && first != beyond; ++id, ++first) {
+    for (; id < ids && first != beyond; ++id, ++first) {
+      if (!maintained.ids.is_taken(id))
+        continue;
       const Point& p = get(point_map, *first);
       const Position_2 position = read_position(p, id, are_exact);
       if (guest != maintained.next_guests.end() && guest->id == id)
@@ -166,10 +203,27 @@ private:
         write(position, p, maintained.ids.vertex(id), maintained);
     }
     if (first != beyond)
-      throw Point_count_error_2(points, points + std::size_t(1));
-    if (id < points)
-      throw Point_count_error_2(points, id);
+      throw Point_count_error_2(ids, ids + std::size_t(1));
+    if (id < ids)
+      throw Point_count_error_2(ids, id);
     maintained.positions_are_exact = are_exact;
+  }
+
+  // Any integer, a negative one too.
+  template <class Integer>
+  static Index read_id(const Integer& id, const Maintained& maintained)
+  {
+    if (!maintained.ids.is_taken(std::size_t(id)))
+      throw Unknown_id_error_2(std::size_t(id), maintained.ids.number_of_ids());
+    return Index(id);
+  }
+
+  static void check_distinct(std::vector<Index> ids)
+  {
+    std::sort(ids.begin(), ids.end());
+    const auto twice = std::adjacent_find(ids.begin(), ids.end());
+    if (twice != ids.end())
+      throw Repeated_id_error_2(*twice);
   }
 
   static Position_2 read_position(const Point& p, std::size_t id, bool& are_exact)

@@ -7,6 +7,7 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_ids_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Renumbering_2.h>
 #include <CGAL/number_type_basic.h>
 
 #include <limits>
@@ -39,6 +40,8 @@ struct Maintained_triangulation_2
     , positions(1, nowhere())
   {
     ids.reset(0);
+    if constexpr (!coordinates_are_doubles)
+      next_points.resize(1);
     auto& stored = triangulation.tds().faces(); // an empty triangulation has one, of dimension -1
     for (auto f = stored.begin(); f != stored.end(); ++f)
       faces.push_back(f);
@@ -60,6 +63,12 @@ struct Maintained_triangulation_2
       return Point(positions[vertex].x, positions[vertex].y);
     else
       return (points_are_written ? vertices[vertex]->point() : next_points[vertex]);
+  }
+
+  // Where a point is.
+  Point point_of_id(Index id) const
+  {
+    return ids.is_host(id) ? point(ids.vertex(id)) : ids.guest(id).point;
   }
 
   const Traits& traits() const { return triangulation.geom_traits(); }
@@ -90,12 +99,129 @@ struct Maintained_triangulation_2
       positions[v] = approximation(vertices[v]->point());
   }
 
+  void forget_news()
+  {
+    everything_is_new = false;
+    new_edges.clear();
+    renumberings.clear();
+  }
+
   static Position_2 approximation(const Point& p)
   {
     return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
   }
 
+  // What there is of each vertex besides its neighborhood.
+  struct Vertex_arrays
+  {
+    std::vector<Vertex_handle> vertices;
+    std::vector<Position_2> positions;
+    std::vector<Point> points; // where coordinates are not doubles
+    bool points_are_written = false;
+
+    void reserve(std::size_t number)
+    {
+      vertices.reserve(number);
+      positions.reserve(number);
+      if constexpr (!coordinates_are_doubles)
+        points.reserve(number);
+    }
+
+    void append(Vertex_handle infinite_vertex)
+    {
+      vertices.push_back(infinite_vertex);
+      positions.push_back(nowhere());
+      if constexpr (!coordinates_are_doubles)
+        points.emplace_back();
+    }
+
+    void append(Vertex_handle vertex, const Point& p)
+    {
+      vertices.push_back(vertex);
+      positions.push_back(approximation(p));
+      if constexpr (!coordinates_are_doubles)
+        points.push_back(p);
+    }
+  };
+
+  // Takes other vertices, and gives its own away.
+  void exchange_vertices(Vertex_arrays& others, Point_ids_2<Point>& other_ids)
+  {
+    vertices.swap(others.vertices);
+    positions.swap(others.positions);
+    if constexpr (!coordinates_are_doubles)
+      next_points.swap(others.points);
+    std::swap(ids, other_ids);
+    std::swap(points_are_written, others.points_are_written);
+  }
+
+  // Between two frames.
+  void move_vertex(Index v, const Point& p)
+  {
+    vertices[v]->set_point(p);
+    positions[v] = approximation(p);
+  }
+
+  // A vertex at p, with the next number, that is in no face and that nobody is at. If it throws,
+  // nothing has changed.
+  void append_vertex(const Point& p)
+  {
+    provide(vertices);
+    provide(positions);
+    if constexpr (!coordinates_are_doubles)
+      provide(next_points);
+    const Vertex_handle vertex = triangulation.tds().create_vertex();
+    vertex->set_mirror_index(Index(vertices.size()));
+    vertices.push_back(vertex);
+    try {
+      vertex->set_point(p);
+      positions.push_back(approximation(p));
+      if constexpr (!coordinates_are_doubles)
+        next_points.push_back(p);
+    } catch (...) {
+      drop_last_vertex();
+      throw;
+    }
+  }
+
+  // Takes that back.
+  void drop_last_vertex()
+  {
+    triangulation.tds().delete_vertex(vertices.back());
+    vertices.pop_back();
+    positions.resize(vertices.size());
+    if constexpr (!coordinates_are_doubles)
+      next_points.resize(vertices.size());
+  }
+
+  // The last vertex takes the number of one that is no more.
+  void move_last_vertex_to(Index v)
+  {
+    vertices[v] = vertices.back();
+    vertices[v]->set_mirror_index(v);
+    vertices.pop_back();
+    positions[v] = positions.back();
+    positions.pop_back();
+    if constexpr (!coordinates_are_doubles) {
+      next_points[v] = next_points.back();
+      next_points.pop_back();
+    }
+  }
+
+  void provide_for_faces(std::size_t more)
+  {
+    if (faces.capacity() < faces.size() + more)
+      faces.reserve(2 * faces.size() + more);
+  }
+
 private:
+  template <class T>
+  static void provide(std::vector<T>& data)
+  {
+    if (data.size() == data.capacity())
+      data.reserve(2 * data.size() + 1);
+  }
+
   // The vertices stand in memory as the points came at first: after much motion, anywhere.
   template <bool prefetches>
   void write_all_points()
@@ -129,6 +255,7 @@ public:
   // What the last update triangulated anew: everything, or the edges with these indices.
   bool everything_is_new = true;
   std::vector<Index> new_edges;
+  Renumberings_2 renumberings; // of what is not new
 };
 
 } // namespace internal

@@ -145,6 +145,15 @@ public:
     m_corner.clear();
   }
 
+  // Then resize() throws nothing.
+  void reserve(Index vertices, Index faces)
+  {
+    m_corner.reserve(vertices + std::size_t(1));
+    m_halfedges.reserve(3 * std::size_t(faces));
+    m_edges.reserve(3 * std::size_t(faces) / 2);
+    m_halfedge_of_edge.reserve(3 * std::size_t(faces) / 2);
+  }
+
   void resize(Index vertices, Index faces)
   {
     m_corner.assign(vertices + 1, no_index);
@@ -226,7 +235,141 @@ public:
     exchange_opposite(ca, b, d);
   }
 
+  // VERTICES THAT COME AND GO -----------------------------------------------------------------
+
+  // Memory for one vertex more: then split_face() throws nothing.
+  void provide_for_vertex()
+  {
+    provide(m_halfedges, 6);
+    provide(m_edges, 3);
+    provide(m_halfedge_of_edge, 3);
+    provide(m_corner, 1);
+  }
+
+  // Puts vertex v, the next one or one that is in no face, into face f. That keeps the edge
+  // opposite to its first vertex, of which the new vertex takes the place; those opposite to the
+  // second and the third go to the next two faces, where the new vertex is the second, or the
+  // third.
+  void split_face(Index f, Index v)
+  {
+    const Index g = number_of_faces(), k = g + 1;
+    const Index e = number_of_edges();
+    if (v == m_corner.size())
+      m_corner.push_back(no_index);
+    m_halfedges.resize(m_halfedges.size() + 6);
+    m_edges.resize(m_edges.size() + 3);
+    m_halfedge_of_edge.resize(m_halfedge_of_edge.size() + 3);
+    const std::array<Index, 3> corners = face(f);
+    const Index outer_g = twin(3 * f + 1), outer_k = twin(3 * f + 2);
+    const Index edge_g = edge_of(3 * f + 1), edge_k = edge_of(3 * f + 2);
+    set_face(g, corners[0], v, corners[2]);
+    set_face(k, corners[0], corners[1], v);
+    set_face(f, v, corners[1], corners[2]);
+    link(3 * g + 1, outer_g);
+    link(3 * k + 2, outer_k);
+    link(3 * f + 1, 3 * g);
+    link(3 * f + 2, 3 * k);
+    link(3 * g + 2, 3 * k + 1);
+    set_edge(edge_of(3 * f), 3 * f);
+    set_edge(edge_g, 3 * g + 1);
+    set_edge(edge_k, 3 * k + 2);
+    set_edge(e, 3 * f + 1);
+    set_edge(e + 1, 3 * f + 2);
+    set_edge(e + 2, 3 * g + 2);
+  }
+
+  // What is left over when a vertex of degree 3 is taken out.
+  struct Leftovers
+  {
+    Index face; // that is there in place of the three
+    std::array<Index, 2> faces;
+    std::array<Index, 3> edges;
+  };
+
+  // The opposite of split_face(), up to the numbers: the vertex with this corner and the leftovers
+  // keep theirs, and nothing refers to them any more.
+  Leftovers merge_faces_at(Index corner)
+  {
+    const Index h = corner, g = next_corner(h), k = next_corner(g);
+    const Leftovers left{
+        h / 3, {g / 3, k / 3}, {edge_of(next(h)), edge_of(next(g)), edge_of(next(k))}};
+    const Index a = source(h), b = target(h), c = target(g);
+    const Index outer_g = twin(g), outer_k = twin(k);
+    const Index edge_g = edge_of(g), edge_k = edge_of(k);
+    set_apex(h, c);
+    set_apex(next(h), a);
+    set_apex(previous(h), b);
+    link(next(h), outer_g);
+    link(previous(h), outer_k);
+    set_edge(edge_of(h), h);
+    set_edge(edge_g, next(h));
+    set_edge(edge_k, previous(h));
+    return left;
+  }
+
+  // The last face, edge or vertex takes the number of one that is left over.
+  void move_last_face_to(Index f)
+  {
+    const Index last = number_of_faces() - 1;
+    for (Index i = 0; i < 3 && f != last; ++i) {
+      const Index from = 3 * last + i, to = 3 * f + i;
+      m_halfedges[to] = m_halfedges[from];
+      m_halfedges[twin(to)].twin = to;
+      if (m_halfedge_of_edge[edge_of(to)] == from)
+        m_halfedge_of_edge[edge_of(to)] = to;
+      m_corner[apex(to)] = to;
+    }
+    m_halfedges.resize(m_halfedges.size() - 3);
+  }
+
+  void move_last_edge_to(Index e)
+  {
+    const Index last = number_of_edges() - 1;
+    if (e != last) {
+      m_edges[e] = m_edges[last];
+      const Index h = m_halfedge_of_edge[e] = m_halfedge_of_edge[last];
+      m_halfedges[h].edge = m_halfedges[twin(h)].edge = e;
+    }
+    m_edges.pop_back();
+    m_halfedge_of_edge.pop_back();
+  }
+
+  void move_last_vertex_to(Index v)
+  {
+    const Index last = Index(m_corner.size()) - 1;
+    if (v != last) {
+      for_each_corner(last, [&](Index h) {
+        m_halfedges[h].apex = v;
+        rename(edge_of(h), last, v);
+        rename(edge_of(previous(h)), last, v);
+      });
+      m_corner[v] = m_corner[last];
+    }
+    m_corner.pop_back();
+  }
+
 private:
+  template <class T>
+  static void provide(std::vector<T>& data, std::size_t more)
+  {
+    if (data.capacity() < data.size() + more)
+      data.reserve(2 * data.size() + more);
+  }
+
+  void set_face(Index f, Index a, Index b, Index c)
+  {
+    set_apex(3 * f, a);
+    set_apex(3 * f + 1, b);
+    set_apex(3 * f + 2, c);
+  }
+
+  void rename(Index e, Index from, Index to)
+  {
+    Edge_2& edge = m_edges[e];
+    for (Index* v : {&edge.source, &edge.target, &edge.left, &edge.right})
+      *v = *v == from ? to : *v;
+  }
+
   void prefetch_face(Index h) const
   {
     prefetch(&m_halfedges[h / 3 * 3]);

@@ -4,10 +4,12 @@
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_POINT_IDS_2_H
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_POINT_IDS_2_H
 
+#include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 
 #include <algorithm>
-#include <utility>
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -15,7 +17,7 @@ namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
 // Which vertex each id has. Points that coincide share the vertex of one of them, its host; the
-// others are guests there.
+// others are guests there. Ids of removed points are free, and given again, the smallest first.
 template <class Point>
 class Point_ids_2
 {
@@ -26,21 +28,25 @@ public:
     Point point;
   };
 
-  Index number_of_points() const { return Index(m_vertex_of_id.size()); }
+  // Ids are smaller than this.
+  Index number_of_ids() const { return Index(m_vertex_of_id.size()); }
+  Index number_of_points() const { return number_of_hosts() + Index(m_guests.size()); }
   Index number_of_hosts() const { return Index(m_host.size()) - 1; }
+  bool is_taken(std::size_t id) const
+  {
+    return id < m_vertex_of_id.size() && m_vertex_of_id[id] != no_index;
+  }
   Index vertex(Index id) const { return m_vertex_of_id[id]; }
   Index host(Index vertex) const { return m_host[vertex]; }
   // Of each vertex.
   const Index* hosts() const { return m_host.data(); }
+  // Of an id that is taken.
   bool is_host(Index id) const { return m_host[m_vertex_of_id[id]] == id; }
   const std::vector<Guest>& guests() const { return m_guests; }
   std::vector<Guest>& guests() { return m_guests; }
 
-  const Guest& guest(Index id) const
-  {
-    return *std::lower_bound(m_guests.begin(), m_guests.end(), id,
-                             [](const Guest& guest, Index i) { return guest.id < i; });
-  }
+  const Guest& guest(Index id) const { return *find_guest(m_guests, id); }
+  Guest& guest(Index id) { return *find_guest(m_guests, id); }
 
   // All points: the hosts in the order of their vertices, then the guests.
   std::vector<Index> hosts_and_guests() const
@@ -51,12 +57,26 @@ public:
     return order;
   }
 
-  void reset(Index points)
+  // The ids that the next points get, one after the other.
+  std::vector<Index> next_ids(std::size_t number) const
   {
-    m_vertex_of_id.assign(points, no_index);
-    m_host.reserve(points + std::size_t(1));
+    std::vector<Index> ids = m_free_ids;
+    std::sort(ids.begin(), ids.end());
+    ids.resize((std::min)(number, ids.size()));
+    for (Index id = number_of_ids(); ids.size() < number; ++id)
+      ids.push_back(id);
+    return ids;
+  }
+
+  // NUMBERING ANEW ------------------------------------------------------------------------------
+
+  // No id is taken.
+  void reset(Index ids)
+  {
+    m_vertex_of_id.assign(ids, no_index);
     m_host.assign(1, no_index); // the infinite vertex has no point
     m_guests.clear();
+    m_free_ids.clear();
   }
 
   // Gives `id` the next vertex, of which it is the host.
@@ -73,16 +93,147 @@ public:
     m_guests.push_back(Guest{id, point});
   }
 
-  void sort_guests()
+  // After the last one was added.
+  void settle()
   {
     std::sort(m_guests.begin(), m_guests.end(),
               [](const Guest& g, const Guest& h) { return g.id < h.id; });
+    for (Index id = 0; id < number_of_ids(); ++id)
+      if (m_vertex_of_id[id] == no_index)
+        m_free_ids.push_back(id); // ascending numbers are a heap
+  }
+
+  // COMING AND GOING ----------------------------------------------------------------------------
+
+  // Memory for a point more, and for the ids of all to become free: then nothing below throws.
+  void provide_for_point()
+  {
+    provide(m_vertex_of_id);
+    provide(m_host);
+    provide(m_guests);
+  }
+  void provide_for_removals(std::size_t number)
+  {
+    m_free_ids.reserve(m_free_ids.size() + number);
+    m_guests.reserve(m_guests.size() + number);
+  }
+
+  // Makes `id` the host of the next vertex, whether it is the next id or that of a guest.
+  void place_host(Index id)
+  {
+    leave_or_take(id);
+    add_host(id);
+  }
+
+  // Makes `id` a guest at `vertex`, in the same way.
+  void place_guest(Index id, Index vertex, const Point& point)
+  {
+    leave_or_take(id);
+    m_vertex_of_id[id] = vertex;
+    m_guests.insert(find_guest(m_guests, id), Guest{id, point});
+  }
+
+  // Frees the id of a guest.
+  void remove_guest(Index id)
+  {
+    m_guests.erase(find_guest(m_guests, id));
+    free(id);
+  }
+
+  // Frees the id of a host that has no guests; its vertex then has nobody.
+  void remove_host(Index id)
+  {
+    m_host[m_vertex_of_id[id]] = no_index;
+    free(id);
+  }
+
+  // The guest with the smallest id among those at `vertex` that `pleases`; `no_index` if there is
+  // none.
+  template <class Predicate>
+  Index find_guest_at(Index vertex, const Predicate& pleases) const
+  {
+    for (const Guest& guest : m_guests)
+      if (m_vertex_of_id[guest.id] == vertex && pleases(guest))
+        return guest.id;
+    return no_index;
+  }
+
+  // Lets a guest be the host, and the host, who is at `point`, its guest.
+  void hand_over(Index guest, const Point& point)
+  {
+    const Index vertex = m_vertex_of_id[guest], host = m_host[vertex];
+    m_guests.erase(find_guest(m_guests, guest));
+    m_guests.insert(find_guest(m_guests, host), Guest{host, point});
+    m_host[vertex] = guest;
+  }
+
+  // Makes guests at `vertex` of the host and the guests of another one, who are at `point`.
+  void merge(Index other, Index vertex, const Point& point)
+  {
+    for (const Guest& guest : m_guests)
+      if (m_vertex_of_id[guest.id] == other)
+        m_vertex_of_id[guest.id] = vertex;
+    const Index id = m_host[other];
+    m_vertex_of_id[id] = vertex;
+    m_guests.insert(find_guest(m_guests, id), Guest{id, point});
+    m_host[other] = no_index;
+  }
+
+  // The points of the last vertex go to one that has nobody.
+  void move_last_vertex_to(Index vertex)
+  {
+    const Index last = number_of_hosts();
+    CGAL_precondition(m_host[vertex] == no_index);
+    if (vertex != last) {
+      m_host[vertex] = m_host[last];
+      m_vertex_of_id[m_host[vertex]] = vertex;
+      for (const Guest& guest : m_guests)
+        if (m_vertex_of_id[guest.id] == last)
+          m_vertex_of_id[guest.id] = vertex;
+    }
+    m_host.pop_back();
   }
 
 private:
-  std::vector<Index> m_vertex_of_id;
+  // Where a guest is in the list, or would have to be.
+  template <class Guests>
+  static auto find_guest(Guests& guests, Index id)
+  {
+    return std::lower_bound(guests.begin(), guests.end(), id,
+                            [](const Guest& guest, Index i) { return guest.id < i; });
+  }
+
+  template <class T>
+  static void provide(std::vector<T>& data)
+  {
+    if (data.capacity() == data.size())
+      data.reserve(2 * data.size() + 1);
+  }
+
+  void leave_or_take(Index id)
+  {
+    if (is_taken(id)) {
+      m_guests.erase(find_guest(m_guests, id));
+    } else if (id == number_of_ids()) {
+      m_vertex_of_id.push_back(no_index);
+    } else {
+      CGAL_precondition(id == m_free_ids.front());
+      std::pop_heap(m_free_ids.begin(), m_free_ids.end(), std::greater<Index>());
+      m_free_ids.pop_back();
+    }
+  }
+
+  void free(Index id)
+  {
+    m_vertex_of_id[id] = no_index;
+    m_free_ids.push_back(id);
+    std::push_heap(m_free_ids.begin(), m_free_ids.end(), std::greater<Index>());
+  }
+
+  std::vector<Index> m_vertex_of_id; // no_index where an id is free
   std::vector<Index> m_host;
-  std::vector<Guest> m_guests;
+  std::vector<Guest> m_guests;   // by their ids
+  std::vector<Index> m_free_ids; // a heap, the smallest first
 };
 
 } // namespace internal

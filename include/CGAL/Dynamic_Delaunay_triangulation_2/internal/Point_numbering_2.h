@@ -33,32 +33,30 @@ public:
   {
   }
 
-  // Takes these points, with their indices for ids.
-  void number(const std::vector<Point>& points)
+  // Takes these points, with these ids, all of which are smaller than `number_of_ids`.
+  void number(std::vector<Index> ids, std::vector<Point> points, Index number_of_ids)
   {
-    m_points = points;
-    m_point_ids.assign(boost::counting_iterator<Index>(0),
-                       boost::counting_iterator<Index>(Index(points.size())));
-    number_points();
+    m_point_ids = std::move(ids);
+    m_points = std::move(points);
+    number_points(number_of_ids);
   }
 
   // Takes the points of the maintained triangulation, where they are now.
   void number()
   {
     const Ids& ids = m_maintained.ids;
-    m_point_ids = ids.hosts_and_guests();
-    m_points.clear();
-    m_points.reserve(m_point_ids.size());
-    for (const Index id : m_point_ids)
-      m_points.push_back(ids.is_host(id) ? m_maintained.point(ids.vertex(id))
-                                         : ids.guest(id).point);
-    number_points();
+    std::vector<Index> point_ids = ids.hosts_and_guests();
+    std::vector<Point> points;
+    points.reserve(point_ids.size());
+    for (const Index id : point_ids)
+      points.push_back(m_maintained.point_of_id(id));
+    number(std::move(point_ids), std::move(points), ids.number_of_ids());
   }
 
   // The vertices by their numbers.
   const Spatial_order_2& order() const { return m_order; }
   // After numbering: who they are, and where each is.
-  const Ids& ids() const { return m_ids; }
+  Ids& ids() { return m_ids; }
   const Point& point(Index vertex) const { return m_points[m_place_of_vertex[vertex - 1]]; }
 
   void release()
@@ -72,16 +70,16 @@ public:
 
 private:
   // Sorts m_points by their indices, which become numbers of vertices.
-  void number_points()
+  void number_points(Index number_of_ids)
   {
     sort_points();
-    m_ids.reset(Index(m_points.size()));
+    m_ids.reset(number_of_ids);
     m_place_of_vertex.clear();
     m_place_of_vertex.reserve(m_points.size());
     m_order.merge_coincident(
         [this](Index i, Index j) { return compare_xy(m_points[i], m_points[j]) == EQUAL; },
         [this](std::size_t first, std::size_t beyond) { return add_vertex(first, beyond); });
-    m_ids.sort_guests();
+    m_ids.settle();
   }
 
   void sort_points()
@@ -119,7 +117,7 @@ private:
   bool was_host(Index id) const
   {
     const Ids& ids = m_maintained.ids;
-    return id < ids.number_of_points() && ids.is_host(id);
+    return ids.is_taken(id) && ids.is_host(id);
   }
 
   Comparison_result compare_xy(const Point& p, const Point& q) const

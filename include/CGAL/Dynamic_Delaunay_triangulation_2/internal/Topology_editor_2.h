@@ -8,16 +8,22 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Patch_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_location_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_numbering_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulator_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_order_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_predicates_2.h>
 #include <CGAL/Triangulation_utils_2.h>
 #include <CGAL/Unique_hash_map.h>
 
 #include <boost/iterator/counting_iterator.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -34,11 +40,14 @@ class Topology_editor_2
   using Point = typename Maintained::Point;
   using Vertex_handle = typename Maintained::Vertex_handle;
   using Face_handle = typename Maintained::Face_handle;
+  using Ids = Point_ids_2<Point>;
   using Static_triangulation = Static_triangulation_2<Traits>;
 
 public:
   explicit Topology_editor_2(Maintained& maintained)
     : m_maintained(maintained)
+    , m_predicates(maintained)
+    , m_location(maintained)
     , m_vertex_order(maintained)
     , m_numbering(maintained)
     , m_triangulator(maintained)
@@ -105,13 +114,13 @@ public:
       mirror.set_edge(mirror.edge_of(h), h);
   }
 
-  // The first triangulation of `points`.
-  void build(const std::vector<Point>& points)
+  // A fresh triangulation of these points with these ids, all of which are smaller than
+  // `number_of_ids`, in place of what is there. Whoever is there already keeps its vertex.
+  void build(std::vector<Index> ids, std::vector<Point> points, Index number_of_ids)
   {
     m_maintained.everything_is_new = true; // also if memory runs out on the way
-    m_numbering.number(points);
-    take_vertices();
-    triangulate(m_numbering.order());
+    m_numbering.number(std::move(ids), std::move(points), number_of_ids);
+    triangulate_numbered();
   }
 
   // A fresh triangulation of the points where they are now. The vertices keep their numbers while
@@ -122,9 +131,143 @@ public:
     if (sort_vertices())
       return triangulate(m_vertex_order.order());
     m_numbering.number();
-    take_vertices();
-    triangulate(m_numbering.order());
+    triangulate_numbered();
   }
+
+  // COMING AND GOING. For a point that comes, a face is split; for one that goes, edges are flipped
+  // until its vertex has three, and its faces become one. All of that is right for any positions.
+  // What it changes is Delaunay only by chance.
+
+  // Puts the point `id` at p: into a vertex of its own, or to the one that is there already. `id`
+  // is the next id, or that of a guest. Looks for the place from `near` on. Returns the vertex. If
+  // it throws, nothing has changed.
+  Index insert(Index id, const Point& p, Index near)
+  {
+    CGAL_precondition(m_maintained.is_mirrored());
+    m_maintained.ids.provide_for_point();
+    m_maintained.mirror.provide_for_vertex();
+    auto& new_edges = m_maintained.new_edges;
+    new_edges.reserve(new_edges.size() + 6);
+    m_maintained.append_vertex(p);
+    const Index v = m_maintained.number_of_vertices();
+    Place_2 place;
+    std::array<Face_handle, 2> new_faces;
+    try {
+      place = m_location.locate(v, near);
+      if (place.vertex == no_index)
+        new_faces = create_two_faces();
+    } catch (...) {
+      m_maintained.drop_last_vertex();
+      throw;
+    }
+    if (place.vertex != no_index) {
+      m_maintained.drop_last_vertex();
+      m_maintained.ids.place_guest(id, place.vertex, p);
+      return place.vertex;
+    }
+    m_maintained.ids.place_host(id);
+    split_face(place.face, v, new_faces);
+    return v;
+  }
+
+  // Takes out vertices, one after the other.
+  class Removal_series
+  {
+  public:
+    // Of at most `number` vertices. All that can throw and spoil is done here.
+    Removal_series(Topology_editor_2& editor, std::size_t number)
+      : m_editor(editor)
+    {
+      auto& maintained = editor.m_maintained;
+      m_is_new.insert(maintained.new_edges.begin(), maintained.new_edges.end());
+      maintained.renumberings.provide_for_removals(number);
+    }
+    Removal_series(const Removal_series&) = delete;
+    Removal_series& operator=(const Removal_series&) = delete;
+    // After an exception nobody knows what the new edges are called.
+    ~Removal_series()
+    {
+      if (!m_is_finished)
+        m_editor.m_maintained.everything_is_new = true;
+    }
+
+    // `vacate()`, which must not throw, is called before v goes: nobody may be there then. If this
+    // throws, the vertex is still there.
+    template <class Vacate>
+    void remove(Index v, const Vacate& vacate)
+    {
+      prepare(v);
+      vacate();
+      m_editor.delete_faces(m_editor.take_out(v, renaming()));
+      m_editor.drop(v);
+    }
+
+    // Takes v out, and puts it in again at p. If another vertex w is there already, `join(w)`,
+    // which must not throw, is called instead: nobody may be at v then.
+    template <class Join>
+    void reinsert(Index v, const Point& p, const Join& join)
+    {
+      prepare(v);
+      const Index near = m_editor.finite_neighbor_of(v);
+      const auto faces = m_editor.take_out(v, renaming());
+      m_editor.m_maintained.move_vertex(v, p);
+      Place_2 place;
+      try {
+        place = m_editor.m_location.locate(v, near);
+      } catch (...) { // a place that is as good as any
+        m_editor.split_face(0, v, faces);
+        throw;
+      }
+      if (place.vertex == no_index)
+        return m_editor.split_face(place.face, v, faces);
+      join(place.vertex);
+      m_editor.delete_faces(faces);
+      m_editor.drop(v);
+    }
+
+    // What the edges that are new are called now.
+    void finish()
+    {
+      auto& new_edges = m_editor.m_maintained.new_edges;
+      m_is_new.insert(new_edges.begin(), new_edges.end());
+      new_edges.assign(m_is_new.begin(), m_is_new.end());
+      std::sort(new_edges.begin(), new_edges.end());
+      m_is_finished = true;
+    }
+
+  private:
+    void prepare(Index v)
+    {
+      auto& maintained = m_editor.m_maintained;
+      CGAL_precondition(maintained.number_of_vertices() > 3);
+      maintained.new_edges.reserve(maintained.new_edges.size() + 6);
+      m_editor.flip_down(v);
+      m_is_new.insert(maintained.new_edges.begin(), maintained.new_edges.end());
+      for (const Index e : m_editor.edges_around(v))
+        m_is_new.insert(e);
+      maintained.new_edges.clear();
+    }
+
+    auto renaming()
+    {
+      return [this](Index from, Index to) { rename(from, to); };
+    }
+
+    // Edge `to` is no more, and `from`, if it is another one, takes its number.
+    void rename(Index from, Index to)
+    {
+      m_is_new.erase(to);
+      auto node = m_is_new.extract(from);
+      if (!node.empty()) {
+        node.value() = to;
+        m_is_new.insert(std::move(node));
+      }
+    }
+
+    Topology_editor_2& m_editor;
+    std::unordered_set<Index> m_is_new;
+    bool m_is_finished = false;
+  };
 
   // Moves vertex v to p by CGAL's own means, in a Delaunay triangulation: false if another vertex
   // is there. The mirror is out of step until `read_back()`.
@@ -165,41 +308,58 @@ private:
            !m_vertex_order.has_coincident_vertices();
   }
 
-  // Gives every host its vertex: the one that it had, if it had one of its own.
-  void take_vertices()
+  // The vertices as m_numbering numbers them. Each host keeps the vertex that it had, if it had one
+  // of its own. Nothing has changed if memory runs out.
+  void triangulate_numbered()
   {
-    auto& tds = m_maintained.triangulation.tds();
-    const auto &ids = m_numbering.ids(), &old_ids = m_maintained.ids;
-    std::vector<Vertex_handle> vertices(1, m_maintained.triangulation.infinite_vertex());
-    std::vector<Position_2> positions(1, Maintained::nowhere());
-    vertices.reserve(ids.number_of_hosts() + 1);
-    positions.reserve(ids.number_of_hosts() + 1);
-    std::vector<Vertex_handle> idle = m_maintained.vertices;
+    typename Maintained::Vertex_arrays fresh;
+    Ids& ids = m_numbering.ids();
+    try {
+      collect_vertices(fresh);
+      m_maintained.exchange_vertices(fresh, ids);
+      try {
+        triangulate(m_numbering.order());
+      } catch (...) {
+        m_maintained.exchange_vertices(fresh, ids);
+        throw;
+      }
+    } catch (...) {
+      delete_vertices(fresh.vertices, ids, m_maintained.ids);
+      throw;
+    }
+    m_maintained.write_points();
+    delete_vertices(fresh.vertices, ids, m_maintained.ids);
+    m_numbering.release();
+  }
+
+  void collect_vertices(typename Maintained::Vertex_arrays& fresh)
+  {
+    const Ids &ids = m_numbering.ids(), &old_ids = m_maintained.ids;
+    fresh.reserve(ids.number_of_hosts() + std::size_t(1));
+    fresh.append(m_maintained.triangulation.infinite_vertex());
     for (Index v = 1; v <= ids.number_of_hosts(); ++v) {
       const Index id = ids.host(v);
-      const Point& p = m_numbering.point(v);
-      Vertex_handle vertex;
-      if (id < old_ids.number_of_points() && old_ids.is_host(id))
-        std::swap(vertex, idle[old_ids.vertex(id)]);
-      else
-        vertex = tds.create_vertex();
-      vertex->set_point(p);
-      vertices.push_back(vertex);
-      positions.push_back(Maintained::approximation(p));
+      fresh.append(old_ids.is_taken(id) && old_ids.is_host(id)
+                       ? m_maintained.vertices[old_ids.vertex(id)]
+                       : m_maintained.triangulation.tds().create_vertex(),
+                   m_numbering.point(v));
     }
-    for (Index v = 1; v < Index(idle.size()); ++v)
-      if (idle[v] != Vertex_handle())
-        tds.delete_vertex(idle[v]);
-    m_maintained.vertices = std::move(vertices);
-    m_maintained.positions = std::move(positions);
-    m_maintained.points_are_written = true;
-    m_maintained.ids = ids;
-    if constexpr (!Maintained::coordinates_are_doubles)
-      m_maintained.next_points.resize(m_maintained.vertices.size());
+  }
+
+  // Of those vertices that their hosts do not have elsewhere.
+  void delete_vertices(const std::vector<Vertex_handle>& vertices, const Ids& ids,
+                       const Ids& elsewhere)
+  {
+    for (Index v = 1; v < Index(vertices.size()); ++v) {
+      const Index id = ids.host(v);
+      if (!(elsewhere.is_taken(id) && elsewhere.is_host(id)))
+        m_maintained.triangulation.tds().delete_vertex(vertices[v]);
+    }
   }
 
   // All vertices, in their order: into the mirror, and from there, face by face, into CGAL's
   // structure. What is only needed on the way would take as much memory as the triangulation.
+  // Nothing has changed if memory runs out.
   void triangulate(const Spatial_order_2& order)
   {
     m_triangulator.run(order);
@@ -208,15 +368,16 @@ private:
     else
       triangulate_line();
     m_triangulator.release();
-    m_numbering.release();
     m_vertex_order.release();
   }
 
   void take_faces(const Flat_faces_2& faces)
   {
     const Index number = faces.number_of_faces();
-    provide_faces(number);
     auto& mirror = m_maintained.mirror;
+    mirror.reserve(m_maintained.number_of_vertices(), number);
+    provide_faces(number); // nothing throws from here on
+    drop_faces(number);
     mirror.resize(m_maintained.number_of_vertices(), number);
     for (Index f = 0; f < number; ++f)
       for (Index i = 0; i < 3; ++i) {
@@ -240,23 +401,34 @@ private:
       f->info() = Index(faces.size());
       faces.push_back(f);
     }
+    provide_faces(faces.size()); // nothing throws from here on
+    drop_faces(faces.size());
     m_maintained.mirror.clear();
-    provide_faces(faces.size());
     m_maintained.triangulation.tds().set_dimension(line.triangulation().dimension());
     copy_faces(faces);
   }
 
   void provide_faces(std::size_t number)
   {
-    auto& tds = m_maintained.triangulation.tds();
     auto& faces = m_maintained.faces;
+    const std::size_t before = faces.size();
     faces.reserve(number);
+    try {
+      while (faces.size() < number)
+        faces.push_back(m_maintained.triangulation.tds().create_face());
+    } catch (...) {
+      drop_faces(before);
+      throw;
+    }
+  }
+
+  void drop_faces(std::size_t number)
+  {
+    auto& faces = m_maintained.faces;
     while (faces.size() > number) {
-      tds.delete_face(faces.back());
+      m_maintained.triangulation.tds().delete_face(faces.back());
       faces.pop_back();
     }
-    while (faces.size() < number)
-      faces.push_back(tds.create_face());
   }
 
   // From the mirror.
@@ -318,6 +490,172 @@ private:
     mirror.number_edges();
     for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v)
       m_maintained.vertices[v]->set_face(faces[mirror.corner(v) / 3]);
+  }
+
+  // COMING AND GOING ----------------------------------------------------------------------------
+
+  std::array<Face_handle, 2> create_two_faces()
+  {
+    auto& tds = m_maintained.triangulation.tds();
+    m_maintained.provide_for_faces(2);
+    const Face_handle first = tds.create_face();
+    try {
+      return {first, tds.create_face()};
+    } catch (...) {
+      tds.delete_face(first);
+      throw;
+    }
+  }
+
+  // Vertex v goes into face f.
+  void split_face(Index f, Index v, const std::array<Face_handle, 2>& new_faces)
+  {
+    auto& mirror = m_maintained.mirror;
+    const Index faces = mirror.number_of_faces(), edges = mirror.number_of_edges();
+    m_maintained.renumberings.note_growth(v, edges, faces);
+    mirror.split_face(f, v);
+    m_maintained.faces.push_back(new_faces[0]);
+    m_maintained.faces.push_back(new_faces[1]);
+    for (const Index g : {f, faces, faces + 1})
+      write_face(g);
+    for (Index e = edges; e < edges + 3; ++e)
+      m_maintained.new_edges.push_back(e);
+    for (const Index h : {3 * f, 3 * faces + 1, 3 * (faces + 1) + 2})
+      m_maintained.new_edges.push_back(mirror.edge_of(h));
+  }
+
+  // Flips edges at v until it has three. There always is one to flip: if one of the triangles of
+  // neighbors that follow each other has its third edge elsewhere already, that parts the others
+  // from each other. Where the faces around v tell it, the new ones are counterclockwise.
+  void flip_down(Index v)
+  {
+    Index degree = degree_of(v);
+    m_flipped.reserve(degree);
+    m_maintained.new_edges.reserve(m_maintained.new_edges.size() + degree);
+    Flip_series series(*this);
+    for (const Ear ear : {Ear::CONVEX, Ear::AT_INFINITY, Ear::ANY})
+      degree -= cut_ears(v, degree, ear, series);
+    CGAL_postcondition(degree == 3);
+  }
+
+  Index degree_of(Index v) const
+  {
+    Index degree = 0;
+    m_maintained.mirror.for_each_corner(v, [&](Index) { ++degree; });
+    return degree;
+  }
+
+  enum class Ear { CONVEX, AT_INFINITY, ANY };
+
+  // Cuts off every other ear of this kind in each round, until there is none or v has three edges:
+  // one after the other, their edges would all end at one vertex. Returns how many.
+  Index cut_ears(Index v, Index degree, Ear kind, Flip_series& series)
+  {
+    const auto& mirror = m_maintained.mirror;
+    Index cut = 0;
+    Index corner = mirror.corner(v);
+    for (Index left = degree; left > 0 && degree - cut > 3; --left) {
+      const Index h = Neighborhood_mirror_2::next(corner); // from the tip of the ear to v
+      if (is_ear(h, kind) && can_flip(h)) {
+        series.flip(h);
+        ++cut;
+        left = degree - cut + 1;
+        corner = mirror.corner(v);
+      }
+      corner = mirror.next_corner(corner);
+    }
+    return cut;
+  }
+
+  // Whether h goes from the tip of an ear of this kind to the vertex.
+  bool is_ear(Index h, Ear kind) const
+  {
+    const auto& mirror = m_maintained.mirror;
+    const Index before = mirror.apex(h), tip = mirror.source(h), v = mirror.target(h);
+    const Index after = mirror.apex(mirror.twin(h));
+    const bool ends_at_infinity = before == infinite_index || after == infinite_index;
+    switch (kind) {
+    case Ear::CONVEX:
+      return tip != infinite_index && !ends_at_infinity &&
+             m_predicates.orientation(before, tip, after) == LEFT_TURN &&
+             m_predicates.orientation(v, before, after) != RIGHT_TURN;
+    case Ear::AT_INFINITY:
+      return tip != infinite_index && ends_at_infinity;
+    default:
+      return true;
+    }
+  }
+
+  Index finite_neighbor_of(Index v) const
+  {
+    Index neighbor = infinite_index;
+    m_maintained.mirror.for_each_neighbor(
+        v, [&](Index w) { neighbor = w == infinite_index ? neighbor : w; });
+    return neighbor;
+  }
+
+  // The edges opposite to v.
+  std::array<Index, 3> edges_around(Index v) const
+  {
+    const auto& mirror = m_maintained.mirror;
+    const Index h = mirror.corner(v), g = mirror.next_corner(h);
+    return {mirror.edge_of(h), mirror.edge_of(g), mirror.edge_of(mirror.next_corner(g))};
+  }
+
+  // Afterwards v, which must have three edges, is in no face. `rename(from, to)` is told that edge
+  // `to` is no more, and that edge `from`, if it is another one, takes its number. Returns the
+  // faces that are left over.
+  template <class Rename>
+  std::array<Face_handle, 2> take_out(Index v, const Rename& rename)
+  {
+    auto& mirror = m_maintained.mirror;
+    auto& renumberings = m_maintained.renumberings;
+    auto left = mirror.merge_faces_at(mirror.corner(v));
+    write_face(left.face);
+    const std::array<Face_handle, 2> faces{m_maintained.faces[left.faces[0]],
+                                           m_maintained.faces[left.faces[1]]};
+    std::sort(left.faces.begin(), left.faces.end(), std::greater<Index>());
+    for (const Index f : left.faces) {
+      renumberings.faces.note_move(mirror.number_of_faces() - 1, f);
+      m_maintained.faces[f] = m_maintained.faces.back();
+      m_maintained.faces.pop_back();
+      mirror.move_last_face_to(f);
+    }
+    std::sort(left.edges.begin(), left.edges.end(), std::greater<Index>());
+    for (const Index e : left.edges) {
+      const Index last = mirror.number_of_edges() - 1;
+      renumberings.edges.note_move(last, e);
+      rename(last, e);
+      mirror.move_last_edge_to(e);
+    }
+    return faces;
+  }
+
+  void delete_faces(const std::array<Face_handle, 2>& faces)
+  {
+    for (const Face_handle f : faces)
+      m_maintained.triangulation.tds().delete_face(f);
+  }
+
+  // Deletes a vertex that is in no face, and that nobody is at.
+  void drop(Index v)
+  {
+    auto& mirror = m_maintained.mirror;
+    m_maintained.triangulation.tds().delete_vertex(m_maintained.vertices[v]);
+    m_maintained.renumberings.vertices.note_move(m_maintained.number_of_vertices(), v);
+    mirror.move_last_vertex_to(v);
+    m_maintained.ids.move_last_vertex_to(v);
+    m_maintained.move_last_vertex_to(v);
+  }
+
+  // Face f and its neighbors, which refer to it by the right number, into CGAL's structure.
+  void write_face(Index f)
+  {
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      write_vertex(h);
+      write_neighbors(h);
+      m_maintained.vertices[m_maintained.mirror.apex(h)]->set_face(m_maintained.faces[f]);
+    }
   }
 
   // REPLACING -----------------------------------------------------------------------------------
@@ -415,6 +753,8 @@ private:
   static constexpr std::size_t stretch = 16; // of flips that are fetched together
 
   Maintained& m_maintained;
+  Vertex_predicates_2<Maintained> m_predicates;
+  Point_location_2<Maintained> m_location;
   Vertex_order_2<Maintained> m_vertex_order;
   Point_numbering_2<Maintained> m_numbering;
   Static_triangulator_2<Maintained> m_triangulator;

@@ -62,7 +62,9 @@ private:
       if (m_maintained.vertices[v]->mirror_index() != v)
         return false;
     Index guests = 0;
-    for (Index id = 0; id < ids.number_of_points(); ++id) {
+    for (Index id = 0; id < ids.number_of_ids(); ++id) {
+      if (!ids.is_taken(id))
+        continue;
       const Index v = ids.vertex(id);
       if (v == infinite_index || v > m_maintained.number_of_vertices())
         return false;
@@ -72,8 +74,11 @@ private:
           return false;
       }
     }
+    for (Index v = 1; v <= ids.number_of_hosts(); ++v)
+      if (!ids.is_taken(ids.host(v)) || ids.vertex(ids.host(v)) != v)
+        return false;
     return guests == ids.guests().size() &&
-           m_maintained.number_of_vertices() + guests == ids.number_of_points();
+           m_maintained.number_of_vertices() == ids.number_of_hosts();
   }
 
   bool is_mirror_in_step() const

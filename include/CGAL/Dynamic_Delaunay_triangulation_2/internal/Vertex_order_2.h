@@ -42,9 +42,21 @@ public:
   bool has_coincident_vertices() const
   {
     for (std::size_t i = 1; i < m_order.size(); ++i)
-      if (m_predicates.compare_xy(m_order[i - 1], m_order[i]) == EQUAL)
+      if (is_where_the_last_one_is(i))
         return true;
     return false;
+  }
+
+  // Calls f(v, w) for every vertex w that has the same place as the one before it, v being the
+  // first one there.
+  template <class Function>
+  void for_each_coincident_pair(const Function& f) const
+  {
+    for (std::size_t first = 0, i = 1; i < m_order.size(); ++i)
+      if (is_where_the_last_one_is(i))
+        f(m_order[first], m_order[i]);
+      else
+        first = i;
   }
 
   // The steps to a vertex whose number is far away: it has to be fetched from memory.
@@ -60,6 +72,11 @@ public:
   void release() { m_order.release(); }
 
 private:
+  bool is_where_the_last_one_is(std::size_t i) const
+  {
+    return m_predicates.compare_xy(m_order[i - 1], m_order[i]) == EQUAL;
+  }
+
   const Maintained& m_maintained;
   Vertex_predicates_2<Maintained> m_predicates;
   Spatial_order_2 m_order;

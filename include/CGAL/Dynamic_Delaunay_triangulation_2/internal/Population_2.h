@@ -1,0 +1,258 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_POPULATION_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_POPULATION_2_H
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_order_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Points that come, go, meet and part. A few of them are edited into the triangulation, which has
+// to be repaired where its edges are new then. Where they are many, or the plane is not spanned
+// before or after, everything is triangulated anew: what can do so returns whether it has.
+//
+// If memory runs out on the way, each point has either come or gone, or it has not.
+template <class Maintained>
+class Population_2
+{
+  using Editor = Topology_editor_2<Maintained>;
+  using Removal_series = typename Editor::Removal_series;
+  using Point = typename Maintained::Point;
+
+public:
+  Population_2(Maintained& maintained, Editor& editor)
+    : m_maintained(maintained)
+    , m_editor(editor)
+    , m_order(maintained)
+  {
+  }
+
+  // `ids` are the next ids.
+  bool insert(const std::vector<Index>& ids, const std::vector<Point>& points)
+  {
+    if (has_to_rebuild(points.size(), 0)) {
+      insert_all(ids, points);
+      return true;
+    }
+    Index near = 1;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      near = m_editor.insert(ids[i], points[i], near);
+    return false;
+  }
+
+  // No id twice.
+  bool remove(const std::vector<Index>& ids)
+  {
+    auto& known = m_maintained.ids;
+    const auto hosts = std::size_t(
+        std::count_if(ids.begin(), ids.end(), [&](Index id) { return known.is_host(id); }));
+    if (has_to_rebuild(hosts, hosts)) {
+      remove_all(ids);
+      return true;
+    }
+    known.provide_for_removals(ids.size());
+    Removal_series series(m_editor, hosts);
+    for (const Index id : ids)
+      remove(id, series);
+    series.finish();
+    return false;
+  }
+
+  // Of the vertices in the list that have come to the same place one stays, that of the smallest
+  // id, and the points of the others become guests there. Returns how many vertices went; none do
+  // if they are so many that a rebuild costs less.
+  std::size_t merge(const std::vector<Index>& vertices)
+  {
+    auto& ids = m_maintained.ids;
+    m_order.sort(vertices.begin(), vertices.end());
+    std::vector<std::pair<Index, Index>> pairs; // of ids: vertices will change their numbers
+    m_order.for_each_coincident_pair(
+        [&](Index v, Index w) { pairs.emplace_back(ids.host(v), ids.host(w)); });
+    if (has_to_rebuild(pairs.size(), pairs.size()))
+      return 0;
+    ids.provide_for_removals(pairs.size());
+    Removal_series series(m_editor, pairs.size());
+    for (const auto& [i, j] : pairs) {
+      Index stays = ids.vertex(i), goes = ids.vertex(j);
+      if (ids.host(goes) < ids.host(stays))
+        std::swap(stays, goes);
+      const Point place = m_maintained.point(stays);
+      series.remove(goes, [&] { ids.merge(goes, stays, place); });
+    }
+    series.finish();
+    return pairs.size();
+  }
+
+  // Gives points other positions. If none of a vertex's points stays, it goes with its host; else
+  // one that stays becomes the host. Who is then no longer where its vertex is has to part.
+  // Whether the faces of a vertex are still counterclockwise is not looked at.
+  void move_all(const std::vector<Index>& ids, const std::vector<Point>& points)
+  {
+    move(ids, points, [this](Index v, const Point& p) { m_maintained.move_vertex(v, p); });
+  }
+
+  // The same, but vertices that leave their faces are taken out and put in again; the faces then
+  // tile the hull if they did so before. Points that come to where others are become guests there.
+  // Returns how many vertices went by that.
+  std::size_t move_few(const std::vector<Index>& ids, const std::vector<Point>& points)
+  {
+    const std::size_t vertices = m_maintained.number_of_vertices();
+    Removal_series series(m_editor, ids.size());
+    move(ids, points, [&](Index v, const Point& p) {
+      if (m_maintained.number_of_vertices() <= 3)
+        return m_maintained.move_vertex(v, p);
+      const Point place = m_maintained.point(v);
+      m_maintained.move_vertex(v, p);
+      if (is_in_its_faces(v))
+        return;
+      m_maintained.move_vertex(v, place);
+      series.reinsert(v, p, [&](Index w) { m_maintained.ids.merge(v, w, p); });
+    });
+    series.finish();
+    return vertices - m_maintained.number_of_vertices();
+  }
+
+  // The guests that are no longer where their vertex is.
+  std::vector<Index> parted_guests() const
+  {
+    std::vector<Index> parted;
+    for (const auto& guest : m_maintained.ids.guests())
+      if (guest.point != m_maintained.point(m_maintained.ids.vertex(guest.id)))
+        parted.push_back(guest.id);
+    return parted;
+  }
+
+  bool are_too_many(std::size_t number) const { return has_to_rebuild(number, 0); }
+
+  // They get vertices of their own, or become guests elsewhere.
+  void part(const std::vector<Index>& guests)
+  {
+    auto& ids = m_maintained.ids;
+    for (const Index id : guests)
+      m_editor.insert(id, Point(ids.guest(id).point), ids.vertex(id));
+  }
+
+private:
+  // An insertion or removal costs about as much as a rebuild of eight vertices.
+  bool has_to_rebuild(std::size_t changes, std::size_t removals) const
+  {
+    constexpr std::size_t share = 8, fewest_vertices = 3;
+    const std::size_t vertices = m_maintained.number_of_vertices();
+    return !m_maintained.is_mirrored() || share * changes > vertices ||
+           vertices < fewest_vertices + removals;
+  }
+
+  void insert_all(const std::vector<Index>& ids, const std::vector<Point>& points)
+  {
+    std::vector<Index> all_ids = m_maintained.ids.hosts_and_guests();
+    std::vector<Point> all_points = points_of(all_ids);
+    Index number_of_ids = m_maintained.ids.number_of_ids();
+    for (const Index id : ids)
+      number_of_ids = (std::max)(number_of_ids, id + 1);
+    all_ids.insert(all_ids.end(), ids.begin(), ids.end());
+    all_points.insert(all_points.end(), points.begin(), points.end());
+    m_editor.build(std::move(all_ids), std::move(all_points), number_of_ids);
+  }
+
+  void remove_all(const std::vector<Index>& ids)
+  {
+    std::vector<bool> goes(m_maintained.ids.number_of_ids());
+    for (const Index id : ids)
+      goes[id] = true;
+    std::vector<Index> others = m_maintained.ids.hosts_and_guests();
+    others.erase(std::remove_if(others.begin(), others.end(), [&](Index id) { return goes[id]; }),
+                 others.end());
+    std::vector<Point> points = points_of(others);
+    m_editor.build(std::move(others), std::move(points), m_maintained.ids.number_of_ids());
+  }
+
+  std::vector<Point> points_of(const std::vector<Index>& ids) const
+  {
+    std::vector<Point> points;
+    points.reserve(ids.size());
+    for (const Index id : ids)
+      points.push_back(m_maintained.point_of_id(id));
+    return points;
+  }
+
+  // A host leaves the vertex to a guest, if there is one.
+  void remove(Index id, Removal_series& series)
+  {
+    auto& ids = m_maintained.ids;
+    const Index v = ids.vertex(id);
+    if (ids.is_host(id)) {
+      const Index heir = ids.find_guest_at(v, [](const auto&) { return true; });
+      if (heir == no_index)
+        return series.remove(v, [&] { ids.remove_host(id); });
+      ids.hand_over(heir, m_maintained.point(v));
+    }
+    ids.remove_guest(id);
+  }
+
+  template <class Move_vertex>
+  void move(const std::vector<Index>& ids, const std::vector<Point>& points,
+            const Move_vertex& move_vertex)
+  {
+    auto& known = m_maintained.ids;
+    known.provide_for_removals(2 * ids.size());
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      if (!known.is_host(ids[i]))
+        known.guest(ids[i]).point = points[i];
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      if (known.is_host(ids[i]))
+        move_host(ids[i], points[i], move_vertex);
+  }
+
+  template <class Move_vertex>
+  void move_host(Index id, const Point& p, const Move_vertex& move_vertex)
+  {
+    auto& ids = m_maintained.ids;
+    const Index v = ids.vertex(id);
+    const Point place = m_maintained.point(v);
+    if (p == place)
+      return;
+    const Index heir =
+        ids.find_guest_at(v, [&](const auto& guest) { return guest.point == place; });
+    if (heir == no_index)
+      move_vertex(v, p);
+    else
+      ids.hand_over(heir, p);
+  }
+
+  // Whether all its faces are counterclockwise, and the hull convex around it.
+  bool is_in_its_faces(Index v) const
+  {
+    const Certificate_2<Maintained> certificate(m_maintained);
+    const auto& mirror = m_maintained.mirror;
+    bool is_in = true;
+    const auto look = [&](Index e) {
+      const Edge_state_2 state = is_in ? certificate.state(e) : Edge_state_2::TWISTED;
+      is_in = state == Edge_state_2::DELAUNAY || state == Edge_state_2::ILLEGAL;
+    };
+    mirror.for_each_corner(v, [&](Index h) {
+      look(mirror.edge_of(h));
+      look(mirror.edge_of(Neighborhood_mirror_2::previous(h)));
+    });
+    return is_in;
+  }
+
+  Maintained& m_maintained;
+  Editor& m_editor;
+  Vertex_order_2<Maintained> m_order;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_POPULATION_2_H
