@@ -315,8 +315,8 @@ public:
     return id;
   }
 
-  /// adds the points of the range, and writes their ids to `ids`. Where they are more than one to
-  /// eight vertices, everything is triangulated anew.
+  /// adds the points of the range, and before that writes the ids that they get to `ids`. Where
+  /// they are more than one to eight vertices, everything is triangulated anew.
   template <class InputIterator, class OutputIterator>
   Update_report_2 insert(InputIterator first, InputIterator beyond, OutputIterator ids)
   {
@@ -329,17 +329,16 @@ public:
                          OutputIterator ids)
   {
     const auto newcomers = Input::read_newcomers(first, beyond, point_map, m_core->maintained);
-    const Update_report_2 report = change([&](Update_report_2& done, bool was_certified) {
-      m_core->maintained.positions_are_exact &= newcomers.are_exact;
-      if (m_core->mender.population().insert(newcomers.ids, newcomers.points))
-        take_rebuild(done);
-      else
-        mend_news(done, was_certified);
-      done.inserted = newcomers.ids.size();
-    });
     for (const Index id : newcomers.ids)
       *ids++ = id;
-    return report;
+    return change([&](Update_report_2& report, bool was_certified) {
+      m_core->maintained.positions_are_exact &= newcomers.are_exact;
+      if (m_core->mender.population().insert(newcomers.ids, newcomers.points))
+        take_rebuild(report);
+      else
+        mend_news(report, was_certified);
+      report.inserted = newcomers.ids.size();
+    });
   }
 
   /// takes a point away; its id is free from then on. Cost: proportional to the number of its

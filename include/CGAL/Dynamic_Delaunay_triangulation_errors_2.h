@@ -139,7 +139,32 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
-An id that is given more than once in one call.
+An id that no point of a `Dynamic_population_2` has.
+*/
+class Unknown_user_id_error_2 : public Dynamic_Delaunay_triangulation_error_2
+{
+public:
+  /// \cond
+  template <class Id>
+  explicit Unknown_user_id_error_2(const Id& id)
+    : Dynamic_Delaunay_triangulation_error_2("there is no point with id " + std::to_string(id) +
+                                             " in the population")
+    , m_id(std::to_string(id))
+  {
+  }
+  /// \endcond
+
+  /// the id that was asked for, in decimal digits: these ids may be integers of any type.
+  const std::string& id() const { return m_id; }
+
+private:
+  std::string m_id;
+};
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Errors
+
+An id that is given more than once in one call, or is there already.
 */
 class Repeated_id_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
@@ -159,7 +184,7 @@ public:
 private:
   static std::string message(const std::string& id)
   {
-    return "the id " + id + " is given more than once: each must be there at most once in one call";
+    return "the id " + id + " is there more than once: each may name one point only";
   }
 
   std::string m_id;

@@ -23,6 +23,8 @@ inline std::string rebuild_reason_name(CGAL::Rebuild_reason_2 reason)
     return "stuck";
   case CGAL::Rebuild_reason_2::COINCIDENCE:
     return "coincidence";
+  case CGAL::Rebuild_reason_2::POPULATION:
+    return "population";
   case CGAL::Rebuild_reason_2::DIMENSION:
     return "dimension";
   case CGAL::Rebuild_reason_2::POLICY:

@@ -1,0 +1,293 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_POPULATION_2_H
+#define CGAL_DYNAMIC_POPULATION_2_H
+
+#include <CGAL/assertions.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+#include <CGAL/number_type_basic.h>
+#include <CGAL/property_map.h>
+#include <CGAL/Update_report_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2
+
+Keeps the Delaunay triangulation of a population that changes while it moves, as tracking data and
+crowds have it: every frame names the points that are there by ids of the user's own. Those that are
+new are inserted, those that are missing are removed, and the others move.
+
+\tparam Dynamic a `Dynamic_Delaunay_triangulation_2`.
+\tparam UserId any integer type.
+*/
+template <class Dynamic, class UserId = std::int64_t>
+class Dynamic_population_2
+{
+  static_assert(std::is_integral_v<UserId>, "the ids of a population are integers");
+
+public:
+  /// \name Types
+  /// @{
+
+  /// the triangulation.
+  using Triangulation = Dynamic;
+  /// an id of the user.
+  using User_id = UserId;
+  /// a point.
+  using Point = typename Dynamic::Point;
+  /// a vertex of the CGAL triangulation.
+  using Vertex_handle = typename Dynamic::Vertex_handle;
+  /// the type of counts, and of the ids in `triangulation()`.
+  using size_type = std::size_t;
+
+  /// @}
+  /// \name Creation
+  /// @{
+
+  /// a population without points. \param triangulation with the classifier, repair, engines and
+  /// policy to be used. \pre it has no points.
+  explicit Dynamic_population_2(Dynamic triangulation = Dynamic())
+    : m_triangulation(std::move(triangulation))
+  {
+    CGAL_precondition(m_triangulation.number_of_points() == 0);
+  }
+
+  /// @}
+  /// \name Change
+  /// If one of these throws what is named there, or the range throws, nothing changes. After
+  /// any other exception each point has either come or gone, or it has not, and the triangulation
+  /// may not be certified; the next update certifies it again, if the classifier is exact.
+  /// @{
+
+  /// takes a whole frame: inserts the points whose ids are new, removes those whose ids are
+  /// missing, and moves the others. The order of the range does not matter.
+  ///
+  /// The missing ones are removed first, then the others move, as by
+  /// `Dynamic_Delaunay_triangulation_2::update()`, then the new ones are inserted. Cost: that of
+  /// the update, a look-up by hashing a point, and about a microsecond or two for each point that
+  /// comes or goes; never much more than that of a rebuild.
+  ///
+  /// \tparam InputIterator its values are pairs of a `User_id` and a `Point`.
+  /// \throws Repeated_id_error_2 if an id is there more than once.
+  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite; its `id()` is the
+  /// place in the range.
+  template <class InputIterator>
+  Update_report_2 update(InputIterator first, InputIterator beyond)
+  {
+    using Value = typename std::iterator_traits<InputIterator>::value_type;
+    return update(first, beyond, First_of_pair_property_map<Value>(),
+                  Second_of_pair_property_map<Value>());
+  }
+
+  /// the same for ids and points that the property maps read from the values of the range.
+  template <class InputIterator, class IdMap, class PointMap>
+  Update_report_2 update(InputIterator first, InputIterator beyond, IdMap id_map,
+                         PointMap point_map)
+  {
+    read(first, beyond, id_map, point_map);
+    Update_report_2 report = remove_missing();
+    if (m_triangulation.number_of_points() > 0)
+      report += m_triangulation.update(m_positions.begin(), m_positions.end());
+    report += insert_newcomers();
+    return report;
+  }
+
+  /// adds a point. \throws Repeated_id_error_2 if there is one with this id.
+  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
+  Update_report_2 insert(UserId user_id, const Point& p)
+  {
+    if (has(user_id))
+      throw Repeated_id_error_2(user_id);
+    forget_newcomers();
+    m_newcomers.push_back(user_id);
+    m_new_points.push_back(p);
+    return insert_newcomers();
+  }
+
+  /// takes a point away. \throws Unknown_user_id_error_2 if there is none with this id.
+  Update_report_2 remove(UserId user_id) { return remove_all({id(user_id)}); }
+
+  /// moves some of the points, as `Dynamic_Delaunay_triangulation_2::move()` does. \tparam
+  /// InputIterator its values are pairs of a `User_id` and a `Point`.
+  /// \throws Unknown_user_id_error_2 if there is no point with an id.
+  /// \throws Repeated_id_error_2 if an id is there more than once; it names the point by its id in
+  /// `triangulation()`.
+  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
+  template <class InputIterator>
+  Update_report_2 move(InputIterator first, InputIterator beyond)
+  {
+    std::vector<std::pair<size_type, Point>> movers;
+    for (; first != beyond; ++first)
+      movers.emplace_back(id(first->first), first->second);
+    return m_triangulation.move(movers.begin(), movers.end());
+  }
+
+  /// as `Dynamic_Delaunay_triangulation_2::mend()`.
+  Update_report_2 mend() { return m_triangulation.mend(); }
+  /// as `Dynamic_Delaunay_triangulation_2::certify()`.
+  bool certify() { return m_triangulation.certify(); }
+
+  /// @}
+  /// \name Access
+  /// @{
+
+  /// the triangulation, whose points have ids of their own.
+  const Dynamic& triangulation() const { return m_triangulation; }
+  /// the number of points.
+  size_type size() const { return m_ids.size(); }
+  /// whether there is a point with this id.
+  bool has(UserId user_id) const { return m_ids.count(user_id) > 0; }
+
+  /// the id of a point in `triangulation()`. It stays the same as long as the point is there.
+  /// \throws Unknown_user_id_error_2 if there is none with this id.
+  size_type id(UserId user_id) const
+  {
+    const auto found = m_ids.find(user_id);
+    if (found == m_ids.end())
+      throw Unknown_user_id_error_2(user_id);
+    return found->second;
+  }
+
+  /// the user's id of the point `id` of `triangulation()`, which has to be there.
+  UserId user_id(size_type id) const { return m_user_ids[id]; }
+  /// the vertex of a point. \throws Unknown_user_id_error_2 if there is none with this id.
+  Vertex_handle vertex(UserId user_id) const { return m_triangulation.vertex(id(user_id)); }
+  /// where a point is. \throws Unknown_user_id_error_2 if there is none with this id.
+  const Point& point(UserId user_id) const { return vertex(user_id)->point(); }
+  /// the user's id of a point at a finite vertex; of the one that was there first, if several are.
+  UserId user_id(Vertex_handle vertex) const { return m_user_ids[m_triangulation.id(vertex)]; }
+
+  /// @}
+
+private:
+  static constexpr size_type no_id = size_type(-1);
+
+  // Does what must be done also if what comes before it throws.
+  template <class Work>
+  struct At_exit
+  {
+    Work work;
+    ~At_exit() { work(); }
+  };
+  template <class Work>
+  At_exit(Work) -> At_exit<Work>;
+
+  // Sorts a frame into those who are there and those who are new. Nothing else changes.
+  template <class InputIterator, class IdMap, class PointMap>
+  void read(InputIterator first, InputIterator beyond, const IdMap& id_map,
+            const PointMap& point_map)
+  {
+    forget_newcomers();
+    m_is_there.assign(m_triangulation.number_of_ids(), false);
+    m_positions.resize(m_triangulation.number_of_ids());
+    for (size_type place = 0; first != beyond; ++first, ++place) {
+      const UserId user_id = get(id_map, *first);
+      const Point p = get(point_map, *first);
+      check_finite(p, place);
+      const auto found = m_ids.find(user_id);
+      if (found == m_ids.end()) {
+        m_newcomers.push_back(user_id);
+        m_new_points.push_back(p);
+        continue;
+      }
+      if (m_is_there[found->second])
+        throw Repeated_id_error_2(user_id);
+      m_is_there[found->second] = true;
+      m_positions[found->second] = p;
+    }
+    check_distinct(m_newcomers);
+  }
+
+  static void check_finite(const Point& p, size_type place)
+  {
+    const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
+    if (!std::isfinite(x) || !std::isfinite(y))
+      throw Non_finite_coordinate_error_2(place, x, y);
+  }
+
+  static void check_distinct(std::vector<UserId> user_ids)
+  {
+    std::sort(user_ids.begin(), user_ids.end());
+    const auto twice = std::adjacent_find(user_ids.begin(), user_ids.end());
+    if (twice != user_ids.end())
+      throw Repeated_id_error_2(*twice);
+  }
+
+  Update_report_2 remove_missing()
+  {
+    std::vector<size_type> missing;
+    for (size_type id = 0; id < m_is_there.size(); ++id)
+      if (!m_is_there[id] && m_triangulation.has_id(id))
+        missing.push_back(id);
+    return missing.empty() ? Update_report_2() : remove_all(missing);
+  }
+
+  Update_report_2 remove_all(const std::vector<size_type>& missing)
+  {
+    const At_exit settle{[&] {
+      for (const size_type id : missing)
+        if (!m_triangulation.has_id(id))
+          m_ids.erase(m_user_ids[id]);
+    }};
+    return m_triangulation.remove(missing.begin(), missing.end());
+  }
+
+  // Who is new is in the table before the point is in the triangulation; who has not come, if
+  // memory runs out, leaves it again.
+  Update_report_2 insert_newcomers()
+  {
+    if (m_newcomers.empty())
+      return {};
+    m_new_ids.clear();
+    m_new_ids.reserve(m_newcomers.size());
+    m_user_ids.resize(m_triangulation.number_of_ids() + m_newcomers.size());
+    const At_exit settle{[this] { settle_newcomers(); }};
+    for (const UserId user_id : m_newcomers)
+      m_ids.emplace(user_id, no_id);
+    return m_triangulation.insert(m_new_points.begin(), m_new_points.end(),
+                                  std::back_inserter(m_new_ids));
+  }
+
+  void settle_newcomers()
+  {
+    for (size_type i = 0; i < m_newcomers.size(); ++i)
+      if (i < m_new_ids.size() && m_triangulation.has_id(m_new_ids[i])) {
+        m_ids.find(m_newcomers[i])->second = m_new_ids[i];
+        m_user_ids[m_new_ids[i]] = m_newcomers[i];
+      } else
+        m_ids.erase(m_newcomers[i]);
+  }
+
+  void forget_newcomers()
+  {
+    m_newcomers.clear();
+    m_new_points.clear();
+  }
+
+  Dynamic m_triangulation;
+  std::unordered_map<UserId, size_type> m_ids;
+  std::vector<UserId> m_user_ids; // of each id
+
+  // of the frame that is read
+  std::vector<bool> m_is_there;   // each id
+  std::vector<Point> m_positions; // of each id
+  std::vector<UserId> m_newcomers;
+  std::vector<Point> m_new_points;
+  std::vector<size_type> m_new_ids;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_POPULATION_2_H
