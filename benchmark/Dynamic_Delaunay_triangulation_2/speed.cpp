@@ -70,8 +70,7 @@ const Table brownian = {"Brownian motion by its steps in spacings, ns a point", 
 const Table teleport = {"Every point at a fresh random place in every frame, ns a point; 'sorted' "
                         "sorts along the curve while it is timed",
                         time_columns_and({{"sorted", 9, 1}, {"of_fastest", 11, 2}})};
-const Table recorded = {"Recorded motion, ns a point, without the frames that change the "
-                        "population; constructions where all do",
+const Table recorded = {"Recorded motion with its whole population, ns a point",
                         time_columns_and({{"changes", 9, 0}})};
 const Table memory = {
     "Memory, bytes a point",

@@ -93,7 +93,6 @@ inline Case_result recorded_case(const std::string& path)
   result.figures["changes"] = static_cast<double>(
       std::count_if(records.begin(), records.end(),
                     [](const Speed_record& record) { return record.frame.population_changed; }));
-  result.note = are_updates(counted(records)) ? "" : "(constructions)";
   return result;
 }
 

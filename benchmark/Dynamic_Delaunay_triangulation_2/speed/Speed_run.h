@@ -5,7 +5,7 @@
 #define SPEED_SPEED_RUN_H
 
 #include "Phase_marks.h"
-#include "run/Kernel.h"
+#include "run/Kept_triangulation.h"
 #include "run/Stopwatch.h"
 #include "scenario/Motion.h"
 #include "Speed_record.h"
@@ -35,7 +35,7 @@ public:
     : m_motion(motion)
   {
     check_coordinates();
-    construct();
+    m_kept.emplace(motion, Dynamic(Timed_classifier(m_marks), Timed_repair(m_marks)));
   }
   Speed_run(const Speed_run&) = delete;
   Speed_run& operator=(const Speed_run&) = delete;
@@ -69,10 +69,10 @@ public:
   // Of a measured frame, by everything that tells a right triangulation from a wrong one.
   void check_thoroughly() const
   {
-    if (!m_triangulation->is_valid()) {
+    if (!m_kept->triangulation().is_valid()) {
       fail("the triangulation is not valid");
     }
-    if (CGAL::delaunay_agreement(*m_triangulation, m_opponents.reference())
+    if (CGAL::delaunay_agreement(m_kept->triangulation(), m_opponents.reference())
             .matthews_correlation_coefficient() != 1.0) {
       fail("the triangulation differs from a fresh one");
     }
@@ -101,7 +101,7 @@ private:
   {
     m_neighbors.clear();
     if (m_motion.uses_neighbors()) {
-      m_triangulation->for_each_edge([this](std::size_t i, std::size_t j) {
+      m_kept->triangulation().for_each_edge([this](std::size_t i, std::size_t j) {
         m_neighbors.emplace_back(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
       });
     }
@@ -128,33 +128,12 @@ private:
 
   void time_dynamic()
   {
-    m_record.frame.nanoseconds.dynamic =
-        m_record.frame.population_changed ? time_construction() : time_update();
-  }
-
-  double time_update()
-  {
-    const auto& points = m_motion.points();
     const double total = run::nanoseconds_of([&] {
       m_marks.start();
-      m_record.frame.update =
-          m_triangulation->update(points.begin(), points.end(), run::Point_map());
+      m_record.frame.update = m_kept->update(m_motion);
     });
+    m_record.frame.nanoseconds.dynamic = total;
     m_record.phases = m_marks.times(total);
-    return total;
-  }
-
-  double time_construction()
-  {
-    m_triangulation.reset();
-    return run::nanoseconds_of([this] { construct(); });
-  }
-
-  void construct()
-  {
-    const auto& points = m_motion.points();
-    m_triangulation.emplace(points.begin(), points.end(), run::Point_map(),
-                            Timed_classifier(m_marks), Timed_repair(m_marks));
   }
 
   // CGAL's static triangulation may never end on a coordinate that is no number.
@@ -170,7 +149,7 @@ private:
 
   void check_certificate() const
   {
-    if (!m_triangulation->is_certified()) {
+    if (!m_kept->triangulation().is_certified()) {
       fail("the triangulation is not certified");
     }
   }
@@ -182,7 +161,7 @@ private:
 
   scenario::Motion& m_motion;
   Phase_marks m_marks;
-  std::optional<Dynamic> m_triangulation;
+  std::optional<run::Kept_triangulation<Dynamic>> m_kept;
   Opponents m_opponents;
   scenario::Neighbor_edges m_neighbors;
   Speed_record m_record;

@@ -21,23 +21,16 @@ using Figures = std::map<std::string, double>;
 
 using Speed_records = std::vector<Speed_record>;
 
-// Frames that can be compared: without points there is no time a point, and a change of the
-// population is no update. Where every frame is such a change, they are all that there is.
+// Frames that can be compared: without points there is no time a point.
 inline Speed_records counted(const Speed_records& records)
 {
-  Speed_records updates;
-  Speed_records constructions;
+  Speed_records counted;
   for (const Speed_record& record : records) {
     if (record.frame.points != 0) {
-      (record.frame.population_changed ? constructions : updates).push_back(record);
+      counted.push_back(record);
     }
   }
-  return updates.empty() ? constructions : updates;
-}
-
-inline bool are_updates(const Speed_records& records)
-{
-  return !records.empty() && !records.front().frame.population_changed;
+  return counted;
 }
 
 template <class Value>
@@ -109,8 +102,6 @@ inline Figures speed_summary(const Speed_records& all_records)
   if (!records.empty()) {
     add_counts(records, figures);
     add_times(records, figures);
-  }
-  if (are_updates(records)) {
     add_phases(records, figures);
   }
   return figures;

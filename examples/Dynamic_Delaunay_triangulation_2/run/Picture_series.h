@@ -45,10 +45,9 @@ public:
     if (frame % m_stride != 0 && frame != m_frames) {
       return;
     }
-    const auto& points = run.motion().points();
-    const Picture_view view = m_box ? Picture_view(*m_box) : Picture_view(points);
+    const Picture_view view = m_box ? Picture_view(*m_box) : Picture_view(run.motion().points());
     Output_file file((m_directory / name(frame)).string());
-    const Svg_picture picture(run.triangulation(), points, view);
+    const Svg_picture picture(run.triangulation(), view);
     picture.write(file.stream(), !run.record().update.rebuilt());
     file.finish();
   }

@@ -8,7 +8,7 @@
 #include "Any_policy.h"
 #include "Any_repair.h"
 #include "Frame_record.h"
-#include "Kernel.h"
+#include "Kept_triangulation.h"
 #include "Static_opponents.h"
 #include "Stopwatch.h"
 
@@ -35,12 +35,10 @@ public:
   Scenario_run(scenario::Motion& motion, const Classifier& classifier, const Any_repair& repair,
                const CGAL::Static_engines_2& engines, const Any_policy& policy)
     : m_motion(motion)
-    , m_repair(repair)
-    , m_engines(engines)
   {
     with_frame_in_message([&] {
       prepare();
-      construct(classifier, policy);
+      m_kept.emplace(motion, Dynamic(classifier, repair, engines, policy));
       m_opponents.time_insert();
       check();
     });
@@ -63,7 +61,7 @@ public:
   }
 
   const scenario::Motion& motion() const { return m_motion; }
-  const Dynamic& triangulation() const { return *m_triangulation; }
+  const Dynamic& triangulation() const { return m_kept->triangulation(); }
   const Frame_record& record() const { return m_record; }
 
 private:
@@ -81,7 +79,7 @@ private:
   {
     m_neighbors.clear();
     if (m_motion.uses_neighbors()) {
-      m_triangulation->for_each_edge([this](std::size_t i, std::size_t j) {
+      triangulation().for_each_edge([this](std::size_t i, std::size_t j) {
         m_neighbors.emplace_back(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
       });
     }
@@ -118,7 +116,7 @@ private:
       switch ((m_record.frame + i) % contestants) {
       case 0:
         m_record.nanoseconds.dynamic =
-            m_record.population_changed ? time_construction() : time_update();
+            nanoseconds_of([this] { m_record.update = m_kept->update(m_motion); });
         break;
       case 1:
         m_record.nanoseconds.static_insert = m_opponents.time_insert();
@@ -129,44 +127,19 @@ private:
     }
   }
 
-  double time_update()
-  {
-    const auto& points = m_motion.points();
-    return nanoseconds_of([&] {
-      m_record.update = m_triangulation->update(points.begin(), points.end(), Point_map());
-    });
-  }
-
-  double time_construction()
-  {
-    const Classifier classifier = m_triangulation->classifier();
-    const Any_policy policy = m_triangulation->policy();
-    m_triangulation.reset();
-    return nanoseconds_of([&] { construct(classifier, policy); });
-  }
-
-  void construct(const Classifier& classifier, const Any_policy& policy)
-  {
-    const auto& points = m_motion.points();
-    m_triangulation.emplace(points.begin(), points.end(), Point_map(), classifier, m_repair,
-                            m_engines, policy);
-  }
-
   void check()
   {
     // before certify(): what claims to be certified is checked for it too
-    if (!m_triangulation->is_valid()) {
+    if (!triangulation().is_valid()) {
       throw std::runtime_error("the triangulation is not valid");
     }
-    m_record.certified = m_triangulation->certify();
-    m_record.validity = CGAL::delaunay_agreement(*m_triangulation, m_opponents.reference())
+    m_record.certified = m_kept->certify();
+    m_record.validity = CGAL::delaunay_agreement(triangulation(), m_opponents.reference())
                             .matthews_correlation_coefficient();
   }
 
   scenario::Motion& m_motion;
-  Any_repair m_repair;
-  CGAL::Static_engines_2 m_engines;
-  std::optional<Dynamic> m_triangulation;
+  std::optional<Kept_triangulation<Dynamic>> m_kept;
   Static_opponents m_opponents;
   scenario::Neighbor_edges m_neighbors;
   Frame_record m_record;

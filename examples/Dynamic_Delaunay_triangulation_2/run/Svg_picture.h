@@ -22,10 +22,8 @@ template <class Dynamic>
 class Svg_picture
 {
 public:
-  Svg_picture(const Dynamic& triangulation, const std::vector<scenario::Point>& points,
-              const Picture_view& view)
+  Svg_picture(const Dynamic& triangulation, const Picture_view& view)
     : m_triangulation(triangulation)
-    , m_points(points)
     , m_view(view)
   {
   }
@@ -68,8 +66,8 @@ private:
     out << "<path stroke=\"#888888\" stroke-width=\"" << std::min(0.8, 0.5 * radius())
         << "\" fill=\"none\" d=\"";
     m_triangulation.for_each_edge([&](std::size_t i, std::size_t j) {
-      write_place(out << 'M', m_points[i]);
-      write_place(out << 'L', m_points[j]);
+      write_place(out << 'M', place(i));
+      write_place(out << 'L', place(j));
     });
     out << "\"/>\n";
   }
@@ -79,6 +77,12 @@ private:
     out << m_view.x(point) << ' ' << m_view.y(point) << '\n';
   }
 
+  scenario::Point place(std::size_t id) const
+  {
+    const auto& point = m_triangulation.point(id);
+    return {point.x(), point.y()};
+  }
+
   // The colourful ones last, over the others.
   void write_points(std::ostream& out, const std::vector<Role>& roles) const
   {
@@ -86,9 +90,9 @@ private:
     using Index = typename Dynamic::Frame::Index;
     for (std::size_t role = other; role != colors.size(); ++role) {
       out << "<g fill=\"" << colors[role] << "\">\n";
-      for (Index id = 0; id != frame.number_of_points(); ++id) {
-        if (roles[frame.vertex(id)] == role) {
-          out << "<circle cx=\"" << m_view.x(m_points[id]) << "\" cy=\"" << m_view.y(m_points[id])
+      for (Index id = 0; id != frame.number_of_ids(); ++id) {
+        if (frame.has_id(id) && roles[frame.vertex(id)] == role) {
+          out << "<circle cx=\"" << m_view.x(place(id)) << "\" cy=\"" << m_view.y(place(id))
               << "\" r=\"" << radius() << "\"/>\n";
         }
       }
@@ -99,13 +103,12 @@ private:
   // As large as room between the points allows.
   double radius() const
   {
-    const double room =
-        std::sqrt(m_view.width() * m_view.height() / static_cast<double>(m_points.size() + 1));
+    const double room = std::sqrt(m_view.width() * m_view.height() /
+                                  static_cast<double>(m_triangulation.number_of_points() + 1));
     return std::clamp(0.1 * room, 0.5, 4.0);
   }
 
   const Dynamic& m_triangulation;
-  const std::vector<scenario::Point>& m_points;
   const Picture_view& m_view;
 };
 

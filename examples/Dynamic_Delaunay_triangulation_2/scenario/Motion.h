@@ -44,6 +44,9 @@ public:
   // Goes to the next frame. False, and nothing changes, when there is none.
   virtual bool advance(const Neighbor_edges& neighbors) = 0;
 
+  // Whether all frames have the same ids.
+  virtual bool has_fixed_population() const { return true; }
+
   // Whether the last advance() changed which ids there are.
   virtual bool population_changed() const { return false; }
 

@@ -6,6 +6,9 @@
 
 #include "Motion.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -38,6 +41,12 @@ public:
   const std::vector<std::int64_t>& ids() const override { return frame().ids; }
   const std::vector<Point>& points() const override { return frame().points; }
   double time() const override { return frame().time; }
+  bool has_fixed_population() const override
+  {
+    return std::all_of(m_recording.begin(), m_recording.end(), [this](const Recorded_frame& frame) {
+      return frame.ids == m_recording.front().ids;
+    });
+  }
   bool population_changed() const override { return m_population_changed; }
   std::size_t frames() const override { return m_recording.size() - 1; }
 
