@@ -30,6 +30,7 @@
 
 #include "scenario/Open_motion.h"
 #include "speed/Case_list.h"
+#include "speed/Change_cases.h"
 #include "speed/Heap_cases.h"
 #include "speed/Motion_cases.h"
 #include "speed/Run_cases.h"
@@ -44,6 +45,7 @@
 #include <sstream>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -72,6 +74,15 @@ const Table teleport = {"Every point at a fresh random place in every frame, ns 
                         time_columns_and({{"sorted", 9, 1}, {"of_fastest", 11, 2}})};
 const Table recorded = {"Recorded motion with its whole population, ns a point",
                         time_columns_and({{"changes", 9, 0}})};
+const Table changes = {"Single points of a random cloud that come, go, move a hundredth of a "
+                       "spacing, or anywhere; ns a "
+                       "point, against CGAL's insert(), remove() and move_if_no_collision()",
+                       {{"points", 9, 0},
+                        {"dynamic", 9, 1},
+                        {"q1", 9, 1},
+                        {"q3", 9, 1},
+                        {"CGAL", 9, 1},
+                        {"vs_CGAL", 9, 2}}};
 const Table memory = {
     "Memory, bytes a point",
     {{"points", 9, 0}, {"frames", 7, 0}, {"dynamic", 9, 1}, {"CGAL", 9, 1}, {"beyond", 9, 1}}};
@@ -225,6 +236,21 @@ void add_recorded(Case_list& cases)
   }
 }
 
+void add_changes(Case_list& cases)
+{
+  using Kind = Change_case::Kind;
+  const std::pair<const char*, Kind> kinds[] = {{"insert", Kind::INSERT},
+                                                {"remove", Kind::REMOVE},
+                                                {"move_near", Kind::MOVE_NEAR},
+                                                {"move_far", Kind::MOVE_FAR}};
+  for (const auto& [name, kind] : kinds) {
+    for (const std::size_t points : {std::size_t(1000), many_points}) {
+      cases.add(changes, joined("change/", name, points),
+                [points, kind = kind] { return Case_result{Change_case(points, kind).measure()}; });
+    }
+  }
+}
+
 void add_memory(Case_list& cases)
 {
   for (const double step : {1e-9, 0.001, 0.03}) {
@@ -253,6 +279,7 @@ void add_all(Case_list& cases)
   add_brownian(cases);
   add_teleport(cases);
   add_recorded(cases);
+  add_changes(cases);
   add_memory(cases);
   add_allocations(cases);
 }

@@ -83,6 +83,7 @@ public:
     m_was_certified = false;
     const Dynamic_frame_2<Maintained> frame(m_maintained);
     frame.for_each_changed_edge([this](Index e) { m_open.push_back(e); });
+    make_distinct(m_open);
   }
 
   // Classifies the edges that see one of these points, and are not Delaunay.
@@ -92,8 +93,7 @@ public:
     std::vector<Index> edges;
     for (const Index id : ids)
       frame.for_each_edge_that_sees(frame.vertex(id), [&](Index e) { edges.push_back(e); });
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    make_distinct(edges);
     Dynamic_Delaunay_triangulations_2::internal::examine_all(frame, edges, m_classification);
     take_classification(has_to_prove, false);
   }
@@ -228,6 +228,12 @@ public:
   /// @}
 
 private:
+  static void make_distinct(std::vector<Index>& numbers)
+  {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  }
+
   // The edges that the classifier has named.
   void open_classified()
   {
@@ -261,8 +267,7 @@ private:
     for_each_open_vertex(
         [&](Index v) { frame.for_each_edge_that_sees(v, [&](Index e) { edges.push_back(e); }); });
     m_open.insert(m_open.end(), edges.begin(), edges.end());
-    std::sort(m_open.begin(), m_open.end());
-    m_open.erase(std::unique(m_open.begin(), m_open.end()), m_open.end());
+    make_distinct(m_open);
   }
 
   // The finite ones, some of them more than once.
@@ -312,8 +317,7 @@ private:
     const Certificate certificate(m_maintained);
     const auto& boundary = m_splice.boundary_edges();
     m_open.insert(m_open.end(), boundary.begin(), boundary.end());
-    std::sort(m_open.begin(), m_open.end());
-    m_open.erase(std::unique(m_open.begin(), m_open.end()), m_open.end());
+    make_distinct(m_open);
     m_open.erase(
         std::remove_if(m_open.begin(), m_open.end(),
                        [&](Index e) { return certificate.state(e) == Edge_state::DELAUNAY; }),
@@ -325,8 +329,7 @@ private:
   {
     std::vector<Index> candidates = m_splice.region();
     for_each_open_vertex([&](Index v) { candidates.push_back(v); });
-    std::sort(candidates.begin(), candidates.end());
-    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+    make_distinct(candidates);
     const std::size_t merged = m_has_to_prove ? m_population.merge(candidates) : 0;
     if (merged == 0)
       return rebuild(Rebuild_reason_2::COINCIDENCE);

@@ -15,8 +15,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
-#include <variant>
 
 namespace run {
 
@@ -31,48 +31,44 @@ public:
   {
     if (motion.has_fixed_population()) {
       const auto& points = motion.points();
-      empty.insert(points.begin(), points.end(), Point_map(), CGAL::Emptyset_iterator());
-      m_kept.template emplace<Dynamic>(std::move(empty));
+      m_triangulation.emplace(std::move(empty));
+      m_triangulation->insert(points.begin(), points.end(), Point_map(), CGAL::Emptyset_iterator());
     } else {
-      update(m_kept.template emplace<Population>(std::move(empty)), motion);
+      m_population.emplace(std::move(empty));
+      update(motion);
     }
   }
 
   CGAL::Update_report_2 update(const scenario::Motion& motion)
   {
-    if (Population* const population = std::get_if<Population>(&m_kept)) {
-      return update(*population, motion);
-    }
-    Dynamic& triangulation = std::get<Dynamic>(m_kept);
     const auto& points = motion.points();
-    return triangulation.update(points.begin(), points.end(), Point_map());
+    return m_population ? update_population(motion)
+                        : m_triangulation->update(points.begin(), points.end(), Point_map());
   }
 
-  bool certify()
-  {
-    return std::visit([](auto& kept) { return kept.certify(); }, m_kept);
-  }
+  bool certify() { return m_population ? m_population->certify() : m_triangulation->certify(); }
 
   const Dynamic& triangulation() const
   {
-    const Population* const population = std::get_if<Population>(&m_kept);
-    return population ? population->triangulation() : std::get<Dynamic>(m_kept);
+    return m_population ? m_population->triangulation() : *m_triangulation;
   }
 
 private:
   using Population = CGAL::Dynamic_population_2<Dynamic, std::int64_t>;
 
-  static CGAL::Update_report_2 update(Population& population, const scenario::Motion& motion)
+  CGAL::Update_report_2 update_population(const scenario::Motion& motion)
   {
     using Place = boost::counting_iterator<std::size_t>;
     const auto id = [&](std::size_t place) { return motion.ids()[place]; };
     const auto point = [&](std::size_t place) { return get(Point_map(), motion.points()[place]); };
-    return population.update(Place(0), Place(motion.points().size()),
-                             boost::make_function_property_map<std::size_t>(id),
-                             boost::make_function_property_map<std::size_t>(point));
+    return m_population->update(Place(0), Place(motion.points().size()),
+                                boost::make_function_property_map<std::size_t>(id),
+                                boost::make_function_property_map<std::size_t>(point));
   }
 
-  std::variant<Dynamic, Population> m_kept;
+  // one of them
+  std::optional<Dynamic> m_triangulation;
+  std::optional<Population> m_population;
 };
 
 } // namespace run

@@ -57,12 +57,31 @@ public:
     return order;
   }
 
-  // The ids that the next points get, one after the other.
+  // The ids that the next points get, one after the other. Cost: proportional to their number, times
+  // its logarithm.
   std::vector<Index> next_ids(std::size_t number) const
   {
-    std::vector<Index> ids = m_free_ids;
-    std::sort(ids.begin(), ids.end());
-    ids.resize((std::min)(number, ids.size()));
+    std::vector<Index> ids;
+    const auto comes_later = [this](std::size_t i, std::size_t j) {
+      return m_free_ids[i] > m_free_ids[j];
+    };
+    // from the top of the heap on: what may come next is below what came before
+    std::vector<std::size_t> places;
+    const auto consider = [&](std::size_t place) {
+      if (place < m_free_ids.size()) {
+        places.push_back(place);
+        std::push_heap(places.begin(), places.end(), comes_later);
+      }
+    };
+    consider(0);
+    while (ids.size() < number && !places.empty()) {
+      std::pop_heap(places.begin(), places.end(), comes_later);
+      const std::size_t place = places.back();
+      places.pop_back();
+      ids.push_back(m_free_ids[place]);
+      consider(2 * place + 1);
+      consider(2 * place + 2);
+    }
     for (Index id = number_of_ids(); ids.size() < number; ++id)
       ids.push_back(id);
     return ids;

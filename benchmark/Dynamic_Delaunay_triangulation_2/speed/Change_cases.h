@@ -1,0 +1,187 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SPEED_CHANGE_CASES_H
+#define SPEED_CHANGE_CASES_H
+
+#include "run/Kernel.h"
+#include "run/Spread.h"
+#include "run/Stopwatch.h"
+#include "Speed_summary.h"
+
+#include <CGAL/delaunay_agreement.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace speed {
+
+// A few points of a random cloud change, one call after the other: once in the maintained
+// triangulation, once in CGAL's own, in turns.
+class Change_case
+{
+public:
+  enum class Kind { INSERT, REMOVE, MOVE_NEAR, MOVE_FAR };
+
+  Change_case(std::size_t points, Kind kind)
+    : m_kind(kind)
+    , m_width(std::sqrt(static_cast<double>(points)))
+  {
+    std::vector<Point> cloud;
+    for (std::size_t i = 0; i != points; ++i) {
+      cloud.push_back(random_point());
+    }
+    m_dynamic = Dynamic(cloud.begin(), cloud.end());
+    for (const Point& point : cloud) {
+      m_handles.push_back(m_static.insert(point));
+    }
+  }
+
+  Figures measure()
+  {
+    constexpr std::size_t rounds = 25, changes = 40;
+    std::vector<double> dynamic, own;
+    for (std::size_t round = 0; round != rounds; ++round) {
+      draw(changes);
+      if (round % 2 == 0) {
+        dynamic.push_back(time([this] { change_dynamic(); }));
+        own.push_back(time([this] { change_static(); }));
+      } else {
+        own.push_back(time([this] { change_static(); }));
+        dynamic.push_back(time([this] { change_dynamic(); }));
+      }
+      restore();
+    }
+    check();
+    const auto ours = run::spread(dynamic), theirs = run::spread(own);
+    return {{"points", static_cast<double>(m_handles.size())},
+            {"dynamic", ours->median},
+            {"q1", ours->low_quartile},
+            {"q3", ours->high_quartile},
+            {"CGAL", theirs->median},
+            {"vs_CGAL", theirs->median / ours->median}};
+  }
+
+private:
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel>;
+  using Point = run::Kernel::Point_2;
+  using Handle = run::Static_triangulation::Vertex_handle;
+
+  Point random_point()
+  {
+    std::uniform_real_distribution<double> coordinate(0, m_width);
+    const double x = coordinate(m_random);
+    return {x, coordinate(m_random)};
+  }
+
+  Point near(const Point& p)
+  {
+    std::normal_distribution<double> step(0, 0.01);
+    const double dx = step(m_random);
+    return {p.x() + dx, p.y() + step(m_random)};
+  }
+
+  // What changes in this round.
+  void draw(std::size_t changes)
+  {
+    m_ids.clear();
+    m_points.clear();
+    std::vector<bool> is_drawn(m_handles.size());
+    while (m_ids.size() != changes) {
+      const std::size_t id = m_random() % m_handles.size();
+      if (!is_drawn[id]) {
+        is_drawn[id] = true;
+        m_ids.push_back(id);
+        m_points.push_back(m_kind == Kind::MOVE_NEAR ? near(m_dynamic.point(id)) : random_point());
+      }
+    }
+  }
+
+  // Nanoseconds a change.
+  template <class Work>
+  double time(Work work) const
+  {
+    return run::nanoseconds_of(work) / static_cast<double>(m_ids.size());
+  }
+
+  void change_dynamic()
+  {
+    for (std::size_t i = 0; i != m_ids.size(); ++i) {
+      switch (m_kind) {
+      case Kind::INSERT:
+        m_new_ids.push_back(m_dynamic.insert(m_points[i]));
+        break;
+      case Kind::REMOVE:
+        m_dynamic.remove(m_ids[i]);
+        break;
+      default:
+        m_dynamic.move(m_ids[i], m_points[i]);
+      }
+    }
+  }
+
+  void change_static()
+  {
+    for (std::size_t i = 0; i != m_ids.size(); ++i) {
+      Handle& handle = m_handles[m_ids[i]];
+      switch (m_kind) {
+      case Kind::INSERT:
+        m_new_handles.push_back(m_static.insert(m_points[i]));
+        break;
+      case Kind::REMOVE:
+        m_removed.emplace_back(m_ids[i], handle->point());
+        m_static.remove(handle);
+        break;
+      default:
+        handle = m_static.move_if_no_collision(handle, m_points[i]);
+      }
+    }
+  }
+
+  // As many points as before, untimed.
+  void restore()
+  {
+    m_dynamic.remove(m_new_ids.begin(), m_new_ids.end());
+    for (const Handle handle : m_new_handles) {
+      m_static.remove(handle);
+    }
+    std::sort(m_removed.begin(), m_removed.end()); // free ids are given in this order
+    for (const auto& [id, point] : m_removed) {
+      m_handles[id] = m_static.insert(point);
+      m_dynamic.insert(point);
+    }
+    m_new_ids.clear();
+    m_new_handles.clear();
+    m_removed.clear();
+  }
+
+  void check() const
+  {
+    if (!m_dynamic.is_valid() || !m_dynamic.is_certified() ||
+        CGAL::delaunay_agreement(m_dynamic, m_static).matthews_correlation_coefficient() != 1.0) {
+      throw std::runtime_error("the triangulation differs from CGAL's");
+    }
+  }
+
+  Kind m_kind;
+  double m_width;
+  std::mt19937_64 m_random{1};
+  Dynamic m_dynamic;
+  run::Static_triangulation m_static;
+  std::vector<Handle> m_handles; // of each id
+  std::vector<std::size_t> m_ids;
+  std::vector<Point> m_points;
+  std::vector<std::size_t> m_new_ids;
+  std::vector<Handle> m_new_handles;
+  std::vector<std::pair<std::size_t, Point>> m_removed;
+};
+
+} // namespace speed
+
+#endif // SPEED_CHANGE_CASES_H
