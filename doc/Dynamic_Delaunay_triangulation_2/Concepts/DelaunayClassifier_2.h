@@ -47,8 +47,9 @@ public:
   using Usual_repair = unspecified_type;
 
   /*!
-  classifies. It is called once in every frame in which the points span the plane, no coincident points part, and
-  the update policy does not want a rebuild (else the triangulation is rebuilt).
+  classifies. It is called once in every frame in which the points span the plane, unless many coincident points
+  part, or the update policy wants a rebuild (then the triangulation is rebuilt). It is not asked where points come,
+  go, or move alone.
 
   If it throws, the update changes nothing and hands the exception on.
 
@@ -59,10 +60,13 @@ public:
   void operator()(const Frame& frame, Classification& classified);
 
   /*!
-  (optional) is called at the end of every update and after construction, with the new topology. Classifiers
+  (optional) is called at the end of every update, after construction, and wherever points have come, gone, or
+  moved alone, with the new topology. Classifiers
   with data per edge bring it up to date here: `Dynamic_frame_2::everything_is_new()` tells whether the
   numbers of vertices and edges have changed their meaning, `Dynamic_frame_2::new_edges()` which edges were
-  triangulated anew otherwise. A new edge also changes what is around it: what depends on opposite vertices or
+  triangulated anew otherwise. Where vertices came or went, `Dynamic_frame_2::follow_edges()` first brings data of
+  each edge in step with the few numbers that have changed, and `follow_vertices()` and `follow_faces()` do the
+  same for others. A new edge also changes what is around it: what depends on opposite vertices or
   faces is brought up to date at `Dynamic_frame_2::for_each_changed_edge()` and
   `Dynamic_frame_2::for_each_changed_face()`.
   */

@@ -25,7 +25,7 @@ public:
   /*!
   whether this frame is to be rebuilt, without asking the classifier. It is asked before the classifier, at
   the positions of the current frame and with the topology of the last one, in every frame in which the points
-  span the plane and no coincident points part (else the triangulation is rebuilt anyway).
+  span the plane, unless many coincident points part (else the triangulation is rebuilt anyway).
 
   If it throws, the update changes nothing and hands the exception on.
 
@@ -36,7 +36,7 @@ public:
 
   /*!
   is called at the end of every update, also of one for which `wants_rebuild()` was not asked, with what it has
-  done. It must not throw. Construction and `Dynamic_Delaunay_triangulation_2::mend()` are no updates.
+  done. It must not throw. Construction, `Dynamic_Delaunay_triangulation_2::mend()`, and points that come, go or move alone are no updates.
   */
   template <class Frame>
   void after_update(const Frame& frame, const Update_report_2& report);
