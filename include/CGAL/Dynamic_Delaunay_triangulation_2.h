@@ -138,6 +138,7 @@ public:
   /// triangulates the points of the range; the i-th one has id i. Cost: O(n log n); about that of
   /// CGAL's insertion of a range of points. \tparam InputIterator its values are convertible to
   /// `Point`. \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
+  /// \throws Coordinate_range_error_2 if a coordinate is too large for this program.
   template <class InputIterator>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond)
     : Dynamic_Delaunay_triangulation_2(first, beyond, Identity_map(), Classifier())
@@ -159,6 +160,7 @@ public:
   /// triangulates the points that `point_map` reads from the values of the range.
   /// \tparam PointMap a model of `ReadablePropertyMap` from the range's values to `Point`.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
+  /// \throws Coordinate_range_error_2 if a coordinate is too large for this program.
   template <class InputIterator, class PointMap,
             class = typename boost::property_traits<PointMap>::key_type>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond, PointMap point_map)
@@ -200,6 +202,7 @@ public:
   /// but for the first time that the circumcircle classifier skips edges (16 bytes a vertex).
   /// \throws Point_count_error_2 if there are not `number_of_ids()` positions.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
+  /// \throws Coordinate_range_error_2 if a coordinate is too large for this program.
   ///
   /// Nothing changes if it throws one of these, or if the range, the policy or the classifier
   /// throws. After any other exception the positions are the new ones and the triangulation is not
@@ -251,6 +254,7 @@ public:
   /// \throws Unknown_id_error_2 if there is no such point.
   /// \throws Repeated_id_error_2 if an id is there more than once.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
+  /// \throws Coordinate_range_error_2 if a coordinate is too large for this program.
   ///
   /// Nothing changes if it throws one of these, or if the range throws. After any other exception
   /// the triangulation is not certified; `mend()` certifies it again. \post `is_certified()`, if it
@@ -306,8 +310,8 @@ public:
   /// adds a point, and returns its id: the smallest free one. Where another point is already, it
   /// shares its vertex. Cost: O(n<sup>1/3</sup>) expected for evenly spread points to find its
   /// place, and what it breaks; that of a rebuild while the points do not span the plane.
-  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite; nothing changes.
-  /// \post `is_certified()`, if it was, or if the classifier is exact.
+  /// \throws Non_finite_coordinate_error_2 or Coordinate_range_error_2 if a coordinate cannot be
+  /// taken; nothing changes. \post `is_certified()`, if it was, or if the classifier is exact.
   size_type insert(const Point& p)
   {
     size_type id = 0;

@@ -26,7 +26,8 @@ public:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
-A coordinate is NaN or infinite, or too large for a double.
+A coordinate is NaN or infinite, or too large for a double. A number of an exact kernel that is no
+double itself may count as too large from half of the largest double on.
 */
 class Non_finite_coordinate_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
@@ -59,6 +60,50 @@ private:
 
   std::size_t m_id;
   double m_x, m_y;
+};
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Errors
+
+A coordinate is so large that the kernel's predicates are not exact. Only programs that are compiled
+for SSE4.1 or AVX (`-march=native`) have such a limit, 2^510 or 3.35e153: CGAL's interval arithmetic
+is unsound there when it overflows. Without these instructions all finite doubles are coordinates.
+*/
+class Coordinate_range_error_2 : public Dynamic_Delaunay_triangulation_error_2
+{
+public:
+  /// \cond
+  Coordinate_range_error_2(std::size_t id, double x, double y, double limit)
+    : Dynamic_Delaunay_triangulation_error_2(message(id, x, y, limit))
+    , m_id(id)
+    , m_x(x)
+    , m_y(y)
+    , m_limit(limit)
+  {
+  }
+  /// \endcond
+
+  /// the id of the point.
+  std::size_t id() const { return m_id; }
+  /// its first coordinate, as a double.
+  double x() const { return m_x; }
+  /// its second coordinate, as a double.
+  double y() const { return m_y; }
+  /// what the absolute values of coordinates must be smaller than.
+  double limit() const { return m_limit; }
+
+private:
+  static std::string message(std::size_t id, double x, double y, double limit)
+  {
+    std::ostringstream out;
+    out << "point " << id << " has the coordinates (" << x << ", " << y
+        << "): both must be smaller than " << limit
+        << " in absolute value where CGAL is compiled for SSE4.1 or AVX";
+    return out.str();
+  }
+
+  std::size_t m_id;
+  double m_x, m_y, m_limit;
 };
 
 /*!

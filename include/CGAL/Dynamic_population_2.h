@@ -5,13 +5,12 @@
 #define CGAL_DYNAMIC_POPULATION_2_H
 
 #include <CGAL/assertions.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Coordinate_range_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
-#include <CGAL/number_type_basic.h>
 #include <CGAL/property_map.h>
 #include <CGAL/Update_report_2.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -82,8 +81,8 @@ public:
   ///
   /// \tparam InputIterator its values are pairs of a `User_id` and a `Point`.
   /// \throws Repeated_id_error_2 if an id is there more than once.
-  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite; its `id()` is the
-  /// place in the range.
+  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite, or
+  /// Coordinate_range_error_2 if it is too large; the `id()` of these is the place in the range.
   template <class InputIterator>
   Update_report_2 update(InputIterator first, InputIterator beyond)
   {
@@ -107,7 +106,8 @@ public:
   }
 
   /// adds a point. \throws Repeated_id_error_2 if there is one with this id.
-  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
+  /// \throws Non_finite_coordinate_error_2 or Coordinate_range_error_2 if a coordinate cannot
+  /// be taken.
   Update_report_2 insert(UserId user_id, const Point& p)
   {
     if (has(user_id))
@@ -126,7 +126,8 @@ public:
   /// \throws Unknown_user_id_error_2 if there is no point with an id.
   /// \throws Repeated_id_error_2 if an id is there more than once; it names the point by its id in
   /// `triangulation()`.
-  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
+  /// \throws Non_finite_coordinate_error_2 or Coordinate_range_error_2 if a coordinate cannot
+  /// be taken.
   template <class InputIterator>
   Update_report_2 move(InputIterator first, InputIterator beyond)
   {
@@ -199,7 +200,7 @@ private:
     for (size_type place = 0; first != beyond; ++first, ++place) {
       const UserId user_id = get(id_map, *first);
       const Point p = get(point_map, *first);
-      check_finite(p, place);
+      Dynamic_Delaunay_triangulations_2::internal::checked_position(p, place);
       const size_type id = find(user_id);
       if (id == no_id) {
         m_newcomers.push_back(user_id);
@@ -232,13 +233,6 @@ private:
     if (m_last != no_id)
       m_next_of[m_last] = id;
     m_last = id;
-  }
-
-  static void check_finite(const Point& p, size_type place)
-  {
-    const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
-    if (!std::isfinite(x) || !std::isfinite(y))
-      throw Non_finite_coordinate_error_2(place, x, y);
   }
 
   static void check_distinct(std::vector<UserId> user_ids)

@@ -79,7 +79,7 @@ public:
   /// predicts, after an update, in which frame the classifier will classify somebody: the first one
   /// after `frame`, a whole number from 1 on, if all vertices move at constant velocities;
   /// infinity if that frame never comes (thesis 4.2.2, see `Point_distance_times_2`). Until then
-  /// it need not be asked. Cost: one pass over all edges with two square roots each.
+  /// it need not be asked. Cost: one pass over all edges with a few square roots each.
   ///
   /// \param frame the frame of the last update, `Dynamic_Delaunay_triangulation_2::frame()`.
   /// \param velocity a function from ids to velocities with `x` and `y`, in lengths a frame. Of

@@ -69,7 +69,7 @@ public:
   {
     if (m_below_highest < 0)
       return 0;
-    const double root = std::sqrt(m_product * m_product + m_speed * m_below_highest);
+    const double root = std::hypot(m_product, std::sqrt(m_speed) * std::sqrt(m_below_highest));
     if (m_product > 0)
       return m_below_highest / (root + m_product);
     return m_speed > 0 ? (root - m_product) / m_speed : never;
@@ -91,10 +91,12 @@ public:
 private:
   static double frame_after(double time) { return std::floor(time * (1 - 1e-14)) + 1; }
 
-  // A NaN if the length stays above.
+  // A NaN if the length stays above. Squares of the products could overflow or underflow.
   double root_of_lowest() const
   {
-    return std::sqrt(m_product * m_product - m_speed * m_above_lowest);
+    const double product = std::abs(m_product);
+    const double other = std::sqrt(m_speed) * std::sqrt(m_above_lowest);
+    return std::sqrt(product - other) * std::sqrt(product + other);
   }
 
   double end_of_too_short() const { return (root_of_lowest() - m_product) / m_speed * (1 + 1e-14); }

@@ -7,8 +7,10 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vector_support_2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -27,10 +29,13 @@ inline double distance(const Position_2& p, const Position_2& q)
 }
 
 // What a computed squared distance must not exceed to prove that the distance is not larger than
-// `tolerance`: it is within 4u of the true one, relatively, u = 2^-53.
+// `tolerance`: it is within 4u of the true one, relatively, u = 2^-53. Where the square of the
+// tolerance overflows it is larger than all doubles, and an infinite distance still proves nothing.
+// Squares of tolerances below 1e-150 underflow: these must not be asked for.
 inline double squared_bound(double tolerance)
 {
-  return tolerance * tolerance * (1 - 16 * 0x1p-53);
+  return (std::min)(tolerance * tolerance, (std::numeric_limits<double>::max)()) *
+         (1 - 16 * 0x1p-53);
 }
 
 inline bool is_within(double tolerance, const Position_2& p, const Position_2& q)

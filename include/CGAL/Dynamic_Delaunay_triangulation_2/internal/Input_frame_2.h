@@ -4,6 +4,7 @@
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_INPUT_FRAME_2_H
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_INPUT_FRAME_2_H
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Coordinate_range_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Prefetch_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
@@ -124,8 +125,8 @@ private:
   }
 
   // Where each point has a vertex of its own, and all are at hand: in the order of the vertices,
-  // without a branch. A coordinate x is finite if 0x is 0; two sums take turns, so that no addition
-  // waits for the one before.
+  // without a branch. A coordinate x is finite if 0x is 0, and within the limit if its product with
+  // the factor is finite; two sums take turns, so that no addition waits for the one before.
   template <class RandomAccessIterator, class PointMap>
   static void stage_all_hosts(RandomAccessIterator first, RandomAccessIterator beyond,
                               const PointMap& point_map, Maintained& maintained)
@@ -141,8 +142,8 @@ private:
     const auto stage = [&](std::size_t v, Position_2& zero) {
       const Point& p = get(point_map, first[Difference(hosts[v])]);
       const Position_2 position{CGAL::to_double(p.x()), CGAL::to_double(p.y())};
-      zero.x += 0 * position.x;
-      zero.y += 0 * position.y;
+      zero.x += 0 * (factor_beyond_limit * position.x);
+      zero.y += 0 * (factor_beyond_limit * position.y);
       if constexpr (!Maintained::coordinates_are_doubles)
         are_exact = are_exact && is_a_double(p.x()) && is_a_double(p.y());
       write(position, p, Index(v), maintained);
@@ -170,13 +171,13 @@ private:
     if (v == points)
       stage(v, odd);
     if (!(odd.x + odd.y + even.x + even.y == 0))
-      throw_non_finite(first, beyond, point_map, maintained);
+      throw_refused(first, beyond, point_map, maintained);
     maintained.positions_are_exact = are_exact;
   }
 
   template <class InputIterator, class PointMap>
-  static void throw_non_finite(InputIterator first, InputIterator beyond, const PointMap& point_map,
-                               const Maintained& maintained)
+  static void throw_refused(InputIterator first, InputIterator beyond, const PointMap& point_map,
+                            const Maintained& maintained)
   {
     bool are_exact = true;
     for (std::size_t id = 0; first != beyond; ++id, ++first)
@@ -228,9 +229,7 @@ private:
 
   static Position_2 read_position(const Point& p, std::size_t id, bool& are_exact)
   {
-    const Position_2 position{CGAL::to_double(p.x()), CGAL::to_double(p.y())};
-    if (!std::isfinite(position.x) || !std::isfinite(position.y))
-      throw Non_finite_coordinate_error_2(id, position.x, position.y);
+    const Position_2 position = checked_position(p, id);
     if constexpr (!Maintained::coordinates_are_doubles)
       are_exact = are_exact && is_a_double(p.x()) && is_a_double(p.y());
     return position;

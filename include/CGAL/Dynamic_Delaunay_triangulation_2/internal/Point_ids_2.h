@@ -57,8 +57,8 @@ public:
     return order;
   }
 
-  // The ids that the next points get, one after the other. Cost: proportional to their number, times
-  // its logarithm.
+  // The ids that the next points get, one after the other. Cost: proportional to their number,
+  // times its logarithm.
   std::vector<Index> next_ids(std::size_t number) const
   {
     std::vector<Index> ids;

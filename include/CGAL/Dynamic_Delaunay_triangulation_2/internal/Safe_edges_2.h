@@ -10,6 +10,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -170,8 +171,11 @@ private:
     const std::size_t edges = frame.number_of_edges();
     for (std::size_t i = 0; i < sample_size; ++i) {
       const Edge_2& edge = frame.edge(Index(i * edges / sample_size));
-      if (!is_at_infinity(edge))
-        m_sample.push_back(Edge_slack_2(edge, frame.positions()).value());
+      if (is_at_infinity(edge))
+        continue;
+      const double slack = Edge_slack_2(edge, frame.positions()).value();
+      if (!std::isnan(slack)) // it is one where squares overflow, and cannot be sorted
+        m_sample.push_back(slack);
     }
     m_tolerance = quantile(share);
   }

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The package as it is compiled for SSE4.1 or newer: CGAL's intervals are unsound then where they
+// overflow, and numbers so large that they could are refused.
+
+#include "quadruples.h"
+
+namespace {
+
+using CGAL::Dynamic_Delaunay_triangulations_2::internal::coordinate_limit;
+using Points = std::vector<Epick::Point_2>;
+using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
+
+TEST(Numbers_of_new_instructions, within_the_limit_have_exact_predicates)
+{
+  EXPECT_GT(expect_exact_kernel_predicates(1, 300000), 10000u);
+}
+
+TEST(Numbers_of_new_instructions, are_limited_only_where_intervals_lose_a_zero)
+{
+  const CGAL::Interval_nt<true> not_positive(-1, 0), overflown(1, HUGE_VAL);
+  const bool is_lost = (not_positive * overflown).sup() < 0;
+  EXPECT_EQ(is_lost, std::isfinite(coordinate_limit));
+}
+
+TEST(Numbers_of_new_instructions, beyond_the_limit_are_refused_and_nothing_changes)
+{
+  if (!std::isfinite(coordinate_limit))
+    GTEST_SKIP();
+  const Points points = Cloud<Epick>(1).uniform(30);
+  Dynamic dt(points.begin(), points.end());
+  for (const double x : {largest, -largest, coordinate_limit, -coordinate_limit}) {
+    Points beyond = points;
+    beyond[7] = Epick::Point_2(1, x);
+    try {
+      dt.update(beyond.begin(), beyond.end());
+      FAIL();
+    } catch (const CGAL::Coordinate_range_error_2& error) {
+      EXPECT_EQ(error.id(), 7u);
+      EXPECT_EQ(error.x(), 1);
+      EXPECT_EQ(error.y(), x);
+      EXPECT_EQ(error.limit(), coordinate_limit);
+    }
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+    EXPECT_THROW(Dynamic(beyond.begin(), beyond.end()), CGAL::Coordinate_range_error_2);
+  }
+}
+
+TEST(Numbers_of_new_instructions, just_below_the_limit_are_followed)
+{
+  if (!std::isfinite(coordinate_limit))
+    GTEST_SKIP();
+  const double most = std::nextafter(coordinate_limit, 0);
+  Points corners = {{-most, -most}, {most, -most}, {most, most}, {-most, most}, {0, 0}};
+  Dynamic dt(corners.begin(), corners.end());
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, corners));
+  corners[4] = Epick::Point_2(1, most);
+  dt.update(corners.begin(), corners.end());
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, corners));
+}
+
+} // namespace
