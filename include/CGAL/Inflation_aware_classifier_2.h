@@ -104,10 +104,8 @@ private:
   template <class Frame>
   static double squared_length(const Frame& frame, Index e)
   {
-    using namespace Dynamic_Delaunay_triangulations_2::internal;
-    const auto difference =
-        frame.position(frame.edge(e).target) - frame.position(frame.edge(e).source);
-    return dot(difference, difference);
+    return Dynamic_Delaunay_triangulations_2::internal::squared_distance(
+        frame.position(frame.edge(e).source), frame.position(frame.edge(e).target));
   }
 
   // Of the squared lengths of the edges at each vertex.

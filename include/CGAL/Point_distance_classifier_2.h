@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_DISTANCE_CLASSIFIER_2_H
 #define CGAL_POINT_DISTANCE_CLASSIFIER_2_H
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Point_distance_times_2.h>
 
@@ -105,9 +106,8 @@ private:
   template <class Frame>
   static double squared_length(const Frame& frame, typename Frame::Index e)
   {
-    const auto& p = frame.position(frame.edge(e).source);
-    const auto& q = frame.position(frame.edge(e).target);
-    return (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
+    return Dynamic_Delaunay_triangulations_2::internal::squared_distance(
+        frame.position(frame.edge(e).source), frame.position(frame.edge(e).target));
   }
 
   double m_x;

@@ -8,7 +8,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
-#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -96,17 +95,11 @@ private:
   using Index = Dynamic_Delaunay_triangulations_2::Index;
 
   template <class Frame>
-  static double distance(const Frame& frame, Index v, Index w)
-  {
-    using namespace Dynamic_Delaunay_triangulations_2::internal;
-    const auto difference = frame.position(v) - frame.position(w);
-    return std::sqrt(dot(difference, difference));
-  }
-
-  template <class Frame>
   static double stretch(const Frame& frame, const typename Frame::Edge& edge)
   {
-    return distance(frame, edge.source, edge.target) - distance(frame, edge.left, edge.right);
+    using Dynamic_Delaunay_triangulations_2::internal::distance;
+    return distance(frame.position(edge.source), frame.position(edge.target)) -
+           distance(frame.position(edge.left), frame.position(edge.right));
   }
 
   // Negative if the edge is not Delaunay; no number at a face that is not counterclockwise. As
@@ -115,7 +108,8 @@ private:
   template <class Frame>
   static double voronoi_edge_length(const Frame& frame, const typename Frame::Edge& edge)
   {
-    return distance(frame, edge.source, edge.target) / 2 *
+    using Dynamic_Delaunay_triangulations_2::internal::distance;
+    return distance(frame.position(edge.source), frame.position(edge.target)) / 2 *
            (cotangent(frame, edge.left, edge.source, edge.target) +
             cotangent(frame, edge.right, edge.target, edge.source));
   }

@@ -6,13 +6,26 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 
+#include <cmath>
 #include <vector>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// What heuristic classifiers compute in plain floating point, as rounded as it comes out.
+// What is computed in plain floating point, as rounded as it comes out. Heuristic classifiers take
+// it as it is; exact ones bound the error.
+
+inline double squared_distance(const Position_2& p, const Position_2& q)
+{
+  const double x = p.x - q.x, y = p.y - q.y;
+  return x * x + y * y;
+}
+
+inline double distance(const Position_2& p, const Position_2& q)
+{
+  return std::sqrt(squared_distance(p, q));
+}
 
 inline Position_2 operator-(const Position_2& p, const Position_2& q)
 {

@@ -4,11 +4,11 @@
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISPLACEMENTS_2_H
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISPLACEMENTS_2_H
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vector_support_2.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -16,17 +16,6 @@
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
-
-inline double squared_distance(const Position_2& p, const Position_2& q)
-{
-  const double x = p.x - q.x, y = p.y - q.y;
-  return x * x + y * y;
-}
-
-inline double distance(const Position_2& p, const Position_2& q)
-{
-  return std::sqrt(squared_distance(p, q));
-}
 
 // What a computed squared distance must not exceed to prove that the distance is not larger than
 // `tolerance`: it is within 4u of the true one, relatively, u = 2^-53. Where the square of the

@@ -4,6 +4,7 @@
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SAFE_EDGES_2_H
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SAFE_EDGES_2_H
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Displacements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_proofs_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_slack_2.h>
@@ -147,12 +148,6 @@ private:
   static std::size_t most_moved(const Frame& frame)
   {
     return frame.number_of_vertices() / 64;
-  }
-
-  static bool is_at_infinity(const Edge_2& edge)
-  {
-    return edge.source == infinite_index || edge.target == infinite_index ||
-           edge.left == infinite_index || edge.right == infinite_index;
   }
 
   template <class Frame>
