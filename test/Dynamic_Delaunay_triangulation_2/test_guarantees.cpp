@@ -5,40 +5,17 @@
 // ids, equal results from equal input.
 
 #include "oracle.h"
+#include "replaced_heap.h"
 
 #include <CGAL/Flip_repair_2.h>
 #include <CGAL/Point_distance_classifier_2.h>
 #include <CGAL/Random_classifier_2.h>
 
 #include <array>
-#include <cstdlib>
 #include <limits>
 #include <list>
-#include <new>
 #include <optional>
 #include <set>
-
-// Every allocation of this program is counted. (Inlined, these functions would draw a false warning
-// about mismatched allocation from g++.)
-static std::size_t number_of_allocations = 0;
-
-[[gnu::noinline]] void* operator new(std::size_t size)
-{
-  ++number_of_allocations;
-  if (void* memory = std::malloc(size))
-    return memory;
-  throw std::bad_alloc();
-}
-
-[[gnu::noinline]] void operator delete(void* memory) noexcept
-{
-  std::free(memory);
-}
-
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
 
 namespace {
 
@@ -415,12 +392,12 @@ TEST(Guarantees, a_frame_in_which_nothing_breaks_allocates_nothing)
   std::size_t calm_frames = 0;
   for (int frame = 0; frame < 60; ++frame) {
     cloud.shake(points, 1e-5);
-    const std::size_t before = number_of_allocations;
+    const std::size_t before = replaced_heap::number_of_allocations;
     const auto report = dt.update(points.begin(), points.end());
     if (frame < 20 || report.classified > 0)
       continue;
     ++calm_frames;
-    EXPECT_EQ(number_of_allocations, before) << "frame " << frame;
+    EXPECT_EQ(replaced_heap::number_of_allocations, before) << "frame " << frame;
   }
   EXPECT_GT(calm_frames, 10u);
 }

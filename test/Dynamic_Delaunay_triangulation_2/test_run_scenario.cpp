@@ -429,9 +429,8 @@ TEST(Help, lists_scenarios_classifiers_repairs_policies_and_engines)
 {
   const Outcome outcome = run({"--help"});
   EXPECT_TRUE(outcome.succeeded);
-  for (const char* word :
-       {"dam_break", "point_distance", "flip_and_splice", "key_frames:K", "bowyer_watson",
-        "--time-step"}) {
+  for (const char* word : {"dam_break", "point_distance", "flip_and_splice", "key_frames:K",
+                           "bowyer_watson", "--time-step"}) {
     EXPECT_TRUE(contains(outcome.output, word)) << word;
   }
   EXPECT_TRUE(run({"--version"}).succeeded);

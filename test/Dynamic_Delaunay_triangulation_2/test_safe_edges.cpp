@@ -5,6 +5,7 @@
 // are rounded.
 
 #include "oracle.h"
+#include "replaced_heap.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Safe_edges_2.h>
 #include <CGAL/Exact_rational.h>
@@ -14,36 +15,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <new>
 #include <numeric>
 #include <ostream>
 #include <utility>
-
-// Memory that runs out after so many allocations, once; never, if it is negative. (Inlined, these
-// functions would draw a false warning about mismatched allocation from g++.)
-static long number_of_allocations_left = -1;
-
-[[gnu::noinline]] void* operator new(std::size_t size)
-{
-  if (number_of_allocations_left >= 0 && number_of_allocations_left-- == 0)
-    throw std::bad_alloc();
-  if (void* memory = std::malloc(size))
-    return memory;
-  throw std::bad_alloc();
-}
-
-[[gnu::noinline]] void operator delete(void* memory) noexcept
-{
-  std::free(memory);
-}
-
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
 
 namespace {
 
@@ -1606,23 +1583,13 @@ TYPED_TEST(Skipping, knows_what_a_repair_has_changed_that_failed)
   }
 }
 
-// As long as it lives.
-class Scarcity
-{
-public:
-  explicit Scarcity(long allocations) { number_of_allocations_left = allocations; }
-  Scarcity(const Scarcity&) = delete;
-  Scarcity& operator=(const Scarcity&) = delete;
-  ~Scarcity() { number_of_allocations_left = -1; }
-};
-
 // False if memory ran out.
 template <class Dynamic>
 bool update_in_scarcity(Dynamic& dt, const std::vector<typename Dynamic::Point>& points,
                         long allocations)
 {
   try {
-    const Scarcity scarcity(allocations);
+    const replaced_heap::Scarcity scarcity(allocations);
     dt.update(points.begin(), points.end());
     return true;
   } catch (const std::bad_alloc&) {
@@ -1636,7 +1603,7 @@ TEST(Index_set, is_as_it_was_after_an_insertion_that_failed)
   set.clear(1000);
   for (Index i = 0; i < 1000; ++i) {
     try {
-      const Scarcity scarcity(0);
+      const replaced_heap::Scarcity scarcity(0);
       set.insert(i);
     } catch (const std::bad_alloc&) {
       ASSERT_FALSE(set.contains(i)) << i;

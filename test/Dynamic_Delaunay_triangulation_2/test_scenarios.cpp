@@ -761,7 +761,7 @@ TEST(Scenario_file, with_a_value_of_the_wrong_type_is_refused)
 TEST(Scenario_file, with_a_value_out_of_range_is_refused_with_the_range)
 {
   expect_words(error_with("\"mass\": 1", "\"mass\": -3"),
-               {"key 'mass' is -3", "allowed are values above 0 to 1e+06"});
+               {"key 'mass' is -3", "allowed are values from 1e-06 to 1e+06"});
   expect_words(error_with("\"time_step\": 0.3", "\"time_step\": 0"),
                {"key 'time_step' is 0", "above 0 to 10"});
   expect_words(error_with("\"rows\": 2", "\"rows\": 0"),
@@ -774,6 +774,21 @@ TEST(Scenario_file, with_a_value_out_of_range_is_refused_with_the_range)
   expect_words(error_with("\"rows\": 2, \"columns\": 3", "\"rows\": 9999999, \"columns\": 9999999"),
                {"'bodies'", "too many points", "10000000"});
   expect_words(error_with("\"mass\": 1", "\"mass\": 1e999"), {"out of range", "1e999"});
+}
+
+TEST(Scenario_file, with_numbers_too_small_to_divide_by_is_refused)
+{
+  for (const char* const key : {"mass", "stiffness", "diameter"}) {
+    const std::string member = "\"" + std::string(key) + "\": 1";
+    expect_words(error_with(member, member + "e-320"), {key, "e-320", "from 1e-06 to 1e+06"});
+  }
+}
+
+TEST(Scenario_file, that_is_nested_without_end_is_refused)
+{
+  const std::string nested = std::string(200000, '[') + std::string(200000, ']');
+  expect_words(error_with("\"mass\": 1", "\"mass\": " + nested),
+               {"is nested too deeply", "allowed are 16 levels"});
 }
 
 TEST(Scenario_file, with_a_body_outside_of_the_box_is_refused)
@@ -1070,11 +1085,32 @@ TEST(Lammps_dump, with_a_wrong_atom_is_refused_with_its_line)
   expect_words(error("1 5 5"), {"line 11", "id 1 is twice", "timestep 0", "first in line 10"});
 }
 
+TEST(Lammps_dump, with_scaled_coordinates_beyond_all_numbers_is_refused_with_its_line)
+{
+  const std::string whole = dump_frame(0, "id xs ys", {"1 0.5 0.5", "2 0.5 0.5"});
+  expect_words(error_of(write_file("far.dump", with_replaced(whole, "2 0.5 0.5", "2 0.5 1e308"))),
+               {"line 11", "id 2", "no finite number"});
+  expect_words(error_of(write_file("wide.dump", with_replaced(whole, "-1 3", "-1e308 1e308"))),
+               {"line 10", "id 1", "no finite number"});
+}
+
 TEST(Scenario_error, keeps_a_message_short_when_the_file_is_not)
 {
-  const std::string line(100000, 'z');
-  const Scenario_error error = error_of(write_file("long.lammpstrj", line));
-  EXPECT_LT(std::string(error.what()).size(), 500u);
+  const std::string word(100000, 'z');
+  const std::string digits(100000, '9');
+  for (const Scenario_error& error :
+       {error_of(write_file("long.lammpstrj", word)), error_with("gravity", word),
+        error_with("square", word), error_with("\"gravity\": 0.001", "\"gravity\": " + digits),
+        error_with("\"mass\"", "\"" + word + "\": 1, \"" + word + "\"")}) {
+    EXPECT_LT(std::string(error.what()).size(), 500u) << error.what();
+  }
+}
+
+TEST(Scenario_error, says_control_characters_of_the_file_in_figures)
+{
+  expect_words(error_of(write_file("bell.lammpstrj", "a\x1B[2J\x7F")), {"'a\\x1B[2J\\x7F'"});
+  expect_words(error_of(write_file("cut.json", "{\n  \"name\"\n}")), {"line 3", "'}'"});
+  expect_words(error_of(write_file("cut.json", "{\"name\n\": 1}")), {"line 1", "'\\x0A'"});
 }
 
 namespace {

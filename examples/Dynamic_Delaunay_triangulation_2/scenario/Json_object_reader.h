@@ -5,7 +5,7 @@
 #define SCENARIO_JSON_OBJECT_READER_H
 
 #include "Scenario_error.h"
-#include "Text_file.h"
+#include "Text_scanner.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,6 +15,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -77,7 +78,7 @@ public:
   {
     for (const auto& member : m_object.items()) {
       if (std::find(keys.begin(), keys.end(), member.key()) == keys.end()) {
-        fail("unknown key '" + path(member.key()) + "', allowed are " + joined(keys));
+        fail("unknown key " + in_quotes(path(member.key())) + ", allowed are " + joined(keys));
       }
     }
   }
@@ -127,7 +128,7 @@ public:
   {
     const std::string chosen = word(key);
     if (std::find(choices.begin(), choices.end(), chosen) == choices.end()) {
-      fail("key '" + path(key) + "' is '" + chosen + "', allowed are " + joined(choices));
+      fail("key '" + path(key) + "' is " + in_quotes(chosen) + ", allowed are " + joined(choices));
     }
     return chosen;
   }
@@ -215,36 +216,46 @@ private:
   std::string m_where;
 };
 
-// The parser alone would silently take the last of several members with the same key.
-class Duplicate_key_finder
+// The parser alone would silently take the last of several members with the same key, and values in
+// values without end, which overflow the stack of whoever walks through them.
+class Structure_check
 {
 public:
   using Json = nlohmann::json;
 
-  explicit Duplicate_key_finder(std::string file)
+  explicit Structure_check(std::string file)
     : m_file(std::move(file))
   {
   }
 
-  bool operator()(int, Json::parse_event_t event, Json& value)
+  bool operator()(int depth, Json::parse_event_t event, Json& value)
   {
+    const bool goes_deeper =
+        event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
+    if (goes_deeper && depth >= deepest) {
+      throw Scenario_error(m_file, "is nested too deeply, allowed are " + std::to_string(deepest) +
+                                       " levels");
+    }
     if (event == Json::parse_event_t::object_start) {
       m_keys.emplace_back();
     } else if (event == Json::parse_event_t::object_end) {
       m_keys.pop_back();
     } else if (event == Json::parse_event_t::key &&
                !m_keys.back().insert(value.get<std::string>()).second) {
-      throw Scenario_error(m_file, "key '" + value.get<std::string>() + "' is twice in one object");
+      throw Scenario_error(m_file, "key " + in_quotes(value.get<std::string>()) +
+                                       " is twice in one object");
     }
     return true;
   }
 
 private:
+  static constexpr int deepest = 16;
+
   std::string m_file;
   std::vector<std::set<std::string>> m_keys;
 };
 
-[[noreturn]] inline void fail_broken_json(const std::string& path, const std::string& text,
+[[noreturn]] inline void fail_broken_json(const std::string& file, const std::string& text,
                                           std::size_t byte)
 {
   const std::size_t offset = std::min(byte == 0 ? 0 : byte - 1, text.size());
@@ -254,18 +265,25 @@ private:
   const std::size_t column = line_start == std::string::npos ? offset + 1 : offset - line_start;
   const std::string found = offset == text.size() ? "the file ends too early"
                                                   : "unexpected '" + text.substr(offset, 1) + "'";
-  throw Scenario_error(path, "is not valid JSON: " + found, line, column);
+  throw Scenario_error(file, "is not valid JSON: " + found, line, column);
 }
 
-inline nlohmann::json read_json_file(const std::string& path)
+// The parser's own message has the number in single quotes, however long it is.
+inline std::string number_in_quotes(std::string_view message)
 {
-  const std::string text = read_text_file(path);
+  const std::size_t begin = std::min(message.find('\''), message.size() - 1) + 1;
+  return in_quotes(message.substr(begin, message.rfind('\'') - begin));
+}
+
+inline nlohmann::json parse_json(const std::string& file, const std::string& text)
+{
   try {
-    return nlohmann::json::parse(text, Duplicate_key_finder(path));
+    return nlohmann::json::parse(text, Structure_check(file));
   } catch (const nlohmann::json::parse_error& error) {
-    fail_broken_json(path, text, error.byte);
+    fail_broken_json(file, text, error.byte);
   } catch (const nlohmann::json::out_of_range& error) {
-    throw Scenario_error(path, std::string("holds a number that is out of range: ") + error.what());
+    throw Scenario_error(file, "holds the number " + number_in_quotes(error.what()) +
+                                   " that is out of range, allowed are values up to 1.8e308");
   }
 }
 

@@ -82,7 +82,7 @@ private:
     } else if (line == "ITEM: TIME") {
       m_time = finite(data_line(), "time");
     } else if (!m_frame_is_open) {
-      m_scanner.fail("expected ITEM: TIMESTEP, found " + quoted(line));
+      m_scanner.fail("expected ITEM: TIMESTEP, found " + in_quotes(line));
     } else if (line == "ITEM: NUMBER OF ATOMS") {
       read_number_of_atoms();
     } else if (starts_with(line, "ITEM: BOX BOUNDS")) {
@@ -90,7 +90,7 @@ private:
     } else if (starts_with(line, "ITEM: ATOMS")) {
       read_atoms(line, frames);
     } else {
-      m_scanner.fail("expected an ITEM: line, found " + quoted(line));
+      m_scanner.fail("expected an ITEM: line, found " + in_quotes(line));
     }
   }
 
@@ -198,10 +198,19 @@ private:
                 coordinate(m_scanner, m_fields[columns.y], "y", id)};
     if (columns.scaled) {
       point = {unscaled(point.x, (*m_box)[0]), unscaled(point.y, (*m_box)[1])};
+      check_finite(point, id);
     }
     frame.ids.push_back(id);
     frame.points.push_back(point);
     m_lines.push_back(m_scanner.line_number());
+  }
+
+  void check_finite(const Point& point, std::int64_t id) const
+  {
+    if (!std::isfinite(point.x) || !std::isfinite(point.y)) {
+      m_scanner.fail("the scaled coordinates of id " + std::to_string(id) +
+                     " and the box give no finite number");
+    }
   }
 
   static double unscaled(double fraction, const Interval& side)
@@ -257,7 +266,7 @@ private:
   {
     const double value = m_scanner.number(text, what);
     if (!std::isfinite(value)) {
-      m_scanner.fail(std::string(what) + " " + quoted(text) + " is not a finite number");
+      m_scanner.fail(std::string(what) + " " + in_quotes(text) + " is not a finite number");
     }
     return value;
   }

@@ -40,7 +40,23 @@ private:
     if (column != 0) {
       place += ", column " + std::to_string(column);
     }
-    return place + ": " + message;
+    return place + ": " + printable(message);
+  }
+
+  // Messages quote foreign data, which must neither break the line nor steer a terminal.
+  static std::string printable(const std::string& message)
+  {
+    constexpr char digits[] = "0123456789ABCDEF";
+    std::string text;
+    for (const char c : message) {
+      const auto byte = static_cast<unsigned char>(c);
+      if (byte >= 0x20 && byte != 0x7F) {
+        text += c;
+      } else {
+        text += {'\\', 'x', digits[byte / 16], digits[byte % 16]};
+      }
+    }
+    return text;
   }
 
   std::string m_file;

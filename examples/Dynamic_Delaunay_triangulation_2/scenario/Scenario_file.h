@@ -6,6 +6,7 @@
 
 #include "Json_object_reader.h"
 #include "Scenario_description.h"
+#include "Text_file.h"
 
 #include <cstdint>
 #include <limits>
@@ -20,6 +21,9 @@ inline void check_bonded(const Json_object_reader& reader, const Body_descriptio
     reader.fail("key '" + reader.path(key) + "' needs '" + reader.path("bonded") + "' to be true");
   }
 }
+
+// Of lengths, masses and stiffnesses. Beyond it their quotients could leave the range of numbers.
+constexpr Range magnitude{1e-6, 1e6};
 
 inline Body_description read_body(const Json_object_reader& reader)
 {
@@ -52,7 +56,7 @@ inline Body_description read_body(const Json_object_reader& reader)
 
 inline Box read_box(const Json_object_reader& reader)
 {
-  const auto [width, height] = reader.pair("box", positive_up_to(1e6));
+  const auto [width, height] = reader.pair("box", magnitude);
   return {width, height};
 }
 
@@ -89,15 +93,14 @@ inline Particle_description read_particles(const Json_object_reader& reader)
   reader.allow_only({"name", "kind", "seed", "frames", "time_step", "largest_stable_time_step",
                      "packing", "jitter", "diameter", "mass", "stiffness", "damping", "gravity",
                      "box", "bodies"});
-  const Range positive = positive_up_to(1e6);
   Particle_description particles;
   particles.packing = reader.choice("packing", {"square", "hexagonal"}) == "square"
                           ? Packing::square
                           : Packing::hexagonal;
   particles.jitter = reader.number("jitter", {0.0, 0.5});
-  particles.diameter = reader.number("diameter", positive);
-  particles.mass = reader.number("mass", positive);
-  particles.stiffness = reader.number("stiffness", positive);
+  particles.diameter = reader.number("diameter", magnitude);
+  particles.mass = reader.number("mass", magnitude);
+  particles.stiffness = reader.number("stiffness", magnitude);
   particles.damping = reader.number("damping", {0.0, 2.0});
   particles.gravity = reader.number("gravity", {0.0, 1e6});
   particles.time_step = reader.number("time_step", positive_up_to(largest_time_step));
@@ -123,10 +126,11 @@ inline Brownian_description read_brownian(const Json_object_reader& reader)
           reader.number("time_step", positive_up_to(largest_time_step))};
 }
 
-inline Scenario_description read_scenario_file(const std::string& path)
+// `file` is what messages call the text.
+inline Scenario_description parse_scenario(const std::string& file, const std::string& text)
 {
-  const nlohmann::json json = read_json_file(path);
-  const Json_object_reader reader(json, path, "");
+  const nlohmann::json json = parse_json(file, text);
+  const Json_object_reader reader(json, file, "");
   const bool is_brownian = reader.choice("kind", {"particles", "brownian"}) == "brownian";
   Scenario_description description;
   if (is_brownian) {
@@ -138,6 +142,11 @@ inline Scenario_description read_scenario_file(const std::string& path)
   description.seed = reader.integer("seed", 0, std::numeric_limits<std::uint64_t>::max());
   description.frames = reader.integer("frames", 1, 1'000'000'000);
   return description;
+}
+
+inline Scenario_description read_scenario_file(const std::string& path)
+{
+  return parse_scenario(path, read_text_file(path));
 }
 
 } // namespace scenario

@@ -29,7 +29,7 @@ inline std::string_view trimmed(std::string_view text)
 }
 
 // For messages, which a long line of foreign data must not drown.
-inline std::string quoted(std::string_view text)
+inline std::string in_quotes(std::string_view text)
 {
   constexpr std::size_t longest = 40;
   return "'" + std::string(text.substr(0, longest)) + (text.size() > longest ? "...'" : "'");
@@ -117,10 +117,10 @@ private:
     Number value{};
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error == std::errc::result_out_of_range) {
-      fail(std::string(what) + " " + quoted(text) + " is out of range");
+      fail(std::string(what) + " " + in_quotes(text) + " is out of range");
     }
     if (error != std::errc() || end != digits.data() + digits.size()) {
-      fail(std::string(what) + " " + quoted(text) + " is not " + wanted);
+      fail(std::string(what) + " " + in_quotes(text) + " is not " + wanted);
     }
     return value;
   }
@@ -136,7 +136,7 @@ inline double coordinate(const Text_scanner& scanner, std::string_view text, std
 {
   const double value = scanner.number(text, name);
   if (!std::isfinite(value)) {
-    scanner.fail(std::string(name) + " of id " + std::to_string(id) + " is " + quoted(text) +
+    scanner.fail(std::string(name) + " of id " + std::to_string(id) + " is " + in_quotes(text) +
                  ", not a finite number");
   }
   return value;

@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What every parser of files owes to whoever gave it one.
+
+#ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_FUZZ_PARSER_CHECKS_H
+#define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_FUZZ_PARSER_CHECKS_H
+
+#include "fuzz_target.h"
+#include "scenario/Motion.h"
+#include "scenario/Recorded_motion.h"
+#include "scenario/Scenario_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fuzz {
+
+inline const std::string file_name = "file";
+
+inline bool is_control_character(char byte)
+{
+  return static_cast<unsigned char>(byte) < 0x20 || byte == 0x7F;
+}
+
+// A person reads it in a terminal.
+inline void require_readable(const scenario::Scenario_error& error, const std::string& input)
+{
+  const std::string message = error.what();
+  const auto lines = 1 + std::count(input.begin(), input.end(), '\n');
+  require(message.size() > file_name.size() + 2, "an error says nothing");
+  require(message.rfind(file_name, 0) == 0, "an error does not name the file");
+  require(message.size() < 500, "an error is drowned in foreign data");
+  require(std::none_of(message.begin(), message.end(), is_control_character),
+          "an error sends control characters to the terminal");
+  require(error.line() <= static_cast<std::size_t>(lines),
+          "an error is in a line that is not there");
+}
+
+// Nothing, if the input is refused properly.
+template <class Parse>
+auto parsed_or_refused(const std::string& input, Parse parse)
+    -> std::optional<decltype(parse(file_name, input))>
+{
+  try {
+    return parse(file_name, input);
+  } catch (const scenario::Scenario_error& error) {
+    require_readable(error, input);
+    return std::nullopt;
+  }
+}
+
+inline void require_sound(const std::vector<std::int64_t>& ids,
+                          const std::vector<scenario::Point>& points)
+{
+  require(ids.size() == points.size(), "there are not as many ids as points");
+  require(std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<>()) == ids.end(),
+          "ids do not ascend");
+  require(std::all_of(points.begin(), points.end(),
+                      [](const scenario::Point& point) {
+                        return std::isfinite(point.x) && std::isfinite(point.y);
+                      }),
+          "a coordinate is not finite");
+}
+
+inline void require_sound(scenario::Recording recording)
+{
+  const std::size_t number_of_frames = recording.size();
+  require(number_of_frames != 0, "a recording has no frame");
+  scenario::Recorded_motion motion("motion", std::move(recording));
+  std::size_t frames_seen = 0;
+  do {
+    require_sound(motion.ids(), motion.points());
+    require(std::isfinite(motion.time()), "a time is not finite");
+    ++frames_seen;
+  } while (motion.advance({}));
+  require(frames_seen == number_of_frames, "frames have been lost");
+}
+
+} // namespace fuzz
+
+#endif // DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_FUZZ_PARSER_CHECKS_H
