@@ -9,6 +9,9 @@
 #include <CGAL/Circumcircle_classifier_2.h>
 #include <CGAL/Default.h>
 #include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_reader_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_writer_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_frame_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Validity_check_2.h>
@@ -26,8 +29,11 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <istream>
 #include <iterator>
 #include <memory>
+#include <ostream>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -180,8 +186,8 @@ public:
   {
     auto newcomers = Input::read_newcomers(first, beyond, point_map, m_core->maintained);
     m_core->maintained.positions_are_exact = newcomers.are_exact;
-    m_core->mender.editor().build(std::move(newcomers.ids), std::move(newcomers.points),
-                                  Index(newcomers.points.size()));
+    const Index points = Index(newcomers.points.size()); // arguments come in any order
+    m_core->mender.editor().build(std::move(newcomers.ids), std::move(newcomers.points), points);
     spread_news();
   }
 
@@ -487,6 +493,74 @@ public:
   const std::vector<Index>& border_vertices() const { return m_core->mender.border(); }
 
   /// @}
+  /// \name Checkpoints
+  /// The triangulation as a file, \ref DynamicDelaunayTriangulation2Checkpoints, from which a run
+  /// goes on as if it had not been interrupted. Coordinates have to be doubles, or fractions of
+  /// integers as those of `Exact_predicates_exact_constructions_kernel`.
+  /// @{
+
+  /// writes the triangulation, with the ids of its points, all numbers in `frame()`, and whether it
+  /// is certified. What the classifier, the repair and the policy remember is not written, nor is
+  /// what the user keeps in vertices and faces. Cost: linear, about 150 bytes a point.
+  /// \throws Checkpoint_error_2 if the stream fails, and what was written is of no use; or, before
+  /// anything is written, if an exception ended the last update before each point had its vertex.
+  void write_checkpoint(std::ostream& out) const
+  {
+    write_checkpoint(out, checkpoint_subject, [](auto&) {});
+  }
+
+  /// reads a triangulation in place of this one; the classifier, the repair, the engines and the
+  /// policy stay. The classifier is told that everything is new, as after construction.
+  ///
+  /// From here on the same calls have the same results as for the triangulation that was written:
+  /// the same ids, edges and numbers, ties included, and equal reports, provided that neither of
+  /// them depends on what classifiers, repairs and policies remember from frame to frame, or on
+  /// `Relocation_repair_2`. Exact classifiers find the same edges, whatever they remember; but
+  /// where nearly all edges break frame after frame, `Circumcircle_classifier_2` may count fewer
+  /// vertices as classified. The order in which CGAL's own structure lists vertices and faces may
+  /// be another one. Vertex handles are new; `triangulation()` stays where it is.
+  ///
+  /// What the file says is checked, not believed: that the faces are a triangulated sphere with
+  /// all points, that all numbers and ids are there once, and, by exact predicates, that a
+  /// triangulation that is said to be certified is Delaunay. Reads exactly what was written; what
+  /// follows in the stream stays there. Cost: linear; memory in proportion to what was read, on top
+  /// of what is there already.
+  /// \throws Checkpoint_error_2 if the file is refused. Whatever is thrown, nothing changes.
+  void read_checkpoint(std::istream& in)
+  {
+    read_checkpoint(in, checkpoint_subject, [](auto&, const Frame&) {});
+  }
+
+  /// \cond
+  // The same with something more in the file.
+  template <class Append>
+  void write_checkpoint(std::ostream& out, std::string_view subject, const Append& append) const
+  {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    Checkpoint_writer_2<Maintained>(m_core->maintained, m_is_certified).write(out, subject, append);
+  }
+
+  template <class ReadAppendix>
+  void read_checkpoint(std::istream& in, std::string_view subject, const ReadAppendix& read_more)
+  {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    Checkpoint_input_2 file(in, subject);
+    Checkpoint_reader_2<Maintained> reader(file);
+    Maintained maintained(m_core->maintained.traits());
+    reader.read(maintained);
+    read_more(file, Frame(maintained));
+    file.finish();
+    Classifier classifier = m_classifier;
+    inform_classifier(classifier, Frame(maintained));
+    m_classifier = std::move(classifier); // nothing throws from here on
+    m_core->maintained.swap(maintained);
+    m_core->mender.forget_sets();
+    m_is_certified = reader.is_certified();
+    m_is_classifier_informed = true;
+  }
+  /// \endcond
+
+  /// @}
   /// \name Checking
   /// @{
 
@@ -504,6 +578,7 @@ public:
 
 private:
   using Identity_map = boost::typed_identity_property_map<Point>;
+  static constexpr std::string_view checkpoint_subject = "Dynamic_Delaunay_triangulation_2";
 
   // What must not move in memory: its parts refer to each other.
   struct Core

@@ -285,6 +285,36 @@ private:
   double m_value;
 };
 
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Errors
+
+A checkpoint cannot be written, or is refused: it is not complete, was changed or damaged, or is not
+one at all.
+*/
+class Checkpoint_error_2 : public Dynamic_Delaunay_triangulation_error_2
+{
+public:
+  /// \cond
+  Checkpoint_error_2(std::size_t line, const std::string& what)
+    : Dynamic_Delaunay_triangulation_error_2(message(line, what))
+    , m_line(line)
+  {
+  }
+  /// \endcond
+
+  /// the line, from 1 on, counted from the beginning of the checkpoint; 0 if it is about none.
+  std::size_t line() const { return m_line; }
+
+private:
+  static std::string message(std::size_t line, const std::string& what)
+  {
+    return "checkpoint" + (line > 0 ? ", line " + std::to_string(line) : std::string()) + ": " +
+           what;
+  }
+
+  std::size_t m_line;
+};
+
 } // namespace CGAL
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_ERRORS_2_H

@@ -62,6 +62,14 @@ public:
     m_splice.set_engine(engines.region);
   }
 
+  // When the triangulation has become another one. Throws nothing.
+  void forget_sets()
+  {
+    m_classification = Dynamic_classification_2<Maintained>();
+    m_padded.clear();
+    m_border.clear();
+  }
+
   // Before the classifier is asked.
   Dynamic_classification_2<Maintained>& start(Update_report_2& report)
   {

@@ -13,7 +13,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <istream>
 #include <iterator>
+#include <limits>
+#include <ostream>
+#include <string>
+#include <string_view>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
@@ -173,9 +178,44 @@ public:
   UserId user_id(Vertex_handle vertex) const { return m_user_ids[m_triangulation.id(vertex)]; }
 
   /// @}
+  /// \name Checkpoints
+  /// @{
+
+  /// writes the triangulation, as `Dynamic_Delaunay_triangulation_2::write_checkpoint()` does, and
+  /// the user's ids. \throws Checkpoint_error_2 as that does.
+  void write_checkpoint(std::ostream& out) const
+  {
+    m_triangulation.write_checkpoint(out, checkpoint_subject, [this](auto& file) {
+      file.line("user_ids", size());
+      for (size_type id = 0; id < m_triangulation.number_of_ids(); ++id)
+        if (m_triangulation.has_id(id))
+          file.line(id, Widest(m_user_ids[id]));
+    });
+  }
+
+  /// reads a population in place of this one, as
+  /// `Dynamic_Delaunay_triangulation_2::read_checkpoint()` does.
+  /// \throws Checkpoint_error_2 if the file is refused, also if a user's id does not fit into
+  /// `User_id`. Whatever is thrown, nothing changes.
+  void read_checkpoint(std::istream& in)
+  {
+    std::unordered_map<UserId, size_type> ids;
+    std::vector<UserId> user_ids;
+    m_triangulation.read_checkpoint(in, checkpoint_subject, [&](auto& file, const auto& frame) {
+      read_user_ids(file, frame, ids, user_ids);
+    });
+    m_ids.swap(ids);
+    m_user_ids.swap(user_ids);
+  }
+
+  /// @}
 
 private:
   static constexpr size_type no_id = size_type(-1);
+  static constexpr std::string_view checkpoint_subject = "Dynamic_population_2";
+
+  // For files: ids may be single characters or bits.
+  using Widest = std::conditional_t<std::is_signed_v<UserId>, long long, unsigned long long>;
 
   // Does what must be done also if what comes before it throws.
   template <class Work>
@@ -186,6 +226,30 @@ private:
   };
   template <class Work>
   At_exit(Work) -> At_exit<Work>;
+
+  // One for each point.
+  template <class File, class Frame>
+  static void read_user_ids(File& file, const Frame& frame,
+                            std::unordered_map<UserId, size_type>& ids,
+                            std::vector<UserId>& user_ids)
+  {
+    using Limits = std::numeric_limits<UserId>;
+    const size_type points = frame.number_of_points();
+    file.number_entry("user_ids", points, points);
+    user_ids.resize(frame.number_of_ids());
+    for (size_type id = 0; id < user_ids.size(); ++id) {
+      if (!frame.has_id(static_cast<typename Frame::Index>(id)))
+        continue;
+      file.next_line();
+      file.number("the id", id, id);
+      const Widest user_id =
+          file.number("the user's id", Widest((Limits::min)()), Widest((Limits::max)()));
+      file.end_line();
+      user_ids[id] = UserId(user_id);
+      if (!ids.emplace(user_ids[id], id).second)
+        file.refuse("the user's id " + std::to_string(user_id) + " is there more than once");
+    }
+  }
 
   // Sorts a frame into those who are there and those who are new. Nothing else changes.
   template <class InputIterator, class IdMap, class PointMap>

@@ -60,15 +60,14 @@ public:
   void operator()(const Frame& frame, Classification& classified);
 
   /*!
-  (optional) is called at the end of every update, after construction, and wherever points have come, gone, or
-  moved alone, with the new topology. Classifiers
-  with data per edge bring it up to date here: `Dynamic_frame_2::everything_is_new()` tells whether the
+  (optional) is called at the end of every update, after construction, wherever points have come, gone, or moved
+  alone, and, of a copy that then takes the classifier's place, when a checkpoint is read, with the new topology.
+  Classifiers with data per edge bring it up to date here: `Dynamic_frame_2::everything_is_new()` tells whether the
   numbers of vertices and edges have changed their meaning, `Dynamic_frame_2::new_edges()` which edges were
   triangulated anew otherwise. Where vertices came or went, `Dynamic_frame_2::follow_edges()` first brings data of
   each edge in step with the few numbers that have changed, and `follow_vertices()` and `follow_faces()` do the
-  same for others. A new edge also changes what is around it: what depends on opposite vertices or
-  faces is brought up to date at `Dynamic_frame_2::for_each_changed_edge()` and
-  `Dynamic_frame_2::for_each_changed_face()`.
+  same for others. A new edge also changes what is around it: what depends on opposite vertices or faces is brought
+  up to date at `Dynamic_frame_2::for_each_changed_edge()` and `Dynamic_frame_2::for_each_changed_face()`.
   */
   template <class Frame>
   void after_update(const Frame& frame);

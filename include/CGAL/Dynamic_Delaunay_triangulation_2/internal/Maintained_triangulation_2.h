@@ -155,6 +155,23 @@ struct Maintained_triangulation_2
     std::swap(points_are_written, others.points_are_written);
   }
 
+  // Between two frames. Whoever refers to one of the two has the other's from then on.
+  void swap(Maintained_triangulation_2& other)
+  {
+    triangulation.swap(other.triangulation);
+    vertices.swap(other.vertices);
+    faces.swap(other.faces);
+    positions.swap(other.positions);
+    next_points.swap(other.next_points);
+    next_guests.swap(other.next_guests);
+    new_edges.swap(other.new_edges);
+    std::swap(mirror, other.mirror);
+    std::swap(ids, other.ids);
+    std::swap(renumberings, other.renumberings);
+    std::swap(positions_are_exact, other.positions_are_exact);
+    std::swap(everything_is_new, other.everything_is_new);
+  }
+
   // Between two frames.
   void move_vertex(Index v, const Point& p)
   {

@@ -185,6 +185,10 @@ public:
     m_edges[e] = Edge_2{source(h), target(h), apex(h), apex(g)};
   }
 
+  // Names one of the two half-edges of edge e first, or a corner of vertex v.
+  void set_halfedge(Index e, Index h) { m_halfedge_of_edge[e] = h; }
+  void set_corner(Index v, Index h) { m_corner[v] = h; }
+
   // Numbers the edges along the faces, so that edges close in space are close in memory. Which
   // half-edge comes first is anybody's guess, so there is no branch on it.
   void number_edges()

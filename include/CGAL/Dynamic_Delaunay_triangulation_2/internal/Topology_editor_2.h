@@ -6,6 +6,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_faces_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Kept_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Patch_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_location_2.h>
@@ -132,6 +133,18 @@ public:
       return triangulate(m_vertex_order.order());
     m_numbering.number();
     triangulate_numbered();
+  }
+
+  // The triangulation that was kept, which must be right, in place of one without points. If memory
+  // runs out, what is there can only be thrown away.
+  void restore(Kept_triangulation_2<Point>& kept)
+  {
+    CGAL_precondition(m_maintained.number_of_vertices() == 0);
+    restore_vertices(kept);
+    if (kept.faces.number_of_faces() == 0)
+      return triangulate_line();
+    take_faces(kept.faces);
+    restore_numbers(kept);
   }
 
   // COMING AND GOING. For a point that comes, a face is split; for one that goes, edges are flipped
@@ -407,6 +420,37 @@ private:
     m_maintained.triangulation.tds().set_dimension(line.triangulation().dimension());
     copy_faces(faces);
   }
+
+  // RESTORING -----------------------------------------------------------------------------------
+
+  void restore_vertices(Kept_triangulation_2<Point>& kept)
+  {
+    auto& triangulation = m_maintained.triangulation;
+    typename Maintained::Vertex_arrays fresh;
+    fresh.reserve(kept.points.size() + 1);
+    fresh.append(triangulation.infinite_vertex());
+    for (const Point& p : kept.points)
+      fresh.append(triangulation.tds().create_vertex(), p);
+    std::copy(kept.positions.begin(), kept.positions.end(), fresh.positions.begin() + 1);
+    m_maintained.exchange_vertices(fresh, kept.ids);
+    m_maintained.write_points();
+  }
+
+  // Of edges, corners and the faces that vertices name.
+  void restore_numbers(const Kept_triangulation_2<Point>& kept)
+  {
+    auto& mirror = m_maintained.mirror;
+    for (Index e = 0; e < mirror.number_of_edges(); ++e) {
+      mirror.set_edge(e, kept.edges[e].forward);
+      mirror.set_halfedge(e, kept.edges[e].halfedge);
+    }
+    for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v) {
+      mirror.set_corner(v, kept.corners[v].halfedge);
+      m_maintained.vertices[v]->set_face(m_maintained.faces[kept.corners[v].face]);
+    }
+  }
+
+  // BUILDING AND RESTORING ----------------------------------------------------------------------
 
   void provide_faces(std::size_t number)
   {

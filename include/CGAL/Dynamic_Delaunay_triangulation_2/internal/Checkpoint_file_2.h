@@ -1,0 +1,264 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CHECKPOINT_FILE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CHECKPOINT_FILE_2_H
+
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+
+#include <boost/crc.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <type_traits>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// The lines of a checkpoint, whatever they say: words with single spaces between them. The first
+// line says what the file is, the last one has the checksum of all bytes before it.
+
+class Checkpoint_sum_2
+{
+public:
+  void add(std::string_view text) { m_sum.process_bytes(text.data(), text.size()); }
+
+  // In hexadecimal digits.
+  std::string text() const
+  {
+    std::string digits(8, '0');
+    for (std::uint32_t i = 0; i < 8; ++i)
+      digits[i] = "0123456789abcdef"[m_sum.checksum() >> (28 - 4 * i) & 15];
+    return digits;
+  }
+
+private:
+  boost::crc_32_type m_sum;
+};
+
+// Whether a word is nothing but a number.
+template <class Number>
+bool read_whole(std::string_view word, Number& number)
+{
+  const char* const beyond = word.data() + word.size();
+  const std::from_chars_result result = std::from_chars(word.data(), beyond, number);
+  return result.ec == std::errc() && result.ptr == beyond;
+}
+
+inline bool read_finite(std::string_view word, double& number)
+{
+  return read_whole(word, number) && std::isfinite(number);
+}
+
+inline std::string checkpoint_title(std::string_view subject)
+{
+  return std::string(subject) + " checkpoint 1";
+}
+
+class Checkpoint_output_2
+{
+public:
+  Checkpoint_output_2(std::ostream& out, std::string_view subject)
+    : m_out(out)
+  {
+    line(checkpoint_title(subject));
+  }
+
+  // Words and numbers.
+  template <class... Fields>
+  void line(const Fields&... fields)
+  {
+    m_text.clear();
+    (append(fields), ...);
+    m_text.back() = '\n';
+    m_sum.add(m_text);
+    write();
+  }
+
+  void finish()
+  {
+    m_text = "checksum " + m_sum.text() + '\n';
+    write();
+    m_out.flush();
+    check();
+  }
+
+private:
+  template <class Field>
+  void append(const Field& field)
+  {
+    if constexpr (std::is_arithmetic_v<Field>)
+      append_number(field);
+    else
+      m_text += field;
+    m_text += ' ';
+  }
+
+  // The shortest digits that are read as the same number.
+  template <class Number>
+  void append_number(Number number)
+  {
+    char digits[32];
+    m_text.append(digits, std::to_chars(digits, digits + sizeof(digits), number).ptr);
+  }
+
+  void write()
+  {
+    ++m_line;
+    m_out.write(m_text.data(), std::streamsize(m_text.size()));
+    check();
+  }
+
+  void check() const
+  {
+    if (!m_out)
+      throw Checkpoint_error_2(m_line, "the stream takes no more: what it has is not complete");
+  }
+
+  std::ostream& m_out;
+  Checkpoint_sum_2 m_sum;
+  std::string m_text;
+  std::size_t m_line = 0;
+};
+
+class Checkpoint_input_2
+{
+public:
+  Checkpoint_input_2(std::istream& in, std::string_view subject)
+    : m_in(in)
+  {
+    const std::string title = checkpoint_title(subject);
+    next_line();
+    if (m_text != title)
+      refuse("it is " + quoted(m_text) + ", and has to be " + quoted(title));
+    m_rest = {};
+  }
+
+  std::size_t line() const { return m_line; }
+
+  void next_line()
+  {
+    if (m_line > 0)
+      m_sum.add(m_text += '\n');
+    ++m_line;
+    std::getline(m_in, m_text);
+    if (m_in.bad())
+      refuse("the stream cannot be read");
+    if (!m_in || m_in.eof())
+      refuse("the file ends here, and is not complete");
+    m_rest = m_text;
+    m_is_at_end = false;
+  }
+
+  // The next word of the line.
+  std::string_view word(const char* what)
+  {
+    if (m_is_at_end)
+      refuse(std::string(what) + " is missing");
+    const std::size_t end = m_rest.find(' ');
+    const std::string_view word = m_rest.substr(0, end);
+    m_is_at_end = end == std::string_view::npos;
+    m_rest.remove_prefix(m_is_at_end ? m_rest.size() : end + 1);
+    return word;
+  }
+
+  template <class Integer>
+  Integer number(const char* what, Integer lowest, Integer highest)
+  {
+    const std::string_view text = word(what);
+    Integer number;
+    if (!read_whole(text, number) || number < lowest || number > highest)
+      refuse(std::string(what) + " is " + quoted(text) + ", and has to be a number from " +
+             std::to_string(lowest) + " to " + std::to_string(highest));
+    return number;
+  }
+
+  double finite(const char* what)
+  {
+    const std::string_view text = word(what);
+    double number;
+    if (!read_finite(text, number))
+      refuse(std::string(what) + " is " + quoted(text) + ", and has to be a finite number");
+    return number;
+  }
+
+  void end_line() const
+  {
+    if (!m_is_at_end)
+      refuse(quoted(m_rest) + " is too much in this line");
+  }
+
+  // A line with this word, and another one that is returned.
+  std::string_view entry(const char* name)
+  {
+    next_line();
+    expect(name);
+    const std::string_view value = word(name);
+    end_line();
+    return value;
+  }
+
+  // A line with this word and a number.
+  template <class Integer>
+  Integer number_entry(const char* name, Integer lowest, Integer highest)
+  {
+    next_line();
+    expect(name);
+    const Integer value = number(name, lowest, highest);
+    end_line();
+    return value;
+  }
+
+  void finish()
+  {
+    const std::string_view given = entry("checksum");
+    if (given != m_sum.text())
+      refuse("the checksum is " + quoted(given) + ", and that of the lines above is " +
+             quoted(m_sum.text()) + ": the file was changed or damaged");
+  }
+
+  [[noreturn]] void refuse(const std::string& what) const { refuse(m_line, what); }
+  [[noreturn]] static void refuse(std::size_t line, const std::string& what)
+  {
+    throw Checkpoint_error_2(line, what);
+  }
+
+  // Fit for a terminal, whatever it is.
+  static std::string quoted(std::string_view text)
+  {
+    constexpr std::size_t longest = 60;
+    std::string result = "\"";
+    for (const char c : text.substr(0, longest))
+      result += c >= ' ' && c <= '~' ? c : '?';
+    return result + (text.size() > longest ? "...\"" : "\"");
+  }
+
+private:
+  void expect(const char* name)
+  {
+    const std::string_view found = word(name);
+    if (found != name)
+      refuse("it begins with " + quoted(found) + ", and has to begin with " + quoted(name));
+  }
+
+  std::istream& m_in;
+  Checkpoint_sum_2 m_sum; // of the lines before this one
+  std::string m_text;
+  std::string_view m_rest; // of the line
+  bool m_is_at_end = true; // of the line
+  std::size_t m_line = 0;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CHECKPOINT_FILE_2_H

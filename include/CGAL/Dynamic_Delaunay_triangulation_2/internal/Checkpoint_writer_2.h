@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CHECKPOINT_WRITER_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CHECKPOINT_WRITER_2_H
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_coordinate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+
+#include <ostream>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Writes a maintained triangulation. The page on checkpoints in the manual describes the file.
+template <class Maintained>
+class Checkpoint_writer_2
+{
+  using Point = typename Maintained::Point;
+  using FT = std::decay_t<decltype(std::declval<Point>().x())>;
+  using Coordinate = Checkpoint_coordinate_2<FT>;
+
+public:
+  Checkpoint_writer_2(const Maintained& maintained, bool is_certified)
+    : m_maintained(maintained)
+    , m_is_certified(is_certified)
+  {
+  }
+
+  // `append(file)` adds what is not the triangulation's own.
+  template <class Append>
+  void write(std::ostream& out, std::string_view subject, const Append& append) const
+  {
+    check_completeness();
+    Checkpoint_output_2 file(out, subject);
+    file.line("coordinates", Coordinate::kind);
+    file.line("positions", m_maintained.positions_are_exact ? "exact" : "rounded");
+    file.line("certified", m_is_certified ? "yes" : "no");
+    file.line("dimension", m_maintained.triangulation.dimension());
+    file.line("ids", m_maintained.ids.number_of_ids());
+    write_points(file);
+    if (m_maintained.is_mirrored())
+      write_topology(file);
+    append(file);
+    file.finish();
+  }
+
+private:
+  // An exception in the middle of an update can leave what the next update puts right, but no
+  // reader could tell from nonsense.
+  void check_completeness() const
+  {
+    bool is_complete = m_is_certified || m_maintained.is_mirrored();
+    for (const auto& guest : m_maintained.ids.guests())
+      is_complete =
+          is_complete && guest.point == m_maintained.point(m_maintained.ids.vertex(guest.id));
+    if (!is_complete)
+      throw Checkpoint_error_2(0, "an exception has ended the last call before each point had its "
+                                  "vertex: write after the next update()");
+  }
+
+  void write_points(Checkpoint_output_2& file) const
+  {
+    const auto& ids = m_maintained.ids;
+    file.line("vertices", m_maintained.number_of_vertices());
+    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
+      write_vertex(file, v);
+    file.line("guests", ids.guests().size());
+    for (const auto& [id, p] : ids.guests())
+      file.line(id, ids.vertex(id), Coordinate::text(p.x()), Coordinate::text(p.y()));
+    file.line("free_ids", ids.number_of_ids() - ids.number_of_points());
+    for (Index id = 0; id < ids.number_of_ids(); ++id)
+      if (!ids.is_taken(id))
+        file.line(id);
+  }
+
+  // How a number was rounded depends on what it was computed from, of which nothing is kept.
+  void write_vertex(Checkpoint_output_2& file, Index v) const
+  {
+    const Point& p = m_maintained.vertices[v]->point();
+    const Index id = m_maintained.ids.host(v);
+    const Position_2& position = m_maintained.positions[v];
+    if constexpr (Maintained::coordinates_are_doubles)
+      file.line(id, p.x(), p.y());
+    else
+      file.line(id, Coordinate::text(p.x()), Coordinate::text(p.y()), position.x, position.y);
+  }
+
+  void write_topology(Checkpoint_output_2& file) const
+  {
+    const auto& mirror = m_maintained.mirror;
+    file.line("faces", mirror.number_of_faces());
+    for (Index f = 0; f < mirror.number_of_faces(); ++f)
+      file.line(mirror.apex(3 * f), mirror.apex(3 * f + 1), mirror.apex(3 * f + 2));
+    file.line("corners", m_maintained.vertices.size());
+    for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v)
+      file.line(mirror.corner(v), face_of_vertex(v));
+    file.line("edges", mirror.number_of_edges());
+    for (Index e = 0; e < mirror.number_of_edges(); ++e) {
+      const Index h = mirror.halfedge(e);
+      file.line(mirror.source(h) == mirror.edge(e).source ? h : mirror.twin(h), h);
+    }
+  }
+
+  // The number of the face that CGAL's vertex names, which flips may leave another one than the
+  // corner's.
+  Index face_of_vertex(Index v) const
+  {
+    Index face = m_maintained.mirror.corner(v) / 3;
+    m_maintained.mirror.for_each_corner(v, [&](Index h) {
+      if (m_maintained.faces[h / 3] == m_maintained.vertices[v]->face())
+        face = h / 3;
+    });
+    return face;
+  }
+
+  const Maintained& m_maintained;
+  bool m_is_certified;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CHECKPOINT_WRITER_2_H

@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fuzz_target.h"
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_population_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Nearly_delaunay_classifier_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Exact = CGAL::Dynamic_Delaunay_triangulation_2<CGAL::Epick>;
+using Heuristic =
+    CGAL::Dynamic_Delaunay_triangulation_2<CGAL::Epick, CGAL::Nearly_delaunay_classifier_2>;
+using Rational = CGAL::Dynamic_Delaunay_triangulation_2<CGAL::Epeck>;
+using Population = CGAL::Dynamic_population_2<Exact>;
+
+// With the right checksum, and without what comes after it: else nothing would get past that.
+std::string sealed(const std::string& input)
+{
+  const std::size_t seal = input.find("\nchecksum ");
+  std::string text = input.substr(0, seal);
+  if (text.empty() || text.back() != '\n')
+    text += '\n';
+  CGAL::Dynamic_Delaunay_triangulations_2::internal::Checkpoint_sum_2 sum;
+  sum.add(text);
+  return text + "checksum " + sum.text() + '\n';
+}
+
+// A person reads it in a terminal.
+void require_readable(const CGAL::Checkpoint_error_2& error, const std::string& text)
+{
+  const std::string message = error.what();
+  const auto lines = std::count(text.begin(), text.end(), '\n');
+  fuzz::require(message.size() < 500, "an error is drowned in foreign data");
+  fuzz::require(
+      std::none_of(message.begin(), message.end(), [](char c) { return c < ' ' || c > '~'; }),
+      "an error sends control characters to the terminal");
+  fuzz::require(error.line() > 0 && error.line() <= static_cast<std::size_t>(lines) + 1,
+                "an error is in a line that is not there");
+}
+
+template <class Subject>
+std::string written(const Subject& subject)
+{
+  std::ostringstream out;
+  subject.write_checkpoint(out);
+  return out.str();
+}
+
+template <class Subject>
+bool is_read(Subject& subject, const std::string& text)
+{
+  std::istringstream in(text);
+  const std::string before = written(subject);
+  try {
+    subject.read_checkpoint(in);
+    return true;
+  } catch (const CGAL::Checkpoint_error_2& error) {
+    require_readable(error, text);
+    fuzz::require(written(subject) == before, "a refused file has changed something");
+    return false;
+  }
+}
+
+// All points where they are, but one, which goes to where another one is.
+template <class Dynamic>
+auto next_frame(const Dynamic& dt)
+{
+  using Point = typename Dynamic::Point;
+  std::vector<Point> points(dt.number_of_ids(), Point(0, 0));
+  for (std::size_t id = 0; id < points.size(); ++id)
+    if (dt.has_id(id))
+      points[id] = dt.point(id);
+  if (!points.empty())
+    points.front() = points.back();
+  return points;
+}
+
+template <class Dynamic>
+void require_usable(Dynamic& dt)
+{
+  fuzz::require(dt.is_valid(true), "a checkpoint was read that is not valid");
+  Dynamic copy;
+  const std::string text = written(dt);
+  fuzz::require(is_read(copy, text), "what was written is refused");
+  fuzz::require(written(copy) == text, "what was written is not what was read");
+  const auto points = next_frame(dt);
+  dt.update(points.begin(), points.end());
+  fuzz::require(dt.is_valid(true), "an update has spoilt what was read");
+  dt.insert(typename Dynamic::Point(1, 2));
+  dt.mend();
+  fuzz::require(dt.is_certified() && dt.is_valid(true), "what was read cannot be mended");
+}
+
+template <class Dynamic>
+void examine_triangulation(const std::string& text)
+{
+  Dynamic dt;
+  if (is_read(dt, text))
+    require_usable(dt);
+}
+
+void examine_population(const std::string& text)
+{
+  Population population;
+  if (!is_read(population, text))
+    return;
+  fuzz::require(population.triangulation().is_valid(true), "a population is not valid");
+  std::vector<std::pair<std::int64_t, CGAL::Epick::Point_2>> crowd;
+  for (std::size_t id = 0; id < population.triangulation().number_of_ids(); ++id)
+    if (population.triangulation().has_id(id))
+      crowd.emplace_back(population.user_id(id), population.triangulation().point(id));
+  fuzz::require(crowd.size() == population.size(), "somebody has no id");
+  population.update(crowd.begin(), crowd.end());
+  fuzz::require(population.triangulation().is_valid(true), "an update has spoilt a population");
+}
+
+} // namespace
+
+void fuzz::examine(const std::string& input)
+{
+  const std::string text = sealed(input);
+  examine_triangulation<Exact>(text);
+  examine_triangulation<Heuristic>(text);
+  examine_triangulation<Rational>(text);
+  examine_population(text);
+}
