@@ -210,10 +210,11 @@ public:
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
   /// \throws Coordinate_range_error_2 if a coordinate is too large for this program.
   ///
-  /// Nothing changes if it throws one of these, or if the range, the policy or the classifier
-  /// throws. After any other exception the positions are the new ones and the triangulation is not
-  /// certified; the next update, or `mend()`, certifies it again. \post `is_certified()`, if the
-  /// classifier is exact.
+  /// Nothing changes if it throws one of these, or if the range throws, or the policy or the
+  /// classifier when it is asked. If one of the latter throws in `after_update()`, the update has
+  /// been done. After any other exception the positions are the new ones and the triangulation is
+  /// not certified; the next update, or `mend()`, certifies it again. \post `is_certified()`, if
+  /// the classifier is exact.
   template <class InputIterator>
   Update_report_2 update(InputIterator first, InputIterator beyond)
   {
@@ -244,7 +245,7 @@ public:
         m_repair(mender);
       prove(report);
       if (!parted.empty() && !report.rebuilt())
-        report.parted += part(parted, report);
+        part(report);
     }
     finish(report);
     m_policy.after_update(frame(), report);
@@ -295,7 +296,7 @@ public:
       }
       prove(report);
       if (!report.rebuilt())
-        report.parted += part(mender.population().parted_guests(), report);
+        part(report);
     });
   }
 
@@ -398,7 +399,10 @@ public:
   /// nothing else. Cost: one pass over all edges, none if it is certified already.
   bool certify()
   {
-    m_is_certified = m_is_certified || m_core->certificate().holds();
+    const Maintained& maintained = m_core->maintained;
+    m_is_certified = m_is_certified || (maintained.is_mirrored() &&
+                                        m_core->mender.population().parted_guests().empty() &&
+                                        m_core->certificate().holds());
     return m_is_certified;
   }
 
@@ -447,7 +451,12 @@ public:
 
   /// where a point is.
   /// \throws Unknown_id_error_2 if there is no such point.
-  const Point& point(size_type id) const { return vertex(id)->point(); }
+  const Point& point(size_type id) const
+  {
+    const Vertex_handle host = vertex(id);
+    const auto& ids = m_core->maintained.ids;
+    return ids.is_host(Index(id)) ? host->point() : ids.guest(Index(id)).point;
+  }
 
   /// the id of a point at a finite vertex; of the one that was there first, if several are.
   size_type id(Vertex_handle vertex) const
@@ -644,6 +653,8 @@ private:
     Update_report_2 report;
     const bool was_certified = begin();
     m_core->mender.start(report);
+    if (!was_certified)
+      part_those_left_over();
     work(report, was_certified);
     if (Classifier::is_exact && !m_is_certified)
       mend(report);
@@ -651,8 +662,19 @@ private:
     return report;
   }
 
+  // An exception may have kept guests where they no longer belong.
+  void part_those_left_over()
+  {
+    auto& population = m_core->mender.population();
+    if (m_core->maintained.is_mirrored())
+      population.part(population.parted_guests());
+  }
+
   void mend(Update_report_2& report)
   {
+    if (!m_core->maintained.is_mirrored())
+      return rebuild(report, Rebuild_reason_2::DIMENSION);
+    part_those_left_over();
     Circumcircle_classifier_2()(frame(), m_core->mender.start(report));
     m_core->mender.take_classification(true, false);
     Flip_and_splice_repair_2()(m_core->mender);
@@ -699,13 +721,19 @@ private:
     m_is_certified = true;
   }
 
-  // Gives vertices to guests that are no longer where theirs is. Returns their number.
-  std::size_t part(const std::vector<Index>& guests, Update_report_2& report)
+  // Gives vertices to guests that are no longer where theirs is.
+  void part(Update_report_2& report)
   {
     const bool was_certified = std::exchange(m_is_certified, false);
-    m_core->mender.population().part(guests);
+    auto& population = m_core->mender.population();
+    const std::vector<Index> guests = population.parted_guests();
+    if (guests.empty()) {
+      m_is_certified = was_certified;
+      return;
+    }
+    population.part(guests);
+    report.parted += guests.size();
     mend_news(report, was_certified);
-    return guests.size();
   }
 
   template <class Function>

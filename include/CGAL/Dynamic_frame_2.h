@@ -169,11 +169,11 @@ public:
   /// the edges in the regions that were triangulated anew, if not everything was; an edge can be
   /// there more than once.
   const std::vector<Index>& new_edges() const { return m_maintained->new_edges; }
-  /// whether vertices came or went, and everything else is not new: then some vertices, edges and
-  /// faces have taken the numbers of others that went.
+  /// whether vertices came, went or were put in elsewhere, and everything else is not new: then
+  /// some vertices, edges and faces have taken the numbers of others that went.
   bool has_other_numbers() const
   {
-    return !everything_is_new() && !m_maintained->renumberings.vertices.is_none();
+    return !everything_is_new() && !m_maintained->renumberings.are_none();
   }
   /// brings data of each vertex, in the order of their numbers from 0 on, in step after vertices
   /// came or went, if not everything is new: moves those of vertices that have other numbers now,

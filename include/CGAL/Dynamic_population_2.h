@@ -103,10 +103,10 @@ public:
   {
     read(first, beyond, id_map, point_map);
     Update_report_2 report = remove_missing();
-    if (m_triangulation.number_of_points() > 0)
+    if (m_triangulation.number_of_points() > 0 || !m_triangulation.is_certified())
       report += m_triangulation.update(m_positions.begin(), m_positions.end());
     report += insert_newcomers();
-    report.certified = m_triangulation.is_certified();
+    report.certified = m_triangulation.is_certified(); // also if there was nothing to do
     return report;
   }
 
@@ -173,7 +173,7 @@ public:
   /// the vertex of a point. \throws Unknown_user_id_error_2 if there is none with this id.
   Vertex_handle vertex(UserId user_id) const { return m_triangulation.vertex(id(user_id)); }
   /// where a point is. \throws Unknown_user_id_error_2 if there is none with this id.
-  const Point& point(UserId user_id) const { return vertex(user_id)->point(); }
+  const Point& point(UserId user_id) const { return m_triangulation.point(id(user_id)); }
   /// the user's id of a point at a finite vertex; of the one that was there first, if several are.
   UserId user_id(Vertex_handle vertex) const { return m_user_ids[m_triangulation.id(vertex)]; }
 

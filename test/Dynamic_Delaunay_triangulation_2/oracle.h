@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
@@ -52,6 +53,46 @@ template <class Dynamic>
 void expect_exact(const Dynamic& dt, const std::vector<typename Dynamic::Point>& points)
 {
   ASSERT_NO_FATAL_FAILURE(expect_valid(dt, points));
+  ASSERT_NO_FATAL_FAILURE(expect_delaunay(dt, points));
+}
+
+// Where points come and go: who is there, and where.
+template <class Dynamic>
+using Model = std::map<std::size_t, typename Dynamic::Point>;
+
+template <class Dynamic>
+Model<Dynamic> model_of(const Dynamic& dt)
+{
+  Model<Dynamic> model;
+  for (std::size_t id = 0; id < dt.number_of_ids(); ++id)
+    if (dt.has_id(id))
+      model.emplace(id, dt.point(id));
+  return model;
+}
+
+template <class Dynamic>
+void expect_valid(const Dynamic& dt, const Model<Dynamic>& model)
+{
+  ASSERT_TRUE(dt.is_valid(true));
+  ASSERT_EQ(dt.number_of_points(), model.size());
+  for (std::size_t id = 0; id < dt.number_of_ids(); ++id)
+    ASSERT_EQ(dt.has_id(id), model.count(id) == 1) << "id " << id;
+  for (const auto& [id, p] : model) {
+    ASSERT_TRUE(dt.has_id(id)) << "id " << id;
+    ASSERT_EQ(dt.point(id), p) << "id " << id;
+    const std::size_t host = dt.id(dt.vertex(id));
+    ASSERT_EQ(dt.vertex(host), dt.vertex(id)) << "id " << id;
+    ASSERT_EQ(model.at(host), p) << "id " << id << ", a guest of " << host;
+  }
+}
+
+template <class Dynamic>
+void expect_exact(const Dynamic& dt, const Model<Dynamic>& model)
+{
+  ASSERT_NO_FATAL_FAILURE(expect_valid(dt, model));
+  std::vector<typename Dynamic::Point> points;
+  for (const auto& [id, p] : model)
+    points.push_back(p);
   ASSERT_NO_FATAL_FAILURE(expect_delaunay(dt, points));
 }
 

@@ -123,14 +123,14 @@ public:
     for_each_corner(v, [&](Index h) { f(apex(next(h))); });
   }
 
-  // Whether the apexes of h and of its twin are neighbours, beyond the two faces.
+  // Whether the apexes of h and of its twin are neighbours, beyond the two faces. Looks around both
+  // in step: one of them may have many neighbours, as the infinite vertex has.
   bool are_apexes_neighbors(Index h) const
   {
-    if (apex(h) == infinite_index)
-      h = twin(h); // the star of the infinite vertex is the whole hull
-    const Index opposite = apex(twin(h));
-    for (Index g = next_corner(h); g != h; g = next_corner(g))
-      if (apex(next(g)) == opposite)
+    const Index g = twin(h);
+    for (Index i = next_corner(h), k = next_corner(g); i != h && k != g;
+         i = next_corner(i), k = next_corner(k))
+      if (apex(next(i)) == apex(g) || apex(next(k)) == apex(h))
         return true;
     return false;
   }

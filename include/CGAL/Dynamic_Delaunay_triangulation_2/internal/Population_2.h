@@ -56,7 +56,7 @@ public:
     auto& known = m_maintained.ids;
     const auto hosts = std::size_t(
         std::count_if(ids.begin(), ids.end(), [&](Index id) { return known.is_host(id); }));
-    if (has_to_rebuild(hosts, hosts)) {
+    if (has_to_rebuild(ids.size(), hosts)) {
       remove_all(ids);
       return true;
     }

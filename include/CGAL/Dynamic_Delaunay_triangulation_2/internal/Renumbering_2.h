@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -34,9 +35,10 @@ public:
   // The last one takes the number of one that goes.
   void note_move(Index last, Index to)
   {
-    if (last != to)
-      m_moves.emplace_back(last, to);
+    const bool has_come = last >= m_kept;
     m_kept = (std::min)(m_kept, last);
+    if (to < m_kept)
+      m_moves.emplace_back(has_come ? no_index : last, to);
   }
 
   // Others come, and get this number and the next ones.
@@ -46,17 +48,26 @@ public:
   template <class T, class Make>
   void follow(std::vector<T>& data, std::size_t size, const Make& make) const
   {
-    for (const auto& [from, to] : m_moves)
-      if (from < data.size()) // it has not come in this call
+    std::unordered_set<Index> come; // who has come, and taken the number of another one
+    for (const auto& [from, to] : m_moves) {
+      come.erase(to);
+      if (from == no_index || come.erase(from) > 0)
+        come.insert(to);
+      else if (from < data.size())
         data[to] = data[from];
+    }
     if (m_kept < data.size())
       data.erase(data.begin() + std::ptrdiff_t(m_kept), data.end());
     while (data.size() < size)
       data.push_back(make(Index(data.size())));
+    for (const Index i : come)
+      if (i < m_kept)
+        data[i] = make(i);
   }
 
 private:
-  std::vector<std::pair<Index, Index>> m_moves; // in this order
+  // In this order, from where to where; from nowhere, if it has come in this call.
+  std::vector<std::pair<Index, Index>> m_moves;
   Index m_kept = no_index; // all of those that were there at first have smaller numbers now
 };
 
@@ -64,19 +75,13 @@ struct Renumberings_2
 {
   Renumbering_2 vertices, edges, faces;
 
+  bool are_none() const { return vertices.is_none() && edges.is_none() && faces.is_none(); }
+
   void provide_for_removals(std::size_t number)
   {
     vertices.provide(number);
     edges.provide(3 * number);
     faces.provide(2 * number);
-  }
-
-  // All that come get these numbers and the next ones.
-  void note_growth(Index vertex, Index edge, Index face)
-  {
-    vertices.note_growth(vertex);
-    edges.note_growth(edge);
-    faces.note_growth(face);
   }
 
   void clear()

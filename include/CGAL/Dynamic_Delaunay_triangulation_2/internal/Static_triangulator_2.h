@@ -51,12 +51,8 @@ public:
   // None, if the vertices do not span the plane.
   const Flat_faces_2& faces() const { return m_faces; }
 
-  // Gives the memory back.
-  void release()
-  {
-    m_faces.release();
-    m_triangulation.clear();
-  }
+  // Gives the memory back. Throws nothing.
+  void release() { m_faces.release(); }
 
 private:
   template <class Insert>
@@ -66,6 +62,7 @@ private:
     for_each_in_rounds(order.size(),
                        [&](std::size_t i) { insert(m_maintained.point(order[i]), order[i]); });
     copy_faces();
+    m_triangulation.clear(); // which takes memory, and may throw
   }
 
   void copy_faces()

@@ -179,6 +179,7 @@ public:
       return place.vertex;
     }
     m_maintained.ids.place_host(id);
+    m_maintained.renumberings.vertices.note_growth(v);
     split_face(place.face, v, new_faces);
     return v;
   }
@@ -556,7 +557,8 @@ private:
   {
     auto& mirror = m_maintained.mirror;
     const Index faces = mirror.number_of_faces(), edges = mirror.number_of_edges();
-    m_maintained.renumberings.note_growth(v, edges, faces);
+    m_maintained.renumberings.edges.note_growth(edges);
+    m_maintained.renumberings.faces.note_growth(faces);
     mirror.split_face(f, v);
     m_maintained.faces.push_back(new_faces[0]);
     m_maintained.faces.push_back(new_faces[1]);
@@ -592,7 +594,8 @@ private:
   enum class Ear { CONVEX, AT_INFINITY, ANY };
 
   // Cuts off every other ear of this kind in each round, until there is none or v has three edges:
-  // one after the other, their edges would all end at one vertex. Returns how many.
+  // one after the other, their edges would all end at one vertex. Those at infinity all do so in
+  // any case, and stand side by side. Returns how many.
   Index cut_ears(Index v, Index degree, Ear kind, Flip_series& series)
   {
     const auto& mirror = m_maintained.mirror;
@@ -605,6 +608,8 @@ private:
         ++cut;
         left = degree - cut + 1;
         corner = mirror.corner(v);
+        if (kind == Ear::AT_INFINITY)
+          continue;
       }
       corner = mirror.next_corner(corner);
     }
