@@ -282,7 +282,8 @@ public:
     return change([&](Update_report_2& report, bool was_certified) {
       Mender& mender = m_core->mender;
       m_core->maintained.positions_are_exact &= movers.are_exact;
-      if (mender.population().are_too_many(movers.ids.size())) {
+      if (mender.population().are_too_many(movers.ids.size()) ||
+          mender.population().trade_places(movers.ids, movers.points)) {
         mender.population().move_all(movers.ids, movers.points);
         if (!m_core->maintained.is_mirrored())
           return rebuild(report, Rebuild_reason_2::DIMENSION);

@@ -215,7 +215,9 @@ public:
     m_illegal.clear();
     if (!all_arrived)
       rebuild(Rebuild_reason_2::COINCIDENCE);
-    else if (m_maintained.is_mirrored() && !Certificate(m_maintained).holds())
+    else if (!m_maintained.is_mirrored()) // nobody else can do anything without edges
+      rebuild(Rebuild_reason_2::DIMENSION);
+    else if (!Certificate(m_maintained).holds())
       rebuild(Rebuild_reason_2::STUCK);
   }
 

@@ -30,8 +30,9 @@ inline bool stderr_is_a_terminal()
 class Progress_display
 {
 public:
-  Progress_display(std::size_t frames, bool is_wanted)
+  Progress_display(std::size_t frames, bool is_wanted, const char* what = "frame")
     : m_frames(frames)
+    , m_what(what)
     , m_is_shown(is_wanted && stderr_is_a_terminal())
   {
   }
@@ -55,15 +56,16 @@ public:
     m_last = now;
     const double share = static_cast<double>(frame) / static_cast<double>(m_frames);
     const double seconds = std::chrono::duration<double>(now - m_start).count();
-    std::cerr << "\r\033[Kframe " << frame << '/' << m_frames << std::fixed << std::setprecision(0)
-              << "  " << 100.0 * share << " %  " << seconds / share - seconds << " s left"
-              << std::flush;
+    std::cerr << "\r\033[K" << m_what << ' ' << frame << '/' << m_frames << std::fixed
+              << std::setprecision(0) << "  " << 100.0 * share << " %  "
+              << seconds / share - seconds << " s left" << std::flush;
   }
 
 private:
   using Clock = std::chrono::steady_clock;
 
   std::size_t m_frames;
+  const char* m_what;
   bool m_is_shown;
   Clock::time_point m_start = Clock::now();
   Clock::time_point m_last = m_start;

@@ -122,6 +122,21 @@ public:
     return vertices - m_maintained.number_of_vertices();
   }
 
+  // Whether one of these points goes to where another one of them is. To move one after the other
+  // would let them share a vertex on the way, and they would come out with others than before.
+  bool trade_places(const std::vector<Index>& ids, const std::vector<Point>& points) const
+  {
+    if (ids.size() < 2)
+      return false;
+    std::vector<Point> places = points_of(ids);
+    std::sort(places.begin(), places.end());
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      if (points[i] != m_maintained.point_of_id(ids[i]) &&
+          std::binary_search(places.begin(), places.end(), points[i]))
+        return true;
+    return false;
+  }
+
   // The guests that are no longer where their vertex is.
   std::vector<Index> parted_guests() const
   {

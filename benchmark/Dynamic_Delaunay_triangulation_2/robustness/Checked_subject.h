@@ -1,0 +1,199 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef ROBUSTNESS_CHECKED_SUBJECT_H
+#define ROBUSTNESS_CHECKED_SUBJECT_H
+
+#include "Finding.h"
+#include "Fresh_triangulation.h"
+#include "Model.h"
+#include "run/Any_policy.h"
+#include "run/Any_repair.h"
+#include "Setup.h"
+#include "Subject.h"
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace robustness {
+
+// What an empty triangulation is made with.
+template <class Kernel, class Classifier>
+struct Maker
+{
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, run::Any_repair,
+                                                         CGAL::Default, run::Any_policy>;
+  using Point = typename Dynamic::Point;
+
+  Classifier classifier;
+  run::Any_repair repair;
+  CGAL::Static_engines_2 engines;
+  run::Any_policy policy;
+  int divisor;
+
+  Maker(const Classifier& its_classifier, const Setup& setup)
+    : classifier(its_classifier)
+    , repair(run::make_repair(setup.repair, setup.padding))
+    , engines(run::engines_named(setup.engine))
+    , policy(run::make_policy(setup.policy))
+    , divisor(setup.divisor)
+  {
+  }
+
+  Point point(const Place& place) const
+  {
+    using Number = typename Kernel::FT;
+    return divisor == 1 ? Point(place.x, place.y)
+                        : Point(Number(place.x) / divisor, Number(place.y) / divisor);
+  }
+
+  Dynamic empty() const { return Dynamic(classifier, repair, engines, policy); }
+  template <class Iterator>
+  Dynamic of(Iterator first, Iterator beyond) const
+  {
+    return Dynamic(first, beyond, classifier, repair, engines, policy);
+  }
+};
+
+// The oracle.
+template <class Maker>
+class Checked_subject : public Subject
+{
+public:
+  using Dynamic = typename Maker::Dynamic;
+  using Point = typename Maker::Point;
+
+  explicit Checked_subject(Maker maker)
+    : m_maker(std::move(maker))
+  {
+  }
+
+  bool is_exact() const override { return Dynamic::Delaunay_classifier::is_exact; }
+  bool is_certified() const override { return dynamic().is_certified(); }
+
+  std::size_t number_of_neighbors(Key key) const override
+  {
+    std::size_t neighbors = 0;
+    for_each_neighbor(key, [&](Index) { ++neighbors; });
+    return neighbors;
+  }
+
+  bool is_at_hull(Key key) const override
+  {
+    bool is_at_hull = false;
+    for_each_neighbor(key, [&](Index v) { is_at_hull = is_at_hull || Frame::is_infinite(v); });
+    return is_at_hull;
+  }
+
+  void check(const Model& points) override
+  {
+    const std::vector<std::size_t> ids = checked_ids(points);
+    require(dynamic().is_valid(), Fault::WRONG, "is_valid() is false");
+    check_vertices(points, ids);
+    require(is_certified() || !is_exact(), Fault::WRONG,
+            "not certified, though the classifier is exact");
+    if (is_certified()) {
+      Fresh_triangulation<Dynamic>(dynamic(), ids).check();
+    }
+  }
+
+protected:
+  virtual const Dynamic& dynamic() const = 0;
+  // Throws a Finding if there is no such point.
+  virtual std::size_t id(Key key) const = 0;
+
+  const Maker& maker() const { return m_maker; }
+  Point point(const Place& place) const { return m_maker.point(place); }
+
+  std::vector<Point> points_at(const Places& places) const
+  {
+    std::vector<Point> points;
+    for (const Place& place : places) {
+      points.push_back(point(place));
+    }
+    return points;
+  }
+
+  // Vertices may be others from here on.
+  void forget_vertices() { m_vertices.clear(); }
+
+  // Kernels with exact constructions cannot even represent such points.
+  static constexpr bool has_nan = std::is_same_v<typename Dynamic::Geom_traits::FT, double>;
+
+  static Point broken_point(Misuse misuse)
+  {
+    if constexpr (has_nan) {
+      using Limits = std::numeric_limits<double>;
+      return misuse == Misuse::NAN_COORDINATE ? Point(0, Limits::quiet_NaN())
+                                              : Point(-Limits::infinity(), 0);
+    } else {
+      throw std::logic_error("there is no broken point");
+    }
+  }
+
+private:
+  using Frame = typename Dynamic::Frame;
+  using Index = typename Frame::Index;
+  using Vertex_handle = typename Dynamic::Vertex_handle;
+
+  template <class Function>
+  void for_each_neighbor(Key key, const Function& f) const
+  {
+    const Frame frame = dynamic().frame();
+    if (frame.number_of_faces() > 0) {
+      frame.for_each_neighbor(frame.vertex(static_cast<Index>(id(key))), f);
+    }
+  }
+
+  // In the order of the model.
+  std::vector<std::size_t> checked_ids(const Model& points) const
+  {
+    require(dynamic().number_of_points() == points.size(), Fault::LOST, "points are missing");
+    std::vector<std::size_t> ids;
+    std::vector<bool> is_named(dynamic().number_of_ids());
+    for (const auto& [key, place] : points) {
+      const std::size_t its_id = id(key);
+      require(its_id < is_named.size() && dynamic().has_id(its_id), Fault::LOST, "an id is lost");
+      require(!is_named[its_id], Fault::LOST, "two points have the same id");
+      is_named[its_id] = true;
+      require(dynamic().point(its_id) == point(place), Fault::LOST, "a point is somewhere else");
+      ids.push_back(its_id);
+    }
+    return ids;
+  }
+
+  // A vertex stays the same while its point coincides with no other.
+  void check_vertices(const Model& points, const std::vector<std::size_t>& ids)
+  {
+    std::map<std::pair<double, double>, std::size_t> points_at;
+    for (const auto& [key, place] : points) {
+      ++points_at[{place.x, place.y}];
+    }
+    std::map<Key, Vertex_handle> vertices;
+    auto its_id = ids.begin();
+    for (const auto& [key, place] : points) {
+      const Vertex_handle vertex = dynamic().vertex(*its_id++);
+      if (points_at[{place.x, place.y}] == 1) {
+        const auto before = m_vertices.find(key);
+        require(before == m_vertices.end() || before->second == vertex, Fault::LOST,
+                "a point has another vertex");
+        vertices.emplace_hint(vertices.end(), key, vertex);
+      }
+    }
+    m_vertices = std::move(vertices);
+  }
+
+  Maker m_maker;
+  std::map<Key, Vertex_handle> m_vertices; // of those that coincide with no other
+};
+
+} // namespace robustness
+
+#endif // ROBUSTNESS_CHECKED_SUBJECT_H

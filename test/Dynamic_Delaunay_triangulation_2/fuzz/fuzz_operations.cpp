@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A trial of the benchmark robustness whose every decision is decoded from the input: what runs,
+// how the points lie, and what is done to them.
+
+#include "../../../benchmark/Dynamic_Delaunay_triangulation_2/robustness/Byte_decisions.h"
+#include "../../../benchmark/Dynamic_Delaunay_triangulation_2/robustness/Subject_choice.h"
+#include "../../../benchmark/Dynamic_Delaunay_triangulation_2/robustness/Trial.h"
+#include "fuzz_target.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+void fuzz::examine(const std::string& input)
+{
+  using namespace robustness;
+  constexpr std::size_t most_operations = 32, most_points = 40;
+  Byte_decisions decisions(input);
+  const Family& family = families()[any_family(decisions)];
+  Setup setup = any_setup(family, decisions);
+  setup.most_points = std::min(setup.most_points, most_points);
+  const auto subject = make_subject(setup);
+  Counts counts;
+  Trial(family, setup, *subject, decisions, counts).run(most_operations, [] {});
+}
