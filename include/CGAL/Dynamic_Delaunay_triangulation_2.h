@@ -255,12 +255,11 @@ public:
   /// moves some points, and mends what that breaks, by exact predicates whatever the classifier is;
   /// the policy is not asked. All other points stay where they are.
   ///
-  /// Cost: proportional to the number of points in the range, and what they break; with points that
-  /// coincide, to the number of those as well. \tparam InputIterator its values are pairs of an id,
-  /// which is an integer, and a `Point`.
-  /// \throws Unknown_id_error_2 if there is no such point.
-  /// \throws Repeated_id_error_2 if an id is there more than once.
-  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
+  /// Cost: proportional to the number of points in the range, and what they break, and a walk
+  /// around the hull; with points that coincide, to the number of those as well. \tparam
+  /// InputIterator its values are pairs of an id, which is an integer, and a `Point`. \throws
+  /// Unknown_id_error_2 if there is no such point. \throws Repeated_id_error_2 if an id is there
+  /// more than once. \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
   /// \throws Coordinate_range_error_2 if a coordinate is too large for this program.
   ///
   /// Nothing changes if it throws one of these, or if the range throws. After any other exception
@@ -281,6 +280,8 @@ public:
     const auto movers = Input::read_movers(first, beyond, id_map, point_map, m_core->maintained);
     return change([&](Update_report_2& report, bool was_certified) {
       Mender& mender = m_core->mender;
+      if (movers.ids.empty())
+        return mend_news(report, was_certified);
       m_core->maintained.positions_are_exact &= movers.are_exact;
       if (mender.population().are_too_many(movers.ids.size()) ||
           mender.population().trade_places(movers.ids, movers.points)) {
@@ -317,9 +318,10 @@ public:
 
   /// adds a point, and returns its id: the smallest free one. Where another point is already, it
   /// shares its vertex. Cost: O(n<sup>1/3</sup>) expected for evenly spread points to find its
-  /// place, and what it breaks; that of a rebuild while the points do not span the plane.
-  /// \throws Non_finite_coordinate_error_2 or Coordinate_range_error_2 if a coordinate cannot be
-  /// taken; nothing changes. \post `is_certified()`, if it was, or if the classifier is exact.
+  /// place, what it breaks, and a walk around the hull; that of a rebuild while the points do not
+  /// span the plane. \throws Non_finite_coordinate_error_2 or Coordinate_range_error_2 if a
+  /// coordinate cannot be taken; nothing changes. \post `is_certified()`, if it was, or if the
+  /// classifier is exact.
   size_type insert(const Point& p)
   {
     size_type id = 0;
@@ -345,8 +347,9 @@ public:
       *ids++ = id;
     return change([&](Update_report_2& report, bool was_certified) {
       m_core->maintained.positions_are_exact &= newcomers.are_exact;
+      const bool spanned_plane = m_core->maintained.is_mirrored();
       if (m_core->mender.population().insert(newcomers.ids, newcomers.points))
-        take_rebuild(report);
+        take_rebuild(report, spanned_plane);
       else
         mend_news(report, was_certified);
       report.inserted = newcomers.ids.size();
@@ -354,8 +357,8 @@ public:
   }
 
   /// takes a point away; its id is free from then on. Cost: proportional to the number of its
-  /// neighbors, and what that breaks; that of a rebuild if the points do not span the plane before
-  /// or after; with points that coincide, to the number of those as well.
+  /// neighbors, what that breaks, and a walk around the hull; that of a rebuild if the points do
+  /// not span the plane before or after; with points that coincide, to the number of those as well.
   /// \throws Unknown_id_error_2 if there is no such point; nothing changes.
   /// \post `is_certified()`, if it was, or if the classifier is exact.
   Update_report_2 remove(size_type id) { return remove(&id, &id + 1); }
@@ -369,8 +372,9 @@ public:
   {
     const std::vector<Index> ids = Input::read_ids(first, beyond, m_core->maintained);
     return change([&](Update_report_2& report, bool was_certified) {
+      const bool spanned_plane = m_core->maintained.is_mirrored();
       if (m_core->mender.population().remove(ids))
-        take_rebuild(report);
+        take_rebuild(report, spanned_plane);
       else
         mend_news(report, was_certified);
       report.removed = ids.size();
@@ -685,6 +689,10 @@ private:
   // Mends what was triangulated anew in this call.
   void mend_news(Update_report_2& report, bool was_certified)
   {
+    if (!m_core->maintained.is_mirrored()) { // nothing has changed
+      m_is_certified = was_certified;
+      return;
+    }
     m_core->mender.open_news(was_certified);
     Flip_and_splice_repair_2().mend(m_core->mender);
     prove(report);
@@ -714,11 +722,12 @@ private:
   }
 
   // After a change of the population that has rebuilt everything.
-  void take_rebuild(Update_report_2& report)
+  void take_rebuild(Update_report_2& report, bool spanned_plane)
   {
     m_core->mender.start(report);
-    report.rebuild_reason = m_core->maintained.is_mirrored() ? Rebuild_reason_2::POPULATION
-                                                             : Rebuild_reason_2::DIMENSION;
+    report.rebuild_reason = spanned_plane && m_core->maintained.is_mirrored()
+                                ? Rebuild_reason_2::POPULATION
+                                : Rebuild_reason_2::DIMENSION;
     m_is_certified = true;
   }
 

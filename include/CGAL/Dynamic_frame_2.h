@@ -6,7 +6,6 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 #include <array>
 #include <cstddef>

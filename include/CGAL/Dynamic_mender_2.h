@@ -89,6 +89,7 @@ public:
   {
     m_has_to_prove = has_to_prove;
     m_was_certified = false;
+    m_is_planar = false; // points may have come since that was proved
     const Dynamic_frame_2<Maintained> frame(m_maintained);
     frame.for_each_changed_edge([this](Index e) { m_open.push_back(e); });
     make_distinct(m_open);
@@ -161,6 +162,8 @@ public:
   /// cheaper: they cannot double an edge, so that need not be looked for.
   void flip_inverted()
   {
+    if (m_report->rebuilt())
+      return;
     flip_open();
     if (!m_open.empty()) {
       open_surroundings();
@@ -177,8 +180,7 @@ public:
   void splice_classified(unsigned padding)
   {
     open_illegal();
-    splice(m_classification.vertices(), padding, m_has_to_prove);
-    if (!m_report->rebuilt()) {
+    if (splice(m_classification.vertices(), padding, m_has_to_prove)) {
       for (std::size_t i = 0; i < m_splice.number_of_padded(); ++i)
         m_padded.push_back(m_splice.padded(i));
       m_border.assign(m_splice.border().begin(), m_splice.border().end());
@@ -227,7 +229,7 @@ public:
   void rebuild(Rebuild_reason_2 reason)
   {
     m_editor.rebuild();
-    m_report->rebuild_reason = reason;
+    m_report->rebuild_reason = m_maintained.is_mirrored() ? reason : Rebuild_reason_2::DIMENSION;
     m_open.clear();
     m_illegal.clear();
     m_padded.clear();
@@ -300,16 +302,19 @@ private:
     m_report->flips += m_lawson.run(m_maintained, m_editor, m_open, m_is_planar);
   }
 
-  void splice(const std::vector<Index>& vertices, unsigned padding, bool has_to_look)
+  // False if it has rebuilt or merged instead; then vertices may have other numbers.
+  bool splice(const std::vector<Index>& vertices, unsigned padding, bool has_to_look)
   {
     m_is_planar = false;
     std::size_t growths = 0;
     const Splice_result result = m_splice.run(m_editor, vertices, padding, growths);
     m_report->growths += growths;
     if (result == Splice_result::TOO_LARGE)
-      return rebuild(growths == 0 ? Rebuild_reason_2::TOO_MUCH_BROKEN : Rebuild_reason_2::STUCK);
-    if (result == Splice_result::COINCIDENCE)
-      return merge();
+      rebuild(growths == 0 ? Rebuild_reason_2::TOO_MUCH_BROKEN : Rebuild_reason_2::STUCK);
+    else if (result == Splice_result::COINCIDENCE)
+      merge();
+    if (result != Splice_result::DONE)
+      return false;
     ++m_report->splices;
     m_report->padded += m_splice.number_of_padded();
     m_report->border += m_splice.number_of_border();
@@ -318,6 +323,7 @@ private:
       reopen();
     else
       m_open.clear();
+    return true;
   }
 
   // The spliced faces are Delaunay among themselves; what lies across their boundary may not be.

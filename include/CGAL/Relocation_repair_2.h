@@ -14,6 +14,9 @@ after the other, whenever anything is classified. CGAL's function needs a Delaun
 before and after each single move, so the vertices are taken back to their last positions first, and
 it is not enough to move the classified ones.
 
+If memory runs out while CGAL moves a vertex, the triangulation can only be assigned to or
+destroyed.
+
 \cgalModels `DelaunayRepair_2`
 */
 class Relocation_repair_2

@@ -6,6 +6,9 @@
 
 #include "quadruples.h"
 
+#include <sstream>
+#include <string>
+
 namespace {
 
 using CGAL::Dynamic_Delaunay_triangulations_2::internal::coordinate_limit;
@@ -45,6 +48,25 @@ TEST(Numbers_of_new_instructions, beyond_the_limit_are_refused_and_nothing_chang
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
     EXPECT_THROW(Dynamic(beyond.begin(), beyond.end()), CGAL::Coordinate_range_error_2);
   }
+}
+
+TEST(Numbers_of_new_instructions, beyond_the_limit_are_refused_in_a_checkpoint)
+{
+  if (!std::isfinite(coordinate_limit))
+    GTEST_SKIP();
+  const Points points = {{0, 0}, {1, 0}, {0, 1e150}};
+  const Dynamic dt(points.begin(), points.end());
+  std::ostringstream out;
+  dt.write_checkpoint(out);
+  std::string text = out.str();
+  text.replace(text.find("1e+150"), 6, "1e+200");
+  text.erase(text.rfind("checksum "));
+  CGAL::Dynamic_Delaunay_triangulations_2::internal::Checkpoint_sum_2 sum;
+  sum.add(text);
+  std::istringstream in(text + "checksum " + sum.text() + "\n");
+  Dynamic read;
+  EXPECT_THROW(read.read_checkpoint(in), CGAL::Checkpoint_error_2);
+  EXPECT_EQ(read.number_of_points(), 0u);
 }
 
 TEST(Numbers_of_new_instructions, just_below_the_limit_are_followed)

@@ -85,4 +85,46 @@ TEST(Robustness_findings, lets_points_part_while_relocation_brings_all_onto_a_li
   expect_exact(dt, points);
 }
 
+TEST(A_splice_that_merges, names_only_vertices_that_there_are)
+{
+  using Spliced = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2,
+                                                         CGAL::Border_splice_repair_2>;
+  Cloud<Epick> cloud(1);
+  auto points = cloud.uniform(400);
+  Spliced dt(points.begin(), points.end());
+  std::size_t merged_for_good = 0;
+  for (std::size_t id = 0; id < 60; ++id) {
+    const auto neighbor = dt.triangulation().incident_vertices(dt.vertex(id));
+    if (dt.triangulation().is_infinite(neighbor))
+      continue;
+    points[id] = neighbor->point();
+    const auto report = dt.update(points.begin(), points.end());
+    merged_for_good += report.rebuilt() ? 0 : report.merged;
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+    for (const auto* const set :
+         {&dt.classified_vertices(), &dt.padded_vertices(), &dt.border_vertices()})
+      for (const auto v : *set)
+        ASSERT_LE(v, dt.number_of_vertices());
+  }
+  EXPECT_GT(merged_for_good, 0u);
+}
+
+TEST(A_rebuild, is_for_the_dimension_where_the_plane_was_or_is_not_spanned)
+{
+  using CGAL::Rebuild_reason_2;
+  std::vector<Epick::Point_2> line;
+  for (int i = 0; i < 40; ++i)
+    line.emplace_back(i, 0);
+  Dynamic dt(line.begin(), line.end());
+  const Epick::Point_2 beside(3, 1);
+  std::size_t id = 0;
+  EXPECT_EQ(dt.insert(&beside, &beside + 1, &id).rebuild_reason, Rebuild_reason_2::DIMENSION);
+  EXPECT_EQ(dt.move(id, Epick::Point_2(50, 0)).rebuild_reason, Rebuild_reason_2::DIMENSION);
+  EXPECT_EQ(dt.move(id, beside).rebuild_reason, Rebuild_reason_2::DIMENSION);
+  EXPECT_EQ(dt.remove(id).rebuild_reason, Rebuild_reason_2::DIMENSION);
+  EXPECT_EQ(dt.remove(&id, &id).rebuild_reason, Rebuild_reason_2::NONE); // nobody
+  EXPECT_TRUE(dt.is_certified());
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, line));
+}
+
 } // namespace

@@ -36,7 +36,7 @@ public:
 
   /*!
   is called at the end of every update, also of one for which `wants_rebuild()` was not asked, with what it has
-  done. It must not throw. Construction, `Dynamic_Delaunay_triangulation_2::mend()`, and points that come, go or move alone are no updates.
+  done. Construction, `Dynamic_Delaunay_triangulation_2::mend()`, and points that come, go or move alone are no updates.
   */
   template <class Frame>
   void after_update(const Frame& frame, const Update_report_2& report);

@@ -7,6 +7,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_coordinate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Coordinate_range_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Kept_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Sphere_check_2.h>
@@ -63,7 +64,6 @@ public:
 
 private:
   // Half-edges, of which Flat_faces_2 counts eight a vertex, and ids have to have numbers.
-  static constexpr Index most_vertices = no_index / 8;
   static constexpr Index most_ids = no_index - 1;
 
   // One of two words.
@@ -148,7 +148,7 @@ private:
   {
     const std::string_view text = m_file.word(name);
     FT x;
-    if (!Coordinate::read(text, x) || !std::isfinite(CGAL::to_double(x)))
+    if (!Coordinate::read(text, x) || !is_within_limit(CGAL::to_double(x)))
       m_file.refuse(std::string(name) + " is " + Checkpoint_input_2::quoted(text) +
                     ", and has to be " + Coordinate::meaning + ", not too large for a double");
     return x;

@@ -5,6 +5,7 @@
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_INPUT_FRAME_2_H
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Coordinate_range_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_faces_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Prefetch_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
@@ -13,10 +14,11 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <memory>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -47,6 +49,9 @@ public:
     Newcomers newcomers;
     for (; first != beyond; ++first)
       newcomers.points.push_back(get(point_map, *first));
+    if (newcomers.points.size() > most_vertices - maintained.ids.number_of_points())
+      throw std::length_error("a triangulation holds at most " + std::to_string(most_vertices) +
+                              " points");
     newcomers.ids = maintained.ids.next_ids(newcomers.points.size());
     for (std::size_t i = 0; i < newcomers.points.size(); ++i)
       read_position(newcomers.points[i], newcomers.ids[i], newcomers.are_exact);

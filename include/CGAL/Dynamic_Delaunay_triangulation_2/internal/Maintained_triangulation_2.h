@@ -7,6 +7,7 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_ids_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Provided_memory_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Renumbering_2.h>
 #include <CGAL/number_type_basic.h>
 
@@ -183,10 +184,10 @@ struct Maintained_triangulation_2
   // nothing has changed.
   void append_vertex(const Point& p)
   {
-    provide(vertices);
-    provide(positions);
+    provide(vertices, 1);
+    provide(positions, 1);
     if constexpr (!coordinates_are_doubles)
-      provide(next_points);
+      provide(next_points, 1);
     const Vertex_handle vertex = triangulation.tds().create_vertex();
     vertex->set_mirror_index(Index(vertices.size()));
     vertices.push_back(vertex);
@@ -225,20 +226,7 @@ struct Maintained_triangulation_2
     }
   }
 
-  void provide_for_faces(std::size_t more)
-  {
-    if (faces.capacity() < faces.size() + more)
-      faces.reserve(2 * faces.size() + more);
-  }
-
 private:
-  template <class T>
-  static void provide(std::vector<T>& data)
-  {
-    if (data.size() == data.capacity())
-      data.reserve(2 * data.size() + 1);
-  }
-
   // The vertices stand in memory as the points came at first: after much motion, anywhere.
   template <bool prefetches>
   void write_all_points()

@@ -6,6 +6,7 @@
 
 #include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Prefetch_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Provided_memory_2.h>
 
 #include <array>
 #include <cstdint>
@@ -353,13 +354,6 @@ public:
   }
 
 private:
-  template <class T>
-  static void provide(std::vector<T>& data, std::size_t more)
-  {
-    if (data.capacity() < data.size() + more)
-      data.reserve(2 * data.size() + more);
-  }
-
   void set_face(Index f, Index a, Index b, Index c)
   {
     set_apex(3 * f, a);

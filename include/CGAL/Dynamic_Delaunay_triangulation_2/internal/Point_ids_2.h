@@ -6,6 +6,7 @@
 
 #include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Provided_memory_2.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -127,14 +128,14 @@ public:
   // Memory for a point more, and for the ids of all to become free: then nothing below throws.
   void provide_for_point()
   {
-    provide(m_vertex_of_id);
-    provide(m_host);
-    provide(m_guests);
+    provide(m_vertex_of_id, 1);
+    provide(m_host, 1);
+    provide(m_guests, 1);
   }
   void provide_for_removals(std::size_t number)
   {
-    m_free_ids.reserve(m_free_ids.size() + number);
-    m_guests.reserve(m_guests.size() + number);
+    provide(m_free_ids, number);
+    provide(m_guests, number);
   }
 
   // Makes `id` the host of the next vertex, whether it is the next id or that of a guest.
@@ -220,13 +221,6 @@ private:
   {
     return std::lower_bound(guests.begin(), guests.end(), id,
                             [](const Guest& guest, Index i) { return guest.id < i; });
-  }
-
-  template <class T>
-  static void provide(std::vector<T>& data)
-  {
-    if (data.capacity() == data.size())
-      data.reserve(2 * data.size() + 1);
   }
 
   void leave_or_take(Index id)

@@ -158,13 +158,16 @@ public:
   }
 
 private:
-  // An insertion or removal costs about as much as a rebuild of eight vertices.
+  // An insertion or removal costs about as much as a rebuild of eight vertices, and looks through
+  // all guests. Where nothing changes, nothing has to.
   bool has_to_rebuild(std::size_t changes, std::size_t removals) const
   {
-    constexpr std::size_t share = 8, fewest_vertices = 3;
+    constexpr std::size_t fewest_vertices = 3;
     const std::size_t vertices = m_maintained.number_of_vertices();
-    return !m_maintained.is_mirrored() || share * changes > vertices ||
-           vertices < fewest_vertices + removals;
+    const std::size_t guests = m_maintained.ids.guests().size();
+    return changes > 0 &&
+           (!m_maintained.is_mirrored() || (8 + guests / 64) * changes > vertices + guests ||
+            vertices < fewest_vertices + removals);
   }
 
   void insert_all(const std::vector<Index>& ids, const std::vector<Point>& points)

@@ -93,8 +93,8 @@ public:
   {
     if (!m_holds)
       return;
-    m_holds = !frame.everything_is_new() && !frame.has_other_numbers() &&
-              64 * frame.new_edges().size() < frame.number_of_edges();
+    m_holds = frame.positions_are_exact() && !frame.everything_is_new() &&
+              !frame.has_other_numbers() && 64 * frame.new_edges().size() < frame.number_of_edges();
     if (!m_holds)
       return;
     for (const Index e : frame.new_edges())

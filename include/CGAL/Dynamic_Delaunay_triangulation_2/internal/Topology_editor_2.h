@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Patch_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_location_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_numbering_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Provided_memory_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulator_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_order_2.h>
@@ -160,7 +161,7 @@ public:
     m_maintained.ids.provide_for_point();
     m_maintained.mirror.provide_for_vertex();
     auto& new_edges = m_maintained.new_edges;
-    new_edges.reserve(new_edges.size() + 6);
+    provide(new_edges, 6);
     m_maintained.append_vertex(p);
     const Index v = m_maintained.number_of_vertices();
     Place_2 place;
@@ -254,7 +255,7 @@ public:
     {
       auto& maintained = m_editor.m_maintained;
       CGAL_precondition(maintained.number_of_vertices() > 3);
-      maintained.new_edges.reserve(maintained.new_edges.size() + 6);
+      provide(maintained.new_edges, 6);
       m_editor.flip_down(v);
       m_is_new.insert(maintained.new_edges.begin(), maintained.new_edges.end());
       for (const Index e : m_editor.edges_around(v))
@@ -542,7 +543,7 @@ private:
   std::array<Face_handle, 2> create_two_faces()
   {
     auto& tds = m_maintained.triangulation.tds();
-    m_maintained.provide_for_faces(2);
+    provide(m_maintained.faces, 2);
     const Face_handle first = tds.create_face();
     try {
       return {first, tds.create_face()};
@@ -690,11 +691,12 @@ private:
   void drop(Index v)
   {
     auto& mirror = m_maintained.mirror;
-    m_maintained.triangulation.tds().delete_vertex(m_maintained.vertices[v]);
+    const Vertex_handle vertex = m_maintained.vertices[v];
     m_maintained.renumberings.vertices.note_move(m_maintained.number_of_vertices(), v);
     mirror.move_last_vertex_to(v);
     m_maintained.ids.move_last_vertex_to(v);
     m_maintained.move_last_vertex_to(v);
+    m_maintained.triangulation.tds().delete_vertex(vertex);
   }
 
   // Face f and its neighbors, which refer to it by the right number, into CGAL's structure.
