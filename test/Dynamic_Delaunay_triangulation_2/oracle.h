@@ -155,9 +155,9 @@ public:
 
   Point shifted(const Point& p, double step)
   {
-    std::normal_distribution<double> normal(0, step);
-    const double dx = normal(m_random);
-    return Point(CGAL::to_double(p.x()) + dx, CGAL::to_double(p.y()) + normal(m_random));
+    std::normal_distribution<double> normal; // of deviation 1, as 0 would be none
+    const double dx = step * normal(m_random);
+    return Point(CGAL::to_double(p.x()) + dx, CGAL::to_double(p.y()) + step * normal(m_random));
   }
 
   void shake(Points& points, double step)

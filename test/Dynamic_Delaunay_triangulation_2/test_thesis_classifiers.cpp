@@ -1101,6 +1101,8 @@ struct News
       EXPECT_EQ(edges.size(), frame.number_of_edges());
       EXPECT_EQ(faces.size(), frame.number_of_faces());
     } else {
+      frame.follow_edges(before.edges);
+      frame.follow_faces(before.faces);
       const std::set<Index> new_edges(frame.new_edges().begin(), frame.new_edges().end());
       for (Index e = 0; e < frame.number_of_edges(); ++e)
         if (now.edges[e] != before.edges[e]) {
