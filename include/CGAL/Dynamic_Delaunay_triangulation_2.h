@@ -14,6 +14,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_writer_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_frame_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Population_input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Validity_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_vertex_base_2.h>
@@ -91,6 +92,8 @@ class Dynamic_Delaunay_triangulation_2
                                                                               Data_structure>;
   using Mender = Dynamic_mender_2<Maintained>;
   using Input = Dynamic_Delaunay_triangulations_2::internal::Input_frame_2<Maintained>;
+  using Population_input =
+      Dynamic_Delaunay_triangulations_2::internal::Population_input_2<Maintained>;
   using Index = Dynamic_Delaunay_triangulations_2::Index;
 
 public:
@@ -184,10 +187,9 @@ public:
                                    const Policy& policy = Policy())
     : Dynamic_Delaunay_triangulation_2(classifier, repair, engines, policy)
   {
-    auto newcomers = Input::read_newcomers(first, beyond, point_map, m_core->maintained);
+    auto newcomers = Population_input::read_newcomers(first, beyond, point_map, m_core->maintained);
     m_core->maintained.positions_are_exact = newcomers.are_exact;
-    const Index points = Index(newcomers.points.size()); // arguments come in any order
-    m_core->mender.editor().build(std::move(newcomers.ids), std::move(newcomers.points), points);
+    m_core->mender.population().build(std::move(newcomers.ids), std::move(newcomers.points));
     spread_news();
   }
 
@@ -231,10 +233,10 @@ public:
     const Point_writer writer{maintained};
     const bool was_certified = begin();
     Update_report_2 report;
-    const std::vector<Index> parted = mender.population().parted_guests();
+    auto& population = mender.population();
     if (!maintained.is_mirrored())
       rebuild(report, Rebuild_reason_2::DIMENSION);
-    else if (!parted.empty() && mender.population().are_too_many(parted.size()))
+    else if (population.are_too_many(population.parted_guests().size()))
       rebuild(report, Rebuild_reason_2::COINCIDENCE);
     else if (ask([&] { return m_policy.wants_rebuild(frame()); }, was_certified))
       rebuild(report, Rebuild_reason_2::POLICY);
@@ -244,7 +246,7 @@ public:
       if (!mender.classification().empty())
         m_repair(mender);
       prove(report);
-      if (!parted.empty() && !report.rebuilt())
+      if (!report.rebuilt())
         part(report);
     }
     finish(report);
@@ -256,10 +258,12 @@ public:
   /// the policy is not asked. All other points stay where they are.
   ///
   /// Cost: proportional to the number of points in the range, and what they break, and a walk
-  /// around the hull; with points that coincide, to the number of those as well. \tparam
-  /// InputIterator its values are pairs of an id, which is an integer, and a `Point`. \throws
-  /// Unknown_id_error_2 if there is no such point. \throws Repeated_id_error_2 if an id is there
-  /// more than once. \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
+  /// around the hull; with points that coincide, to the number of those as well.
+  ///
+  /// \tparam InputIterator its values are pairs of an id, which is an integer, and a `Point`.
+  /// \throws Unknown_id_error_2 if there is no such point.
+  /// \throws Repeated_id_error_2 if an id is there more than once.
+  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
   /// \throws Coordinate_range_error_2 if a coordinate is too large for this program.
   ///
   /// Nothing changes if it throws one of these, or if the range throws. After any other exception
@@ -277,21 +281,23 @@ public:
   template <class InputIterator, class IdMap, class PointMap>
   Update_report_2 move(InputIterator first, InputIterator beyond, IdMap id_map, PointMap point_map)
   {
-    const auto movers = Input::read_movers(first, beyond, id_map, point_map, m_core->maintained);
+    const auto movers =
+        Population_input::read_movers(first, beyond, id_map, point_map, m_core->maintained);
     return change([&](Update_report_2& report, bool was_certified) {
       Mender& mender = m_core->mender;
       if (movers.ids.empty())
         return mend_news(report, was_certified);
       m_core->maintained.positions_are_exact &= movers.are_exact;
-      if (mender.population().are_too_many(movers.ids.size()) ||
-          mender.population().trade_places(movers.ids, movers.points)) {
-        mender.population().move_all(movers.ids, movers.points);
+      auto& population = mender.population();
+      if (population.are_too_many(movers.ids.size()) ||
+          population.trade_places(movers.ids, movers.points)) {
+        population.move_all(movers.ids, movers.points);
         if (!m_core->maintained.is_mirrored())
           return rebuild(report, Rebuild_reason_2::DIMENSION);
         mender.classify_around(movers.ids, was_certified);
         Flip_and_splice_repair_2()(mender);
       } else {
-        report.merged += mender.population().move_few(movers.ids, movers.points);
+        report.merged += population.move_few(movers.ids, movers.points);
         mender.classify_around(movers.ids, was_certified);
         mender.open_news(was_certified);
         Flip_and_splice_repair_2().mend(mender);
@@ -319,9 +325,11 @@ public:
   /// adds a point, and returns its id: the smallest free one. Where another point is already, it
   /// shares its vertex. Cost: O(n<sup>1/3</sup>) expected for evenly spread points to find its
   /// place, what it breaks, and a walk around the hull; that of a rebuild while the points do not
-  /// span the plane. \throws Non_finite_coordinate_error_2 or Coordinate_range_error_2 if a
-  /// coordinate cannot be taken; nothing changes. \post `is_certified()`, if it was, or if the
-  /// classifier is exact.
+  /// span the plane.
+  ///
+  /// \throws Non_finite_coordinate_error_2 or Coordinate_range_error_2 if a coordinate cannot be
+  /// taken; nothing changes.
+  /// \post `is_certified()`, if it was, or if the classifier is exact.
   size_type insert(const Point& p)
   {
     size_type id = 0;
@@ -342,23 +350,22 @@ public:
   Update_report_2 insert(InputIterator first, InputIterator beyond, PointMap point_map,
                          OutputIterator ids)
   {
-    const auto newcomers = Input::read_newcomers(first, beyond, point_map, m_core->maintained);
+    const auto newcomers =
+        Population_input::read_newcomers(first, beyond, point_map, m_core->maintained);
     for (const Index id : newcomers.ids)
       *ids++ = id;
-    return change([&](Update_report_2& report, bool was_certified) {
+    Update_report_2 report = change_population([&](auto& population) {
       m_core->maintained.positions_are_exact &= newcomers.are_exact;
-      const bool spanned_plane = m_core->maintained.is_mirrored();
-      if (m_core->mender.population().insert(newcomers.ids, newcomers.points))
-        take_rebuild(report, spanned_plane);
-      else
-        mend_news(report, was_certified);
-      report.inserted = newcomers.ids.size();
+      return population.insert(newcomers.ids, newcomers.points);
     });
+    report.inserted = newcomers.ids.size();
+    return report;
   }
 
   /// takes a point away; its id is free from then on. Cost: proportional to the number of its
   /// neighbors, what that breaks, and a walk around the hull; that of a rebuild if the points do
   /// not span the plane before or after; with points that coincide, to the number of those as well.
+  ///
   /// \throws Unknown_id_error_2 if there is no such point; nothing changes.
   /// \post `is_certified()`, if it was, or if the classifier is exact.
   Update_report_2 remove(size_type id) { return remove(&id, &id + 1); }
@@ -370,15 +377,11 @@ public:
   template <class InputIterator>
   Update_report_2 remove(InputIterator first, InputIterator beyond)
   {
-    const std::vector<Index> ids = Input::read_ids(first, beyond, m_core->maintained);
-    return change([&](Update_report_2& report, bool was_certified) {
-      const bool spanned_plane = m_core->maintained.is_mirrored();
-      if (m_core->mender.population().remove(ids))
-        take_rebuild(report, spanned_plane);
-      else
-        mend_news(report, was_certified);
-      report.removed = ids.size();
-    });
+    const std::vector<Index> ids = Population_input::read_ids(first, beyond, m_core->maintained);
+    Update_report_2 report =
+        change_population([&](auto& population) { return population.remove(ids); });
+    report.removed = ids.size();
+    return report;
   }
 
   /// @}
@@ -401,7 +404,8 @@ public:
   }
 
   /// finds out whether the triangulation is Delaunay, by exact predicates at every edge; changes
-  /// nothing else. Cost: one pass over all edges, none if it is certified already.
+  /// nothing else. It is not, as long as an exception has left points without vertices of their own
+  /// or the plane not spanned. Cost: one pass over all edges, none if it is certified already.
   bool certify()
   {
     const Maintained& maintained = m_core->maintained;
@@ -667,6 +671,19 @@ private:
     return report;
   }
 
+  // `work(population)` returns whether it has triangulated everything anew.
+  template <class Work>
+  Update_report_2 change_population(const Work& work)
+  {
+    return change([&](Update_report_2& report, bool was_certified) {
+      const bool spanned_plane = m_core->maintained.is_mirrored();
+      if (work(m_core->mender.population()))
+        take_rebuild(report, spanned_plane);
+      else
+        mend_news(report, was_certified);
+    });
+  }
+
   // An exception may have kept guests where they no longer belong.
   void part_those_left_over()
   {
@@ -680,8 +697,8 @@ private:
     if (!m_core->maintained.is_mirrored())
       return rebuild(report, Rebuild_reason_2::DIMENSION);
     part_those_left_over();
-    Circumcircle_classifier_2()(frame(), m_core->mender.start(report));
-    m_core->mender.take_classification(true, false);
+    m_core->mender.start(report);
+    m_core->mender.classify_everything();
     Flip_and_splice_repair_2()(m_core->mender);
     prove(report);
   }
@@ -736,11 +753,10 @@ private:
   {
     const bool was_certified = std::exchange(m_is_certified, false);
     auto& population = m_core->mender.population();
-    const std::vector<Index> guests = population.parted_guests();
-    if (guests.empty()) {
-      m_is_certified = was_certified;
+    const std::vector<Index> guests = population.parted_guests(); // may throw
+    m_is_certified = was_certified && guests.empty();
+    if (guests.empty())
       return;
-    }
     population.part(guests);
     report.parted += guests.size();
     mend_news(report, was_certified);

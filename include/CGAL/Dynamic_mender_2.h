@@ -4,12 +4,15 @@
 #ifndef CGAL_DYNAMIC_MENDER_2_H
 #define CGAL_DYNAMIC_MENDER_2_H
 
+#include <CGAL/Circumcircle_classifier_2.h>
 #include <CGAL/Dynamic_classification_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Border_splice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distinct_numbers_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_examination_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Lawson_flips_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Population_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Population_editor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_builder_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
 #include <CGAL/Dynamic_frame_2.h>
 #include <CGAL/Static_engine_2.h>
@@ -48,17 +51,17 @@ public:
   explicit Dynamic_mender_2(Maintained& maintained)
     : m_maintained(maintained)
     , m_editor(maintained)
-    , m_population(maintained, m_editor)
+    , m_builder(maintained)
+    , m_population(maintained, m_editor, m_builder)
     , m_splice(maintained)
   {
   }
 
-  Editor& editor() { return m_editor; }
   auto& population() { return m_population; }
 
   void set_engines(const Static_engines_2& engines)
   {
-    m_editor.set_engine(engines.whole);
+    m_builder.set_engine(engines.whole);
     m_splice.set_engine(engines.region);
   }
 
@@ -92,7 +95,14 @@ public:
     m_is_planar = false; // points may have come since that was proved
     const Dynamic_frame_2<Maintained> frame(m_maintained);
     frame.for_each_changed_edge([this](Index e) { m_open.push_back(e); });
-    make_distinct(m_open);
+    Dynamic_Delaunay_triangulations_2::internal::make_distinct(m_open);
+  }
+
+  // Classifies all edges that are not Delaunay.
+  void classify_everything()
+  {
+    Circumcircle_classifier_2()(Dynamic_frame_2<Maintained>(m_maintained), m_classification);
+    take_classification(true, false);
   }
 
   // Classifies the edges that see one of these points, and are not Delaunay.
@@ -102,7 +112,7 @@ public:
     std::vector<Index> edges;
     for (const Index id : ids)
       frame.for_each_edge_that_sees(frame.vertex(id), [&](Index e) { edges.push_back(e); });
-    make_distinct(edges);
+    Dynamic_Delaunay_triangulations_2::internal::make_distinct(edges);
     Dynamic_Delaunay_triangulations_2::internal::examine_all(frame, edges, m_classification);
     take_classification(has_to_prove, false);
   }
@@ -212,7 +222,7 @@ public:
       return rebuild(Rebuild_reason_2::STUCK);
     const bool all_arrived = relocate_all();
     m_maintained.write_points();
-    m_editor.read_back();
+    m_builder.read_back();
     m_open.clear();
     m_illegal.clear();
     if (!all_arrived)
@@ -228,7 +238,7 @@ public:
   /// empty then.
   void rebuild(Rebuild_reason_2 reason)
   {
-    m_editor.rebuild();
+    m_builder.rebuild();
     m_report->rebuild_reason = m_maintained.is_mirrored() ? reason : Rebuild_reason_2::DIMENSION;
     m_open.clear();
     m_illegal.clear();
@@ -240,12 +250,6 @@ public:
   /// @}
 
 private:
-  static void make_distinct(std::vector<Index>& numbers)
-  {
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  }
-
   // The edges that the classifier has named.
   void open_classified()
   {
@@ -279,7 +283,7 @@ private:
     for_each_open_vertex(
         [&](Index v) { frame.for_each_edge_that_sees(v, [&](Index e) { edges.push_back(e); }); });
     m_open.insert(m_open.end(), edges.begin(), edges.end());
-    make_distinct(m_open);
+    Dynamic_Delaunay_triangulations_2::internal::make_distinct(m_open);
   }
 
   // The finite ones, some of them more than once.
@@ -333,7 +337,7 @@ private:
     const Certificate certificate(m_maintained);
     const auto& boundary = m_splice.boundary_edges();
     m_open.insert(m_open.end(), boundary.begin(), boundary.end());
-    make_distinct(m_open);
+    Dynamic_Delaunay_triangulations_2::internal::make_distinct(m_open);
     m_open.erase(
         std::remove_if(m_open.begin(), m_open.end(),
                        [&](Index e) { return certificate.state(e) == Edge_state::DELAUNAY; }),
@@ -345,7 +349,7 @@ private:
   {
     std::vector<Index> candidates = m_splice.region();
     for_each_open_vertex([&](Index v) { candidates.push_back(v); });
-    make_distinct(candidates);
+    Dynamic_Delaunay_triangulations_2::internal::make_distinct(candidates);
     const std::size_t merged = m_has_to_prove ? m_population.merge(candidates) : 0;
     if (merged == 0)
       return rebuild(Rebuild_reason_2::COINCIDENCE);
@@ -373,7 +377,7 @@ private:
       waiting.erase(std::remove_if(waiting.begin(), waiting.end(),
                                    [this](Index v) {
                                      const bool arrived =
-                                         m_editor.relocate(v, m_maintained.point(v));
+                                         m_builder.relocate(v, m_maintained.point(v));
                                      m_report->relocated += arrived;
                                      return arrived;
                                    }),
@@ -384,7 +388,8 @@ private:
 
   Maintained& m_maintained;
   Editor m_editor;
-  Dynamic_Delaunay_triangulations_2::internal::Population_2<Maintained> m_population;
+  Dynamic_Delaunay_triangulations_2::internal::Topology_builder_2<Maintained> m_builder;
+  Dynamic_Delaunay_triangulations_2::internal::Population_editor_2<Maintained> m_population;
   Dynamic_Delaunay_triangulations_2::internal::Lawson_flips_2 m_lawson;
   Dynamic_Delaunay_triangulations_2::internal::Border_splice_2<Maintained> m_splice;
   Dynamic_classification_2<Maintained> m_classification;

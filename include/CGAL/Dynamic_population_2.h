@@ -5,12 +5,12 @@
 #define CGAL_DYNAMIC_POPULATION_2_H
 
 #include <CGAL/assertions.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Coordinate_range_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distinct_numbers_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_position_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/property_map.h>
 #include <CGAL/Update_report_2.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <istream>
@@ -277,7 +277,7 @@ private:
       m_positions[id] = p;
       note_order(id);
     }
-    check_distinct(m_newcomers);
+    Dynamic_Delaunay_triangulations_2::internal::check_distinct(m_newcomers);
   }
 
   // Most points follow the one that they followed in the last frame: then there is no need for the
@@ -297,14 +297,6 @@ private:
     if (m_last != no_id)
       m_next_of[m_last] = id;
     m_last = id;
-  }
-
-  static void check_distinct(std::vector<UserId> user_ids)
-  {
-    std::sort(user_ids.begin(), user_ids.end());
-    const auto twice = std::adjacent_find(user_ids.begin(), user_ids.end());
-    if (twice != user_ids.end())
-      throw Repeated_id_error_2(*twice);
   }
 
   Update_report_2 remove_missing()

@@ -5,13 +5,13 @@
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CHECKPOINT_READER_2_H
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_coordinate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Coordinate_range_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Kept_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Sphere_check_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_builder_2.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -55,7 +55,7 @@ public:
     else
       check_line(maintained);
     maintained.positions_are_exact = m_kept.positions_are_exact;
-    Topology_editor_2<Maintained>(maintained).restore(m_kept);
+    Topology_builder_2<Maintained>(maintained).restore(m_kept);
     if (m_is_certified && m_dimension == 2 && !Certificate_2<Maintained>(maintained).holds())
       m_file.refuse(m_certified_line, "the triangulation is not Delaunay, and cannot be certified");
   }
@@ -330,7 +330,7 @@ private:
   std::vector<Index> m_ids; // of the hosts
   std::vector<Guest> m_guests;
   std::vector<Index> m_free_ids;
-  Kept_triangulation_2<Point> m_kept;
+  Checkpoint_arrays_2<Point> m_kept;
 };
 
 } // namespace internal

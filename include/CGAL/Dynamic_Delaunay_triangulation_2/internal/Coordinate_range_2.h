@@ -4,13 +4,9 @@
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_COORDINATE_RANGE_2_H
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_COORDINATE_RANGE_2_H
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Interval_nt.h>
-#include <CGAL/number_type_basic.h>
 
 #include <cmath>
-#include <cstddef>
 #include <limits>
 
 namespace CGAL {
@@ -36,18 +32,6 @@ constexpr double factor_beyond_limit = 1;
 inline bool is_within_limit(double coordinate)
 {
   return std::isfinite(factor_beyond_limit * coordinate);
-}
-
-// Where a point is, if it can be there.
-template <class Point>
-Position_2 checked_position(const Point& p, std::size_t id)
-{
-  const Position_2 position{CGAL::to_double(p.x()), CGAL::to_double(p.y())};
-  if (!std::isfinite(position.x) || !std::isfinite(position.y))
-    throw Non_finite_coordinate_error_2(id, position.x, position.y);
-  if (!is_within_limit(position.x) || !is_within_limit(position.y))
-    throw Coordinate_range_error_2(id, position.x, position.y, coordinate_limit);
-  return position;
 }
 
 } // namespace internal

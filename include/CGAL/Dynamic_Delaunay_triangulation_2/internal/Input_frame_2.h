@@ -5,7 +5,7 @@
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_INPUT_FRAME_2_H
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Coordinate_range_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_faces_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_position_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Prefetch_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
@@ -17,11 +17,8 @@
 #include <cstddef>
 #include <iterator>
 #include <memory>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
@@ -34,64 +31,6 @@ class Input_frame_2
   using Point = typename Maintained::Point;
 
 public:
-  // Points that come, and whether none of their coordinates has to be rounded for the flat arrays.
-  struct Newcomers
-  {
-    std::vector<Index> ids; // that they will get
-    std::vector<Point> points;
-    bool are_exact = true;
-  };
-
-  template <class InputIterator, class PointMap>
-  static Newcomers read_newcomers(InputIterator first, InputIterator beyond,
-                                  const PointMap& point_map, const Maintained& maintained)
-  {
-    Newcomers newcomers;
-    for (; first != beyond; ++first)
-      newcomers.points.push_back(get(point_map, *first));
-    if (newcomers.points.size() > most_vertices - maintained.ids.number_of_points())
-      throw std::length_error("a triangulation holds at most " + std::to_string(most_vertices) +
-                              " points");
-    newcomers.ids = maintained.ids.next_ids(newcomers.points.size());
-    for (std::size_t i = 0; i < newcomers.points.size(); ++i)
-      read_position(newcomers.points[i], newcomers.ids[i], newcomers.are_exact);
-    return newcomers;
-  }
-
-  // Ids of points that are there, each once, in the order of the range.
-  template <class InputIterator>
-  static std::vector<Index> read_ids(InputIterator first, InputIterator beyond,
-                                     const Maintained& maintained)
-  {
-    std::vector<Index> ids;
-    for (; first != beyond; ++first)
-      ids.push_back(read_id(*first, maintained));
-    check_distinct(ids);
-    return ids;
-  }
-
-  // Points with new positions.
-  struct Movers
-  {
-    std::vector<Index> ids;
-    std::vector<Point> points;
-    bool are_exact = true;
-  };
-
-  template <class InputIterator, class IdMap, class PointMap>
-  static Movers read_movers(InputIterator first, InputIterator beyond, const IdMap& id_map,
-                            const PointMap& point_map, const Maintained& maintained)
-  {
-    Movers movers;
-    for (; first != beyond; ++first) {
-      movers.ids.push_back(read_id(get(id_map, *first), maintained));
-      movers.points.push_back(get(point_map, *first));
-      read_position(movers.points.back(), movers.ids.back(), movers.are_exact);
-    }
-    check_distinct(movers.ids);
-    return movers;
-  }
-
   // Reads a frame into the positions; CGAL's vertices keep the points of the last one until they
   // are written. If the frame is refused, or reading it throws, all is as it was.
   template <class InputIterator, class PointMap>
@@ -149,8 +88,7 @@ private:
       const Position_2 position{CGAL::to_double(p.x()), CGAL::to_double(p.y())};
       zero.x += 0 * (factor_beyond_limit * position.x);
       zero.y += 0 * (factor_beyond_limit * position.y);
-      if constexpr (!Maintained::coordinates_are_doubles)
-        are_exact = are_exact && is_a_double(p.x()) && is_a_double(p.y());
+      are_exact = are_exact && has_exact_position(p);
       write(position, p, Index(v), maintained);
     };
     // one after the other in the plane, the points are anywhere in the range
@@ -187,7 +125,7 @@ private:
     bool are_exact = true;
     for (std::size_t id = 0; first != beyond; ++id, ++first)
       if (maintained.ids.is_taken(id))
-        read_position(get(point_map, *first), id, are_exact);
+        checked_position(get(point_map, *first), id, are_exact);
   }
 
   template <class InputIterator, class PointMap>
@@ -202,7 +140,7 @@ private:
       if (!maintained.ids.is_taken(id))
         continue;
       const Point& p = get(point_map, *first);
-      const Position_2 position = read_position(p, id, are_exact);
+      const Position_2 position = checked_position(p, id, are_exact);
       if (guest != maintained.next_guests.end() && guest->id == id)
         (guest++)->point = p;
       else
@@ -213,39 +151,6 @@ private:
     if (id < ids)
       throw Point_count_error_2(ids, id);
     maintained.positions_are_exact = are_exact;
-  }
-
-  // Any integer, a negative one too.
-  template <class Integer>
-  static Index read_id(const Integer& id, const Maintained& maintained)
-  {
-    if (!maintained.ids.is_taken(std::size_t(id)))
-      throw Unknown_id_error_2(std::size_t(id), maintained.ids.number_of_ids());
-    return Index(id);
-  }
-
-  static void check_distinct(std::vector<Index> ids)
-  {
-    std::sort(ids.begin(), ids.end());
-    const auto twice = std::adjacent_find(ids.begin(), ids.end());
-    if (twice != ids.end())
-      throw Repeated_id_error_2(*twice);
-  }
-
-  static Position_2 read_position(const Point& p, std::size_t id, bool& are_exact)
-  {
-    const Position_2 position = checked_position(p, id);
-    if constexpr (!Maintained::coordinates_are_doubles)
-      are_exact = are_exact && is_a_double(p.x()) && is_a_double(p.y());
-    return position;
-  }
-
-  // Whether converting a coordinate to a double has not rounded it, as far as its interval tells.
-  template <class FT>
-  static bool is_a_double(const FT& coordinate)
-  {
-    const std::pair<double, double> interval = CGAL::to_interval(coordinate);
-    return interval.first == interval.second;
   }
 
   static void write(const Position_2& position, const Point& p, Index vertex,

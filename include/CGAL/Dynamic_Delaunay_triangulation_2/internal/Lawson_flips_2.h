@@ -5,6 +5,7 @@
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_LAWSON_FLIPS_2_H
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distinct_numbers_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_proofs_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
 
@@ -121,8 +122,7 @@ private:
   template <class Maintained>
   static void keep_unproved(const Maintained& maintained, std::vector<Index>& open)
   {
-    std::sort(open.begin(), open.end());
-    open.erase(std::unique(open.begin(), open.end()), open.end());
+    make_distinct(open);
     const Certificate_2<Maintained> certificate(maintained);
     open.erase(
         std::remove_if(open.begin(), open.end(),

@@ -21,7 +21,7 @@ namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
 // What an update works on: the CGAL triangulation, its mirror, and who is who in both. Positions
-// are written here; topology is written by Topology_editor_2 alone.
+// are written here, topology by Topology_editor_2 and Topology_builder_2 alone.
 template <class Traits_, class Tds_>
 struct Maintained_triangulation_2
 {

@@ -136,7 +136,7 @@ public:
     return false;
   }
 
-  // The writing part, for the topology editor alone.
+  // The writing part, for those alone that write topology.
 
   void clear()
   {

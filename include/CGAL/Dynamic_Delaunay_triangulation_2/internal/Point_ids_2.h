@@ -125,18 +125,16 @@ public:
 
   // COMING AND GOING ----------------------------------------------------------------------------
 
-  // Memory for a point more, and for the ids of all to become free: then nothing below throws.
+  // Memory for a point more, for so many guests more, and for so many ids to become free: then
+  // nothing below throws.
   void provide_for_point()
   {
     provide(m_vertex_of_id, 1);
     provide(m_host, 1);
     provide(m_guests, 1);
   }
-  void provide_for_removals(std::size_t number)
-  {
-    provide(m_free_ids, number);
-    provide(m_guests, number);
-  }
+  void provide_for_guests(std::size_t number) { provide(m_guests, number); }
+  void provide_for_removals(std::size_t number) { provide(m_free_ids, number); }
 
   // Makes `id` the host of the next vertex, whether it is the next id or that of a guest.
   void place_host(Index id)

@@ -6,6 +6,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Displacements_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distinct_numbers_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_proofs_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_slack_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
@@ -129,8 +130,7 @@ public:
         if (!proves_delaunay(frame, e))
           unproved.push_back(e);
       });
-    std::sort(unproved.begin(), unproved.end());
-    unproved.erase(std::unique(unproved.begin(), unproved.end()), unproved.end());
+    make_distinct(unproved);
     return true;
   }
 

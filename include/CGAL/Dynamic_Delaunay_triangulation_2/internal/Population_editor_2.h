@@ -1,10 +1,11 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_POPULATION_2_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_POPULATION_2_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_POPULATION_EDITOR_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_POPULATION_EDITOR_2_H
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_builder_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_order_2.h>
 
@@ -23,18 +24,27 @@ namespace internal {
 //
 // If memory runs out on the way, each point has either come or gone, or it has not.
 template <class Maintained>
-class Population_2
+class Population_editor_2
 {
   using Editor = Topology_editor_2<Maintained>;
+  using Builder = Topology_builder_2<Maintained>;
   using Removal_series = typename Editor::Removal_series;
   using Point = typename Maintained::Point;
 
 public:
-  Population_2(Maintained& maintained, Editor& editor)
+  Population_editor_2(Maintained& maintained, Editor& editor, Builder& builder)
     : m_maintained(maintained)
     , m_editor(editor)
+    , m_builder(builder)
     , m_order(maintained)
   {
+  }
+
+  // The first points, where nobody is yet.
+  void build(std::vector<Index> ids, std::vector<Point> points)
+  {
+    const Index number_of_ids = Index(ids.size()); // arguments come in any order
+    m_builder.build(std::move(ids), std::move(points), number_of_ids);
   }
 
   // `ids` are the next ids.
@@ -80,7 +90,7 @@ public:
         [&](Index v, Index w) { pairs.emplace_back(ids.host(v), ids.host(w)); });
     if (has_to_rebuild(pairs.size(), pairs.size()))
       return 0;
-    ids.provide_for_removals(pairs.size());
+    ids.provide_for_guests(pairs.size());
     Removal_series series(m_editor, pairs.size());
     for (const auto& [i, j] : pairs) {
       Index stays = ids.vertex(i), goes = ids.vertex(j);
@@ -179,7 +189,7 @@ private:
       number_of_ids = (std::max)(number_of_ids, id + 1);
     all_ids.insert(all_ids.end(), ids.begin(), ids.end());
     all_points.insert(all_points.end(), points.begin(), points.end());
-    m_editor.build(std::move(all_ids), std::move(all_points), number_of_ids);
+    m_builder.build(std::move(all_ids), std::move(all_points), number_of_ids);
   }
 
   void remove_all(const std::vector<Index>& ids)
@@ -191,7 +201,7 @@ private:
     others.erase(std::remove_if(others.begin(), others.end(), [&](Index id) { return goes[id]; }),
                  others.end());
     std::vector<Point> points = points_of(others);
-    m_editor.build(std::move(others), std::move(points), m_maintained.ids.number_of_ids());
+    m_builder.build(std::move(others), std::move(points), m_maintained.ids.number_of_ids());
   }
 
   std::vector<Point> points_of(const std::vector<Index>& ids) const
@@ -222,7 +232,7 @@ private:
             const Move_vertex& move_vertex)
   {
     auto& known = m_maintained.ids;
-    known.provide_for_removals(2 * ids.size());
+    known.provide_for_guests(ids.size());
     for (std::size_t i = 0; i < ids.size(); ++i)
       if (!known.is_host(ids[i]))
         known.guest(ids[i]).point = points[i];
@@ -266,6 +276,7 @@ private:
 
   Maintained& m_maintained;
   Editor& m_editor;
+  Builder& m_builder;
   Vertex_order_2<Maintained> m_order;
 };
 
@@ -273,4 +284,4 @@ private:
 } // namespace Dynamic_Delaunay_triangulations_2
 } // namespace CGAL
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_POPULATION_2_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_POPULATION_EDITOR_2_H

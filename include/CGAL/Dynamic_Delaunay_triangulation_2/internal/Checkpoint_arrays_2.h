@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_KEPT_TRIANGULATION_2_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_KEPT_TRIANGULATION_2_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CHECKPOINT_ARRAYS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CHECKPOINT_ARRAYS_2_H
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_faces_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
@@ -15,12 +15,12 @@ namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
 // Half-edges and faces by their numbers in the mirror.
-struct Kept_edge_2
+struct Checkpoint_edge_2
 {
   Index forward;  // from the edge's source to its target
   Index halfedge; // that the mirror names first: this one or its twin
 };
-struct Kept_corner_2
+struct Checkpoint_corner_2
 {
   Index halfedge; // that the mirror names
   Index face;     // that CGAL's vertex names
@@ -29,7 +29,7 @@ struct Kept_corner_2
 // What a checkpoint keeps of a maintained triangulation: all that may make a difference to the next
 // update, but what classifiers, repairs and policies remember.
 template <class Point>
-struct Kept_triangulation_2
+struct Checkpoint_arrays_2
 {
   bool positions_are_exact = true;
   std::vector<Point> points;         // of each vertex but the infinite one
@@ -38,12 +38,12 @@ struct Kept_triangulation_2
 
   // None at all if the points do not span the plane: then that is triangulated anew in every frame.
   Flat_faces_2 faces;
-  std::vector<Kept_corner_2> corners; // of each vertex
-  std::vector<Kept_edge_2> edges;
+  std::vector<Checkpoint_corner_2> corners; // of each vertex
+  std::vector<Checkpoint_edge_2> edges;
 };
 
 } // namespace internal
 } // namespace Dynamic_Delaunay_triangulations_2
 } // namespace CGAL
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_KEPT_TRIANGULATION_2_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CHECKPOINT_ARRAYS_2_H

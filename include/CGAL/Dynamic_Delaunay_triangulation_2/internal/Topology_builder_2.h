@@ -1,0 +1,346 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_BUILDER_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_BUILDER_2_H
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_faces_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_numbering_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Prefetch_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulator_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_order_2.h>
+#include <CGAL/Unique_hash_map.h>
+
+#include <boost/iterator/counting_iterator.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Writes the whole topology at once, into the CGAL triangulation and the mirror: triangulates
+// anew, restores, or follows where CGAL has changed its own. Everything is new then.
+template <class Maintained>
+class Topology_builder_2
+{
+  using Point = typename Maintained::Point;
+  using Vertex_handle = typename Maintained::Vertex_handle;
+  using Face_handle = typename Maintained::Face_handle;
+  using Ids = Point_ids_2<Point>;
+  using Static_triangulation = Static_triangulation_2<typename Maintained::Traits>;
+
+public:
+  explicit Topology_builder_2(Maintained& maintained)
+    : m_maintained(maintained)
+    , m_vertex_order(maintained)
+    , m_numbering(maintained)
+    , m_triangulator(maintained)
+  {
+  }
+
+  void set_engine(Static_engine_2 engine) { m_triangulator.set_engine(engine); }
+
+  // A fresh triangulation of these points with these ids, all of which are smaller than
+  // `number_of_ids`, in place of what is there. Whoever is there already keeps its vertex.
+  void build(std::vector<Index> ids, std::vector<Point> points, Index number_of_ids)
+  {
+    m_maintained.everything_is_new = true; // also if memory runs out on the way
+    m_numbering.number(std::move(ids), std::move(points), number_of_ids);
+    triangulate_numbered();
+  }
+
+  // A fresh triangulation of the points where they are now. The vertices keep their numbers while
+  // these fit the plane.
+  void rebuild()
+  {
+    m_maintained.everything_is_new = true;
+    if (sort_vertices())
+      return triangulate(m_vertex_order.order());
+    m_numbering.number();
+    triangulate_numbered();
+  }
+
+  // The triangulation that was kept, which must be right, in place of one without points. If memory
+  // runs out, what is there can only be thrown away.
+  void restore(Checkpoint_arrays_2<Point>& kept)
+  {
+    CGAL_precondition(m_maintained.number_of_vertices() == 0);
+    restore_vertices(kept);
+    if (kept.faces.number_of_faces() == 0)
+      return triangulate_line();
+    take_faces(kept.faces);
+    restore_numbers(kept);
+  }
+
+  // Moves vertex v to p by CGAL's own means, in a Delaunay triangulation: false if another vertex
+  // is there. The mirror is out of step until `read_back()`.
+  bool relocate(Index v, const Point& p)
+  {
+    const Vertex_handle vertex = m_maintained.vertices[v];
+    return m_maintained.triangulation.move_if_no_collision(vertex, p) == vertex;
+  }
+
+  // Reads the topology into the mirror after CGAL has changed it.
+  void read_back()
+  {
+    auto& faces = m_maintained.faces;
+    auto& triangulation = m_maintained.triangulation;
+    faces.clear();
+    auto& stored = triangulation.tds().faces();
+    for (auto f = stored.begin(); f != stored.end(); ++f)
+      faces.push_back(f);
+    m_maintained.everything_is_new = true;
+    if (m_maintained.is_mirrored())
+      read_faces();
+    else
+      m_maintained.mirror.clear();
+  }
+
+private:
+  // BUILDING ------------------------------------------------------------------------------------
+
+  // False if the vertices need new numbers: points have come together, or may part, or those that
+  // follow each other in space have numbers far apart.
+  bool sort_vertices()
+  {
+    if (!m_maintained.ids.guests().empty())
+      return false;
+    const boost::counting_iterator<Index> first(1), beyond(Index(m_maintained.vertices.size()));
+    m_vertex_order.sort(first, beyond);
+    return 8 * m_vertex_order.number_of_far_steps() <= m_maintained.vertices.size() &&
+           !m_vertex_order.has_coincident_vertices();
+  }
+
+  // The vertices as m_numbering numbers them. Each host keeps the vertex that it had, if it had one
+  // of its own. Nothing has changed if memory runs out.
+  void triangulate_numbered()
+  {
+    typename Maintained::Vertex_arrays fresh;
+    Ids& ids = m_numbering.ids();
+    try {
+      collect_vertices(fresh);
+      m_maintained.exchange_vertices(fresh, ids);
+      try {
+        triangulate(m_numbering.order());
+      } catch (...) {
+        m_maintained.exchange_vertices(fresh, ids);
+        throw;
+      }
+    } catch (...) {
+      delete_vertices(fresh.vertices, ids, m_maintained.ids);
+      throw;
+    }
+    m_maintained.write_points();
+    delete_vertices(fresh.vertices, ids, m_maintained.ids);
+    m_numbering.release();
+  }
+
+  void collect_vertices(typename Maintained::Vertex_arrays& fresh)
+  {
+    const Ids &ids = m_numbering.ids(), &old_ids = m_maintained.ids;
+    fresh.reserve(ids.number_of_hosts() + std::size_t(1));
+    fresh.append(m_maintained.triangulation.infinite_vertex());
+    for (Index v = 1; v <= ids.number_of_hosts(); ++v) {
+      const Index id = ids.host(v);
+      fresh.append(old_ids.is_taken(id) && old_ids.is_host(id)
+                       ? m_maintained.vertices[old_ids.vertex(id)]
+                       : m_maintained.triangulation.tds().create_vertex(),
+                   m_numbering.point(v));
+    }
+  }
+
+  // Of those vertices that their hosts do not have elsewhere.
+  void delete_vertices(const std::vector<Vertex_handle>& vertices, const Ids& ids,
+                       const Ids& elsewhere)
+  {
+    for (Index v = 1; v < Index(vertices.size()); ++v) {
+      const Index id = ids.host(v);
+      if (!(elsewhere.is_taken(id) && elsewhere.is_host(id)))
+        m_maintained.triangulation.tds().delete_vertex(vertices[v]);
+    }
+  }
+
+  // All vertices, in their order: into the mirror, and from there, face by face, into CGAL's
+  // structure. What is only needed on the way would take as much memory as the triangulation.
+  // Nothing has changed if memory runs out.
+  void triangulate(const Spatial_order_2& order)
+  {
+    m_triangulator.run(order);
+    if (m_triangulator.faces().number_of_faces() > 0)
+      take_faces(m_triangulator.faces());
+    else
+      triangulate_line();
+    m_triangulator.release();
+    m_vertex_order.release();
+  }
+
+  void take_faces(const Flat_faces_2& faces)
+  {
+    const Index number = faces.number_of_faces();
+    auto& mirror = m_maintained.mirror;
+    mirror.reserve(m_maintained.number_of_vertices(), number);
+    provide_faces(number); // nothing throws from here on
+    drop_faces(number);
+    mirror.resize(m_maintained.number_of_vertices(), number);
+    for (Index f = 0; f < number; ++f)
+      for (Index i = 0; i < 3; ++i) {
+        const Index h = Flat_faces_2::first_halfedge(f) + i;
+        mirror.set_apex(3 * f + i, faces.apex(h));
+        mirror.set_twin(3 * f + i, Flat_faces_2::number_in_mirror(faces.twin(h)));
+      }
+    mirror.number_edges();
+    m_maintained.triangulation.tds().set_dimension(2);
+    write_all_faces();
+  }
+
+  // Vertices that do not span the plane, by CGAL's insertion. There is no mirror then.
+  void triangulate_line()
+  {
+    Static_triangulation line(m_maintained.traits());
+    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
+      line.insert(m_maintained.point(v), v);
+    std::vector<typename Static_triangulation::Face_handle> faces;
+    for (auto f = line.faces().begin(); f != line.faces().end(); ++f) {
+      f->info() = Index(faces.size());
+      faces.push_back(f);
+    }
+    provide_faces(faces.size()); // nothing throws from here on
+    drop_faces(faces.size());
+    m_maintained.mirror.clear();
+    m_maintained.triangulation.tds().set_dimension(line.triangulation().dimension());
+    copy_faces(faces);
+  }
+
+  // RESTORING -----------------------------------------------------------------------------------
+
+  void restore_vertices(Checkpoint_arrays_2<Point>& kept)
+  {
+    auto& triangulation = m_maintained.triangulation;
+    typename Maintained::Vertex_arrays fresh;
+    fresh.reserve(kept.points.size() + 1);
+    fresh.append(triangulation.infinite_vertex());
+    for (const Point& p : kept.points)
+      fresh.append(triangulation.tds().create_vertex(), p);
+    std::copy(kept.positions.begin(), kept.positions.end(), fresh.positions.begin() + 1);
+    m_maintained.exchange_vertices(fresh, kept.ids);
+    m_maintained.write_points();
+  }
+
+  // Of edges, corners and the faces that vertices name.
+  void restore_numbers(const Checkpoint_arrays_2<Point>& kept)
+  {
+    auto& mirror = m_maintained.mirror;
+    for (Index e = 0; e < mirror.number_of_edges(); ++e) {
+      mirror.set_edge(e, kept.edges[e].forward);
+      mirror.set_halfedge(e, kept.edges[e].halfedge);
+    }
+    for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v) {
+      mirror.set_corner(v, kept.corners[v].halfedge);
+      m_maintained.vertices[v]->set_face(m_maintained.faces[kept.corners[v].face]);
+    }
+  }
+
+  // BUILDING AND RESTORING ----------------------------------------------------------------------
+
+  void provide_faces(std::size_t number)
+  {
+    auto& faces = m_maintained.faces;
+    const std::size_t before = faces.size();
+    faces.reserve(number);
+    try {
+      while (faces.size() < number)
+        faces.push_back(m_maintained.triangulation.tds().create_face());
+    } catch (...) {
+      drop_faces(before);
+      throw;
+    }
+  }
+
+  void drop_faces(std::size_t number)
+  {
+    auto& faces = m_maintained.faces;
+    while (faces.size() > number) {
+      m_maintained.triangulation.tds().delete_face(faces.back());
+      faces.pop_back();
+    }
+  }
+
+  // From the mirror.
+  void write_all_faces()
+  {
+    const auto& mirror = m_maintained.mirror;
+    const auto& vertices = m_maintained.vertices;
+    const auto& faces = m_maintained.faces;
+    for (Index f = 0; f < Index(faces.size()); ++f) {
+      const Index h = 3 * f;
+      faces[f]->set_vertices(vertices[mirror.apex(h)], vertices[mirror.apex(h + 1)],
+                             vertices[mirror.apex(h + 2)]);
+      faces[f]->set_neighbors(faces[mirror.twin(h) / 3], faces[mirror.twin(h + 1) / 3],
+                              faces[mirror.twin(h + 2) / 3]);
+    }
+    // a vertex stays where it is in memory, wherever it has gone in the plane
+    constexpr Index ahead = 16;
+    for (Index v = 0; v < Index(vertices.size()); ++v) {
+      if (v + ahead < Index(vertices.size()))
+        prefetch(&*vertices[v + ahead]);
+      vertices[v]->set_mirror_index(v);
+      vertices[v]->set_face(faces[mirror.corner(v) / 3]);
+    }
+  }
+
+  template <class Static_face_handle>
+  void copy_faces(const std::vector<Static_face_handle>& static_faces)
+  {
+    for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v)
+      m_maintained.vertices[v]->set_mirror_index(v);
+    const auto& faces = m_maintained.faces;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      for (int i = 0; i < 3; ++i) {
+        const auto v = static_faces[f]->vertex(i);
+        const auto g = static_faces[f]->neighbor(i);
+        const bool has_vertex = v != typename Static_triangulation::Vertex_handle();
+        const bool has_neighbor = g != Static_face_handle();
+        faces[f]->set_vertex(i, has_vertex ? m_maintained.vertices[v->info()] : Vertex_handle());
+        faces[f]->set_neighbor(i, has_neighbor ? faces[g->info()] : Face_handle());
+        if (has_vertex)
+          faces[f]->vertex(i)->set_face(faces[f]);
+      }
+  }
+
+  void read_faces()
+  {
+    const auto& faces = m_maintained.faces;
+    Unique_hash_map<Face_handle, Index> number_of_face(no_index, faces.size());
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      number_of_face[faces[f]] = Index(f);
+    auto& mirror = m_maintained.mirror;
+    mirror.resize(m_maintained.number_of_vertices(), Index(faces.size()));
+    for (Index f = 0; f < Index(faces.size()); ++f)
+      for (int i = 0; i < 3; ++i) {
+        const Face_handle g = faces[f]->neighbor(i);
+        mirror.set_apex(3 * f + Index(i), faces[f]->vertex(i)->mirror_index());
+        mirror.set_twin(3 * f + Index(i), 3 * number_of_face[g] + Index(g->index(faces[f])));
+      }
+    mirror.number_edges();
+    for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v)
+      m_maintained.vertices[v]->set_face(faces[mirror.corner(v) / 3]);
+  }
+
+  Maintained& m_maintained;
+  Vertex_order_2<Maintained> m_vertex_order;
+  Point_numbering_2<Maintained> m_numbering;
+  Static_triangulator_2<Maintained> m_triangulator;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_BUILDER_2_H
