@@ -104,7 +104,7 @@ const Table padding_table = {"A fast point through a cloud at rest, border splic
                               {"rebuilt", 8, 3}}};
 
 // Made when a row wants it, and kept for the next one: rows of one scenario follow each other.
-class Recordings
+class Kept_recording
 {
 public:
   using Make = std::function<Recorded_frames()>;
@@ -138,11 +138,11 @@ public:
   // `work` makes a Case_result of a recording.
   template <class Work>
   void add(const Table& table, const std::string& recording, const std::string& method,
-           const Recordings::Make& make, Work work)
+           const Kept_recording::Make& make, Work work)
   {
     const std::string name = recording + '/' + method;
     m_cases.add(table, name, [this, &table, name, recording, make, work] {
-      const speed::Case_result result = work(m_recordings.get(recording, make));
+      const speed::Case_result result = work(m_recording.get(recording, make));
       m_csv.add(table, name, result.figures);
       return result;
     });
@@ -166,14 +166,14 @@ private:
 
   std::size_t m_frames;
   speed::Case_list m_cases;
-  Recordings m_recordings;
+  Kept_recording m_recording;
   Csv_tables m_csv;
 };
 
 const std::vector<std::string> scenarios = {"dam_break", "spinning", "explosion", "static"};
 
-Recordings::Make maker(const std::string& name, std::size_t frames,
-                       const scenario::Overrides& overrides = {})
+Kept_recording::Make maker(const std::string& name, std::size_t frames,
+                           const scenario::Overrides& overrides = {})
 {
   return [=] {
     const auto path = std::filesystem::path(SCENARIOS_DIR) / (name + ".json");
@@ -210,7 +210,7 @@ void add_classifiers(Rows& rows)
   }
 }
 
-void add_policies(Rows& rows, const std::string& name, const Recordings::Make& make)
+void add_policies(Rows& rows, const std::string& name, const Kept_recording::Make& make)
 {
   const std::vector<std::string> policies = {"always_static", "always_dynamic", "hybrid",
                                              "key_frames:10"};

@@ -29,6 +29,7 @@
 // place of its figures, and the program ends with an error.
 
 #include "scenario/Open_motion.h"
+#include "scenario/Recordings.h"
 #include "speed/Case_list.h"
 #include "speed/Change_cases.h"
 #include "speed/Heap_cases.h"
@@ -44,7 +45,6 @@
 #include <memory>
 #include <sstream>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -210,29 +210,15 @@ void add_teleport(Case_list& cases)
   }
 }
 
-std::vector<std::filesystem::path> recordings()
-{
-  std::vector<std::filesystem::path> paths;
-  std::error_code ignored;
-  for (const auto& file : std::filesystem::directory_iterator(SHARED_DATA_DIR, ignored)) {
-    const std::string extension = file.path().extension().string();
-    if (extension == ".csv" || extension == ".lammpstrj" || extension == ".dump") {
-      paths.push_back(file.path());
-    }
-  }
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
-
 void add_recorded(Case_list& cases)
 {
-  const auto paths = recordings();
-  for (const std::filesystem::path& path : paths) {
-    cases.add(recorded, "recorded/" + path.stem().string(),
-              [=] { return recorded_case(path.string()); });
+  const std::vector<std::string> paths = scenario::recordings();
+  for (const std::string& path : paths) {
+    cases.add(recorded, "recorded/" + std::filesystem::path(path).stem().string(),
+              [=] { return recorded_case(path); });
   }
   if (paths.empty()) {
-    std::cerr << "recorded/...: skipped, there are no recordings in " SHARED_DATA_DIR "\n";
+    std::cerr << "recorded/...: skipped, " << scenario::no_recordings_message() << '\n';
   }
 }
 

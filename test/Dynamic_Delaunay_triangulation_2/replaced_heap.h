@@ -16,6 +16,7 @@ namespace replaced_heap {
 
 // What a thread does to the heap is its own affair: others neither count with it nor fail with it.
 inline thread_local std::size_t number_of_allocations = 0;
+inline thread_local std::size_t largest_allocation = 0;   // in bytes, since a test has set it to 0
 inline thread_local long number_of_allocations_left = -1; // negative: as many as one likes
 
 // As long as it lives, the memory of this thread runs out after so many allocations, once.
@@ -28,6 +29,12 @@ public:
   ~Scarcity() { number_of_allocations_left = -1; }
 };
 
+inline void count(std::size_t size)
+{
+  ++number_of_allocations;
+  largest_allocation = std::max(largest_allocation, size);
+}
+
 inline bool runs_out()
 {
   return number_of_allocations_left >= 0 && number_of_allocations_left-- == 0;
@@ -36,13 +43,13 @@ inline bool runs_out()
 // Null if there is no memory.
 inline void* allocated(std::size_t size) noexcept
 {
-  ++number_of_allocations;
+  count(size);
   return runs_out() ? nullptr : std::malloc(std::max<std::size_t>(size, 1));
 }
 
 inline void* allocated(std::size_t size, std::align_val_t alignment) noexcept
 {
-  ++number_of_allocations;
+  count(size);
   const auto unit = static_cast<std::size_t>(alignment);
   const std::size_t units = std::max<std::size_t>(size / unit + (size % unit != 0), 1);
   return runs_out() ? nullptr : std::aligned_alloc(unit, units * unit);

@@ -5,6 +5,8 @@
 // is refused and changes nothing.
 
 #include "oracle.h"
+#include "replaced_heap.h"
+#include "sealed_checkpoint.h"
 
 #include <CGAL/Dynamic_population_2.h>
 #include <CGAL/Flip_repair_2.h>
@@ -16,37 +18,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <limits>
 #include <new>
 #include <sstream>
 #include <streambuf>
 #include <tuple>
 #include <utility>
-
-// Allocations of this program can fail, and are measured. (Inlined, these functions would draw a
-// false warning about mismatched allocation from g++.)
-static std::size_t largest_allocation = 0;
-static long allocations_left = -1; // as many as one likes
-
-[[gnu::noinline]] void* operator new(std::size_t size)
-{
-  largest_allocation = (std::max)(largest_allocation, size);
-  if (allocations_left < 0 || allocations_left-- > 0)
-    if (void* memory = std::malloc(size))
-      return memory;
-  throw std::bad_alloc();
-}
-
-[[gnu::noinline]] void operator delete(void* memory) noexcept
-{
-  std::free(memory);
-}
-
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
 
 namespace {
 
@@ -76,15 +53,6 @@ Dynamic restored(const Dynamic& original)
   Dynamic copy;
   read(copy, text_of(original));
   return copy;
-}
-
-// What the file would be if its lines were meant: with the right checksum.
-std::string resealed(const std::string& text)
-{
-  const std::string body = text.substr(0, text.rfind("checksum "));
-  CGAL::Dynamic_Delaunay_triangulations_2::internal::Checkpoint_sum_2 sum;
-  sum.add(body);
-  return body + "checksum " + sum.text() + "\n";
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& by)
@@ -720,9 +688,9 @@ TEST(Checkpoints, what_is_announced_costs_no_memory)
       std::string edited = text;
       edited.replace(place, end - place, std::string(name) + ' ' + announced);
       edited = resealed(edited);
-      largest_allocation = 0;
+      replaced_heap::largest_allocation = 0;
       ASSERT_GT(refusal(dt, edited).line(), 0u) << name << " " << announced;
-      EXPECT_LT(largest_allocation, 100000u) << name << " " << announced;
+      EXPECT_LT(replaced_heap::largest_allocation, 100000u) << name << " " << announced;
     }
 }
 
@@ -982,13 +950,12 @@ void expect_nothing_to_change_without_memory(Read& target, const std::string& te
   for (long allocations = 0; !is_read; ++allocations) {
     std::istringstream in(text);
     try {
-      allocations_left = allocations;
+      const replaced_heap::Scarcity scarcity(allocations);
       target.read_checkpoint(in);
       is_read = true;
     } catch (const std::bad_alloc&) {
     } catch (const Checkpoint_error_2&) { // the stream has caught it
     }
-    allocations_left = -1;
     ASSERT_EQ(text_of(target), is_read ? text : before);
   }
 }

@@ -5,6 +5,7 @@
 
 #include "oracle.h"
 #include "scenario/Open_motion.h"
+#include "scenario/Recordings.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_population_2.h>
@@ -16,13 +17,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -33,17 +32,9 @@ using Population = CGAL::Dynamic_population_2<Dynamic>;
 using Tracks = std::vector<std::pair<std::int64_t, Epick::Point_2>>;
 
 // One empty name where there is no recording, so that a test can say so.
-std::vector<std::string> recordings()
+std::vector<std::string> recordings_or_none()
 {
-  std::vector<std::string> paths;
-  std::error_code ignored;
-  for (const auto& file : std::filesystem::directory_iterator(SHARED_DATA_DIR, ignored)) {
-    const std::string extension = file.path().extension().string();
-    if (extension == ".csv" || extension == ".lammpstrj" || extension == ".dump") {
-      paths.push_back(file.path().string());
-    }
-  }
-  std::sort(paths.begin(), paths.end());
+  const std::vector<std::string> paths = scenario::recordings();
   return paths.empty() ? std::vector<std::string>{""} : paths;
 }
 
@@ -80,8 +71,6 @@ void expect_everybody(const Population& population, const Tracks& tracks)
   }
 }
 
-constexpr const char* nothing_there = "no recordings in " SHARED_DATA_DIR;
-
 class Recorded_motion : public testing::TestWithParam<std::string>
 {
 };
@@ -89,7 +78,7 @@ class Recorded_motion : public testing::TestWithParam<std::string>
 TEST_P(Recorded_motion, is_followed_exactly_on_every_frame_with_its_whole_population)
 {
   if (GetParam().empty()) {
-    GTEST_SKIP() << nothing_there;
+    GTEST_SKIP() << scenario::no_recordings_message();
   }
   // A comparison with a fresh triangulation is dear: so many frames of each recording get one.
   constexpr std::size_t comparisons = 40;
@@ -141,7 +130,7 @@ void follow(const std::string& path, const Classifier& classifier)
 TEST_P(Recorded_motion, keeps_a_valid_structure_under_absurd_heuristics)
 {
   if (GetParam().empty()) {
-    GTEST_SKIP() << nothing_there;
+    GTEST_SKIP() << scenario::no_recordings_message();
   }
   ASSERT_NO_FATAL_FAILURE(follow(GetParam(), CGAL::Point_distance_classifier_2(0)));
   ASSERT_NO_FATAL_FAILURE(follow(GetParam(), CGAL::Inflation_aware_classifier_2(0)));
@@ -150,6 +139,6 @@ TEST_P(Recorded_motion, keeps_a_valid_structure_under_absurd_heuristics)
   ASSERT_NO_FATAL_FAILURE(follow(GetParam(), CGAL::Voronoi_edge_length_classifier_2(0)));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Recorded_motion, testing::ValuesIn(recordings()), test_name);
+INSTANTIATE_TEST_SUITE_P(All, Recorded_motion, testing::ValuesIn(recordings_or_none()), test_name);
 
 } // namespace

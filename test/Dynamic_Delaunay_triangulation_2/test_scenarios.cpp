@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "scenario/Open_motion.h"
+#include "scenario/Recordings.h"
 #include "scenario/Static_neighbors.h"
 #include "temporary_files.h"
 
@@ -1123,20 +1124,13 @@ struct Shared_file
   std::size_t most;
 };
 
-std::string shared_data_directory()
-{
-  const char* const variable = std::getenv("SHARED_DATA_DIR");
-  return variable != nullptr ? variable : SHARED_DATA_DIR;
-}
-
 } // namespace
 
 TEST(Recorded_data, parses_with_the_frames_and_points_its_description_states)
 {
-  const std::string directory = shared_data_directory();
+  const std::string directory = recordings_directory();
   if (!std::filesystem::is_directory(directory)) {
-    GTEST_SKIP() << "no recorded data in " << directory
-                 << "; set SHARED_DATA_DIR to the directory that holds it";
+    GTEST_SKIP() << no_recordings_message();
   }
   const std::vector<Shared_file> files = {
       {"traffic_bologna.csv", 201, 1005, 1099}, {"sph_dambreak.csv", 35, 3938, 3938},

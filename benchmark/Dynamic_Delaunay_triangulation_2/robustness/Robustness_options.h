@@ -5,6 +5,7 @@
 #define ROBUSTNESS_ROBUSTNESS_OPTIONS_H
 
 #include "Families.h"
+#include "run/Command_line_option.h"
 #include "run/Number_argument.h"
 #include "scenario/Json_object_reader.h"
 
@@ -15,7 +16,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <thread>
 
@@ -33,27 +33,13 @@ struct Robustness_options
   std::optional<std::string> report{};
 };
 
-// `take` gets the text after the option and throws std::invalid_argument if it dislikes it.
-template <class Take>
-void add_option(CLI::App& app, const std::string& name, const std::string& value,
-                const std::string& description, Take take)
-{
-  const auto checked_take = [name, take](const std::string& text) {
-    try {
-      take(text);
-    } catch (const std::invalid_argument& error) {
-      throw CLI::ValidationError(name, error.what());
-    }
-  };
-  app.add_option_function<std::string>(name, checked_take, description)->type_name(value);
-}
-
 // \throws CLI::Success for --help, another CLI::ParseError for a mistake.
 inline Robustness_options parse_options(CLI::App& app, int argc, const char* const* argv)
 {
   constexpr std::uint64_t any = std::numeric_limits<std::uint64_t>::max();
   constexpr std::uint64_t most_operations = 1'000'000'000'000, most_threads = 1024;
   constexpr double longest_patience = 1e6;
+  using run::add_option;
   Robustness_options options;
   app.description("Does random things to triangulations, and compares them with fresh ones of "
                   "CGAL's after each of them.");

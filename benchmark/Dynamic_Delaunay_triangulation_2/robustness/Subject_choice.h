@@ -4,6 +4,7 @@
 #ifndef ROBUSTNESS_SUBJECT_CHOICE_H
 #define ROBUSTNESS_SUBJECT_CHOICE_H
 
+#include "Maker.h"
 #include "Population_subject.h"
 #include "run/Any_classifier.h"
 #include "Setup.h"

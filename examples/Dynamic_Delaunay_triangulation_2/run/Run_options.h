@@ -6,6 +6,7 @@
 
 #include "Any_repair.h"
 #include "Classifier_choice.h"
+#include "Command_line_option.h"
 #include "Engine_choice.h"
 #include "Number_argument.h"
 #include "Policy_choice.h"
@@ -48,21 +49,6 @@ inline scenario::Packing packing_argument(const std::string& text)
     throw std::invalid_argument("there is no packing '" + text + "'; there are square, hexagonal");
   }
   return text == "square" ? scenario::Packing::square : scenario::Packing::hexagonal;
-}
-
-// `take` gets the text after the option and throws std::invalid_argument if it dislikes it.
-template <class Take>
-CLI::Option* add_option(CLI::App& app, const std::string& name, const std::string& value,
-                        const std::string& description, Take take)
-{
-  const auto checked_take = [name, take](const std::string& text) {
-    try {
-      take(text);
-    } catch (const std::invalid_argument& error) {
-      throw CLI::ValidationError(name, error.what());
-    }
-  };
-  return app.add_option_function<std::string>(name, checked_take, description)->type_name(value);
 }
 
 inline void add_method_options(CLI::App& app, Run_options& options)

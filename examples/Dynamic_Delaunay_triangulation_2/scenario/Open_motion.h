@@ -77,6 +77,12 @@ inline void refuse_overrides(const std::string& path, const Overrides& overrides
   }
 }
 
+inline bool is_recording(const std::filesystem::path& file)
+{
+  const std::string extension = file.extension().string();
+  return extension == ".csv" || extension == ".lammpstrj" || extension == ".dump";
+}
+
 // Opens a scenario (.json) or a recording (.csv, or LAMMPS dump .lammpstrj or .dump).
 inline std::unique_ptr<Motion> open_motion(const std::string& path, const Overrides& overrides = {})
 {
@@ -85,7 +91,7 @@ inline std::unique_ptr<Motion> open_motion(const std::string& path, const Overri
   if (extension == ".json") {
     return open_scenario(path, overrides);
   }
-  if (extension != ".csv" && extension != ".lammpstrj" && extension != ".dump") {
+  if (!is_recording(file)) {
     throw Scenario_error(path, "has the unknown extension '" + extension +
                                    "', allowed are .json, .csv, .lammpstrj and .dump");
   }

@@ -30,7 +30,7 @@ Position_2 checked_position(const Point& p, std::size_t id)
   return position;
 }
 
-// Whether no coordinate has to be rounded for that, as far as its interval tells.
+// Whether none of its coordinates is rounded for that, as far as their intervals tell.
 template <class Point>
 bool has_exact_position(const Point& p)
 {

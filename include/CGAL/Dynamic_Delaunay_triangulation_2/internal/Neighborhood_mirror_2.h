@@ -136,7 +136,7 @@ public:
     return false;
   }
 
-  // The writing part, for those alone that write topology.
+  // The writing part, for Topology_editor_2 and Topology_builder_2 alone.
 
   void clear()
   {

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SCENARIO_RECORDINGS_H
+#define SCENARIO_RECORDINGS_H
+
+#include "Open_motion.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace scenario {
+
+// Where recorded motion is, which is no part of the package: in the directory that the environment
+// names, or else next to the package.
+inline std::string recordings_directory()
+{
+  const char* const variable = std::getenv("SHARED_DATA_DIR");
+  return variable != nullptr ? variable : SHARED_DATA_DIR;
+}
+
+inline std::string no_recordings_message()
+{
+  return "no recordings in " + recordings_directory() +
+         "; set SHARED_DATA_DIR to the directory that holds them";
+}
+
+// The paths of all recordings there, in the order of their names; none if there is no directory.
+inline std::vector<std::string> recordings()
+{
+  std::vector<std::string> paths;
+  std::error_code ignored;
+  for (const auto& file : std::filesystem::directory_iterator(recordings_directory(), ignored)) {
+    if (is_recording(file.path())) {
+      paths.push_back(file.path().string());
+    }
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+} // namespace scenario
+
+#endif // SCENARIO_RECORDINGS_H
