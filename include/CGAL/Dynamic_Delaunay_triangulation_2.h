@@ -16,6 +16,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Population_input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Validity_check_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_vertex_base_2.h>
 #include <CGAL/Dynamic_frame_2.h>

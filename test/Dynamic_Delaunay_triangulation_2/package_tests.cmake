@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Tests of the package as a whole: each header by itself, the installed package, and the Debian package.
+
+# Each header, internal ones too, has to bring all that it needs, and to bear being included twice. That they compile
+# is the test. A precompiled header or a unity build would hide what is missing.
+file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/include" "${PROJECT_SOURCE_DIR}/include/*.h")
+set(sources "")
+foreach(header IN LISTS headers)
+  string(REGEX REPLACE "\\.h$" ".cpp" source "${CMAKE_CURRENT_BINARY_DIR}/headers/${header}")
+  file(CONFIGURE OUTPUT "${source}" CONTENT "#include <@header@>\n#include <@header@>\n" @ONLY)
+  list(APPEND sources "${source}")
+endforeach()
+add_library(self_sufficient_headers OBJECT ${sources})
+target_link_libraries(self_sufficient_headers PRIVATE program_settings)
+set_target_properties(self_sufficient_headers PROPERTIES UNITY_BUILD OFF)
+if(NOT MSVC)
+  # Assertions need their includes as well. Nobody runs the result.
+  target_compile_options(self_sufficient_headers PRIVATE -UNDEBUG -O0)
+endif()
+
+# A program that finds the installed package, and one that has it as a subdirectory.
+add_test(NAME consumer
+  COMMAND "${CMAKE_COMMAND}" -D SOURCE=${PROJECT_SOURCE_DIR} -D BUILD=${PROJECT_BINARY_DIR} -D CONFIG=$<CONFIG>
+    -D WORK=${CMAKE_CURRENT_BINARY_DIR}/consumer -D GENERATOR=${CMAKE_GENERATOR} -D COMPILER=${CMAKE_CXX_COMPILER}
+    -D CGAL_DIR=${CGAL_DIR} -D CCACHE=${CCACHE} -D TBB=$<TARGET_EXISTS:CGAL::TBB_support>
+    -P "${CMAKE_CURRENT_SOURCE_DIR}/consumer.cmake")
+# Both write the list of what they install into the build folder.
+set(package_tests consumer)
+find_program(DPKG_DEB dpkg-deb)
+if(DPKG_DEB)
+  add_test(NAME debian_package
+    COMMAND "${CMAKE_COMMAND}" -D SOURCE=${PROJECT_SOURCE_DIR} -D BUILD=${PROJECT_BINARY_DIR} -D CONFIG=$<CONFIG>
+      -D WORK=${CMAKE_CURRENT_BINARY_DIR}/debian_package -D CPACK=${CMAKE_CPACK_COMMAND} -D DPKG_DEB=${DPKG_DEB}
+      -D VERSION=${PROJECT_VERSION} -P "${CMAKE_CURRENT_SOURCE_DIR}/debian_package.cmake")
+  list(APPEND package_tests debian_package)
+else()
+  message(STATUS "No test of the Debian package: it needs dpkg-deb")
+endif()
+set_tests_properties(${package_tests} PROPERTIES LABELS test TIMEOUT 300 RESOURCE_LOCK installation)
