@@ -70,6 +70,14 @@ public:
   Index vertex(Index id) const { return m_maintained->ids.vertex(id); }
   /// the id of a point at the finite vertex `v`; of the one that was there first, if several are.
   Index id(Index v) const { return m_maintained->ids.host(v); }
+  /// calls `f(i)` for the id `i` of every point that shares the vertex of one that was there first,
+  /// smaller ids first. Cost: proportional to their number.
+  template <class Function>
+  void for_each_guest(Function&& f) const
+  {
+    for (const auto& guest : m_maintained->ids.guests())
+      f(guest.id);
+  }
   /// whether `v` is the infinite vertex.
   static bool is_infinite(Index v)
   {

@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What simulations get from a triangulation that is there, and what that costs a point, or a query:
+// neighbor lists, Voronoi cells, nearest points and those within a radius. The points are a uniform
+// cloud, one to a unit of area, whose ids say nothing about where they are; places that are asked
+// for are anywhere among them. Cases with `cgal` do the same by CGAL's own means. The counter
+// s/point is the time divided by the points or queries.
+
+#include <CGAL/Delaunay_neighbor_lists_2.h>
+#include <CGAL/Delaunay_point_queries_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Voronoi_cell_measures_2.h>
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <random>
+#include <vector>
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_2;
+using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Kernel>;
+using Queries = CGAL::Delaunay_point_queries_2<Dynamic>;
+using Ids = std::vector<std::size_t>;
+
+// One to a unit of area.
+std::vector<Point> cloud(const benchmark::State& state, std::uint64_t seed)
+{
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> coordinate(0, std::sqrt(double(state.range(0))));
+  std::vector<Point> points;
+  for (std::int64_t i = 0; i < state.range(0); ++i) {
+    const double x = coordinate(random);
+    points.push_back(Point(x, coordinate(random)));
+  }
+  return points;
+}
+
+// Runs `work(dt)`, which does something for every point, or place.
+template <class Work>
+void run(benchmark::State& state, const Work& work)
+{
+  const std::vector<Point> points = cloud(state, 1);
+  const Dynamic dt(points.begin(), points.end());
+  for (auto _ : state)
+    work(dt);
+  state.counters["s/point"] =
+      benchmark::Counter(double(state.range(0)), benchmark::Counter::kIsIterationInvariantRate |
+                                                     benchmark::Counter::kInvert);
+}
+
+void neighbor_lists(benchmark::State& state)
+{
+  CGAL::Delaunay_neighbor_lists_2 lists;
+  run(state, [&](const Dynamic& dt) {
+    lists.compute(dt);
+    benchmark::DoNotOptimize(lists.neighbors().data());
+  });
+}
+
+// Into arrays of the same form.
+void neighbor_lists_cgal(benchmark::State& state)
+{
+  Ids offsets, neighbors;
+  run(state, [&](const Dynamic& dt) {
+    const auto& triangulation = dt.triangulation();
+    offsets.assign(1, 0);
+    neighbors.clear();
+    for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
+      auto neighbor = triangulation.incident_vertices(dt.vertex(id));
+      const auto first = neighbor;
+      do
+        if (!triangulation.is_infinite(neighbor))
+          neighbors.push_back(dt.id(neighbor));
+      while (++neighbor != first);
+      offsets.push_back(neighbors.size());
+    }
+    benchmark::DoNotOptimize(neighbors.data());
+  });
+}
+
+void whole_cells(benchmark::State& state)
+{
+  CGAL::Voronoi_cell_measures_2 cells;
+  run(state, [&](const Dynamic& dt) {
+    cells.compute(dt);
+    benchmark::DoNotOptimize(cells.areas().data());
+  });
+}
+
+void clipped_cells(benchmark::State& state)
+{
+  const double side = std::sqrt(double(state.range(0)));
+  CGAL::Voronoi_cell_measures_2 cells;
+  run(state, [&](const Dynamic& dt) {
+    cells.compute(dt, CGAL::Bbox_2(0, 0, side, side));
+    benchmark::DoNotOptimize(cells.areas().data());
+  });
+}
+
+void nearest_neighbor_of_each(benchmark::State& state)
+{
+  run(state, [](const Dynamic& dt) {
+    Queries queries(dt);
+    for (std::size_t id = 0; id < dt.number_of_ids(); ++id)
+      benchmark::DoNotOptimize(queries.nearest_neighbor(id));
+  });
+}
+
+// About ten others.
+void within_radius_of_each(benchmark::State& state)
+{
+  constexpr double squared_radius = 3.2;
+  Ids ids;
+  std::size_t found = 0, asked = 0;
+  run(state, [&](const Dynamic& dt) {
+    Queries queries(dt);
+    for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
+      ids.clear();
+      queries.neighbors_within(id, squared_radius, std::back_inserter(ids));
+      found += ids.size();
+    }
+    asked += dt.number_of_ids();
+  });
+  state.counters["found"] = double(found) / double(asked);
+}
+
+void nearest_to_places(benchmark::State& state)
+{
+  const std::vector<Point> places = cloud(state, 2);
+  run(state, [&](const Dynamic& dt) {
+    Queries queries(dt);
+    for (const Point& place : places)
+      benchmark::DoNotOptimize(queries.nearest(place));
+  });
+}
+
+void nearest_to_places_cgal(benchmark::State& state)
+{
+  const std::vector<Point> places = cloud(state, 2);
+  run(state, [&](const Dynamic& dt) {
+    for (const Point& place : places)
+      benchmark::DoNotOptimize(dt.id(dt.triangulation().nearest_vertex(place)));
+  });
+}
+
+// Each a little further on, as somebody who walks through the cloud asks.
+void nearest_to_places_in_a_row(benchmark::State& state)
+{
+  const double side = std::sqrt(double(state.range(0)));
+  run(state, [&](const Dynamic& dt) {
+    Queries queries(dt);
+    for (std::int64_t i = 0; i < state.range(0); ++i) {
+      const double x = std::fmod(0.1 * double(i), side);
+      benchmark::DoNotOptimize(queries.nearest(Point(x, 0.7 * x)));
+    }
+  });
+}
+
+void sizes(benchmark::internal::Benchmark* benchmark)
+{
+  benchmark->ArgName("points")->Unit(benchmark::kMicrosecond)->Arg(1000)->Arg(100000);
+}
+
+BENCHMARK(neighbor_lists)->Apply(sizes);
+BENCHMARK(neighbor_lists_cgal)->Apply(sizes);
+BENCHMARK(whole_cells)->Apply(sizes);
+BENCHMARK(clipped_cells)->Apply(sizes);
+BENCHMARK(nearest_neighbor_of_each)->Apply(sizes);
+BENCHMARK(within_radius_of_each)->Apply(sizes);
+BENCHMARK(nearest_to_places)->Apply(sizes);
+BENCHMARK(nearest_to_places_cgal)->Apply(sizes);
+BENCHMARK(nearest_to_places_in_a_row)->Apply(sizes);
+
+} // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,199 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_NEIGHBOR_LISTS_2_H
+#define CGAL_DELAUNAY_NEIGHBOR_LISTS_2_H
+
+#include <CGAL/assertions.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Finite_neighbors_2.h>
+#include <CGAL/Iterator_range.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2
+
+Who is whose neighbor, as two plain arrays (compressed rows): `neighbors()` has the neighbors of all
+points, one list after the other, and `offsets()` says where each list begins. So a loop over all
+neighbors touches no triangulation, and the arrays can be handed on to other programs as they are.
+
+- The list of a point has the other ends of its finite edges, counterclockwise around it, beginning
+  anywhere.
+- Points that coincide share the vertex of the one that was there first, the *host*; the others are
+  its *guests*. The list of a guest has its host and nobody else. The list of a host ends with its
+  guests, smaller ids first.
+- The list of an id that was removed is empty.
+
+So the lists are symmetric, and there are at most six times as many entries as points. Their ids are
+those of the triangulation. In a `Dynamic_population_2` these are
+`population.id(user_id)`, and `population.user_id(id)` is the way back.
+
+The triangulation need not be certified: the lists are those of the edges that there are.
+
+An object keeps its memory. `compute()` allocates nothing if the triangulation had as many ids and
+vertices and guests before.
+
+\cgalExample{Dynamic_Delaunay_triangulation_2/neighbours_in_a_flock.cpp}
+
+\sa `Delaunay_point_queries_2`
+*/
+class Delaunay_neighbor_lists_2
+{
+public:
+  /// \name Types
+  /// @{
+
+  /// an id in the arrays: 32 bits, as the triangulation has them inside.
+  using Id = std::uint32_t;
+  /// the type of ids and counts.
+  using size_type = std::size_t;
+  /// a list.
+  using Neighbors = Iterator_range<std::vector<Id>::const_iterator>;
+
+  /// @}
+  /// \name Computation
+  /// @{
+
+  /// reads the lists from a triangulation, in place of those that are there.
+  ///
+  /// Cost: linear, one pass over the edges and one walk around every vertex; with g guests,
+  /// O(g log g) more. If memory runs out, there are no lists.
+  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`.
+  /// \post `number_of_ids() == dt.number_of_ids()`
+  template <class Dynamic>
+  void compute(const Dynamic& dt)
+  {
+    provide(dt);
+    const auto frame = dt.frame();
+    note_guests(frame);
+    find_offsets(dt);
+    m_neighbors.resize(m_offsets.back());
+    write_neighbors(dt);
+    write_guests();
+  }
+
+  /// @}
+  /// \name Access
+  /// @{
+
+  /// what all ids are smaller than.
+  size_type number_of_ids() const { return m_offsets.size() - 1; }
+
+  /// where the list of each id begins in `neighbors()`, and, for the last one, ends:
+  /// `number_of_ids() + 1` numbers.
+  const std::vector<size_type>& offsets() const { return m_offsets; }
+
+  /// all lists. The one of `id` is from `offsets()[id]` to below `offsets()[id + 1]`.
+  const std::vector<Id>& neighbors() const { return m_neighbors; }
+
+  /// the list of a point. It is good until the next `compute()`. \pre `id < number_of_ids()`
+  Neighbors neighbors(size_type id) const
+  {
+    CGAL_precondition(id < number_of_ids());
+    const auto place = [&](size_type i) {
+      return m_neighbors.begin() + std::vector<Id>::difference_type(m_offsets[i]);
+    };
+    return Neighbors(place(id), place(id + 1));
+  }
+
+  /// the number of neighbors of a point. \pre `id < number_of_ids()`
+  size_type degree(size_type id) const
+  {
+    CGAL_precondition(id < number_of_ids());
+    return m_offsets[id + 1] - m_offsets[id];
+  }
+
+  /// @}
+
+private:
+  struct Guest
+  {
+    Id host, id;
+  };
+
+  // Room for all that will be appended: a triangulation with n vertices has less than 3n edges,
+  // however many of them are on its hull.
+  template <class Dynamic>
+  void provide(const Dynamic& dt)
+  {
+    m_offsets.resize(1);
+    m_neighbors.clear();
+    m_guests.clear();
+    const size_type vertices = dt.number_of_vertices();
+    const size_type guests = dt.number_of_points() - vertices;
+    provide(m_neighbors, 6 * vertices + 2 * guests);
+    provide(m_guests, guests);
+    provide(m_offsets, dt.number_of_ids() + 1);
+  }
+
+  // A bit more than needed, so that a population that grows steadily seldom asks for memory.
+  template <class T>
+  static void provide(std::vector<T>& data, size_type size)
+  {
+    if (data.capacity() < size)
+      data.reserve(size + size / 8);
+  }
+
+  // Guests by their hosts, each after the other.
+  template <class Frame>
+  void note_guests(const Frame& frame)
+  {
+    frame.for_each_guest([&](Id id) { m_guests.push_back({frame.id(frame.vertex(id)), id}); });
+    std::sort(m_guests.begin(), m_guests.end(), [](const Guest& g, const Guest& h) {
+      return g.host != h.host ? g.host < h.host : g.id < h.id;
+    });
+  }
+
+  template <class Dynamic>
+  void find_offsets(const Dynamic& dt)
+  {
+    m_offsets.resize(dt.number_of_ids() + 1, 0);
+    const auto count = [&](size_type i, size_type j) {
+      ++m_offsets[i + 1];
+      ++m_offsets[j + 1];
+    };
+    dt.for_each_edge(count);
+    for (const Guest& guest : m_guests)
+      count(guest.host, guest.id);
+    std::partial_sum(m_offsets.begin(), m_offsets.end(), m_offsets.begin());
+  }
+
+  // In the order of the vertices, who are close in memory where they are close in the plane: ids
+  // may be anywhere.
+  template <class Dynamic>
+  void write_neighbors(const Dynamic& dt)
+  {
+    const auto frame = dt.frame();
+    const Dynamic_Delaunay_triangulations_2::internal::Finite_neighbors_2<Dynamic> around(dt);
+    for (Id v = 1; v <= frame.number_of_vertices(); ++v) {
+      size_type place = m_offsets[frame.id(v)];
+      around.for_each(v, [&](Id w) { m_neighbors[place++] = frame.id(w); });
+    }
+  }
+
+  void write_guests()
+  {
+    size_type place = 0;
+    for (auto guest = m_guests.rbegin(); guest != m_guests.rend(); ++guest) {
+      if (guest == m_guests.rbegin() || guest->host != std::prev(guest)->host)
+        place = m_offsets[guest->host + size_type(1)];
+      m_neighbors[--place] = guest->id;
+      m_neighbors[m_offsets[guest->id]] = guest->host;
+    }
+  }
+
+  std::vector<size_type> m_offsets = {0};
+  std::vector<Id> m_neighbors;
+  std::vector<Guest> m_guests;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_NEIGHBOR_LISTS_2_H

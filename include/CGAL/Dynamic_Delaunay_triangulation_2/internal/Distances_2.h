@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTANCES_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTANCES_2_H
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_position_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/enum.h>
+#include <CGAL/number_type_basic.h>
+
+#include <limits>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Compares the distances of vertices from one point, exactly: floating point first, the kernel
+// where that cannot tell.
+//
+// With u = 2^-53, a squared distance s is computed as S with |S - s| <= 5u S + 2^-1072: each
+// difference is rounded once, each square and the sum once more, and each square may lose up to
+// 2^-1074 to underflow. For two of them, S < (1 - 2^-48) T and 2^-900 <= T < infinity imply s < t,
+// as 2^-48 T = 32u T is more than both errors and that of the product together. The same holds
+// where one of the two is a number that is not rounded.
+template <class Dynamic>
+class Distances_2
+{
+  using Traits = typename Dynamic::Geom_traits;
+  using Point = typename Dynamic::Point;
+  using FT = typename Traits::FT;
+
+public:
+  // From p. Throws what is thrown for coordinates that no point can have.
+  Distances_2(const Dynamic& dt, const Point& p)
+    : m_dt(dt)
+    , m_frame(dt.frame())
+    , m_traits(dt.triangulation().geom_traits())
+    , m_from(p)
+    , m_position(checked_position(p, 0, m_positions_are_exact))
+  {
+    m_positions_are_exact = m_positions_are_exact && m_frame.positions_are_exact();
+  }
+
+  // As good as it comes out.
+  double approximate_square(Index v) const
+  {
+    return squared_distance(m_position, m_frame.position(v));
+  }
+
+  // That of v with that of w.
+  Comparison_result compare(Index v, Index w) const
+  {
+    if (m_positions_are_exact) {
+      const Comparison_result result = filtered(approximate_square(v), approximate_square(w));
+      if (result != EQUAL)
+        return result;
+    }
+    return m_traits.compare_distance_2_object()(m_from, point(v), point(w));
+  }
+
+  // The square of that of v with a square.
+  Comparison_result compare_square(Index v, const FT& square) const
+  {
+    if (m_positions_are_exact) {
+      const auto [lower, upper] = CGAL::to_interval(square);
+      const double approximation = approximate_square(v);
+      if (lower == upper && filtered(approximation, lower) != EQUAL)
+        return filtered(approximation, lower);
+    }
+    return m_traits.compare_squared_distance_2_object()(m_from, point(v), square);
+  }
+
+private:
+  const Point& point(Index v) const { return m_dt.point(m_frame.id(v)); }
+
+  static bool is_surely_smaller(double s, double t)
+  {
+    return s < (1 - 0x1p-48) * t && t >= 0x1p-900 && t <= (std::numeric_limits<double>::max)();
+  }
+
+  // EQUAL where it cannot tell.
+  static Comparison_result filtered(double s, double t)
+  {
+    return is_surely_smaller(s, t) ? SMALLER : is_surely_smaller(t, s) ? LARGER : EQUAL;
+  }
+
+  const Dynamic& m_dt;
+  const typename Dynamic::Frame m_frame;
+  const Traits& m_traits;
+  const Point& m_from;
+  bool m_positions_are_exact = true;
+  const Position_2 m_position;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTANCES_2_H
