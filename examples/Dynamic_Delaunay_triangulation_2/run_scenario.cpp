@@ -95,6 +95,7 @@ run::Run_summary run_frames(scenario::Motion& motion, const Classifier& classifi
   run::Scenario_run<Classifier> run(
       motion, classifier, run::make_repair(subject.repair, subject.padding),
       run::engines_named(subject.engine), run::make_policy(subject.policy));
+  run.check_first_frame();
   const std::size_t points_of_first_frame = motion.points().size();
   std::vector<run::Frame_record> records;
   outputs.take_first_frame(run);

@@ -17,6 +17,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -30,6 +31,7 @@ struct Method
   std::string repair;
   unsigned padding;
   run::Policy_choice policy{"always_dynamic"};
+  std::uint64_t seed = 1; // of the random classifier
 };
 
 // With what an update would use if it was told nothing else.
@@ -202,7 +204,7 @@ void time_again(const Recorded_frames& recording, const Classifier& classifier,
 template <class Use>
 auto with_method(const Method& method, Use use)
 {
-  const run::Classifier_settings settings{1, 1};
+  const run::Classifier_settings settings{1, method.seed};
   if (method.classifier.is_exact) {
     return use(run::Exact_classifiers::make(method.classifier, settings));
   }

@@ -37,27 +37,50 @@ public:
     : m_motion(motion)
   {
     with_frame_in_message([&] {
-      prepare();
+      begin_frame();
       m_kept.emplace(motion, Dynamic(classifier, repair, engines, policy));
+    });
+  }
+
+  void check_first_frame()
+  {
+    with_frame_in_message([this] {
+      m_opponents.prepare(m_motion.points(), m_record.population_changed);
       m_opponents.time_insert();
       check();
     });
   }
 
-  // False at the end of the motion.
+  // Goes to the next frame, times everybody there, and checks what came out. False at the end of
+  // the motion.
   bool advance()
   {
-    ++m_record.frame;
-    bool is_there = false;
-    with_frame_in_message([&] {
-      is_there = m_motion.advance(neighbors());
-      if (is_there) {
-        prepare();
-        time_all();
-        check();
+    const bool is_there = measure();
+    if (is_there) {
+      with_frame_in_message([this] { check(); });
+    }
+    return is_there;
+  }
+
+  // The same without the checks, where they would take longer than all else.
+  bool measure()
+  {
+    return go_on([this] {
+      m_opponents.prepare(m_motion.points(), m_record.population_changed);
+      time_all();
+    });
+  }
+
+  // The same without the checks and the opponents, on the way to the frames that count. Their order
+  // for the opponents comes from the frame before the next one that is measured, if `is_last`.
+  bool follow(bool is_last)
+  {
+    return go_on([this, is_last] {
+      time_dynamic();
+      if (is_last) {
+        m_opponents.prepare(m_motion.points(), m_record.population_changed);
       }
     });
-    return is_there;
   }
 
   const scenario::Motion& motion() const { return m_motion; }
@@ -86,14 +109,28 @@ private:
     return m_neighbors;
   }
 
-  void prepare()
+  template <class Work>
+  bool go_on(Work work)
+  {
+    ++m_record.frame;
+    bool is_there = false;
+    with_frame_in_message([&] {
+      is_there = m_motion.advance(neighbors());
+      if (is_there) {
+        begin_frame();
+        work();
+      }
+    });
+    return is_there;
+  }
+
+  void begin_frame()
   {
     check_coordinates();
     m_record.time = m_motion.time();
     m_record.points = m_motion.points().size();
     m_record.population_changed = m_motion.population_changed();
     m_record.update = {};
-    m_opponents.prepare(m_motion.points(), m_record.population_changed);
   }
 
   // CGAL's static triangulation may never end on a coordinate that is no number.
@@ -115,8 +152,7 @@ private:
     for (std::size_t i = 0; i != contestants; ++i) {
       switch ((m_record.frame + i) % contestants) {
       case 0:
-        m_record.nanoseconds.dynamic =
-            nanoseconds_of([this] { m_record.update = m_kept->update(m_motion); });
+        time_dynamic();
         break;
       case 1:
         m_record.nanoseconds.static_insert = m_opponents.time_insert();
@@ -125,6 +161,12 @@ private:
         m_record.nanoseconds.static_fastest = m_opponents.time_fastest();
       }
     }
+  }
+
+  void time_dynamic()
+  {
+    m_record.nanoseconds.dynamic =
+        nanoseconds_of([this] { m_record.update = m_kept->update(m_motion); });
   }
 
   void check()

@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// This package next to others who triangulate, on the same frames of the same motions, in one run
+// and in turn, the order rotating. Who is there, and what of each is timed and why, stands in
+// peers/..._peer.h; what is common to all in peers/Peer.h. All points are on a grid of integers,
+// peers/Grid.h.
+//
+// Columns of the table:
+//   ns/point, q1, q3   median over the frames, and quartiles
+//   to ours      that median over this package's exact one: above 1 we win, below 1 we lose
+//   win, even, loss   of this package's exact update; even if the quartiles overlap
+//   equal        frames whose edges are those of the Delaunay triangulation, and whose number of
+//                faces is right, by exact predicates, ties counting as equal
+//   validity     mean of the Matthews correlation coefficient of the edges
+//
+// A difference of those who promise to be exact, CGAL and this package, ends the program with an
+// error. All others' are counted.
+
+#include "peers/Delaunator_peer.h"
+#include "peers/Peer_case.h"
+#include "peers/Peer_record.h"
+#include "peers/Peers_csv.h"
+#include "peers/Peers_options.h"
+#include "peers/Peers_run.h"
+#include "peers/Peers_table.h"
+#include "peers/Qhull_peer.h"
+#include "run/Progress_display.h"
+
+#include <CGAL/version.h>
+#include <CLI/CLI.hpp>
+
+#include <boost/version.hpp>
+
+#include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace peers;
+
+// None if Node.js or the package is missing.
+std::shared_ptr<Delaunator_peer> find_delaunator()
+{
+  try {
+    return std::make_shared<Delaunator_peer>();
+  } catch (const std::runtime_error& error) {
+    std::cerr << "No delaunator, as Node.js or the package is missing: " << error.what() << '\n';
+    return nullptr;
+  }
+}
+
+std::string versions(const Delaunator_peer* delaunator)
+{
+  const int boost = BOOST_VERSION;
+  return std::string("CGAL ") + CGAL_STR(CGAL_VERSION) + "; Boost " +
+         std::to_string(boost / 100'000) + '.' + std::to_string(boost / 100 % 1'000) + "; Qhull " +
+         qh_version + "; " + (delaunator ? delaunator->versions() : "no delaunator");
+}
+
+std::vector<Case_record> run_cases(const std::vector<Peer_case>& cases,
+                                   const std::shared_ptr<Delaunator_peer>& delaunator)
+{
+  constexpr std::size_t unit = 1000;
+  std::size_t work = 0;
+  for (const Peer_case& wanted : cases) {
+    work += wanted.work();
+  }
+  run::Progress_display progress(work / unit, true, "thousand points");
+  Peers_run run(delaunator, [&](std::size_t done) { progress.show(done / unit); });
+  std::vector<Case_record> records;
+  for (const Peer_case& wanted : cases) {
+    try {
+      records.push_back(run.run(wanted));
+    } catch (const std::exception& error) {
+      throw std::runtime_error(wanted.name() + ": " + error.what());
+    }
+  }
+  return records;
+}
+
+void run_peers(const Peers_options& options, const std::string& command)
+{
+  const std::vector<Peer_case> cases = Peer_cases(options).get();
+  if (cases.empty()) {
+    throw std::runtime_error("there is no motion with '" + options.filter + "' in its name");
+  }
+  std::filesystem::create_directories(options.output);
+  const auto delaunator = find_delaunator();
+  const std::vector<Case_record> records = run_cases(cases, delaunator);
+  Peers_table(std::cout).write(records);
+  const std::string path = (std::filesystem::path(options.output) / "peers.csv").string();
+  write_csv(path, {"command: " + command, "versions: " + versions(delaunator.get())}, records);
+  std::cout << '\n' << versions(delaunator.get()) << '\n' << command << std::endl;
+  std::cerr << "CSV: " << path << '\n';
+}
+
+std::string command_of(int argc, char** argv)
+{
+  std::string command = "./dev bench peers";
+  for (int i = 1; i < argc; ++i) {
+    command += std::string(" ") + argv[i];
+  }
+  return command;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  CLI::App app("", "peers");
+  try {
+    run_peers(parse_options(app, argc, argv), command_of(argc, argv));
+    return 0;
+  } catch (const CLI::ParseError& error) { // or help
+    return app.exit(error);
+  } catch (const std::exception& error) {
+    std::cerr << "peers: " << error.what() << std::endl;
+    return 1;
+  }
+}

@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PEERS_CGAL_MOVE_PEER_H
+#define PEERS_CGAL_MOVE_PEER_H
+
+#include "Peer.h"
+#include "run/Stopwatch.h"
+#include "Spatial_order.h"
+
+#include <CGAL/Unique_hash_map.h>
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+namespace peers {
+
+// CGAL's own way to move points: move_if_no_collision() of every vertex, beginning with the last
+// frame's triangulation. It goes through the vertices along the last frame's Hilbert curve, which
+// is kinder to its caches than the order of the ids; the sorting is outside of the clock.
+class Cgal_move_peer : public Peer
+{
+public:
+  Cgal_move_peer()
+    : Peer("CGAL move", Promise::EXACT)
+  {
+  }
+
+  void start(const Grid_points& frame) override
+  {
+    m_triangulation.emplace(frame.points.begin(), frame.points.end());
+    std::map<Point, Vertex_handle> vertex_at;
+    for (const auto v : m_triangulation->finite_vertex_handles()) {
+      vertex_at[v->point()] = v;
+    }
+    m_vertices.clear();
+    for (const Point& point : frame.points) {
+      m_vertices.push_back(vertex_at.at(point));
+    }
+    m_order = spatial_order(frame.points);
+  }
+
+  void prepare(const Grid_points& frame) override
+  {
+    m_moves.clear();
+    for (const std::size_t id : m_order) {
+      m_moves.push_back({m_vertices[id], frame.points[id]});
+    }
+    m_order = spatial_order(frame.points); // for the next frame
+  }
+
+  double triangulate() override
+  {
+    bool collides = false;
+    const double time = run::nanoseconds_of([&] {
+      for (const Move& move : m_moves) {
+        collides |= m_triangulation->move_if_no_collision(move.vertex, move.target) != move.vertex;
+      }
+    });
+    if (collides) {
+      throw std::runtime_error("CGAL move: a point moves to where another one still is");
+    }
+    return time;
+  }
+
+  void write(Peer_output& output) const override { output.add(*m_triangulation); }
+
+private:
+  using Vertex_handle = run::Static_triangulation::Vertex_handle;
+
+  struct Move
+  {
+    Vertex_handle vertex;
+    Point target;
+  };
+
+  std::optional<run::Static_triangulation> m_triangulation;
+  std::vector<Vertex_handle> m_vertices; // of each id
+  std::vector<std::size_t> m_order;
+  std::vector<Move> m_moves;
+};
+
+} // namespace peers
+
+#endif // PEERS_CGAL_MOVE_PEER_H

@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PEERS_GRID_MOTION_H
+#define PEERS_GRID_MOTION_H
+
+#include "Grid.h"
+#include "Grid_points.h"
+#include "run/Kernel.h"
+#include "scenario/Motion.h"
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace peers {
+
+// A motion as its peers see it, on a grid. Where its physics asks who is whose neighbor, an exact
+// triangulation of its own answers, so no peer has a say in where the points go.
+class Grid_motion
+{
+public:
+  explicit Grid_motion(std::unique_ptr<scenario::Motion> motion)
+    : m_motion(std::move(motion))
+    , m_grid(m_motion->points())
+  {
+    if (m_motion->uses_neighbors()) {
+      const auto& points = m_motion->points();
+      m_driver.emplace(points.begin(), points.end(), run::Point_map());
+    }
+  }
+
+  const Grid_points& snapped()
+  {
+    m_grid.snap(m_motion->points(), m_snapped);
+    return m_snapped;
+  }
+
+  void advance()
+  {
+    if (!m_motion->advance(neighbors())) {
+      throw std::runtime_error("the motion has come to its end");
+    }
+    if (m_driver) {
+      const auto& points = m_motion->points();
+      m_driver->update(points.begin(), points.end(), run::Point_map());
+    }
+  }
+
+private:
+  const scenario::Neighbor_edges& neighbors()
+  {
+    m_neighbors.clear();
+    if (m_driver) {
+      m_driver->for_each_edge([this](std::size_t i, std::size_t j) {
+        m_neighbors.emplace_back(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
+      });
+    }
+    return m_neighbors;
+  }
+
+  std::unique_ptr<scenario::Motion> m_motion;
+  Grid m_grid;
+  Grid_points m_snapped;
+  std::optional<CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel>> m_driver;
+  scenario::Neighbor_edges m_neighbors;
+};
+
+} // namespace peers
+
+#endif // PEERS_GRID_MOTION_H

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PEERS_PEER_OUTPUT_H
+#define PEERS_PEER_OUTPUT_H
+
+#include "Frame_truth.h"
+
+#include <CGAL/delaunay_agreement.h>
+#include <CGAL/Unique_hash_map.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace peers {
+
+// Takes what a peer has made of a frame, in any form, and holds it against the truth.
+class Peer_output
+{
+public:
+  struct Verdict
+  {
+    CGAL::Delaunay_agreement agreement;
+    bool is_equal;
+  };
+
+  explicit Peer_output(const Frame_truth& truth)
+    : m_truth(truth)
+  {
+  }
+
+  void add_edge(std::size_t id, std::size_t other_id)
+  {
+    add_places(m_truth.place(id), m_truth.place(other_id));
+  }
+
+  void add_face(std::size_t a, std::size_t b, std::size_t c)
+  {
+    add_edge(a, b);
+    add_edge(b, c);
+    add_edge(c, a);
+    add_faces(1);
+  }
+
+  // Of those who have faces, their number has to be right too.
+  void add_faces(std::size_t number) { m_faces = m_faces.value_or(0) + number; }
+
+  template <class Triangulation>
+  void add(const Triangulation& triangulation)
+  {
+    CGAL::Unique_hash_map<typename Triangulation::Vertex_handle, std::size_t> place_of;
+    for (const auto v : triangulation.finite_vertex_handles()) {
+      place_of[v] = m_truth.place(v->point());
+    }
+    for (const auto& edge : triangulation.finite_edges()) {
+      add_places(place_of[edge.first->vertex(triangulation.cw(edge.second))],
+                 place_of[edge.first->vertex(triangulation.ccw(edge.second))]);
+    }
+    add_faces(triangulation.number_of_faces());
+  }
+
+  Verdict verdict()
+  {
+    const CGAL::Delaunay_agreement agreement = m_truth.compare(std::move(m_edges));
+    const bool has_right_faces =
+        m_faces.value_or(m_truth.number_of_faces()) == m_truth.number_of_faces();
+    return {agreement, agreement.is_perfect() && has_right_faces};
+  }
+
+private:
+  void add_places(std::size_t i, std::size_t j)
+  {
+    m_edges.emplace_back(std::min(i, j), std::max(i, j));
+  }
+
+  const Frame_truth& m_truth;
+  std::vector<Frame_truth::Edge> m_edges;
+  std::optional<std::size_t> m_faces;
+};
+
+} // namespace peers
+
+#endif // PEERS_PEER_OUTPUT_H

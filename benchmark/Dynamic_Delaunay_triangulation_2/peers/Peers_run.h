@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PEERS_PEERS_RUN_H
+#define PEERS_PEERS_RUN_H
+
+#include "Boost_polygon_peer.h"
+#include "Cgal_insertion_peer.h"
+#include "Cgal_move_peer.h"
+#include "Cgal_ordered_peer.h"
+#include "Delaunator_peer.h"
+#include "Dynamic_peer.h"
+#include "Frame_truth.h"
+#include "Grid_motion.h"
+#include "Peer.h"
+#include "Peer_case.h"
+#include "Peer_output.h"
+#include "Peer_record.h"
+#include "Qhull_peer.h"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace peers {
+
+// Lets all peers triangulate the frames of cases, in turn, and compares what comes out.
+class Peers_run
+{
+public:
+  using Progress = std::function<void(std::size_t work)>;
+
+  // `delaunator` may be missing.
+  Peers_run(std::shared_ptr<Delaunator_peer> delaunator, Progress progress)
+    : m_delaunator(std::move(delaunator))
+    , m_progress(std::move(progress))
+  {
+  }
+
+  Case_record run(const Peer_case& wanted)
+  {
+    Grid_motion motion(wanted.open());
+    pass_over(motion, wanted);
+    start(wanted, motion.snapped());
+    for (std::size_t frame = 0; frame != wanted.warm_up + wanted.frames; ++frame) {
+      motion.advance();
+      const Grid_points& points = motion.snapped();
+      const std::vector<double> times = time_all(points, frame);
+      if (frame >= wanted.warm_up) {
+        check(points, times);
+      }
+      report(wanted.points);
+    }
+    m_peers.clear(); // the next case needs the memory
+    return {wanted.motion, wanted.points, m_records};
+  }
+
+private:
+  void pass_over(Grid_motion& motion, const Peer_case& wanted)
+  {
+    for (std::size_t frame = 0; frame != wanted.passed_over; ++frame) {
+      motion.advance();
+      report(wanted.passed_over_work(1));
+    }
+  }
+
+  void start(const Peer_case& wanted, const Grid_points& points)
+  {
+    m_peers = {std::make_shared<Exact_peer>("this package exact"),
+               std::make_shared<Heuristic_peer>("this package heuristic"),
+               std::make_shared<Cgal_insertion_peer>(),
+               std::make_shared<Cgal_ordered_peer>(!wanted.has_lasting_order),
+               std::make_shared<Cgal_move_peer>(),
+               std::make_shared<Boost_polygon_peer>(),
+               std::make_shared<Qhull_peer>()};
+    if (m_delaunator) {
+      m_peers.push_back(m_delaunator);
+    }
+    m_records.clear();
+    for (const auto& peer : m_peers) {
+      peer->start(points);
+      m_records.push_back({peer->name(), peer->promise()});
+    }
+  }
+
+  // The order rotates: nobody always follows the same one. In ns a point.
+  std::vector<double> time_all(const Grid_points& points, std::size_t frame)
+  {
+    std::vector<double> times(m_peers.size());
+    for (std::size_t i = 0; i != m_peers.size(); ++i) {
+      const std::size_t turn = (frame + i) % m_peers.size();
+      m_peers[turn]->prepare(points);
+      times[turn] = m_peers[turn]->triangulate() / static_cast<double>(points.points.size());
+    }
+    return times;
+  }
+
+  void check(const Grid_points& points, const std::vector<double>& times)
+  {
+    const Frame_truth truth(points.points);
+    for (std::size_t i = 0; i != m_peers.size(); ++i) {
+      Peer_output output(truth);
+      m_peers[i]->write(output);
+      const Peer_output::Verdict verdict = output.verdict();
+      if (m_peers[i]->promise() == Promise::EXACT && !verdict.is_equal) {
+        throw std::runtime_error(m_peers[i]->name() + ": differs from the reference");
+      }
+      m_records[i].add(times[i], verdict);
+    }
+  }
+
+  void report(std::size_t work)
+  {
+    m_work += work;
+    m_progress(m_work);
+  }
+
+  std::shared_ptr<Delaunator_peer> m_delaunator;
+  Progress m_progress;
+  std::size_t m_work = 0;
+  std::vector<std::shared_ptr<Peer>> m_peers;
+  std::vector<Peer_record> m_records;
+};
+
+} // namespace peers
+
+#endif // PEERS_PEERS_RUN_H

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The experiments of the thesis (chapter 5, and 6.2.5), and those that it lacks: every classifier
+// beside the exact default, against both static opponents, and the simulation as judge (6.2.3).
+//
+// As in the thesis each trial is a simulation of its own, with a jitter of its own, driven by the
+// triangulation that is tried; trials are repeated with seeds 1, 2, ... Where samples are taken,
+// the update and both static triangulations of the same frame are timed in turn, and the result is
+// compared with a fresh triangulation, ties counting as right. The time is the triangulation's
+// alone. Results are CSV files, one or more for each experiment:
+//
+//   scenario, method    who is tried, with /REPAIR or /POLICY where it is not the usual one
+//   points, time_step   of the scenario
+//   trials, frames      so many, with so many frames each after the first one
+//   frame, time         of the last sample of a part of the frames
+//   samples             frames that were timed against the opponents
+//   validity            Matthews correlation coefficient: mean, smallest, largest
+//   dynamic             ns a point: median and quartiles over the samples
+//   over_insert, over_fastest    speedups: the same
+//   insert, fastest     the opponents' ns a point: median
+//   dynamic_mean        ns a point: mean over all frames, of which the samples are a part
+//   classified, flips, rebuilt   a frame: means over all frames
+//   kinetic, energy, center_x, center_y, front    of the particles: mean, smallest, largest
+// What the columns of classification.csv mean stands at the top of classifiers.cpp. In
+// most_points.csv three of four timed frames took up to upper_quartile_ms; the last of them is
+// number `frames`.
+
+#include "run/Progress_display.h"
+#include "thesis/Experiments.h"
+#include "thesis/Thesis_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace thesis;
+
+struct Planned_experiment
+{
+  std::unique_ptr<Experiment> experiment;
+  std::vector<Job> jobs;
+
+  double seconds() const
+  {
+    double sum = 0.0;
+    for (const Job& job : jobs) {
+      sum += job.seconds;
+    }
+    return sum;
+  }
+};
+
+bool is_wanted(const Experiment& experiment, const std::vector<std::string>& only)
+{
+  return only.empty() || std::find(only.begin(), only.end(), experiment.name()) != only.end();
+}
+
+std::vector<Planned_experiment> plan(const Settings& settings)
+{
+  std::vector<Planned_experiment> planned;
+  for (std::unique_ptr<Experiment>& experiment : all_experiments(settings)) {
+    if (is_wanted(*experiment, settings.only)) {
+      std::vector<Job> jobs = experiment->jobs();
+      planned.push_back({std::move(experiment), std::move(jobs)});
+    }
+  }
+  return planned;
+}
+
+double seconds_of(const std::vector<Planned_experiment>& planned)
+{
+  double sum = 0.0;
+  for (const Planned_experiment& one : planned) {
+    sum += one.seconds();
+  }
+  return sum;
+}
+
+void run_jobs(const Planned_experiment& one, double& done, run::Progress_display& progress)
+{
+  for (const Job& job : one.jobs) {
+    job.work();
+    done += job.seconds;
+    progress.show(static_cast<std::size_t>(done));
+  }
+}
+
+void run_experiments(const Settings& settings)
+{
+  using Clock = std::chrono::steady_clock;
+  const std::vector<Planned_experiment> planned = plan(settings);
+  const double seconds = seconds_of(planned);
+  std::cout << "About " << std::ceil(seconds / 60.0) << " minutes\n" << std::flush;
+  std::filesystem::create_directories(settings.output);
+  double done = 0.0;
+  for (const Planned_experiment& one : planned) {
+    const Clock::time_point start = Clock::now();
+    {
+      run::Progress_display progress(static_cast<std::size_t>(std::ceil(seconds)), true,
+                                     one.experiment->name().c_str());
+      run_jobs(one, done, progress);
+    }
+    one.experiment->write(settings.output, {"command: " + settings.command});
+    std::cout << one.experiment->name() << ": "
+              << std::round(std::chrono::duration<double>(Clock::now() - start).count()) << " s, "
+              << one.jobs.size() << " jobs\n"
+              << std::flush;
+  }
+  std::cout << "Results: " << settings.output.string() << '\n';
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  CLI::App app;
+  try {
+    run_experiments(parse_settings(app, argc, argv));
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  } catch (const std::exception& error) {
+    std::cerr << "thesis: " << error.what() << '\n';
+    return 1;
+  }
+}

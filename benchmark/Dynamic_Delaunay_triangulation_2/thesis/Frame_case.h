@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef THESIS_FRAME_CASE_H
+#define THESIS_FRAME_CASE_H
+
+#include "Frame_statistics.h"
+#include "Mean_and_extremes.h"
+#include "Physics.h"
+#include "Trial.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace thesis {
+
+// Which frames of a trial are looked at.
+struct Frame_plan
+{
+  std::size_t frames;       // after the first one
+  std::size_t samples;      // so many of them, evenly spread; all others are followed alone
+  std::size_t bins;         // that the samples are sorted into by their time
+  bool compares_all = true; // all samples with fresh triangulations, or the last one alone
+};
+
+// What the samples of a part of the frames came to.
+struct Frame_bin
+{
+  Frame_statistics statistics{};
+  std::array<Mean_and_extremes, Physics::size> physics{};
+  double last_time = 0.0; // of the motion
+};
+
+// Trials that differ in their seed alone.
+class Frame_case
+{
+public:
+  Frame_case(Trial trial, const Frame_plan& plan)
+    : m_trial(std::move(trial))
+    , m_plan(plan)
+    , m_bins(plan.bins)
+  {
+  }
+
+  void run(std::uint64_t seed)
+  {
+    Trial trial = m_trial;
+    trial.seed = seed;
+    const auto motion = open(trial);
+    m_points = motion->points().size();
+    m_time_step = motion->time_step().value_or(0.0);
+    with_run(trial, *motion, [&](auto& run) {
+      for (std::size_t sample = 0; sample != m_plan.samples; ++sample) {
+        follow_to(frame_of(sample) - 1, run);
+        take(sample, run, *motion);
+      }
+    });
+    ++m_number_of_trials;
+  }
+
+  const Trial& trial() const { return m_trial; }
+  const Frame_plan& plan() const { return m_plan; }
+  const std::vector<Frame_bin>& bins() const { return m_bins; }
+  const Frame_statistics& whole() const { return m_whole; }
+  std::size_t frame_of_bin(std::size_t bin) const
+  {
+    return m_plan.frames * (bin + 1) / m_plan.bins;
+  }
+  std::size_t points() const { return m_points; }
+  double time_step() const { return m_time_step; }
+  std::size_t number_of_trials() const { return m_number_of_trials; }
+
+  // Of all frames of all trials, also those that were followed alone.
+  const Mean_and_extremes& dynamic() const { return m_dynamic; }
+  const Mean_and_extremes& classified() const { return m_classified; }
+  const Mean_and_extremes& flips() const { return m_flips; }
+  const Mean_and_extremes& rebuilt() const { return m_rebuilt; }
+
+private:
+  std::size_t frame_of(std::size_t sample) const
+  {
+    return m_plan.frames * (sample + 1) / m_plan.samples;
+  }
+
+  template <class Run>
+  void follow_to(std::size_t frame, Run& run)
+  {
+    while (run.record().frame < frame) {
+      run.follow(run.record().frame + 1 == frame);
+      count(run.record());
+    }
+  }
+
+  template <class Run>
+  void take(std::size_t sample, Run& run, scenario::Motion& motion)
+  {
+    const bool compares = m_plan.compares_all || sample + 1 == m_plan.samples;
+    compares ? run.advance() : run.measure();
+    count(run.record());
+    Frame_bin& bin = m_bins[sample * m_plan.bins / m_plan.samples];
+    bin.statistics.add(run.record(), compares);
+    bin.last_time = run.record().time;
+    m_whole.add(run.record(), compares);
+    auto* const particles = dynamic_cast<scenario::Particle_motion*>(&motion);
+    if (particles != nullptr && m_plan.bins > 1) {
+      const Physics physics = physics_of(*particles);
+      for (std::size_t i = 0; i != Physics::size; ++i) {
+        bin.physics[i].add(physics.values[i]);
+      }
+    }
+  }
+
+  void count(const run::Frame_record& frame)
+  {
+    if (m_trial.method.classifier.is_exact && !frame.update.certified) {
+      throw std::runtime_error(m_trial.scenario + ", frame " + std::to_string(frame.frame) +
+                               ": the triangulation is not certified");
+    }
+    m_dynamic.add(frame.nanoseconds.dynamic / static_cast<double>(frame.points));
+    m_classified.add(static_cast<double>(frame.update.classified));
+    m_flips.add(static_cast<double>(frame.update.flips));
+    m_rebuilt.add(frame.update.rebuilt() ? 1.0 : 0.0);
+  }
+
+  Trial m_trial;
+  Frame_plan m_plan;
+  std::vector<Frame_bin> m_bins;
+  Frame_statistics m_whole;
+  Mean_and_extremes m_dynamic; // nanoseconds a point
+  Mean_and_extremes m_classified, m_flips, m_rebuilt;
+  std::size_t m_points = 0;
+  double m_time_step = 0.0;
+  std::size_t m_number_of_trials = 0;
+};
+
+} // namespace thesis
+
+#endif // THESIS_FRAME_CASE_H

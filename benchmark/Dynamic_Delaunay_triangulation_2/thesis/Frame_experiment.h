@@ -1,0 +1,171 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef THESIS_FRAME_EXPERIMENT_H
+#define THESIS_FRAME_EXPERIMENT_H
+
+#include "../results/Csv_file.h"
+#include "Experiment.h"
+#include "Frame_case.h"
+#include "Settings.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <list>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace thesis {
+
+// "circumcircle", "circumcircle/splice", "circumcircle/hybrid": with repair and policy where they
+// are not the usual ones.
+inline std::string method_name(const Method& method)
+{
+  std::string name = method.classifier.text();
+  if (method.repair != run::usual_repair(method.classifier)) {
+    name += '/' + method.repair;
+  }
+  return method.policy.name == "always_dynamic" ? name : name + '/' + method.policy.name;
+}
+
+// Frames of scenarios, timed and compared. It writes NAME_summary.csv with a row for each case;
+// where cases have bins also NAME.csv with a row for each bin, and NAME_physics.csv.
+class Frame_experiment : public Experiment
+{
+public:
+  Frame_experiment(std::string name, const Settings& settings, std::size_t usual_trials)
+    : Experiment(std::move(name))
+    , m_trials(settings.number_of_trials(usual_trials))
+    , m_first_seed(settings.seed)
+  {
+  }
+
+  void add(Trial trial, const Frame_plan& plan) { m_cases.emplace_back(std::move(trial), plan); }
+
+  // Trial by trial, not case by case: what the machine does beside falls on all cases.
+  std::vector<Job> jobs() override
+  {
+    std::vector<Job> jobs;
+    for (std::size_t trial = 0; trial != m_trials; ++trial) {
+      for (Frame_case& one : m_cases) {
+        jobs.push_back({seconds_of(one), [&one, seed = m_first_seed + trial] { one.run(seed); }});
+      }
+    }
+    return jobs;
+  }
+
+  void write(const std::filesystem::path& directory,
+             const std::vector<std::string>& remarks) const override
+  {
+    write_summary(directory / (name() + "_summary.csv"), remarks);
+    if (m_cases.front().plan().bins > 1) {
+      write_bins(directory / (name() + ".csv"), remarks);
+      write_physics(directory / (name() + "_physics.csv"), remarks);
+    }
+  }
+
+private:
+  static double seconds_of(const Frame_case& one)
+  {
+    constexpr double follow = 1.0e-7, measure = 1.5e-6, compare = 2.5e-6; // a point
+    const Frame_plan& plan = one.plan();
+    const auto samples = static_cast<double>(plan.samples);
+    const double compared = plan.compares_all ? samples : 1.0;
+    const auto points = static_cast<double>(one.trial().points.value_or(1000));
+    return points *
+           (follow * static_cast<double>(plan.frames) + measure * samples + compare * compared);
+  }
+
+  static std::vector<std::string> columns_of_case()
+  {
+    return {"scenario", "method", "points", "time_step"};
+  }
+
+  static std::vector<std::string> cells_of(const Frame_case& one)
+  {
+    return {one.trial().scenario, method_name(one.trial().method), results::csv_cell(one.points()),
+            results::csv_cell(one.time_step())};
+  }
+
+  static void append(std::vector<std::string>& target, const std::vector<std::string>& more)
+  {
+    target.insert(target.end(), more.begin(), more.end());
+  }
+
+  void write_summary(const std::filesystem::path& path,
+                     const std::vector<std::string>& remarks) const
+  {
+    std::vector<std::string> columns = columns_of_case();
+    append(columns, {"trials", "frames"});
+    append(columns, Frame_statistics::columns());
+    append(columns, {"dynamic_mean", "classified", "flips", "rebuilt"});
+    results::Csv_file file(path, remarks, columns);
+    for (const Frame_case& one : m_cases) {
+      std::vector<std::string> cells = cells_of(one);
+      append(cells,
+             {results::csv_cell(one.number_of_trials()), results::csv_cell(one.plan().frames)});
+      append(cells, one.whole().cells());
+      for (const Mean_and_extremes* const value :
+           {&one.dynamic(), &one.classified(), &one.flips(), &one.rebuilt()}) {
+        cells.push_back(results::csv_cell(value->mean()));
+      }
+      file.write_line(cells);
+    }
+    file.finish();
+  }
+
+  void write_bins(const std::filesystem::path& path, const std::vector<std::string>& remarks) const
+  {
+    std::vector<std::string> columns = columns_of_case();
+    append(columns, {"frame", "time"});
+    append(columns, Frame_statistics::columns());
+    results::Csv_file file(path, remarks, columns);
+    for_each_bin([&](const Frame_bin& bin, std::vector<std::string> cells) {
+      append(cells, bin.statistics.cells());
+      file.write_line(cells);
+    });
+    file.finish();
+  }
+
+  void write_physics(const std::filesystem::path& path,
+                     const std::vector<std::string>& remarks) const
+  {
+    std::vector<std::string> columns = columns_of_case();
+    append(columns, {"frame", "time"});
+    for (const std::string& name : Physics::names()) {
+      Mean_and_extremes::append_columns(name, columns);
+    }
+    results::Csv_file file(path, remarks, columns);
+    for_each_bin([&](const Frame_bin& bin, std::vector<std::string> cells) {
+      for (const Mean_and_extremes& value : bin.physics) {
+        value.append_cells(cells);
+      }
+      file.write_line(cells);
+    });
+    file.finish();
+  }
+
+  // Calls `use(bin, cells)` with the cells up to the time.
+  template <class Use>
+  void for_each_bin(Use use) const
+  {
+    for (const Frame_case& one : m_cases) {
+      for (std::size_t bin = 0; bin != one.bins().size(); ++bin) {
+        std::vector<std::string> cells = cells_of(one);
+        append(cells, {results::csv_cell(one.frame_of_bin(bin)),
+                       results::csv_cell(one.bins()[bin].last_time)});
+        use(one.bins()[bin], std::move(cells));
+      }
+    }
+  }
+
+  std::size_t m_trials;
+  std::uint64_t m_first_seed;
+  std::list<Frame_case> m_cases; // they stay where they are
+};
+
+} // namespace thesis
+
+#endif // THESIS_FRAME_EXPERIMENT_H

@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef THESIS_MOST_POINTS_EXPERIMENT_H
+#define THESIS_MOST_POINTS_EXPERIMENT_H
+
+#include "../results/Csv_file.h"
+#include "Experiment.h"
+#include "Frame_experiment.h"
+#include "Most_points_search.h"
+#include "run/Spread.h"
+#include "Settings.h"
+#include "Trial.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <list>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace thesis {
+
+// Whose frames have to fit into the time.
+enum class Contestant { dynamic, static_insert, static_fastest };
+
+// The largest number of points under 40 ms a frame (thesis, figure 5.11).
+class Most_points_experiment : public Experiment
+{
+public:
+  // `work`: points times frames that a try may follow; at least `least_frames`.
+  Most_points_experiment(std::string name, const Settings& settings, std::size_t usual_trials,
+                         std::size_t work)
+    : Experiment(std::move(name))
+    , m_trials(settings.number_of_trials(usual_trials))
+    , m_first_seed(settings.seed)
+    , m_work(work)
+  {
+  }
+
+  void add(const std::string& scenario, const Method& method,
+           Contestant contestant = Contestant::dynamic)
+  {
+    m_cases.push_back({{scenario, method}, contestant, {}});
+  }
+
+  std::vector<Job> jobs() override
+  {
+    std::vector<Job> jobs;
+    for (std::size_t trial = 0; trial != m_trials; ++trial) {
+      for (Case& one : m_cases) {
+        const double seconds = 12.0 + 5.0e-7 * static_cast<double>(m_work);
+        jobs.push_back({seconds, [this, &one, seed = m_first_seed + trial] { find(one, seed); }});
+      }
+    }
+    return jobs;
+  }
+
+  void write(const std::filesystem::path& directory,
+             const std::vector<std::string>& remarks) const override
+  {
+    results::Csv_file file(
+        directory / (name() + ".csv"), remarks,
+        {"scenario", "method", "trial", "points", "upper_quartile_ms", "median_ms", "frames"});
+    for (const Case& one : m_cases) {
+      for (std::size_t trial = 0; trial != one.found.size(); ++trial) {
+        const Frame_milliseconds& times = one.found[trial];
+        file.write_row(one.trial.scenario, name_of(one), trial + 1, times.points,
+                       times.upper_quartile, times.median, times.frames);
+      }
+    }
+    file.finish();
+  }
+
+private:
+  struct Case
+  {
+    Trial trial;
+    Contestant contestant;
+    std::vector<Frame_milliseconds> found;
+  };
+
+  static std::string name_of(const Case& one)
+  {
+    switch (one.contestant) {
+    case Contestant::static_insert:
+      return "static_insert";
+    case Contestant::static_fastest:
+      return "static_fastest";
+    default:
+      return method_name(one.trial.method);
+    }
+  }
+
+  // Trials after the first one begin where it ended.
+  void find(Case& one, std::uint64_t seed) const
+  {
+    constexpr std::size_t first_try = 150'000, least_first_try = 1000;
+    Trial trial = one.trial;
+    trial.seed = seed;
+    const std::size_t first = one.found.empty() ? first_try : one.found.front().points;
+    Most_points_search search(std::max<std::size_t>(first, least_first_try), scenario::most_points);
+    one.found.push_back(search.run([&](std::size_t points) {
+      trial.points = points;
+      return measure(trial, one.contestant);
+    }));
+  }
+
+  // Frames are spread over as much of the scenario as the work allows.
+  Frame_milliseconds measure(const Trial& trial, Contestant contestant) const
+  {
+    constexpr std::size_t samples = 10, least_frames = 20;
+    const auto motion = open(trial);
+    const std::size_t points = motion->points().size();
+    const std::size_t frames =
+        std::clamp(m_work / points, least_frames, std::max(least_frames, motion->frames()));
+    std::vector<double> milliseconds;
+    const auto counts = [&](std::size_t frame) {
+      return frame * samples / frames != (frame - 1) * samples / frames;
+    };
+    with_run(trial, *motion, [&](auto& run) {
+      while (run.record().frame != frames) {
+        const std::size_t frame = run.record().frame + 1;
+        if (contestant == Contestant::dynamic) {
+          run.follow(false);
+        } else if (counts(frame)) {
+          run.measure();
+        } else {
+          run.follow(counts(frame + 1));
+        }
+        if (counts(frame)) {
+          milliseconds.push_back(1e-6 * time_of(contestant, run.record().nanoseconds));
+        }
+      }
+    });
+    std::sort(milliseconds.begin(), milliseconds.end());
+    return {points, frames, run::quantile(milliseconds, 0.5), run::quantile(milliseconds, 0.75)};
+  }
+
+  static double time_of(Contestant contestant, const run::Frame_times& times)
+  {
+    switch (contestant) {
+    case Contestant::static_insert:
+      return times.static_insert;
+    case Contestant::static_fastest:
+      return times.static_fastest;
+    default:
+      return times.dynamic;
+    }
+  }
+
+  std::size_t m_trials;
+  std::uint64_t m_first_seed;
+  std::size_t m_work;
+  std::list<Case> m_cases; // they stay where they are
+};
+
+} // namespace thesis
+
+#endif // THESIS_MOST_POINTS_EXPERIMENT_H

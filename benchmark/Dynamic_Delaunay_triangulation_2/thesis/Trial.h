@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef THESIS_TRIAL_H
+#define THESIS_TRIAL_H
+
+#include "../classifiers/Classifier_run.h"
+#include "run/Scenario_run.h"
+#include "scenario/Open_motion.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+
+namespace thesis {
+
+using classifiers::Method;
+
+// A motion that is driven by a method's own triangulation, as in the thesis (5.1.2).
+struct Trial
+{
+  std::string scenario;
+  Method method;
+  std::uint64_t seed = 1; // of the jitter and of chance in the method
+  std::optional<std::size_t> points{};
+  std::optional<double> time_step{};
+};
+
+inline std::string scenario_path(const std::string& name)
+{
+  return (std::filesystem::path(SCENARIOS_DIR) / (name + ".json")).string();
+}
+
+inline std::unique_ptr<scenario::Motion> open(const Trial& trial)
+{
+  scenario::Overrides overrides;
+  overrides.points = trial.points;
+  overrides.time_step = trial.time_step;
+  overrides.seed = trial.seed;
+  return scenario::open_motion(scenario_path(trial.scenario), overrides);
+}
+
+// Calls `use(run)` with the run of the trial at its first frame.
+template <class Use>
+void with_run(const Trial& trial, scenario::Motion& motion, Use use)
+{
+  Method method = trial.method;
+  method.seed = trial.seed;
+  classifiers::with_method(method, [&](const auto& classifier) {
+    using Classifier = std::decay_t<decltype(classifier)>;
+    run::Scenario_run<Classifier> run(motion, classifier,
+                                      run::make_repair(method.repair, method.padding),
+                                      CGAL::Static_engines_2(), run::make_policy(method.policy));
+    use(run);
+  });
+}
+
+} // namespace thesis
+
+#endif // THESIS_TRIAL_H
