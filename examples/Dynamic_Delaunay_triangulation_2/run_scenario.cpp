@@ -8,7 +8,10 @@
 #include "run/Any_policy.h"
 #include "run/Any_repair.h"
 #include "run/Engine_choice.h"
+#include "run/Extended_xyz_log.h"
+#include "run/Frame_choice.h"
 #include "run/Frame_log.h"
+#include "run/Lammps_log.h"
 #include "run/Picture_series.h"
 #include "run/Progress_display.h"
 #include "run/Run_options.h"
@@ -18,6 +21,7 @@
 #include "run/Run_table.h"
 #include "run/Scenario_choice.h"
 #include "run/Scenario_run.h"
+#include "run/Vtk_series.h"
 #include "scenario/Open_motion.h"
 
 #include <algorithm>
@@ -45,17 +49,27 @@ public:
     if (options.csv) {
       m_log.emplace(*options.csv);
     }
+    const auto seen =
+        options.every ? run::Frame_choice(frames, *options.every) : run::about_thirty(frames);
+    const run::Frame_choice recorded(frames, options.every.value_or(1));
     if (options.svg) {
-      m_pictures.emplace(*options.svg, frames, box);
+      m_pictures.emplace(*options.svg, seen, box);
+    }
+    if (options.vtk) {
+      m_grids.emplace(*options.vtk, seen);
+    }
+    if (options.xyz) {
+      m_xyz.emplace(*options.xyz, recorded, box);
+    }
+    if (options.lammps) {
+      m_lammps.emplace(*options.lammps, recorded, box);
     }
   }
 
   template <class Run>
   void take_first_frame(const Run& run)
   {
-    if (m_pictures) {
-      m_pictures->draw(run);
-    }
+    write_points(run);
   }
 
   template <class Run>
@@ -64,9 +78,7 @@ public:
     if (m_log) {
       m_log->write(run.record());
     }
-    if (m_pictures) {
-      m_pictures->draw(run);
-    }
+    write_points(run);
     m_progress.show(run.record().frame);
   }
 
@@ -75,6 +87,15 @@ public:
     if (m_log) {
       m_log->finish();
     }
+    if (m_grids) {
+      m_grids->finish();
+    }
+    if (m_xyz) {
+      m_xyz->finish();
+    }
+    if (m_lammps) {
+      m_lammps->finish();
+    }
     if (m_report) {
       run::write_report(m_report->stream(), subject, summary);
       m_report->finish();
@@ -82,9 +103,29 @@ public:
   }
 
 private:
+  template <class Run>
+  void write_points(const Run& run)
+  {
+    if (m_pictures) {
+      m_pictures->write(run);
+    }
+    if (m_grids) {
+      m_grids->write(run);
+    }
+    if (m_xyz) {
+      m_xyz->write(run);
+    }
+    if (m_lammps) {
+      m_lammps->write(run);
+    }
+  }
+
   std::optional<run::Output_file> m_report;
   std::optional<run::Frame_log> m_log;
   std::optional<run::Picture_series> m_pictures;
+  std::optional<run::Vtk_series> m_grids;
+  std::optional<run::Extended_xyz_log> m_xyz;
+  std::optional<run::Lammps_log> m_lammps;
   run::Progress_display m_progress;
 };
 

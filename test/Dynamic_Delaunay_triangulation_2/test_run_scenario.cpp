@@ -3,135 +3,16 @@
 
 // The program run_scenario, run as a user runs it.
 
+#include "scenario_program.h"
 #include "temporary_files.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
-#include <random>
 #include <string>
 #include <vector>
 
 namespace {
-
-using Json = nlohmann::json;
-using Words = std::vector<std::string>;
-
-std::string content_of(const std::string& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-std::size_t number_of_lines(const std::string& text)
-{
-  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-}
-
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
-
-struct Outcome
-{
-  bool succeeded;
-  std::string output;
-  std::string errors;
-};
-
-Outcome run(const Words& arguments)
-{
-  const std::string output = temporary_path("output");
-  const std::string errors = temporary_path("errors");
-  std::string command = "\"" RUN_SCENARIO "\"";
-  for (const std::string& argument : arguments) {
-    command += " \"" + argument + "\"";
-  }
-  command += " > \"" + output + "\" 2> \"" + errors + "\"";
-  const bool succeeded = std::system(command.c_str()) == 0;
-  return {succeeded, content_of(output), content_of(errors)};
-}
-
-Json report_of(Words arguments)
-{
-  const std::string path = temporary_path("report.json");
-  std::filesystem::remove(path);
-  arguments.insert(arguments.end(), {"--report", path, "--quiet"});
-  const Outcome outcome = run(arguments);
-  EXPECT_TRUE(outcome.succeeded);
-  EXPECT_EQ(outcome.output + outcome.errors, "");
-  return Json::parse(content_of(path));
-}
-
-void expect_exact_report(const Json& report, std::size_t frames)
-{
-  EXPECT_EQ(report["exact"], true);
-  EXPECT_EQ(report["frames"], frames);
-  EXPECT_EQ(report["certified_frames"], frames);
-  EXPECT_EQ(report["valid_frames"], frames);
-  EXPECT_EQ(report["mcc_min"], 1.0);
-  EXPECT_EQ(report["mcc_mean"], 1.0);
-}
-
-// One message, no report, not even a part of one.
-void expect_refusal(Words arguments, const Words& parts_of_message)
-{
-  const std::string path = temporary_path("refused.json");
-  arguments.insert(arguments.end(), {"--report", path});
-  const Outcome outcome = run(arguments);
-  EXPECT_FALSE(outcome.succeeded);
-  EXPECT_EQ(outcome.output, "");
-  EXPECT_EQ(outcome.errors.rfind("run_scenario: ", 0), 0u) << outcome.errors;
-  EXPECT_EQ(number_of_lines(outcome.errors), 1u) << outcome.errors;
-  for (const std::string& part : parts_of_message) {
-    EXPECT_TRUE(contains(outcome.errors, part)) << part << " is not in: " << outcome.errors;
-  }
-  EXPECT_FALSE(std::filesystem::exists(path));
-  EXPECT_FALSE(std::filesystem::exists(path + ".part"));
-}
-
-// Nobody, one, two, three points on a line, four, the same four a little further.
-std::string small_dump()
-{
-  const std::vector<Words> frames = {{},
-                                     {"1 0 0"},
-                                     {"1 0 0", "2 1 0"},
-                                     {"1 0 0", "2 1 0", "3 2 0"},
-                                     {"1 0 0", "2 1 0", "3 2 0", "4 1 2"},
-                                     {"1 0 0", "2 1 0.5", "3 2 0", "4 1 2"}};
-  std::string text;
-  for (std::size_t frame = 0; frame != frames.size(); ++frame) {
-    text += "ITEM: TIMESTEP\n" + std::to_string(frame) + "\nITEM: NUMBER OF ATOMS\n" +
-            std::to_string(frames[frame].size()) +
-            "\nITEM: BOX BOUNDS ff ff ff\n0 2\n0 2\n0 1\nITEM: ATOMS id x y\n";
-    for (const std::string& atom : frames[frame]) {
-      text += atom + "\n";
-    }
-  }
-  return text;
-}
-
-// Five points of which the last comes and goes.
-std::string small_csv()
-{
-  const Words points = {"0,0", "4,0", "4,4", "0,4", "2,1."};
-  std::string text = "frame,time,id,x,y\n";
-  for (std::size_t frame = 0; frame != 8; ++frame) {
-    const std::string number = std::to_string(frame);
-    const std::size_t size = frame == 3 || frame == 4 ? 4 : 5;
-    for (std::size_t id = 0; id != size; ++id) {
-      text += number + "," + number + "," + std::to_string(id) + "," + points[id] +
-              (id == 4 ? number : "") + "\n";
-    }
-  }
-  return text;
-}
 
 TEST(Report, says_everything_about_a_run)
 {
@@ -315,7 +196,7 @@ TEST(Classifiers, that_are_refined_are_reported_with_both_of_their_parts)
   EXPECT_EQ(report["classifier"], "refined");
   EXPECT_EQ(report["parameter"], "point_distance:0.7+random:0.5");
   EXPECT_EQ(report["seed"], 3);
-  const Outcome outcome = run(arguments);
+  const Outcome outcome = run_program(arguments);
   EXPECT_TRUE(contains(outcome.output, "refined:point_distance:0.7+random:0.5 (heuristic)"));
 }
 
@@ -354,7 +235,7 @@ TEST(Policies, certify_the_key_frames_of_a_heuristic)
   EXPECT_EQ(report["exact"], false);
   EXPECT_EQ(report["rebuilds"], 5);
   EXPECT_GE(report["certified_frames"], 5);
-  const Outcome outcome = run(arguments);
+  const Outcome outcome = run_program(arguments);
   EXPECT_TRUE(contains(outcome.output, "key_frames:8"));
 }
 
@@ -390,8 +271,9 @@ TEST(Outputs, are_a_table_a_row_for_each_frame_and_pictures)
 {
   const std::string csv = temporary_path("frames.csv");
   const std::filesystem::path pictures = temporary_path("pictures/of/it");
-  const Outcome outcome = run({"explosion", "--points", "100", "--frames", "45", "--csv", csv,
-                               "--svg", pictures.string(), "--classifier", "point_distance"});
+  const Outcome outcome =
+      run_program({"explosion", "--points", "100", "--frames", "45", "--csv", csv, "--svg",
+                   pictures.string(), "--classifier", "point_distance"});
   EXPECT_TRUE(outcome.succeeded);
   EXPECT_EQ(outcome.errors, "") << "progress is for terminals";
   EXPECT_TRUE(contains(outcome.output, "explosion, 100 points, 45 frames"));
@@ -420,20 +302,20 @@ TEST(Outputs, that_cannot_be_written_end_the_run_before_it_starts)
 TEST(Outputs, leave_the_last_report_alone_when_the_run_fails)
 {
   const std::string path = write_file("old.json", "old");
-  EXPECT_FALSE(run({"no_such_scenario", "--report", path}).succeeded);
-  EXPECT_FALSE(run({"--time-step", "-1", "--report", path}).succeeded);
+  EXPECT_FALSE(run_program({"no_such_scenario", "--report", path}).succeeded);
+  EXPECT_FALSE(run_program({"--time-step", "-1", "--report", path}).succeeded);
   EXPECT_EQ(content_of(path), "old");
 }
 
 TEST(Help, lists_scenarios_classifiers_repairs_policies_and_engines)
 {
-  const Outcome outcome = run({"--help"});
+  const Outcome outcome = run_program({"--help"});
   EXPECT_TRUE(outcome.succeeded);
   for (const char* word : {"dam_break", "point_distance", "flip_and_splice", "key_frames:K",
                            "bowyer_watson", "--time-step"}) {
     EXPECT_TRUE(contains(outcome.output, word)) << word;
   }
-  EXPECT_TRUE(run({"--version"}).succeeded);
+  EXPECT_TRUE(run_program({"--version"}).succeeded);
 }
 
 TEST(Mistakes, in_a_name_are_answered_with_the_names_that_exist)

@@ -53,6 +53,12 @@ public:
     return m_population ? m_population->triangulation() : *m_triangulation;
   }
 
+  // The id in the triangulation of the point in this place of the motion.
+  std::size_t id(const scenario::Motion& motion, std::size_t place) const
+  {
+    return m_population ? m_population->id(motion.ids()[place]) : place;
+  }
+
 private:
   using Population = CGAL::Dynamic_population_2<Dynamic, std::int64_t>;
 

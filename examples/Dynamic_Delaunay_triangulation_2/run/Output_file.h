@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <locale>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -23,6 +24,7 @@ public:
     : m_path(path)
     , m_written_path(is_special(path) ? path : path + ".part")
   {
+    m_stream.imbue(std::locale::classic()); // numbers are for programs
     errno = 0;
     m_stream.open(m_written_path, std::ios::binary | std::ios::trunc);
     if (!m_stream) {

@@ -4,67 +4,49 @@
 #ifndef RUN_PICTURE_SERIES_H
 #define RUN_PICTURE_SERIES_H
 
+#include "Bounds.h"
+#include "Frame_choice.h"
+#include "Output_directory.h"
 #include "Output_file.h"
 #include "Picture_view.h"
 #include "Svg_picture.h"
+#include "Vertex_sets.h"
 
 #include <cstddef>
-#include <filesystem>
-#include <iomanip>
 #include <optional>
-#include <sstream>
-#include <stdexcept>
 #include <string>
-#include <system_error>
 
 namespace run {
 
-// Pictures of evenly spaced frames of a run, and of its last one, in a directory.
+// Pictures of some frames of a run, in a directory.
 class Picture_series
 {
 public:
-  Picture_series(const std::string& directory, std::size_t frames,
+  Picture_series(const std::string& directory, const Frame_choice& choice,
                  const std::optional<scenario::Box>& box)
     : m_directory(directory)
-    , m_frames(frames)
-    , m_stride(frames / most_pictures + 1)
+    , m_choice(choice)
     , m_box(box)
   {
-    std::error_code error;
-    std::filesystem::create_directories(m_directory, error);
-    if (!std::filesystem::is_directory(m_directory)) {
-      throw std::runtime_error(directory + ": cannot be made a directory" +
-                               (error ? ": " + error.message() : ""));
-    }
   }
 
   template <class Run>
-  void draw(const Run& run) const
+  void write(const Run& run) const
   {
     const std::size_t frame = run.record().frame;
-    if (frame % m_stride != 0 && frame != m_frames) {
+    if (!m_choice.has(frame)) {
       return;
     }
-    const Picture_view view = m_box ? Picture_view(*m_box) : Picture_view(run.motion().points());
-    Output_file file((m_directory / name(frame)).string());
+    const Picture_view view(frame_bounds(m_box, run.motion().points()));
+    Output_file file(m_directory.path_of(frame_file_name(frame, ".svg")));
     const Svg_picture picture(run.triangulation(), view);
-    picture.write(file.stream(), !run.record().update.rebuilt());
+    picture.write(file.stream(), sets_of_vertices(run));
     file.finish();
   }
 
 private:
-  static constexpr std::size_t most_pictures = 30;
-
-  static std::string name(std::size_t frame)
-  {
-    std::ostringstream text;
-    text << "frame_" << std::setw(5) << std::setfill('0') << frame << ".svg";
-    return text.str();
-  }
-
-  std::filesystem::path m_directory;
-  std::size_t m_frames;
-  std::size_t m_stride;
+  Output_directory m_directory;
+  Frame_choice m_choice;
   std::optional<scenario::Box> m_box;
 };
 

@@ -5,11 +5,9 @@
 #define RUN_PICTURE_VIEW_H
 
 #include "../scenario/Motion.h"
-#include "../scenario/Scenario_description.h"
+#include "Bounds.h"
 
 #include <algorithm>
-#include <cmath>
-#include <vector>
 
 namespace run {
 
@@ -17,24 +15,12 @@ namespace run {
 class Picture_view
 {
 public:
-  Picture_view(const scenario::Point& low, const scenario::Point& high)
-    : m_low(low)
-    , m_high(high)
+  explicit Picture_view(const Bounds& bounds)
+    : m_low(bounds.low)
+    , m_high(bounds.high)
   {
-    const double side = std::max(high.x - low.x, high.y - low.y);
+    const double side = std::max(m_high.x - m_low.x, m_high.y - m_low.y);
     m_scale = side > 0.0 ? longer_side / side : 1.0;
-  }
-
-  explicit Picture_view(const scenario::Box& box)
-    : Picture_view({0.0, 0.0}, {box.width, box.height})
-  {
-  }
-
-  // All points; the origin if there are none.
-  explicit Picture_view(const std::vector<scenario::Point>& points)
-    : Picture_view(corner(points, [](double a, double b) { return std::min(a, b); }),
-                   corner(points, [](double a, double b) { return std::max(a, b); }))
-  {
   }
 
   double x(const scenario::Point& p) const { return margin + m_scale * (p.x - m_low.x); }
@@ -45,16 +31,6 @@ public:
 private:
   static constexpr double longer_side = 960.0;
   static constexpr double margin = 20.0;
-
-  template <class Choose>
-  static scenario::Point corner(const std::vector<scenario::Point>& points, Choose choose)
-  {
-    scenario::Point corner = points.empty() ? scenario::Point{0.0, 0.0} : points.front();
-    for (const scenario::Point& point : points) {
-      corner = {choose(corner.x, point.x), choose(corner.y, point.y)};
-    }
-    return corner;
-  }
 
   scenario::Point m_low;
   scenario::Point m_high;

@@ -16,10 +16,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 namespace run {
 
@@ -38,6 +42,10 @@ struct Run_options
   std::optional<std::string> report{};
   std::optional<std::string> csv{};
   std::optional<std::string> svg{};
+  std::optional<std::string> vtk{};
+  std::optional<std::string> xyz{};
+  std::optional<std::string> lammps{};
+  std::optional<std::size_t> every{};
   bool quiet = false;
 
   std::string repair_name() const { return repair.value_or(usual_repair(classifier)); }
@@ -87,9 +95,10 @@ inline void add_method_options(CLI::App& app, Run_options& options)
              });
 }
 
+constexpr std::size_t most_frames = 1'000'000'000;
+
 inline void add_motion_options(CLI::App& app, Run_options& options)
 {
-  constexpr std::size_t most_frames = 1'000'000'000;
   add_option(
       app, "--frames", "N", "frames after the first one; default what the scenario says",
       [&](const std::string& text) { options.frames = count_argument(text, 0, most_frames); });
@@ -123,7 +132,55 @@ inline void add_output_options(CLI::App& app, Run_options& options)
   add_option(app, "--svg", "DIR",
              "draw about 30 frames: classified vertices red, padded green, border cyan",
              take_into(options.svg));
+  add_option(app, "--vtk", "DIR",
+             "write about 30 frames for ParaView: triangles in .vtu files, all times in frames.pvd",
+             take_into(options.vtk));
+  add_option(app, "--xyz", "FILE.xyz", "write the points of all frames as extended XYZ",
+             take_into(options.xyz));
+  add_option(app, "--lammps", "FILE.lammpstrj",
+             "write the points of all frames as a LAMMPS dump, which can be run again",
+             take_into(options.lammps));
+  add_option(
+      app, "--every", "N", "every N-th frame and the last one for --svg, --vtk, --xyz and --lammps",
+      [&](const std::string& text) { options.every = count_argument(text, 1, most_frames); });
   app.add_flag("--quiet", options.quiet, "no progress, no table");
+}
+
+inline bool is_one_file(const std::filesystem::path& a, const std::filesystem::path& b)
+{
+  std::error_code ignored;
+  return a.lexically_normal() == b.lexically_normal() || std::filesystem::equivalent(a, b, ignored);
+}
+
+// A file that two outputs write would hold one of them; one that is the recording would replace it.
+inline void check_files(const Run_options& options)
+{
+  std::vector<std::pair<std::string, std::string>> files;
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(options.scenario, ignored)) {
+    files.emplace_back("SCENARIO", options.scenario);
+  }
+  for (const auto& [name, file] :
+       {std::pair("--report", options.report), std::pair("--csv", options.csv),
+        std::pair("--xyz", options.xyz), std::pair("--lammps", options.lammps)}) {
+    if (!file) {
+      continue;
+    }
+    for (const auto& [other_name, other_file] : files) {
+      if (is_one_file(*file, other_file)) {
+        throw CLI::ValidationError(name, "is the file of " + other_name + " too");
+      }
+    }
+    files.emplace_back(name, *file);
+  }
+}
+
+inline void check_every(const Run_options& options)
+{
+  if (options.every && !options.svg && !options.vtk && !options.xyz && !options.lammps) {
+    throw CLI::ValidationError("--every", "chooses frames for --svg, --vtk, --xyz or --lammps, "
+                                          "and none of them is there");
+  }
 }
 
 // \throws CLI::Success for --help and --version, another CLI::ParseError for a mistake.
@@ -141,9 +198,8 @@ inline Run_options parse_options(CLI::App& app, int argc, const char* const* arg
   app.set_version_flag("--version", "run_scenario 1.0");
   app.footer("Scenarios: " + scenario::joined(scenario_names()));
   app.parse(argc, argv);
-  if (options.report && options.report == options.csv) {
-    throw CLI::ValidationError("--csv", "is the file of --report too");
-  }
+  check_files(options);
+  check_every(options);
   return options;
 }
 

@@ -87,6 +87,13 @@ public:
   const Dynamic& triangulation() const { return m_kept->triangulation(); }
   const Frame_record& record() const { return m_record; }
 
+  // The vertex, in the frame of the triangulation, of the point in this place of the motion.
+  auto vertex(std::size_t place) const
+  {
+    using Index = typename Dynamic::Frame::Index;
+    return triangulation().frame().vertex(static_cast<Index>(m_kept->id(m_motion, place)));
+  }
+
 private:
   template <class Work>
   void with_frame_in_message(Work work) const

@@ -6,6 +6,7 @@
 
 #include "../scenario/Motion.h"
 #include "Picture_view.h"
+#include "Vertex_sets.h"
 
 #include <algorithm>
 #include <array>
@@ -28,38 +29,20 @@ public:
   {
   }
 
-  // `shows_sets`: whether the vertices still have the numbers that they were classified under.
-  void write(std::ostream& out, bool shows_sets) const
+  // `sets`: of each vertex.
+  void write(std::ostream& out, const std::vector<Vertex_set>& sets) const
   {
     out << std::fixed << std::setprecision(2);
     out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << m_view.width() << "\" height=\""
         << m_view.height() << "\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
     write_edges(out);
-    write_points(out, shows_sets ? roles() : std::vector<Role>(number_of_roles(), other));
+    write_points(out, sets);
     out << "</svg>\n";
   }
 
 private:
-  enum Role : std::size_t { other, border, padded, classified };
+  // Of each set.
   static constexpr std::array<const char*, 4> colors = {"#333333", "cyan", "green", "red"};
-
-  std::size_t number_of_roles() const { return m_triangulation.number_of_vertices() + 1; }
-
-  // Of each vertex of the frame.
-  std::vector<Role> roles() const
-  {
-    std::vector<Role> roles(number_of_roles(), other);
-    for (const auto v : m_triangulation.border_vertices()) {
-      roles[v] = border;
-    }
-    for (const auto v : m_triangulation.padded_vertices()) {
-      roles[v] = padded;
-    }
-    for (const auto v : m_triangulation.classified_vertices()) {
-      roles[v] = classified;
-    }
-    return roles;
-  }
 
   void write_edges(std::ostream& out) const
   {
@@ -84,14 +67,14 @@ private:
   }
 
   // The colourful ones last, over the others.
-  void write_points(std::ostream& out, const std::vector<Role>& roles) const
+  void write_points(std::ostream& out, const std::vector<Vertex_set>& sets) const
   {
     const auto frame = m_triangulation.frame();
     using Index = typename Dynamic::Frame::Index;
-    for (std::size_t role = other; role != colors.size(); ++role) {
-      out << "<g fill=\"" << colors[role] << "\">\n";
+    for (std::size_t set = 0; set != colors.size(); ++set) {
+      out << "<g fill=\"" << colors[set] << "\">\n";
       for (Index id = 0; id != frame.number_of_ids(); ++id) {
-        if (frame.has_id(id) && roles[frame.vertex(id)] == role) {
+        if (frame.has_id(id) && sets[frame.vertex(id)] == static_cast<Vertex_set>(set)) {
           out << "<circle cx=\"" << m_view.x(place(id)) << "\" cy=\"" << m_view.y(place(id))
               << "\" r=\"" << radius() << "\"/>\n";
         }

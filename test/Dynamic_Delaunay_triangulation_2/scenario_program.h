@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The program run_scenario, run as a user runs it, and small recordings for it.
+
+#ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_SCENARIO_PROGRAM_H
+#define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_SCENARIO_PROGRAM_H
+
+#include "temporary_files.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+inline std::string content_of(const std::string& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+inline std::size_t number_of_lines(const std::string& text)
+{
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+inline bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+struct Outcome
+{
+  bool succeeded;
+  std::string output;
+  std::string errors;
+};
+
+inline Outcome run_program(const Words& arguments)
+{
+  const std::string output = temporary_path("output");
+  const std::string errors = temporary_path("errors");
+  std::string command = "\"" RUN_SCENARIO "\"";
+  for (const std::string& argument : arguments) {
+    command += " \"" + argument + "\"";
+  }
+  command += " > \"" + output + "\" 2> \"" + errors + "\"";
+  const bool succeeded = std::system(command.c_str()) == 0;
+  return {succeeded, content_of(output), content_of(errors)};
+}
+
+inline Json report_of(Words arguments)
+{
+  const std::string path = temporary_path("report.json");
+  std::filesystem::remove(path);
+  arguments.insert(arguments.end(), {"--report", path, "--quiet"});
+  const Outcome outcome = run_program(arguments);
+  EXPECT_TRUE(outcome.succeeded);
+  EXPECT_EQ(outcome.output + outcome.errors, "");
+  return Json::parse(content_of(path));
+}
+
+inline void expect_exact_report(const Json& report, std::size_t frames)
+{
+  EXPECT_EQ(report["exact"], true);
+  EXPECT_EQ(report["frames"], frames);
+  EXPECT_EQ(report["certified_frames"], frames);
+  EXPECT_EQ(report["valid_frames"], frames);
+  EXPECT_EQ(report["mcc_min"], 1.0);
+  EXPECT_EQ(report["mcc_mean"], 1.0);
+}
+
+// One message, no report, not even a part of one.
+inline void expect_refusal(Words arguments, const Words& parts_of_message)
+{
+  const std::string path = temporary_path("refused.json");
+  arguments.insert(arguments.end(), {"--report", path});
+  const Outcome outcome = run_program(arguments);
+  EXPECT_FALSE(outcome.succeeded);
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_EQ(outcome.errors.rfind("run_scenario: ", 0), 0u) << outcome.errors;
+  EXPECT_EQ(number_of_lines(outcome.errors), 1u) << outcome.errors;
+  for (const std::string& part : parts_of_message) {
+    EXPECT_TRUE(contains(outcome.errors, part)) << part << " is not in: " << outcome.errors;
+  }
+  EXPECT_FALSE(std::filesystem::exists(path));
+  EXPECT_FALSE(std::filesystem::exists(path + ".part"));
+}
+
+// Nobody, one, two, three points on a line, four, the same four a little further.
+inline std::string small_dump()
+{
+  const std::vector<Words> frames = {{},
+                                     {"1 0 0"},
+                                     {"1 0 0", "2 1 0"},
+                                     {"1 0 0", "2 1 0", "3 2 0"},
+                                     {"1 0 0", "2 1 0", "3 2 0", "4 1 2"},
+                                     {"1 0 0", "2 1 0.5", "3 2 0", "4 1 2"}};
+  std::string text;
+  for (std::size_t frame = 0; frame != frames.size(); ++frame) {
+    text += "ITEM: TIMESTEP\n" + std::to_string(frame) + "\nITEM: NUMBER OF ATOMS\n" +
+            std::to_string(frames[frame].size()) +
+            "\nITEM: BOX BOUNDS ff ff ff\n0 2\n0 2\n0 1\nITEM: ATOMS id x y\n";
+    for (const std::string& atom : frames[frame]) {
+      text += atom + "\n";
+    }
+  }
+  return text;
+}
+
+// Five points of which the last comes and goes.
+inline std::string small_csv()
+{
+  const Words points = {"0,0", "4,0", "4,4", "0,4", "2,1."};
+  std::string text = "frame,time,id,x,y\n";
+  for (std::size_t frame = 0; frame != 8; ++frame) {
+    const std::string number = std::to_string(frame);
+    const std::size_t size = frame == 3 || frame == 4 ? 4 : 5;
+    for (std::size_t id = 0; id != size; ++id) {
+      text += number + "," + number + "," + std::to_string(id) + "," + points[id] +
+              (id == 4 ? number : "") + "\n";
+    }
+  }
+  return text;
+}
+
+#endif // DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_SCENARIO_PROGRAM_H

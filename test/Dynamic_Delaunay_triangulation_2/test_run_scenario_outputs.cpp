@@ -1,0 +1,613 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What run_scenario writes for other programs, read back.
+
+#include "run/Scenario_run.h"
+#include "run/Vtk_grid.h"
+#include "scenario/Brownian_motion.h"
+#include "scenario/Csv_motion.h"
+#include "scenario/Lammps_dump.h"
+#include "scenario_program.h"
+#include "temporary_files.h"
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Point_distance_classifier_2.h>
+#include <CGAL/Random_classifier_2.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <istream>
+#include <limits>
+#include <map>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace {
+
+using Xml = boost::property_tree::ptree;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Delaunay = CGAL::Delaunay_triangulation_2<Kernel>;
+
+// Three ids that stand counterclockwise where the triangle does, the smallest first.
+using Triangle = std::array<std::int64_t, 3>;
+using Triangles = std::multiset<Triangle>;
+
+Triangle triangle(std::int64_t a, std::int64_t b, std::int64_t c)
+{
+  Triangle ids = {a, b, c};
+  std::rotate(ids.begin(), std::min_element(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
+// Strict, and exact: as the readers of recordings.
+template <class Number>
+std::vector<Number> numbers(const std::string& text)
+{
+  std::vector<std::string_view> fields;
+  scenario::split_at_blanks(text, fields);
+  const scenario::Text_scanner scanner("numbers", "");
+  std::vector<Number> values;
+  for (const std::string_view field : fields) {
+    if constexpr (std::is_floating_point_v<Number>) {
+      values.push_back(scanner.number(field, "number"));
+    } else {
+      values.push_back(scanner.integer(field, "number"));
+    }
+  }
+  return values;
+}
+
+struct Grid
+{
+  double time;
+  std::vector<std::int64_t> ids;
+  std::vector<std::int64_t> sets;
+  std::vector<std::int64_t> delaunay;
+  std::vector<scenario::Point> points;
+  Triangles triangles;
+};
+
+// The array that has this name among those of an element.
+std::string array_of(const Xml& element, const std::string& name)
+{
+  for (const auto& [tag, child] : element) {
+    if (tag == "DataArray" && child.get<std::string>("<xmlattr>.Name") == name) {
+      EXPECT_EQ(child.get<std::string>("<xmlattr>.format"), "ascii");
+      std::string text = child.data();
+      std::replace(text.begin(), text.end(), '\n', ' ');
+      return text;
+    }
+  }
+  throw std::runtime_error("there is no array " + name);
+}
+
+void read_points(const Xml& piece, Grid& grid)
+{
+  const auto coordinates = numbers<double>(array_of(piece.get_child("Points"), "Points"));
+  ASSERT_EQ(coordinates.size(), 3 * piece.get<std::size_t>("<xmlattr>.NumberOfPoints"));
+  for (std::size_t i = 0; i != coordinates.size(); i += 3) {
+    grid.points.push_back({coordinates[i], coordinates[i + 1]});
+    EXPECT_EQ(coordinates[i + 2], 0.0);
+  }
+}
+
+void read_triangles(const Xml& piece, Grid& grid)
+{
+  const Xml& cells = piece.get_child("Cells");
+  const auto corners = numbers<std::int64_t>(array_of(cells, "connectivity"));
+  const auto offsets = numbers<std::int64_t>(array_of(cells, "offsets"));
+  const auto types = numbers<std::int64_t>(array_of(cells, "types"));
+  const auto size = piece.get<std::size_t>("<xmlattr>.NumberOfCells");
+  ASSERT_EQ(corners.size(), 3 * size);
+  ASSERT_EQ(offsets.size(), size);
+  EXPECT_EQ(types, std::vector<std::int64_t>(size, 5));
+  const auto id = [&](std::size_t i) { return grid.ids.at(static_cast<std::size_t>(corners[i])); };
+  for (std::size_t i = 0; i != size; ++i) {
+    EXPECT_EQ(offsets[i], static_cast<std::int64_t>(3 * (i + 1)));
+    grid.triangles.insert(triangle(id(3 * i), id(3 * i + 1), id(3 * i + 2)));
+  }
+}
+
+Grid read_grid(std::istream& in)
+{
+  Xml xml;
+  boost::property_tree::read_xml(in, xml); // throws if it is not well-formed
+  EXPECT_EQ(xml.get<std::string>("VTKFile.<xmlattr>.type"), "UnstructuredGrid");
+  const Xml& whole = xml.get_child("VTKFile.UnstructuredGrid");
+  const Xml& piece = whole.get_child("Piece");
+  Grid grid;
+  grid.time = numbers<double>(array_of(whole.get_child("FieldData"), "TimeValue")).at(0);
+  grid.ids = numbers<std::int64_t>(array_of(piece.get_child("PointData"), "id"));
+  grid.sets = numbers<std::int64_t>(array_of(piece.get_child("PointData"), "set"));
+  grid.delaunay = numbers<std::int64_t>(array_of(piece.get_child("CellData"), "delaunay"));
+  read_points(piece, grid);
+  EXPECT_EQ(grid.ids.size(), grid.points.size());
+  EXPECT_EQ(grid.sets.size(), grid.points.size());
+  read_triangles(piece, grid);
+  EXPECT_EQ(grid.delaunay.size(), grid.triangles.size());
+  return grid;
+}
+
+struct Collection
+{
+  std::vector<double> times;
+  std::vector<std::string> files;
+  std::vector<Grid> grids;
+};
+
+Collection read_collection(const std::filesystem::path& directory)
+{
+  Xml xml;
+  boost::property_tree::read_xml((directory / "frames.pvd").string(), xml);
+  EXPECT_EQ(xml.get<std::string>("VTKFile.<xmlattr>.type"), "Collection");
+  Collection collection;
+  for (const auto& [tag, child] : xml.get_child("VTKFile.Collection")) {
+    EXPECT_EQ(tag, "DataSet");
+    collection.times.push_back(numbers<double>(child.get<std::string>("<xmlattr>.timestep")).at(0));
+    collection.files.push_back(child.get<std::string>("<xmlattr>.file"));
+    std::ifstream file(directory / collection.files.back());
+    EXPECT_TRUE(file.is_open()) << collection.files.back();
+    collection.grids.push_back(read_grid(file));
+  }
+  EXPECT_EQ(
+      std::adjacent_find(collection.times.begin(), collection.times.end(), std::greater_equal<>()),
+      collection.times.end())
+      << "times do not ascend";
+  return collection;
+}
+
+// What is said on the second line of a frame, by its keys.
+std::map<std::string, std::string> keys_of(const std::string& line)
+{
+  std::map<std::string, std::string> values;
+  std::istringstream in(line);
+  std::string key;
+  while (std::getline(in >> std::ws, key, '=')) {
+    std::string& value = values[key];
+    if (in.peek() == '"') {
+      in.get();
+      std::getline(in, value, '"');
+    } else {
+      in >> value;
+    }
+  }
+  return values;
+}
+
+void read_xyz_head(const std::string& line, scenario::Recorded_frame& frame)
+{
+  const auto keys = keys_of(line);
+  EXPECT_EQ(keys.at("Properties"), "id:I:1:species:S:1:pos:R:3:set:I:1");
+  EXPECT_EQ(keys.at("pbc"), "F F F");
+  EXPECT_EQ(numbers<double>(keys.at("Origin")).size(), 3u);
+  const auto sides = numbers<double>(keys.at("Lattice"));
+  ASSERT_EQ(sides.size(), 9u);
+  for (std::size_t i = 0; i != sides.size(); ++i) {
+    EXPECT_EQ(sides[i] > 0.0, i % 4 == 0) << "a cell has an area and right angles";
+  }
+  frame.time = numbers<double>(keys.at("Time")).at(0);
+}
+
+scenario::Recording read_xyz(const std::string& path)
+{
+  std::ifstream in(path);
+  scenario::Recording frames;
+  std::string line;
+  std::vector<std::string_view> fields;
+  const scenario::Text_scanner scanner(path, "");
+  while (std::getline(in, line)) {
+    frames.emplace_back();
+    const auto size = numbers<std::int64_t>(line).at(0);
+    std::getline(in, line);
+    read_xyz_head(line, frames.back());
+    for (std::int64_t i = 0; i != size && std::getline(in, line); ++i) {
+      scenario::split_at_blanks(line, fields);
+      EXPECT_EQ(fields.size(), 6u);
+      EXPECT_EQ(fields.at(1), "X");
+      EXPECT_EQ(fields.at(4), "0");
+      frames.back().ids.push_back(scanner.integer(fields.at(0), "id"));
+      frames.back().points.push_back(
+          {scanner.number(fields.at(2), "x"), scanner.number(fields.at(3), "y")});
+    }
+  }
+  return frames;
+}
+
+void expect_equal_points(const std::vector<scenario::Point>& points,
+                         const std::vector<scenario::Point>& others)
+{
+  ASSERT_EQ(points.size(), others.size());
+  for (std::size_t i = 0; i != points.size(); ++i) {
+    EXPECT_EQ(points[i].x, others[i].x);
+    EXPECT_EQ(points[i].y, others[i].y);
+  }
+}
+
+void expect_equal_recordings(const scenario::Recording& frames, const scenario::Recording& others)
+{
+  ASSERT_EQ(frames.size(), others.size());
+  for (std::size_t i = 0; i != frames.size(); ++i) {
+    SCOPED_TRACE(i);
+    EXPECT_EQ(frames[i].time, others[i].time);
+    EXPECT_EQ(frames[i].ids, others[i].ids);
+    expect_equal_points(frames[i].points, others[i].points);
+  }
+}
+
+scenario::Recording recording_of(const Collection& collection)
+{
+  scenario::Recording frames;
+  for (const Grid& grid : collection.grids) {
+    frames.push_back({grid.time, grid.ids, grid.points});
+  }
+  return frames;
+}
+
+// All that CGAL itself makes of the points.
+Triangles delaunay_triangles(const Grid& grid)
+{
+  std::map<Kernel::Point_2, std::int64_t> ids;
+  Delaunay triangulation;
+  for (std::size_t i = 0; i != grid.points.size(); ++i) {
+    const Kernel::Point_2 point(grid.points[i].x, grid.points[i].y);
+    ids.emplace(point, grid.ids[i]); // the first one, where several are
+    triangulation.insert(point);
+  }
+  Triangles triangles;
+  for (const auto face : triangulation.finite_face_handles()) {
+    const auto id = [&](int i) { return ids.at(face->vertex(i)->point()); };
+    triangles.insert(triangle(id(0), id(1), id(2)));
+  }
+  return triangles;
+}
+
+// Without ties, of which either diagonal is right.
+void expect_delaunay(const Collection& collection)
+{
+  for (const Grid& grid : collection.grids) {
+    SCOPED_TRACE(grid.time);
+    EXPECT_EQ(grid.triangles, delaunay_triangles(grid));
+    EXPECT_EQ(std::count(grid.delaunay.begin(), grid.delaunay.end(), 1),
+              static_cast<std::ptrdiff_t>(grid.triangles.size()));
+  }
+}
+
+// Of all formats, in one run.
+struct Written
+{
+  std::filesystem::path directory;
+  std::string xyz;
+  std::string dump;
+};
+
+Written write_all(const std::string& name, Words arguments)
+{
+  const Written written{temporary_path(name), temporary_path(name + ".xyz"),
+                        temporary_path(name + "_out.lammpstrj")};
+  arguments.insert(arguments.end(), {"--vtk", written.directory.string(), "--xyz", written.xyz,
+                                     "--lammps", written.dump, "--quiet"});
+  const Outcome outcome = run_program(arguments);
+  EXPECT_TRUE(outcome.succeeded);
+  EXPECT_EQ(outcome.output + outcome.errors, "");
+  return written;
+}
+
+// Points that come, go, change their place in the row, meet and part, at coordinates that take all
+// of their digits.
+std::string lively_csv()
+{
+  std::string text = "frame,time,id,x,y\n";
+  for (int frame = 0; frame != 9; ++frame) {
+    for (int id = -3; id != 12; ++id) {
+      if ((id + 3 * frame + 9) % 7 == 0) {
+        continue;
+      }
+      const bool meets = id == 11 && frame % 3 == 2;
+      const int place = meets ? 10 : id;
+      std::ostringstream row;
+      row.precision(std::numeric_limits<double>::max_digits10);
+      row << frame << ',' << 0.1 * frame << ',' << 1'000'000'000'000 * id << ','
+          << (place * place % 17) / 3.0 + 0.01 * frame << ','
+          << (place * 7 % 13) / 7.0 - 1e-17 * place << '\n';
+      text += row.str();
+    }
+  }
+  return text;
+}
+
+TEST(Vtk, has_the_delaunay_triangles_of_about_thirty_frames)
+{
+  const Written written = write_all(
+      "brownian", {"brownian", "--points", "60", "--frames", "100", "--time-step", "0.1"});
+  const Collection collection = read_collection(written.directory);
+  EXPECT_EQ(collection.files.size(), 26u);
+  EXPECT_EQ(collection.files.front(), "frame_00000.vtu");
+  EXPECT_EQ(collection.files.back(), "frame_00100.vtu");
+  EXPECT_EQ(collection.times.back(), 100.0);
+  for (const Grid& grid : collection.grids) {
+    EXPECT_EQ(grid.points.size(), 60u);
+  }
+  expect_delaunay(collection);
+  std::size_t number_of_files = 0;
+  for (const auto& file : std::filesystem::directory_iterator(written.directory)) {
+    EXPECT_NE(file.path().extension(), ".part");
+    ++number_of_files;
+  }
+  EXPECT_EQ(number_of_files, collection.files.size() + 1);
+}
+
+TEST(Vtk, takes_the_numbers_of_the_frames_for_times_that_do_not_ascend)
+{
+  std::string text = "frame,time,id,x,y\n";
+  for (const char* frame : {"0,5", "1,5", "2,4"}) {
+    for (const char* point : {"1,0,0", "2,1,0", "3,0,1"}) {
+      text += std::string(frame) + "," + point + "\n";
+    }
+  }
+  const Written written = write_all("timeless", {write_file("timeless.csv", text)});
+  const Collection collection = read_collection(written.directory);
+  EXPECT_EQ(collection.times, (std::vector<double>{0.0, 1.0, 2.0}));
+  EXPECT_EQ(collection.grids.back().time, 4.0);
+}
+
+template <class Classifier>
+using Cloud_run = run::Scenario_run<Classifier>;
+
+template <class Classifier>
+Grid written_grid(const Cloud_run<Classifier>& run)
+{
+  std::stringstream stream;
+  run::Vtk_grid<Cloud_run<Classifier>>(run).write(stream);
+  return read_grid(stream);
+}
+
+// The ids of points are their places here.
+template <class Dynamic>
+Triangles kept_triangles(const Dynamic& triangulation)
+{
+  Triangles triangles;
+  const auto infinite = triangulation.infinite_vertex();
+  for (const auto& face : triangulation.tds().faces()) {
+    if (!face.has_vertex(infinite)) {
+      const auto id = [&](int i) {
+        return static_cast<std::int64_t>(triangulation.id(face.vertex(i)));
+      };
+      triangles.insert(triangle(id(0), id(1), id(2)));
+    }
+  }
+  return triangles;
+}
+
+template <class Dynamic>
+std::vector<std::int64_t> kept_sets(const Dynamic& triangulation)
+{
+  std::vector<std::int64_t> sets(triangulation.number_of_points(), 0);
+  const auto frame = triangulation.frame();
+  std::int64_t number = 0;
+  for (const auto* vertices : {&triangulation.border_vertices(), &triangulation.padded_vertices(),
+                               &triangulation.classified_vertices()}) {
+    ++number;
+    for (const auto v : *vertices) {
+      sets[frame.id(v)] = number;
+    }
+  }
+  return sets;
+}
+
+scenario::Brownian_description cloud()
+{
+  scenario::Brownian_description description{};
+  description.points = 400;
+  description.box = {1.0, 1.0};
+  description.time_step = 0.02;
+  return description;
+}
+
+TEST(Vtk, has_the_triangles_of_an_uncertified_triangulation_as_they_are)
+{
+  scenario::Brownian_motion motion("cloud", cloud(), 1, 20);
+  Cloud_run<CGAL::Random_classifier_2> run(motion, CGAL::Random_classifier_2(0.0),
+                                           run::make_repair("splice", 1), {}, run::Any_policy());
+  for (int frame = 0; frame != 20; ++frame) {
+    const Grid grid = written_grid(run);
+    EXPECT_EQ(grid.triangles, kept_triangles(run.triangulation()));
+    const bool all_are_delaunay = std::count(grid.delaunay.begin(), grid.delaunay.end(), 0) == 0;
+    EXPECT_EQ(all_are_delaunay, run.triangulation().is_certified());
+    ASSERT_TRUE(run.advance());
+  }
+  EXPECT_FALSE(run.triangulation().is_certified());
+}
+
+TEST(Vtk, has_the_sets_that_a_splice_had)
+{
+  scenario::Brownian_motion motion("cloud", cloud(), 1, 20);
+  Cloud_run<CGAL::Point_distance_classifier_2> run(motion, CGAL::Point_distance_classifier_2(0.6),
+                                                   run::make_repair("splice", 1), {},
+                                                   run::Any_policy());
+  std::set<std::int64_t> seen;
+  for (int frame = 0; frame != 20; ++frame) {
+    ASSERT_TRUE(run.advance());
+    const Grid grid = written_grid(run);
+    if (!run.record().update.rebuilt()) {
+      EXPECT_EQ(grid.sets, kept_sets(run.triangulation()));
+    }
+    seen.insert(grid.sets.begin(), grid.sets.end());
+  }
+  EXPECT_EQ(seen, (std::set<std::int64_t>{0, 1, 2, 3}));
+}
+
+TEST(Formats, keep_every_bit_of_a_recording_whose_population_changes)
+{
+  const std::string csv = write_file("lively.csv", lively_csv());
+  const scenario::Recording recording = scenario::read_csv_motion(csv);
+  const Written written = write_all("lively", {csv});
+  expect_equal_recordings(scenario::read_lammps_dump(written.dump), recording);
+  expect_equal_recordings(read_xyz(written.xyz), recording);
+  const Collection collection = read_collection(written.directory);
+  expect_equal_recordings(recording_of(collection), recording);
+  expect_delaunay(collection);
+}
+
+TEST(Formats, agree_about_a_heuristic_run)
+{
+  const Written written = write_all("heuristic", {"explosion", "--points", "100", "--frames", "20",
+                                                  "--classifier", "point_distance:0.5"});
+  const scenario::Recording recording = scenario::read_lammps_dump(written.dump);
+  EXPECT_EQ(recording.size(), 21u);
+  expect_equal_recordings(read_xyz(written.xyz), recording);
+  expect_equal_recordings(recording_of(read_collection(written.directory)), recording);
+}
+
+TEST(Formats, can_do_with_nobody_one_two_and_three_points_on_a_line)
+{
+  const std::string path = write_file("few.lammpstrj", small_dump());
+  const Written written = write_all("few", {path});
+  const scenario::Recording recording = scenario::read_lammps_dump(path);
+  expect_equal_recordings(scenario::read_lammps_dump(written.dump), recording);
+  expect_equal_recordings(read_xyz(written.xyz), recording);
+  const Collection collection = read_collection(written.directory);
+  expect_equal_recordings(recording_of(collection), recording);
+  std::vector<std::size_t> numbers_of_triangles;
+  for (const Grid& grid : collection.grids) {
+    numbers_of_triangles.push_back(grid.triangles.size());
+  }
+  EXPECT_EQ(numbers_of_triangles, (std::vector<std::size_t>{0, 0, 0, 0, 2, 3}));
+}
+
+TEST(Formats, can_do_with_the_largest_numbers)
+{
+  const std::string csv = write_file("large.csv", "frame,time,id,x,y\n"
+                                                  "0,0,1,-1.7e308,5e-324\n0,0,2,1.7e308,0\n"
+                                                  "0,0,9223372036854775807,0,1.7976e308\n"
+                                                  "0,0,-9223372036854775808,-0.0,-1e300\n");
+  const scenario::Recording recording = scenario::read_csv_motion(csv);
+  const Written written = write_all("large", {csv});
+  expect_equal_recordings(scenario::read_lammps_dump(written.dump), recording);
+  expect_equal_recordings(read_xyz(written.xyz), recording);
+  expect_equal_recordings(recording_of(read_collection(written.directory)), recording);
+}
+
+TEST(Formats, of_a_dump_that_is_run_again_are_the_same)
+{
+  const Written first =
+      write_all("first", {"brownian", "--points", "40", "--frames", "15", "--time-step", "0.05"});
+  const Written second = write_all("second", {first.dump});
+  expect_equal_recordings(scenario::read_lammps_dump(second.dump),
+                          scenario::read_lammps_dump(first.dump));
+  const Written third = write_all("third", {second.dump});
+  EXPECT_EQ(content_of(third.dump), content_of(second.dump));
+  EXPECT_EQ(content_of(third.xyz), content_of(second.xyz));
+}
+
+TEST(Every, chooses_the_frames_of_all_formats)
+{
+  const std::filesystem::path pictures = temporary_path("every_pictures");
+  const Written written = write_all("every", {"brownian", "--points", "20", "--frames", "10",
+                                              "--every", "4", "--svg", pictures.string()});
+  const Collection collection = read_collection(written.directory);
+  EXPECT_EQ(collection.times, (std::vector<double>{0.0, 4.0, 8.0, 10.0}));
+  expect_equal_recordings(recording_of(collection), scenario::read_lammps_dump(written.dump));
+  expect_equal_recordings(recording_of(collection), read_xyz(written.xyz));
+  std::set<std::string> names;
+  for (const auto& file : std::filesystem::directory_iterator(pictures)) {
+    names.insert(file.path().filename().string());
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"frame_00000.svg", "frame_00004.svg", "frame_00008.svg",
+                                          "frame_00010.svg"}));
+}
+
+TEST(Every, that_is_larger_than_the_run_chooses_its_first_and_last_frame)
+{
+  const Written written =
+      write_all("ends", {"brownian", "--points", "20", "--frames", "10", "--every", "1000"});
+  EXPECT_EQ(read_xyz(written.xyz).size(), 2u);
+  const Written first =
+      write_all("start", {"brownian", "--points", "20", "--frames", "0", "--every", "3"});
+  EXPECT_EQ(read_xyz(first.xyz).size(), 1u);
+  EXPECT_EQ(read_collection(first.directory).files.size(), 1u);
+}
+
+TEST(Every, is_refused_where_it_says_nothing)
+{
+  for (const char* number : {"0", "-1", "2.5", "", "x"}) {
+    expect_refusal({"--every", number, "--xyz", temporary_path("refused.xyz")},
+                   {"--every", number, "from 1"});
+  }
+  expect_refusal({"--every", "2"}, {"--every", "--svg", "--vtk", "--xyz", "--lammps"});
+}
+
+TEST(Wrong_paths, end_the_run_before_it_starts)
+{
+  const std::string nowhere = temporary_path("no_such_directory/file");
+  expect_refusal({"--xyz", nowhere}, {nowhere, "cannot be written"});
+  expect_refusal({"--lammps", nowhere}, {nowhere, "cannot be written"});
+  expect_refusal({"--vtk", write_file("no_directory", "")}, {"no_directory", "directory"});
+}
+
+TEST(One_file, for_two_outputs_is_refused)
+{
+  const Words options = {"--csv", "--xyz", "--lammps"};
+  const std::string path = temporary_path("one_for_two");
+  for (const std::string& option : options) {
+    expect_refusal({option, temporary_path("refused.json")}, {option, "--report"});
+    for (const std::string& other : options) {
+      if (option < other) {
+        expect_refusal({other, path, option, temporary_path("./one_for_two")}, {option, other});
+      }
+    }
+  }
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST(One_file, is_not_read_and_written)
+{
+  const std::string path = write_file("only_copy.lammpstrj", small_dump());
+  for (const char* option : {"--lammps", "--xyz", "--csv"}) {
+    expect_refusal({path, option, path}, {option, "SCENARIO"});
+  }
+  EXPECT_EQ(content_of(path), small_dump());
+}
+
+TEST(Files, of_a_run_that_fails_are_as_they_were)
+{
+  if (!std::filesystem::exists("/dev/full")) {
+    GTEST_SKIP() << "there is no device that is full";
+  }
+  const std::string xyz = write_file("kept.xyz", "old"), dump = write_file("kept.dump", "old");
+  const std::filesystem::path directory = temporary_path("kept");
+  const Outcome outcome =
+      run_program({"dam_break", "--points", "50", "--frames", "9", "--csv", "/dev/full", "--xyz",
+                   xyz, "--lammps", dump, "--vtk", directory.string()});
+  EXPECT_FALSE(outcome.succeeded);
+  EXPECT_TRUE(contains(outcome.errors, "cannot be written to its end")) << outcome.errors;
+  EXPECT_EQ(content_of(xyz), "old");
+  EXPECT_EQ(content_of(dump), "old");
+  EXPECT_FALSE(std::filesystem::exists(directory / "frames.pvd"));
+  EXPECT_FALSE(std::filesystem::exists(directory / "frames.pvd.part"));
+}
+
+TEST(Help, lists_the_formats)
+{
+  const Outcome outcome = run_program({"--help"});
+  for (const char* word : {"--vtk", "ParaView", "--xyz", "--lammps", "--every"}) {
+    EXPECT_TRUE(contains(outcome.output, word)) << word;
+  }
+}
+
+} // namespace
