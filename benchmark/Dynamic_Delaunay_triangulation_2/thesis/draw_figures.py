@@ -11,6 +11,7 @@ name. Results that are not there, since only some experiments were run, leave th
 import argparse
 import sys
 from pathlib import Path
+from statistics import median
 
 from matplotlib.colors import LogNorm, Normalize
 
@@ -193,7 +194,7 @@ class Drawing:
                 found = sorted(numbers(results.select(scenario=scenario, method=method), "points"))
                 colour = COLOURS[2] if method.startswith("static") else \
                     COLOURS[1] if method in (EXACT, "safe_region", "circumcircle/splice") else COLOURS[7]
-                axes.barh(place, found[len(found) // 2], color=colour, alpha=0.8)
+                axes.barh(place, median(found), color=colour, alpha=0.8)
                 axes.plot(found, [place] * len(found), "|", color=COLOURS[0], markersize=6)
             axes.set_yticks(range(len(methods)), [METHODS[name] for name in reversed(methods)],
                             fontsize=7.5)

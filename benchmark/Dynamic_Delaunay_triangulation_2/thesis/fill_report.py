@@ -13,6 +13,7 @@ import argparse
 import re
 import sys
 from pathlib import Path
+from statistics import median
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "figures"))
 from judgement import verdict  # noqa: E402
@@ -125,7 +126,7 @@ class Tables:
 
         def cell(scenario, method):
             found = sorted(numbers(results.select(scenario=scenario, method=method), "points"))
-            return f"{short(found[len(found) // 2])} ({short(found[0])} to {short(found[-1])})"
+            return f"{short(median(found))} ({short(found[0])} to {short(found[-1])})"
 
         return table(["classifier"] + list(SCENARIOS.values()),
                      [[METHODS[method]] + [cell(name, method) for name in SCENARIOS]
