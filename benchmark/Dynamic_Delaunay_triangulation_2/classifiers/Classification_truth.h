@@ -26,7 +26,7 @@ public:
   template <class Frame>
   void find(const Frame& frame, const std::vector<scenario::Point>& points)
   {
-    m_places.assign(frame.number_of_vertices() + 1, {});
+    m_places.assign(frame.number_of_vertices() + 1, Place(0, 0));
     for (typename Frame::Index v = 1; v <= frame.number_of_vertices(); ++v) {
       const scenario::Point& point = points[frame.id(v)];
       m_places[v] = {point.x, point.y};
