@@ -1340,7 +1340,7 @@ TYPED_TEST(Skipping, follows_a_point_that_comes_to_the_hull_next_to_a_corner_and
   auto points = Cloud<Epick>(44).uniform(300);
   for (const auto& corner : Cloud<Epick>::grid(2, 2))
     points.emplace_back(20 * corner.x() - 1, 20 * corner.y() - 1);
-  points.emplace_back();
+  points.emplace_back(1e-5 - 1, 1e-4 - 1);
   auto dt = this->triangulation_of(points);
   expect_followed(dt, 30, [&](int frame) {
     const double x = frame < 25 ? 1e-5 : -1e-5, y = frame < 20 ? 1e-4 : -1e-4;
