@@ -9,6 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Safe_edges_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Safe_edges_schedule_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+#include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_for.h>
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -49,11 +51,6 @@ public:
   explicit Circumcircle_classifier_2(unsigned threads = 1)
     : m_threads(threads)
   {
-#ifdef CGAL_LINKED_WITH_TBB
-    constexpr unsigned most_threads = 1024;
-#else
-    constexpr unsigned most_threads = 1;
-#endif
     if (threads < 1 || threads > most_threads)
       throw Parameter_error_2("the number of threads of circumcircle", threads, 1, most_threads);
 #ifdef CGAL_LINKED_WITH_TBB
@@ -61,6 +58,15 @@ public:
       m_arena = std::make_shared<tbb::task_arena>(int(threads));
 #endif
   }
+
+#if defined CGAL_LINKED_WITH_TBB || defined DOXYGEN_RUNNING
+  /// with as many threads as the machine has, up to 1024. Needs TBB.
+  explicit Circumcircle_classifier_2(Parallel_tag)
+    : Circumcircle_classifier_2(
+          (std::min)((std::max)(std::thread::hardware_concurrency(), 1u), most_threads))
+  {
+  }
+#endif
 
   /// the number of threads.
   unsigned threads() const
@@ -123,6 +129,12 @@ public:
   }
 
 private:
+#ifdef CGAL_LINKED_WITH_TBB
+  static constexpr unsigned most_threads = 1024;
+#else
+  static constexpr unsigned most_threads = 1;
+#endif
+
   using Index = Dynamic_Delaunay_triangulations_2::Index;
 
   static constexpr std::size_t sample_size = 64;

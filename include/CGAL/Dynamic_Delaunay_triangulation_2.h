@@ -9,6 +9,7 @@
 #include <CGAL/Circumcircle_classifier_2.h>
 #include <CGAL/Default.h>
 #include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Delaunay_update_visitor_base_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_reader_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_writer_2.h>
@@ -16,6 +17,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Population_input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Validity_check_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Visitor_calls_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_vertex_base_2.h>
@@ -24,6 +26,7 @@
 #include <CGAL/Flip_and_splice_repair_2.h>
 #include <CGAL/inform_classifier.h>
 #include <CGAL/property_map.h>
+#include <CGAL/tags.h>
 #include <CGAL/Triangulation_data_structure_2.h>
 #include <CGAL/Triangulation_face_base_2.h>
 #include <CGAL/Update_report_2.h>
@@ -67,10 +70,16 @@ vertices.
   for `Border_splice_repair_2` if it is not.
 \tparam Tds a triangulation data structure whose vertex base is
   `Dynamic_Delaunay_triangulation_vertex_base_2` or derives from it; `Default` for a plain one.
-\tparam Policy a model of `DelaunayUpdatePolicy_2`, which frames are rebuilt instead.
+\tparam UpdatePolicy a model of `DelaunayUpdatePolicy_2`, which frames are rebuilt instead;
+  `Default` for `Always_dynamic_policy_2`.
+\tparam Visitor a model of `DelaunayUpdateVisitor_2`, which is told what changes.
+\tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag`, which needs TBB (`CGAL::TBB_support`):
+  a classifier that is not given but made here then shares its work among all threads of the
+  machine, if it can. No result depends on it.
 */
 template <class Traits, class Classifier = Circumcircle_classifier_2, class Repair = Default,
-          class Tds = Default, class Policy = Always_dynamic_policy_2>
+          class Tds = Default, class UpdatePolicy = Always_dynamic_policy_2,
+          class Visitor = Delaunay_update_visitor_base_2, class ConcurrencyTag = Sequential_tag>
 class Dynamic_Delaunay_triangulation_2
 {
   template <class C, class = void>
@@ -88,9 +97,11 @@ class Dynamic_Delaunay_triangulation_2
       Triangulation_data_structure_2<Dynamic_Delaunay_triangulation_vertex_base_2<Traits>,
                                      Triangulation_face_base_2<Traits>>;
   using Data_structure = typename Default::Get<Tds, Default_tds>::type;
-  using Maintained =
-      Dynamic_Delaunay_triangulations_2::internal::Maintained_triangulation_2<Traits,
-                                                                              Data_structure>;
+  using Policy = typename Default::Get<UpdatePolicy, Always_dynamic_policy_2>::type;
+  using Maintained = Dynamic_Delaunay_triangulations_2::internal::Maintained_triangulation_2<
+      Traits, Data_structure,
+      Dynamic_Delaunay_triangulations_2::internal::Visitor_calls_2<
+          Visitor, Dynamic_Delaunay_triangulation_2>>;
   using Mender = Dynamic_mender_2<Maintained>;
   using Input = Dynamic_Delaunay_triangulations_2::internal::Input_frame_2<Maintained>;
   using Population_input =
@@ -109,6 +120,10 @@ public:
   using Delaunay_repair = typename Default::Get<Repair, Default_repair>::type;
   /// the update policy.
   using Delaunay_update_policy = Policy;
+  /// the visitor.
+  using Delaunay_update_visitor = Visitor;
+  /// whether work is shared among threads.
+  using Concurrency_tag = ConcurrencyTag;
   /// the CGAL triangulation that is maintained.
   using Triangulation = typename Maintained::Triangulation;
   /// its data structure.
@@ -117,6 +132,10 @@ public:
   using Point = typename Triangulation::Point;
   /// a vertex of the CGAL triangulation.
   using Vertex_handle = typename Triangulation::Vertex_handle;
+  /// a face.
+  using Face_handle = typename Triangulation::Face_handle;
+  /// an edge, as CGAL has it: a face, and which of its vertices is opposite.
+  using Edge = typename Triangulation::Edge;
   /// the type of ids and counts.
   using size_type = std::size_t;
   /// the view that classifiers get.
@@ -128,7 +147,7 @@ public:
 
   /// an empty triangulation, with a classifier and a repair by default.
   Dynamic_Delaunay_triangulation_2()
-    : Dynamic_Delaunay_triangulation_2(Classifier())
+    : Dynamic_Delaunay_triangulation_2(default_classifier())
   {
   }
 
@@ -136,10 +155,12 @@ public:
   explicit Dynamic_Delaunay_triangulation_2(const Classifier& classifier,
                                             const Delaunay_repair& repair = Delaunay_repair(),
                                             const Static_engines_2& engines = {},
-                                            const Policy& policy = Policy())
+                                            const Policy& policy = Policy(),
+                                            const Visitor& visitor = Visitor())
     : m_classifier(classifier)
     , m_repair(repair)
     , m_policy(policy)
+    , m_visitor(visitor)
     , m_core(std::make_unique<Core>())
   {
     m_core->mender.set_engines(engines);
@@ -151,19 +172,21 @@ public:
   /// \throws Coordinate_range_error_2 if a coordinate is too large for this program.
   template <class InputIterator>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond)
-    : Dynamic_Delaunay_triangulation_2(first, beyond, Identity_map(), Classifier())
+    : Dynamic_Delaunay_triangulation_2(first, beyond, Identity_map(), default_classifier())
   {
   }
 
-  /// the same, with a classifier, a repair, the engines that triangulate anew, and a policy.
+  /// the same, with a classifier, a repair, the engines that triangulate anew, a policy, and a
+  /// visitor. The visitor is copied, and told of all vertices and faces.
   template <class InputIterator>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
                                    const Classifier& classifier,
                                    const Delaunay_repair& repair = Delaunay_repair(),
                                    const Static_engines_2& engines = {},
-                                   const Policy& policy = Policy())
+                                   const Policy& policy = Policy(),
+                                   const Visitor& visitor = Visitor())
     : Dynamic_Delaunay_triangulation_2(first, beyond, Identity_map(), classifier, repair, engines,
-                                       policy)
+                                       policy, visitor)
   {
   }
 
@@ -174,24 +197,30 @@ public:
   template <class InputIterator, class PointMap,
             class = typename boost::property_traits<PointMap>::key_type>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond, PointMap point_map)
-    : Dynamic_Delaunay_triangulation_2(first, beyond, point_map, Classifier())
+    : Dynamic_Delaunay_triangulation_2(first, beyond, point_map, default_classifier())
   {
   }
 
-  /// the same, with a classifier, a repair, the engines that triangulate anew, and a policy.
+  /// the same, with a classifier, a repair, the engines that triangulate anew, a policy, and a
+  /// visitor.
   template <class InputIterator, class PointMap,
             class = typename boost::property_traits<PointMap>::key_type>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond, PointMap point_map,
                                    const Classifier& classifier,
                                    const Delaunay_repair& repair = Delaunay_repair(),
                                    const Static_engines_2& engines = {},
-                                   const Policy& policy = Policy())
-    : Dynamic_Delaunay_triangulation_2(classifier, repair, engines, policy)
+                                   const Policy& policy = Policy(),
+                                   const Visitor& visitor = Visitor())
+    : Dynamic_Delaunay_triangulation_2(classifier, repair, engines, policy, visitor)
   {
     auto newcomers = Population_input::read_newcomers(first, beyond, point_map, m_core->maintained);
+    Update_report_2 report;
+    report.inserted = newcomers.ids.size();
+    start_visit();
     m_core->maintained.positions_are_exact = newcomers.are_exact;
     m_core->mender.population().build(std::move(newcomers.ids), std::move(newcomers.points));
-    spread_news();
+    finish(report);
+    finish_visit(report);
   }
 
   /// the moved-from object can only be assigned to or destroyed.
@@ -232,6 +261,7 @@ public:
     Mender& mender = m_core->mender;
     m_core->input.stage(first, beyond, point_map, maintained);
     const Point_writer writer{maintained};
+    ask([this] { start_visit(); }, m_is_certified);
     const bool was_certified = begin();
     Update_report_2 report;
     auto& population = mender.population();
@@ -252,6 +282,8 @@ public:
     }
     finish(report);
     m_policy.after_update(frame(), report);
+    maintained.write_points();
+    finish_visit(report);
     return report;
   }
 
@@ -284,7 +316,8 @@ public:
   {
     const auto movers =
         Population_input::read_movers(first, beyond, id_map, point_map, m_core->maintained);
-    return change([&](Update_report_2& report, bool was_certified) {
+    Update_report_2 report;
+    change(report, [&](bool was_certified) {
       Mender& mender = m_core->mender;
       if (movers.ids.empty())
         return mend_news(report, was_certified);
@@ -307,6 +340,7 @@ public:
       if (!report.rebuilt())
         part(report);
     });
+    return report;
   }
 
   /// moves one point, in the same way.
@@ -355,11 +389,12 @@ public:
         Population_input::read_newcomers(first, beyond, point_map, m_core->maintained);
     for (const Index id : newcomers.ids)
       *ids++ = id;
-    Update_report_2 report = change_population([&](auto& population) {
+    Update_report_2 report;
+    report.inserted = newcomers.ids.size();
+    change_population(report, [&](auto& population) {
       m_core->maintained.positions_are_exact &= newcomers.are_exact;
       return population.insert(newcomers.ids, newcomers.points);
     });
-    report.inserted = newcomers.ids.size();
     return report;
   }
 
@@ -379,9 +414,9 @@ public:
   Update_report_2 remove(InputIterator first, InputIterator beyond)
   {
     const std::vector<Index> ids = Population_input::read_ids(first, beyond, m_core->maintained);
-    Update_report_2 report =
-        change_population([&](auto& population) { return population.remove(ids); });
+    Update_report_2 report;
     report.removed = ids.size();
+    change_population(report, [&](auto& population) { return population.remove(ids); });
     return report;
   }
 
@@ -398,9 +433,11 @@ public:
     report.certified = true;
     if (m_is_certified)
       return report;
+    start_visit();
     begin();
     mend(report);
     finish(report);
+    finish_visit(report);
     return report;
   }
 
@@ -499,6 +536,10 @@ public:
   const Delaunay_repair& repair() const { return m_repair; }
   /// the update policy.
   const Policy& policy() const { return m_policy; }
+  /// the visitor.
+  const Visitor& visitor() const { return m_visitor; }
+  /// the visitor, for whoever wants to take something from it, or to clear it.
+  Visitor& visitor() { return m_visitor; }
 
   /// the Classified set of the last update, as vertices of `frame()`. Empty after a rebuild that
   /// came before classification.
@@ -544,7 +585,8 @@ public:
   /// triangulation that is said to be certified is Delaunay. Reads exactly what was written; what
   /// follows in the stream stays there. Cost: linear; memory in proportion to what was read, on top
   /// of what is there already.
-  /// \throws Checkpoint_error_2 if the file is refused. Whatever is thrown, nothing changes.
+  /// \throws Checkpoint_error_2 if the file is refused. Whatever is thrown, nothing changes, unless
+  /// the visitor throws it while it is told what changes.
   void read_checkpoint(std::istream& in)
   {
     read_checkpoint(in, checkpoint_subject, [](auto&, const Frame&) {});
@@ -571,11 +613,14 @@ public:
     file.finish();
     Classifier classifier = m_classifier;
     inform_classifier(classifier, Frame(maintained));
+    start_visit();
     m_classifier = std::move(classifier); // nothing throws from here on
-    m_core->maintained.swap(maintained);
-    m_core->mender.forget_sets();
+    m_core->mender.exchange(maintained);
     m_is_certified = reader.is_certified();
     m_is_classifier_informed = true;
+    Update_report_2 report;
+    report.certified = m_is_certified;
+    finish_visit(report);
   }
   /// \endcond
 
@@ -597,6 +642,20 @@ public:
 
 private:
   using Identity_map = boost::typed_identity_property_map<Point>;
+
+  static constexpr bool is_parallel = std::is_convertible_v<ConcurrencyTag, Parallel_tag>;
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!is_parallel, "Parallel_tag needs TBB: link with CGAL::TBB_support");
+#endif
+
+  static Classifier default_classifier()
+  {
+    if constexpr (is_parallel && std::is_constructible_v<Classifier, Parallel_tag>)
+      return Classifier(Parallel_tag());
+    else
+      return Classifier();
+  }
+
   static constexpr std::string_view checkpoint_subject = "Dynamic_Delaunay_triangulation_2";
 
   // What must not move in memory: its parts refer to each other.
@@ -649,6 +708,20 @@ private:
     report.certified = m_is_certified;
   }
 
+  // If the visitor does not want to see it, nothing has changed.
+  void start_visit()
+  {
+    m_visitor.before_update(std::as_const(*this));
+    m_core->maintained.visitor_calls.start(m_visitor, *this);
+  }
+
+  // When everything is done. What the visitor has thrown on the way, it throws now.
+  void finish_visit(const Update_report_2& report)
+  {
+    m_core->maintained.visitor_calls.finish();
+    m_visitor.after_update(std::as_const(*this), report);
+  }
+
   void spread_news()
   {
     inform_classifier(m_classifier, frame());
@@ -658,25 +731,25 @@ private:
   // Points that come, go or move without the others. With an exact classifier the triangulation is
   // certified in the end, whatever it was before.
   template <class Work>
-  Update_report_2 change(const Work& work)
+  void change(Update_report_2& report, const Work& work)
   {
-    Update_report_2 report;
+    start_visit();
     const bool was_certified = begin();
     m_core->mender.start(report);
     if (!was_certified)
       part_those_left_over();
-    work(report, was_certified);
+    work(was_certified);
     if (Classifier::is_exact && !m_is_certified)
       mend(report);
     finish(report);
-    return report;
+    finish_visit(report);
   }
 
   // `work(population)` returns whether it has triangulated everything anew.
   template <class Work>
-  Update_report_2 change_population(const Work& work)
+  void change_population(Update_report_2& report, const Work& work)
   {
-    return change([&](Update_report_2& report, bool was_certified) {
+    change(report, [&](bool was_certified) {
       const bool spanned_plane = m_core->maintained.is_mirrored();
       if (work(m_core->mender.population()))
         take_rebuild(report, spanned_plane);
@@ -774,6 +847,7 @@ private:
   Classifier m_classifier;
   Delaunay_repair m_repair;
   Policy m_policy;
+  Visitor m_visitor;
   std::unique_ptr<Core> m_core;
   bool m_is_certified = true;
   bool m_is_classifier_informed = true;

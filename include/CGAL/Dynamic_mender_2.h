@@ -65,9 +65,10 @@ public:
     m_splice.set_engine(engines.region);
   }
 
-  // When the triangulation has become another one. Throws nothing.
-  void forget_sets()
+  // The triangulation becomes another one. Throws nothing.
+  void exchange(Maintained& other)
   {
+    m_builder.exchange(other);
     m_classification = Dynamic_classification_2<Maintained>();
     m_padded.clear();
     m_border.clear();
@@ -221,8 +222,6 @@ public:
     if (!m_was_certified || m_maintained.points_are_written)
       return rebuild(Rebuild_reason_2::STUCK);
     const bool all_arrived = relocate_all();
-    m_maintained.write_points();
-    m_builder.read_back();
     m_open.clear();
     m_illegal.clear();
     if (!all_arrived)
@@ -364,8 +363,19 @@ private:
     open_classified();
   }
 
-  // False if some could not: others are, or stay, where they have to go.
+  // By CGAL's means, and reads back what it has made of the faces. False if some vertices could not
+  // go: others are, or stay, where they have to.
   bool relocate_all()
+  {
+    const Dynamic_Delaunay_triangulations_2::internal::All_faces_anew_2<Maintained> anew(
+        m_maintained);
+    const bool all_arrived = relocate_one_by_one();
+    m_maintained.write_points();
+    m_builder.read_back();
+    return all_arrived;
+  }
+
+  bool relocate_one_by_one()
   {
     std::vector<Index> waiting;
     for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)

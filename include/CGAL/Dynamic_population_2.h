@@ -153,6 +153,9 @@ public:
 
   /// the triangulation, whose points have ids of their own.
   const Dynamic& triangulation() const { return m_triangulation; }
+  /// the visitor of the triangulation. An update here is up to three of its calls there: one for
+  /// those who are missing, one for those who move, one for those who are new.
+  auto& visitor() { return m_triangulation.visitor(); }
   /// the number of points.
   size_type size() const { return m_ids.size(); }
   /// whether there is a point with this id.

@@ -8,7 +8,9 @@
 #include <CGAL/Point_distance_classifier_2.h>
 #include <CGAL/Random_classifier_2.h>
 
+#include <algorithm>
 #include <set>
+#include <thread>
 
 namespace {
 
@@ -188,6 +190,23 @@ TEST(Circumcircle_classifier, gives_the_same_frames_on_any_number_of_threads)
 #endif
   EXPECT_THROW(CGAL::Circumcircle_classifier_2(0), CGAL::Parameter_error_2);
 }
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST(Circumcircle_classifier, uses_all_threads_where_the_triangulation_has_the_parallel_tag)
+{
+  using Parallel = CGAL::Dynamic_Delaunay_triangulation_2<
+      Epick, CGAL::Circumcircle_classifier_2, CGAL::Default, CGAL::Default, CGAL::Default,
+      CGAL::Delaunay_update_visitor_base_2, CGAL::Parallel_tag>;
+  Cloud<Epick> cloud(9);
+  auto points = cloud.uniform(20000);
+  Parallel dt(points.begin(), points.end());
+  EXPECT_EQ(dt.classifier().threads(), (std::max)(std::thread::hardware_concurrency(), 1u));
+  EXPECT_EQ(Parallel(CGAL::Circumcircle_classifier_2(3)).classifier().threads(), 3u);
+  cloud.shake(points, 0.02);
+  dt.update(points.begin(), points.end());
+  expect_exact(dt, points);
+}
+#endif
 
 TEST(Point_distance_classifier, picks_the_ends_of_edges_that_left_their_range)
 {

@@ -22,7 +22,7 @@ namespace internal {
 
 // What an update works on: the CGAL triangulation, its mirror, and who is who in both. Positions
 // are written here, topology by Topology_editor_2 and Topology_builder_2 alone.
-template <class Traits_, class Tds_>
+template <class Traits_, class Tds_, class Visitor_calls>
 struct Maintained_triangulation_2
 {
   using Traits = Traits_;
@@ -256,6 +256,8 @@ public:
   bool points_are_written = true;  // into CGAL's vertices
   bool positions_are_exact = true; // no coordinate was rounded on its way into the flat arrays
   bool previous_positions_are_exact = true;
+
+  Visitor_calls visitor_calls; // the user's, who stays when all else is swapped
 
   // What the last update triangulated anew: everything, or the edges with these indices.
   bool everything_is_new = true;

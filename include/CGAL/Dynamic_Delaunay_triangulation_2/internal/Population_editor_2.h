@@ -97,7 +97,7 @@ public:
       if (ids.host(goes) < ids.host(stays))
         std::swap(stays, goes);
       const Point place = m_maintained.point(stays);
-      series.remove(goes, [&] { ids.merge(goes, stays, place); });
+      series.remove(goes, [&] { merge(goes, stays, place); });
     }
     series.finish();
     return pairs.size();
@@ -126,7 +126,7 @@ public:
       if (is_in_its_faces(v))
         return;
       m_maintained.move_vertex(v, place);
-      series.reinsert(v, p, [&](Index w) { m_maintained.ids.merge(v, w, p); });
+      series.reinsert(v, p, [&](Index w) { merge(v, w, p); });
     });
     series.finish();
     return vertices - m_maintained.number_of_vertices();
@@ -221,8 +221,11 @@ private:
     if (ids.is_host(id)) {
       const Index heir = ids.find_guest_at(v, [](const auto&) { return true; });
       if (heir == no_index)
-        return series.remove(v, [&] { ids.remove_host(id); });
-      ids.hand_over(heir, m_maintained.point(v));
+        return series.remove(v, [&] {
+          m_maintained.visitor_calls.before_vertex_removal(m_maintained.vertices[v], id);
+          ids.remove_host(id);
+        });
+      hand_over(heir, m_maintained.point(v));
     }
     ids.remove_guest(id);
   }
@@ -254,7 +257,25 @@ private:
     if (heir == no_index)
       move_vertex(v, p);
     else
-      ids.hand_over(heir, p);
+      hand_over(heir, p);
+  }
+
+  // The host of the guest's vertex becomes a guest there, at p.
+  void hand_over(Index guest, const Point& p)
+  {
+    auto& ids = m_maintained.ids;
+    const Index v = ids.vertex(guest), host = ids.host(v);
+    ids.hand_over(guest, p);
+    m_maintained.visitor_calls.after_id_change(m_maintained.vertices[v], host);
+  }
+
+  // All points of vertex `goes`, at p, become guests of the other one.
+  void merge(Index goes, Index stays, const Point& p)
+  {
+    auto& ids = m_maintained.ids;
+    m_maintained.visitor_calls.before_vertex_merge(m_maintained.vertices[goes], ids.host(goes),
+                                                   m_maintained.vertices[stays]);
+    ids.merge(goes, stays, p);
   }
 
   // Whether all its faces are counterclockwise, and the hull convex around it.

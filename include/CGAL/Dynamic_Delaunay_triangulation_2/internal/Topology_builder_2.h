@@ -12,6 +12,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulator_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_order_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Visitor_calls_2.h>
 #include <CGAL/Unique_hash_map.h>
 
 #include <boost/iterator/counting_iterator.hpp>
@@ -52,6 +53,7 @@ public:
   void build(std::vector<Index> ids, std::vector<Point> points, Index number_of_ids)
   {
     m_maintained.everything_is_new = true; // also if memory runs out on the way
+    const All_faces_anew_2<Maintained> anew(m_maintained);
     m_numbering.number(std::move(ids), std::move(points), number_of_ids);
     triangulate_numbered();
   }
@@ -61,6 +63,7 @@ public:
   void rebuild()
   {
     m_maintained.everything_is_new = true;
+    const All_faces_anew_2<Maintained> anew(m_maintained);
     if (sort_vertices())
       return triangulate(m_vertex_order.order());
     m_numbering.number();
@@ -77,6 +80,16 @@ public:
       return triangulate_line();
     take_faces(kept.faces);
     restore_numbers(kept);
+  }
+
+  // Takes all that another one has, and gives it its own. Throws nothing.
+  void exchange(Maintained& other)
+  {
+    const All_faces_anew_2<Maintained> anew(m_maintained);
+    auto& visitor_calls = m_maintained.visitor_calls;
+    for_each_vertex([&](Vertex_handle v, Index id) { visitor_calls.before_vertex_removal(v, id); });
+    m_maintained.swap(other);
+    for_each_vertex([&](Vertex_handle v, Index id) { visitor_calls.after_vertex_creation(v, id); });
   }
 
   // Moves vertex v to p by CGAL's own means, in a Delaunay triangulation: false if another vertex
@@ -138,6 +151,7 @@ private:
       throw;
     }
     m_maintained.write_points();
+    tell_of_vertices(fresh.vertices, ids);
     delete_vertices(fresh.vertices, ids, m_maintained.ids);
     m_numbering.release();
   }
@@ -149,12 +163,43 @@ private:
     fresh.append(m_maintained.triangulation.infinite_vertex());
     for (Index v = 1; v <= ids.number_of_hosts(); ++v) {
       const Index id = ids.host(v);
-      fresh.append(old_ids.is_taken(id) && old_ids.is_host(id)
-                       ? m_maintained.vertices[old_ids.vertex(id)]
-                       : m_maintained.triangulation.tds().create_vertex(),
+      fresh.append(is_host(id, old_ids) ? m_maintained.vertices[old_ids.vertex(id)]
+                                        : m_maintained.triangulation.tds().create_vertex(),
                    m_numbering.point(v));
     }
   }
+
+  // With its host, if anybody listens.
+  template <class Function>
+  void for_each_vertex(const Function& f) const
+  {
+    if constexpr (decltype(m_maintained.visitor_calls)::is_heard)
+      for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
+        f(m_maintained.vertices[v], m_maintained.ids.host(v));
+  }
+
+  // Those that are new, and those of before that will be no more.
+  void tell_of_vertices(const std::vector<Vertex_handle>& vertices_before, const Ids& ids_before)
+  {
+    if constexpr (decltype(m_maintained.visitor_calls)::is_heard) {
+      auto& visitor_calls = m_maintained.visitor_calls;
+      const Ids& ids = m_maintained.ids;
+      for_each_vertex([&](Vertex_handle v, Index id) {
+        if (!is_host(id, ids_before))
+          visitor_calls.after_vertex_creation(v, id);
+      });
+      for (Index v = 1; v < Index(vertices_before.size()); ++v) {
+        const Index id = ids_before.host(v);
+        if (!ids.is_taken(id))
+          visitor_calls.before_vertex_removal(vertices_before[v], id);
+        else if (!ids.is_host(id))
+          visitor_calls.before_vertex_merge(vertices_before[v], id,
+                                            m_maintained.vertices[ids.vertex(id)]);
+      }
+    }
+  }
+
+  static bool is_host(Index id, const Ids& ids) { return ids.is_taken(id) && ids.is_host(id); }
 
   // Of those vertices that their hosts do not have elsewhere.
   void delete_vertices(const std::vector<Vertex_handle>& vertices, const Ids& ids,
@@ -162,7 +207,7 @@ private:
   {
     for (Index v = 1; v < Index(vertices.size()); ++v) {
       const Index id = ids.host(v);
-      if (!(elsewhere.is_taken(id) && elsewhere.is_host(id)))
+      if (!is_host(id, elsewhere))
         m_maintained.triangulation.tds().delete_vertex(vertices[v]);
     }
   }

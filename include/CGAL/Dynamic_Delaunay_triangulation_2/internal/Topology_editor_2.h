@@ -33,6 +33,7 @@ class Topology_editor_2
   using Point = typename Maintained::Point;
   using Vertex_handle = typename Maintained::Vertex_handle;
   using Face_handle = typename Maintained::Face_handle;
+  using Edge = typename Maintained::Triangulation::Edge;
 
 public:
   explicit Topology_editor_2(Maintained& maintained)
@@ -83,7 +84,9 @@ public:
     collect_inner_edges(old_faces);
     auto& new_edges = m_maintained.new_edges;
     new_edges.insert(new_edges.end(), m_inner_edges.begin(), m_inner_edges.end());
-    write_faces(old_faces, patch); // nothing throws from here on
+    for (const Index f : old_faces) // nothing throws from here on
+      m_maintained.visitor_calls.before_face_removal(m_maintained.faces[f]);
+    write_faces(old_faces, patch);
     auto& mirror = m_maintained.mirror;
     const auto global = [&](Index h) { return 3 * old_faces[h / 3] + h % 3; };
     for (Index h = 0; h < Index(patch.twins.size()); ++h)
@@ -97,6 +100,8 @@ public:
         mirror.set_edge(*edge++, global(h));
     for (const Index h : outside)
       mirror.set_edge(mirror.edge_of(h), h);
+    for (const Index f : old_faces)
+      m_maintained.visitor_calls.after_face_creation(m_maintained.faces[f]);
   }
 
   // COMING AND GOING. For a point that comes, a face is split; for one that goes, edges are flipped
@@ -132,6 +137,7 @@ public:
     }
     m_maintained.ids.place_host(id);
     m_maintained.renumberings.vertices.note_growth(v);
+    m_maintained.visitor_calls.after_vertex_creation(m_maintained.vertices[v], id);
     split_face(place.face, v, new_faces);
     return v;
   }
@@ -157,12 +163,13 @@ public:
         m_editor.m_maintained.everything_is_new = true;
     }
 
-    // `vacate()`, which must not throw, is called before v goes: nobody may be there then. If this
-    // throws, the vertex is still there.
+    // `vacate()`, which must not throw, is called before v goes, when the visitor has been told of
+    // its faces: nobody may be there then. If this throws, the vertex is still there.
     template <class Vacate>
     void remove(Index v, const Vacate& vacate)
     {
       prepare(v);
+      m_editor.tell_of_faces_at(v);
       vacate();
       m_editor.delete_faces(m_editor.take_out(v, renaming()));
       m_editor.drop(v);
@@ -175,6 +182,7 @@ public:
     {
       prepare(v);
       const Index near = m_editor.finite_neighbor_of(v);
+      m_editor.tell_of_faces_at(v);
       const auto faces = m_editor.take_out(v, renaming());
       m_editor.m_maintained.move_vertex(v, p);
       Place_2 place;
@@ -255,7 +263,9 @@ private:
   void split_face(Index f, Index v, const std::array<Face_handle, 2>& new_faces)
   {
     auto& mirror = m_maintained.mirror;
+    auto& visitor_calls = m_maintained.visitor_calls;
     const Index faces = mirror.number_of_faces(), edges = mirror.number_of_edges();
+    visitor_calls.before_face_removal(m_maintained.faces[f]);
     m_maintained.renumberings.edges.note_growth(edges);
     m_maintained.renumberings.faces.note_growth(faces);
     mirror.split_face(f, v);
@@ -267,6 +277,8 @@ private:
       m_maintained.new_edges.push_back(e);
     for (const Index h : {3 * f, 3 * faces + 1, 3 * (faces + 1) + 2})
       m_maintained.new_edges.push_back(mirror.edge_of(h));
+    for (const Index g : {f, faces, faces + 1})
+      visitor_calls.after_face_creation(m_maintained.faces[g]);
   }
 
   // Flips edges at v until it has three. There always is one to flip: if one of the triangles of
@@ -350,6 +362,14 @@ private:
     return {mirror.edge_of(h), mirror.edge_of(g), mirror.edge_of(mirror.next_corner(g))};
   }
 
+  // That they will be no more.
+  void tell_of_faces_at(Index v)
+  {
+    m_maintained.mirror.for_each_corner(v, [&](Index h) {
+      m_maintained.visitor_calls.before_face_removal(m_maintained.faces[h / 3]);
+    });
+  }
+
   // Afterwards v, which must have three edges, is in no face. `rename(from, to)` is told that edge
   // `to` is no more, and that edge `from`, if it is another one, takes its number. Returns the
   // faces that are left over.
@@ -360,6 +380,7 @@ private:
     auto& renumberings = m_maintained.renumberings;
     auto left = mirror.merge_faces_at(mirror.corner(v));
     write_face(left.face);
+    const Face_handle merged = m_maintained.faces[left.face];
     const std::array<Face_handle, 2> faces{m_maintained.faces[left.faces[0]],
                                            m_maintained.faces[left.faces[1]]};
     std::sort(left.faces.begin(), left.faces.end(), std::greater<Index>());
@@ -376,6 +397,7 @@ private:
       rename(last, e);
       mirror.move_last_edge_to(e);
     }
+    m_maintained.visitor_calls.after_face_creation(merged);
     return faces;
   }
 
@@ -447,7 +469,11 @@ private:
     for (std::size_t i = 0; i < m_flipped.size(); ++i) {
       if (i % stretch == 0)
         prefetch_stretch(i);
-      tds.flip(faces[m_flipped[i] / 3], int(m_flipped[i] % 3));
+      const Face_handle f = faces[m_flipped[i] / 3];
+      const int place = int(m_flipped[i] % 3);
+      m_maintained.visitor_calls.before_flip(Edge(f, place));
+      tds.flip(f, place);
+      m_maintained.visitor_calls.after_flip(Edge(f, Triangulation_cw_ccw_2::ccw(place)));
     }
     m_flipped.clear();
   }

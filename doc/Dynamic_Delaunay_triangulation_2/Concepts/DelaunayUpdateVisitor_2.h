@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Concepts
+\cgalConcept
+
+A visitor is told what changes, as by those of CGAL's kinetic data structures: so it can keep data of faces,
+edges and vertices in step with them. `Delaunay_update_visitor_base_2` has all functions, and is a base for
+visitors that need some of them.
+
+Each call of the triangulation that may change it, construction from points,
+`update()`, `move()`, `insert()`, `remove()`, `mend()` if there is something to mend, and `read_checkpoint()`,
+begins with `before_update()` and ends with `after_update()`. Between these two
+
+- the triangulation is a valid sphere whenever the visitor is called before something, and whenever it is called
+  after something, but for what is named below;
+- vertices have the points that they had before the call, new vertices their own, and all others of this call get
+  theirs right before `after_update()`. So face areas, circumcentres and the like are best computed there;
+- the triangulation is not certified, and may have inverted faces: `Dynamic_Delaunay_triangulation_2::tds()`,
+  `infinite_vertex()` and `id()` may be asked for, but neither `triangulation()` nor `frame()`, and nothing may be
+  changed but what the user keeps in vertices and faces.
+
+Faces with the infinite vertex are told of like all others. While the points do not span the plane there are no
+faces to tell of, but vertices still come and go.
+
+What happens to a face is either a flip, which keeps the handles of both faces, or a removal or creation. A face
+that is created may have the handle of one that has just been removed, and then has what the user kept in that one. Of
+several faces that are written anew together all removals are told first, then vertices that are new, and then all
+creations.
+In a rebuild that is all faces. An edge may be flipped more than once in an update, and a face be removed and created.
+
+If a visitor throws in `before_update()`, nothing changes. If it throws in one of the functions between
+`before_update()` and `after_update()`, it is told nothing more, not even `after_update()`; the triangulation goes on
+to the end as if nobody had thrown, to the same result, and then throws that exception instead of returning its report.
+If the call ends by any other exception, `after_update()` is not called.
+
+A visitor is copied into the triangulation when that is constructed, and is never copied after that. The triangulation may be
+moved between two calls: no visitor should keep its address. All functions are templates, as the type of the
+triangulation depends on that of the visitor.
+
+\cgalHasModelsBegin
+\cgalHasModels{Delaunay_update_visitor_base_2}
+\cgalHasModels{Edge_changes_visitor_2}
+\cgalHasModelsEnd
+*/
+class DelaunayUpdateVisitor_2
+{
+public:
+  /*!
+  is called when the input of a call was read and accepted, before anything changes.
+  \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`
+  */
+  template <class Dynamic>
+  void before_update(const Dynamic& dt);
+
+  /*!
+  is called when all is done; `report` is what the call returns, or would if it returned one. From here on `dt` may
+  be used like between two calls.
+  */
+  template <class Dynamic>
+  void after_update(const Dynamic& dt, const Update_report_2& report);
+
+  /*!
+  edge `e` will be flipped.
+  */
+  template <class Dynamic>
+  void before_flip(const Dynamic& dt, const typename Dynamic::Edge& e);
+
+  /*!
+  `e` is the edge that has come by a flip, between the same two faces.
+  */
+  template <class Dynamic>
+  void after_flip(const Dynamic& dt, const typename Dynamic::Edge& e);
+
+  /*!
+  face `f` will be no more.
+  */
+  template <class Dynamic>
+  void before_face_removal(const Dynamic& dt, typename Dynamic::Face_handle f);
+
+  /*!
+  face `f` is new.
+  */
+  template <class Dynamic>
+  void after_face_creation(const Dynamic& dt, typename Dynamic::Face_handle f);
+
+  /*!
+  vertex `v` is new, for the point with this id. It has its point, and its faces are going to be created.
+  */
+  template <class Dynamic>
+  void after_vertex_creation(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id);
+
+  /*!
+  vertex `v`, which was that of the point with this id, will be no more, and is in no face any longer. The point may
+  still be there: if other points shared its vertex, these get a new one in a rebuild.
+  */
+  template <class Dynamic>
+  void before_vertex_removal(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id);
+
+  /*!
+  vertex `v`, which was that of the point with this id, will be no more, and is in no face any longer: the point has
+  come to where another one is, and shares the vertex `stays` from now on.
+  */
+  template <class Dynamic>
+  void before_vertex_merge(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id,
+                           typename Dynamic::Vertex_handle stays);
+
+  /*!
+  vertex `v` is another point's: that of `dt.id(v)`, which shared it, instead of that with `id_before`, which goes
+  away.
+  */
+  template <class Dynamic>
+  void after_id_change(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id_before);
+};

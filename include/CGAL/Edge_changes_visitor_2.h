@@ -1,0 +1,177 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EDGE_CHANGES_VISITOR_2_H
+#define CGAL_EDGE_CHANGES_VISITOR_2_H
+
+#include <CGAL/Delaunay_update_visitor_base_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Visitors
+
+Lists the edges that have come and gone: the finite ones of the triangulation as it is now that were
+not there when `clear()` was called last, or when the visitor was made, and the other way round. An
+edge that went and came back on the way is in neither list. So the edges of before, less
+`removed_edges()`, and `created_edges()` are those of now, as
+`Dynamic_Delaunay_triangulation_2::for_each_edge()` names them.
+
+Cost: proportional to the flips, and to the faces that were created and removed, a rebuild counting
+as all faces; to ask for the lists, that times its logarithm. No allocation once there was as much
+to remember before.
+
+\cgalModels `DelaunayUpdateVisitor_2`
+*/
+class Edge_changes_visitor_2 : public Delaunay_update_visitor_base_2
+{
+public:
+  /// the ids of the two ends of an edge, the smaller one first.
+  using Edge = std::pair<std::size_t, std::size_t>;
+
+  /// the edges that have come, in ascending order.
+  const std::vector<Edge>& created_edges() const
+  {
+    sum_up();
+    return m_created;
+  }
+
+  /// the edges that have gone, in ascending order. Their ids may be those of points that are no
+  /// more, or that have come since and have the same ids.
+  const std::vector<Edge>& removed_edges() const
+  {
+    sum_up();
+    return m_removed;
+  }
+
+  /// forgets all changes: from here on new ones are listed.
+  void clear()
+  {
+    m_changes.clear();
+    m_is_summed_up = false;
+    m_is_in_update = false;
+  }
+
+  /// \cond
+  template <class Dynamic>
+  void before_update(const Dynamic& dt)
+  {
+    if (!std::exchange(m_is_in_update, true)) // else an exception ended the last one
+      note_line(dt, -whole);
+  }
+
+  template <class Dynamic>
+  void after_update(const Dynamic& dt, const Update_report_2&)
+  {
+    m_is_in_update = false;
+    note_line(dt, whole);
+  }
+
+  template <class Dynamic>
+  void before_flip(const Dynamic& dt, const typename Dynamic::Edge& e)
+  {
+    note(dt, e.first, e.second, -whole);
+  }
+
+  template <class Dynamic>
+  void after_flip(const Dynamic& dt, const typename Dynamic::Edge& e)
+  {
+    note(dt, e.first, e.second, whole);
+  }
+
+  template <class Dynamic>
+  void before_face_removal(const Dynamic& dt, typename Dynamic::Face_handle f)
+  {
+    for (int i = 0; i < 3; ++i)
+      note(dt, f, i, -half);
+  }
+
+  template <class Dynamic>
+  void after_face_creation(const Dynamic& dt, typename Dynamic::Face_handle f)
+  {
+    for (int i = 0; i < 3; ++i)
+      note(dt, f, i, half);
+  }
+
+  template <class Dynamic>
+  void after_id_change(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id_before)
+  {
+    if (dt.tds().dimension() < 2)
+      return;
+    const auto first = dt.tds().incident_vertices(v);
+    auto w = first;
+    do {
+      if (w != dt.infinite_vertex()) {
+        note(id_before, dt.id(w), -whole);
+        note(dt.id(v), dt.id(w), whole);
+      }
+    } while (++w != first);
+  }
+  /// \endcond
+
+private:
+  // An edge has two faces: each of them is half of what makes it be there.
+  static constexpr int half = 1;
+  static constexpr int whole = 2;
+
+  struct Change
+  {
+    Edge edge;
+    int sign;
+  };
+
+  // Without faces, all edges go before an update, and come after it.
+  template <class Dynamic>
+  void note_line(const Dynamic& dt, int sign)
+  {
+    if (dt.tds().dimension() < 2)
+      dt.for_each_edge([&](std::size_t i, std::size_t j) { note(i, j, sign); });
+  }
+
+  template <class Dynamic>
+  void note(const Dynamic& dt, typename Dynamic::Face_handle f, int i, int sign)
+  {
+    const auto v = f->vertex(dt.tds().ccw(i)), w = f->vertex(dt.tds().cw(i));
+    if (v != dt.infinite_vertex() && w != dt.infinite_vertex())
+      note(dt.id(v), dt.id(w), sign);
+  }
+
+  void note(std::size_t i, std::size_t j, int sign)
+  {
+    m_is_summed_up = false;
+    m_changes.push_back(Change{std::minmax(i, j), sign});
+  }
+
+  void sum_up() const
+  {
+    if (m_is_summed_up)
+      return;
+    std::sort(m_changes.begin(), m_changes.end(),
+              [](const Change& a, const Change& b) { return a.edge < b.edge; });
+    m_created.clear();
+    m_removed.clear();
+    for (auto change = m_changes.begin(); change != m_changes.end();) {
+      const Edge edge = change->edge;
+      int sum = 0;
+      for (; change != m_changes.end() && change->edge == edge; ++change)
+        sum += change->sign;
+      if (sum != 0)
+        (sum > 0 ? m_created : m_removed).push_back(edge);
+    }
+    m_is_summed_up = true;
+  }
+
+  mutable std::vector<Change> m_changes;
+  mutable std::vector<Edge> m_created, m_removed;
+  mutable bool m_is_summed_up = true;
+  bool m_is_in_update = false;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_EDGE_CHANGES_VISITOR_2_H

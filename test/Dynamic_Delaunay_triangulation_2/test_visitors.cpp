@@ -1,0 +1,555 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Visitors: what they are told is what happens, all of it, in every kind of call.
+
+#include "oracle.h"
+#include "population_player.h"
+
+#include <CGAL/Dynamic_population_2.h>
+#include <CGAL/Edge_changes_visitor_2.h>
+#include <CGAL/Flip_repair_2.h>
+#include <CGAL/Point_distance_classifier_2.h>
+#include <CGAL/Rebuild_repair_2.h>
+#include <CGAL/Relocation_repair_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Points = Cloud<Epick>::Points;
+using Edges = std::vector<CGAL::Edge_changes_visitor_2::Edge>;
+
+// What somebody knows who sees only what a visitor is told.
+struct Hearsay
+{
+  static constexpr std::size_t infinity = std::size_t(-1);
+  using Triple = std::array<std::size_t, 3>; // ids, ascending
+
+  std::map<const void*, Triple> faces;
+  std::map<const void*, std::size_t> vertices; // the ids of the finite ones
+  CGAL::Update_report_2 report;
+  int updates = 0, finished_updates = 0;
+  int flips = 0, created_faces = 0, created_vertices = 0, removals = 0, merges = 0, id_changes = 0;
+};
+
+// Hears all, and checks that it fits what it has heard before.
+class Listener : public CGAL::Delaunay_update_visitor_base_2
+{
+public:
+  explicit Listener(std::shared_ptr<Hearsay> hearsay = std::make_shared<Hearsay>())
+    : m_hearsay(std::move(hearsay))
+  {
+  }
+
+  const Hearsay& hearsay() const { return *m_hearsay; }
+
+  template <class Dynamic>
+  void before_update(const Dynamic& dt)
+  {
+    ++m_hearsay->updates;
+    expect_in_step(dt);
+  }
+
+  template <class Dynamic>
+  void after_update(const Dynamic& dt, const CGAL::Update_report_2& report)
+  {
+    ++m_hearsay->finished_updates;
+    m_hearsay->report = report;
+    EXPECT_EQ(dt.is_certified(), report.certified);
+    expect_in_step(dt);
+  }
+
+  template <class Dynamic>
+  void before_flip(const Dynamic& dt, const typename Dynamic::Edge& e)
+  {
+    ++m_hearsay->flips;
+    for (const auto f : {e.first, e.first->neighbor(e.second)})
+      forget(dt, f);
+  }
+
+  template <class Dynamic>
+  void after_flip(const Dynamic& dt, const typename Dynamic::Edge& e)
+  {
+    for (const auto f : {e.first, e.first->neighbor(e.second)})
+      learn(dt, f);
+  }
+
+  template <class Dynamic>
+  void before_face_removal(const Dynamic& dt, typename Dynamic::Face_handle f)
+  {
+    forget(dt, f);
+  }
+
+  template <class Dynamic>
+  void after_face_creation(const Dynamic& dt, typename Dynamic::Face_handle f)
+  {
+    ++m_hearsay->created_faces;
+    learn(dt, f);
+  }
+
+  template <class Dynamic>
+  void after_vertex_creation(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id)
+  {
+    ++m_hearsay->created_vertices;
+    EXPECT_EQ(dt.id(v), id);
+    EXPECT_EQ(dt.vertex(id), v);
+    EXPECT_TRUE(m_hearsay->vertices.emplace(&*v, id).second);
+  }
+
+  template <class Dynamic>
+  void before_vertex_removal(const Dynamic&, typename Dynamic::Vertex_handle v, std::size_t id)
+  {
+    ++m_hearsay->removals;
+    forget_vertex(&*v, id);
+  }
+
+  template <class Dynamic>
+  void before_vertex_merge(const Dynamic&, typename Dynamic::Vertex_handle v, std::size_t id,
+                           typename Dynamic::Vertex_handle stays)
+  {
+    ++m_hearsay->merges;
+    forget_vertex(&*v, id);
+    EXPECT_EQ(m_hearsay->vertices.count(&*stays), 1u);
+  }
+
+  template <class Dynamic>
+  void after_id_change(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id_before)
+  {
+    ++m_hearsay->id_changes;
+    EXPECT_EQ(m_hearsay->vertices.at(&*v), id_before);
+    m_hearsay->vertices.at(&*v) = dt.id(v);
+    for (auto& face : m_hearsay->faces) {
+      std::replace(face.second.begin(), face.second.end(), id_before, dt.id(v));
+      std::sort(face.second.begin(), face.second.end());
+    }
+  }
+
+private:
+  template <class Dynamic>
+  static Hearsay::Triple ids_of(const Dynamic& dt, typename Dynamic::Face_handle f)
+  {
+    Hearsay::Triple ids;
+    for (int i = 0; i < 3; ++i)
+      ids[std::size_t(i)] =
+          f->vertex(i) == dt.infinite_vertex() ? Hearsay::infinity : dt.id(f->vertex(i));
+    std::sort(ids.begin(), ids.end());
+    return ids;
+  }
+
+  template <class Dynamic>
+  void forget(const Dynamic& dt, typename Dynamic::Face_handle f)
+  {
+    const auto known = m_hearsay->faces.find(&*f);
+    ASSERT_TRUE(known != m_hearsay->faces.end());
+    EXPECT_EQ(known->second, ids_of(dt, f));
+    m_hearsay->faces.erase(known);
+  }
+
+  template <class Dynamic>
+  void learn(const Dynamic& dt, typename Dynamic::Face_handle f)
+  {
+    EXPECT_TRUE(m_hearsay->faces.emplace(&*f, ids_of(dt, f)).second);
+  }
+
+  void forget_vertex(const void* v, std::size_t id)
+  {
+    const auto known = m_hearsay->vertices.find(v);
+    ASSERT_TRUE(known != m_hearsay->vertices.end());
+    EXPECT_EQ(known->second, id);
+    m_hearsay->vertices.erase(known);
+  }
+
+  template <class Dynamic>
+  void expect_in_step(const Dynamic& dt) const
+  {
+    std::map<const void*, Hearsay::Triple> faces;
+    if (dt.tds().dimension() == 2)
+      for (auto f = dt.tds().faces_begin(); f != dt.tds().faces_end(); ++f)
+        faces.emplace(&*f, ids_of(dt, f));
+    EXPECT_TRUE(faces == m_hearsay->faces);
+    std::map<const void*, std::size_t> vertices;
+    for (auto v = dt.tds().vertices_begin(); v != dt.tds().vertices_end(); ++v)
+      if (v != dt.infinite_vertex())
+        vertices.emplace(&*v, dt.id(v));
+    EXPECT_EQ(vertices, m_hearsay->vertices);
+  }
+
+  std::shared_ptr<Hearsay> m_hearsay;
+};
+
+template <class Visitor, class Classifier = CGAL::Circumcircle_classifier_2,
+          class Repair = CGAL::Default, class Kernel = Epick>
+using Visited = CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, Repair, CGAL::Default,
+                                                       CGAL::Default, Visitor>;
+
+template <class Dynamic>
+Dynamic visited(const std::vector<typename Dynamic::Point>& points,
+                const typename Dynamic::Delaunay_update_visitor& visitor =
+                    typename Dynamic::Delaunay_update_visitor())
+{
+  return Dynamic(points.begin(), points.end(), typename Dynamic::Delaunay_classifier(),
+                 typename Dynamic::Delaunay_repair(), {}, {}, visitor);
+}
+
+template <class Dynamic>
+CGAL::Update_report_2 update(Dynamic& dt, const std::vector<typename Dynamic::Point>& points)
+{
+  return dt.update(points.begin(), points.end());
+}
+
+// -------------------------------------------------------------------------------------------------
+// Whatever mends
+
+template <class Dynamic>
+class Listening : public testing::Test
+{
+};
+
+using Ways =
+    testing::Types<Visited<Listener>,
+                   Visited<Listener, CGAL::Circumcircle_classifier_2, CGAL::Flip_repair_2>,
+                   Visited<Listener, CGAL::Circumcircle_classifier_2, CGAL::Border_splice_repair_2>,
+                   Visited<Listener, CGAL::Circumcircle_classifier_2, CGAL::Relocation_repair_2>,
+                   Visited<Listener, CGAL::Point_distance_classifier_2>>;
+TYPED_TEST_SUITE(Listening, Ways);
+
+TYPED_TEST(Listening, knows_all_faces_and_vertices_of_clouds_that_move)
+{
+  Cloud<Epick> cloud(1);
+  Points points = cloud.uniform(300);
+  auto dt = visited<TypeParam>(points);
+  const Hearsay& hearsay = dt.visitor().hearsay();
+  EXPECT_EQ(hearsay.created_vertices, 300);
+  for (const double step : {0., 0.01, 0.05, 0.2, 0.5, 30.}) {
+    cloud.shake(points, step);
+    const auto report = update(dt, points);
+    ASSERT_NO_FATAL_FAILURE(expect_valid(dt, points));
+    EXPECT_EQ(hearsay.report.flips, report.flips);
+    EXPECT_EQ(hearsay.report.rebuild_reason, report.rebuild_reason);
+  }
+  dt.mend();
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  EXPECT_EQ(hearsay.updates, hearsay.finished_updates);
+}
+
+TYPED_TEST(Listening, knows_who_comes_goes_meets_and_parts)
+{
+  for (const bool is_lattice : {true, false})
+    for (unsigned seed = 0; seed < 3; ++seed) {
+      auto dt = visited<TypeParam>({});
+      Population_player<TypeParam> player(dt, {is_lattice ? 6 : 5, is_lattice}, seed);
+      player.insert(30);
+      for (int i = 0; i < 150; ++i) {
+        player.play();
+        ASSERT_NO_FATAL_FAILURE(expect_valid(dt, player.model())) << seed << ", " << i;
+        ASSERT_FALSE(this->HasFailure()) << seed << ", " << i;
+      }
+      const Hearsay& hearsay = dt.visitor().hearsay();
+      EXPECT_GT(hearsay.removals, 0);
+      EXPECT_EQ(hearsay.merges > 0, is_lattice || hearsay.merges > 0);
+      EXPECT_EQ(hearsay.updates, hearsay.finished_updates);
+    }
+}
+
+// -------------------------------------------------------------------------------------------------
+
+TEST(Visitor, is_told_of_flips_alone_where_flips_mend_all)
+{
+  Cloud<Epick> cloud(2);
+  Points points = cloud.uniform(300);
+  using Dynamic = Visited<Listener, CGAL::Circumcircle_classifier_2, CGAL::Flip_repair_2>;
+  auto dt = visited<Dynamic>(points);
+  const Hearsay before = dt.visitor().hearsay();
+  cloud.shake(points, 0.02);
+  const auto report = update(dt, points);
+  const Hearsay& after = dt.visitor().hearsay();
+  ASSERT_FALSE(report.rebuilt());
+  EXPECT_GT(report.flips, 0u);
+  EXPECT_EQ(std::size_t(after.flips - before.flips), report.flips);
+  EXPECT_EQ(after.created_faces, before.created_faces);
+}
+
+TEST(Visitor, is_told_of_points_that_hand_their_vertex_over)
+{
+  auto dt = visited<Visited<Listener>>({});
+  Population_player<Visited<Listener>> player(dt, {4, true}, 7);
+  player.insert(40);
+  for (int i = 0; i < 200; ++i)
+    player.play();
+  EXPECT_GT(dt.visitor().hearsay().id_changes, 0);
+  EXPECT_GT(dt.visitor().hearsay().merges, 0);
+}
+
+TEST(Visitor, follows_points_on_a_line_and_back)
+{
+  Cloud<Epick> cloud(3);
+  const Points spread = cloud.uniform(60), line = cloud.on_line(60);
+  auto dt = visited<Visited<Listener>>(line);
+  for (const Points* points : {&spread, &line, &line, &spread}) {
+    update(dt, *points);
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, *points));
+  }
+  EXPECT_EQ(dt.visitor().hearsay().finished_updates, 5);
+}
+
+TEST(Visitor, is_told_that_a_checkpoint_replaces_everything)
+{
+  Cloud<Epick> cloud(4);
+  std::stringstream file;
+  const Points points = cloud.uniform(50);
+  visited<Visited<Listener>>(points).write_checkpoint(file);
+  auto dt = visited<Visited<Listener>>(cloud.uniform(80));
+  dt.read_checkpoint(file);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  EXPECT_EQ(dt.visitor().hearsay().removals, 80);
+  EXPECT_EQ(dt.visitor().hearsay().vertices.size(), 50u);
+  EXPECT_EQ(dt.visitor().hearsay().finished_updates, 2);
+}
+
+TEST(Visitor, is_told_nothing_of_input_that_is_refused)
+{
+  Cloud<Epick> cloud(5);
+  Points points = cloud.uniform(20);
+  auto dt = visited<Visited<Listener>>(points);
+  points.pop_back();
+  EXPECT_THROW(update(dt, points), CGAL::Point_count_error_2);
+  EXPECT_THROW(dt.remove(20), CGAL::Unknown_id_error_2);
+  EXPECT_EQ(dt.visitor().hearsay().updates, 1);
+}
+
+TEST(Visitor, works_with_exact_coordinates_and_from_a_population)
+{
+  using Dynamic = Visited<Listener, CGAL::Circumcircle_classifier_2, CGAL::Default, Epeck>;
+  CGAL::Dynamic_population_2<Dynamic> population{visited<Dynamic>({})};
+  Cloud<Epeck> cloud(6);
+  auto points = cloud.uniform(40);
+  for (int frame = 0; frame < 6; ++frame) {
+    cloud.shake(points, 0.2);
+    std::map<std::int64_t, Epeck::Point_2> people;
+    for (std::size_t i = std::size_t(frame); i < points.size() - std::size_t(5 - frame); ++i)
+      people.emplace(std::int64_t(100 + i), points[i]);
+    population.update(people.begin(), people.end());
+    EXPECT_EQ(population.visitor().hearsay().vertices.size(), people.size());
+  }
+  EXPECT_GT(population.visitor().hearsay().removals, 0);
+}
+
+// -------------------------------------------------------------------------------------------------
+// Visitors that throw
+
+struct Refusal : std::runtime_error
+{
+  Refusal()
+    : std::runtime_error("the visitor has had enough")
+  {
+  }
+};
+
+// Throws at the n-th thing that it is told, `before_update()` included.
+class Throwing : public CGAL::Delaunay_update_visitor_base_2
+{
+public:
+  void throw_at(int n) { m_left = n; }
+  bool has_thrown() const { return m_left == 0; }
+
+  template <class... Arguments>
+  void before_update(const Arguments&...)
+  {
+    hear();
+  }
+  template <class... Arguments>
+  void after_update(const Arguments&...)
+  {
+    hear();
+  }
+  template <class... Arguments>
+  void before_flip(const Arguments&...)
+  {
+    hear();
+  }
+  template <class... Arguments>
+  void after_flip(const Arguments&...)
+  {
+    hear();
+  }
+  template <class... Arguments>
+  void before_face_removal(const Arguments&...)
+  {
+    hear();
+  }
+  template <class... Arguments>
+  void after_face_creation(const Arguments&...)
+  {
+    hear();
+  }
+  template <class... Arguments>
+  void after_vertex_creation(const Arguments&...)
+  {
+    hear();
+  }
+  template <class... Arguments>
+  void before_vertex_removal(const Arguments&...)
+  {
+    hear();
+  }
+
+private:
+  void hear()
+  {
+    if (m_left > 0 && --m_left == 0)
+      throw Refusal();
+  }
+
+  int m_left = -1;
+};
+
+TEST(Visitor_that_throws, leaves_all_as_it_was_where_nothing_has_changed_yet)
+{
+  Cloud<Epick> cloud(10);
+  const Points points = cloud.uniform(50);
+  auto dt = visited<Visited<Throwing>>(points);
+  Points next = points;
+  cloud.shake(next, 0.3);
+  const auto expect_nothing_changes = [&](const auto& change) {
+    dt.visitor().throw_at(1);
+    EXPECT_THROW(change(), Refusal);
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  };
+  expect_nothing_changes([&] { update(dt, next); });
+  expect_nothing_changes([&] { dt.move(3, next[3]); });
+  expect_nothing_changes([&] { dt.insert(Epick::Point_2(1, 1)); });
+  expect_nothing_changes([&] { dt.remove(3); });
+  update(dt, next);
+  expect_exact(dt, next);
+}
+
+TEST(Visitor_that_throws, does_not_keep_an_update_from_its_end)
+{
+  Cloud<Epick> cloud(11);
+  Points points = cloud.uniform(200);
+  auto dt = visited<Visited<Throwing>>(points);
+  int n = 2;
+  for (int frame = 0; frame < 60; ++frame, n += 1 + n / 4) {
+    cloud.shake(points, frame % 2 == 0 ? 0.03 : 0.1);
+    dt.visitor().throw_at(n);
+    try {
+      update(dt, points);
+      ASSERT_FALSE(dt.visitor().has_thrown());
+      n = 2;
+    } catch (const Refusal&) {
+      ASSERT_TRUE(dt.visitor().has_thrown());
+    }
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points)) << "frame " << frame << ", call " << n;
+  }
+}
+
+TEST(Visitor_that_throws, does_not_keep_points_from_coming_and_going)
+{
+  Points points = Cloud<Epick>(12).uniform(100);
+  auto dt = visited<Visited<Throwing>>(points);
+  for (int n = 2; n < 12; ++n) {
+    dt.visitor().throw_at(n);
+    points.emplace_back(n, 5.5);
+    EXPECT_THROW(dt.insert(points.back()), Refusal);
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+    dt.visitor().throw_at(n);
+    EXPECT_THROW(dt.remove(points.size() - 1), Refusal);
+    points.pop_back();
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  }
+}
+
+// -------------------------------------------------------------------------------------------------
+// Edges that have changed
+
+template <class Dynamic>
+std::set<std::pair<std::size_t, std::size_t>> edges_of(const Dynamic& dt)
+{
+  std::set<std::pair<std::size_t, std::size_t>> edges;
+  dt.for_each_edge([&](std::size_t i, std::size_t j) { edges.insert(std::minmax(i, j)); });
+  return edges;
+}
+
+// The edges from before with the listed changes are those of now.
+class Edge_changes : public testing::Test
+{
+protected:
+  using Dynamic = Visited<CGAL::Edge_changes_visitor_2>;
+
+  void expect_all_changes_listed(Dynamic& dt,
+                                 const std::set<std::pair<std::size_t, std::size_t>>& before)
+  {
+    const auto now = edges_of(dt);
+    Edges created, removed;
+    std::set_difference(now.begin(), now.end(), before.begin(), before.end(),
+                        std::back_inserter(created));
+    std::set_difference(before.begin(), before.end(), now.begin(), now.end(),
+                        std::back_inserter(removed));
+    ASSERT_EQ(dt.visitor().created_edges(), created);
+    ASSERT_EQ(dt.visitor().removed_edges(), removed);
+  }
+};
+
+TEST_F(Edge_changes, are_all_edges_after_construction)
+{
+  const Points points = Cloud<Epick>(20).uniform(100);
+  auto dt = visited<Dynamic>(points);
+  expect_all_changes_listed(dt, {});
+  EXPECT_TRUE(dt.visitor().removed_edges().empty());
+}
+
+TEST_F(Edge_changes, are_the_difference_between_two_frames)
+{
+  Cloud<Epick> cloud(21);
+  Points points = cloud.uniform(300);
+  auto dt = visited<Dynamic>(points);
+  for (const double step : {0., 0.001, 0.01, 0.05, 0.3, 30.}) {
+    dt.visitor().clear();
+    const auto before = edges_of(dt);
+    cloud.shake(points, step);
+    update(dt, points);
+    ASSERT_NO_FATAL_FAILURE(expect_all_changes_listed(dt, before)) << step;
+  }
+}
+
+TEST_F(Edge_changes, are_told_whatever_happens_to_a_population)
+{
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    auto dt = visited<Dynamic>({});
+    Population_player<Dynamic> player(dt, {5, seed % 2 == 0}, seed);
+    for (int i = 0; i < 200; ++i) {
+      dt.visitor().clear();
+      const auto before = edges_of(dt);
+      player.play();
+      ASSERT_NO_FATAL_FAILURE(expect_all_changes_listed(dt, before)) << seed << ", " << i;
+    }
+  }
+}
+
+TEST_F(Edge_changes, add_up_over_frames_until_they_are_cleared)
+{
+  Cloud<Epick> cloud(22);
+  Points points = cloud.uniform(100);
+  auto dt = visited<Dynamic>(points);
+  dt.visitor().clear();
+  const auto before = edges_of(dt);
+  for (int frame = 0; frame < 5; ++frame) {
+    cloud.shake(points, 0.05);
+    update(dt, points);
+    ASSERT_NO_FATAL_FAILURE(expect_all_changes_listed(dt, before));
+  }
+  EXPECT_FALSE(dt.visitor().created_edges().empty());
+}
+
+} // namespace
