@@ -13,8 +13,8 @@ Each call of the triangulation that may change it, construction from points,
 `update()`, `move()`, `insert()`, `remove()`, `mend()` if there is something to mend, and `read_checkpoint()`,
 begins with `before_update()` and ends with `after_update()`. Between these two
 
-- the triangulation is a valid sphere whenever the visitor is called before something, and whenever it is called
-  after something, but for what is named below;
+- faces and vertices around those that are named can be looked at; not all of `tds()`, which may hold faces and
+  vertices that are about to be written or deleted;
 - vertices have the points that they had before the call, new vertices their own, and all others of this call get
   theirs right before `after_update()`. So face areas, circumcentres and the like are best computed there;
 - the triangulation is not certified, and may have inverted faces: `Dynamic_Delaunay_triangulation_2::tds()`,
@@ -92,14 +92,14 @@ public:
   void after_vertex_creation(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id);
 
   /*!
-  vertex `v`, which was that of the point with this id, will be no more, and is in no face any longer. The point may
+  vertex `v`, which was that of the point with this id, will be no more; the removal of its faces was told. The point may
   still be there: if other points shared its vertex, these get a new one in a rebuild.
   */
   template <class Dynamic>
   void before_vertex_removal(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id);
 
   /*!
-  vertex `v`, which was that of the point with this id, will be no more, and is in no face any longer: the point has
+  vertex `v`, which was that of the point with this id, will be no more; the removal of its faces was told. The point has
   come to where another one is, and shares the vertex `stays` from now on.
   */
   template <class Dynamic>
