@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef MANUAL_FIGURES_FOLLOWED_MOTION_H
+#define MANUAL_FIGURES_FOLLOWED_MOTION_H
+
+#include "run/Kernel.h"
+#include "run/Vertex_sets.h"
+#include "scenario/Open_motion.h"
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace manual_figures {
+
+using Id_pair = std::pair<std::size_t, std::size_t>;
+using Edges = std::set<Id_pair>;
+
+inline Id_pair in_order(std::size_t i, std::size_t j)
+{
+  return {std::min(i, j), std::max(i, j)};
+}
+
+// A scenario, and the triangulation that follows it and that it takes its neighbors from.
+template <class Classifier, class Repair = CGAL::Default>
+class Followed_motion
+{
+public:
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, Classifier, Repair>;
+
+  // As much of run::Frame_record as sets_of_vertices() asks for.
+  struct Record
+  {
+    CGAL::Update_report_2 update;
+  };
+
+  Followed_motion(const std::string& name, const scenario::Overrides& overrides,
+                  const Classifier& classifier)
+    : m_motion(scenario::open_motion(
+          (std::filesystem::path(SCENARIOS_DIR) / (name + ".json")).string(), overrides))
+    , m_triangulation(m_motion->points().begin(), m_motion->points().end(), run::Point_map(),
+                      classifier)
+  {
+  }
+
+  void advance()
+  {
+    m_previous_edges = edges();
+    const scenario::Neighbor_edges neighbors(m_previous_edges.begin(), m_previous_edges.end());
+    if (!m_motion->advance(neighbors)) {
+      throw std::runtime_error("the motion has ended");
+    }
+    m_record.update = m_triangulation.update(points().begin(), points().end(), run::Point_map());
+    ++m_frame;
+  }
+
+  const Dynamic& triangulation() const { return m_triangulation; }
+  const std::vector<scenario::Point>& points() const { return m_motion->points(); }
+  const Record& record() const { return m_record; }
+  std::size_t frame() const { return m_frame; }
+
+  // Those of one frame ago, and those of now, as pairs of ids.
+  const Edges& previous_edges() const { return m_previous_edges; }
+  Edges edges() const
+  {
+    Edges edges;
+    m_triangulation.for_each_edge(
+        [&edges](std::size_t i, std::size_t j) { edges.insert(in_order(i, j)); });
+    return edges;
+  }
+
+  // Of each point.
+  std::vector<run::Vertex_set> sets() const
+  {
+    const std::vector<run::Vertex_set> of_vertices = run::sets_of_vertices(*this);
+    std::vector<run::Vertex_set> sets;
+    for (std::uint32_t id = 0; id != points().size(); ++id) {
+      sets.push_back(of_vertices[m_triangulation.frame().vertex(id)]);
+    }
+    return sets;
+  }
+
+private:
+  std::unique_ptr<scenario::Motion> m_motion;
+  Dynamic m_triangulation;
+  Record m_record;
+  Edges m_previous_edges;
+  std::size_t m_frame = 0;
+};
+
+} // namespace manual_figures
+
+#endif // MANUAL_FIGURES_FOLLOWED_MOTION_H

@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef MANUAL_FIGURES_PANEL_H
+#define MANUAL_FIGURES_PANEL_H
+
+#include "run/Bounds.h"
+#include "run/Picture_view.h"
+#include "scenario/Motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <iomanip>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace manual_figures {
+
+using scenario::Point;
+
+// A part of the plane with lines and dots in it, and a line of text below. Lines and dots are
+// thick: a figure is as wide as a phone, where it is scaled down to a third.
+class Panel
+{
+public:
+  Panel(const run::Bounds& part, std::string caption)
+    : m_part(part)
+    , m_view(part)
+    , m_caption(std::move(caption))
+  {
+    m_svg << std::fixed << std::setprecision(1);
+  }
+
+  // What is out of sight is left out.
+  void line(const Point& p, const Point& q, const std::string& color, double width,
+            const std::string& dashes = "")
+  {
+    if (!is_near(p) && !is_near(q)) {
+      return;
+    }
+    m_svg << "<path d=\"M" << m_view.x(p) << ' ' << m_view.y(p) << 'L' << m_view.x(q) << ' '
+          << m_view.y(q) << "\" stroke=\"" << color << "\" stroke-width=\"" << width << '"';
+    if (!dashes.empty()) {
+      m_svg << " stroke-dasharray=\"" << dashes << '"';
+    }
+    m_svg << "/>\n";
+  }
+
+  // Of a radius on paper.
+  void dot(const Point& p, const std::string& color, double radius)
+  {
+    if (is_near(p)) {
+      circle_on_paper(p, radius, "fill=\"" + color + '"');
+    }
+  }
+
+  // Of a radius in the plane.
+  void disk(const Point& p, double radius, const std::string& color)
+  {
+    if (is_near(p)) {
+      circle_on_paper(p, on_paper(radius), "fill=\"" + color + '"');
+    }
+  }
+
+  void circle(const Point& center, double radius, const std::string& color, double width,
+              const std::string& dashes = "")
+  {
+    std::ostringstream style;
+    style << "fill=\"none\" stroke=\"" << color << "\" stroke-width=\"" << width
+          << "\" stroke-dasharray=\"" << (dashes.empty() ? "none" : dashes) << '"';
+    circle_on_paper(center, on_paper(radius), style.str());
+  }
+
+  // Beside p, away from another point.
+  void letter(const Point& p, const Point& other, const std::string& text)
+  {
+    constexpr double room = 62.0;
+    const double dx = m_view.x(p) - m_view.x(other), dy = m_view.y(p) - m_view.y(other);
+    const double length = std::hypot(dx, dy);
+    m_svg << "<text x=\"" << m_view.x(p) + room * dx / length << "\" y=\""
+          << m_view.y(p) + room * dy / length + 14.0
+          << "\" text-anchor=\"middle\" font-size=\"48\" font-style=\"italic\">" << text
+          << "</text>\n";
+  }
+
+  double height() const { return m_view.height() + (m_caption.empty() ? 0.0 : caption_height); }
+  double width() const { return m_view.width(); }
+
+  // As a group of an SVG picture, so far down in it.
+  std::string text(double down) const
+  {
+    std::ostringstream out;
+    out << std::fixed << std::setprecision(1);
+    out << "<svg x=\"0\" y=\"" << down << "\" width=\"" << width() << "\" height=\""
+        << m_view.height() << "\">\n"
+        << m_svg.str() << "</svg>\n";
+    if (!m_caption.empty()) {
+      out << "<text x=\"" << 0.5 * width() << "\" y=\"" << down + m_view.height() + 36.0
+          << "\" text-anchor=\"middle\">" << m_caption << "</text>\n";
+    }
+    return out.str();
+  }
+
+private:
+  static constexpr double caption_height = 70.0;
+
+  double on_paper(double length) const
+  {
+    return m_view.x({m_part.low.x + length, 0.0}) - m_view.x(m_part.low);
+  }
+
+  bool is_near(const Point& p) const
+  {
+    const double margin = 0.05 * (m_part.width() + m_part.height());
+    return p.x > m_part.low.x - margin && p.x < m_part.high.x + margin &&
+           p.y > m_part.low.y - margin && p.y < m_part.high.y + margin;
+  }
+
+  void circle_on_paper(const Point& p, double radius, const std::string& style)
+  {
+    m_svg << "<circle cx=\"" << m_view.x(p) << "\" cy=\"" << m_view.y(p) << "\" r=\"" << radius
+          << "\" " << style << "/>\n";
+  }
+
+  run::Bounds m_part;
+  run::Picture_view m_view;
+  std::string m_caption;
+  std::ostringstream m_svg;
+};
+
+// The panels, one below the other.
+inline std::string svg_of(std::initializer_list<const Panel*> panels, double scale = 0.48)
+{
+  std::string inside;
+  double height = 0.0;
+  double width = 0.0;
+  for (const Panel* panel : panels) {
+    inside += panel->text(height);
+    height += panel->height();
+    width = std::max(width, panel->width());
+  }
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(0);
+  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << scale * width << "\" height=\""
+      << scale * height << "\" viewBox=\"0 0 " << width << ' ' << height
+      << "\" font-family=\"sans-serif\" font-size=\"36\">\n"
+      << "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+      << inside << "</svg>\n";
+  return out.str();
+}
+
+} // namespace manual_figures
+
+#endif // MANUAL_FIGURES_PANEL_H
