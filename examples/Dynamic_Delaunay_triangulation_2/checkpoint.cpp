@@ -42,11 +42,13 @@ int main()
   for (int frame = 0; frame < 50; ++frame)
     step(dt, random);
 
+  //! [checkpoint]
   std::stringstream file; // or a std::fstream, opened as binary
   dt.write_checkpoint(file);
-  std::string damaged = file.str();
   Triangulation other;
   other.read_checkpoint(file);
+  //! [checkpoint]
+  std::string damaged = file.str();
 
   std::mt19937 same_random = random;
   bool is_same = true;

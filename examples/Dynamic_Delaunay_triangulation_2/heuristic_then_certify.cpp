@@ -39,6 +39,7 @@ int main()
   dt.for_each_edge([&edges](std::size_t, std::size_t) { ++edges; });
   std::cout << edges << " edges, " << (dt.is_certified() ? "certified" : "not certified") << "\n";
 
+  //! [certainty]
   // CGAL's queries cannot: they need a Delaunay triangulation
   try {
     dt.triangulation();
@@ -48,6 +49,7 @@ int main()
 
   const bool was_delaunay = dt.certify();
   const auto report = dt.mend();
+  //! [certainty]
   std::cout << "it was " << (was_delaunay ? "" : "not ") << "Delaunay; mending took "
             << report.flips << " flips and " << report.splices << " splices; now "
             << (dt.is_certified() ? "certified" : "not certified") << "\n";

@@ -19,6 +19,7 @@
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
 
+//! [classifier]
 class Displacement_classifier
 {
 public:
@@ -48,6 +49,7 @@ private:
   double m_limit;
   std::vector<double> m_travelled; // of each id
 };
+//! [classifier]
 
 int main()
 {
