@@ -53,6 +53,9 @@ public:
 
   If it throws, the update changes nothing and hands the exception on.
 
+  \param frame the points at the positions of the current frame, with the topology of the last one. It is good until
+    the call ends.
+  \param classified is empty at first, and takes what is classified.
   \tparam Frame `Dynamic_frame_2`
   \tparam Classification `Dynamic_classification_2`
   */
@@ -68,6 +71,12 @@ public:
   each edge in step with the few numbers that have changed, and `follow_vertices()` and `follow_faces()` do the
   same for others. A new edge also changes what is around it: what depends on opposite vertices or faces is brought
   up to date at `Dynamic_frame_2::for_each_changed_edge()` and `Dynamic_frame_2::for_each_changed_face()`.
+
+  If it throws, what was done stays done, and the exception is handed on; in the next frame
+  `Dynamic_frame_2::has_news()` then says so to `operator()`. When a checkpoint is read, nothing changes instead.
+
+  \param frame the points, with the topology that the call ends with.
+  \tparam Frame `Dynamic_frame_2`
   */
   template <class Frame>
   void after_update(const Frame& frame);
@@ -76,6 +85,10 @@ public:
   (optional) for classifiers that decide edge by edge, and name edges alone: whether `operator()` would hand
   edge `e` of this frame to `Dynamic_classification_2::add_edge()`. With it, `Refined_classifier_2` asks for
   the edges that it has to, instead of all.
+
+  \param frame that of the call of `operator()`.
+  \param e an edge of it, below `Dynamic_frame_2::number_of_edges()`.
+  \tparam Frame `Dynamic_frame_2`
   */
   template <class Frame>
   bool names_edge(const Frame& frame, typename Frame::Index e) const;

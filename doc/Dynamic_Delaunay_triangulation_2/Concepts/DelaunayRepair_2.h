@@ -24,6 +24,10 @@ public:
   /*!
   repairs. It is called once in every frame in which at least one vertex is classified.
 
+  If it throws, the positions are the new ones, the data structure is valid and the triangulation not certified; the
+  exception is handed on.
+
+  \param mender what was classified, which edges are open, and the tools. It is good until the call ends.
   \tparam Mender `Dynamic_mender_2`
   */
   template <class Mender>

@@ -29,7 +29,9 @@ public:
 
   If it throws, the update changes nothing and hands the exception on.
 
+  \param frame the points at the positions of the current frame, with the topology of the last one.
   \tparam Frame `Dynamic_frame_2`
+  \return `true` to rebuild.
   */
   template <class Frame>
   bool wants_rebuild(const Frame& frame);
@@ -37,6 +39,12 @@ public:
   /*!
   is called at the end of every update, also of one for which `wants_rebuild()` was not asked, with what it has
   done. Construction, `Dynamic_Delaunay_triangulation_2::mend()`, and points that come, go or move alone are no updates.
+
+  If it throws, the update has been done, and the exception is handed on.
+
+  \param frame the points, with the topology that the update ends with.
+  \param report what the update has done.
+  \tparam Frame `Dynamic_frame_2`
   */
   template <class Frame>
   void after_update(const Frame& frame, const Update_report_2& report);
