@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Tests of the package as a whole: each header by itself, the installed package, and the Debian package.
+# Tests of the package as a whole: each header by itself, the installed package, the Debian package, and the manual.
 
 # Each header has to bring all that it needs, and to bear being included twice. That they compile is the test. A
 # precompiled header or a unity build would hide what is missing. The internal ones are many, and a user includes none
@@ -43,3 +43,30 @@ else()
   message(STATUS "No test of the Debian package: it needs dpkg-deb")
 endif()
 set_tests_properties(${package_tests} PROPERTIES LABELS test TIMEOUT 300 RESOURCE_LOCK installation)
+
+# The manual. That every public name is documented, every reference leads somewhere, and every example that is shown is
+# there: a warning is an error. Its result is not the one of `./dev doc`.
+find_program(DOXYGEN doxygen)
+find_program(DOT dot)
+if(DOXYGEN AND DOT)
+  set(doxyfile "${CMAKE_CURRENT_BINARY_DIR}/Doxyfile")
+  file(WRITE "${doxyfile}"
+    "@INCLUDE = doc/Dynamic_Delaunay_triangulation_2/Doxyfile\n"
+    "OUTPUT_DIRECTORY = \"${CMAKE_CURRENT_BINARY_DIR}/manual\"\n"
+    "ENABLED_SECTIONS += EVERY_NAME\n")
+  file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/manual")
+  add_test(NAME manual COMMAND "${DOXYGEN}" "${doxyfile}" WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
+  set_tests_properties(manual PROPERTIES LABELS test TIMEOUT 300)
+else()
+  message(STATUS "No test of the manual: it needs doxygen and dot")
+endif()
+
+# That the code in it, and in the README, is that of examples.
+find_package(Python3 COMPONENTS Interpreter QUIET)
+if(Python3_FOUND)
+  add_test(NAME shown_code
+    COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/shown_code.py" "${PROJECT_SOURCE_DIR}")
+  set_tests_properties(shown_code PROPERTIES LABELS test TIMEOUT 60)
+else()
+  message(STATUS "No test of the code in the manual: it needs Python 3")
+endif()
