@@ -12,6 +12,9 @@
 #include <CGAL/Rebuild_repair_2.h>
 #include <CGAL/Relocation_repair_2.h>
 
+#include <cmath>
+#include <cstddef>
+
 namespace {
 
 using Points = Cloud<Epick>::Points;
@@ -195,6 +198,47 @@ TEST(Border_splice, is_outrun_by_nobody_under_an_exact_classifier_with_any_paddi
     EXPECT_EQ(kept_up.right_frames, 12);
     EXPECT_TRUE(padding > 0 || kept_up.growths > 0);
   }
+}
+
+// Names three vertices in every frame, whatever has happened.
+class Vertices_4_to_6_classifier
+{
+public:
+  static constexpr bool is_exact = false;
+
+  template <class Frame, class Classification>
+  void operator()(const Frame&, Classification& classified)
+  {
+    for (const std::size_t id : {4, 5, 6})
+      classified.add_id(id);
+  }
+};
+
+// The triangle of the points 0, 1, 2 holds 4, 5, 6, and these hold 3. Then it is mirrored, 3 stays
+// inside, and the others end up around it: alone, all seven have a triangulation with the old
+// boundary and as many faces, whose new faces lie outside of it, have the infinite vertex and
+// not 3.
+TEST(Border_splice, loses_nobody_in_a_cluster_that_is_turned_inside_out)
+{
+  using Point = Epick::Point_2;
+  Points points = {Point(-3, -2),     Point(3, -2),     Point(0, 4),  Point(0, 0),
+                   Point(-0.5, -0.5), Point(0.5, -0.4), Point(0, 0.6)};
+  for (int i = 0; i < 24; ++i)
+    points.push_back(Point(40 * std::cos(0.2618 * i), 40 * std::sin(0.2618 * i)));
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, Vertices_4_to_6_classifier,
+                                         CGAL::Border_splice_repair_2>
+      dt(points.begin(), points.end(), Vertices_4_to_6_classifier(),
+         CGAL::Border_splice_repair_2(0));
+  points[0] = Point(3, -2);
+  points[1] = Point(-3, -2);
+  points[3] = Point(0, 0.1);
+  points[4] = Point(-0.1, -15);
+  points[5] = Point(12, 9);
+  points[6] = Point(-12, 9.1);
+  dt.update(points.begin(), points.end());
+  expect_valid(dt, points);
+  dt.mend();
+  expect_exact(dt, points);
 }
 
 TEST(Border_splice, mends_the_convex_hull)

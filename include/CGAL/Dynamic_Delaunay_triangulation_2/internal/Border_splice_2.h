@@ -166,11 +166,14 @@ private:
     const Mirror& mirror = m_maintained.mirror;
     m_old_faces.clear(mirror.number_of_faces());
     m_cluster_border.clear(m_maintained.vertices.size());
+    m_has_infinite_faces = false;
     for (const Index v : m_cluster)
       mirror.for_each_corner(v, [&](Index h) {
         m_old_faces.insert(h / 3);
         const Index w = mirror.source(h);
-        if (w != infinite_index && !m_cluster.contains(w))
+        if (w == infinite_index)
+          m_has_infinite_faces = true;
+        else if (!m_cluster.contains(w))
           m_cluster_border.insert(w);
       });
     m_old_boundary.clear();
@@ -221,15 +224,24 @@ private:
   // BOUNDARIES ----------------------------------------------------------------------------------
 
   // Equal boundary edges, and at each boundary vertex equal fans of faces between them, make the
-  // result a closed surface; an equal number of faces makes it a sphere again.
+  // result a closed surface. That there are as many faces, and infinite ones on both sides or on
+  // neither, makes it a sphere again that has all vertices (guarantee 1 in the manual): a cluster
+  // that was turned inside out can swap the infinite vertex for one of its border.
   bool boundaries_agree()
   {
     find_disagreeing();
     return m_disagreeing.empty() && m_old_faces.size() == m_new.number_of_faces() &&
+           m_has_infinite_faces == has_new_infinite_faces() &&
            std::equal(m_old_boundary.begin(), m_old_boundary.end(), m_new.boundary.begin(),
                       [this](const Boundary_edge_2& a, const Boundary_edge_2& b) {
                         return other_end_of_old_fan(a) == m_new.other_end_of_fan(b);
                       });
+  }
+
+  bool has_new_infinite_faces() const
+  {
+    return std::find(m_new.apexes.begin(), m_new.apexes.end(), infinite_index) !=
+           m_new.apexes.end();
   }
 
   // As Patch_2::other_end_of_fan().
@@ -300,6 +312,7 @@ private:
 
   // of the cluster that is spliced
   Index_set_2 m_cluster, m_cluster_border, m_old_faces;
+  bool m_has_infinite_faces = false;           // among the old ones
   std::vector<Boundary_edge_2> m_old_boundary; // sorted by source, then target
   std::vector<Index> m_region, m_new_number;
   Patch_2 m_new;
