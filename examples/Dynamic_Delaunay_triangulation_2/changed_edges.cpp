@@ -31,6 +31,7 @@ int main()
   for (int i = 0; i < 400; ++i)
     points.push_back(Point(coordinate(random), coordinate(random)));
 
+  //! [changes]
   std::map<CGAL::Edge_changes_visitor_2::Edge, double> springs;
   std::size_t created = 0, removed = 0;
   const auto follow = [&](Dynamic_triangulation& dt) {
@@ -41,6 +42,7 @@ int main()
     created += dt.visitor().created_edges().size();
     dt.visitor().clear();
   };
+  //! [changes]
 
   Dynamic_triangulation dt(points.begin(), points.end());
   follow(dt); // all edges are new

@@ -19,6 +19,7 @@ using Vertex_base = CGAL::Dynamic_Delaunay_triangulation_vertex_base_2<Kernel>;
 using Face_base = CGAL::Triangulation_face_base_with_info_2<long, Kernel>; // drops
 using Tds = CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>;
 
+//! [visitor]
 // Shares the drops of the two faces of a flip. Those of faces that go are spare, until other faces
 // come.
 class Paint_visitor : public CGAL::Delaunay_update_visitor_base_2
@@ -61,6 +62,7 @@ private:
 using Dynamic_triangulation =
     CGAL::Dynamic_Delaunay_triangulation_2<Kernel, CGAL::Circumcircle_classifier_2, CGAL::Default,
                                            Tds, CGAL::Default, Paint_visitor>;
+//! [visitor]
 
 int main()
 {
