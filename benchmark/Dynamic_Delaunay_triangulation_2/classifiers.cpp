@@ -41,6 +41,7 @@
 #include "classifiers/Recorded_scenario.h"
 #include "run/Number_argument.h"
 #include "scenario/Open_motion.h"
+#include "scenario/Scenario_directory.h"
 #include "speed/Benchmark_options.h"
 #include "speed/Case_list.h"
 #include "speed/Speed_table_reporter.h"
@@ -49,7 +50,6 @@
 
 #include <cstddef>
 #include <exception>
-#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -176,8 +176,7 @@ Kept_recording::Make maker(const std::string& name, std::size_t frames,
                            const scenario::Overrides& overrides = {})
 {
   return [=] {
-    const auto path = std::filesystem::path(SCENARIOS_DIR) / (name + ".json");
-    return record(*scenario::open_motion(path.string(), overrides), frames);
+    return record(*scenario::open_motion(scenario::scenario_file(name), overrides), frames);
   };
 }
 

@@ -25,6 +25,7 @@
 #include "peers/Peers_run.h"
 #include "peers/Peers_table.h"
 #include "peers/Qhull_peer.h"
+#include "results/Command.h"
 #include "run/Progress_display.h"
 
 #include <CGAL/version.h>
@@ -101,22 +102,13 @@ void run_peers(const Peers_options& options, const std::string& command)
   std::cerr << "CSV: " << path << '\n';
 }
 
-std::string command_of(int argc, char** argv)
-{
-  std::string command = "./dev bench peers";
-  for (int i = 1; i < argc; ++i) {
-    command += std::string(" ") + argv[i];
-  }
-  return command;
-}
-
 } // namespace
 
 int main(int argc, char** argv)
 {
   CLI::App app("", "peers");
   try {
-    run_peers(parse_options(app, argc, argv), command_of(argc, argv));
+    run_peers(parse_options(app, argc, argv), results::command_of("peers", argc, argv));
     return 0;
   } catch (const CLI::ParseError& error) { // or help
     return app.exit(error);

@@ -24,6 +24,7 @@
 // A trial ends with its first fault. What kills the program, or takes it too long, is named with
 // the trial. The program ends with success only if there are no faults.
 
+#include "results/Command.h"
 #include "robustness/Robustness_options.h"
 #include "robustness/Robustness_run.h"
 #include "robustness/Robustness_table.h"
@@ -102,22 +103,14 @@ bool run_robustness(const Robustness_options& options, const std::string& comman
   return !total.has_faults();
 }
 
-std::string command_of(int argc, char** argv)
-{
-  std::string command = "./dev bench robustness";
-  for (int i = 1; i < argc; ++i) {
-    command += std::string(" ") + argv[i];
-  }
-  return command;
-}
-
 } // namespace
 
 int main(int argc, char** argv)
 {
   CLI::App app("", "robustness");
   try {
-    return run_robustness(parse_options(app, argc, argv), command_of(argc, argv)) ? 0 : 1;
+    const std::string command = results::command_of("robustness", argc, argv);
+    return run_robustness(parse_options(app, argc, argv), command) ? 0 : 1;
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const std::exception& error) {

@@ -30,6 +30,7 @@
 
 #include "scenario/Open_motion.h"
 #include "scenario/Recordings.h"
+#include "scenario/Scenario_directory.h"
 #include "speed/Case_list.h"
 #include "speed/Change_cases.h"
 #include "speed/Heap_cases.h"
@@ -95,8 +96,7 @@ constexpr std::size_t most_points = 1'000'000;
 std::unique_ptr<scenario::Motion> open(const std::string& name,
                                        const scenario::Overrides& overrides)
 {
-  return scenario::open_motion((std::filesystem::path(SCENARIOS_DIR) / (name + ".json")).string(),
-                               overrides);
+  return scenario::open_motion(scenario::scenario_file(name), overrides);
 }
 
 void add_scenario(Case_list& cases, const Table& table, const std::string& name,

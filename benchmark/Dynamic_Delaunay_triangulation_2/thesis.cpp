@@ -103,7 +103,8 @@ void run_experiments(const Settings& settings)
   using Clock = std::chrono::steady_clock;
   const std::vector<Planned_experiment> planned = plan(settings);
   const double seconds = seconds_of(planned);
-  std::cout << "About " << std::ceil(seconds / 60.0) << " minutes\n" << std::flush;
+  const double minutes = std::ceil(seconds / 60.0);
+  std::cout << "About " << minutes << (minutes == 1.0 ? " minute\n" : " minutes\n") << std::flush;
   std::filesystem::create_directories(settings.output);
   double done = 0.0;
   for (const Planned_experiment& one : planned) {

@@ -8,11 +8,13 @@
 #include "run/Any_policy.h"
 #include "run/Any_repair.h"
 #include "run/Engine_choice.h"
-#include "run/Extended_xyz_log.h"
+#include "run/Extended_xyz_format.h"
 #include "run/Frame_choice.h"
 #include "run/Frame_log.h"
-#include "run/Lammps_log.h"
+#include "run/Lammps_format.h"
+#include "run/Output_file.h"
 #include "run/Picture_series.h"
+#include "run/Point_log.h"
 #include "run/Progress_display.h"
 #include "run/Run_options.h"
 #include "run/Run_report.h"
@@ -25,6 +27,7 @@
 #include "scenario/Open_motion.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <exception>
 #include <iostream>
 #include <memory>
@@ -124,8 +127,8 @@ private:
   std::optional<run::Frame_log> m_log;
   std::optional<run::Picture_series> m_pictures;
   std::optional<run::Vtk_series> m_grids;
-  std::optional<run::Extended_xyz_log> m_xyz;
-  std::optional<run::Lammps_log> m_lammps;
+  std::optional<run::Point_log<run::Extended_xyz_format>> m_xyz;
+  std::optional<run::Point_log<run::Lammps_format>> m_lammps;
   run::Progress_display m_progress;
 };
 

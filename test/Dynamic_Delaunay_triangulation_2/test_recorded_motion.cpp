@@ -73,13 +73,20 @@ void expect_everybody(const Population& population, const Tracks& tracks)
 
 class Recorded_motion : public testing::TestWithParam<std::string>
 {
+protected:
+  // Recordings may be missing with their directory; a directory that holds none is a mistake.
+  void SetUp() override
+  {
+    if (GetParam().empty()) {
+      ASSERT_FALSE(std::filesystem::is_directory(scenario::recordings_directory()))
+          << scenario::no_recordings_message();
+      GTEST_SKIP() << scenario::no_recordings_message();
+    }
+  }
 };
 
 TEST_P(Recorded_motion, is_followed_exactly_on_every_frame_with_its_whole_population)
 {
-  if (GetParam().empty()) {
-    GTEST_SKIP() << scenario::no_recordings_message();
-  }
   // A comparison with a fresh triangulation is dear: so many frames of each recording get one.
   constexpr std::size_t comparisons = 40;
   const auto motion = scenario::open_motion(GetParam());
@@ -129,9 +136,6 @@ void follow(const std::string& path, const Classifier& classifier)
 
 TEST_P(Recorded_motion, keeps_a_valid_structure_under_absurd_heuristics)
 {
-  if (GetParam().empty()) {
-    GTEST_SKIP() << scenario::no_recordings_message();
-  }
   ASSERT_NO_FATAL_FAILURE(follow(GetParam(), CGAL::Point_distance_classifier_2(0)));
   ASSERT_NO_FATAL_FAILURE(follow(GetParam(), CGAL::Inflation_aware_classifier_2(0)));
   ASSERT_NO_FATAL_FAILURE(follow(GetParam(), CGAL::Random_classifier_2(0.01, 1)));

@@ -3,6 +3,7 @@
 
 #include "scenario/Open_motion.h"
 #include "scenario/Recordings.h"
+#include "scenario/Scenario_directory.h"
 #include "scenario/Static_neighbors.h"
 #include "temporary_files.h"
 
@@ -24,11 +25,6 @@
 namespace {
 
 using namespace scenario;
-
-std::string scenario_path(const std::string& name)
-{
-  return std::string(SCENARIOS_DIR) + "/" + name + ".json";
-}
 
 const std::vector<std::string>& scenario_names()
 {
@@ -80,7 +76,7 @@ Overrides with_points(std::size_t points)
 std::unique_ptr<Particle_motion> open_particles(const std::string& name,
                                                 const Overrides& overrides = {})
 {
-  const Scenario_description description = read_scenario_file(scenario_path(name));
+  const Scenario_description description = read_scenario_file(scenario_file(name));
   return make_motion(description, std::get<Particle_description>(description.kind), overrides);
 }
 
@@ -195,32 +191,32 @@ const char* const small_hard_body = R"({
 
 TEST(Scenarios, have_the_number_of_points_of_the_thesis)
 {
-  EXPECT_EQ(open_motion(scenario_path("dam_break"))->points().size(), 1008u);
-  EXPECT_EQ(open_motion(scenario_path("spinning"))->points().size(), 800u);
-  EXPECT_EQ(open_motion(scenario_path("explosion"))->points().size(), 968u);
-  EXPECT_EQ(open_motion(scenario_path("static"))->points().size(), 1024u);
-  EXPECT_EQ(open_motion(scenario_path("brownian"))->points().size(), 10000u);
+  EXPECT_EQ(open_motion(scenario_file("dam_break"))->points().size(), 1008u);
+  EXPECT_EQ(open_motion(scenario_file("spinning"))->points().size(), 800u);
+  EXPECT_EQ(open_motion(scenario_file("explosion"))->points().size(), 968u);
+  EXPECT_EQ(open_motion(scenario_file("static"))->points().size(), 1024u);
+  EXPECT_EQ(open_motion(scenario_file("brownian"))->points().size(), 10000u);
 }
 
 TEST(Scenarios, have_the_same_number_of_points_in_hexagonal_packing)
 {
-  EXPECT_EQ(open_motion(scenario_path("dam_break_hexagonal"))->points().size(), 1008u);
-  EXPECT_EQ(open_motion(scenario_path("spinning_hexagonal"))->points().size(), 800u);
-  EXPECT_EQ(open_motion(scenario_path("explosion_hexagonal"))->points().size(), 968u);
-  EXPECT_EQ(open_motion(scenario_path("static_hexagonal"))->points().size(), 1024u);
+  EXPECT_EQ(open_motion(scenario_file("dam_break_hexagonal"))->points().size(), 1008u);
+  EXPECT_EQ(open_motion(scenario_file("spinning_hexagonal"))->points().size(), 800u);
+  EXPECT_EQ(open_motion(scenario_file("explosion_hexagonal"))->points().size(), 968u);
+  EXPECT_EQ(open_motion(scenario_file("static_hexagonal"))->points().size(), 1024u);
 }
 
 TEST(Scenarios, are_named_after_their_files)
 {
   for (const std::string& name : scenario_names()) {
-    EXPECT_EQ(open_motion(scenario_path(name))->name(), name);
+    EXPECT_EQ(open_motion(scenario_file(name))->name(), name);
   }
 }
 
 TEST(Scenarios, run_below_their_largest_stable_time_step)
 {
   for (const std::string& name : scenario_names()) {
-    const auto motion = open_motion(scenario_path(name));
+    const auto motion = open_motion(scenario_file(name));
     ASSERT_TRUE(motion->time_step()) << name;
     if (motion->uses_neighbors()) {
       ASSERT_TRUE(motion->largest_stable_time_step()) << name;
@@ -233,7 +229,7 @@ TEST(Scenarios, scale_to_exactly_the_number_of_points_asked_for)
 {
   for (const std::string& name : scenario_names()) {
     for (const std::size_t points : {1u, 2u, 3u, 4u, 5u, 7u, 10u, 97u, 1000u, 1009u, 100000u}) {
-      const auto motion = open_motion(scenario_path(name), with_points(points));
+      const auto motion = open_motion(scenario_file(name), with_points(points));
       EXPECT_EQ(motion->points().size(), points) << name;
       EXPECT_EQ(motion->ids().size(), points) << name;
       EXPECT_TRUE(std::is_sorted(motion->ids().begin(), motion->ids().end())) << name;
@@ -245,7 +241,7 @@ TEST(Scenarios, run_with_very_few_points)
 {
   for (const std::string& name : scenario_names()) {
     for (const std::size_t points : {1u, 2u, 3u, 5u}) {
-      const auto motion = open_motion(scenario_path(name), with_points(points));
+      const auto motion = open_motion(scenario_file(name), with_points(points));
       Static_neighbors neighbors;
       for (int frame = 0; frame != 200; ++frame) {
         EXPECT_TRUE(motion->advance(neighbors(motion->points())));
@@ -257,7 +253,7 @@ TEST(Scenarios, run_with_very_few_points)
 
 TEST(Scenarios, keep_their_shape_when_scaled)
 {
-  const auto motion = open_motion(scenario_path("dam_break"), with_points(100 * 1008));
+  const auto motion = open_motion(scenario_file("dam_break"), with_points(100 * 1008));
   double right = 0.0;
   double top = 0.0;
   for (const Point& point : motion->points()) {
@@ -270,7 +266,7 @@ TEST(Scenarios, keep_their_shape_when_scaled)
 
 TEST(Scenarios, keep_the_pressure_at_the_bottom_when_scaled)
 {
-  const Scenario_description description = read_scenario_file(scenario_path("dam_break"));
+  const Scenario_description description = read_scenario_file(scenario_file("dam_break"));
   const auto& particles = std::get<Particle_description>(description.kind);
   const Scaled_scenario scaled = scaled_to(particles, 100 * 1008);
   EXPECT_DOUBLE_EQ(scaled.gravity, particles.gravity / 10.0);
@@ -280,8 +276,8 @@ TEST(Scenarios, keep_the_pressure_at_the_bottom_when_scaled)
 TEST(Scenarios, move_alike_with_the_same_seed)
 {
   for (const std::string& name : scenario_names()) {
-    const auto one = open_motion(scenario_path(name));
-    const auto other = open_motion(scenario_path(name));
+    const auto one = open_motion(scenario_file(name));
+    const auto other = open_motion(scenario_file(name));
     Static_neighbors neighbors_of_one;
     Static_neighbors neighbors_of_other;
     for (int frame = 0; frame != 50; ++frame) {
@@ -298,15 +294,15 @@ TEST(Scenarios, move_differently_with_another_seed)
   Overrides overrides;
   overrides.seed = 7;
   for (const std::string& name : scenario_names()) {
-    const auto one = open_motion(scenario_path(name));
-    const auto other = open_motion(scenario_path(name), overrides);
+    const auto one = open_motion(scenario_file(name));
+    const auto other = open_motion(scenario_file(name), overrides);
     EXPECT_FALSE(same_places(one->points(), other->points())) << name;
   }
 }
 
 TEST(Scenarios, start_with_a_very_small_jitter)
 {
-  const auto motion = open_motion(scenario_path("static"));
+  const auto motion = open_motion(scenario_file("static"));
   const Point& first = motion->points()[0];
   EXPECT_NE(first.x, 0.5);
   EXPECT_NEAR(first.x, 0.5, 0.001);
@@ -329,7 +325,7 @@ TEST(Scenarios, take_another_packing_on_demand)
 {
   Overrides overrides;
   overrides.packing = Packing::hexagonal;
-  const auto motion = open_motion(scenario_path("static"), overrides);
+  const auto motion = open_motion(scenario_file("static"), overrides);
   EXPECT_NEAR(motion->points()[32].x, 1.0, 0.001);
   EXPECT_NEAR(motion->points()[32].y, 0.5 + std::sqrt(0.75), 0.001);
 }
@@ -338,7 +334,7 @@ TEST(Scenarios, go_through_less_time_with_a_smaller_time_step)
 {
   Overrides overrides;
   overrides.time_step = 0.1;
-  const auto motion = open_motion(scenario_path("spinning"), overrides);
+  const auto motion = open_motion(scenario_file("spinning"), overrides);
   motion->advance({});
   EXPECT_DOUBLE_EQ(motion->time(), 0.1);
   EXPECT_DOUBLE_EQ(*motion->time_step(), 0.1);
@@ -646,7 +642,7 @@ TEST(Brownian_motion, stays_in_its_box_and_takes_steps_of_the_size_asked_for)
 {
   Overrides overrides;
   overrides.time_step = 0.1;
-  const auto motion = open_motion(scenario_path("brownian"), overrides);
+  const auto motion = open_motion(scenario_file("brownian"), overrides);
   const std::vector<Point> first = motion->points();
   motion->advance({});
   double sum = 0.0;
@@ -664,7 +660,7 @@ TEST(Brownian_motion, stays_in_its_box_with_huge_steps)
   Overrides overrides;
   overrides.time_step = 10.0;
   overrides.points = 10;
-  const auto motion = open_motion(scenario_path("brownian"), overrides);
+  const auto motion = open_motion(scenario_file("brownian"), overrides);
   for (int frame = 0; frame != 100; ++frame) {
     motion->advance({});
     for (const Point& point : motion->points()) {
@@ -839,7 +835,7 @@ TEST(Scenario_file, that_ends_too_early_is_refused_with_line_and_column)
 
 TEST(Overrides, out_of_range_are_refused)
 {
-  const std::string path = scenario_path("dam_break");
+  const std::string path = scenario_file("dam_break");
   expect_words(error_of(path, with_points(0)), {"0 points", "allowed are 1 to 10000000"});
   expect_words(error_of(path, with_points(most_points + 1)), {"10000001 points"});
   for (const double time_step : {0.0, -1.0, 11.0, std::nan("")}) {
@@ -853,7 +849,7 @@ TEST(Overrides, are_refused_where_they_mean_nothing)
 {
   Overrides overrides;
   overrides.packing = Packing::square;
-  expect_words(error_of(scenario_path("brownian"), overrides), {"packing"});
+  expect_words(error_of(scenario_file("brownian"), overrides), {"packing"});
   const std::string path = write_file("recorded.csv", "frame,time,id,x,y\n0,0,1,2,3\n");
   expect_words(error_of(path, overrides), {"is a recording"});
   expect_words(error_of(path, with_points(3)), {"is a recording"});

@@ -5,6 +5,7 @@
 #define CLASSIFIERS_RECORDED_SCENARIO_H
 
 #include "run/Kernel.h"
+#include "run/Neighbor_reader.h"
 #include "scenario/Motion.h"
 #include "scenario/Random_source.h"
 
@@ -12,7 +13,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace classifiers {
@@ -28,13 +28,9 @@ inline Recorded_frames record(scenario::Motion& motion, std::size_t frames)
   using Exact = CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel>;
   Recorded_frames recording = {motion.points()};
   Exact triangulation(recording.front().begin(), recording.front().end(), run::Point_map());
-  scenario::Neighbor_edges neighbors;
+  run::Neighbor_reader neighbors;
   while (recording.size() <= frames) {
-    neighbors.clear();
-    triangulation.for_each_edge([&](std::size_t i, std::size_t j) {
-      neighbors.emplace_back(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
-    });
-    if (!motion.advance(neighbors)) {
+    if (!motion.advance(neighbors(motion, triangulation))) {
       break;
     }
     recording.push_back(motion.points());

@@ -4,9 +4,12 @@
 #ifndef PEERS_CGAL_MOVE_PEER_H
 #define PEERS_CGAL_MOVE_PEER_H
 
+#include "Grid_points.h"
 #include "Peer.h"
+#include "Peer_output.h"
+#include "run/Kernel.h"
 #include "run/Stopwatch.h"
-#include "Spatial_order.h"
+#include "scenario/Spatial_order.h"
 
 #include <CGAL/Unique_hash_map.h>
 
@@ -40,7 +43,7 @@ public:
     for (const Point& point : frame.points) {
       m_vertices.push_back(vertex_at.at(point));
     }
-    m_order = spatial_order(frame.points);
+    scenario::find_spatial_order(frame.points, m_order);
   }
 
   void prepare(const Grid_points& frame) override
@@ -49,7 +52,7 @@ public:
     for (const std::size_t id : m_order) {
       m_moves.push_back({m_vertices[id], frame.points[id]});
     }
-    m_order = spatial_order(frame.points); // for the next frame
+    scenario::find_spatial_order(frame.points, m_order); // for the next frame
   }
 
   double triangulate() override

@@ -4,11 +4,14 @@
 #ifndef PEERS_CGAL_ORDERED_PEER_H
 #define PEERS_CGAL_ORDERED_PEER_H
 
+#include "../speed/Insertion_in_rounds.h"
+#include "Grid_points.h"
 #include "Peer.h"
+#include "Peer_output.h"
+#include "run/Kernel.h"
 #include "run/Stopwatch.h"
-#include "Spatial_order.h"
+#include "scenario/Spatial_order.h"
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulation_2.h>
 #include <CGAL/hilbert_sort.h>
 
 #include <cstddef>
@@ -30,7 +33,10 @@ public:
   {
   }
 
-  void start(const Grid_points& frame) override { m_order = spatial_order(frame.points); }
+  void start(const Grid_points& frame) override
+  {
+    scenario::find_spatial_order(frame.points, m_order);
+  }
 
   void prepare(const Grid_points& frame) override
   {
@@ -40,7 +46,7 @@ public:
       m_points.push_back(frame.points[id]);
     }
     if (!m_sorts) {
-      m_order = spatial_order(frame.points); // for the next frame
+      scenario::find_spatial_order(frame.points, m_order); // for the next frame
     }
   }
 
@@ -50,21 +56,13 @@ public:
       if (m_sorts) {
         CGAL::hilbert_sort(m_points.begin(), m_points.end(), CGAL::Hilbert_sort_middle_policy());
       }
-      insert_in_rounds(m_triangulation.emplace());
+      speed::insert_in_rounds(m_points, m_triangulation.emplace());
     });
   }
 
   void write(Peer_output& output) const override { output.add(*m_triangulation); }
 
 private:
-  void insert_in_rounds(run::Static_triangulation& triangulation) const
-  {
-    run::Static_triangulation::Face_handle hint;
-    CGAL::Dynamic_Delaunay_triangulations_2::internal::for_each_in_rounds(
-        m_points.size(),
-        [&](std::size_t i) { hint = triangulation.insert(m_points[i], hint)->face(); });
-  }
-
   bool m_sorts;
   std::vector<std::size_t> m_order;
   Points m_points;

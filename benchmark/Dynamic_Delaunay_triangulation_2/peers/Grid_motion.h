@@ -7,13 +7,12 @@
 #include "Grid.h"
 #include "Grid_points.h"
 #include "run/Kernel.h"
+#include "run/Neighbor_reader.h"
 #include "scenario/Motion.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 
-#include <cstdint>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -30,7 +29,7 @@ public:
   {
     if (m_motion->uses_neighbors()) {
       const auto& points = m_motion->points();
-      m_driver.emplace(points.begin(), points.end(), run::Point_map());
+      m_driver = Driver(points.begin(), points.end(), run::Point_map());
     }
   }
 
@@ -42,32 +41,23 @@ public:
 
   void advance()
   {
-    if (!m_motion->advance(neighbors())) {
+    if (!m_motion->advance(m_neighbors(*m_motion, m_driver))) {
       throw std::runtime_error("the motion has come to its end");
     }
-    if (m_driver) {
+    if (m_motion->uses_neighbors()) {
       const auto& points = m_motion->points();
-      m_driver->update(points.begin(), points.end(), run::Point_map());
+      m_driver.update(points.begin(), points.end(), run::Point_map());
     }
   }
 
 private:
-  const scenario::Neighbor_edges& neighbors()
-  {
-    m_neighbors.clear();
-    if (m_driver) {
-      m_driver->for_each_edge([this](std::size_t i, std::size_t j) {
-        m_neighbors.emplace_back(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
-      });
-    }
-    return m_neighbors;
-  }
+  using Driver = CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel>;
 
   std::unique_ptr<scenario::Motion> m_motion;
   Grid m_grid;
   Grid_points m_snapped;
-  std::optional<CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel>> m_driver;
-  scenario::Neighbor_edges m_neighbors;
+  Driver m_driver; // empty where nobody asks
+  run::Neighbor_reader m_neighbors;
 };
 
 } // namespace peers

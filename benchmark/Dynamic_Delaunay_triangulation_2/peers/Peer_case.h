@@ -8,11 +8,11 @@
 #include "Grid_motion.h"
 #include "Peers_options.h"
 #include "scenario/Open_motion.h"
+#include "scenario/Scenario_directory.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -46,8 +46,7 @@ inline std::unique_ptr<scenario::Motion> open_scenario(const std::string& name, 
   scenario::Overrides overrides;
   overrides.points = points;
   overrides.time_step = time_step;
-  const auto path = std::filesystem::path(SCENARIOS_DIR) / (name + ".json");
-  return scenario::open_motion(path.string(), overrides);
+  return scenario::open_motion(scenario::scenario_file(name), overrides);
 }
 
 // How many frames of how many points can be waited for, as multiples of the number of peers where

@@ -6,6 +6,7 @@
 
 #include "Phase_marks.h"
 #include "run/Kept_triangulation.h"
+#include "run/Neighbor_reader.h"
 #include "run/Stopwatch.h"
 #include "scenario/Motion.h"
 #include "Speed_record.h"
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -84,7 +84,7 @@ private:
 
   bool go_on()
   {
-    if (!m_motion.advance(neighbors())) {
+    if (!m_motion.advance(m_neighbors(m_motion, m_kept->triangulation()))) {
       return false;
     }
     const std::size_t frame = m_record.frame.frame + 1;
@@ -95,17 +95,6 @@ private:
     m_record.frame.population_changed = m_motion.population_changed();
     check_coordinates();
     return true;
-  }
-
-  const scenario::Neighbor_edges& neighbors()
-  {
-    m_neighbors.clear();
-    if (m_motion.uses_neighbors()) {
-      m_kept->triangulation().for_each_edge([this](std::size_t i, std::size_t j) {
-        m_neighbors.emplace_back(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
-      });
-    }
-    return m_neighbors;
   }
 
   // The order rotates: whoever comes first warms the caches for the others.
@@ -163,7 +152,7 @@ private:
   Phase_marks m_marks;
   std::optional<run::Kept_triangulation<Dynamic>> m_kept;
   Opponents m_opponents;
-  scenario::Neighbor_edges m_neighbors;
+  run::Neighbor_reader m_neighbors;
   Speed_record m_record;
 };
 

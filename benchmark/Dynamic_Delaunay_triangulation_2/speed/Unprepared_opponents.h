@@ -4,14 +4,14 @@
 #ifndef SPEED_UNPREPARED_OPPONENTS_H
 #define SPEED_UNPREPARED_OPPONENTS_H
 
+#include "Insertion_in_rounds.h"
 #include "run/Kernel.h"
 #include "run/Static_opponents.h"
 #include "run/Stopwatch.h"
+#include "scenario/Motion.h"
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulation_2.h>
 #include <CGAL/hilbert_sort.h>
 
-#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -40,21 +40,13 @@ public:
   {
     return run::nanoseconds_of([this] {
       CGAL::hilbert_sort(m_points.begin(), m_points.end(), CGAL::Hilbert_sort_middle_policy());
-      insert_in_rounds(m_sorted.emplace());
+      insert_in_rounds(m_points, m_sorted.emplace());
     });
   }
 
   const run::Static_triangulation& reference() const { return m_opponents.reference(); }
 
 private:
-  void insert_in_rounds(run::Static_triangulation& triangulation) const
-  {
-    run::Static_triangulation::Face_handle hint;
-    CGAL::Dynamic_Delaunay_triangulations_2::internal::for_each_in_rounds(
-        m_points.size(),
-        [&](std::size_t i) { hint = triangulation.insert(m_points[i], hint)->face(); });
-  }
-
   run::Static_opponents m_opponents;
   std::vector<run::Kernel::Point_2> m_points;
   std::optional<run::Static_triangulation> m_sorted;

@@ -6,71 +6,79 @@
 
 #include "../classifiers/Classifier_figures.h"
 #include "../classifiers/Classifier_run.h"
+#include "../classifiers/Recorded_scenario.h"
 #include "../results/Csv_file.h"
-#include "Experiment.h"
-#include "Frame_experiment.h"
 #include "Mean_and_extremes.h"
+#include "Method_name.h"
+#include "Repeated_experiment.h"
 #include "Settings.h"
+#include "Trial.h"
 
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <list>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace thesis {
 
+// What of the columns of `./dev bench classifiers` is kept; its source explains them.
+inline const std::vector<std::string>& classification_columns()
+{
+  static const std::vector<std::string> names = {"TP",    "FP", "FN", "precision", "recall", "FDR",
+                                                 "edges", "CC", "TC", "MCC_mean",  "MCC_min"};
+  return names;
+}
+
+// A scenario, and what came out of each method on it.
+struct Scenario_rows
+{
+  struct Row
+  {
+    Method method;
+    std::vector<Mean_and_extremes> values =
+        std::vector<Mean_and_extremes>(classification_columns().size());
+  };
+
+  std::string scenario;
+  std::vector<Row> rows;
+};
+
 // How well classifiers find what the motion broke, held against the truth by exact predicates: all
 // follow the same motion, which an exact triangulation drives.
-class Classification_experiment : public Experiment
+class Classification_experiment : public Repeated_experiment<Scenario_rows>
 {
 public:
   Classification_experiment(std::string name, const Settings& settings, std::size_t usual_trials,
                             std::size_t frames)
-    : Experiment(std::move(name))
-    , m_trials(settings.number_of_trials(usual_trials))
-    , m_first_seed(settings.seed)
+    : Repeated_experiment(std::move(name), settings, usual_trials)
     , m_frames(frames)
   {
   }
 
   void add(const std::string& scenario, const std::vector<Method>& methods)
   {
-    m_scenarios.push_back({scenario, {}});
+    Scenario_rows rows{scenario, {}};
     for (const Method& method : methods) {
-      m_scenarios.back().rows.push_back({method, {}});
+      rows.rows.push_back({method});
     }
-  }
-
-  std::vector<Job> jobs() override
-  {
-    constexpr double seconds_per_frame = 1.1e-3;
-    std::vector<Job> jobs;
-    for (std::size_t trial = 0; trial != m_trials; ++trial) {
-      for (Scenario_rows& one : m_scenarios) {
-        jobs.push_back({static_cast<double>(m_frames * one.rows.size()) * seconds_per_frame,
-                        [this, &one, seed = m_first_seed + trial] { run(one, seed); }});
-      }
-    }
-    return jobs;
+    add_case(std::move(rows));
   }
 
   void write(const std::filesystem::path& directory,
              const std::vector<std::string>& remarks) const override
   {
     std::vector<std::string> columns = {"scenario", "method", "trials", "frames"};
-    for (const std::string& name : names()) {
+    for (const std::string& name : classification_columns()) {
       Mean_and_extremes::append_columns(name, columns);
     }
     results::Csv_file file(directory / (name() + ".csv"), remarks, columns);
-    for (const Scenario_rows& one : m_scenarios) {
-      for (const Row& row : one.rows) {
+    for (const Scenario_rows& one : cases()) {
+      for (const Scenario_rows::Row& row : one.rows) {
         std::vector<std::string> cells = {one.scenario, method_name(row.method),
-                                          results::csv_cell(m_trials), results::csv_cell(m_frames)};
+                                          results::csv_cell(number_of_trials()),
+                                          results::csv_cell(m_frames)};
         for (const Mean_and_extremes& value : row.values) {
           value.append_cells(cells);
         }
@@ -81,40 +89,25 @@ public:
   }
 
 private:
-  static constexpr std::size_t number_of_values = 11;
-
-  // Those of `./dev bench classifiers`, whose source explains them.
-  static std::array<std::string, number_of_values> names()
+  double seconds_of(const Scenario_rows& one) const override
   {
-    return {"TP",    "FP", "FN", "precision", "recall", "FDR",
-            "edges", "CC", "TC", "MCC_mean",  "MCC_min"};
+    constexpr double seconds_per_frame = 1.1e-3;
+    return static_cast<double>(m_frames * one.rows.size()) * seconds_per_frame;
   }
 
-  struct Row
-  {
-    Method method;
-    std::array<Mean_and_extremes, number_of_values> values;
-  };
-
-  struct Scenario_rows
-  {
-    std::string scenario;
-    std::vector<Row> rows;
-  };
-
-  void run(Scenario_rows& one, std::uint64_t seed) const
+  void run(Scenario_rows& one, std::uint64_t seed) const override
   {
     constexpr std::size_t stride = 5;
     const auto motion = open({one.scenario, {}, seed});
     const classifiers::Recorded_frames recording = classifiers::record(*motion, m_frames);
-    for (Row& row : one.rows) {
+    for (Scenario_rows::Row& row : one.rows) {
       Method method = row.method;
       method.seed = seed;
       const classifiers::Classifier_record record =
           classifiers::run_method(recording, method, 1, stride);
       const speed::Figures figures = classifiers::classifier_result(recording, record).figures;
-      for (std::size_t i = 0; i != number_of_values; ++i) {
-        const auto figure = figures.find(names()[i]);
+      for (std::size_t i = 0; i != row.values.size(); ++i) {
+        const auto figure = figures.find(classification_columns()[i]);
         if (figure != figures.end()) {
           row.values[i].add(figure->second);
         }
@@ -122,10 +115,7 @@ private:
     }
   }
 
-  std::size_t m_trials;
-  std::uint64_t m_first_seed;
   std::size_t m_frames;
-  std::list<Scenario_rows> m_scenarios; // they stay where they are
 };
 
 } // namespace thesis

@@ -8,8 +8,10 @@
 #include "Experiment.h"
 #include "Frame_experiment.h"
 #include "Most_points_experiment.h"
+#include "scenario/Scenario_directory.h"
 #include "scenario/Scenario_file.h"
 #include "Settings.h"
+#include "Trial.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,7 +90,7 @@ inline std::vector<Method> exact_and_point_distance()
 
 inline std::size_t frames_of(const std::string& scenario)
 {
-  return scenario::read_scenario_file(scenario_path(scenario)).frames;
+  return scenario::read_scenario_file(scenario::scenario_file(scenario)).frames;
 }
 
 inline std::vector<double> evenly_spaced(double last, std::size_t steps)
@@ -163,7 +165,7 @@ inline std::unique_ptr<Experiment> time_step(const Settings& settings)
   auto experiment = std::make_unique<Frame_experiment>("time_step", settings, trials_of(settings));
   for (const std::string& name : square_scenarios()) {
     const scenario::Scenario_description description =
-        scenario::read_scenario_file(scenario_path(name));
+        scenario::read_scenario_file(scenario::scenario_file(name));
     const auto& particles = std::get<scenario::Particle_description>(description.kind);
     const double duration = static_cast<double>(description.frames) * particles.time_step;
     std::vector<double> steps = {0.1, 0.3, *particles.largest_stable_time_step};

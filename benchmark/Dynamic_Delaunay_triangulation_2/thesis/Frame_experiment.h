@@ -5,69 +5,44 @@
 #define THESIS_FRAME_EXPERIMENT_H
 
 #include "../results/Csv_file.h"
-#include "Experiment.h"
 #include "Frame_case.h"
-#include "Settings.h"
+#include "Frame_statistics.h"
+#include "Mean_and_extremes.h"
+#include "Method_name.h"
+#include "Physics.h"
+#include "Repeated_experiment.h"
+#include "Trial.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <list>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace thesis {
 
-// "circumcircle", "circumcircle/splice", "circumcircle/hybrid": with repair and policy where they
-// are not the usual ones.
-inline std::string method_name(const Method& method)
-{
-  std::string name = method.classifier.text();
-  if (method.repair != run::usual_repair(method.classifier)) {
-    name += '/' + method.repair;
-  }
-  return method.policy.name == "always_dynamic" ? name : name + '/' + method.policy.name;
-}
-
 // Frames of scenarios, timed and compared. It writes NAME_summary.csv with a row for each case;
 // where cases have bins also NAME.csv with a row for each bin, and NAME_physics.csv.
-class Frame_experiment : public Experiment
+class Frame_experiment : public Repeated_experiment<Frame_case>
 {
 public:
-  Frame_experiment(std::string name, const Settings& settings, std::size_t usual_trials)
-    : Experiment(std::move(name))
-    , m_trials(settings.number_of_trials(usual_trials))
-    , m_first_seed(settings.seed)
-  {
-  }
+  using Repeated_experiment::Repeated_experiment;
 
-  void add(Trial trial, const Frame_plan& plan) { m_cases.emplace_back(std::move(trial), plan); }
-
-  // Trial by trial, not case by case: what the machine does beside falls on all cases.
-  std::vector<Job> jobs() override
-  {
-    std::vector<Job> jobs;
-    for (std::size_t trial = 0; trial != m_trials; ++trial) {
-      for (Frame_case& one : m_cases) {
-        jobs.push_back({seconds_of(one), [&one, seed = m_first_seed + trial] { one.run(seed); }});
-      }
-    }
-    return jobs;
-  }
+  void add(Trial trial, const Frame_plan& plan) { add_case({std::move(trial), plan}); }
 
   void write(const std::filesystem::path& directory,
              const std::vector<std::string>& remarks) const override
   {
     write_summary(directory / (name() + "_summary.csv"), remarks);
-    if (m_cases.front().plan().bins > 1) {
+    if (cases().front().plan().bins > 1) {
       write_bins(directory / (name() + ".csv"), remarks);
       write_physics(directory / (name() + "_physics.csv"), remarks);
     }
   }
 
 private:
-  static double seconds_of(const Frame_case& one)
+  double seconds_of(const Frame_case& one) const override
   {
     constexpr double follow = 1.0e-7, measure = 1.5e-6, compare = 2.5e-6; // a point
     const Frame_plan& plan = one.plan();
@@ -77,6 +52,8 @@ private:
     return points *
            (follow * static_cast<double>(plan.frames) + measure * samples + compare * compared);
   }
+
+  void run(Frame_case& one, std::uint64_t seed) const override { one.run(seed); }
 
   static std::vector<std::string> columns_of_case()
   {
@@ -102,7 +79,7 @@ private:
     append(columns, Frame_statistics::columns());
     append(columns, {"dynamic_mean", "classified", "flips", "rebuilt"});
     results::Csv_file file(path, remarks, columns);
-    for (const Frame_case& one : m_cases) {
+    for (const Frame_case& one : cases()) {
       std::vector<std::string> cells = cells_of(one);
       append(cells,
              {results::csv_cell(one.number_of_trials()), results::csv_cell(one.plan().frames)});
@@ -151,7 +128,7 @@ private:
   template <class Use>
   void for_each_bin(Use use) const
   {
-    for (const Frame_case& one : m_cases) {
+    for (const Frame_case& one : cases()) {
       for (std::size_t bin = 0; bin != one.bins().size(); ++bin) {
         std::vector<std::string> cells = cells_of(one);
         append(cells, {results::csv_cell(one.frame_of_bin(bin)),
@@ -160,10 +137,6 @@ private:
       }
     }
   }
-
-  std::size_t m_trials;
-  std::uint64_t m_first_seed;
-  std::list<Frame_case> m_cases; // they stay where they are
 };
 
 } // namespace thesis

@@ -5,10 +5,12 @@
 #define THESIS_MOST_POINTS_EXPERIMENT_H
 
 #include "../results/Csv_file.h"
-#include "Experiment.h"
-#include "Frame_experiment.h"
+#include "Method_name.h"
 #include "Most_points_search.h"
+#include "Repeated_experiment.h"
+#include "run/Frame_record.h"
 #include "run/Spread.h"
+#include "scenario/Scenario_description.h"
 #include "Settings.h"
 #include "Trial.h"
 
@@ -16,7 +18,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,16 +27,34 @@ namespace thesis {
 // Whose frames have to fit into the time.
 enum class Contestant { dynamic, static_insert, static_fastest };
 
+// Who is searched for, and what was found in each trial.
+struct Most_points_case
+{
+  Trial trial;
+  Contestant contestant;
+  std::vector<Frame_milliseconds> found;
+
+  std::string name() const
+  {
+    switch (contestant) {
+    case Contestant::static_insert:
+      return "static_insert";
+    case Contestant::static_fastest:
+      return "static_fastest";
+    default:
+      return method_name(trial.method);
+    }
+  }
+};
+
 // The largest number of points under 40 ms a frame (thesis, figure 5.11).
-class Most_points_experiment : public Experiment
+class Most_points_experiment : public Repeated_experiment<Most_points_case>
 {
 public:
   // `work`: points times frames that a try may follow; at least `least_frames`.
   Most_points_experiment(std::string name, const Settings& settings, std::size_t usual_trials,
                          std::size_t work)
-    : Experiment(std::move(name))
-    , m_trials(settings.number_of_trials(usual_trials))
-    , m_first_seed(settings.seed)
+    : Repeated_experiment(std::move(name), settings, usual_trials)
     , m_work(work)
   {
   }
@@ -43,19 +62,7 @@ public:
   void add(const std::string& scenario, const Method& method,
            Contestant contestant = Contestant::dynamic)
   {
-    m_cases.push_back({{scenario, method}, contestant, {}});
-  }
-
-  std::vector<Job> jobs() override
-  {
-    std::vector<Job> jobs;
-    for (std::size_t trial = 0; trial != m_trials; ++trial) {
-      for (Case& one : m_cases) {
-        const double seconds = 12.0 + 5.0e-7 * static_cast<double>(m_work);
-        jobs.push_back({seconds, [this, &one, seed = m_first_seed + trial] { find(one, seed); }});
-      }
-    }
-    return jobs;
+    add_case({{scenario, method}, contestant, {}});
   }
 
   void write(const std::filesystem::path& directory,
@@ -64,10 +71,10 @@ public:
     results::Csv_file file(
         directory / (name() + ".csv"), remarks,
         {"scenario", "method", "trial", "points", "upper_quartile_ms", "median_ms", "frames"});
-    for (const Case& one : m_cases) {
+    for (const Most_points_case& one : cases()) {
       for (std::size_t trial = 0; trial != one.found.size(); ++trial) {
         const Frame_milliseconds& times = one.found[trial];
-        file.write_row(one.trial.scenario, name_of(one), trial + 1, times.points,
+        file.write_row(one.trial.scenario, one.name(), trial + 1, times.points,
                        times.upper_quartile, times.median, times.frames);
       }
     }
@@ -75,27 +82,13 @@ public:
   }
 
 private:
-  struct Case
+  double seconds_of(const Most_points_case&) const override
   {
-    Trial trial;
-    Contestant contestant;
-    std::vector<Frame_milliseconds> found;
-  };
-
-  static std::string name_of(const Case& one)
-  {
-    switch (one.contestant) {
-    case Contestant::static_insert:
-      return "static_insert";
-    case Contestant::static_fastest:
-      return "static_fastest";
-    default:
-      return method_name(one.trial.method);
-    }
+    return 12.0 + 5.0e-7 * static_cast<double>(m_work);
   }
 
   // Trials after the first one begin where it ended.
-  void find(Case& one, std::uint64_t seed) const
+  void run(Most_points_case& one, std::uint64_t seed) const override
   {
     constexpr std::size_t first_try = 150'000, least_first_try = 1000;
     Trial trial = one.trial;
@@ -151,10 +144,7 @@ private:
     }
   }
 
-  std::size_t m_trials;
-  std::uint64_t m_first_seed;
   std::size_t m_work;
-  std::list<Case> m_cases; // they stay where they are
 };
 
 } // namespace thesis

@@ -4,6 +4,7 @@
 #ifndef THESIS_THESIS_OPTIONS_H
 #define THESIS_THESIS_OPTIONS_H
 
+#include "../results/Command.h"
 #include "Experiments.h"
 #include "scenario/Json_object_reader.h"
 #include "Settings.h"
@@ -24,26 +25,12 @@ inline std::vector<std::string> experiment_names()
   return names;
 }
 
-// What is asked for; where it is written does not matter.
-inline std::string command_of(int argc, const char* const* argv)
-{
-  std::string command = "./dev bench thesis";
-  for (int i = 1; i < argc; ++i) {
-    if (std::string(argv[i]) == "--output") {
-      ++i;
-    } else {
-      command += std::string(" ") + argv[i];
-    }
-  }
-  return command;
-}
-
 // \throws CLI::Success for --help, another CLI::ParseError for a mistake.
 inline Settings parse_settings(CLI::App& app, int argc, const char* const* argv)
 {
   Settings settings;
   settings.output = RESULTS_DIR "/thesis";
-  settings.command = command_of(argc, argv);
+  settings.command = results::command_of("thesis", argc, argv);
   app.description("Runs the experiments of the thesis, and those that it lacks.");
   app.add_flag("--quick", settings.is_quick, "fewer trials, scenarios and values: five minutes");
   app.add_option("--trials", settings.trials, "each with a jitter of its own; default 10")

@@ -7,10 +7,10 @@
 #include "../classifiers/Classifier_run.h"
 #include "run/Scenario_run.h"
 #include "scenario/Open_motion.h"
+#include "scenario/Scenario_directory.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,18 +30,13 @@ struct Trial
   std::optional<double> time_step{};
 };
 
-inline std::string scenario_path(const std::string& name)
-{
-  return (std::filesystem::path(SCENARIOS_DIR) / (name + ".json")).string();
-}
-
 inline std::unique_ptr<scenario::Motion> open(const Trial& trial)
 {
   scenario::Overrides overrides;
   overrides.points = trial.points;
   overrides.time_step = trial.time_step;
   overrides.seed = trial.seed;
-  return scenario::open_motion(scenario_path(trial.scenario), overrides);
+  return scenario::open_motion(scenario::scenario_file(trial.scenario), overrides);
 }
 
 // Calls `use(run)` with the run of the trial at its first frame.

@@ -36,11 +36,22 @@ OVER_TIME_FIGURES = {
 }
 
 
+def fill(axes, x, rows, low, high, colour, **options):
+    """A band from one column to another."""
+    axes.fill_between(x, numbers(rows, low), numbers(rows, high), color=colour, linewidth=0,
+                      **options)
+
+
 def band(axes, x, rows, name, colour, **options):
     """A line with its quartiles."""
     axes.plot(x, numbers(rows, name), color=colour, **options)
-    axes.fill_between(x, numbers(rows, name + "_q1"), numbers(rows, name + "_q3"), color=colour,
-                      alpha=0.2, linewidth=0)
+    fill(axes, x, rows, name + "_q1", name + "_q3", colour, alpha=0.2)
+
+
+def mean_and_extremes(axes, x, rows, name, colour, opacity=0.2, **options):
+    """A line with a band from the smallest to the largest."""
+    axes.plot(x, numbers(rows, name), color=colour, **options)
+    fill(axes, x, rows, name + "_min", name + "_max", colour, alpha=opacity)
 
 
 def parameter_of(method):
@@ -92,9 +103,8 @@ class Drawing:
                 last = float(rows[-1]["frame"])
                 x = [frame / last for frame in numbers(rows, "frame")]
                 label = SCENARIOS[scenario] if dashes == "-" else None
-                axes.plot(x, numbers(rows, "validity"), dashes, color=colour, label=label)
-                axes.fill_between(x, numbers(rows, "validity_min"), numbers(rows, "validity_max"),
-                                  color=colour, alpha=0.15, linewidth=0)
+                mean_and_extremes(axes, x, rows, "validity", colour, opacity=0.15,
+                                  linestyle=dashes, label=label)
         if len(methods) > 1:
             axes.set_title(" (lines), ".join(METHODS[method] for method in methods) + " (dots)")
         else:
@@ -145,9 +155,7 @@ class Drawing:
     @staticmethod
     def draw_by_parameter(axes, summary, scenario, methods, parameters):
         rows = [summary.select(scenario=scenario, method=method)[0] for method in methods]
-        axes.plot(parameters, numbers(rows, "validity"), color=COLOURS[2], label="validity")
-        axes.fill_between(parameters, numbers(rows, "validity_min"), numbers(rows, "validity_max"),
-                          color=COLOURS[2], alpha=0.2, linewidth=0)
+        mean_and_extremes(axes, parameters, rows, "validity", COLOURS[2], label="validity")
         axes.set_ylabel("validity", color=COLOURS[2])
         right = axes.twinx()
         band(right, parameters, rows, "over_fastest", COLOURS[1])
@@ -222,11 +230,8 @@ class Drawing:
             axes.set_title(SCENARIOS[scenario])
             axes.set_ylabel("speedup")
             axes.legend(loc="best")
-            panels[0].plot(steps, numbers(rows, "validity"), marker=".",
-                           color=SCENARIO_COLOURS[scenario], label=SCENARIOS[scenario])
-            panels[0].fill_between(steps, numbers(rows, "validity_min"),
-                                   numbers(rows, "validity_max"), alpha=0.15, linewidth=0,
-                                   color=SCENARIO_COLOURS[scenario])
+            mean_and_extremes(panels[0], steps, rows, "validity", SCENARIO_COLOURS[scenario],
+                              opacity=0.15, marker=".", label=SCENARIOS[scenario])
         panels[0].set_title("point distance 0.7")
         panels[0].set_ylabel("validity")
         plain_logarithmic(panels[0].xaxis)
@@ -247,9 +252,8 @@ class Drawing:
             figure, panels = new_figure(len(units), panel_height=1.9)
             rows = results.select(scenario=scenario, method=EXACT)
             for axes, (column, label) in zip(panels, units.items()):
-                axes.fill_between(numbers(rows, "frame"), numbers(rows, column + "_min"),
-                                  numbers(rows, column + "_max"), color=COLOURS[7], alpha=0.5,
-                                  linewidth=0, label="exact")
+                fill(axes, numbers(rows, "frame"), rows, column + "_min", column + "_max",
+                     COLOURS[7], alpha=0.5, label="exact")
                 for x, colour in [(0.2, COLOURS[1]), (0.4, COLOURS[5]), (0.6, COLOURS[3]),
                                   (0.8, COLOURS[2])]:
                     one = results.select(scenario=scenario, method=f"point_distance:{x}")
@@ -316,9 +320,7 @@ class Drawing:
         panels[0].set_title("Brownian motion, 10,000 points")
         rows = results.select(method="point_distance:0.7")
         steps = numbers(rows, "time_step")
-        panels[1].plot(steps, numbers(rows, "validity"), color=COLOURS[1], label="point distance 0.7")
-        panels[1].fill_between(steps, numbers(rows, "validity_min"), numbers(rows, "validity_max"),
-                               color=COLOURS[1], alpha=0.2, linewidth=0)
+        mean_and_extremes(panels[1], steps, rows, "validity", COLOURS[1], label="point distance 0.7")
         rows = results.select(method=EXACT)
         panels[1].plot(steps, numbers(rows, "validity"), color=COLOURS[0], label=METHODS[EXACT])
         panels[1].set_xscale("log")

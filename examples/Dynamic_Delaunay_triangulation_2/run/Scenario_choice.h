@@ -6,6 +6,7 @@
 
 #include "../scenario/Json_object_reader.h"
 #include "../scenario/Scenario_description.h"
+#include "../scenario/Scenario_directory.h"
 #include "../scenario/Scenario_file.h"
 #include "../scenario/Scenario_scaling.h"
 
@@ -44,7 +45,7 @@ inline std::string scenario_path(const std::string& name)
   }
   const auto names = scenario_names();
   if (std::find(names.begin(), names.end(), name) != names.end()) {
-    return (std::filesystem::path(SCENARIOS_DIR) / (name + ".json")).string();
+    return scenario::scenario_file(name);
   }
   throw std::runtime_error("there is no scenario and no file '" + name + "'; scenarios are " +
                            scenario::joined(names) +

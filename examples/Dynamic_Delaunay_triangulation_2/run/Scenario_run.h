@@ -9,6 +9,8 @@
 #include "Any_repair.h"
 #include "Frame_record.h"
 #include "Kept_triangulation.h"
+#include "Kernel.h"
+#include "Neighbor_reader.h"
 #include "Static_opponents.h"
 #include "Stopwatch.h"
 
@@ -105,24 +107,13 @@ private:
     }
   }
 
-  const scenario::Neighbor_edges& neighbors()
-  {
-    m_neighbors.clear();
-    if (m_motion.uses_neighbors()) {
-      triangulation().for_each_edge([this](std::size_t i, std::size_t j) {
-        m_neighbors.emplace_back(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
-      });
-    }
-    return m_neighbors;
-  }
-
   template <class Work>
   bool go_on(Work work)
   {
     ++m_record.frame;
     bool is_there = false;
     with_frame_in_message([&] {
-      is_there = m_motion.advance(neighbors());
+      is_there = m_motion.advance(m_neighbors(m_motion, triangulation()));
       if (is_there) {
         begin_frame();
         work();
@@ -190,7 +181,7 @@ private:
   scenario::Motion& m_motion;
   std::optional<Kept_triangulation<Dynamic>> m_kept;
   Static_opponents m_opponents;
-  scenario::Neighbor_edges m_neighbors;
+  Neighbor_reader m_neighbors;
   Frame_record m_record;
 };
 

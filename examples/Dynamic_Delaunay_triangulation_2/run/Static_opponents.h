@@ -4,15 +4,12 @@
 #ifndef RUN_STATIC_OPPONENTS_H
 #define RUN_STATIC_OPPONENTS_H
 
+#include "../scenario/Motion.h"
+#include "../scenario/Spatial_order.h"
 #include "Kernel.h"
 #include "Stopwatch.h"
 
-#include <CGAL/hilbert_sort.h>
-#include <CGAL/property_map.h>
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
-
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -62,15 +59,7 @@ public:
   const Static_triangulation& reference() const { return *m_insert; }
 
 private:
-  using Map = CGAL::Pointer_property_map<Kernel::Point_2>::const_type;
-
-  void sort()
-  {
-    m_order.resize(m_points.size());
-    std::iota(m_order.begin(), m_order.end(), std::size_t(0));
-    CGAL::hilbert_sort(m_order.begin(), m_order.end(),
-                       CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>(Map(m_points.data())));
-  }
+  void sort() { scenario::find_spatial_order(m_points, m_order); }
 
   // Along a Hilbert curve in rounds, every 8^k-th point first: that takes a fifth off the insertion
   // along the curve in one go, and is a little faster than the order of CGAL::spatial_sort().

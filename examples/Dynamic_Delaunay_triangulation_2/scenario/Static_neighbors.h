@@ -5,17 +5,14 @@
 #define SCENARIO_STATIC_NEIGHBORS_H
 
 #include "Motion.h"
+#include "Spatial_order.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/hilbert_sort.h>
-#include <CGAL/property_map.h>
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Triangulation_data_structure_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 namespace scenario {
@@ -46,7 +43,6 @@ private:
   using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
   using Data_structure = CGAL::Triangulation_data_structure_2<Vertex_base>;
   using Triangulation = CGAL::Delaunay_triangulation_2<Kernel, Data_structure>;
-  using Point_map = CGAL::Pointer_property_map<Kernel::Point_2>::const_type;
 
   void sort_along_curve(const std::vector<Point>& points)
   {
@@ -54,10 +50,7 @@ private:
     for (const Point& point : points) {
       places.emplace_back(point.x, point.y);
     }
-    m_order.resize(points.size());
-    std::iota(m_order.begin(), m_order.end(), std::size_t(0));
-    using Traits = CGAL::Spatial_sort_traits_adapter_2<Kernel, Point_map>;
-    CGAL::hilbert_sort(m_order.begin(), m_order.end(), Traits(Point_map(places.data())));
+    find_spatial_order(places, m_order);
   }
 
   // Coincident points share a vertex; an edge between them keeps them neighbors.
