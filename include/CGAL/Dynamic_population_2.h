@@ -60,9 +60,15 @@ public:
   /// \name Creation
   /// @{
 
+  /// a population without points, in a triangulation by default.
+  Dynamic_population_2()
+    : Dynamic_population_2(Dynamic())
+  {
+  }
+
   /// a population without points. \param triangulation with the classifier, repair, engines and
   /// policy to be used. \pre it has no points.
-  explicit Dynamic_population_2(Dynamic triangulation = Dynamic())
+  explicit Dynamic_population_2(Dynamic triangulation)
     : m_triangulation(std::move(triangulation))
   {
     CGAL_precondition(m_triangulation.number_of_points() == 0);
