@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -26,14 +27,17 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2
 
 The areas and perimeters of the points' Voronoi cells: whole, or clipped to a box. What a point has
-for itself, and so one over its local density.
+for itself, and so one over its local density. Of clipped cells the centroids, too, to which Lloyd's
+relaxation moves the points, again and again, until their cells are about alike.
 
-Areas are in the unit of the coordinates, squared, perimeters in the unit of the coordinates. Both
-are there for every id.
+Areas are in the unit of the coordinates, squared, perimeters and centroids in the unit of the
+coordinates. Each is there for every id.
 
 - Points that coincide share a cell. Each gets an equal share of its area, so that all areas still
-  add up, and the whole perimeter.
-- Ids that were removed have 0 for both.
+  add up, the whole perimeter, and the centroid of the whole.
+- A clipped cell without area has no centroid. The point itself stands in its place: a relaxation
+  leaves it where it is.
+- Ids that were removed have 0 for all of them.
 
 A `Dynamic_population_2` has its cells at `population.id(user_id)`.
 
@@ -55,7 +59,10 @@ neighbors, one after the other. That is the cell, since the cell is where the po
 any of its Delaunay neighbors. Nothing is divided by what may vanish: flat faces and points on a
 line need no case of their own. Two neighbors cut along one and the same line, rounding included, so
 no area gets lost, or is counted twice, between them. With \f$D\f$ the diameter of the box and all
-points whose cells reach into it, corners of cells have errors of about \f$10^{-16} D\f$.
+points whose cells reach into it, corners of cells have errors of about \f$10^{-16} D\f$. The
+centroid is a mean of places between these corners, with weights that are never negative: it stays
+between them, however thin the cell is. Where a cell is about as wide as it is long, the centroid is
+as right as its corners.
 
 Coordinates may be of any size as long as their squares are doubles.
 
@@ -63,11 +70,11 @@ An object keeps its memory: `compute()` allocates nothing if the triangulation h
 vertices before, and, for clipped cells, no cell had more corners than any before.
 
 \cgalExample{Dynamic_Delaunay_triangulation_2/crowd_densities.cpp}
+\cgalExample{Dynamic_Delaunay_triangulation_2/lloyd_relaxation.cpp}
 */
 class Voronoi_cell_measures_2
 {
   using Index = Dynamic_Delaunay_triangulations_2::Index;
-  using Position = Dynamic_Delaunay_triangulations_2::Position_2;
   template <class Dynamic>
   using Differences = Dynamic_Delaunay_triangulations_2::internal::Vertex_differences_2<Dynamic>;
   template <class Dynamic>
@@ -79,6 +86,8 @@ public:
 
   /// the type of ids.
   using size_type = std::size_t;
+  /// a place: two doubles, `x` and `y`.
+  using Position = Dynamic_Delaunay_triangulations_2::Position_2;
 
   /// @}
   /// \name Computation
@@ -86,7 +95,7 @@ public:
   /// @{
 
   /// measures the whole cells. Both measures of an unbounded cell are infinite: those of all points
-  /// on the hull, and of all points if these do not span the plane.
+  /// on the hull, and of all points if these do not span the plane. There are no centroids.
   ///
   /// Cost: linear, one pass over the faces. \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`.
   /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
@@ -103,7 +112,8 @@ public:
 
   /// measures the cells' parts in a box. Perimeters include what lies on the boundary of the box.
   /// Points may be outside of the box; a cell that does not reach into it has the area and the
-  /// perimeter 0. If there is a point, the areas add up to that of the box.
+  /// perimeter 0. If there is a point, the areas add up to that of the box, and the centroids,
+  /// weighted by areas, to its center.
   ///
   /// Cost: for each point that of the number of its neighbors times the number of its cell's
   /// corners. Both are six or less on average; only a point with very many neighbors costs more
@@ -117,8 +127,11 @@ public:
     check_extent("the width of the box", box.xmax() - box.xmin());
     check_extent("the height of the box", box.ymax() - box.ymin());
     start(dt);
+    m_centroids.reserve(dt.number_of_ids());
+    m_cell_centroids.resize(m_cells.size());
     clip_cells(dt, box);
     settle(dt.frame());
+    settle_centroids(dt.frame());
   }
 
   /// the same with a box of the kernel; its corners are rounded to doubles.
@@ -137,6 +150,8 @@ public:
   const std::vector<double>& areas() const { return m_areas; }
   /// the perimeter of each id.
   const std::vector<double>& perimeters() const { return m_perimeters; }
+  /// the centroid of each id, if the cells were clipped; nothing, if they were whole.
+  const std::vector<Position>& centroids() const { return m_centroids; }
 
   /// @}
 
@@ -160,6 +175,7 @@ private:
     dt.triangulation(); // throws unless it is certified
     m_areas.clear();
     m_perimeters.clear();
+    m_centroids.clear();
     m_areas.reserve(dt.number_of_ids());
     m_perimeters.reserve(dt.number_of_ids());
     m_cells.assign(dt.number_of_vertices() + 1, Cell());
@@ -175,6 +191,13 @@ private:
       m_areas.push_back(cell.area / cell.points);
       m_perimeters.push_back(cell.perimeter);
     }
+  }
+
+  template <class Frame>
+  void settle_centroids(const Frame& frame)
+  {
+    for (Index id = 0; id < frame.number_of_ids(); ++id)
+      m_centroids.push_back(frame.has_id(id) ? m_cell_centroids[frame.vertex(id)] : Position{0, 0});
   }
 
   // WHOLE CELLS ---------------------------------------------------------------------------------
@@ -265,7 +288,9 @@ private:
         const Position direction = vector(v, w);
         clip(direction, dot(direction, middle));
       });
-      measure(m_cells[v]);
+      const std::optional<Position> centroid = measure(m_cells[v]);
+      m_cell_centroids[v] =
+          centroid ? Position{center.x + centroid->x, center.y + centroid->y} : frame.position(v);
     }
   }
 
@@ -294,20 +319,36 @@ private:
     m_corners.swap(m_clipped);
   }
 
-  // Triangles from one corner on are as small as the cell is, wherever it may be.
-  void measure(Cell& cell) const
+  // By triangles from one corner on, which are as small as the cell is, wherever it may be. Returns
+  // the centroid, if there is one.
+  std::optional<Position> measure(Cell& cell) const
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
+    double weight = 0;
+    Position mean{0, 0}; // of the triangles' centroids, from that corner
     for (std::size_t i = 0; i < m_corners.size(); ++i) {
       const Position& p = m_corners[i];
       const Position& q = m_corners[i + 1 < m_corners.size() ? i + 1 : 0];
-      cell.area += cross(p - m_corners[0], q - m_corners[0]) / 2;
+      const Position u = p - m_corners[0], v = q - m_corners[0];
+      const double doubled_area = cross(u, v);
+      cell.area += doubled_area / 2;
       cell.perimeter += distance(p, q);
+      if (!(doubled_area > 0)) // rounding turns triangles of thin cells around
+        continue;
+      weight += doubled_area;
+      const double share = doubled_area / weight;
+      mean.x += share * ((u.x + v.x) / 3 - mean.x);
+      mean.y += share * ((u.y + v.y) / 3 - mean.y);
     }
+    if (weight == 0)
+      return std::nullopt;
+    return Position{m_corners[0].x + mean.x, m_corners[0].y + mean.y};
   }
 
   std::vector<double> m_areas, m_perimeters;
+  std::vector<Position> m_centroids;
   std::vector<Cell> m_cells;                  // of each vertex
+  std::vector<Position> m_cell_centroids;     // of each vertex, if cells are clipped
   std::vector<Position> m_corners, m_clipped; // of one cell, around it
 };
 

@@ -223,18 +223,25 @@ using Polygon = std::vector<Exact_point>;
 struct Cell
 {
   double area = infinity, perimeter = infinity;
+  std::optional<Exact_point> centroid{};
 };
 
 Cell measured(const Polygon& polygon)
 {
   Epeck::FT doubled_area = 0;
+  Epeck::Vector_2 moment(0, 0);
   double perimeter = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Exact_point &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-    doubled_area += p.x() * q.y() - p.y() * q.x();
+    const Epeck::FT cross = p.x() * q.y() - p.y() * q.x();
+    doubled_area += cross;
+    moment += cross * ((p - CGAL::ORIGIN) + (q - CGAL::ORIGIN));
     perimeter += std::sqrt(CGAL::to_double(CGAL::squared_distance(p, q)));
   }
-  return {CGAL::to_double(doubled_area) / 2, perimeter};
+  Cell cell{CGAL::to_double(doubled_area) / 2, perimeter};
+  if (doubled_area != 0)
+    cell.centroid = CGAL::ORIGIN + moment / (3 * doubled_area);
+  return cell;
 }
 
 template <class Point>
@@ -320,6 +327,29 @@ void expect_close(double value, double expected, double tolerance, std::size_t i
     ASSERT_NEAR(value, expected, tolerance * std::max(1.0, expected)) << "id " << id;
 }
 
+// To the last digit, which CGAL::to_double() does not promise for numbers that it has not computed.
+double rounded(const Epeck::FT& number)
+{
+  return CGAL::to_double(CGAL::exact(number));
+}
+
+// A cell without a centroid has its point there.
+template <class Dynamic>
+void expect_centroid(const Measures& measures, const Dynamic& dt, std::size_t id, const Cell& cell,
+                     double tolerance)
+{
+  const Measures::Position centroid = measures.centroids()[id];
+  if (!dt.has_id(id)) {
+    ASSERT_EQ(centroid.x, 0) << "id " << id;
+    ASSERT_EQ(centroid.y, 0) << "id " << id;
+    return;
+  }
+  const Exact_point expected = cell.centroid.value_or(exact(dt.point(id)));
+  const double error = cell.centroid ? tolerance : 0;
+  ASSERT_NEAR(centroid.x, rounded(expected.x()), error) << "id " << id;
+  ASSERT_NEAR(centroid.y, rounded(expected.y()), error) << "id " << id;
+}
+
 double sum(const std::vector<double>& numbers)
 {
   return std::accumulate(numbers.begin(), numbers.end(), 0.0);
@@ -333,6 +363,7 @@ TYPED_TEST(Simulation_helpers, whole_cells_are_the_polygons_of_the_circumcenters
     measures.compute(dt);
     ASSERT_EQ(measures.areas().size(), dt.number_of_ids());
     ASSERT_EQ(measures.perimeters().size(), dt.number_of_ids());
+    ASSERT_TRUE(measures.centroids().empty());
     const auto places = places_of(dt);
     for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
       Cell cell{0, 0};
@@ -356,6 +387,7 @@ TYPED_TEST(Simulation_helpers, clipped_cells_are_what_everybodys_bisectors_leave
     for (const CGAL::Bbox_2 box : {CGAL::Bbox_2(0, 0, 9, 9), CGAL::Bbox_2(2.5, 3, 4, 3.25),
                                    CGAL::Bbox_2(-80, -90, 70, 100), CGAL::Bbox_2(20, 30, 40, 50)}) {
       measures.compute(dt, box);
+      ASSERT_EQ(measures.centroids().size(), dt.number_of_ids());
       for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
         Cell cell{0, 0};
         double sharers = 1;
@@ -365,6 +397,7 @@ TYPED_TEST(Simulation_helpers, clipped_cells_are_what_everybodys_bisectors_leave
         }
         ASSERT_NO_FATAL_FAILURE(expect_close(measures.areas()[id], cell.area / sharers, 1e-10, id));
         ASSERT_NO_FATAL_FAILURE(expect_close(measures.perimeters()[id], cell.perimeter, 1e-10, id));
+        ASSERT_NO_FATAL_FAILURE(expect_centroid(measures, dt, id, cell, 1e-10));
       }
     }
   });
@@ -395,6 +428,58 @@ TYPED_TEST(Simulation_helpers, clipped_cells_add_up_to_the_box_wherever_the_poin
   EXPECT_NEAR(sum(measures.areas()), 2500, 1e-9);
 }
 
+TYPED_TEST(Simulation_helpers, centroids_weighted_by_areas_are_the_center_of_the_box)
+{
+  const auto points = Cloud<TypeParam>(13).uniform(3000);
+  const typename TestFixture::Subject dt(points.begin(), points.end());
+  Measures measures;
+  for (const double low : {0.0, 30.0, -1e6}) {
+    measures.compute(dt, CGAL::Bbox_2(low, 2, 50, 12));
+    const double area = (50 - low) * 10;
+    double x = 0, y = 0;
+    for (std::size_t id = 0; id < points.size(); ++id) {
+      const auto [centroid_x, centroid_y] = measures.centroids()[id];
+      x += measures.areas()[id] * centroid_x / area;
+      y += measures.areas()[id] * centroid_y / area;
+    }
+    EXPECT_NEAR(x, (low + 50) / 2, 1e-12 * (50 - low)) << low;
+    EXPECT_NEAR(y, 7, 1e-12 * (50 - low)) << low;
+  }
+}
+
+TEST(Simulation_helpers, centroids_of_thin_cells_stay_in_the_box)
+{
+  // Cells so thin that rounding decides about their areas.
+  Cloud<Epick> cloud(14);
+  auto points = cloud.uniform(40);
+  for (const auto& p : cloud.uniform(200))
+    points.push_back(Epick::Point_2(3 + 1e-15 * CGAL::to_double(p.x()), p.y()));
+  const CGAL::Dynamic_Delaunay_triangulation_2<Epick> dt(points.begin(), points.end());
+  Measures measures;
+  measures.compute(dt, CGAL::Bbox_2(2, 2, 4, 5));
+  for (std::size_t id = 0; id < points.size(); ++id)
+    if (measures.areas()[id] > 0) {
+      const auto [x, y] = measures.centroids()[id];
+      EXPECT_TRUE(x > 2 - 1e-12 && x < 4 + 1e-12) << id << ": " << x;
+      EXPECT_TRUE(y > 2 - 1e-12 && y < 5 + 1e-12) << id << ": " << y;
+    }
+}
+
+TYPED_TEST(Simulation_helpers, centroids_are_right_at_all_sizes)
+{
+  using Dynamic = typename TestFixture::Subject;
+  Measures measures;
+  for (const double unit : {1e-100, 1e100, 1e150}) {
+    const auto points = scaled<TypeParam>(Cloud<TypeParam>(15).uniform(50), unit);
+    const Dynamic dt(points.begin(), points.end());
+    const CGAL::Bbox_2 box(unit, unit, 5 * unit, 6 * unit);
+    measures.compute(dt, box);
+    for (std::size_t id = 0; id < points.size(); ++id)
+      ASSERT_NO_FATAL_FAILURE(
+          expect_centroid(measures, dt, id, clipped_cell(points, points[id], box), 1e-10 * unit));
+  }
+}
+
 TYPED_TEST(Simulation_helpers, a_box_of_the_kernel_is_as_good_as_one_of_doubles)
 {
   const auto dt = TestFixture::veteran();
@@ -403,6 +488,10 @@ TYPED_TEST(Simulation_helpers, a_box_of_the_kernel_is_as_good_as_one_of_doubles)
   of_doubles.compute(dt, CGAL::Bbox_2(1, 2, 8, 7.5));
   EXPECT_EQ(of_kernel.areas(), of_doubles.areas());
   EXPECT_EQ(of_kernel.perimeters(), of_doubles.perimeters());
+  for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
+    EXPECT_EQ(of_kernel.centroids()[id].x, of_doubles.centroids()[id].x);
+    EXPECT_EQ(of_kernel.centroids()[id].y, of_doubles.centroids()[id].y);
+  }
   EXPECT_NEAR(sum(of_kernel.areas()), 7 * 5.5, 1e-11);
 }
 
@@ -412,6 +501,8 @@ TYPED_TEST(Simulation_helpers, a_box_without_an_inside_has_no_area)
   Measures measures;
   measures.compute(dt, CGAL::Bbox_2(1, 2, 1, 7));
   EXPECT_EQ(sum(measures.areas()), 0);
+  for (std::size_t id = 0; id < dt.number_of_ids(); ++id)
+    expect_centroid(measures, dt, id, {}, 0);
 }
 
 TYPED_TEST(Simulation_helpers, a_box_that_is_none_is_refused_and_the_measures_stay)
@@ -779,6 +870,7 @@ TEST(Simulation_helpers, lists_and_cells_are_gone_if_memory_runs_out_and_can_be_
       has_run_out = true;
       EXPECT_TRUE(measures.areas().empty());
       EXPECT_TRUE(measures.perimeters().empty());
+      EXPECT_TRUE(measures.centroids().empty());
       compute(lists, measures);
     }
     EXPECT_EQ(lists.number_of_ids(), points.size());
