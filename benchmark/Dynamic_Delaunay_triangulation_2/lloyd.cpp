@@ -1,0 +1,318 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Lloyd's relaxation of a uniform cloud in a square, where every point moves to the centroid of its
+// Voronoi cell in each iteration: what the triangulation costs if it is updated, and if it is made
+// anew, in two ways. All three are timed in the same process on the same points, in turn, the order
+// rotating. Only triangulating is timed; the cells and the motion are not.
+//
+//   update    Dynamic_Delaunay_triangulation_2::update()
+//   insert    CGAL's insertion of the range
+//   ordered   CGAL's insertion one by one along the last iteration's Hilbert curve, the fastest
+//             static way that we know
+//   q1, q3    quartiles of the column before
+//   i/u, o/u  the times of the others as multiples of that of the update: medians of the ratios in
+//             an iteration, or a relaxation
+//   frames    iterations that were timed
+//   flips     a point and iteration
+//   rebuilds  iterations in which the update chose to triangulate everything anew
+//   step      mean way of a point, in units of the mean spacing
+//
+// The first table has medians over single iterations, by their numbers; the second one medians over
+// whole relaxations, whose times are the sums of all of their iterations. Each relaxation starts
+// with another cloud.
+//
+// Every update has to be certified, the last one of a relaxation has to be valid and to agree with
+// a fresh triangulation in every edge, and the steps have to become shorter. A case that fails says
+// so in place of its figures, and the program ends with an error.
+
+#include "run/Kernel.h"
+#include "run/Spread.h"
+#include "run/Static_opponents.h"
+#include "run/Stopwatch.h"
+#include "scenario/Motion.h"
+#include "scenario/Random_source.h"
+#include "speed/Case_list.h"
+#include "speed/Run_cases.h"
+
+#include <CGAL/delaunay_agreement.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Voronoi_cell_measures_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <iostream>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace speed;
+using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel>;
+
+constexpr std::size_t iterations = 100;
+
+// RELAXATION --------------------------------------------------------------------------------------
+
+// In nanoseconds.
+struct Times
+{
+  double update = 0.0;
+  double insert = 0.0;
+  double ordered = 0.0;
+};
+
+struct Iteration
+{
+  Times times{};
+  CGAL::Update_report_2 report{};
+  double step = 0.0;
+};
+
+using Iterations = std::vector<Iteration>;
+
+// One point to a unit of area.
+class Relaxation
+{
+public:
+  Relaxation(std::size_t points, scenario::Random_source& random)
+    : m_side(std::sqrt(static_cast<double>(points)))
+  {
+    for (std::size_t i = 0; i != points; ++i) {
+      const double x = random.uniform(0.0, m_side);
+      m_points.push_back({x, random.uniform(0.0, m_side)});
+    }
+    m_dynamic = Dynamic(m_points.begin(), m_points.end(), run::Point_map());
+    m_opponents.prepare(m_points, true); // for the order
+  }
+
+  Iterations run()
+  {
+    Iterations results;
+    for (std::size_t i = 0; i != iterations; ++i) {
+      Iteration result;
+      result.step = move();
+      m_opponents.prepare(m_points, false);
+      time_all(i, result);
+      check(result.report.certified, "an update is not certified");
+      results.push_back(result);
+    }
+    check(m_dynamic.is_valid(), "the triangulation is not valid");
+    check(CGAL::delaunay_agreement(m_dynamic, m_opponents.reference())
+                  .matthews_correlation_coefficient() == 1.0,
+          "the triangulation differs from a fresh one");
+    check(results.back().step < results.front().step, "the steps do not become shorter");
+    return results;
+  }
+
+private:
+  // Returns the mean way of a point.
+  double move()
+  {
+    m_cells.compute(m_dynamic, CGAL::Bbox_2(0.0, 0.0, m_side, m_side));
+    double way = 0.0;
+    for (std::size_t i = 0; i != m_points.size(); ++i) {
+      const auto& centroid = m_cells.centroids()[i];
+      way += std::hypot(centroid.x - m_points[i].x, centroid.y - m_points[i].y);
+      m_points[i] = {centroid.x, centroid.y};
+    }
+    return way / static_cast<double>(m_points.size());
+  }
+
+  // The order rotates: whoever comes first warms the caches for the others.
+  void time_all(std::size_t iteration, Iteration& result)
+  {
+    constexpr std::size_t contestants = 3;
+    for (std::size_t i = 0; i != contestants; ++i) {
+      switch ((iteration + i) % contestants) {
+      case 0:
+        result.times.update = run::nanoseconds_of([&] {
+          result.report = m_dynamic.update(m_points.begin(), m_points.end(), run::Point_map());
+        });
+        break;
+      case 1:
+        result.times.insert = m_opponents.time_insert();
+        break;
+      default:
+        result.times.ordered = m_opponents.time_fastest();
+      }
+    }
+  }
+
+  static void check(bool is_right, const char* what)
+  {
+    if (!is_right) {
+      throw std::runtime_error(what);
+    }
+  }
+
+  double m_side;
+  std::vector<scenario::Point> m_points;
+  Dynamic m_dynamic;
+  CGAL::Voronoi_cell_measures_2 m_cells;
+  run::Static_opponents m_opponents;
+};
+
+// More relaxations of few points, whose times scatter.
+std::size_t relaxations_of(std::size_t points)
+{
+  constexpr std::size_t fewest = 3, most = 30, all_points = 100'000;
+  return std::clamp(all_points / points, fewest, most);
+}
+
+// All cases of a size share its relaxations, and the first one that is run has them computed.
+class Relaxations
+{
+public:
+  const std::vector<Iterations>& of(std::size_t points)
+  {
+    std::vector<Iterations>& results = m_results[points];
+    scenario::Random_source random(points);
+    while (results.size() != relaxations_of(points)) {
+      results.push_back(Relaxation(points, random).run());
+    }
+    return results;
+  }
+
+private:
+  std::map<std::size_t, std::vector<Iterations>> m_results;
+};
+
+// FIGURES -----------------------------------------------------------------------------------------
+
+void add_spread(Figures& figures, const std::string& name, const std::vector<Times>& times,
+                double Times::*time, double unit)
+{
+  std::vector<double> values, ratios;
+  for (const Times& one : times) {
+    values.push_back(one.*time / unit);
+    ratios.push_back(one.*time / one.update);
+  }
+  const std::string letter = name.substr(0, 1);
+  const run::Spread spread = *run::spread(values);
+  figures[name] = spread.median;
+  figures[letter + "_q1"] = spread.low_quartile;
+  figures[letter + "_q3"] = spread.high_quartile;
+  figures[letter + "/u"] = run::spread(ratios)->median;
+}
+
+// `unit`: of the times, in nanoseconds.
+void add_times(Figures& figures, const std::vector<Times>& times, double unit)
+{
+  add_spread(figures, "update", times, &Times::update, unit);
+  add_spread(figures, "insert", times, &Times::insert, unit);
+  add_spread(figures, "ordered", times, &Times::ordered, unit);
+}
+
+double seconds_of(const std::vector<Times>& times)
+{
+  constexpr double nanosecond = 1e-9;
+  double sum = 0.0;
+  for (const Times& one : times) {
+    sum += one.update + one.insert + one.ordered;
+  }
+  return sum * nanosecond;
+}
+
+// Iterations from `first` to `last`, which count from 1.
+Case_result iterations_case(const std::vector<Iterations>& relaxations, std::size_t points,
+                            std::size_t first, std::size_t last)
+{
+  std::vector<Times> times;
+  double flips = 0.0, rebuilds = 0.0, steps = 0.0;
+  for (const Iterations& relaxation : relaxations) {
+    for (std::size_t i = first - 1; i != last; ++i) {
+      times.push_back(relaxation[i].times);
+      flips += static_cast<double>(relaxation[i].report.flips);
+      rebuilds += relaxation[i].report.rebuilt() ? 1.0 : 0.0;
+      steps += relaxation[i].step;
+    }
+  }
+  const auto number = static_cast<double>(times.size());
+  Case_result result;
+  result.figures["frames"] = number;
+  result.figures["flips"] = flips / number / static_cast<double>(points);
+  result.figures["rebuilds"] = rebuilds;
+  result.figures["step"] = steps / number;
+  result.seconds = seconds_of(times);
+  add_times(result.figures, times, static_cast<double>(points));
+  return result;
+}
+
+Case_result whole_case(const std::vector<Iterations>& relaxations)
+{
+  constexpr double millisecond = 1e6;
+  std::vector<Times> sums;
+  for (const Iterations& relaxation : relaxations) {
+    Times sum;
+    for (const Iteration& iteration : relaxation) {
+      sum.update += iteration.times.update;
+      sum.insert += iteration.times.insert;
+      sum.ordered += iteration.times.ordered;
+    }
+    sums.push_back(sum);
+  }
+  Case_result result;
+  result.figures["runs"] = static_cast<double>(sums.size());
+  result.seconds = seconds_of(sums);
+  add_times(result.figures, sums, millisecond);
+  return result;
+}
+
+// ALL ---------------------------------------------------------------------------------------------
+
+std::vector<Column> columns(const Column& count, const std::vector<Column>& more)
+{
+  std::vector<Column> columns = {count,          {"update", 9, 1},  {"u_q1", 8, 1},
+                                 {"u_q3", 8, 1}, {"insert", 9, 1},  {"i_q1", 8, 1},
+                                 {"i_q3", 8, 1}, {"ordered", 9, 1}, {"o_q1", 8, 1},
+                                 {"o_q3", 8, 1}, {"i/u", 7, 2},     {"o/u", 7, 2}};
+  columns.insert(columns.end(), more.begin(), more.end());
+  return columns;
+}
+
+const Table by_iterations = {
+    "Iterations by their numbers, ns a point",
+    columns({"frames", 8, 0}, {{"flips", 9, 4}, {"rebuilds", 9, 0}, {"step", 8, 4}})};
+const Table whole = {"Whole relaxations, a hundred iterations, ms", columns({"runs", 8, 0}, {})};
+
+bool run_lloyd(int argc, char** argv)
+{
+  const std::size_t sizes[] = {1'000, 10'000, 100'000};
+  const std::size_t lasts[] = {1, 2, 5, 10, 20, 50, iterations};
+  Relaxations relaxations;
+  Case_list cases;
+  for (const std::size_t points : sizes) {
+    std::size_t first = 1;
+    for (const std::size_t last : lasts) {
+      const std::string numbers = first == last
+                                      ? std::to_string(first)
+                                      : std::to_string(first) + '-' + std::to_string(last);
+      cases.add(by_iterations, std::to_string(points) + "/iteration_" + numbers, [=, &relaxations] {
+        return iterations_case(relaxations.of(points), points, first, last);
+      });
+      first = last + 1;
+    }
+  }
+  for (const std::size_t points : sizes) {
+    cases.add(whole, std::to_string(points) + "/all",
+              [=, &relaxations] { return whole_case(relaxations.of(points)); });
+  }
+  return run_cases(cases, argc, argv, RESULTS_DIR "/lloyd.json");
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try {
+    return run_lloyd(argc, argv) ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::cerr << "lloyd: " << error.what() << '\n';
+    return 1;
+  }
+}
