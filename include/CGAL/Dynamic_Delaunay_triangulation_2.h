@@ -62,14 +62,15 @@ its edges is locally Delaunay, all by exact predicates. After an update with a h
 it is not, unless it was rebuilt; it is then still a valid triangulated sphere with all its
 vertices.
 
-\tparam Traits a CGAL kernel with exact predicates whose points have `x()` and `y()`, such as
-  `Exact_predicates_inexact_constructions_kernel`.
+\tparam Traits a model of `DynamicDelaunayTraits_2`: a CGAL kernel with exact predicates, such as
+  `Exact_predicates_inexact_constructions_kernel`, or `Projection_traits_xy_3` of one.
 \tparam Classifier a model of `DelaunayClassifier_2`, what may be broken.
 \tparam Repair a model of `DelaunayRepair_2`, what mends it. `Default` stands for the classifier's
   `Usual_repair` if it has one; else for `Flip_and_splice_repair_2` if the classifier is exact, and
   for `Border_splice_repair_2` if it is not.
 \tparam Tds a triangulation data structure whose vertex base is
   `Dynamic_Delaunay_triangulation_vertex_base_2` or derives from it; `Default` for a plain one.
+  What a user keeps in a vertex stays in it; faces change their vertices, of which a visitor hears.
 \tparam UpdatePolicy a model of `DelaunayUpdatePolicy_2`, which frames are rebuilt instead;
   `Default` for `Always_dynamic_policy_2`.
 \tparam Visitor a model of `DelaunayUpdateVisitor_2`, which is told what changes.
@@ -555,8 +556,10 @@ public:
   /// @}
   /// \name Checkpoints
   /// The triangulation as a file, \ref DynamicDelaunayTriangulation2Checkpoints, from which a run
-  /// goes on as if it had not been interrupted. Coordinates have to be doubles, or fractions of
-  /// integers as those of `Exact_predicates_exact_constructions_kernel`.
+  /// goes on as if it had not been interrupted. Points have to be a kernel's `Point_2`, and their
+  /// coordinates doubles, or fractions of integers as those of
+  /// `Exact_predicates_exact_constructions_kernel`. It does not compile for others, which may hold
+  /// more than a checkpoint would keep.
   /// @{
 
   /// writes the triangulation, with the ids of its points, all numbers in `frame()`, and whether it

@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distinct_numbers_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_examination_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Lawson_flips_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Population_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_builder_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
@@ -377,9 +378,10 @@ private:
 
   bool relocate_one_by_one()
   {
+    using Dynamic_Delaunay_triangulations_2::internal::coincide;
     std::vector<Index> waiting;
     for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
-      if (m_maintained.point(v) != m_maintained.previous_point(v))
+      if (!coincide(m_maintained.traits(), m_maintained.point(v), m_maintained.previous_point(v)))
         waiting.push_back(v);
     // whoever finds its place taken tries again when the others have moved on
     for (std::size_t before = waiting.size() + 1; !waiting.empty() && waiting.size() < before;) {

@@ -4,6 +4,7 @@
 #ifndef CGAL_DELAUNAY_AGREEMENT_H
 #define CGAL_DELAUNAY_AGREEMENT_H
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/Union_find.h>
 #include <CGAL/Unique_hash_map.h>
@@ -88,10 +89,11 @@ public:
   using Edge = std::pair<std::size_t, std::size_t>;
 
   explicit Delaunay_reference_2(const Triangulation& reference)
+    : m_traits(reference.geom_traits())
   {
     for (auto v = reference.finite_vertices_begin(); v != reference.finite_vertices_end(); ++v)
       m_points.push_back(v->point());
-    std::sort(m_points.begin(), m_points.end());
+    std::sort(m_points.begin(), m_points.end(), is_before());
     for (auto v = reference.finite_vertices_begin(); v != reference.finite_vertices_end(); ++v)
       m_place_of_vertex[v] = place(v->point());
     find_clusters(reference);
@@ -104,8 +106,8 @@ public:
 
   std::size_t place(const Point& p) const
   {
-    const auto found = std::lower_bound(m_points.begin(), m_points.end(), p);
-    if (found == m_points.end() || *found != p)
+    const auto found = std::lower_bound(m_points.begin(), m_points.end(), p, is_before());
+    if (found == m_points.end() || !coincide(m_traits, *found, p))
       throw std::invalid_argument("delaunay_agreement: the maintained triangulation has a point "
                                   "that the reference has not");
     return std::size_t(found - m_points.begin());
@@ -132,6 +134,11 @@ public:
   }
 
 private:
+  auto is_before() const
+  {
+    return [this](const Point& p, const Point& q) { return compare_xy(m_traits, p, q) == SMALLER; };
+  }
+
   // Faces across an edge whose four vertices are cocircular belong to one cluster: any chord of it
   // is a Delaunay edge.
   void find_clusters(const Triangulation& reference)
@@ -219,6 +226,7 @@ private:
     return true;
   }
 
+  const typename Triangulation::Geom_traits m_traits;
   std::vector<Point> m_points; // of each place
   Unique_hash_map<Vertex_handle, std::size_t> m_place_of_vertex;
   std::vector<Edge> m_edges; // required as they are
@@ -243,7 +251,7 @@ Delaunay edge, as long as there are not more of them than a triangulation has ro
 Cost: O(n log n) for n points.
 
 \tparam Maintained `Dynamic_Delaunay_triangulation_2`, certified or not.
-\tparam Reference a `Delaunay_triangulation_2` whose points compare with those of `Maintained`.
+\tparam Reference a `Delaunay_triangulation_2` with points of the type that `Maintained` has.
 \param maintained the maintained triangulation.
 \param reference the true one.
 \throws std::invalid_argument if a point of `maintained` is not in `reference`.

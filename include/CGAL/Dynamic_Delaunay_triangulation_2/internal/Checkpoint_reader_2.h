@@ -10,6 +10,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Coordinate_range_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Sphere_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_builder_2.h>
 #include <CGAL/enum.h>
@@ -38,6 +39,8 @@ class Checkpoint_reader_2
   using Point = typename Maintained::Point;
   using FT = std::decay_t<decltype(std::declval<Point>().x())>;
   using Coordinate = Checkpoint_coordinate_2<FT>;
+  static_assert(is_made_of_x_and_y<Point>,
+                "a checkpoint keeps x and y, which are not all of these points");
 
 public:
   explicit Checkpoint_reader_2(Checkpoint_input_2& file)

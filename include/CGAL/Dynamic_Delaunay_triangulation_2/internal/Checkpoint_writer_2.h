@@ -7,6 +7,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_coordinate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 #include <ostream>
@@ -25,6 +26,8 @@ class Checkpoint_writer_2
   using Point = typename Maintained::Point;
   using FT = std::decay_t<decltype(std::declval<Point>().x())>;
   using Coordinate = Checkpoint_coordinate_2<FT>;
+  static_assert(is_made_of_x_and_y<Point>,
+                "a checkpoint keeps x and y, which are not all of these points");
 
 public:
   Checkpoint_writer_2(const Maintained& maintained, bool is_certified)

@@ -157,7 +157,7 @@ private:
                     Maintained& maintained)
   {
     maintained.positions[vertex] = position;
-    if constexpr (!Maintained::coordinates_are_doubles)
+    if constexpr (!Maintained::points_are_two_doubles)
       maintained.next_points[vertex] = p;
   }
 };

@@ -6,12 +6,12 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Coordinate_range_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/number_type_basic.h>
 
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -34,7 +34,7 @@ Position_2 checked_position(const Point& p, std::size_t id)
 template <class Point>
 bool has_exact_position(const Point& p)
 {
-  if constexpr (std::is_same_v<std::decay_t<decltype(p.x())>, double>) {
+  if constexpr (has_double_coordinates<Point>) {
     return true;
   } else {
     const auto is_a_double = [](const auto& coordinate) {

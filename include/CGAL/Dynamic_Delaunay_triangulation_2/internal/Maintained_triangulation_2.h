@@ -6,13 +6,13 @@
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_ids_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Provided_memory_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Renumbering_2.h>
 #include <CGAL/number_type_basic.h>
 
 #include <limits>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -32,8 +32,8 @@ struct Maintained_triangulation_2
   using Face_handle = typename Triangulation::Face_handle;
   using Point = typename Triangulation::Point;
 
-  static constexpr bool coordinates_are_doubles =
-      std::is_same_v<std::decay_t<decltype(std::declval<Point>().x())>, double>;
+  static constexpr bool coordinates_are_doubles = has_double_coordinates<Point>;
+  static constexpr bool points_are_two_doubles = is_two_doubles<Point>;
 
   explicit Maintained_triangulation_2(const Traits& traits = Traits())
     : triangulation(traits)
@@ -41,7 +41,7 @@ struct Maintained_triangulation_2
     , positions(1, nowhere())
   {
     ids.reset(0);
-    if constexpr (!coordinates_are_doubles)
+    if constexpr (!points_are_two_doubles)
       next_points.resize(1);
     auto& stored = triangulation.tds().faces(); // an empty triangulation has one, of dimension -1
     for (auto f = stored.begin(); f != stored.end(); ++f)
@@ -60,7 +60,7 @@ struct Maintained_triangulation_2
   // one.
   decltype(auto) point(Index vertex) const
   {
-    if constexpr (coordinates_are_doubles)
+    if constexpr (points_are_two_doubles)
       return Point(positions[vertex].x, positions[vertex].y);
     else
       return (points_are_written ? vertices[vertex]->point() : next_points[vertex]);
@@ -117,14 +117,14 @@ struct Maintained_triangulation_2
   {
     std::vector<Vertex_handle> vertices;
     std::vector<Position_2> positions;
-    std::vector<Point> points; // where coordinates are not doubles
+    std::vector<Point> points; // where these are more than two doubles
     bool points_are_written = false;
 
     void reserve(std::size_t number)
     {
       vertices.reserve(number);
       positions.reserve(number);
-      if constexpr (!coordinates_are_doubles)
+      if constexpr (!points_are_two_doubles)
         points.reserve(number);
     }
 
@@ -132,7 +132,7 @@ struct Maintained_triangulation_2
     {
       vertices.push_back(infinite_vertex);
       positions.push_back(nowhere());
-      if constexpr (!coordinates_are_doubles)
+      if constexpr (!points_are_two_doubles)
         points.emplace_back();
     }
 
@@ -140,7 +140,7 @@ struct Maintained_triangulation_2
     {
       vertices.push_back(vertex);
       positions.push_back(approximation(p));
-      if constexpr (!coordinates_are_doubles)
+      if constexpr (!points_are_two_doubles)
         points.push_back(p);
     }
   };
@@ -150,7 +150,7 @@ struct Maintained_triangulation_2
   {
     vertices.swap(others.vertices);
     positions.swap(others.positions);
-    if constexpr (!coordinates_are_doubles)
+    if constexpr (!points_are_two_doubles)
       next_points.swap(others.points);
     std::swap(ids, other_ids);
     std::swap(points_are_written, others.points_are_written);
@@ -186,7 +186,7 @@ struct Maintained_triangulation_2
   {
     provide(vertices, 1);
     provide(positions, 1);
-    if constexpr (!coordinates_are_doubles)
+    if constexpr (!points_are_two_doubles)
       provide(next_points, 1);
     const Vertex_handle vertex = triangulation.tds().create_vertex();
     vertex->set_mirror_index(Index(vertices.size()));
@@ -194,7 +194,7 @@ struct Maintained_triangulation_2
     try {
       vertex->set_point(p);
       positions.push_back(approximation(p));
-      if constexpr (!coordinates_are_doubles)
+      if constexpr (!points_are_two_doubles)
         next_points.push_back(p);
     } catch (...) {
       drop_last_vertex();
@@ -208,7 +208,7 @@ struct Maintained_triangulation_2
     triangulation.tds().delete_vertex(vertices.back());
     vertices.pop_back();
     positions.resize(vertices.size());
-    if constexpr (!coordinates_are_doubles)
+    if constexpr (!points_are_two_doubles)
       next_points.resize(vertices.size());
   }
 
@@ -220,7 +220,7 @@ struct Maintained_triangulation_2
     vertices.pop_back();
     positions[v] = positions.back();
     positions.pop_back();
-    if constexpr (!coordinates_are_doubles) {
+    if constexpr (!points_are_two_doubles) {
       next_points[v] = next_points.back();
       next_points.pop_back();
     }
@@ -236,7 +236,7 @@ private:
     for (Index v = 1; v < bound; ++v) {
       if (prefetches && v + ahead < bound)
         prefetch(&*vertices[v + ahead]);
-      if constexpr (coordinates_are_doubles)
+      if constexpr (points_are_two_doubles)
         vertices[v]->set_point(Point(positions[v].x, positions[v].y));
       else
         vertices[v]->set_point(next_points[v]);
@@ -251,7 +251,7 @@ public:
   Point_ids_2<Point> ids;
 
   std::vector<Position_2> positions; // of each vertex index
-  std::vector<Point> next_points;    // the same, where coordinates are not doubles, to be written
+  std::vector<Point> next_points; // the same, where points are more than two doubles, to be written
   std::vector<typename Point_ids_2<Point>::Guest> next_guests;
   bool points_are_written = true;  // into CGAL's vertices
   bool positions_are_exact = true; // no coordinate was rounded on its way into the flat arrays

@@ -5,6 +5,7 @@
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_POINT_NUMBERING_2_H
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_ids_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Spatial_order_2.h>
 #include <CGAL/enum.h>
@@ -77,7 +78,9 @@ private:
     m_place_of_vertex.clear();
     m_place_of_vertex.reserve(m_points.size());
     m_order.merge_coincident(
-        [this](Index i, Index j) { return compare_xy(m_points[i], m_points[j]) == EQUAL; },
+        [this](Index i, Index j) {
+          return coincide(m_maintained.traits(), m_points[i], m_points[j]);
+        },
         [this](std::size_t first, std::size_t beyond) { return add_vertex(first, beyond); });
     m_ids.settle();
   }
@@ -93,7 +96,7 @@ private:
       m_order.sort(positions, first, beyond);
     } else
       m_order.sort_by_comparisons(first, beyond, [this](Index i, Index j) {
-        return compare_xy(m_points[i], m_points[j]) == SMALLER;
+        return compare_xy(m_maintained.traits(), m_points[i], m_points[j]) == SMALLER;
       });
   }
 
@@ -118,13 +121,6 @@ private:
   {
     const Ids& ids = m_maintained.ids;
     return ids.is_taken(id) && ids.is_host(id);
-  }
-
-  Comparison_result compare_xy(const Point& p, const Point& q) const
-  {
-    const auto& traits = m_maintained.traits();
-    const Comparison_result x = traits.compare_x_2_object()(p, q);
-    return x != EQUAL ? x : traits.compare_y_2_object()(p, q);
   }
 
   const Maintained& m_maintained;

@@ -5,9 +5,11 @@
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_POPULATION_EDITOR_2_H
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_builder_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_order_2.h>
+#include <CGAL/enum.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -96,8 +98,8 @@ public:
       Index stays = ids.vertex(i), goes = ids.vertex(j);
       if (ids.host(goes) < ids.host(stays))
         std::swap(stays, goes);
-      const Point place = m_maintained.point(stays);
-      series.remove(goes, [&] { merge(goes, stays, place); });
+      const Point p = m_maintained.point(goes);
+      series.remove(goes, [&] { merge(goes, stays, p); });
     }
     series.finish();
     return pairs.size();
@@ -139,10 +141,13 @@ public:
     if (ids.size() < 2)
       return false;
     std::vector<Point> places = points_of(ids);
-    std::sort(places.begin(), places.end());
+    const auto is_before = [this](const Point& p, const Point& q) {
+      return compare_xy(m_maintained.traits(), p, q) == SMALLER;
+    };
+    std::sort(places.begin(), places.end(), is_before);
     for (std::size_t i = 0; i < ids.size(); ++i)
-      if (points[i] != m_maintained.point_of_id(ids[i]) &&
-          std::binary_search(places.begin(), places.end(), points[i]))
+      if (!are_together(points[i], m_maintained.point_of_id(ids[i])) &&
+          std::binary_search(places.begin(), places.end(), points[i], is_before))
         return true;
     return false;
   }
@@ -152,7 +157,7 @@ public:
   {
     std::vector<Index> parted;
     for (const auto& guest : m_maintained.ids.guests())
-      if (guest.point != m_maintained.point(m_maintained.ids.vertex(guest.id)))
+      if (!are_together(guest.point, m_maintained.point(m_maintained.ids.vertex(guest.id))))
         parted.push_back(guest.id);
     return parted;
   }
@@ -225,7 +230,7 @@ private:
           m_maintained.visitor_calls.before_vertex_removal(m_maintained.vertices[v], id);
           ids.remove_host(id);
         });
-      hand_over(heir, m_maintained.point(v));
+      hand_over(heir, v, m_maintained.point(v));
     }
     ids.remove_guest(id);
   }
@@ -250,22 +255,24 @@ private:
     auto& ids = m_maintained.ids;
     const Index v = ids.vertex(id);
     const Point place = m_maintained.point(v);
-    if (p == place)
-      return;
+    if (are_together(p, place))
+      return m_maintained.move_vertex(v, p); // there may be more to p than where it is
     const Index heir =
-        ids.find_guest_at(v, [&](const auto& guest) { return guest.point == place; });
+        ids.find_guest_at(v, [&](const auto& guest) { return are_together(guest.point, place); });
     if (heir == no_index)
       move_vertex(v, p);
     else
-      hand_over(heir, p);
+      hand_over(heir, v, p);
   }
 
-  // The host of the guest's vertex becomes a guest there, at p.
-  void hand_over(Index guest, const Point& p)
+  // Lets a guest at v be the host, so that v has its point, and the host a guest at p.
+  void hand_over(Index guest, Index v, const Point& p)
   {
     auto& ids = m_maintained.ids;
-    const Index v = ids.vertex(guest), host = ids.host(v);
+    const Index host = ids.host(v);
+    const Point point = ids.guest(guest).point;
     ids.hand_over(guest, p);
+    m_maintained.move_vertex(v, point);
     m_maintained.visitor_calls.after_id_change(m_maintained.vertices[v], host);
   }
 
@@ -276,6 +283,11 @@ private:
     m_maintained.visitor_calls.before_vertex_merge(m_maintained.vertices[goes], ids.host(goes),
                                                    m_maintained.vertices[stays]);
     ids.merge(goes, stays, p);
+  }
+
+  bool are_together(const Point& p, const Point& q) const
+  {
+    return coincide(m_maintained.traits(), p, q);
   }
 
   // Whether all its faces are counterclockwise, and the hull convex around it.

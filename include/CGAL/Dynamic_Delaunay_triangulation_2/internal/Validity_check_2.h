@@ -6,6 +6,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
 #include <CGAL/exceptions.h>
 
 #include <iostream>
@@ -71,7 +72,8 @@ private:
         return false;
       if (!ids.is_host(id)) {
         ++guests;
-        if (is_certified && ids.guest(id).point != m_maintained.point(v))
+        if (is_certified &&
+            !coincide(m_maintained.traits(), ids.guest(id).point, m_maintained.point(v)))
           return false;
       }
     }
