@@ -20,8 +20,9 @@ namespace CGAL {
 
 Gives every vertex a *safe region*, a disk around where it was: as long as all vertices stay in
 theirs, the triangulation stays Delaunay (thesis 4.2.2, Proposition 1 of its [CD08]: de Castro and
-Devillers, *Delaunay triangulations for moving points*, INRIA RR-6750, 2008). For an edge `bc` with the opposite vertices `a`
-and `d`, let `r` be the larger one of `|ob|` and `|oc|`, and `R` the smaller one of `|oa|` and
+Devillers, *Delaunay triangulations for moving points*, INRIA RR-6750, 2008). For an edge `bc` with
+the opposite vertices `a` and `d`, let `r` be the larger one of `|ob|` and `|oc|`, and `R` the
+smaller one of `|oa|` and
 `|od|`, with `o` where the bisectors of `bc` and `ad` meet. The radius of a vertex's disk is the
 smallest `(R - r) / 2` of all edges that it is an end of or opposite to; at the hull about half of a
 distance takes its place. Of the vertices that have left their disks, all such edges are looked at,

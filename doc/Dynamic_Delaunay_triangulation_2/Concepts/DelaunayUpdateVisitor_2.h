@@ -15,8 +15,9 @@ begins with `before_update()` and ends with `after_update()`. Between these two
 
 - faces and vertices around those that are named can be looked at; not all of `tds()`, which may hold faces and
   vertices that are about to be written or deleted;
-- vertices have the points that they had before the call, new vertices their own, and all others of this call get
-  theirs right before `after_update()`. So face areas, circumcentres and the like are best computed there;
+- in `update()` vertices still have the points that they had before, but for new ones, and get theirs right before
+  `after_update()`; other calls move points one by one as they go. So face areas, circumcentres and the like are best
+  computed in `after_update()`;
 - the triangulation is not certified, and may have inverted faces: `Dynamic_Delaunay_triangulation_2::tds()`,
   `infinite_vertex()` and `id()` may be asked for, but neither `triangulation()` nor `frame()`, and nothing may be
   changed but what the user keeps in vertices and faces.
