@@ -11,6 +11,7 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_update_visitor_base_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_operators_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_reader_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_writer_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_frame_2.h>
@@ -593,6 +594,20 @@ public:
   void read_checkpoint(std::istream& in)
   {
     read_checkpoint(in, checkpoint_subject, [](auto&, const Frame&) {});
+  }
+
+  /// writes a checkpoint, whatever mode CGAL's `set_mode()` has given to the stream. Where
+  /// `write_checkpoint()` throws `Checkpoint_error_2`, the stream fails (`failbit`).
+  friend std::ostream& operator<<(std::ostream& out, const Dynamic_Delaunay_triangulation_2& dt)
+  {
+    return Dynamic_Delaunay_triangulations_2::internal::write_to_stream(out, dt);
+  }
+
+  /// reads a checkpoint, after white space. Where `read_checkpoint()` throws `Checkpoint_error_2`,
+  /// the stream fails (`failbit`), and the triangulation is what it was.
+  friend std::istream& operator>>(std::istream& in, Dynamic_Delaunay_triangulation_2& dt)
+  {
+    return Dynamic_Delaunay_triangulations_2::internal::read_from_stream(in, dt);
   }
 
   /// \cond

@@ -5,6 +5,7 @@
 #define CGAL_DYNAMIC_POPULATION_2_H
 
 #include <CGAL/assertions.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_operators_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distinct_numbers_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_position_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
@@ -215,6 +216,19 @@ public:
     });
     m_ids.swap(ids);
     m_user_ids.swap(user_ids);
+  }
+
+  /// writes a checkpoint. Where `write_checkpoint()` throws `Checkpoint_error_2`, the stream fails.
+  friend std::ostream& operator<<(std::ostream& out, const Dynamic_population_2& population)
+  {
+    return Dynamic_Delaunay_triangulations_2::internal::write_to_stream(out, population);
+  }
+
+  /// reads a checkpoint, after white space. Where `read_checkpoint()` throws `Checkpoint_error_2`,
+  /// the stream fails, and the population is what it was.
+  friend std::istream& operator>>(std::istream& in, Dynamic_population_2& population)
+  {
+    return Dynamic_Delaunay_triangulations_2::internal::read_from_stream(in, population);
   }
 
   /// @}

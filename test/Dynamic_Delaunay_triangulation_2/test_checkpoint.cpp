@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_population_2.h>
 #include <CGAL/Flip_repair_2.h>
 #include <CGAL/Hybrid_policy_2.h>
+#include <CGAL/IO/io.h>
 #include <CGAL/Nearly_delaunay_classifier_2.h>
 #include <CGAL/Point_distance_classifier_2.h>
 #include <CGAL/Safe_region_classifier_2.h>
@@ -483,6 +484,7 @@ TEST(Checkpoints, what_an_exception_has_left_is_kept_or_not_written_at_all)
   EXPECT_THROW(dt.update(points.begin(), points.end()), Failure_of_a_user);
   std::ostringstream out;
   EXPECT_THROW(dt.write_checkpoint(out), Checkpoint_error_2);
+  EXPECT_FALSE(out << dt);
   EXPECT_EQ(out.str(), "");
 }
 
@@ -940,6 +942,76 @@ TEST(Checkpoints, a_stream_that_was_not_opened_is_noticed)
   std::ostringstream out;
   out.setstate(std::ios::badbit);
   EXPECT_THROW(dt.write_checkpoint(out), Checkpoint_error_2);
+}
+
+TEST(Checkpoints, operators_write_and_read_them)
+{
+  const Exact dt = specimen();
+  Population population;
+  population.insert(-7, {1, 2});
+  std::stringstream file;
+  CGAL::IO::set_binary_mode(file); // checkpoints are text all the same
+  file << dt << "\n  " << population << ' ' << dt;
+  EXPECT_EQ(file.str(), text_of(dt) + "\n  " + text_of(population) + ' ' + text_of(dt));
+  Exact copy, other_copy;
+  Population copied_population;
+  EXPECT_TRUE(file >> copy >> copied_population >> other_copy);
+  expect_equal(dt, copy);
+  expect_equal(dt, other_copy);
+  EXPECT_EQ(text_of(copied_population), text_of(population));
+}
+
+// The stream's, of which the target must not have noticed anything.
+template <class Read>
+std::ios_base::iostate state_after_reading(Read& target, const std::string& text)
+{
+  const std::string before = text_of(target);
+  std::istringstream in(text);
+  in >> target;
+  EXPECT_EQ(text_of(target), before);
+  return in.rdstate();
+}
+
+TEST(Checkpoints, a_stream_fails_where_its_operator_refuses_a_file)
+{
+  const std::string text = text_of(specimen());
+  const auto points = Cloud<Epick>(18).uniform(30);
+  Exact dt(points.begin(), points.end());
+  const auto vertex = dt.vertex(7);
+  for (std::size_t size = 0; size < text.size(); size += 7)
+    ASSERT_TRUE(state_after_reading(dt, text.substr(0, size)) & std::ios::failbit) << size;
+  EXPECT_EQ(state_after_reading(dt, "garbage\n" + text), std::ios::failbit);
+  EXPECT_EQ(state_after_reading(dt, replaced(text, "ids 9", "ids 8")), std::ios::failbit);
+  EXPECT_EQ(state_after_reading(dt, text_of(Population())), std::ios::failbit);
+  EXPECT_EQ(state_after_reading(dt, " \n"), std::ios::failbit | std::ios::eofbit);
+  EXPECT_EQ(dt.vertex(7), vertex);
+  Population population;
+  population.insert(5, {0, 0});
+  EXPECT_EQ(state_after_reading(population, text), std::ios::failbit);
+}
+
+TEST(Checkpoints, operators_throw_what_their_stream_is_told_to)
+{
+  Exact dt = specimen();
+  std::istringstream in("garbage\n");
+  in.exceptions(std::ios::failbit);
+  EXPECT_THROW(in >> dt, std::ios_base::failure);
+  Full_disk disk(100);
+  std::ostream out(&disk);
+  out.exceptions(std::ios::badbit | std::ios::failbit);
+  EXPECT_THROW(out << dt, std::ios_base::failure);
+}
+
+TEST(Checkpoints, a_stream_fails_where_its_operator_cannot_write)
+{
+  const Exact dt = specimen();
+  const std::size_t size = text_of(dt).size();
+  for (const std::size_t bytes : {std::size_t(0), size / 2, size - 1, size}) {
+    Full_disk disk(bytes);
+    std::ostream out(&disk);
+    out << dt;
+    EXPECT_EQ(out.fail(), bytes < size);
+  }
 }
 
 template <class Read>
