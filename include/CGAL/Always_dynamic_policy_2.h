@@ -15,7 +15,7 @@ The default: every frame is classified and repaired. A repair may still rebuild.
 
 Cost: none.
 
-\cgalModels `DelaunayUpdatePolicy_2`
+\cgalModels{DelaunayUpdatePolicy_2}
 */
 class Always_dynamic_policy_2
 {

@@ -16,7 +16,7 @@ against.
 
 Cost: none of its own.
 
-\cgalModels `DelaunayUpdatePolicy_2`
+\cgalModels{DelaunayUpdatePolicy_2}
 */
 class Always_static_policy_2
 {

@@ -18,7 +18,7 @@ missing.
 With an exact classifier the splice is repeated around what is still open, with more padding each
 time.
 
-\cgalModels `DelaunayRepair_2`
+\cgalModels{DelaunayRepair_2}
 */
 class Border_splice_repair_2
 {

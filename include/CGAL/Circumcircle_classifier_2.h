@@ -37,7 +37,7 @@ Cost: one pass over all edges; while vertices hardly move, one over all vertices
 finds out which edges are proved to stay Delaunay (\ref DynamicDelaunayTriangulation2SafeEdges). A
 classifier that wraps it hands on `after_update()` always, or never.
 
-\cgalModels `DelaunayClassifier_2`
+\cgalModels{DelaunayClassifier_2}
 */
 class Circumcircle_classifier_2
 {

@@ -18,7 +18,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDynamicDelaunayTriangulation2
+\ingroup PkgDynamicDelaunayTriangulation2Ref
 
 Who is whose neighbor, as two plain arrays (compressed rows): `neighbors()` has the neighbors of all
 points, one list after the other, and `offsets()` says where each list begins. So a loop over all

@@ -20,7 +20,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDynamicDelaunayTriangulation2
+\ingroup PkgDynamicDelaunayTriangulation2Ref
 
 Who is nearest to a place, or to a point, and who is within a radius of it: answered by the
 triangulation as it is, without another search structure and without a copy. The answers are exact,

@@ -47,7 +47,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDynamicDelaunayTriangulation2
+\ingroup PkgDynamicDelaunayTriangulation2Ref
 
 Keeps a Delaunay triangulation right while its points move. Every `update()` takes the new positions
 of all points, finds what the motion broke, mends that, and reports what it did.

@@ -15,7 +15,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDynamicDelaunayTriangulation2
+\ingroup PkgDynamicDelaunayTriangulation2Ref
 
 What a classifier fills: the Classified set of a frame (thesis 4.1.3).
 

@@ -14,7 +14,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDynamicDelaunayTriangulation2
+\ingroup PkgDynamicDelaunayTriangulation2Ref
 
 What a classifier sees: the points, edges and faces of the maintained triangulation as flat arrays,
 at the positions of the current frame and with the topology of the last one. It is a view: it copies

@@ -27,7 +27,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDynamicDelaunayTriangulation2
+\ingroup PkgDynamicDelaunayTriangulation2Ref
 
 The tools that a repair works with: it calls them in the order that it likes. A mender knows what
 was classified and which edges are still *open*, that is, not yet proved Delaunay; each tool works

@@ -28,7 +28,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDynamicDelaunayTriangulation2
+\ingroup PkgDynamicDelaunayTriangulation2Ref
 
 Keeps the Delaunay triangulation of a population that changes while it moves, as tracking data and
 crowds have it: every frame names the points that are there by ids of the user's own. Those that are

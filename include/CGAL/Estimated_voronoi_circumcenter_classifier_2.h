@@ -23,7 +23,7 @@ does.
 
 Cost: one pass over all faces, one over all edges; two positions a face of memory.
 
-\cgalModels `DelaunayClassifier_2`
+\cgalModels{DelaunayClassifier_2}
 */
 class Estimated_voronoi_circumcenter_classifier_2
 {

@@ -18,7 +18,7 @@ classified that mending would cost more than a rebuild, it rebuilds at once; if 
 leave edges open, it does so in the end. So no edge is left open, with heuristic classifiers
 neither.
 
-\cgalModels `DelaunayRepair_2`
+\cgalModels{DelaunayRepair_2}
 */
 class Flip_and_splice_repair_2
 {

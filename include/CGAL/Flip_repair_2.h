@@ -12,7 +12,7 @@ namespace CGAL {
 Flips edges (Lawson), and nothing else. Where flips get stuck at inverted faces, an update with an
 exact classifier rebuilds; one with a heuristic classifier leaves them.
 
-\cgalModels `DelaunayRepair_2`
+\cgalModels{DelaunayRepair_2}
 */
 class Flip_repair_2
 {

@@ -26,7 +26,7 @@ the time that it was measured to take. So equal input gives equal choices.
 
 Cost: none while mending wins; else a look at some hundred edges.
 
-\cgalModels `DelaunayUpdatePolicy_2`
+\cgalModels{DelaunayUpdatePolicy_2}
 */
 class Hybrid_policy_2
 {

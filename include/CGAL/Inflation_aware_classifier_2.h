@@ -26,7 +26,7 @@ between equal edges, such a change is none. It is *heuristic*.
 
 Cost: two passes over all edges; two doubles an edge, and one a vertex, of memory.
 
-\cgalModels `DelaunayClassifier_2`
+\cgalModels{DelaunayClassifier_2}
 */
 class Inflation_aware_classifier_2
 {

@@ -19,7 +19,7 @@ nothing to win.
 
 Cost: none of its own.
 
-\cgalModels `DelaunayUpdatePolicy_2`
+\cgalModels{DelaunayUpdatePolicy_2}
 */
 class Key_frame_policy_2
 {

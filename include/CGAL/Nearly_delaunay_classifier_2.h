@@ -40,7 +40,7 @@ classifies what the circumcircle classifier does.
 
 Cost: one pass over all edges; it keeps nothing.
 
-\cgalModels `DelaunayClassifier_2`
+\cgalModels{DelaunayClassifier_2}
 */
 class Nearly_delaunay_classifier_2
 {

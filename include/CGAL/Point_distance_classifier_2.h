@@ -23,7 +23,7 @@ figure 4.2). With `x = 1` every change of length counts; a small `x` tolerates m
 
 Cost: one pass over all edges; one double an edge of memory.
 
-\cgalModels `DelaunayClassifier_2`
+\cgalModels{DelaunayClassifier_2}
 */
 class Point_distance_classifier_2
 {

@@ -25,7 +25,7 @@ are rare.
 
 \tparam Velocity a function from ids to velocities with `x` and `y`, in lengths a frame.
 
-\cgalModels `DelaunayClassifier_2`
+\cgalModels{DelaunayClassifier_2}
 */
 template <class Velocity>
 class Predictive_point_distance_classifier_2

@@ -19,7 +19,7 @@ points are drawn by their ids, so equal seeds classify equal points on every mac
 
 Cost: one random number a point.
 
-\cgalModels `DelaunayClassifier_2`
+\cgalModels{DelaunayClassifier_2}
 */
 class Random_classifier_2
 {

@@ -14,7 +14,7 @@ namespace CGAL {
 Rebuilds the triangulation whenever anything is classified: a static triangulation, but for the
 frames in which nothing broke.
 
-\cgalModels `DelaunayRepair_2`
+\cgalModels{DelaunayRepair_2}
 */
 class Rebuild_repair_2
 {

@@ -33,7 +33,7 @@ frame.
 \tparam First a model of `DelaunayClassifier_2`
 \tparam Second a model of `DelaunayClassifier_2`
 
-\cgalModels `DelaunayClassifier_2`
+\cgalModels{DelaunayClassifier_2}
 */
 template <class First, class Second>
 class Refined_classifier_2

@@ -17,7 +17,7 @@ it is not enough to move the classified ones.
 If memory runs out while CGAL moves a vertex, the triangulation can only be assigned to or
 destroyed.
 
-\cgalModels `DelaunayRepair_2`
+\cgalModels{DelaunayRepair_2}
 */
 class Relocation_repair_2
 {

@@ -37,7 +37,7 @@ Cost: one pass over all vertices, where few have left their disks; these take ab
 microsecond each, as their disks are made anew. Else one pass over all edges, now and then another
 one to make all disks anew. Three doubles a vertex and one an edge of memory.
 
-\cgalModels `DelaunayClassifier_2`
+\cgalModels{DelaunayClassifier_2}
 */
 class Safe_region_classifier_2
 {

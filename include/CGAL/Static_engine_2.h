@@ -7,7 +7,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDynamicDelaunayTriangulation2
+\ingroup PkgDynamicDelaunayTriangulation2Ref
 
 Ways to triangulate points that have no triangulation yet (thesis chapter 3). All give a Delaunay
 triangulation by exact predicates; where points are cocircular, not always the same one.
@@ -24,7 +24,7 @@ enum class Static_engine_2 {
 };
 
 /*!
-\ingroup PkgDynamicDelaunayTriangulation2
+\ingroup PkgDynamicDelaunayTriangulation2Ref
 
 Which engine is used for what.
 */

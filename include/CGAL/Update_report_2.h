@@ -9,7 +9,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDynamicDelaunayTriangulation2
+\ingroup PkgDynamicDelaunayTriangulation2Ref
 
 Why an update rebuilt the triangulation instead of mending it.
 */
@@ -25,7 +25,7 @@ enum class Rebuild_reason_2 {
 };
 
 /*!
-\ingroup PkgDynamicDelaunayTriangulation2
+\ingroup PkgDynamicDelaunayTriangulation2Ref
 
 What one update did. Equal input and settings give equal reports.
 */

@@ -24,7 +24,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDynamicDelaunayTriangulation2
+\ingroup PkgDynamicDelaunayTriangulation2Ref
 
 The areas and perimeters of the points' Voronoi cells: whole, or clipped to a box. What a point has
 for itself, and so one over its local density. Of clipped cells the centroids, too, to which Lloyd's

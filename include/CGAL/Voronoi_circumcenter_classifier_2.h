@@ -27,7 +27,7 @@ rounded, though, so it is *heuristic*: near a tie it may take the wrong side.
 
 Cost: one pass over all edges with two circumcenters each; it keeps nothing.
 
-\cgalModels `DelaunayClassifier_2`
+\cgalModels{DelaunayClassifier_2}
 */
 class Voronoi_circumcenter_classifier_2
 {

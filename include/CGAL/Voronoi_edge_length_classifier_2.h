@@ -32,7 +32,7 @@ the hull, where Voronoi edges do not end, edges are classified as by
 
 Cost: one pass over all edges with two distances each; one double an edge of memory.
 
-\cgalModels `DelaunayClassifier_2`
+\cgalModels{DelaunayClassifier_2}
 */
 class Voronoi_edge_length_classifier_2
 {

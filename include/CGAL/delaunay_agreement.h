@@ -20,7 +20,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDynamicDelaunayTriangulation2
+\ingroup PkgDynamicDelaunayTriangulation2Ref
 
 How far the edges of a maintained triangulation agree with those of a Delaunay triangulation of the
 same points: the confusion matrix of "these two points are Delaunay neighbors" over all pairs of
@@ -240,7 +240,7 @@ private:
 /// \endcond
 
 /*!
-\ingroup PkgDynamicDelaunayTriangulation2
+\ingroup PkgDynamicDelaunayTriangulation2Ref
 
 Compares the edges of a maintained triangulation with those of a Delaunay triangulation of the same
 points, which is taken for right.

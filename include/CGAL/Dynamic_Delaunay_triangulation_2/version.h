@@ -9,26 +9,26 @@
 /// \file CGAL/Dynamic_Delaunay_triangulation_2/version.h
 /// The version of this package. CMake reads it from here, so it is written nowhere else.
 
-/// \ingroup PkgDynamicDelaunayTriangulation2
+/// \ingroup PkgDynamicDelaunayTriangulation2Ref
 /// grows when programs that use the package have to change
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VERSION_MAJOR 1
 
-/// \ingroup PkgDynamicDelaunayTriangulation2
+/// \ingroup PkgDynamicDelaunayTriangulation2Ref
 /// grows when something is added
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VERSION_MINOR 0
 
-/// \ingroup PkgDynamicDelaunayTriangulation2
+/// \ingroup PkgDynamicDelaunayTriangulation2Ref
 /// grows when something is only mended; at most 9
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VERSION_PATCH 0
 
-/// \ingroup PkgDynamicDelaunayTriangulation2
+/// \ingroup PkgDynamicDelaunayTriangulation2Ref
 /// the version as text: `"1.2.3"`
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VERSION                                              \
   CGAL_STR(CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VERSION_MAJOR)                                    \
   "." CGAL_STR(CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VERSION_MINOR) "." CGAL_STR(                  \
       CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VERSION_PATCH)
 
-/// \ingroup PkgDynamicDelaunayTriangulation2
+/// \ingroup PkgDynamicDelaunayTriangulation2Ref
 /// the version as a number to compare with, in the form of `CGAL_VERSION_NR`: 1010231000 is 1.2.3
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VERSION_NR                                           \
   (1000001000 + CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VERSION_MAJOR * 10000000 +                   \
