@@ -16,7 +16,7 @@ namespace CGAL {
 A visitor that takes notice of nothing: the default, which costs nothing, and a base for visitors
 of one's own, which then need only the functions that they care for.
 
-\cgalModels `DelaunayUpdateVisitor_2`
+\cgalModels{DelaunayUpdateVisitor_2}
 */
 class Delaunay_update_visitor_base_2
 {

@@ -26,7 +26,7 @@ Cost: proportional to the flips, and to the faces that were created and removed,
 as all faces; to ask for the lists, that times its logarithm. No allocation once there was as much
 to remember before.
 
-\cgalModels `DelaunayUpdateVisitor_2`
+\cgalModels{DelaunayUpdateVisitor_2}
 */
 class Edge_changes_visitor_2 : public Delaunay_update_visitor_base_2
 {
