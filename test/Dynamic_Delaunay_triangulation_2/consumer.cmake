@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs the package, and builds and runs consumer/ with what was installed. Then configures consumer/ with the
-# package as a subdirectory.
+# Installs the package, and builds and runs README's first program, in the project that README shows, with what was
+# installed. Then configures the same with the package as a subdirectory.
 
 cmake_minimum_required(VERSION 3.20)
 
@@ -17,9 +17,9 @@ if(NOT TBB)
   set(without_tbb -D CMAKE_DISABLE_FIND_PACKAGE_TBB=ON)
 endif()
 
-# configure_consumer(DIRECTORY cmake options): with TBB where the package is built with it, and only there
-function(configure_consumer directory)
-  run("${CMAKE_COMMAND}" -S "${consumer}" -B "${directory}" -G "${GENERATOR}" -D "CMAKE_CXX_COMPILER=${COMPILER}"
+# configure_consumer(SOURCE DIRECTORY cmake options): with TBB where the package is built with it, and only there
+function(configure_consumer source directory)
+  run("${CMAKE_COMMAND}" -S "${source}" -B "${directory}" -G "${GENERATOR}" -D "CMAKE_CXX_COMPILER=${COMPILER}"
     -D "CMAKE_CXX_COMPILER_LAUNCHER=${CCACHE}" -D "CGAL_DIR=${CGAL_DIR}" -D CMAKE_BUILD_TYPE=Debug
     -D CMAKE_CXX_FLAGS_DEBUG=-O0 -D CMAKE_EXPORT_COMPILE_COMMANDS=ON ${without_tbb} ${ARGN})
   if(EXISTS "${directory}/compile_commands.json") # not all generators write it
@@ -35,22 +35,24 @@ function(configure_consumer directory)
   endif()
 endfunction()
 
-set(consumer "${CMAKE_CURRENT_LIST_DIR}/consumer")
+set(project "${WORK}/project")
 set(prefix "${WORK}/prefix")
 file(REMOVE_RECURSE "${WORK}")
 
-# The program is README's first one, after comments that README has no use for.
-file(READ "${SOURCE}/README.md" readme)
-file(READ "${consumer}/main.cpp" program)
-string(FIND "${readme}" "\n```cpp\n" begin)
-math(EXPR begin "${begin} + 8")
-string(SUBSTRING "${readme}" ${begin} -1 readme)
-string(FIND "${readme}" "```" length)
-string(SUBSTRING "${readme}" 0 ${length} readme)
-string(REGEX REPLACE "^(//[^\n]*\n|\n)+" "" program "${program}")
-if(NOT program STREQUAL readme)
-  message(FATAL_ERROR "consumer/main.cpp is not the first program of README.md")
-endif()
+# write_shown(LANGUAGE FILE): README's first block in this language
+function(write_shown language file)
+  file(READ "${SOURCE}/README.md" text)
+  set(fence "\n```${language}\n")
+  string(FIND "${text}" "${fence}" begin)
+  string(LENGTH "${fence}" length)
+  math(EXPR begin "${begin} + ${length}")
+  string(SUBSTRING "${text}" ${begin} -1 text)
+  string(FIND "${text}" "```" length)
+  string(SUBSTRING "${text}" 0 ${length} text)
+  file(WRITE "${file}" "${text}")
+endfunction()
+write_shown(cpp "${project}/main.cpp")
+write_shown(cmake "${project}/CMakeLists.txt")
 
 # What is installed may be moved.
 run("${CMAKE_COMMAND}" --install "${BUILD}" --config "${CONFIG}" --prefix "${WORK}/somewhere")
@@ -61,13 +63,17 @@ if(NOT installed STREQUAL headers)
   message(FATAL_ERROR "Installed were\n${installed}\ninstead of\n${headers}")
 endif()
 
-configure_consumer("${WORK}/installed" -D "CMAKE_PREFIX_PATH=${prefix}")
+configure_consumer("${project}" "${WORK}/installed" -D "CMAKE_PREFIX_PATH=${prefix}")
 load_cache("${WORK}/installed" READ_WITH_PREFIX "" Dynamic_Delaunay_triangulation_2_DIR)
 if(NOT Dynamic_Delaunay_triangulation_2_DIR MATCHES "^${prefix}/")
   message(FATAL_ERROR "Found ${Dynamic_Delaunay_triangulation_2_DIR}, not what was installed")
 endif()
 run("${CMAKE_COMMAND}" --build "${WORK}/installed" --config Debug)
-find_program(program_file consumer PATHS "${WORK}/installed" "${WORK}/installed/Debug" NO_DEFAULT_PATH REQUIRED)
+find_program(program_file my_program PATHS "${WORK}/installed" "${WORK}/installed/Debug" NO_DEFAULT_PATH REQUIRED)
 run("${program_file}")
 
-configure_consumer("${WORK}/subdirectory" -D "PACKAGE_SOURCE=${SOURCE}")
+file(READ "${project}/CMakeLists.txt" lists)
+string(REGEX REPLACE "find_package\\([^\n]*" "add_subdirectory(\"${SOURCE}\" package)" lists "${lists}")
+file(WRITE "${WORK}/project_with_package/CMakeLists.txt" "${lists}")
+file(COPY "${project}/main.cpp" DESTINATION "${WORK}/project_with_package")
+configure_consumer("${WORK}/project_with_package" "${WORK}/subdirectory")
