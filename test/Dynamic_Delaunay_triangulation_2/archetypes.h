@@ -234,4 +234,58 @@ private:
   std::size_t m_updates = 0;
 };
 
+// DelaunayUpdateVisitor_2, without the base that has all functions.
+class Visitor_archetype
+{
+public:
+  static Visitor_archetype make() { return Visitor_archetype(); }
+  Visitor_archetype(const Visitor_archetype&) = default;
+  Visitor_archetype& operator=(const Visitor_archetype&) = delete;
+
+  template <class Dynamic>
+  void before_update(const Dynamic&)
+  {
+  }
+  template <class Dynamic>
+  void after_update(const Dynamic&, const CGAL::Update_report_2&)
+  {
+  }
+  template <class Dynamic>
+  void before_flip(const Dynamic&, const typename Dynamic::Edge&)
+  {
+  }
+  template <class Dynamic>
+  void after_flip(const Dynamic&, const typename Dynamic::Edge&)
+  {
+  }
+  template <class Dynamic>
+  void before_face_removal(const Dynamic&, typename Dynamic::Face_handle)
+  {
+  }
+  template <class Dynamic>
+  void after_face_creation(const Dynamic&, typename Dynamic::Face_handle)
+  {
+  }
+  template <class Dynamic>
+  void after_vertex_creation(const Dynamic&, typename Dynamic::Vertex_handle, std::size_t)
+  {
+  }
+  template <class Dynamic>
+  void before_vertex_removal(const Dynamic&, typename Dynamic::Vertex_handle, std::size_t)
+  {
+  }
+  template <class Dynamic>
+  void before_vertex_merge(const Dynamic&, typename Dynamic::Vertex_handle, std::size_t,
+                           typename Dynamic::Vertex_handle)
+  {
+  }
+  template <class Dynamic>
+  void after_id_change(const Dynamic&, typename Dynamic::Vertex_handle, std::size_t)
+  {
+  }
+
+private:
+  Visitor_archetype() = default;
+};
+
 #endif // DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_ARCHETYPES_H

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Traits, data structures, classifiers, repairs and policies that users bring along: terrain, data
-// in vertices and faces, and models of the concepts that can do no more than these demand. Kernels
-// have their turn in all other tests.
+// Traits, data structures, classifiers, repairs, policies and visitors that users bring along:
+// terrain, data in vertices and faces, and models of the concepts that can do no more than these
+// demand. Kernels have their turn in all other tests.
 
 #include "archetypes.h"
 #include "oracle.h"
@@ -66,14 +66,15 @@ struct Exact
 // A kernel, with archetypes of all that works on its points.
 struct Plain
 {
-  using Dynamic =
-      CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier_archetype, Repair_archetype,
-                                             Info_below<Epick>, Policy_archetype>;
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier_archetype,
+                                                         Repair_archetype, Info_below<Epick>,
+                                                         Policy_archetype, Visitor_archetype>;
   static Dynamic triangulation(const std::vector<Epick::Point_2>& points,
                                const CGAL::Static_engines_2& engines)
   {
     return Dynamic(points.begin(), points.end(), Classifier_archetype::make(),
-                   Repair_archetype::make(), engines, Policy_archetype::make());
+                   Repair_archetype::make(), engines, Policy_archetype::make(),
+                   Visitor_archetype::make());
   }
   static Epick::Point_2 at(double x, double y, int) { return {x, y}; }
   static int mark(const Epick::Point_2&) { return 0; }
