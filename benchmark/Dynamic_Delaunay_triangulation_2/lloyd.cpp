@@ -42,8 +42,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <exception>
-#include <iostream>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -280,12 +278,10 @@ const Table by_iterations = {
     columns({"frames", 8, 0}, {{"flips", 9, 4}, {"rebuilds", 9, 0}, {"step", 8, 4}})};
 const Table whole = {"Whole relaxations, a hundred iterations, ms", columns({"runs", 8, 0}, {})};
 
-bool run_lloyd(int argc, char** argv)
+void add_all(Case_list& cases, Relaxations& relaxations)
 {
   const std::size_t sizes[] = {1'000, 10'000, 100'000};
   const std::size_t lasts[] = {1, 2, 5, 10, 20, 50, iterations};
-  Relaxations relaxations;
-  Case_list cases;
   for (const std::size_t points : sizes) {
     std::size_t first = 1;
     for (const std::size_t last : lasts) {
@@ -302,17 +298,13 @@ bool run_lloyd(int argc, char** argv)
     cases.add(whole, std::to_string(points) + "/all",
               [=, &relaxations] { return whole_case(relaxations.of(points)); });
   }
-  return run_cases(cases, argc, argv, RESULTS_DIR "/lloyd.json");
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  try {
-    return run_lloyd(argc, argv) ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::cerr << "lloyd: " << error.what() << '\n';
-    return 1;
-  }
+  Relaxations relaxations;
+  return run_program(
+      "lloyd", [&relaxations](Case_list& cases) { add_all(cases, relaxations); }, argc, argv);
 }

@@ -39,7 +39,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <exception>
 #include <filesystem>
 #include <initializer_list>
 #include <iostream>
@@ -270,21 +269,9 @@ void add_all(Case_list& cases)
   add_allocations(cases);
 }
 
-bool run_speed(int argc, char** argv)
-{
-  Case_list cases;
-  add_all(cases);
-  return run_cases(cases, argc, argv, RESULTS_DIR "/speed.json");
-}
-
 } // namespace
 
 int main(int argc, char** argv)
 {
-  try {
-    return run_speed(argc, argv) ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::cerr << "speed: " << error.what() << '\n';
-    return 1;
-  }
+  return run_program("speed", add_all, argc, argv);
 }

@@ -37,8 +37,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <exception>
-#include <iostream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -346,9 +344,8 @@ void add_rebuilds(Case_list& cases, const Table& table, const std::string& name,
   }
 }
 
-bool run_engines(int argc, char** argv)
+void add_all(Case_list& cases)
 {
-  Case_list cases;
   add_rebuilds(cases, jump, "jump", jump_case);
   add_rebuilds(cases, step, "step", step_case);
   add_rebuilds(cases, grid, "grid", grid_case);
@@ -356,17 +353,11 @@ bool run_engines(int argc, char** argv)
     cases.add(splice, "splice/padding_" + std::to_string(padding),
               [=] { return splice_case(padding); });
   }
-  return run_cases(cases, argc, argv, RESULTS_DIR "/static_engines.json");
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  try {
-    return run_engines(argc, argv) ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::cerr << "static_engines: " << error.what() << '\n';
-    return 1;
-  }
+  return run_program("static_engines", add_all, argc, argv);
 }

@@ -1124,8 +1124,7 @@ struct Shared_file
 
 TEST(Recorded_data, parses_with_the_frames_and_points_its_description_states)
 {
-  const std::string directory = recordings_directory();
-  if (!std::filesystem::is_directory(directory)) {
+  if (!recordings_are_expected()) {
     GTEST_SKIP() << no_recordings_message();
   }
   const std::vector<Shared_file> files = {
@@ -1135,7 +1134,7 @@ TEST(Recorded_data, parses_with_the_frames_and_points_its_description_states)
       {"satellites.csv", 150, 833, 833},        {"asteroids.csv", 25, 7098, 7098},
       {"md_crack.lammpstrj", 11, 8141, 8141},   {"granular_pour.lammpstrj", 101, 0, 1000}};
   for (const Shared_file& file : files) {
-    const auto motion = open_motion(directory + "/" + file.name);
+    const auto motion = open_motion(recordings_directory() + "/" + file.name);
     EXPECT_EQ(motion->frames() + 1, file.number_of_frames) << file.name;
     std::size_t fewest = motion->points().size();
     std::size_t most = fewest;

@@ -7,13 +7,13 @@
 #include "run/Kernel.h"
 #include "run/Vertex_sets.h"
 #include "scenario/Open_motion.h"
+#include "scenario/Scenario_directory.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -46,8 +46,7 @@ public:
 
   Followed_motion(const std::string& name, const scenario::Overrides& overrides,
                   const Classifier& classifier)
-    : m_motion(scenario::open_motion(
-          (std::filesystem::path(SCENARIOS_DIR) / (name + ".json")).string(), overrides))
+    : m_motion(scenario::open_motion(scenario::scenario_file(name), overrides))
     , m_triangulation(m_motion->points().begin(), m_motion->points().end(), run::Point_map(),
                       classifier)
   {

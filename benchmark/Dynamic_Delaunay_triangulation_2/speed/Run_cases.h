@@ -11,6 +11,7 @@
 #include <benchmark/benchmark.h>
 
 #include <cstddef>
+#include <exception>
 #include <iostream>
 #include <string>
 
@@ -37,6 +38,21 @@ inline bool run_cases(const Case_list& cases, int argc, char** argv,
     std::cerr << "JSON: " << options.output_file() << '\n';
   }
   return !cases.has_failed();
+}
+
+// All that the main function of a program of cases has to do; its results go to NAME.json, unless
+// the options name another file.
+template <class Add_cases>
+int run_program(const std::string& name, const Add_cases& add_cases, int argc, char** argv)
+{
+  try {
+    Case_list cases;
+    add_cases(cases);
+    return run_cases(cases, argc, argv, RESULTS_DIR "/" + name + ".json") ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::cerr << name << ": " << error.what() << '\n';
+    return 1;
+  }
 }
 
 } // namespace speed

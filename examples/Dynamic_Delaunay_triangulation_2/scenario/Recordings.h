@@ -29,6 +29,13 @@ inline std::string no_recordings_message()
          "; set SHARED_DATA_DIR to the directory that holds them";
 }
 
+// Whether they have to be there: the environment names a directory, or the usual one exists.
+inline bool recordings_are_expected()
+{
+  return std::getenv("SHARED_DATA_DIR") != nullptr ||
+         std::filesystem::is_directory(recordings_directory());
+}
+
 // The paths of all recordings there, in the order of their names; none if there is no directory.
 inline std::vector<std::string> recordings()
 {
