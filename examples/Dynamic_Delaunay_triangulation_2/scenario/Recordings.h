@@ -36,18 +36,23 @@ inline bool recordings_are_expected()
          std::filesystem::is_directory(recordings_directory());
 }
 
-// The paths of all recordings there, in the order of their names; none if there is no directory.
-inline std::vector<std::string> recordings()
+// The paths of all recordings in a directory, in the order of their names; none if there is none.
+inline std::vector<std::string> recordings_in(const std::string& directory)
 {
   std::vector<std::string> paths;
   std::error_code ignored;
-  for (const auto& file : std::filesystem::directory_iterator(recordings_directory(), ignored)) {
+  for (const auto& file : std::filesystem::directory_iterator(directory, ignored)) {
     if (is_recording(file.path())) {
       paths.push_back(file.path().string());
     }
   }
   std::sort(paths.begin(), paths.end());
   return paths;
+}
+
+inline std::vector<std::string> recordings()
+{
+  return recordings_in(recordings_directory());
 }
 
 } // namespace scenario

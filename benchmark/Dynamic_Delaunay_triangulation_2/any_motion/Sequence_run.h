@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef ANY_MOTION_SEQUENCE_RUN_H
+#define ANY_MOTION_SEQUENCE_RUN_H
+
+#include "Fastest_static.h"
+#include "run/Kept_triangulation.h"
+#include "scenario/Recorded_motion.h"
+#include "Sequence_figures.h"
+#include "Thread_time.h"
+
+#include <CGAL/delaunay_agreement.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace any_motion {
+
+struct Sequence_settings
+{
+  std::size_t warm_up = 2;                  // updates before the first one that is measured
+  std::size_t repetitions = 2;              // at most, of what seems slow
+  std::size_t most_checked_points = 10'000; // whose frames are compared with fresh ones
+  double patience = 2.0;                    // seconds: a longer frame is the last one
+};
+
+// Follows a sequence of frames from its start.
+class Sequence_run
+{
+public:
+  Sequence_run(const scenario::Recording& recording, const Sequence_settings& settings)
+    : m_recording(recording)
+    , m_settings(settings)
+    , m_motion("", recording)
+    , m_kept(m_motion, Dynamic())
+  {
+    m_static.follow(recording.front());
+  }
+
+  // `figures` get the frames. A check compares every frame with a fresh triangulation.
+  // \throws std::runtime_error if anything is wrong.
+  void run(Sequence_figures& figures, bool is_checked)
+  {
+    for (std::size_t i = 1; i != m_recording.size() && !figures.was_cut_short; ++i) {
+      m_motion.advance({});
+      m_figures = {};
+      m_figures.frame = i;
+      m_figures.points = m_recording[i].points.size();
+      const bool is_warm = i > m_settings.warm_up;
+      if (is_warm ? measure() : follow()) {
+        figures.frames.push_back(m_figures);
+        if (is_checked && m_figures.points <= m_settings.most_checked_points) {
+          check_thoroughly();
+        }
+      }
+      figures.was_cut_short = is_too_slow();
+    }
+  }
+
+private:
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel>;
+
+  // The order alternates: whoever comes first warms the caches for the others.
+  bool measure()
+  {
+    m_static.prepare(current());
+    const bool is_first = m_figures.frame % 2 == 0;
+    if (is_first) {
+      time_dynamic();
+    }
+    time_static();
+    if (!is_first) {
+      time_dynamic();
+    }
+    check_certificate();
+    return true;
+  }
+
+  // Whether it was so slow that it is measured nevertheless.
+  bool follow()
+  {
+    time_dynamic();
+    check_certificate();
+    if (!is_too_slow()) {
+      m_static.follow(current());
+      return false;
+    }
+    m_static.prepare(current());
+    time_static();
+    return true;
+  }
+
+  void time_dynamic()
+  {
+    m_figures.dynamic =
+        thread_nanoseconds_of([this] { m_figures.report = m_kept.update(m_motion); });
+  }
+
+  void time_static()
+  {
+    m_figures.insert = m_static.time_insert();
+    m_figures.ordered = m_static.time_ordered();
+    m_figures.sorted = m_static.time_sorted();
+  }
+
+  bool is_too_slow() const
+  {
+    const double slowest = std::max(m_figures.dynamic, m_figures.insert);
+    return slowest > 1e9 * m_settings.patience;
+  }
+
+  const scenario::Recorded_frame& current() const { return m_recording[m_figures.frame]; }
+
+  void check_certificate() const
+  {
+    if (!m_figures.report.certified || !m_kept.triangulation().is_certified()) {
+      fail("the triangulation is not certified");
+    }
+  }
+
+  void check_thoroughly() const
+  {
+    if (!m_kept.triangulation().is_valid()) {
+      fail("the triangulation is not valid");
+    }
+    if (CGAL::delaunay_agreement(m_kept.triangulation(), m_static.reference())
+            .matthews_correlation_coefficient() != 1.0) {
+      fail("the triangulation differs from a fresh one");
+    }
+  }
+
+  [[noreturn]] void fail(const std::string& what) const
+  {
+    throw std::runtime_error("frame " + std::to_string(m_figures.frame) + ": " + what);
+  }
+
+  const scenario::Recording& m_recording;
+  Sequence_settings m_settings;
+  scenario::Recorded_motion m_motion;
+  run::Kept_triangulation<Dynamic> m_kept;
+  Fastest_static m_static;
+  Frame_figures m_figures;
+};
+
+// Of each frame the repetition with the smallest ratio.
+inline void keep_the_best(Sequence_figures& best, const Sequence_figures& repeated)
+{
+  const std::size_t frames = std::min(best.frames.size(), repeated.frames.size());
+  for (std::size_t i = 0; i != frames; ++i) {
+    if (repeated.frames[i].frame == best.frames[i].frame &&
+        repeated.frames[i].ratio() < best.frames[i].ratio()) {
+      best.frames[i] = repeated.frames[i];
+    }
+  }
+}
+
+// What seems slow may have been disturbed: it is repeated, from the same start and with the same
+// frames. What was cut short is slow beyond doubt.
+inline Sequence_figures measured(const scenario::Recording& recording,
+                                 const Sequence_settings& settings)
+{
+  Sequence_figures best;
+  best.points = recording.front().points.size();
+  Sequence_run(recording, settings).run(best, true);
+  if (best.frames.empty()) {
+    throw std::runtime_error("there are no frames after " + std::to_string(settings.warm_up) +
+                             " to warm up");
+  }
+  for (std::size_t i = 0; i != settings.repetitions && !best.was_cut_short && is_slow(best); ++i) {
+    Sequence_figures repeated;
+    Sequence_run(recording, settings).run(repeated, false);
+    keep_the_best(best, repeated);
+  }
+  return best;
+}
+
+} // namespace any_motion
+
+#endif // ANY_MOTION_SEQUENCE_RUN_H
