@@ -4,10 +4,10 @@
 #ifndef ANY_MOTION_FASTEST_STATIC_H
 #define ANY_MOTION_FASTEST_STATIC_H
 
+#include "../speed/Insertion_in_rounds.h"
 #include "run/Kernel.h"
 #include "scenario/Recorded_motion.h"
 #include "scenario/Spatial_order.h"
-#include "../speed/Insertion_in_rounds.h"
 #include "Thread_time.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulation_2.h>

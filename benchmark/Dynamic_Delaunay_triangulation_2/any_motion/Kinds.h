@@ -6,6 +6,7 @@
 
 #include "Program.h"
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <sstream>
@@ -39,6 +40,12 @@ inline std::string text(double number)
   return stream.str();
 }
 
+// Of whom so many percent are at least one.
+inline std::size_t fewest_for(double percent)
+{
+  return static_cast<std::size_t>(std::ceil(100.0 / percent));
+}
+
 inline void add_jumps(std::vector<Kind>& all)
 {
   for (const std::size_t count : {3u, 10u, 30u, 100u, 300u, 1000u, 3000u}) {
@@ -50,7 +57,7 @@ inline void add_jumps(std::vector<Kind>& all)
   for (const double percent : {0.01, 0.1, 1.0, 2.0, 4.0, 8.0, 16.0, 33.0, 50.0}) {
     all.push_back({"jump_anywhere_" + text(percent) + "_percent", "jumps",
                    text(percent) + " percent go anywhere, the others rest",
-                   "square; fresh " + text(0.01 * percent)});
+                   "square; fresh " + text(0.01 * percent), fewest_for(percent)});
   }
   for (const double size : {1.0, 10.0}) {
     for (const double percent : {0.1, 1.0, 4.0, 10.0, 30.0, 50.0}) {
@@ -58,7 +65,8 @@ inline void add_jumps(std::vector<Kind>& all)
       all.push_back({"jump_" + spacings + "_" + text(percent) + "_percent", "jumps",
                      text(percent) + " percent jump by " + text(size) +
                          " spacings in random directions, the others rest",
-                     "square; jump " + text(0.01 * percent) + ' ' + text(size)});
+                     "square; jump " + text(0.01 * percent) + ' ' + text(size),
+                     fewest_for(percent)});
     }
   }
   for (const double step : {0.003, 0.03}) {
@@ -66,7 +74,8 @@ inline void add_jumps(std::vector<Kind>& all)
       all.push_back({"jump_in_brownian_" + text(step) + "_" + text(percent) + "_percent", "jumps",
                      text(percent) + " percent go anywhere, all are in Brownian motion of " +
                          text(step) + " spacings",
-                     "square; brownian 1 " + text(step) + "; fresh " + text(0.01 * percent)});
+                     "square; brownian 1 " + text(step) + "; fresh " + text(0.01 * percent),
+                     fewest_for(percent)});
     }
   }
   all.push_back({"jump_of_a_patch", "jumps", "the 1 percent in a disc go anywhere",
@@ -232,10 +241,11 @@ inline void add_populations(std::vector<Kind>& all)
     const std::string step = "; replace " + text(0.01 * percent);
     const std::string who = text(percent) + " percent are replaced";
     const std::string name = "replace_" + text(percent) + "_percent";
-    all.push_back({name, "populations", who + ", the others rest", "square" + step});
+    all.push_back(
+        {name, "populations", who + ", the others rest", "square" + step, fewest_for(percent)});
     all.push_back({name + "_in_motion", "populations",
                    who + ", all are in Brownian motion of 0.01 spacings",
-                   "square; brownian 1 0.01" + step});
+                   "square; brownian 1 0.01" + step, fewest_for(percent)});
   }
   all.insert(
       all.end(),

@@ -44,7 +44,6 @@ struct Motion
   const char* name;
   const char* does;
   void (*move)(const Moving& moving);
-  bool changes_population = false;
 };
 
 namespace motions {
@@ -445,12 +444,11 @@ inline const std::vector<Motion>& all_motions()
       {"inside_out", "near goes far, and far goes near", turn_inside_out},
       {"flatten", "onto a line, of SIZE times its length, and back", flatten},
       {"collapse", "onto one place, and back", collapse},
-      {"replace", "they go, and others come to fresh places", replace, true},
-      {"leave", "they go", leave, true},
-      {"come", "as many others come to fresh places", come, true},
-      {"come_and_leave", "as many others come, and in the next frame as many go", come_and_leave,
-       true},
-      {"stream", "right by SIZE spacings, out of the box, others come in", stream, true}};
+      {"replace", "they go, and others come to fresh places", replace},
+      {"leave", "they go", leave},
+      {"come", "as many others come to fresh places", come},
+      {"come_and_leave", "as many others come, and in the next frame as many go", come_and_leave},
+      {"stream", "right by SIZE spacings, out of the box, others come in", stream}};
   return all;
 }
 

@@ -9,7 +9,6 @@
 #include "run/Number_argument.h"
 #include "Selection.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -42,13 +41,6 @@ struct Program
   std::string base = "square";
   double scale_x = 1.0, scale_y = 1.0;
   std::vector<Step> steps{};
-
-  bool changes_population() const
-  {
-    return std::any_of(steps.begin(), steps.end(), [](const Step& step) {
-      return motion_named(step.motion).changes_population;
-    });
-  }
 };
 
 inline double number_in(const std::string& text)

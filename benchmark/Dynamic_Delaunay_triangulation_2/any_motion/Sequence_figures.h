@@ -35,7 +35,6 @@ struct Sequence_figures
 {
   std::string kind;
   std::string group;
-  std::size_t points = 0; // in its first frame
   std::vector<Frame_figures> frames{};
   bool was_cut_short = false;
 
@@ -47,6 +46,13 @@ struct Sequence_figures
       values.push_back(figure(frame));
     }
     return run::spread(values)->median;
+  }
+
+  // Of a changing population, what is usual.
+  std::size_t points() const
+  {
+    return static_cast<std::size_t>(
+        median([](const Frame_figures& frame) { return static_cast<double>(frame.points); }));
   }
 
   double median_ratio() const

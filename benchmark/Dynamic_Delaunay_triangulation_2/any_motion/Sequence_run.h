@@ -164,7 +164,6 @@ inline Sequence_figures measured(const scenario::Recording& recording,
                                  const Sequence_settings& settings)
 {
   Sequence_figures best;
-  best.points = recording.front().points.size();
   Sequence_run(recording, settings).run(best, true);
   if (best.frames.empty()) {
     throw std::runtime_error("there are no frames after " + std::to_string(settings.warm_up) +

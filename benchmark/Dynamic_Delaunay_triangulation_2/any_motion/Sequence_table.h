@@ -8,6 +8,7 @@
 
 #include <CGAL/Update_report_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <iomanip>
 #include <ostream>
@@ -42,7 +43,7 @@ public:
       return frame.points == 0 ? 0.0 : nanoseconds / static_cast<double>(frame.points);
     };
     m_out << std::left << std::setw(name_width) << figures.kind << std::right << std::setw(8)
-          << figures.points << std::setw(7) << figures.frames.size() << std::setprecision(3)
+          << figures.points() << std::setw(7) << figures.frames.size() << std::setprecision(3)
           << std::setw(9) << figures.median_ratio() << std::setw(9) << figures.worst_ratio()
           << std::setprecision(1) << std::setw(11)
           << figures.median([&](const auto& frame) { return a_point(frame.dynamic, frame); })
@@ -59,46 +60,45 @@ public:
   {
     write_times_faster(all, "calm");
     write_times_faster(all, "jumps");
-    write_slow(all, "medians", slow_median, [](const Sequence_figures& figures) {
-      return figures.median_ratio() > slow_median;
-    });
+    write_slow_medians(all);
     write_slow_frames(all);
   }
 
 private:
   static std::string name(const Sequence_figures& figures)
   {
-    return figures.kind + '/' + std::to_string(figures.points);
+    return figures.kind + '/' + std::to_string(figures.points());
   }
 
   void write_times_faster(const std::vector<Sequence_figures>& all, const std::string& group)
   {
-    m_out << "\nTimes faster than the fastest static way, " << group << ", medians\n"
-          << std::setprecision(2);
+    const char* head = "\nTimes faster than the fastest static way, ";
     for (const Sequence_figures& figures : all) {
       if (figures.group == group) {
+        if (head != nullptr) {
+          m_out << head << group << ", medians\n" << std::setprecision(2);
+          head = nullptr;
+        }
         m_out << "  " << std::left << std::setw(name_width) << name(figures) << std::right
               << std::setw(9) << 1.0 / figures.median_ratio() << '\n';
       }
     }
   }
 
-  template <class Is_slow>
-  void write_slow(const std::vector<Sequence_figures>& all, const char* what, double limit,
-                  const Is_slow& is_slow_one)
+  void write_slow_medians(const std::vector<Sequence_figures>& all)
   {
-    std::vector<const Sequence_figures*> slow;
+    const auto is_slow_one = [](const Sequence_figures& figures) {
+      return figures.median_ratio() > slow_median;
+    };
+    m_out << std::setprecision(2) << '\n'
+          << std::count_if(all.begin(), all.end(), is_slow_one) << " of " << all.size()
+          << " medians above " << slow_median << '\n'
+          << std::setprecision(3);
     for (const Sequence_figures& figures : all) {
       if (is_slow_one(figures)) {
-        slow.push_back(&figures);
+        m_out << "  " << std::left << std::setw(name_width) << name(figures) << std::right
+              << std::setw(9) << figures.median_ratio() << '\n';
       }
-    }
-    m_out << std::setprecision(2) << '\n'
-          << slow.size() << " of " << all.size() << ' ' << what << " above " << limit << '\n'
-          << std::setprecision(3);
-    for (const Sequence_figures* figures : slow) {
-      m_out << "  " << std::left << std::setw(name_width) << name(*figures) << std::right
-            << std::setw(9) << figures->median_ratio() << '\n';
     }
   }
 
