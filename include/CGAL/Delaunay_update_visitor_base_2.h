@@ -71,6 +71,12 @@ public:
 
   /// does nothing.
   template <class Dynamic>
+  void before_vertex_relocation(const Dynamic&, typename Dynamic::Vertex_handle, std::size_t)
+  {
+  }
+
+  /// does nothing.
+  template <class Dynamic>
   void before_vertex_merge(const Dynamic&, typename Dynamic::Vertex_handle, std::size_t,
                            typename Dynamic::Vertex_handle)
   {

@@ -17,13 +17,13 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_frame_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Population_input_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Update_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Validity_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Visitor_calls_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_vertex_base_2.h>
 #include <CGAL/Dynamic_frame_2.h>
-#include <CGAL/Dynamic_mender_2.h>
 #include <CGAL/Flip_and_splice_repair_2.h>
 #include <CGAL/inform_classifier.h>
 #include <CGAL/property_map.h>
@@ -104,7 +104,7 @@ class Dynamic_Delaunay_triangulation_2
       Traits, Data_structure,
       Dynamic_Delaunay_triangulations_2::internal::Visitor_calls_2<
           Visitor, Dynamic_Delaunay_triangulation_2>>;
-  using Mender = Dynamic_mender_2<Maintained>;
+  using Update = Dynamic_Delaunay_triangulations_2::internal::Update_2<Maintained>;
   using Input = Dynamic_Delaunay_triangulations_2::internal::Input_frame_2<Maintained>;
   using Population_input =
       Dynamic_Delaunay_triangulations_2::internal::Population_input_2<Maintained>;
@@ -165,7 +165,7 @@ public:
     , m_visitor(visitor)
     , m_core(std::make_unique<Core>())
   {
-    m_core->mender.set_engines(engines);
+    m_core->update.tools().set_engines(engines);
   }
 
   /// triangulates the points of the range; the i-th one has id i. Cost: O(n log n); about that of
@@ -215,14 +215,7 @@ public:
                                    const Visitor& visitor = Visitor())
     : Dynamic_Delaunay_triangulation_2(classifier, repair, engines, policy, visitor)
   {
-    auto newcomers = Population_input::read_newcomers(first, beyond, point_map, m_core->maintained);
-    Update_report_2 report;
-    report.inserted = newcomers.ids.size();
-    start_visit();
-    m_core->maintained.positions_are_exact = newcomers.are_exact;
-    m_core->mender.population().build(std::move(newcomers.ids), std::move(newcomers.points));
-    finish(report);
-    finish_visit(report);
+    insert(first, beyond, point_map, Emptyset_iterator());
   }
 
   /// the moved-from object can only be assigned to or destroyed.
@@ -259,34 +252,10 @@ public:
   template <class InputIterator, class PointMap>
   Update_report_2 update(InputIterator first, InputIterator beyond, PointMap point_map)
   {
-    Maintained& maintained = m_core->maintained;
-    Mender& mender = m_core->mender;
-    m_core->input.stage(first, beyond, point_map, maintained);
-    const Point_writer writer{maintained};
-    ask([this] { start_visit(); }, m_is_certified);
-    const bool was_certified = begin();
-    Update_report_2 report;
-    auto& population = mender.population();
-    if (!maintained.is_mirrored())
-      rebuild(report, Rebuild_reason_2::DIMENSION);
-    else if (population.are_too_many(population.parted_guests().size()))
-      rebuild(report, Rebuild_reason_2::COINCIDENCE);
-    else if (ask([&] { return m_policy.wants_rebuild(frame()); }, was_certified))
-      rebuild(report, Rebuild_reason_2::POLICY);
-    else {
-      ask([&] { m_classifier(frame(), mender.start(report)); }, was_certified);
-      mender.take_classification(Classifier::is_exact, was_certified);
-      if (!mender.classification().empty())
-        m_repair(mender);
-      prove(report);
-      if (!report.rebuilt())
-        part(report);
-    }
-    finish(report);
-    m_policy.after_update(frame(), report);
-    maintained.write_points();
-    finish_visit(report);
-    return report;
+    m_core->input.stage(first, beyond, point_map, m_core->maintained);
+    Change change;
+    change.is_frame = true;
+    return run(change);
   }
 
   /// moves some points, and mends what that breaks, by exact predicates whatever the classifier is;
@@ -316,33 +285,9 @@ public:
   template <class InputIterator, class IdMap, class PointMap>
   Update_report_2 move(InputIterator first, InputIterator beyond, IdMap id_map, PointMap point_map)
   {
-    const auto movers =
-        Population_input::read_movers(first, beyond, id_map, point_map, m_core->maintained);
-    Update_report_2 report;
-    change(report, [&](bool was_certified) {
-      Mender& mender = m_core->mender;
-      if (movers.ids.empty())
-        return mend_news(report, was_certified);
-      m_core->maintained.positions_are_exact &= movers.are_exact;
-      auto& population = mender.population();
-      if (population.are_too_many(movers.ids.size()) ||
-          population.trade_places(movers.ids, movers.points)) {
-        population.move_all(movers.ids, movers.points);
-        if (!m_core->maintained.is_mirrored())
-          return rebuild(report, Rebuild_reason_2::DIMENSION);
-        mender.classify_around(movers.ids, was_certified);
-        Flip_and_splice_repair_2()(mender);
-      } else {
-        report.merged += population.move_few(movers.ids, movers.points);
-        mender.classify_around(movers.ids, was_certified);
-        mender.open_news(was_certified);
-        Flip_and_splice_repair_2().mend(mender);
-      }
-      prove(report);
-      if (!report.rebuilt())
-        part(report);
-    });
-    return report;
+    Change change;
+    Population_input::read_movers(first, beyond, id_map, point_map, m_core->maintained, change);
+    return run(change);
   }
 
   /// moves one point, in the same way.
@@ -387,17 +332,11 @@ public:
   Update_report_2 insert(InputIterator first, InputIterator beyond, PointMap point_map,
                          OutputIterator ids)
   {
-    const auto newcomers =
-        Population_input::read_newcomers(first, beyond, point_map, m_core->maintained);
-    for (const Index id : newcomers.ids)
+    Change change;
+    Population_input::read_newcomers(first, beyond, point_map, m_core->maintained, change);
+    for (const Index id : change.coming)
       *ids++ = id;
-    Update_report_2 report;
-    report.inserted = newcomers.ids.size();
-    change_population(report, [&](auto& population) {
-      m_core->maintained.positions_are_exact &= newcomers.are_exact;
-      return population.insert(newcomers.ids, newcomers.points);
-    });
-    return report;
+    return run(change);
   }
 
   /// takes a point away; its id is free from then on. Cost: proportional to the number of its
@@ -415,12 +354,39 @@ public:
   template <class InputIterator>
   Update_report_2 remove(InputIterator first, InputIterator beyond)
   {
-    const std::vector<Index> ids = Population_input::read_ids(first, beyond, m_core->maintained);
-    Update_report_2 report;
-    report.removed = ids.size();
-    change_population(report, [&](auto& population) { return population.remove(ids); });
-    return report;
+    Change change;
+    change.gone = Population_input::read_ids(first, beyond, m_core->maintained);
+    return run(change);
   }
+
+  /// \cond
+  // A whole frame of Dynamic_population_2: a position for every id, also for those that go, then
+  // the ids that go, each of which is there, and the points that come. `coming_ids` gets their ids,
+  // ascending; none, if an exception ends this before all that go have gone.
+  template <class InputIterator>
+  Update_report_2
+  update_population(InputIterator first, InputIterator beyond, const std::vector<size_type>& gone,
+                    const std::vector<Point>& coming, std::vector<size_type>& coming_ids)
+  {
+    Change change;
+    Population_input::read_newcomers(coming.begin(), coming.end(), Identity_map(),
+                                     m_core->maintained, change);
+    change.is_frame = true;
+    change.gone.assign(gone.begin(), gone.end());
+    change.coming = m_core->maintained.ids.next_ids(coming.size(), change.gone);
+    const std::vector<size_type> ids(change.coming.begin(), change.coming.end());
+    m_core->input.stage(first, beyond, Identity_map(), m_core->maintained);
+    try {
+      const Update_report_2 report = run(change);
+      coming_ids = ids;
+      return report;
+    } catch (...) {
+      if (m_core->update.has_removed())
+        coming_ids = ids;
+      throw;
+    }
+  }
+  /// \endcond
 
   /// @}
   /// \name Certainty
@@ -431,43 +397,33 @@ public:
   /// is certified already. \post `is_certified()`
   Update_report_2 mend()
   {
+    Change change;
+    change.is_mending = true;
+    if (!is_certified())
+      return run(change);
     Update_report_2 report;
     report.certified = true;
-    if (m_is_certified)
-      return report;
-    start_visit();
-    begin();
-    mend(report);
-    finish(report);
-    finish_visit(report);
     return report;
   }
 
   /// finds out whether the triangulation is Delaunay, by exact predicates at every edge; changes
   /// nothing else. It is not, as long as an exception has left points without vertices of their own
   /// or the plane not spanned. Cost: one pass over all edges, none if it is certified already.
-  bool certify()
-  {
-    const Maintained& maintained = m_core->maintained;
-    m_is_certified = m_is_certified || (maintained.is_mirrored() &&
-                                        m_core->mender.population().parted_guests().empty() &&
-                                        m_core->certificate().holds());
-    return m_is_certified;
-  }
+  bool certify() { return m_core->update.certify(); }
 
   /// @}
   /// \name Access
   /// @{
 
   /// whether the triangulation is proved Delaunay. Cost: none.
-  bool is_certified() const { return m_is_certified; }
+  bool is_certified() const { return m_core->update.is_certified(); }
 
   /// the CGAL triangulation.
   /// \throws Uncertified_triangulation_error_2 unless `is_certified()`: CGAL's queries are not safe
   /// on a triangulation with inverted faces.
   const Triangulation& triangulation() const
   {
-    if (!m_is_certified)
+    if (!is_certified())
       throw Uncertified_triangulation_error_2();
     return m_core->maintained.triangulation;
   }
@@ -547,12 +503,12 @@ public:
   /// came before classification.
   const std::vector<Index>& classified_vertices() const
   {
-    return m_core->mender.classification().vertices();
+    return tools().classification().vertices();
   }
   /// the Padded set of the last update with a border splice around the Classified set.
-  const std::vector<Index>& padded_vertices() const { return m_core->mender.padded(); }
+  const std::vector<Index>& padded_vertices() const { return tools().padded(); }
   /// the Border set of the same splice.
-  const std::vector<Index>& border_vertices() const { return m_core->mender.border(); }
+  const std::vector<Index>& border_vertices() const { return tools().border(); }
 
   /// @}
   /// \name Checkpoints
@@ -616,7 +572,7 @@ public:
   void write_checkpoint(std::ostream& out, std::string_view subject, const Append& append) const
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
-    Checkpoint_writer_2<Maintained>(m_core->maintained, m_is_certified).write(out, subject, append);
+    Checkpoint_writer_2<Maintained>(m_core->maintained, is_certified()).write(out, subject, append);
   }
 
   template <class ReadAppendix>
@@ -631,13 +587,13 @@ public:
     file.finish();
     Classifier classifier = m_classifier;
     inform_classifier(classifier, Frame(maintained));
-    start_visit();
+    start_visit([] {});
     m_classifier = std::move(classifier); // nothing throws from here on
-    m_core->mender.exchange(maintained);
-    m_is_certified = reader.is_certified();
+    m_core->update.tools().exchange(maintained);
+    m_core->update.set_certified(reader.is_certified());
     m_is_classifier_informed = true;
     Update_report_2 report;
-    report.certified = m_is_certified;
+    report.certified = is_certified();
     finish_visit(report);
   }
   /// \endcond
@@ -653,7 +609,7 @@ public:
   bool is_valid(bool verbose = false, int level = 0) const
   {
     using Check = Dynamic_Delaunay_triangulations_2::internal::Validity_check_2<Maintained>;
-    return Check(m_core->maintained, verbose).passes(level, m_is_certified);
+    return Check(m_core->maintained, verbose).passes(level, is_certified());
   }
 
   /// @}
@@ -680,56 +636,66 @@ private:
   struct Core
   {
     Maintained maintained;
-    Mender mender{maintained};
+    Update update{maintained};
     Input input;
-
-    auto certificate() const
-    {
-      return Dynamic_Delaunay_triangulations_2::internal::Certificate_2<Maintained>(maintained);
-    }
   };
+
+  using Change = Dynamic_Delaunay_triangulations_2::internal::Change_2<Point>;
+
+  const auto& tools() const
+  {
+    return std::as_const(m_core->update).tools();
+  }
 
   // Gives CGAL's vertices their points in the end, also if a repair throws.
   struct Point_writer
   {
     Maintained& maintained;
-    ~Point_writer() { maintained.write_points(); }
+    const Change& change;
+
+    ~Point_writer() { write(); }
+    void write()
+    {
+      if (change.is_frame)
+        maintained.write_points();
+      else
+        maintained.write_points_of(change.moved);
+    }
   };
 
-  // Asks the policy or the classifier. If it throws, the points go back to where they were.
-  template <class Question>
-  auto ask(const Question& question, bool was_certified)
+  // Everything that changes the triangulation comes here, when it was read and checked.
+  Update_report_2 run(const Change& change)
   {
-    try {
-      return question();
-    } catch (...) {
-      m_core->input.unstage(m_core->maintained);
-      m_is_certified = was_certified;
-      throw;
-    }
-  }
-
-  // What has changed from here on is news. Returns whether the triangulation was certified.
-  bool begin()
-  {
-    if (m_is_classifier_informed)
-      m_core->maintained.forget_news();
-    else if (frame().has_other_numbers()) // and there will be others again
-      m_core->maintained.everything_is_new = true;
-    m_is_classifier_informed = false;
-    return std::exchange(m_is_certified, false);
-  }
-
-  void finish(Update_report_2& report)
-  {
-    spread_news();
-    report.certified = m_is_certified;
+    const auto take_back = [&] {
+      if (change.is_frame)
+        m_core->input.unstage(m_core->maintained);
+      return change.moved.empty();
+    };
+    start_visit(take_back);
+    Point_writer writer{m_core->maintained, change};
+    const bool is_informed = std::exchange(m_is_classifier_informed, false);
+    Update_report_2 report =
+        m_core->update.run(change, m_classifier, m_repair, m_policy, is_informed, take_back);
+    inform_classifier(m_classifier, frame());
+    m_is_classifier_informed = true;
+    report.certified = is_certified();
+    if (change.is_frame)
+      m_policy.after_update(frame(), report);
+    writer.write();
+    finish_visit(report);
+    return report;
   }
 
   // If the visitor does not want to see it, nothing has changed.
-  void start_visit()
+  template <class Take_back>
+  void start_visit(const Take_back& take_back)
   {
-    m_visitor.before_update(std::as_const(*this));
+    try {
+      m_visitor.before_update(std::as_const(*this));
+    } catch (...) {
+      take_back();
+      throw;
+    }
     m_core->maintained.visitor_calls.start(m_visitor, *this);
   }
 
@@ -738,120 +704,6 @@ private:
   {
     m_core->maintained.visitor_calls.finish();
     m_visitor.after_update(std::as_const(*this), report);
-  }
-
-  void spread_news()
-  {
-    inform_classifier(m_classifier, frame());
-    m_is_classifier_informed = true;
-  }
-
-  // Points that come, go or move without the others. With an exact classifier the triangulation is
-  // certified in the end, whatever it was before.
-  template <class Work>
-  void change(Update_report_2& report, const Work& work)
-  {
-    start_visit();
-    const bool was_certified = begin();
-    m_core->mender.start(report);
-    if (!was_certified)
-      part_those_left_over();
-    work(was_certified);
-    if (Classifier::is_exact && !m_is_certified)
-      mend(report);
-    finish(report);
-    finish_visit(report);
-  }
-
-  // `work(population)` returns whether it has triangulated everything anew.
-  template <class Work>
-  void change_population(Update_report_2& report, const Work& work)
-  {
-    change(report, [&](bool was_certified) {
-      const bool spanned_plane = m_core->maintained.is_mirrored();
-      if (work(m_core->mender.population()))
-        take_rebuild(report, spanned_plane);
-      else
-        mend_news(report, was_certified);
-    });
-  }
-
-  // An exception may have kept guests where they no longer belong.
-  void part_those_left_over()
-  {
-    auto& population = m_core->mender.population();
-    if (m_core->maintained.is_mirrored())
-      population.part(population.parted_guests());
-  }
-
-  void mend(Update_report_2& report)
-  {
-    if (!m_core->maintained.is_mirrored())
-      return rebuild(report, Rebuild_reason_2::DIMENSION);
-    part_those_left_over();
-    m_core->mender.start(report);
-    m_core->mender.classify_everything();
-    Flip_and_splice_repair_2()(m_core->mender);
-    prove(report);
-  }
-
-  // Mends what was triangulated anew in this call.
-  void mend_news(Update_report_2& report, bool was_certified)
-  {
-    if (!m_core->maintained.is_mirrored()) { // nothing has changed
-      m_is_certified = was_certified;
-      return;
-    }
-    m_core->mender.open_news(was_certified);
-    Flip_and_splice_repair_2().mend(m_core->mender);
-    prove(report);
-  }
-
-  // Rebuilds if there has to be a proof and the repair has not brought it to an end.
-  void prove(Update_report_2& report)
-  {
-    Mender& mender = m_core->mender;
-    const bool has_to = mender.has_to_prove();
-    if (has_to && !report.rebuilt() && !(mender.is_done() && is_planar()))
-      mender.rebuild(Rebuild_reason_2::STUCK);
-    m_is_certified = has_to || report.rebuilt();
-  }
-
-  bool is_planar() const
-  {
-    return m_core->mender.is_planar() || !m_core->maintained.is_mirrored() ||
-           m_core->certificate().hull_turns_once();
-  }
-
-  void rebuild(Update_report_2& report, Rebuild_reason_2 reason)
-  {
-    m_core->mender.start(report);
-    m_core->mender.rebuild(reason);
-    m_is_certified = true;
-  }
-
-  // After a change of the population that has rebuilt everything.
-  void take_rebuild(Update_report_2& report, bool spanned_plane)
-  {
-    m_core->mender.start(report);
-    report.rebuild_reason = spanned_plane && m_core->maintained.is_mirrored()
-                                ? Rebuild_reason_2::POPULATION
-                                : Rebuild_reason_2::DIMENSION;
-    m_is_certified = true;
-  }
-
-  // Gives vertices to guests that are no longer where theirs is.
-  void part(Update_report_2& report)
-  {
-    const bool was_certified = std::exchange(m_is_certified, false);
-    auto& population = m_core->mender.population();
-    const std::vector<Index> guests = population.parted_guests(); // may throw
-    m_is_certified = was_certified && guests.empty();
-    if (guests.empty())
-      return;
-    population.part(guests);
-    report.parted += guests.size();
-    mend_news(report, was_certified);
   }
 
   template <class Function>
@@ -867,7 +719,6 @@ private:
   Policy m_policy;
   Visitor m_visitor;
   std::unique_ptr<Core> m_core;
-  bool m_is_certified = true;
   bool m_is_classifier_informed = true;
 };
 

@@ -12,6 +12,7 @@
 #include <CGAL/property_map.h>
 #include <CGAL/Update_report_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <istream>
@@ -85,11 +86,11 @@ public:
   /// takes a whole frame: inserts the points whose ids are new, removes those whose ids are
   /// missing, and moves the others. The order of the range does not matter.
   ///
-  /// The missing ones are removed first, then the others move, as by
-  /// `Dynamic_Delaunay_triangulation_2::update()`, then the new ones are inserted. Cost: that of
-  /// the update, and of the look-ups of the ids, which is next to nothing for points that follow
-  /// each other as in the last frame; then proportional to the points that come and go. Never much
-  /// more than that of a rebuild.
+  /// This is one update, as by `Dynamic_Delaunay_triangulation_2::update()`: one classification,
+  /// one repair, one certificate, and at most one rebuild. Points that are missing go before the
+  /// others are mended, new ones come after that. Cost: that of the update, and of the look-ups of
+  /// the ids, which is next to nothing for points that follow each other as in the last frame; then
+  /// proportional to the points that come and go. Never much more than that of a rebuild.
   ///
   /// \tparam InputIterator its values are pairs of a `User_id` and a `Point`.
   /// \throws Repeated_id_error_2 if an id is there more than once.
@@ -109,12 +110,14 @@ public:
                          PointMap point_map)
   {
     read(first, beyond, id_map, point_map);
-    Update_report_2 report = remove_missing();
-    if (m_triangulation.number_of_points() > 0 || !m_triangulation.is_certified())
-      report += m_triangulation.update(m_positions.begin(), m_positions.end());
-    report += insert_newcomers();
-    report.certified = m_triangulation.is_certified(); // also if there was nothing to do
-    return report;
+    find_missing();
+    expect_newcomers();
+    const At_exit settle{[this] {
+      forget_gone(m_missing);
+      settle_newcomers();
+    }};
+    return m_triangulation.update_population(m_positions.begin(), m_positions.end(), m_missing,
+                                             m_new_points, m_new_ids);
   }
 
   /// adds a point. \throws Repeated_id_error_2 if there is one with this id.
@@ -160,8 +163,7 @@ public:
 
   /// the triangulation, whose points have ids of their own.
   const Dynamic& triangulation() const { return m_triangulation; }
-  /// the visitor of the triangulation. An update here is up to three of its calls there: one for
-  /// those who are missing, one for those who move, one for those who are new.
+  /// the visitor of the triangulation. An update here is one there.
   auto& visitor() { return m_triangulation.visitor(); }
   /// the number of points.
   size_type size() const { return m_ids.size(); }
@@ -322,37 +324,51 @@ private:
     m_last = id;
   }
 
-  Update_report_2 remove_missing()
+  // Their positions do not matter, but have to be some.
+  void find_missing()
   {
-    std::vector<size_type> missing;
+    m_missing.clear();
     for (size_type id = 0; id < m_is_there.size(); ++id)
-      if (!m_is_there[id] && m_triangulation.has_id(id))
-        missing.push_back(id);
-    return missing.empty() ? Update_report_2() : remove_all(missing);
+      if (!m_is_there[id] && m_triangulation.has_id(id)) {
+        m_missing.push_back(id);
+        m_positions[id] = m_triangulation.point(id);
+      }
   }
 
   Update_report_2 remove_all(const std::vector<size_type>& missing)
   {
-    const At_exit settle{[&] {
-      for (const size_type id : missing)
-        if (!m_triangulation.has_id(id))
-          m_ids.erase(m_user_ids[id]);
-    }};
+    const At_exit settle{[&] { forget_gone(missing); }};
     return m_triangulation.remove(missing.begin(), missing.end());
+  }
+
+  void forget_gone(const std::vector<size_type>& missing)
+  {
+    for (const size_type id : missing)
+      if (!m_triangulation.has_id(id) || is_new(id))
+        m_ids.erase(m_user_ids[id]);
+  }
+
+  // Whether a point that has come has this id, which another one had before.
+  bool is_new(size_type id) const
+  {
+    return std::binary_search(m_new_ids.begin(), m_new_ids.end(), id);
   }
 
   // Who is new is in the table before the point is in the triangulation; who has not come, if
   // memory runs out, leaves it again.
-  Update_report_2 insert_newcomers()
+  void expect_newcomers()
   {
-    if (m_newcomers.empty())
-      return {};
     m_new_ids.clear();
     m_new_ids.reserve(m_newcomers.size());
     m_user_ids.resize(m_triangulation.number_of_ids() + m_newcomers.size());
-    const At_exit settle{[this] { settle_newcomers(); }};
     for (const UserId user_id : m_newcomers)
       m_ids.emplace(user_id, no_id);
+  }
+
+  Update_report_2 insert_newcomers()
+  {
+    const At_exit settle{[this] { settle_newcomers(); }};
+    expect_newcomers();
     return m_triangulation.insert(m_new_points.begin(), m_new_points.end(),
                                   std::back_inserter(m_new_ids));
   }
@@ -384,7 +400,8 @@ private:
   std::vector<Point> m_positions; // of each id
   std::vector<UserId> m_newcomers;
   std::vector<Point> m_new_points;
-  std::vector<size_type> m_new_ids;
+  std::vector<size_type> m_new_ids; // ascending
+  std::vector<size_type> m_missing;
 };
 
 } // namespace CGAL

@@ -37,10 +37,11 @@ public:
   template <class Mender>
   void operator()(Mender& mender) const
   {
-    if (is_too_much(mender))
-      mender.rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
-    else
-      mend(mender);
+    if (mender.is_rebuild_cheaper())
+      return mender.rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
+    mender.limit_cost();
+    mender.take_out_jumpers();
+    mend(mender);
   }
 
   /// repairs, however much is classified: rebuilds only if edges are open in the end.
@@ -65,16 +66,6 @@ public:
 
 private:
   unsigned layers(unsigned round) const { return round == 0 ? 0 : m_padding + round - 1; }
-
-  // On random clouds mending and rebuilding cost the same when an eighth of the edges are open, and
-  // a ninth where the flat arrays no longer fit the second-level cache.
-  template <class Mender>
-  static bool is_too_much(const Mender& mender)
-  {
-    constexpr std::size_t most_edges_in_cache = 3 * 4096;
-    const std::size_t share = mender.number_of_edges() < most_edges_in_cache ? 8 : 9;
-    return share * mender.number_of_open_edges() > mender.number_of_edges();
-  }
 
   unsigned m_padding;
 };

@@ -21,7 +21,8 @@ enum class Rebuild_reason_2 {
   COINCIDENCE,     ///< many points came to coincide, or coincident points parted
   POPULATION,      ///< many points came or went
   DIMENSION,       ///< fewer than three points, or all points on a line, before or after the frame
-  POLICY           ///< the update policy wanted it
+  POLICY,          ///< the update policy wanted it
+  BUDGET_SPENT     ///< mending cost more than was expected, and was given up
 };
 
 /*!
@@ -45,7 +46,8 @@ struct Update_report_2
   std::size_t spliced = 0;
   /// times that a region grew because its boundary and that of its new triangulation disagreed.
   std::size_t growths = 0;
-  /// vertices relocated by CGAL's `move()`.
+  /// vertices that went far, and were taken out of their faces and put in again elsewhere; with
+  /// `Relocation_repair_2` those that CGAL's `move_if_no_collision()` moved.
   std::size_t relocated = 0;
   /// points that came.
   std::size_t inserted = 0;

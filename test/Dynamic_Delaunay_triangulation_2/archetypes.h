@@ -275,6 +275,10 @@ public:
   {
   }
   template <class Dynamic>
+  void before_vertex_relocation(const Dynamic&, typename Dynamic::Vertex_handle, std::size_t)
+  {
+  }
+  template <class Dynamic>
   void before_vertex_merge(const Dynamic&, typename Dynamic::Vertex_handle, std::size_t,
                            typename Dynamic::Vertex_handle)
   {

@@ -29,6 +29,8 @@ inline std::string rebuild_reason_name(CGAL::Rebuild_reason_2 reason)
     return "dimension";
   case CGAL::Rebuild_reason_2::POLICY:
     return "policy";
+  case CGAL::Rebuild_reason_2::BUDGET_SPENT:
+    return "budget_spent";
   }
   return "unknown";
 }

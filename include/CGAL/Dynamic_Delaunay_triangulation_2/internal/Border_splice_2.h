@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-enum class Splice_result_2 { DONE, TOO_LARGE, COINCIDENCE };
+enum class Splice_result_2 { DONE, TOO_LARGE, TOO_DEAR, COINCIDENCE };
 
 // The border splice (thesis 4.1.3 and 4.1.4): the Triangulation set, which is the Classified set,
 // its padding and one layer of border, is triangulated alone, and the faces of that triangulation
@@ -43,10 +43,11 @@ public:
 
   void set_engine(Static_engine_2 engine) { m_triangulator.set_engine(engine); }
 
-  // Splices around `classified` with `padding` layers. `growths` counts the times that a cluster
-  // grew.
+  // Splices around `classified` with `padding` layers; those of these vertices that are in no face
+  // are left out. `growths` counts the times that a cluster grew, `most` is how many vertices may
+  // be triangulated in all, and afterwards how many more could have been.
   Splice_result_2 run(Topology_editor_2<Maintained>& editor, const std::vector<Index>& classified,
-                      unsigned padding, std::size_t& growths)
+                      unsigned padding, std::size_t& growths, std::size_t& most)
   {
     const std::size_t bound = m_maintained.vertices.size();
     m_inner.clear(bound);
@@ -54,7 +55,8 @@ public:
     m_spliced.clear(bound);
     m_boundary_edges.clear();
     for (const Index v : classified)
-      m_inner.insert(v);
+      if (!m_maintained.mirror.is_outside(v))
+        m_inner.insert(v);
     m_number_of_classified = m_inner.size();
     for (unsigned layer = 0; layer < padding; ++layer)
       add_layer();
@@ -63,7 +65,7 @@ public:
     for (std::size_t i = 0; i < m_inner.size(); ++i)
       if (!m_spliced.contains(m_inner[i])) {
         collect_cluster(m_inner[i]);
-        const Splice_result_2 result = splice_cluster(editor, growths);
+        const Splice_result_2 result = splice_cluster(editor, growths, most);
         if (result != Splice_result_2::DONE)
           return result;
       }
@@ -112,12 +114,17 @@ private:
       });
   }
 
-  Splice_result_2 splice_cluster(Topology_editor_2<Maintained>& editor, std::size_t& growths)
+  Splice_result_2 splice_cluster(Topology_editor_2<Maintained>& editor, std::size_t& growths,
+                                 std::size_t& most)
   {
-    for (;; ++growths) {
+    for (bool has_grown = false;; ++growths, has_grown = true) {
       collect_old_faces();
-      if (is_too_large(m_cluster.size() + m_cluster_border.size()))
+      const std::size_t size = m_cluster.size() + m_cluster_border.size();
+      if (is_too_large(size))
         return Splice_result_2::TOO_LARGE;
+      if (size > most)
+        return Splice_result_2::TOO_DEAR;
+      most -= size;
       if (!triangulate())
         return Splice_result_2::COINCIDENCE;
       collect_new_faces();
@@ -125,21 +132,32 @@ private:
         put_in(editor);
         return Splice_result_2::DONE;
       }
-      grow();
+      grow(has_grown);
     }
   }
 
-  // The vertices where the two boundaries differ join the cluster; if the boundaries have the same
-  // edges and yet do not fit, the whole border does.
-  void grow()
+  // The vertices where the two boundaries differ join the cluster. From the second time on the
+  // whole border does as well, until the cluster has doubled: so all attempts together cost little
+  // more than the last one.
+  void grow(bool has_grown)
   {
     const std::size_t size = m_cluster.size();
     for (const Index v : m_disagreeing)
       if (v != infinite_index)
         m_cluster.insert(v);
-    if (m_cluster.size() == size)
+    if (m_cluster.size() == size || has_grown)
       for (const Index v : m_cluster_border)
         m_cluster.insert(v);
+    for (std::size_t first = 0; has_grown && m_cluster.size() < 2 * size;) {
+      const std::size_t beyond = m_cluster.size();
+      for (; first < beyond; ++first)
+        m_maintained.mirror.for_each_neighbor(m_cluster[first], [&](Index w) {
+          if (w != infinite_index)
+            m_cluster.insert(w);
+        });
+      if (m_cluster.size() == beyond)
+        return;
+    }
   }
 
   void put_in(Topology_editor_2<Maintained>& editor)

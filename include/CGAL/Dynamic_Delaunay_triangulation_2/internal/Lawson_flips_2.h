@@ -9,6 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_proofs_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -23,15 +24,16 @@ class Lawson_flips_2
 {
 public:
   // Flips from the edges of `open`, and leaves those there that it could not prove. Returns the
-  // number of flips. If the faces tile the convex hull (`is_planar`), flips of illegal edges keep
-  // it so and need no search for a doubled edge, which takes a sixth of their time.
+  // number of flips, at most `most`. If the faces tile the convex hull (`is_planar`), flips of
+  // illegal edges keep it so and need no search for a doubled edge, which takes a sixth of their
+  // time.
   template <class Maintained>
   std::size_t run(const Maintained& maintained, Topology_editor_2<Maintained>& editor,
-                  std::vector<Index>& open, bool is_planar)
+                  std::vector<Index>& open, bool is_planar, std::size_t most)
   {
     // Lawson's proof of termination needs counterclockwise faces; with inverted ones flips can go
     // round in circles. Recorded motion took at most 3 flips an edge to begin with.
-    const std::size_t limit = 100 + 20 * open.size();
+    const std::size_t limit = (std::min)(100 + 20 * open.size(), most);
     std::size_t flips = 0;
     m_touched.clear(); // an exception may have ended the last run
     typename Topology_editor_2<Maintained>::Flip_series series(editor);

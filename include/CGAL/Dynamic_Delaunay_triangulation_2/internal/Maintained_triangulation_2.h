@@ -91,13 +91,23 @@ struct Maintained_triangulation_2
     }
   }
 
+  // The same where only the points with these ids have moved. Some of them may be no more.
+  void write_points_of(const std::vector<Index>& moved_ids)
+  {
+    if (std::exchange(points_are_written, true))
+      return;
+    for (const Index id : moved_ids)
+      if (ids.is_taken(id))
+        write_point(ids.vertex(id));
+  }
+
   // Goes back to the points of CGAL's vertices.
   void restore_positions()
   {
     points_are_written = true;
     positions_are_exact = previous_positions_are_exact;
     for (Index v = 1; v < Index(vertices.size()); ++v)
-      positions[v] = approximation(vertices[v]->point());
+      stage_vertex(v, vertices[v]->point());
   }
 
   void forget_news()
@@ -173,11 +183,42 @@ struct Maintained_triangulation_2
     std::swap(everything_is_new, other.everything_is_new);
   }
 
-  // Between two frames.
+  // Where the points are in the arrays alone, until they are written.
+  void stage_vertex(Index v, const Point& p)
+  {
+    positions[v] = approximation(p);
+    if constexpr (!points_are_two_doubles)
+      next_points[v] = p;
+  }
+
+  // In the arrays and in CGAL's vertex.
   void move_vertex(Index v, const Point& p)
   {
     vertices[v]->set_point(p);
-    positions[v] = approximation(p);
+    stage_vertex(v, p);
+  }
+
+  // Lets a guest at v be the host, so that v has its point, and the host a guest at p.
+  void hand_over(Index guest, Index v, const Point& p)
+  {
+    const Index host = ids.host(v);
+    const Point point = ids.guest(guest).point;
+    ids.hand_over(guest, p);
+    if (points_are_written)
+      move_vertex(v, point);
+    else
+      stage_vertex(v, point);
+    visitor_calls.after_id_change(vertices[v], host);
+  }
+
+  // Another vertex with this number, at p.
+  void place_vertex(Index v, Vertex_handle vertex, const Point& p)
+  {
+    vertex->set_point(p);
+    stage_vertex(v, p);
+    vertex->set_mirror_index(v);
+    std::swap(vertices[v], vertex);
+    triangulation.tds().delete_vertex(vertex);
   }
 
   // A vertex at p, with the next number, that is in no face and that nobody is at. If it throws,
@@ -236,11 +277,16 @@ private:
     for (Index v = 1; v < bound; ++v) {
       if (prefetches && v + ahead < bound)
         prefetch(&*vertices[v + ahead]);
-      if constexpr (points_are_two_doubles)
-        vertices[v]->set_point(Point(positions[v].x, positions[v].y));
-      else
-        vertices[v]->set_point(next_points[v]);
+      write_point(v);
     }
+  }
+
+  void write_point(Index v)
+  {
+    if constexpr (points_are_two_doubles)
+      vertices[v]->set_point(Point(positions[v].x, positions[v].y));
+    else
+      vertices[v]->set_point(next_points[v]);
   }
 
 public:

@@ -240,10 +240,25 @@ public:
     exchange_opposite(ca, b, d);
   }
 
-  // VERTICES THAT COME AND GO -----------------------------------------------------------------
+  // VERTICES OUTSIDE OF ALL FACES -------------------------------------------------------------
+  //
+  // A vertex that is taken out of its faces keeps a *slot*: its number, and those of the two faces
+  // and three edges that are then too many. They mean nothing until a vertex is put in with them,
+  // or the last ones take the numbers.
 
-  // Memory for one vertex more: then split_face() throws nothing.
-  void provide_for_vertex()
+  struct Slot
+  {
+    Index vertex;
+    std::array<Index, 2> faces;
+    std::array<Index, 3> edges;
+  };
+
+  bool is_outside(Index v) const { return m_corner[v] == no_index; }
+  bool is_empty_face(Index f) const { return apex(3 * f) == no_index; }
+  bool is_empty_edge(Index e) const { return m_halfedge_of_edge[e] == no_index; }
+
+  // Memory for one slot more: then append_slot() throws nothing.
+  void provide_for_slot()
   {
     provide(m_halfedges, 6);
     provide(m_edges, 3);
@@ -251,19 +266,26 @@ public:
     provide(m_corner, 1);
   }
 
-  // Puts vertex v, the next one or one that is in no face, into face f. That keeps the edge
-  // opposite to its first vertex, of which the new vertex takes the place; those opposite to the
-  // second and the third go to the next two faces, where the new vertex is the second, or the
-  // third.
-  void split_face(Index f, Index v)
+  // The next numbers of all.
+  Slot append_slot()
   {
-    const Index g = number_of_faces(), k = g + 1;
-    const Index e = number_of_edges();
-    if (v == m_corner.size())
-      m_corner.push_back(no_index);
+    const Index faces = number_of_faces(), edges = number_of_edges();
+    const Slot slot{Index(m_corner.size()), {faces, faces + 1}, {edges, edges + 1, edges + 2}};
+    m_corner.push_back(no_index);
     m_halfedges.resize(m_halfedges.size() + 6);
     m_edges.resize(m_edges.size() + 3);
     m_halfedge_of_edge.resize(m_halfedge_of_edge.size() + 3);
+    empty(slot);
+    return slot;
+  }
+
+  // Puts the slot's vertex into face f. That keeps the edge opposite to its first vertex, of which
+  // the vertex takes the place; those opposite to the second and the third go to the slot's faces,
+  // where the vertex is the second, or the third.
+  void put_in(const Slot& slot, Index f)
+  {
+    const Index v = slot.vertex;
+    const Index g = slot.faces[0], k = slot.faces[1];
     const std::array<Index, 3> corners = face(f);
     const Index outer_g = twin(3 * f + 1), outer_k = twin(3 * f + 2);
     const Index edge_g = edge_of(3 * f + 1), edge_k = edge_of(3 * f + 2);
@@ -278,26 +300,17 @@ public:
     set_edge(edge_of(3 * f), 3 * f);
     set_edge(edge_g, 3 * g + 1);
     set_edge(edge_k, 3 * k + 2);
-    set_edge(e, 3 * f + 1);
-    set_edge(e + 1, 3 * f + 2);
-    set_edge(e + 2, 3 * g + 2);
+    set_edge(slot.edges[0], 3 * f + 1);
+    set_edge(slot.edges[1], 3 * f + 2);
+    set_edge(slot.edges[2], 3 * g + 2);
   }
 
-  // What is left over when a vertex of degree 3 is taken out.
-  struct Leftovers
+  // The opposite, for a vertex of degree 3: one face, with the number of that at v's corner, is
+  // there in place of its three.
+  Slot take_out(Index v)
   {
-    Index face; // that is there in place of the three
-    std::array<Index, 2> faces;
-    std::array<Index, 3> edges;
-  };
-
-  // The opposite of split_face(), up to the numbers: the vertex with this corner and the leftovers
-  // keep theirs, and nothing refers to them any more.
-  Leftovers merge_faces_at(Index corner)
-  {
-    const Index h = corner, g = next_corner(h), k = next_corner(g);
-    const Leftovers left{
-        h / 3, {g / 3, k / 3}, {edge_of(next(h)), edge_of(next(g)), edge_of(next(k))}};
+    const Index h = corner(v), g = next_corner(h), k = next_corner(g);
+    const Slot slot{v, {g / 3, k / 3}, {edge_of(next(h)), edge_of(next(g)), edge_of(next(k))}};
     const Index a = source(h), b = target(h), c = target(g);
     const Index outer_g = twin(g), outer_k = twin(k);
     const Index edge_g = edge_of(g), edge_k = edge_of(k);
@@ -309,10 +322,12 @@ public:
     set_edge(edge_of(h), h);
     set_edge(edge_g, next(h));
     set_edge(edge_k, previous(h));
-    return left;
+    empty(slot);
+    return slot;
   }
 
-  // The last face, edge or vertex takes the number of one that is left over.
+  // The last face, edge or vertex takes the number of an empty one. It is not empty itself, unless
+  // it is that one.
   void move_last_face_to(Index f)
   {
     const Index last = number_of_faces() - 1;
@@ -354,6 +369,15 @@ public:
   }
 
 private:
+  void empty(const Slot& slot)
+  {
+    m_corner[slot.vertex] = no_index;
+    for (const Index f : slot.faces)
+      m_halfedges[3 * f].apex = no_index;
+    for (const Index e : slot.edges)
+      m_halfedge_of_edge[e] = no_index;
+  }
+
   void set_face(Index f, Index a, Index b, Index c)
   {
     set_apex(3 * f, a);

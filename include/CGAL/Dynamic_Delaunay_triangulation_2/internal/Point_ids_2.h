@@ -32,6 +32,7 @@ public:
   // Ids are smaller than this.
   Index number_of_ids() const { return Index(m_vertex_of_id.size()); }
   Index number_of_points() const { return number_of_hosts() + Index(m_guests.size()); }
+  bool has_host(Index vertex) const { return m_host[vertex] != no_index; }
   Index number_of_hosts() const { return Index(m_host.size()) - 1; }
   bool is_taken(std::size_t id) const
   {
@@ -88,6 +89,17 @@ public:
     return ids;
   }
 
+  // The same if these points go first.
+  std::vector<Index> next_ids(std::size_t number, std::vector<Index> gone) const
+  {
+    const std::vector<Index> free = next_ids(number);
+    std::sort(gone.begin(), gone.end());
+    std::vector<Index> ids(free.size() + gone.size());
+    std::merge(free.begin(), free.end(), gone.begin(), gone.end(), ids.begin());
+    ids.resize(number);
+    return ids;
+  }
+
   // NUMBERING ANEW ------------------------------------------------------------------------------
 
   // No id is taken.
@@ -125,28 +137,50 @@ public:
 
   // COMING AND GOING ----------------------------------------------------------------------------
 
-  // Memory for a point more, for so many guests more, and for so many ids to become free: then
-  // nothing below throws.
-  void provide_for_point()
+  // Sets the next ids aside, for points that are about to come. If it throws, nothing has changed.
+  void reserve(const std::vector<Index>& next_ids)
   {
-    provide(m_vertex_of_id, 1);
-    provide(m_host, 1);
-    provide(m_guests, 1);
+    provide(m_free_ids, next_ids.size());
+    provide(m_vertex_of_id, next_ids.size());
+    for (const Index id : next_ids)
+      if (id == number_of_ids()) {
+        m_vertex_of_id.push_back(no_index);
+      } else {
+        CGAL_precondition(id == m_free_ids.front());
+        std::pop_heap(m_free_ids.begin(), m_free_ids.end(), std::greater<Index>());
+        m_free_ids.pop_back();
+      }
   }
+
+  // Makes an id free again that was set aside.
+  void release(Index id)
+  {
+    m_free_ids.push_back(id);
+    std::push_heap(m_free_ids.begin(), m_free_ids.end(), std::greater<Index>());
+  }
+
+  // Memory for a vertex more, for so many guests more, and for so many ids to become free: then
+  // nothing below throws.
+  void provide_for_vertex() { provide(m_host, 1); }
   void provide_for_guests(std::size_t number) { provide(m_guests, number); }
   void provide_for_removals(std::size_t number) { provide(m_free_ids, number); }
 
-  // Makes `id` the host of the next vertex, whether it is the next id or that of a guest.
-  void place_host(Index id)
+  // The next vertex, that nobody is at.
+  void append_vertex() { m_host.push_back(no_index); }
+
+  // Makes `id` the host of a vertex that nobody is at, whether it was set aside or is that of a
+  // guest.
+  void place_host(Index id, Index vertex)
   {
-    leave_or_take(id);
-    add_host(id);
+    leave(id);
+    m_vertex_of_id[id] = vertex;
+    m_host[vertex] = id;
   }
 
   // Makes `id` a guest at `vertex`, in the same way.
   void place_guest(Index id, Index vertex, const Point& point)
   {
-    leave_or_take(id);
+    leave(id);
     m_vertex_of_id[id] = vertex;
     m_guests.insert(find_guest(m_guests, id), Guest{id, point});
   }
@@ -201,7 +235,7 @@ public:
   void move_last_vertex_to(Index vertex)
   {
     const Index last = number_of_hosts();
-    CGAL_precondition(m_host[vertex] == no_index);
+    CGAL_precondition(!has_host(vertex));
     if (vertex != last) {
       m_host[vertex] = m_host[last];
       m_vertex_of_id[m_host[vertex]] = vertex;
@@ -221,24 +255,17 @@ private:
                             [](const Guest& guest, Index i) { return guest.id < i; });
   }
 
-  void leave_or_take(Index id)
+  // A guest leaves its vertex; an id that was set aside has none.
+  void leave(Index id)
   {
-    if (is_taken(id)) {
+    if (is_taken(id))
       m_guests.erase(find_guest(m_guests, id));
-    } else if (id == number_of_ids()) {
-      m_vertex_of_id.push_back(no_index);
-    } else {
-      CGAL_precondition(id == m_free_ids.front());
-      std::pop_heap(m_free_ids.begin(), m_free_ids.end(), std::greater<Index>());
-      m_free_ids.pop_back();
-    }
   }
 
   void free(Index id)
   {
     m_vertex_of_id[id] = no_index;
-    m_free_ids.push_back(id);
-    std::push_heap(m_free_ids.begin(), m_free_ids.end(), std::greater<Index>());
+    release(id);
   }
 
   std::vector<Index> m_vertex_of_id; // no_index where an id is free

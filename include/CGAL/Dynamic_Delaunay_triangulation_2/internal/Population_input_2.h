@@ -4,6 +4,7 @@
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_POPULATION_INPUT_2_H
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_POPULATION_INPUT_2_H
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Change_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distinct_numbers_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_faces_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_position_2.h>
@@ -27,28 +28,20 @@ class Population_input_2
   using Point = typename Maintained::Point;
 
 public:
-  // Points that come, and whether none of their coordinates has to be rounded for the flat arrays.
-  struct Newcomers
-  {
-    std::vector<Index> ids; // that they will get
-    std::vector<Point> points;
-    bool are_exact = true;
-  };
-
+  // Points that come.
   template <class InputIterator, class PointMap>
-  static Newcomers read_newcomers(InputIterator first, InputIterator beyond,
-                                  const PointMap& point_map, const Maintained& maintained)
+  static void read_newcomers(InputIterator first, InputIterator beyond, const PointMap& point_map,
+                             const Maintained& maintained, Change_2<Point>& change)
   {
-    Newcomers newcomers;
+    std::vector<Point>& points = change.coming_points;
     for (; first != beyond; ++first)
-      newcomers.points.push_back(get(point_map, *first));
-    if (newcomers.points.size() > most_vertices - maintained.ids.number_of_points())
+      points.push_back(get(point_map, *first));
+    if (points.size() > most_vertices - maintained.ids.number_of_points())
       throw std::length_error("a triangulation holds at most " + std::to_string(most_vertices) +
                               " points");
-    newcomers.ids = maintained.ids.next_ids(newcomers.points.size());
-    for (std::size_t i = 0; i < newcomers.points.size(); ++i)
-      checked_position(newcomers.points[i], newcomers.ids[i], newcomers.are_exact);
-    return newcomers;
+    change.coming = maintained.ids.next_ids(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      checked_position(points[i], change.coming[i], change.are_exact);
   }
 
   // Ids of points that are there, each once, in the order of the range.
@@ -64,25 +57,17 @@ public:
   }
 
   // Points with new positions.
-  struct Movers
-  {
-    std::vector<Index> ids;
-    std::vector<Point> points;
-    bool are_exact = true;
-  };
-
   template <class InputIterator, class IdMap, class PointMap>
-  static Movers read_movers(InputIterator first, InputIterator beyond, const IdMap& id_map,
-                            const PointMap& point_map, const Maintained& maintained)
+  static void read_movers(InputIterator first, InputIterator beyond, const IdMap& id_map,
+                          const PointMap& point_map, const Maintained& maintained,
+                          Change_2<Point>& change)
   {
-    Movers movers;
     for (; first != beyond; ++first) {
-      movers.ids.push_back(read_id(get(id_map, *first), maintained));
-      movers.points.push_back(get(point_map, *first));
-      checked_position(movers.points.back(), movers.ids.back(), movers.are_exact);
+      change.moved.push_back(read_id(get(id_map, *first), maintained));
+      change.moved_points.push_back(get(point_map, *first));
+      checked_position(change.moved_points.back(), change.moved.back(), change.are_exact);
     }
-    check_distinct(movers.ids);
-    return movers;
+    check_distinct(change.moved);
   }
 
 private:

@@ -17,11 +17,11 @@ namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
 // How the numbers of vertices, edges or faces have changed in a call. Where some go, the last ones
-// take their numbers; where others come, they get the next numbers.
+// take their numbers; where others come, they get these, or the next numbers.
 class Renumbering_2
 {
 public:
-  bool is_none() const { return m_kept == no_index; }
+  bool is_none() const { return m_kept == no_index && m_moves.empty(); }
 
   // Memory for so many that go: then nothing here throws, but follow().
   void provide(std::size_t number) { m_moves.reserve(m_moves.size() + number); }
@@ -39,6 +39,13 @@ public:
     m_kept = (std::min)(m_kept, last);
     if (to < m_kept)
       m_moves.emplace_back(has_come ? no_index : last, to);
+  }
+
+  // One that comes takes the number of one that goes.
+  void note_replacement(Index i)
+  {
+    if (i < m_kept)
+      m_moves.emplace_back(no_index, i);
   }
 
   // Others come, and get this number and the next ones.

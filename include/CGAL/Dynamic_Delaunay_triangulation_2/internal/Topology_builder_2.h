@@ -58,6 +58,24 @@ public:
     triangulate_numbered();
   }
 
+  // The same of the points that are there, where they are now, but for those that are gone, and of
+  // others that come.
+  void build_with(const std::vector<Index>& gone, const std::vector<Index>& coming_ids,
+                  const std::vector<Point>& coming_points)
+  {
+    std::vector<Index> ids = ids_without(gone);
+    std::vector<Point> points;
+    points.reserve(ids.size() + coming_ids.size());
+    for (const Index id : ids)
+      points.push_back(m_maintained.point_of_id(id));
+    points.insert(points.end(), coming_points.begin(), coming_points.end());
+    ids.insert(ids.end(), coming_ids.begin(), coming_ids.end());
+    Index number_of_ids = m_maintained.ids.number_of_ids();
+    for (const Index id : coming_ids)
+      number_of_ids = (std::max)(number_of_ids, id + 1);
+    build(std::move(ids), std::move(points), number_of_ids);
+  }
+
   // A fresh triangulation of the points where they are now. The vertices keep their numbers while
   // these fit the plane.
   void rebuild()
@@ -118,6 +136,20 @@ public:
 
 private:
   // BUILDING ------------------------------------------------------------------------------------
+
+  // Hosts first.
+  std::vector<Index> ids_without(const std::vector<Index>& gone) const
+  {
+    std::vector<Index> ids = m_maintained.ids.hosts_and_guests();
+    if (gone.empty())
+      return ids;
+    std::vector<bool> goes(m_maintained.ids.number_of_ids());
+    for (const Index id : gone)
+      goes[id] = true;
+    ids.erase(std::remove_if(ids.begin(), ids.end(), [&](Index id) { return goes[id]; }),
+              ids.end());
+    return ids;
+  }
 
   // False if the vertices need new numbers: points have come together, or may part, or those that
   // follow each other in space have numbers far apart.

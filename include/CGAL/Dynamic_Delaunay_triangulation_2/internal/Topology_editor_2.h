@@ -4,20 +4,17 @@
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_EDITOR_2_H
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_EDITOR_2_H
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Patch_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_location_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Provided_memory_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_predicates_2.h>
 #include <CGAL/Triangulation_utils_2.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <unordered_set>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,10 +33,10 @@ class Topology_editor_2
   using Edge = typename Maintained::Triangulation::Edge;
 
 public:
+  using Slot = Neighborhood_mirror_2::Slot;
+
   explicit Topology_editor_2(Maintained& maintained)
     : m_maintained(maintained)
-    , m_predicates(maintained)
-    , m_location(maintained)
   {
   }
 
@@ -104,194 +101,151 @@ public:
       m_maintained.visitor_calls.after_face_creation(m_maintained.faces[f]);
   }
 
-  // COMING AND GOING. For a point that comes, a face is split; for one that goes, edges are flipped
-  // until its vertex has three, and its faces become one. All of that is right for any positions.
+  // OUT OF FACES AND INTO FACES. To take a vertex out, edges are flipped until it has three, and
+  // its faces become one; to put one in, a face is split. All of that is right for any positions.
   // What it changes is Delaunay only by chance.
 
-  // Puts the point `id` at p: into a vertex of its own, or to the one that is there already. `id`
-  // is the next id, or that of a guest. Looks for the place from `near` on. Returns the vertex. If
-  // it throws, nothing has changed.
-  Index insert(Index id, const Point& p, Index near)
+  // Takes v out of all faces. `place` is where the faces around v have it: that tells which flips
+  // are good ones. `vacate()`, which must not throw, is called before v goes, when the visitor has
+  // been told of its last faces. If this throws, the vertex is still there.
+  template <class Vacate>
+  Slot take_out(Index v, const Position_2& place, const Vacate& vacate)
   {
-    CGAL_precondition(m_maintained.is_mirrored());
-    m_maintained.ids.provide_for_point();
-    m_maintained.mirror.provide_for_vertex();
-    auto& new_edges = m_maintained.new_edges;
-    provide(new_edges, 6);
-    m_maintained.append_vertex(p);
-    const Index v = m_maintained.number_of_vertices();
-    Place_2 place;
-    std::array<Face_handle, 2> new_faces;
-    try {
-      place = m_location.locate(v, near);
-      if (place.vertex == no_index)
-        new_faces = create_two_faces();
-    } catch (...) {
-      m_maintained.drop_last_vertex();
-      throw;
-    }
-    if (place.vertex != no_index) {
-      m_maintained.drop_last_vertex();
-      m_maintained.ids.place_guest(id, place.vertex, p);
-      return place.vertex;
-    }
-    m_maintained.ids.place_host(id);
-    m_maintained.renumberings.vertices.note_growth(v);
-    m_maintained.visitor_calls.after_vertex_creation(m_maintained.vertices[v], id);
-    split_face(place.face, v, new_faces);
-    return v;
+    CGAL_precondition(!m_maintained.mirror.is_outside(v));
+    flip_down(v, place);
+    provide(m_maintained.new_edges, 3);
+    auto& mirror = m_maintained.mirror;
+    mirror.for_each_corner(v, [&](Index h) { // nothing throws from here on
+      m_maintained.new_edges.push_back(mirror.edge_of(h));
+      m_maintained.visitor_calls.before_face_removal(m_maintained.faces[h / 3]);
+    });
+    vacate();
+    const Index face = mirror.corner(v) / 3;
+    const Slot slot = mirror.take_out(v);
+    write_face(face);
+    m_maintained.visitor_calls.after_face_creation(m_maintained.faces[face]);
+    return slot;
   }
 
-  // Takes out vertices, one after the other.
-  class Removal_series
-  {
-  public:
-    // Of at most `number` vertices. All that can throw and spoil is done here.
-    Removal_series(Topology_editor_2& editor, std::size_t number)
-      : m_editor(editor)
-    {
-      auto& maintained = editor.m_maintained;
-      m_is_new.insert(maintained.new_edges.begin(), maintained.new_edges.end());
-      maintained.renumberings.provide_for_removals(number);
-    }
-    Removal_series(const Removal_series&) = delete;
-    Removal_series& operator=(const Removal_series&) = delete;
-    // After an exception nobody knows what the new edges are called.
-    ~Removal_series()
-    {
-      if (!m_is_finished)
-        m_editor.m_maintained.everything_is_new = true;
-    }
-
-    // `vacate()`, which must not throw, is called before v goes, when the visitor has been told of
-    // its faces: nobody may be there then. If this throws, the vertex is still there.
-    template <class Vacate>
-    void remove(Index v, const Vacate& vacate)
-    {
-      prepare(v);
-      m_editor.tell_of_faces_at(v);
-      vacate();
-      m_editor.delete_faces(m_editor.take_out(v, renaming()));
-      m_editor.drop(v);
-    }
-
-    // Takes v out, and puts it in again at p. If another vertex w is there already, `join(w)`,
-    // which must not throw, is called instead: nobody may be at v then.
-    template <class Join>
-    void reinsert(Index v, const Point& p, const Join& join)
-    {
-      prepare(v);
-      const Index near = m_editor.finite_neighbor_of(v);
-      m_editor.tell_of_faces_at(v);
-      const auto faces = m_editor.take_out(v, renaming());
-      m_editor.m_maintained.move_vertex(v, p);
-      Place_2 place;
-      try {
-        place = m_editor.m_location.locate(v, near);
-      } catch (...) { // a place that is as good as any
-        m_editor.split_face(0, v, faces);
-        throw;
-      }
-      if (place.vertex == no_index)
-        return m_editor.split_face(place.face, v, faces);
-      join(place.vertex);
-      m_editor.delete_faces(faces);
-      m_editor.drop(v);
-    }
-
-    // What the edges that are new are called now.
-    void finish()
-    {
-      auto& new_edges = m_editor.m_maintained.new_edges;
-      m_is_new.insert(new_edges.begin(), new_edges.end());
-      new_edges.assign(m_is_new.begin(), m_is_new.end());
-      std::sort(new_edges.begin(), new_edges.end());
-      m_is_finished = true;
-    }
-
-  private:
-    void prepare(Index v)
-    {
-      auto& maintained = m_editor.m_maintained;
-      CGAL_precondition(maintained.number_of_vertices() > 3);
-      provide(maintained.new_edges, 6);
-      m_editor.flip_down(v);
-      m_is_new.insert(maintained.new_edges.begin(), maintained.new_edges.end());
-      for (const Index e : m_editor.edges_around(v))
-        m_is_new.insert(e);
-      maintained.new_edges.clear();
-    }
-
-    auto renaming()
-    {
-      return [this](Index from, Index to) { rename(from, to); };
-    }
-
-    // Edge `to` is no more, and `from`, if it is another one, takes its number.
-    void rename(Index from, Index to)
-    {
-      m_is_new.erase(to);
-      auto node = m_is_new.extract(from);
-      if (!node.empty()) {
-        node.value() = to;
-        m_is_new.insert(std::move(node));
-      }
-    }
-
-    Topology_editor_2& m_editor;
-    std::unordered_set<Index> m_is_new;
-    bool m_is_finished = false;
-  };
-
-private:
-  // COMING AND GOING ----------------------------------------------------------------------------
-
-  std::array<Face_handle, 2> create_two_faces()
-  {
-    auto& tds = m_maintained.triangulation.tds();
-    provide(m_maintained.faces, 2);
-    const Face_handle first = tds.create_face();
-    try {
-      return {first, tds.create_face()};
-    } catch (...) {
-      tds.delete_face(first);
-      throw;
-    }
-  }
-
-  // Vertex v goes into face f.
-  void split_face(Index f, Index v, const std::array<Face_handle, 2>& new_faces)
+  // Puts the slot's vertex into a face. Nothing throws if everything is new, or if there is memory
+  // for six new edges.
+  void put_in(const Slot& slot, Index f)
   {
     auto& mirror = m_maintained.mirror;
+    auto& new_edges = m_maintained.new_edges;
+    if (!m_maintained.everything_is_new)
+      provide(new_edges, 6);
     auto& visitor_calls = m_maintained.visitor_calls;
-    const Index faces = mirror.number_of_faces(), edges = mirror.number_of_edges();
     visitor_calls.before_face_removal(m_maintained.faces[f]);
-    m_maintained.renumberings.edges.note_growth(edges);
-    m_maintained.renumberings.faces.note_growth(faces);
-    mirror.split_face(f, v);
-    m_maintained.faces.push_back(new_faces[0]);
-    m_maintained.faces.push_back(new_faces[1]);
-    for (const Index g : {f, faces, faces + 1})
+    mirror.put_in(slot, f);
+    const std::array<Index, 3> faces{f, slot.faces[0], slot.faces[1]};
+    for (const Index g : faces)
       write_face(g);
-    for (Index e = edges; e < edges + 3; ++e)
-      m_maintained.new_edges.push_back(e);
-    for (const Index h : {3 * f, 3 * faces + 1, 3 * (faces + 1) + 2})
-      m_maintained.new_edges.push_back(mirror.edge_of(h));
-    for (const Index g : {f, faces, faces + 1})
+    if (!m_maintained.everything_is_new) {
+      new_edges.insert(new_edges.end(), slot.edges.begin(), slot.edges.end());
+      mirror.for_each_corner(slot.vertex, [&](Index h) { new_edges.push_back(mirror.edge_of(h)); });
+    }
+    for (const Index g : faces)
       visitor_calls.after_face_creation(m_maintained.faces[g]);
   }
+
+  // A slot with the next numbers and a vertex at p that nobody is at. If it throws, nothing has
+  // changed.
+  Slot make_slot(const Point& p)
+  {
+    auto& mirror = m_maintained.mirror;
+    auto& tds = m_maintained.triangulation.tds();
+    mirror.provide_for_slot();
+    m_maintained.ids.provide_for_vertex();
+    provide(m_maintained.faces, 2);
+    m_maintained.append_vertex(p);
+    std::array<Face_handle, 2> faces;
+    try {
+      faces[0] = tds.create_face();
+      try {
+        faces[1] = tds.create_face();
+      } catch (...) {
+        tds.delete_face(faces[0]);
+        throw;
+      }
+    } catch (...) {
+      m_maintained.drop_last_vertex();
+      throw;
+    }
+    const Slot slot = mirror.append_slot();
+    m_maintained.ids.append_vertex();
+    m_maintained.renumberings.vertices.note_growth(slot.vertex);
+    m_maintained.renumberings.edges.note_growth(slot.edges[0]);
+    m_maintained.renumberings.faces.note_growth(slot.faces[0]);
+    m_maintained.faces.push_back(faces[0]);
+    m_maintained.faces.push_back(faces[1]);
+    return slot;
+  }
+
+  // A fresh vertex at p, in place of the slot's, that nobody was at. If it throws, nothing has
+  // changed.
+  void renew_vertex(const Slot& slot, const Point& p)
+  {
+    auto& tds = m_maintained.triangulation.tds();
+    m_maintained.renumberings.vertices.provide(1);
+    const Vertex_handle fresh = tds.create_vertex();
+    try {
+      m_maintained.place_vertex(slot.vertex, fresh, p);
+    } catch (...) {
+      tds.delete_vertex(fresh);
+      throw;
+    }
+    m_maintained.renumberings.vertices.note_replacement(slot.vertex);
+  }
+
+  // The vertices of these slots, which nobody is at, are no more; the last vertices, edges and
+  // faces take the numbers that get free. No other slots may be there. If it throws, nothing has
+  // changed.
+  void drop(const std::vector<Slot>& slots)
+  {
+    collect_numbers(slots);
+    const std::size_t kept_edges = m_maintained.mirror.number_of_edges() - m_empty_edges.size();
+    std::vector<Index> number_of_edge(m_empty_edges.size(), no_index); // from `kept_edges` on
+    m_maintained.renumberings.provide_for_removals(slots.size());
+    const auto note = [&](Index from, Index to) { number_of_edge[from - kept_edges] = to; };
+    drop_collected(note); // nothing throws from here on
+    auto& new_edges = m_maintained.new_edges;
+    for (Index& e : new_edges)
+      while (e != no_index && e >= kept_edges)
+        e = number_of_edge[e - kept_edges];
+    new_edges.erase(std::remove(new_edges.begin(), new_edges.end(), no_index), new_edges.end());
+  }
+
+  // The same where memory has run out: nothing throws, and everything is new.
+  void drop_in_need(const std::vector<Slot>& slots)
+  {
+    m_maintained.everything_is_new = true;
+    collect_numbers(slots);
+    drop_collected([](Index, Index) {});
+  }
+
+  // Memory for drop_in_need() with so many slots.
+  void provide_for_drop(std::size_t slots)
+  {
+    m_empty_vertices.reserve(slots);
+    m_empty_faces.reserve(2 * slots);
+    m_empty_edges.reserve(3 * slots);
+  }
+
+private:
+  // OUT OF FACES AND INTO FACES -------------------------------------------------------------------
 
   // Flips edges at v until it has three. There always is one to flip: if one of the triangles of
   // neighbors that follow each other has its third edge elsewhere already, that parts the others
   // from each other. Where the faces around v tell it, the new ones are counterclockwise.
-  void flip_down(Index v)
+  void flip_down(Index v, const Position_2& place)
   {
     Index degree = degree_of(v);
-    m_flipped.reserve(degree);
-    m_maintained.new_edges.reserve(m_maintained.new_edges.size() + degree);
+    provide(m_flipped, degree);
+    provide(m_maintained.new_edges, degree);
     Flip_series series(*this);
     for (const Ear ear : {Ear::CONVEX, Ear::AT_INFINITY, Ear::ANY})
-      degree -= cut_ears(v, degree, ear, series);
+      degree -= cut_ears(v, place, degree, ear, series);
     CGAL_postcondition(degree == 3);
   }
 
@@ -307,14 +261,14 @@ private:
   // Cuts off every other ear of this kind in each round, until there is none or v has three edges:
   // one after the other, their edges would all end at one vertex. Those at infinity all do so in
   // any case, and stand side by side. Returns how many.
-  Index cut_ears(Index v, Index degree, Ear kind, Flip_series& series)
+  Index cut_ears(Index v, const Position_2& place, Index degree, Ear kind, Flip_series& series)
   {
     const auto& mirror = m_maintained.mirror;
     Index cut = 0;
     Index corner = mirror.corner(v);
     for (Index left = degree; left > 0 && degree - cut > 3; --left) {
       const Index h = Neighborhood_mirror_2::next(corner); // from the tip of the ear to v
-      if (is_ear(h, kind) && can_flip(h)) {
+      if (is_ear(h, place, kind) && can_flip(h)) {
         series.flip(h);
         ++cut;
         left = degree - cut + 1;
@@ -327,18 +281,22 @@ private:
     return cut;
   }
 
-  // Whether h goes from the tip of an ear of this kind to the vertex.
-  bool is_ear(Index h, Ear kind) const
+  // Whether h goes from the tip of an ear of this kind to the vertex. Any answer is right, so plain
+  // floating point is good enough.
+  bool is_ear(Index h, const Position_2& place, Ear kind) const
   {
     const auto& mirror = m_maintained.mirror;
-    const Index before = mirror.apex(h), tip = mirror.source(h), v = mirror.target(h);
+    const Index before = mirror.apex(h), tip = mirror.source(h);
     const Index after = mirror.apex(mirror.twin(h));
     const bool ends_at_infinity = before == infinite_index || after == infinite_index;
     switch (kind) {
-    case Ear::CONVEX:
-      return tip != infinite_index && !ends_at_infinity &&
-             m_predicates.orientation(before, tip, after) == LEFT_TURN &&
-             m_predicates.orientation(v, before, after) != RIGHT_TURN;
+    case Ear::CONVEX: {
+      if (tip == infinite_index || ends_at_infinity)
+        return false;
+      const auto& positions = m_maintained.positions;
+      const Position_2 &p = positions[before], &q = positions[tip], &r = positions[after];
+      return cross(q - p, r - p) > 0 && cross(p - place, r - place) >= 0;
+    }
     case Ear::AT_INFINITY:
       return tip != infinite_index && ends_at_infinity;
     default:
@@ -346,77 +304,53 @@ private:
     }
   }
 
-  Index finite_neighbor_of(Index v) const
+  // In descending order: the last one is then never empty, unless it is the one that goes.
+  void collect_numbers(const std::vector<Slot>& slots)
   {
-    Index neighbor = infinite_index;
-    m_maintained.mirror.for_each_neighbor(
-        v, [&](Index w) { neighbor = w == infinite_index ? neighbor : w; });
-    return neighbor;
+    m_empty_vertices.clear();
+    m_empty_faces.clear();
+    m_empty_edges.clear();
+    for (const Slot& slot : slots) {
+      m_empty_vertices.push_back(slot.vertex);
+      m_empty_faces.insert(m_empty_faces.end(), slot.faces.begin(), slot.faces.end());
+      m_empty_edges.insert(m_empty_edges.end(), slot.edges.begin(), slot.edges.end());
+    }
+    for (std::vector<Index>* numbers : {&m_empty_vertices, &m_empty_faces, &m_empty_edges})
+      std::sort(numbers->begin(), numbers->end(), std::greater<Index>());
   }
 
-  // The edges opposite to v.
-  std::array<Index, 3> edges_around(Index v) const
-  {
-    const auto& mirror = m_maintained.mirror;
-    const Index h = mirror.corner(v), g = mirror.next_corner(h);
-    return {mirror.edge_of(h), mirror.edge_of(g), mirror.edge_of(mirror.next_corner(g))};
-  }
-
-  // That they will be no more.
-  void tell_of_faces_at(Index v)
-  {
-    m_maintained.mirror.for_each_corner(v, [&](Index h) {
-      m_maintained.visitor_calls.before_face_removal(m_maintained.faces[h / 3]);
-    });
-  }
-
-  // Afterwards v, which must have three edges, is in no face. `rename(from, to)` is told that edge
-  // `to` is no more, and that edge `from`, if it is another one, takes its number. Returns the
-  // faces that are left over.
-  template <class Rename>
-  std::array<Face_handle, 2> take_out(Index v, const Rename& rename)
+  // `note(from, to)` is told that edge `from` takes the number `to`.
+  template <class Note>
+  void drop_collected(const Note& note)
   {
     auto& mirror = m_maintained.mirror;
     auto& renumberings = m_maintained.renumberings;
-    auto left = mirror.merge_faces_at(mirror.corner(v));
-    write_face(left.face);
-    const Face_handle merged = m_maintained.faces[left.face];
-    const std::array<Face_handle, 2> faces{m_maintained.faces[left.faces[0]],
-                                           m_maintained.faces[left.faces[1]]};
-    std::sort(left.faces.begin(), left.faces.end(), std::greater<Index>());
-    for (const Index f : left.faces) {
-      renumberings.faces.note_move(mirror.number_of_faces() - 1, f);
+    const bool are_noted = !m_maintained.everything_is_new;
+    for (const Index f : m_empty_faces) {
+      if (are_noted)
+        renumberings.faces.note_move(mirror.number_of_faces() - 1, f);
+      m_maintained.triangulation.tds().delete_face(m_maintained.faces[f]);
       m_maintained.faces[f] = m_maintained.faces.back();
       m_maintained.faces.pop_back();
       mirror.move_last_face_to(f);
     }
-    std::sort(left.edges.begin(), left.edges.end(), std::greater<Index>());
-    for (const Index e : left.edges) {
+    for (const Index e : m_empty_edges) {
       const Index last = mirror.number_of_edges() - 1;
-      renumberings.edges.note_move(last, e);
-      rename(last, e);
+      if (are_noted)
+        renumberings.edges.note_move(last, e);
+      if (last != e)
+        note(last, e);
       mirror.move_last_edge_to(e);
     }
-    m_maintained.visitor_calls.after_face_creation(merged);
-    return faces;
-  }
-
-  void delete_faces(const std::array<Face_handle, 2>& faces)
-  {
-    for (const Face_handle f : faces)
-      m_maintained.triangulation.tds().delete_face(f);
-  }
-
-  // Deletes a vertex that is in no face, and that nobody is at.
-  void drop(Index v)
-  {
-    auto& mirror = m_maintained.mirror;
-    const Vertex_handle vertex = m_maintained.vertices[v];
-    m_maintained.renumberings.vertices.note_move(m_maintained.number_of_vertices(), v);
-    mirror.move_last_vertex_to(v);
-    m_maintained.ids.move_last_vertex_to(v);
-    m_maintained.move_last_vertex_to(v);
-    m_maintained.triangulation.tds().delete_vertex(vertex);
+    for (const Index v : m_empty_vertices) {
+      if (are_noted)
+        renumberings.vertices.note_move(m_maintained.number_of_vertices(), v);
+      const Vertex_handle vertex = m_maintained.vertices[v];
+      mirror.move_last_vertex_to(v);
+      m_maintained.ids.move_last_vertex_to(v);
+      m_maintained.move_last_vertex_to(v);
+      m_maintained.triangulation.tds().delete_vertex(vertex);
+    }
   }
 
   // Face f and its neighbors, which refer to it by the right number, into CGAL's structure.
@@ -528,10 +462,9 @@ private:
   static constexpr std::size_t stretch = 16; // of flips that are fetched together
 
   Maintained& m_maintained;
-  Vertex_predicates_2<Maintained> m_predicates;
-  Point_location_2<Maintained> m_location;
   std::vector<Index> m_inner_edges;
   std::vector<Index> m_flipped; // half-edges, in the order of their flips
+  std::vector<Index> m_empty_vertices, m_empty_faces, m_empty_edges; // that are dropped
 };
 
 } // namespace internal

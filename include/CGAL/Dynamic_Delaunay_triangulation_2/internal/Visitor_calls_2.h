@@ -77,6 +77,12 @@ public:
   }
 
   template <class Vertex_handle>
+  void before_vertex_relocation(Vertex_handle v, std::size_t id)
+  {
+    call([&](auto& visitor, auto& dt) { visitor.before_vertex_relocation(dt, v, id); });
+  }
+
+  template <class Vertex_handle>
   void before_vertex_merge(Vertex_handle v, std::size_t id, Vertex_handle stays)
   {
     call([&](auto& visitor, auto& dt) { visitor.before_vertex_merge(dt, v, id, stays); });

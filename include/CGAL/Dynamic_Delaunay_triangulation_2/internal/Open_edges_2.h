@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_OPEN_EDGES_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_OPEN_EDGES_2_H
+
+#include <CGAL/Dynamic_classification_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distinct_numbers_2.h>
+#include <CGAL/Dynamic_frame_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// How far the proof of an update has come: the edges that are not proved Delaunay yet, and whether
+// the faces are known to tile the hull. It is complete when no edge is open and they do.
+//
+// An edge is *open* until somebody proves it. Those that are known to be illegal between two
+// counterclockwise faces are kept apart: a flip rights them.
+class Open_edges_2
+{
+public:
+  bool empty() const { return m_uncertain.empty() && m_illegal.empty(); }
+  std::size_t size() const { return m_uncertain.size() + m_illegal.size(); }
+
+  // Those at which there may be inverted faces.
+  const std::vector<Index>& uncertain() const { return m_uncertain; }
+  std::vector<Index>& uncertain() { return m_uncertain; }
+
+  // Whether the last tool has proved that the faces tile the convex hull; if no tool was used,
+  // whether the classifier has.
+  bool is_planar() const { return m_is_planar; }
+  void set_planar(bool is_planar) { m_is_planar = is_planar; }
+
+  void clear()
+  {
+    m_uncertain.clear();
+    m_illegal.clear();
+    m_is_planar = false;
+  }
+
+  // The edges that a classifier has named, and those of the vertices that it has named.
+  template <class Maintained>
+  void take(const Dynamic_classification_2<Maintained>& classification,
+            const Maintained& maintained)
+  {
+    clear();
+    if (classification.is_everything()) {
+      m_uncertain.resize(maintained.mirror.number_of_edges());
+      std::iota(m_uncertain.begin(), m_uncertain.end(), Index(0));
+      return;
+    }
+    const Dynamic_frame_2<Maintained> frame(maintained);
+    for (const Index v : classification.whole_vertices())
+      frame.for_each_incident_edge(v, [this](Index e) { m_uncertain.push_back(e); });
+    const auto& edges = classification.edges();
+    const auto illegal = edges.end() - std::ptrdiff_t(classification.number_of_illegal_edges());
+    m_uncertain.insert(m_uncertain.end(), edges.begin(), illegal);
+    m_illegal.assign(illegal, edges.end());
+    m_is_planar = empty() && classification.hull_turns_once();
+  }
+
+  // The edges that were triangulated anew from the i-th of these on, and those around them, which
+  // may have got another opposite vertex by that. Some of these edges may be empty by now, and so
+  // may some that were open before: they go.
+  template <class Maintained>
+  void open_new_edges(const Maintained& maintained, std::size_t i)
+  {
+    const auto& mirror = maintained.mirror;
+    const auto& new_edges = maintained.new_edges;
+    for (; i < new_edges.size(); ++i)
+      if (!mirror.is_empty_edge(new_edges[i])) {
+        m_uncertain.push_back(new_edges[i]);
+        mirror.for_each_side(new_edges[i], [this](Index e) { m_uncertain.push_back(e); });
+      }
+    const auto is_empty = [&](Index e) { return mirror.is_empty_edge(e); };
+    for (std::vector<Index>* edges : {&m_uncertain, &m_illegal})
+      edges->erase(std::remove_if(edges->begin(), edges->end(), is_empty), edges->end());
+    make_distinct(m_uncertain);
+    m_is_planar = false;
+  }
+
+  // From here on they are edges like others.
+  void open_illegal()
+  {
+    m_uncertain.insert(m_uncertain.end(), m_illegal.begin(), m_illegal.end());
+    m_illegal.clear();
+  }
+
+  // What hinders the flips of an open edge may be another edge nearby that is illegal.
+  template <class Maintained>
+  void open_surroundings(const Maintained& maintained)
+  {
+    const Dynamic_frame_2<Maintained> frame(maintained);
+    std::vector<Index> edges;
+    for_each_uncertain_vertex(maintained, [&](Index v) {
+      frame.for_each_edge_that_sees(v, [&](Index e) { edges.push_back(e); });
+    });
+    m_uncertain.insert(m_uncertain.end(), edges.begin(), edges.end());
+    make_distinct(m_uncertain);
+  }
+
+  // Opens these edges as well, and closes all that are Delaunay.
+  template <class Maintained>
+  void reopen(const Maintained& maintained, const std::vector<Index>& edges)
+  {
+    const Certificate_2<Maintained> certificate(maintained);
+    m_uncertain.insert(m_uncertain.end(), edges.begin(), edges.end());
+    make_distinct(m_uncertain);
+    m_uncertain.erase(
+        std::remove_if(m_uncertain.begin(), m_uncertain.end(),
+                       [&](Index e) { return certificate.state(e) == Edge_state_2::DELAUNAY; }),
+        m_uncertain.end());
+  }
+
+  // The finite ones, some of them more than once.
+  template <class Maintained, class Function>
+  void for_each_uncertain_vertex(const Maintained& maintained, const Function& f) const
+  {
+    for (const Index e : m_uncertain) {
+      const Edge_2& edge = maintained.mirror.edge(e);
+      for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+        if (v != infinite_index)
+          f(v);
+    }
+  }
+
+private:
+  std::vector<Index> m_uncertain, m_illegal;
+  bool m_is_planar = false;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_OPEN_EDGES_2_H

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_REPAIR_BUDGET_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_REPAIR_BUDGET_2_H
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// What an update may spend on mending before a rebuild is the better way. Everything is counted,
+// nothing clocked, so equal input gives equal results. The unit is a sixteenth of what a rebuild
+// takes for a vertex, some 15 nanoseconds.
+class Repair_budget_2
+{
+public:
+  static constexpr std::size_t rebuilt_vertex = 16;
+  static constexpr std::size_t flip = 20;
+  static constexpr std::size_t spliced_vertex = 32;
+  static constexpr std::size_t relocation = 240;
+  static constexpr std::size_t step_of_a_walk = 2;
+  // What it takes to mend what is around an open edge, flips, splices and all: random clouds are
+  // mended and rebuilt in the same time when an eighth of their edges are open.
+  static constexpr std::size_t open_edge = 36;
+
+  // Twice a rebuild, for repairs that do not know better.
+  void start_generously(std::size_t vertices) { m_left = least + 2 * rebuilt_vertex * vertices; }
+
+  // When it is known how many edges are open: half as much again as mending should take, an eighth
+  // of a rebuild, and something for small triangulations, where a rebuild costs next to nothing.
+  void start(std::size_t vertices, std::size_t open_edges)
+  {
+    m_left = least + rebuilt_vertex * vertices / 8 + open_edge * open_edges * 3 / 2;
+  }
+
+  // Whether a rebuild is expected to cost less than mending what is open, and so many points that
+  // come or go. Where the flat arrays no longer fit the second-level cache, mending gets dearer.
+  static bool is_rebuild_cheaper(std::size_t vertices, std::size_t open_edges,
+                                 std::size_t changes = 0)
+  {
+    constexpr std::size_t most_vertices_in_cache = 4096;
+    const std::size_t price = vertices < most_vertices_in_cache ? 27 : 24; // halves
+    return 2 * (open_edge * open_edges + relocation / 2 * changes) > price * vertices;
+  }
+
+  void allow(std::size_t cost) { m_left += cost; }
+  void spend(std::size_t cost) { m_left -= cost < m_left ? cost : m_left; }
+  std::size_t left() const { return m_left; }
+  bool is_spent() const { return m_left == 0; }
+
+private:
+  static constexpr std::size_t least = 4000;
+
+  std::size_t m_left = 0;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_REPAIR_BUDGET_2_H

@@ -1,0 +1,422 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_REPAIR_TOOLS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_REPAIR_TOOLS_2_H
+
+#include <CGAL/Dynamic_classification_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Border_splice_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distinct_numbers_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Jumper_search_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Lawson_flips_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Open_edges_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_budget_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_builder_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_traffic_2.h>
+#include <CGAL/Static_engine_2.h>
+#include <CGAL/Update_report_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// What mends an update, and what it has come to: the open edges, the vertices that are outside of
+// all faces, what may still be spent, the report. `Dynamic_mender_2` hands the tools on to a
+// repair; `Update_2` uses the others itself. Whatever costs more than its worth ends in a rebuild.
+template <class Maintained>
+class Repair_tools_2
+{
+  using Editor = Topology_editor_2<Maintained>;
+  using Certificate = Certificate_2<Maintained>;
+  using Point = typename Maintained::Point;
+  using Traffic = Vertex_traffic_2<Maintained>;
+
+public:
+  using Classification = Dynamic_classification_2<Maintained>;
+
+  explicit Repair_tools_2(Maintained& maintained)
+    : m_maintained(maintained)
+    , m_editor(maintained)
+    , m_builder(maintained)
+    , m_traffic(maintained, m_editor)
+    , m_jumpers(maintained)
+    , m_splice(maintained)
+  {
+  }
+
+  void set_engines(const Static_engines_2& engines)
+  {
+    m_builder.set_engine(engines.whole);
+    m_splice.set_engine(engines.region);
+  }
+
+  // AN UPDATE -----------------------------------------------------------------------------------
+
+  void start(Update_report_2& report)
+  {
+    m_report = &report;
+    forget();
+    m_budget.start_generously(m_maintained.number_of_vertices());
+  }
+
+  Classification& classification() { return m_classification; }
+  Traffic& traffic() { return m_traffic; }
+  Topology_builder_2<Maintained>& builder() { return m_builder; }
+
+  // After the classifier has answered.
+  void take_classification(bool has_to_prove, bool was_certified)
+  {
+    m_has_to_prove = has_to_prove;
+    m_was_certified = was_certified;
+    m_report->classified = m_classification.size();
+    m_open.take(m_classification, m_maintained);
+  }
+
+  // The points with these ids go.
+  void remove(const std::vector<Index>& ids)
+  {
+    const std::size_t first_new = m_maintained.new_edges.size();
+    const std::vector<Index> moved = m_traffic.remove(ids);
+    m_open.open_new_edges(m_maintained, first_new);
+    for (const Index v : moved)
+      Dynamic_frame_2<Maintained>(m_maintained).for_each_edge_that_sees(v, [this](Index e) {
+        m_open.uncertain().push_back(e);
+      });
+  }
+
+  // Puts everybody in that is outside of all faces, or comes, or parts, and flips around each.
+  void put_in(const std::vector<Index>& parted_guests)
+  {
+    m_open.set_planar(false);
+    m_budget.allow((parted_guests.size() + m_traffic.number_to_put_in()) *
+                   Repair_budget_2::relocation);
+    std::size_t steps_before = 0;
+    const auto counts = m_traffic.put_in(parted_guests, [&](Index v, std::size_t steps) {
+      m_budget.spend(Repair_budget_2::relocation / 2 +
+                     Repair_budget_2::step_of_a_walk * (steps - steps_before));
+      steps_before = steps;
+      return settle(v) && !m_budget.is_spent();
+    });
+    m_report->relocated += counts.relocated;
+    m_report->merged += counts.merged;
+    m_report->parted += counts.parted;
+    if (m_budget.is_spent())
+      rebuild(Rebuild_reason_2::BUDGET_SPENT);
+  }
+
+  // Whether nothing is left to prove.
+  bool is_proved() const
+  {
+    return m_open.empty() && (m_open.is_planar() || Certificate(m_maintained).hull_turns_once());
+  }
+
+  // Gives the numbers of vertices that are no more to others.
+  void finish()
+  {
+    if (m_traffic.finish())
+      forget_sets();
+  }
+
+  // The triangulation becomes another one. Throws nothing.
+  void exchange(Maintained& other)
+  {
+    m_builder.exchange(other);
+    m_classification = Classification();
+    forget_sets();
+  }
+
+  // WHAT THERE IS TO DO -------------------------------------------------------------------------
+
+  const Classification& classification() const { return m_classification; }
+  const Open_edges_2& open_edges() const { return m_open; }
+  bool has_to_prove() const { return m_has_to_prove; }
+  bool has_rebuilt() const { return m_report->rebuilt(); }
+  std::size_t number_of_edges() const { return m_maintained.mirror.number_of_edges(); }
+  const std::vector<Index>& padded() const { return m_padded; }
+  const std::vector<Index>& border() const { return m_border; }
+
+  bool is_rebuild_cheaper() const
+  {
+    return Repair_budget_2::is_rebuild_cheaper(m_maintained.number_of_vertices(), m_open.size());
+  }
+
+  // TOOLS, as Dynamic_mender_2 documents them ----------------------------------------------------
+
+  void limit_cost() { m_budget.start(m_maintained.number_of_vertices(), m_open.size()); }
+
+  void take_out_jumpers()
+  {
+    if (!m_has_to_prove || m_maintained.points_are_written || has_rebuilt())
+      return;
+    const std::vector<Index>& jumpers = m_jumpers.run(m_open.uncertain());
+    constexpr std::size_t fewest_vertices = 3;
+    if (jumpers.empty() || jumpers.size() + fewest_vertices > m_maintained.number_of_vertices())
+      return;
+    const std::size_t first_new = m_maintained.new_edges.size();
+    for (const Index v : jumpers)
+      m_traffic.take_out(v);
+    m_budget.spend(jumpers.size() * Repair_budget_2::relocation / 2);
+    m_open.open_new_edges(m_maintained, first_new);
+  }
+
+  void flip()
+  {
+    if (!m_open.is_planar())
+      flip_inverted();
+    m_open.open_illegal();
+    flip_uncertain();
+  }
+
+  void flip_inverted()
+  {
+    if (has_rebuilt())
+      return;
+    flip_uncertain();
+    if (!m_open.uncertain().empty() && !has_rebuilt()) {
+      m_open.open_surroundings(m_maintained);
+      flip_uncertain();
+    }
+    m_open.set_planar(!has_rebuilt() && m_has_to_prove && m_open.uncertain().empty() &&
+                      Certificate(m_maintained).hull_turns_once());
+  }
+
+  void splice_classified(unsigned padding)
+  {
+    m_open.open_illegal();
+    if (splice(m_classification.vertices(), padding, m_has_to_prove)) {
+      for (std::size_t i = 0; i < m_splice.number_of_padded(); ++i)
+        m_padded.push_back(m_splice.padded(i));
+      m_border.assign(m_splice.border().begin(), m_splice.border().end());
+    }
+  }
+
+  void splice_open(unsigned padding)
+  {
+    m_open.open_illegal();
+    splice_inverted(padding);
+  }
+
+  void splice_inverted(unsigned padding)
+  {
+    std::vector<Index> vertices;
+    m_open.for_each_uncertain_vertex(m_maintained, [&](Index v) { vertices.push_back(v); });
+    splice(vertices, padding, true);
+  }
+
+  void relocate()
+  {
+    if (m_traffic.is_under_way())
+      return rebuild(Rebuild_reason_2::POPULATION);
+    if (!m_was_certified || m_maintained.points_are_written)
+      return rebuild(Rebuild_reason_2::STUCK);
+    const bool all_arrived = relocate_all();
+    m_open.clear();
+    if (!all_arrived)
+      rebuild(Rebuild_reason_2::COINCIDENCE);
+    else if (!m_maintained.is_mirrored()) // nobody else can do anything without edges
+      rebuild(Rebuild_reason_2::DIMENSION);
+    else if (!Certificate(m_maintained).holds())
+      rebuild(Rebuild_reason_2::STUCK);
+  }
+
+  void rebuild(Rebuild_reason_2 reason)
+  {
+    if (m_traffic.is_under_way())
+      rebuild_with_traffic();
+    else
+      m_builder.rebuild();
+    m_report->rebuild_reason = m_maintained.is_mirrored() ? reason : Rebuild_reason_2::DIMENSION;
+    forget();
+  }
+
+private:
+  void forget()
+  {
+    m_open.clear();
+    forget_sets();
+  }
+
+  // Of vertices, which may have other numbers now.
+  void forget_sets()
+  {
+    m_padded.clear();
+    m_border.clear();
+    m_classification.clear(m_maintained);
+  }
+
+  // FLIPS ---------------------------------------------------------------------------------------
+
+  void flip_uncertain()
+  {
+    if (has_rebuilt())
+      return;
+    std::vector<Index>& edges = m_open.uncertain();
+    // the neighborhoods that it has looked at count as triangulated anew
+    auto& new_edges = m_maintained.new_edges;
+    new_edges.insert(new_edges.end(), edges.begin(), edges.end());
+    const std::size_t most = m_budget.left() / Repair_budget_2::flip + 1;
+    const std::size_t flips = m_lawson.run(m_maintained, m_editor, edges, m_open.is_planar(), most);
+    m_report->flips += flips;
+    m_budget.spend(flips * Repair_budget_2::flip);
+    if (m_budget.is_spent())
+      rebuild(Rebuild_reason_2::BUDGET_SPENT);
+  }
+
+  // Flips around a vertex that was put in.
+  bool settle(Index v)
+  {
+    const auto& mirror = m_maintained.mirror;
+    m_around.clear();
+    mirror.for_each_corner(v, [&](Index h) {
+      m_around.push_back(mirror.edge_of(h));
+      m_around.push_back(mirror.edge_of(Neighborhood_mirror_2::previous(h)));
+    });
+    const std::size_t most = m_budget.left() / Repair_budget_2::flip + 1;
+    const std::size_t flips = m_lawson.run(m_maintained, m_editor, m_around, false, most);
+    m_report->flips += flips;
+    // the price of putting it in has the first ones
+    constexpr std::size_t few = 8;
+    m_budget.spend(flips > few ? (flips - few) * Repair_budget_2::flip : 0);
+    m_open.uncertain().insert(m_open.uncertain().end(), m_around.begin(), m_around.end());
+    return true;
+  }
+
+  // SPLICES -------------------------------------------------------------------------------------
+
+  // False if it has rebuilt or merged instead.
+  bool splice(const std::vector<Index>& vertices, unsigned padding, bool has_to_look)
+  {
+    if (has_rebuilt())
+      return false;
+    m_open.set_planar(false);
+    std::size_t growths = 0;
+    std::size_t most = m_budget.left() / Repair_budget_2::spliced_vertex;
+    const std::size_t before = most;
+    const Splice_result_2 result = m_splice.run(m_editor, vertices, padding, growths, most);
+    m_budget.spend((before - most) * Repair_budget_2::spliced_vertex);
+    m_report->growths += growths;
+    switch (result) {
+    case Splice_result_2::TOO_LARGE:
+      rebuild(growths == 0 ? Rebuild_reason_2::TOO_MUCH_BROKEN : Rebuild_reason_2::STUCK);
+      return false;
+    case Splice_result_2::TOO_DEAR:
+      rebuild(Rebuild_reason_2::BUDGET_SPENT);
+      return false;
+    case Splice_result_2::COINCIDENCE:
+      merge();
+      return false;
+    default:
+      break;
+    }
+    ++m_report->splices;
+    m_report->padded += m_splice.number_of_padded();
+    m_report->border += m_splice.number_of_border();
+    m_report->spliced += m_splice.number_of_vertices();
+    // the spliced faces are Delaunay among themselves; what lies across their boundary may not be
+    if (has_to_look)
+      m_open.reopen(m_maintained, m_splice.boundary_edges());
+    else
+      m_open.uncertain().clear();
+    return true;
+  }
+
+  // Vertices that have come to coincide become one.
+  void merge()
+  {
+    if (!m_has_to_prove)
+      return rebuild(Rebuild_reason_2::COINCIDENCE);
+    std::vector<Index> candidates = m_splice.region();
+    m_open.for_each_uncertain_vertex(m_maintained, [&](Index v) { candidates.push_back(v); });
+    make_distinct(candidates);
+    const std::size_t first_new = m_maintained.new_edges.size();
+    const std::size_t merged =
+        m_traffic.merge(candidates, m_budget.left() / Repair_budget_2::relocation);
+    m_report->merged += merged;
+    m_budget.spend(merged * Repair_budget_2::relocation);
+    m_open.open_new_edges(m_maintained, first_new);
+    m_open.reopen(m_maintained, {});
+    if (merged == 0 || m_budget.is_spent())
+      rebuild(Rebuild_reason_2::COINCIDENCE);
+  }
+
+  // RELOCATION BY CGAL --------------------------------------------------------------------------
+
+  // Reads back what CGAL has made of the faces. False if some vertices could not go: others are, or
+  // stay, where they have to.
+  bool relocate_all()
+  {
+    const All_faces_anew_2<Maintained> anew(m_maintained);
+    const bool all_arrived = relocate_one_by_one();
+    m_maintained.write_points();
+    m_builder.read_back();
+    return all_arrived;
+  }
+
+  bool relocate_one_by_one()
+  {
+    std::vector<Index> waiting;
+    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
+      if (!coincide(m_maintained.traits(), m_maintained.point(v), m_maintained.previous_point(v)))
+        waiting.push_back(v);
+    // whoever finds its place taken tries again when the others have moved on
+    for (std::size_t before = waiting.size() + 1; !waiting.empty() && waiting.size() < before;) {
+      before = waiting.size();
+      waiting.erase(std::remove_if(waiting.begin(), waiting.end(),
+                                   [this](Index v) {
+                                     const bool arrived =
+                                         m_builder.relocate(v, m_maintained.point(v));
+                                     m_report->relocated += arrived;
+                                     return arrived;
+                                   }),
+                    waiting.end());
+    }
+    return waiting.empty();
+  }
+
+  // REBUILDING ----------------------------------------------------------------------------------
+
+  void rebuild_with_traffic()
+  {
+    std::vector<Index> ids;
+    std::vector<Point> points;
+    m_traffic.for_each_coming([&](Index id, const Point& p) {
+      ids.push_back(id);
+      points.push_back(p);
+    });
+    m_traffic.give_up();
+    if (ids.empty())
+      m_builder.rebuild();
+    else
+      m_builder.build_with({}, ids, points);
+  }
+
+  Maintained& m_maintained;
+  Editor m_editor;
+  Topology_builder_2<Maintained> m_builder;
+  Traffic m_traffic;
+  Jumper_search_2<Maintained> m_jumpers;
+  Lawson_flips_2 m_lawson;
+  Border_splice_2<Maintained> m_splice;
+  Classification m_classification;
+  Open_edges_2 m_open;
+  Repair_budget_2 m_budget;
+  std::vector<Index> m_around; // a vertex that was put in
+  std::vector<Index> m_padded, m_border;
+  Update_report_2* m_report = nullptr;
+  bool m_has_to_prove = false;
+  bool m_was_certified = false;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_REPAIR_TOOLS_2_H

@@ -1,0 +1,323 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_2_H
+
+#include <CGAL/Circumcircle_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Change_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distinct_numbers_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_examination_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_budget_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_tools_2.h>
+#include <CGAL/Dynamic_frame_2.h>
+#include <CGAL/Dynamic_mender_2.h>
+#include <CGAL/Flip_and_splice_repair_2.h>
+#include <CGAL/Update_report_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// An update: everything that happens to the triangulation in one call, whether all points move or a
+// few, and whoever comes and goes meanwhile. Its phases stand in run(), in their order. It alone
+// knows whether the triangulation is certified.
+template <class Maintained>
+class Update_2
+{
+  using Point = typename Maintained::Point;
+  using Tools = Repair_tools_2<Maintained>;
+  using Mender = Dynamic_mender_2<Maintained>;
+  using Frame = Dynamic_frame_2<Maintained>;
+  using Change = Change_2<Point>;
+
+public:
+  explicit Update_2(Maintained& maintained)
+    : m_maintained(maintained)
+    , m_tools(maintained)
+  {
+  }
+
+  bool is_certified() const { return m_is_certified; }
+  void set_certified(bool is_certified) { m_is_certified = is_certified; }
+  Tools& tools() { return m_tools; }
+  const Tools& tools() const { return m_tools; }
+
+  // `is_informed`: the classifier has heard what the last call triangulated anew. `take_back()` is
+  // called if the policy or the classifier throws: whether it could undo what was staged.
+  template <class Classifier, class Repair, class Policy, class Take_back>
+  Update_report_2 run(const Change& change, Classifier& classifier, const Repair& repair,
+                      Policy& policy, bool is_informed, const Take_back& take_back)
+  {
+    Update_report_2 report;
+    const Give_up at_exit{m_tools};
+    const bool was_certified = begin(change, is_informed, report);
+    if (change.is_empty() && !m_maintained.is_mirrored()) {
+      m_is_certified = was_certified;
+      return report;
+    }
+    stage_moved(change);
+    Rebuild_reason_2 reason;
+    try {
+      reason = reason_to_rebuild(change, policy, Classifier::is_exact);
+      if (reason == Rebuild_reason_2::NONE)
+        classify(change, classifier, was_certified);
+    } catch (...) {
+      m_is_certified = take_back() && was_certified;
+      throw;
+    }
+    if (reason != Rebuild_reason_2::NONE) {
+      rebuild(change, reason, report);
+      return report;
+    }
+    m_tools.remove(change.gone);
+    m_has_removed = true;
+    m_tools.traffic().announce(change.coming, change.coming_points);
+    mend(change, repair);
+    put_in(report);
+    prove(report);
+    return report;
+  }
+
+  // Whether all that had to go in the last call have gone.
+  bool has_removed() const { return m_has_removed; }
+
+  // Whether the triangulation is Delaunay; changes nothing else.
+  bool certify()
+  {
+    m_is_certified = m_is_certified || (m_maintained.is_mirrored() && parted_guests().empty() &&
+                                        Certificate_2<Maintained>(m_maintained).holds());
+    return m_is_certified;
+  }
+
+  // The guests that are no longer where their vertex is.
+  std::vector<Index> parted_guests() const
+  {
+    std::vector<Index> parted;
+    const auto& ids = m_maintained.ids;
+    for (const auto& guest : ids.guests())
+      if (!are_together(guest.point, m_maintained.point(ids.vertex(guest.id))))
+        parted.push_back(guest.id);
+    return parted;
+  }
+
+private:
+  // However the call ends, all vertices are in some face afterwards.
+  struct Give_up
+  {
+    Tools& tools;
+    ~Give_up() { tools.traffic().give_up(); }
+  };
+
+  // What has changed from here on is news. Returns whether the triangulation was certified.
+  bool begin(const Change& change, bool is_informed, Update_report_2& report)
+  {
+    report.inserted = change.coming.size();
+    report.removed = change.gone.size();
+    if (is_informed)
+      m_maintained.forget_news();
+    else if (Frame(m_maintained).has_other_numbers()) // and there will be others again
+      m_maintained.everything_is_new = true;
+    m_tools.start(report);
+    m_has_removed = false;
+    return std::exchange(m_is_certified, false);
+  }
+
+  // POINTS THAT MOVE ALONE ----------------------------------------------------------------------
+
+  // If none of a vertex's points stays, it goes with its host; else one that stays becomes the
+  // host.
+  void stage_moved(const Change& change)
+  {
+    m_maintained.positions_are_exact &= change.are_exact;
+    if (change.moved.empty())
+      return;
+    auto& ids = m_maintained.ids;
+    ids.provide_for_guests(change.moved.size());
+    m_maintained.points_are_written = false;
+    for (std::size_t i = 0; i < change.moved.size(); ++i)
+      if (!ids.is_host(change.moved[i]))
+        ids.guest(change.moved[i]).point = change.moved_points[i];
+    for (std::size_t i = 0; i < change.moved.size(); ++i)
+      if (ids.is_host(change.moved[i]))
+        stage_host(change.moved[i], change.moved_points[i]);
+  }
+
+  void stage_host(Index id, const Point& p)
+  {
+    auto& ids = m_maintained.ids;
+    const Index v = ids.vertex(id);
+    const Point place = m_maintained.point(v);
+    const Index heir = are_together(p, place) || ids.guests().empty()
+                           ? no_index
+                           : ids.find_guest_at(v, [&](const auto& guest) {
+                               return are_together(guest.point, place);
+                             });
+    if (heir == no_index)
+      m_maintained.stage_vertex(v, p); // there may be more to p than where it is
+    else
+      m_maintained.hand_over(heir, v, p);
+  }
+
+  bool are_together(const Point& p, const Point& q) const
+  {
+    return coincide(m_maintained.traits(), p, q);
+  }
+
+  // TO REBUILD OR NOT ---------------------------------------------------------------------------
+
+  // Decided before any work that would then be lost.
+  template <class Policy>
+  Rebuild_reason_2 reason_to_rebuild(const Change& change, Policy& policy, bool is_exact)
+  {
+    if (!m_maintained.is_mirrored() || leaves_too_few(change))
+      return Rebuild_reason_2::DIMENSION;
+    const std::size_t parted = parted_guests().size();
+    if (are_too_many(change.gone.size() + change.coming.size() + parted))
+      return parted > change.gone.size() + change.coming.size() ? Rebuild_reason_2::COINCIDENCE
+                                                                : Rebuild_reason_2::POPULATION;
+    if (change.is_frame && policy.wants_rebuild(Frame(m_maintained)))
+      return Rebuild_reason_2::POLICY;
+    if (change.is_frame && is_exact && m_was_hopeless && is_sample_hopeless())
+      return Rebuild_reason_2::TOO_MUCH_BROKEN;
+    return Rebuild_reason_2::NONE;
+  }
+
+  bool leaves_too_few(const Change& change) const
+  {
+    constexpr std::size_t fewest_vertices = 3;
+    const auto& ids = m_maintained.ids;
+    const auto hosts = std::size_t(std::count_if(change.gone.begin(), change.gone.end(),
+                                                 [&](Index id) { return ids.is_host(id); }));
+    return m_maintained.number_of_vertices() < fewest_vertices + hosts;
+  }
+
+  // Each of them looks through all guests.
+  bool are_too_many(std::size_t changes) const
+  {
+    const std::size_t guests = m_maintained.ids.guests().size();
+    return changes > 0 &&
+           Repair_budget_2::is_rebuild_cheaper(m_maintained.number_of_vertices() + guests, 0,
+                                               changes + changes * guests / 512);
+  }
+
+  // Where one frame had to be rebuilt the next one may have to be as well. Then a sample of the
+  // edges tells, instead of a classification that would be in vain.
+  bool is_sample_hopeless() const
+  {
+    constexpr std::size_t sample_size = 128;
+    const Frame frame(m_maintained);
+    const std::size_t edges = frame.number_of_edges();
+    const std::size_t stride = 1 + edges / sample_size;
+    std::size_t sampled = 0, broken = 0;
+    for (std::size_t e = 0; e < edges; e += stride, ++sampled)
+      broken += !frame.is_delaunay(Index(e));
+    // by a quarter more than would do, as a sample may be wrong
+    return Repair_budget_2::is_rebuild_cheaper(frame.number_of_vertices(),
+                                               edges * broken / sampled * 4 / 5);
+  }
+
+  void rebuild(const Change& change, Rebuild_reason_2 reason, Update_report_2& report)
+  {
+    const bool spanned_plane = m_maintained.is_mirrored();
+    if (change.gone.empty() && change.coming.empty()) {
+      m_tools.rebuild(reason);
+    } else {
+      m_tools.builder().build_with(change.gone, change.coming, change.coming_points);
+      report.rebuild_reason =
+          spanned_plane && m_maintained.is_mirrored() ? reason : Rebuild_reason_2::DIMENSION;
+    }
+    m_has_removed = true;
+    m_is_certified = true;
+  }
+
+  // CLASSIFICATION ------------------------------------------------------------------------------
+
+  // A whole frame is the classifier's. Elsewhere exact predicates decide, whatever the classifier
+  // is: at all edges if nothing is known of them and there has to be a proof.
+  template <class Classifier>
+  void classify(const Change& change, Classifier& classifier, bool was_certified)
+  {
+    if (change.is_frame) {
+      classifier(Frame(m_maintained), m_tools.classification());
+      m_tools.take_classification(Classifier::is_exact, was_certified);
+    } else if (change.is_mending || (Classifier::is_exact && !was_certified)) {
+      Circumcircle_classifier_2()(Frame(m_maintained), m_tools.classification());
+      m_tools.take_classification(true, was_certified);
+    } else {
+      classify_around(change.moved);
+      m_tools.take_classification(was_certified, was_certified);
+    }
+  }
+
+  // The edges that see one of these points, and are not Delaunay.
+  void classify_around(const std::vector<Index>& ids)
+  {
+    const Frame frame(m_maintained);
+    std::vector<Index> edges;
+    for (const Index id : ids)
+      frame.for_each_edge_that_sees(frame.vertex(id), [&](Index e) { edges.push_back(e); });
+    make_distinct(edges);
+    examine_all(frame, edges, m_tools.classification());
+  }
+
+  // MENDING -------------------------------------------------------------------------------------
+
+  template <class Repair>
+  void mend(const Change& change, const Repair& repair)
+  {
+    Mender mender(m_tools);
+    if (change.is_frame && m_tools.classification().empty() && m_tools.open_edges().empty())
+      return;
+    if (change.is_frame)
+      repair(mender);
+    else
+      Flip_and_splice_repair_2()(mender);
+  }
+
+  // What is outside of all faces, comes or parts, and mends what that breaks.
+  void put_in(Update_report_2& report)
+  {
+    if (report.rebuilt() || (m_tools.has_to_prove() && !m_tools.open_edges().empty()))
+      return;
+    const std::vector<Index> parted = parted_guests();
+    if (!parted.empty() || m_tools.traffic().is_under_way()) {
+      m_tools.put_in(parted);
+      Mender mender(m_tools);
+      Flip_and_splice_repair_2().mend(mender);
+    }
+  }
+
+  // Rebuilds if there has to be a proof and it has not come to an end.
+  void prove(Update_report_2& report)
+  {
+    const bool has_to = m_tools.has_to_prove();
+    if (has_to && !report.rebuilt() && !m_tools.is_proved())
+      m_tools.rebuild(Rebuild_reason_2::STUCK);
+    if (!report.rebuilt())
+      m_tools.finish();
+    m_was_hopeless = report.rebuild_reason == Rebuild_reason_2::TOO_MUCH_BROKEN ||
+                     report.rebuild_reason == Rebuild_reason_2::BUDGET_SPENT ||
+                     report.rebuild_reason == Rebuild_reason_2::STUCK;
+    m_is_certified = has_to || report.rebuilt();
+  }
+
+  Maintained& m_maintained;
+  Tools m_tools;
+  bool m_is_certified = true;
+  bool m_has_removed = true;
+  bool m_was_hopeless = false; // the last update classified, and had to rebuild
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_2_H

@@ -1,0 +1,330 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_VERTEX_TRAFFIC_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_VERTEX_TRAFFIC_2_H
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_location_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Provided_memory_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Spatial_order_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_order_2.h>
+
+#include <boost/iterator/counting_iterator.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Points that jump, go, come, meet and part, in one update. First vertices are taken out of their
+// faces: those that jumped wait, those that nobody is at any more leave an empty slot. Then the
+// waiting ones and the points that come are put in, all of them along a Hilbert curve; who comes
+// takes an empty slot, if there is one. In the end the slots that are still empty are dropped.
+//
+// If an exception ends the update on the way, each point has either come or gone, or it has not,
+// and all vertices are in some face.
+template <class Maintained>
+class Vertex_traffic_2
+{
+  using Editor = Topology_editor_2<Maintained>;
+  using Slot = typename Editor::Slot;
+  using Point = typename Maintained::Point;
+
+public:
+  Vertex_traffic_2(Maintained& maintained, Editor& editor)
+    : m_maintained(maintained)
+    , m_editor(editor)
+    , m_location(maintained)
+    , m_meeting_order(maintained)
+  {
+  }
+
+  // Points that will come, with the next ids, after those that go.
+  void announce(const std::vector<Index>& ids, const std::vector<Point>& points)
+  {
+    m_maintained.ids.reserve(ids);
+    m_coming_ids = ids;
+    m_coming_points = points;
+  }
+
+  // Calls f(id, point) for those of them that have not come yet.
+  template <class Function>
+  void for_each_coming(const Function& f) const
+  {
+    for (std::size_t i = 0; i < m_coming_ids.size(); ++i)
+      if (!m_maintained.ids.is_taken(m_coming_ids[i]))
+        f(m_coming_ids[i], m_coming_points[i]);
+  }
+
+  // How many vertices wait, or come.
+  std::size_t number_to_put_in() const { return m_waiting.size() + m_coming_ids.size(); }
+
+  // Whether vertices are outside of all faces, or points have not come yet.
+  bool is_under_way() const
+  {
+    return !m_waiting.empty() || !m_empty.empty() || !m_coming_ids.empty();
+  }
+
+  // OUT -----------------------------------------------------------------------------------------
+
+  // v will be put in again, where it is now.
+  void take_out(Index v)
+  {
+    provide_for_slot();
+    m_waiting.push_back(m_editor.take_out(v, previous_position(v), [&] {
+      m_maintained.visitor_calls.before_vertex_relocation(m_maintained.vertices[v],
+                                                          m_maintained.ids.host(v));
+    }));
+  }
+
+  // The points with these ids go. A host leaves its vertex to a guest, if there is one. Returns the
+  // vertices that did not stay where they were by that: some of these guests are about to part.
+  std::vector<Index> remove(const std::vector<Index>& ids)
+  {
+    std::vector<Index> moved;
+    m_maintained.ids.provide_for_removals(ids.size());
+    for (const Index id : ids)
+      remove(id, moved);
+    const auto is_outside = [this](Index v) { return m_maintained.mirror.is_outside(v); };
+    moved.erase(std::remove_if(moved.begin(), moved.end(), is_outside), moved.end());
+    return moved;
+  }
+
+  // Of the vertices in the list that have come to the same place one stays, that of the smallest
+  // id, and the points of the others become guests there. Returns how many vertices went; none do
+  // if that would be more than `most`, or leave fewer than three.
+  std::size_t merge(const std::vector<Index>& vertices, std::size_t most)
+  {
+    auto& ids = m_maintained.ids;
+    m_meeting_order.sort(vertices.begin(), vertices.end());
+    std::vector<std::pair<Index, Index>> pairs;
+    m_meeting_order.for_each_coincident_pair(
+        [&](Index v, Index w) { pairs.emplace_back(ids.host(v), ids.host(w)); });
+    constexpr std::size_t fewest_vertices = 3;
+    if (pairs.size() > most || pairs.size() + m_waiting.size() + m_empty.size() + fewest_vertices >
+                                   m_maintained.number_of_vertices())
+      return 0;
+    ids.provide_for_guests(pairs.size());
+    for (const auto& [i, j] : pairs) {
+      Index stays = ids.vertex(i), goes = ids.vertex(j);
+      if (ids.host(goes) < ids.host(stays))
+        std::swap(stays, goes);
+      provide_for_slot();
+      const Point p = m_maintained.point(goes);
+      m_empty.push_back(
+          m_editor.take_out(goes, previous_position(goes), [&] { join(goes, stays, p); }));
+    }
+    return pairs.size();
+  }
+
+  // IN ------------------------------------------------------------------------------------------
+
+  struct Counts
+  {
+    std::size_t relocated = 0, parted = 0, merged = 0, steps = 0;
+  };
+
+  // Puts everybody in: those that wait, the guests that are no longer where their vertex is, and
+  // the points that come. `settle(v, steps)` is called after each vertex, for flips around it, with
+  // the steps that all walks so far took; if it returns false, no more are put in.
+  template <class Settle>
+  Counts put_in(const std::vector<Index>& parted_guests, const Settle& settle)
+  {
+    Counts counts;
+    collect_places(parted_guests);
+    Index near = any_vertex();
+    for (std::size_t k = 0; k < m_order.size(); ++k) {
+      const std::size_t i = m_order[k];
+      provide(m_maintained.new_edges, 6);
+      const Index v = i < m_waiting.size()
+                          ? put_in_again(m_waiting[i], near, counts)
+                          : let_come(parted_guests, i - m_waiting.size(), near, counts);
+      if (v == no_index)
+        continue;
+      near = v;
+      if (!settle(v, counts.steps))
+        return counts;
+    }
+    forget_all();
+    return counts;
+  }
+
+  // The empty slots are no more. Returns whether there were any: then vertices have other numbers.
+  bool finish()
+  {
+    if (m_empty.empty())
+      return false;
+    m_editor.drop(m_empty);
+    m_empty.clear();
+    return true;
+  }
+
+  // Puts those that still wait into any face, and drops the empty slots; the points that have not
+  // come yet will not. Everything is new then. Throws nothing.
+  void give_up()
+  {
+    if (!is_under_way())
+      return;
+    m_maintained.everything_is_new = true;
+    for (const Slot& slot : m_waiting)
+      if (m_maintained.mirror.is_outside(slot.vertex) && m_maintained.ids.has_host(slot.vertex))
+        m_editor.put_in(slot, m_maintained.mirror.corner(any_vertex()) / 3);
+    m_editor.drop_in_need(m_empty);
+    for_each_coming([this](Index id, const Point&) { m_maintained.ids.release(id); });
+    m_empty.clear();
+    forget_all();
+  }
+
+private:
+  // Everything that give_up() would need, for one slot more.
+  void provide_for_slot()
+  {
+    const std::size_t slots = m_waiting.size() + m_empty.size() + 1;
+    provide(m_waiting, 1);
+    provide(m_empty, 1 + m_waiting.size());
+    m_editor.provide_for_drop(2 * slots);
+  }
+
+  Position_2 previous_position(Index v) const
+  {
+    return Maintained::approximation(m_maintained.previous_point(v));
+  }
+
+  void remove(Index id, std::vector<Index>& moved)
+  {
+    auto& ids = m_maintained.ids;
+    const Index v = ids.vertex(id);
+    if (ids.is_host(id)) {
+      const Index heir = ids.find_guest_at(v, [](const auto&) { return true; });
+      if (heir == no_index) {
+        provide_for_slot();
+        m_empty.push_back(m_editor.take_out(v, previous_position(v), [&] {
+          m_maintained.visitor_calls.before_vertex_removal(m_maintained.vertices[v], id);
+          ids.remove_host(id);
+        }));
+        return;
+      }
+      const Point place = m_maintained.point(v);
+      if (!coincide(m_maintained.traits(), place, ids.guest(heir).point))
+        moved.push_back(v);
+      m_maintained.hand_over(heir, v, place);
+    }
+    ids.remove_guest(id);
+  }
+
+  // All points of vertex `goes`, at p, become guests of the other one.
+  void join(Index goes, Index stays, const Point& p)
+  {
+    auto& ids = m_maintained.ids;
+    m_maintained.visitor_calls.before_vertex_merge(m_maintained.vertices[goes], ids.host(goes),
+                                                   m_maintained.vertices[stays]);
+    ids.merge(goes, stays, p);
+  }
+
+  // Where all that are put in go: first those that wait, then the parted guests, then those that
+  // come.
+  void collect_places(const std::vector<Index>& parted_guests)
+  {
+    m_places.clear();
+    for (const Slot& slot : m_waiting)
+      m_places.push_back(m_maintained.positions[slot.vertex]);
+    for (const Index id : parted_guests)
+      m_places.push_back(Maintained::approximation(m_maintained.ids.guest(id).point));
+    for (const Point& p : m_coming_points)
+      m_places.push_back(Maintained::approximation(p));
+    const boost::counting_iterator<Index> first(0), beyond(Index(m_places.size()));
+    m_order.sort(m_places, first, beyond);
+  }
+
+  // A finite vertex that is in some face.
+  Index any_vertex() const
+  {
+    Index v = 1;
+    while (m_maintained.mirror.is_outside(v))
+      ++v;
+    return v;
+  }
+
+  // Returns the vertex, or `no_index` if another one is there already, and has its points now.
+  Index put_in_again(const Slot& slot, Index near, Counts& counts)
+  {
+    const Index v = slot.vertex;
+    const Place_2 place = m_location.locate(v, near);
+    counts.steps += place.steps;
+    if (place.vertex == no_index) {
+      m_editor.put_in(slot, place.face);
+      ++counts.relocated;
+      return v;
+    }
+    m_maintained.ids.provide_for_guests(1);
+    join(v, place.vertex, m_maintained.point(v));
+    m_empty.push_back(slot);
+    ++counts.merged;
+    return no_index;
+  }
+
+  // The same for a guest that parts, or a point that comes.
+  Index let_come(const std::vector<Index>& parted_guests, std::size_t i, Index near, Counts& counts)
+  {
+    auto& ids = m_maintained.ids;
+    const bool parts = i < parted_guests.size();
+    const std::size_t coming = i - parted_guests.size();
+    const Index id = parts ? parted_guests[i] : m_coming_ids[coming];
+    const Point p = parts ? ids.guest(id).point : m_coming_points[coming];
+    counts.parted += parts;
+    ids.provide_for_guests(1);
+    const Slot slot = take_slot(p);
+    const Place_2 place = m_location.locate(slot.vertex, near);
+    counts.steps += place.steps;
+    if (place.vertex != no_index) {
+      ids.place_guest(id, place.vertex, p);
+      return no_index;
+    }
+    m_empty.pop_back();
+    ids.place_host(id, slot.vertex);
+    m_maintained.visitor_calls.after_vertex_creation(m_maintained.vertices[slot.vertex], id);
+    m_editor.put_in(slot, place.face);
+    return slot.vertex;
+  }
+
+  // The last of the empty ones, which it stays as yet, with a vertex at p.
+  Slot take_slot(const Point& p)
+  {
+    if (m_empty.empty()) {
+      provide_for_slot();
+      m_empty.push_back(m_editor.make_slot(p));
+    } else
+      m_editor.renew_vertex(m_empty.back(), p);
+    return m_empty.back();
+  }
+
+  void forget_all()
+  {
+    m_waiting.clear();
+    m_coming_ids.clear();
+    m_coming_points.clear();
+  }
+
+  Maintained& m_maintained;
+  Editor& m_editor;
+  Point_location_2<Maintained> m_location;
+  Vertex_order_2<Maintained> m_meeting_order;
+  Spatial_order_2 m_order;
+  std::vector<Position_2> m_places;
+  std::vector<Slot> m_waiting; // of vertices that jumped
+  std::vector<Slot> m_empty;   // that nobody is at
+  std::vector<Index> m_coming_ids;
+  std::vector<Point> m_coming_points;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_VERTEX_TRAFFIC_2_H
