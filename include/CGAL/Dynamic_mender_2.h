@@ -63,7 +63,7 @@ public:
   std::size_t number_of_edges() const { return m_tools.number_of_edges(); }
   /// whether there is nothing left to do.
   bool is_done() const { return number_of_open_edges() == 0 || m_tools.has_rebuilt(); }
-  /// whether a rebuild is expected to cost less than mending all open edges.
+  /// whether a rebuild is expected to cost less than mending all that was classified.
   bool is_rebuild_cheaper() const { return m_tools.is_rebuild_cheaper(); }
 
   /// @}
@@ -79,6 +79,10 @@ public:
   /// again where they are now. Cost: proportional to their number. Does nothing if the classifier
   /// is heuristic.
   void take_out_jumpers() { m_tools.take_out_jumpers(); }
+
+  /// takes a vertex out for each open edge that may have inverted faces: of its four vertices the one
+  /// that went farthest as seen from the others. For what flips have left. Otherwise the same.
+  void take_out_farthest() { m_tools.take_out_farthest(); }
 
   /// flips edges from the open ones on until none that can be flipped violates the in-circle
   /// condition (Lawson). Expected cost: proportional to the number of flips. Leaves open what it
@@ -97,7 +101,8 @@ public:
   void splice_classified(unsigned padding) { m_tools.splice_classified(padding); }
 
   /// splices around the vertices of the open edges with `padding` layers, and leaves those edges
-  /// open that it could not prove. Rebuilds as `splice_classified()` does.
+  /// open that it could not prove, also around a region that would have to grow too often. Rebuilds
+  /// as `splice_classified()` does.
   void splice_open(unsigned padding) { m_tools.splice_open(padding); }
 
   /// the same around those open edges only that may have inverted faces.

@@ -53,6 +53,10 @@ public:
     for (unsigned round = 0; round < rounds && mender.has_inverted_edges(); ++round) {
       mender.splice_inverted(layers(round));
       mender.flip_inverted();
+      if (round == 0 && mender.has_inverted_edges()) {
+        mender.take_out_farthest();
+        mender.flip_inverted();
+      }
     }
     mender.flip();
     for (unsigned round = 0; round < rounds && !mender.is_done(); ++round) {

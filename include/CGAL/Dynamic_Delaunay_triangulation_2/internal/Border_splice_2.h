@@ -43,11 +43,18 @@ public:
 
   void set_engine(Static_engine_2 engine) { m_triangulator.set_engine(engine); }
 
+  // What a run may do, and what it has done.
+  struct Limits
+  {
+    std::size_t most_growths;  // of a cluster, which is left as it is if it would need more
+    std::size_t most_vertices; // that are triangulated in all; afterwards how many more could be
+    std::size_t growths = 0;   // of all clusters, afterwards
+  };
+
   // Splices around `classified` with `padding` layers; those of these vertices that are in no face
-  // are left out. `growths` counts the times that a cluster grew, `most` is how many vertices may
-  // be triangulated in all, and afterwards how many more could have been.
+  // are left out.
   Splice_result_2 run(Topology_editor_2<Maintained>& editor, const std::vector<Index>& classified,
-                      unsigned padding, std::size_t& growths, std::size_t& most)
+                      unsigned padding, Limits& limits)
   {
     const std::size_t bound = m_maintained.vertices.size();
     m_inner.clear(bound);
@@ -65,7 +72,7 @@ public:
     for (std::size_t i = 0; i < m_inner.size(); ++i)
       if (!m_spliced.contains(m_inner[i])) {
         collect_cluster(m_inner[i]);
-        const Splice_result_2 result = splice_cluster(editor, growths, most);
+        const Splice_result_2 result = splice_cluster(editor, limits);
         if (result != Splice_result_2::DONE)
           return result;
       }
@@ -114,17 +121,17 @@ private:
       });
   }
 
-  Splice_result_2 splice_cluster(Topology_editor_2<Maintained>& editor, std::size_t& growths,
-                                 std::size_t& most)
+  Splice_result_2 splice_cluster(Topology_editor_2<Maintained>& editor, Limits& limits)
   {
-    for (bool has_grown = false;; ++growths, has_grown = true) {
+    const std::size_t first_size = m_cluster.size();
+    for (std::size_t growths = 0; growths <= limits.most_growths; ++growths) {
       collect_old_faces();
       const std::size_t size = m_cluster.size() + m_cluster_border.size();
       if (is_too_large(size))
         return Splice_result_2::TOO_LARGE;
-      if (size > most)
+      if (size > limits.most_vertices)
         return Splice_result_2::TOO_DEAR;
-      most -= size;
+      limits.most_vertices -= size;
       if (!triangulate())
         return Splice_result_2::COINCIDENCE;
       collect_new_faces();
@@ -132,8 +139,12 @@ private:
         put_in(editor);
         return Splice_result_2::DONE;
       }
-      grow(has_grown);
+      grow(growths > 0);
+      ++limits.growths;
     }
+    for (std::size_t i = 0; i < first_size; ++i)
+      m_spliced.insert(m_cluster[i]);
+    return Splice_result_2::DONE;
   }
 
   // The vertices where the two boundaries differ join the cluster. From the second time on the

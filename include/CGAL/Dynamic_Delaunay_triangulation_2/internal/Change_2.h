@@ -25,6 +25,8 @@ struct Change_2
   std::vector<Point> coming_points;
   bool are_exact = true; // none of these coordinates has to be rounded for the flat arrays
 
+  bool has_population() const { return !gone.empty() || !coming.empty(); }
+
   bool is_empty() const
   {
     return !is_frame && !is_mending && gone.empty() && moved.empty() && coming.empty();

@@ -9,6 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -30,9 +31,9 @@ public:
   {
   }
 
-  // Among the vertices of these edges, in the order in which they are met. Only while CGAL's
-  // vertices have the points of the last frame.
-  const std::vector<Index>& run(const std::vector<Index>& edges)
+  // Among the vertices of these edges, in the order in which they are met. Here and below only while
+  // CGAL's vertices have the points of the last frame.
+  const std::vector<Index>& find_jumpers(const std::vector<Index>& edges)
   {
     m_jumpers.clear();
     m_seen.clear(m_maintained.vertices.size());
@@ -45,7 +46,52 @@ public:
     return m_jumpers;
   }
 
+  // Of the vertices of each of these edges the one that went farthest, as seen from the others, but
+  // only one at each edge.
+  const std::vector<Index>& find_farthest(const std::vector<Index>& edges)
+  {
+    m_jumpers.clear();
+    m_seen.clear(m_maintained.vertices.size());
+    for (const Index e : edges) {
+      const Edge_2& edge = m_maintained.mirror.edge(e);
+      const std::array<Index, 4> vertices{edge.source, edge.target, edge.left, edge.right};
+      const auto is_taken = [this](Index v) { return m_seen.contains(v); };
+      if (std::any_of(vertices.begin(), vertices.end(), is_taken))
+        continue;
+      const Index v = farthest_of(vertices);
+      if (v != no_index && m_seen.insert(v))
+        m_jumpers.push_back(v);
+    }
+    return m_jumpers;
+  }
+
 private:
+  // `no_index` if all have gone the same way.
+  Index farthest_of(const std::array<Index, 4>& vertices)
+  {
+    m_x.clear();
+    m_y.clear();
+    for (const Index v : vertices)
+      if (v != infinite_index) {
+        const Position_2 step = displacement(v);
+        m_x.push_back(step.x);
+        m_y.push_back(step.y);
+      }
+    const Position_2 usual{median(m_x), median(m_y)};
+    Index farthest = no_index;
+    double longest = 0;
+    for (const Index v : vertices)
+      if (v != infinite_index) {
+        const Position_2 relative = displacement(v) - usual;
+        const double length = dot(relative, relative);
+        if (length > longest) {
+          longest = length;
+          farthest = v;
+        }
+      }
+    return farthest;
+  }
+
   // Flips take one or two for every spacing that a vertex travels, and cost a tenth of what taking
   // it out and putting it in again does; but from about this many spacings on they get stuck.
   static constexpr double longest_way = 0.75;
@@ -53,27 +99,32 @@ private:
   bool has_jumped(Index v)
   {
     const Position_2 step = displacement(v);
-    const double square = dot(step, step);
-    if (!may_have_jumped(v, square))
+    if (!may_have_jumped(v, step))
       return false;
     collect_neighbors(v);
-    if (m_squared_lengths.empty())
-      return false;
     const Position_2 relative = step - Position_2{median(m_x), median(m_y)};
     return dot(relative, relative) > longest_way * longest_way * median(m_squared_lengths);
   }
 
-  // Looks at the flat arrays alone: a vertex that jumped is far from its neighbors, or they have
-  // gone with it.
-  bool may_have_jumped(Index v, double squared_step) const
+  // Reads no more than one neighbor's last position: a vertex that jumped is far from the nearest of
+  // its neighbors, measured by how differently the two went; if that one jumped along with it, by
+  // how far it went.
+  bool may_have_jumped(Index v, const Position_2& step) const
   {
     const auto& positions = m_maintained.positions;
-    double nearest = (std::numeric_limits<double>::infinity)();
+    double smallest = (std::numeric_limits<double>::infinity)();
+    Index nearest = no_index;
     m_maintained.mirror.for_each_neighbor(v, [&](Index w) {
-      if (w != infinite_index)
-        nearest = (std::min)(nearest, squared_distance(positions[v], positions[w]));
+      const double square = squared_distance(positions[v], positions[w]); // NaN at infinity
+      if (square < smallest) {
+        smallest = square;
+        nearest = w;
+      }
     });
-    return 16 * squared_step > nearest;
+    if (nearest == no_index)
+      return false;
+    const Position_2 relative = step - displacement(nearest);
+    return 16 * (std::max)(dot(step, step), dot(relative, relative)) > smallest;
   }
 
   // How far each went, and how far it was away a frame ago.

@@ -71,13 +71,15 @@ public:
   Traffic& traffic() { return m_traffic; }
   Topology_builder_2<Maintained>& builder() { return m_builder; }
 
-  // After the classifier has answered.
-  void take_classification(bool has_to_prove, bool was_certified)
+  // After the classifier has answered. `changes` is how many points come, go and part.
+  void take_classification(bool has_to_prove, bool was_certified, std::size_t changes)
   {
     m_has_to_prove = has_to_prove;
     m_was_certified = was_certified;
     m_report->classified = m_classification.size();
     m_open.take(m_classification, m_maintained);
+    m_classified_edges = m_open.size();
+    m_changes = changes;
   }
 
   // The points with these ids go.
@@ -143,9 +145,11 @@ public:
   const std::vector<Index>& padded() const { return m_padded; }
   const std::vector<Index>& border() const { return m_border; }
 
+  // Of what was classified, and the points that come and go in the same update.
   bool is_rebuild_cheaper() const
   {
-    return Repair_budget_2::is_rebuild_cheaper(m_maintained.number_of_vertices(), m_open.size());
+    return Repair_budget_2::is_rebuild_cheaper(m_maintained.number_of_vertices(), m_classified_edges,
+                                               m_changes);
   }
 
   // TOOLS, as Dynamic_mender_2 documents them ----------------------------------------------------
@@ -154,17 +158,17 @@ public:
 
   void take_out_jumpers()
   {
-    if (!m_has_to_prove || m_maintained.points_are_written || has_rebuilt())
-      return;
-    const std::vector<Index>& jumpers = m_jumpers.run(m_open.uncertain());
-    constexpr std::size_t fewest_vertices = 3;
-    if (jumpers.empty() || jumpers.size() + fewest_vertices > m_maintained.number_of_vertices())
-      return;
-    const std::size_t first_new = m_maintained.new_edges.size();
-    for (const Index v : jumpers)
-      m_traffic.take_out(v);
-    m_budget.spend(jumpers.size() * Repair_budget_2::relocation / 2);
-    m_open.open_new_edges(m_maintained, first_new);
+    // where several neighbors jumped, some look as if they had stayed, until the others are out
+    constexpr unsigned most_rounds = 4;
+    for (unsigned round = 0; round < most_rounds && can_take_out(); ++round)
+      if (!take_out(m_jumpers.find_jumpers(m_open.uncertain())))
+        return;
+  }
+
+  void take_out_farthest()
+  {
+    if (can_take_out())
+      take_out(m_jumpers.find_farthest(m_open.uncertain()));
   }
 
   void flip()
@@ -191,7 +195,8 @@ public:
   void splice_classified(unsigned padding)
   {
     m_open.open_illegal();
-    if (splice(m_classification.vertices(), padding, m_has_to_prove)) {
+    constexpr std::size_t any = std::size_t(-2);
+    if (splice(m_classification.vertices(), padding, any, m_has_to_prove)) {
       for (std::size_t i = 0; i < m_splice.number_of_padded(); ++i)
         m_padded.push_back(m_splice.padded(i));
       m_border.assign(m_splice.border().begin(), m_splice.border().end());
@@ -208,7 +213,8 @@ public:
   {
     std::vector<Index> vertices;
     m_open.for_each_uncertain_vertex(m_maintained, [&](Index v) { vertices.push_back(v); });
-    splice(vertices, padding, true);
+    constexpr std::size_t most_growths = 3; // which make eight times as large a region of one
+    splice(vertices, padding, most_growths, true);
   }
 
   void relocate()
@@ -252,6 +258,28 @@ private:
     m_classification.clear(m_maintained);
   }
 
+  // VERTICES THAT WENT FAR ----------------------------------------------------------------------
+
+  bool can_take_out() const
+  {
+    return m_has_to_prove && !m_maintained.points_are_written && !has_rebuilt();
+  }
+
+  // At least three stay. Whether any went.
+  bool take_out(const std::vector<Index>& vertices)
+  {
+    constexpr std::size_t fewest_vertices = 3;
+    if (vertices.empty() || m_traffic.number_outside() + vertices.size() + fewest_vertices >
+                                m_maintained.number_of_vertices())
+      return false;
+    const std::size_t first_new = m_maintained.new_edges.size();
+    for (const Index v : vertices)
+      m_traffic.take_out(v);
+    m_budget.spend(vertices.size() * Repair_budget_2::relocation / 2);
+    m_open.open_new_edges(m_maintained, first_new);
+    return true;
+  }
+
   // FLIPS ---------------------------------------------------------------------------------------
 
   void flip_uncertain()
@@ -292,20 +320,20 @@ private:
   // SPLICES -------------------------------------------------------------------------------------
 
   // False if it has rebuilt or merged instead.
-  bool splice(const std::vector<Index>& vertices, unsigned padding, bool has_to_look)
+  bool splice(const std::vector<Index>& vertices, unsigned padding, std::size_t most_growths,
+              bool has_to_look)
   {
     if (has_rebuilt())
       return false;
     m_open.set_planar(false);
-    std::size_t growths = 0;
-    std::size_t most = m_budget.left() / Repair_budget_2::spliced_vertex;
-    const std::size_t before = most;
-    const Splice_result_2 result = m_splice.run(m_editor, vertices, padding, growths, most);
-    m_budget.spend((before - most) * Repair_budget_2::spliced_vertex);
-    m_report->growths += growths;
+    const std::size_t most = m_budget.left() / Repair_budget_2::spliced_vertex;
+    typename Border_splice_2<Maintained>::Limits limits{most_growths, most};
+    const Splice_result_2 result = m_splice.run(m_editor, vertices, padding, limits);
+    m_budget.spend((most - limits.most_vertices) * Repair_budget_2::spliced_vertex);
+    m_report->growths += limits.growths;
     switch (result) {
     case Splice_result_2::TOO_LARGE:
-      rebuild(growths == 0 ? Rebuild_reason_2::TOO_MUCH_BROKEN : Rebuild_reason_2::STUCK);
+      rebuild(limits.growths == 0 ? Rebuild_reason_2::TOO_MUCH_BROKEN : Rebuild_reason_2::STUCK);
       return false;
     case Splice_result_2::TOO_DEAR:
       rebuild(Rebuild_reason_2::BUDGET_SPENT);
@@ -413,6 +441,8 @@ private:
   Update_report_2* m_report = nullptr;
   bool m_has_to_prove = false;
   bool m_was_certified = false;
+  std::size_t m_classified_edges = 0;
+  std::size_t m_changes = 0;
 };
 
 } // namespace internal

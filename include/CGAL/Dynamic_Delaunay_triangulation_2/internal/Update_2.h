@@ -73,6 +73,10 @@ public:
       m_is_certified = take_back() && was_certified;
       throw;
     }
+    // with an exact classifier, before points go: a rebuild leaves them out by itself
+    if (reason == Rebuild_reason_2::NONE && change.has_population() && m_tools.has_to_prove() &&
+        m_tools.is_rebuild_cheaper())
+      reason = Rebuild_reason_2::TOO_MUCH_BROKEN;
     if (reason != Rebuild_reason_2::NONE) {
       rebuild(change, reason, report);
       return report;
@@ -227,6 +231,7 @@ private:
   void rebuild(const Change& change, Rebuild_reason_2 reason, Update_report_2& report)
   {
     const bool spanned_plane = m_maintained.is_mirrored();
+    m_was_hopeless = m_was_hopeless || reason == Rebuild_reason_2::TOO_MUCH_BROKEN;
     if (change.gone.empty() && change.coming.empty()) {
       m_tools.rebuild(reason);
     } else {
@@ -245,15 +250,16 @@ private:
   template <class Classifier>
   void classify(const Change& change, Classifier& classifier, bool was_certified)
   {
+    const std::size_t changes = change.gone.size() + change.coming.size();
     if (change.is_frame) {
       classifier(Frame(m_maintained), m_tools.classification());
-      m_tools.take_classification(Classifier::is_exact, was_certified);
+      m_tools.take_classification(Classifier::is_exact, was_certified, changes);
     } else if (change.is_mending || (Classifier::is_exact && !was_certified)) {
       Circumcircle_classifier_2()(Frame(m_maintained), m_tools.classification());
-      m_tools.take_classification(true, was_certified);
+      m_tools.take_classification(true, was_certified, changes);
     } else {
       classify_around(change.moved);
-      m_tools.take_classification(was_certified, was_certified);
+      m_tools.take_classification(was_certified, was_certified, changes);
     }
   }
 

@@ -62,6 +62,9 @@ public:
         f(m_coming_ids[i], m_coming_points[i]);
   }
 
+  // How many vertices are outside of all faces.
+  std::size_t number_outside() const { return m_waiting.size() + m_empty.size(); }
+
   // How many vertices wait, or come.
   std::size_t number_to_put_in() const { return m_waiting.size() + m_coming_ids.size(); }
 
