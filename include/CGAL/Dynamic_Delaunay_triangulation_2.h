@@ -231,7 +231,8 @@ public:
   /// There is a position for each id; those for ids of removed points are not looked at.
   ///
   /// Cost: one pass over all points and one of the classifier, and the repair of what it
-  /// classified; never much more than that of a rebuild. Nothing is allocated where nothing breaks,
+  /// classified, for points that jump proportional to their number; never much more than that of a
+  /// rebuild. Nothing is allocated where nothing breaks,
   /// but for the first time that the circumcircle classifier skips edges (16 bytes a vertex).
   /// \throws Point_count_error_2 if there are not `number_of_ids()` positions.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
@@ -320,7 +321,7 @@ public:
   }
 
   /// adds the points of the range, and before that writes the ids that they get to `ids`. Where
-  /// they are more than one to eight vertices, everything is triangulated anew.
+  /// they are more than about one to nine vertices, everything is triangulated anew.
   template <class InputIterator, class OutputIterator>
   Update_report_2 insert(InputIterator first, InputIterator beyond, OutputIterator ids)
   {
@@ -347,7 +348,7 @@ public:
   /// \post `is_certified()`, if it was, or if the classifier is exact.
   Update_report_2 remove(size_type id) { return remove(&id, &id + 1); }
 
-  /// takes the points with these ids away. Where they are more than one in eight vertices,
+  /// takes the points with these ids away. Where they are more than about one in nine vertices,
   /// everything is triangulated anew. \tparam InputIterator its values are integers.
   /// \throws Unknown_id_error_2 if there is no such point; nothing changes.
   /// \throws Repeated_id_error_2 if an id is there more than once; nothing changes.
@@ -437,8 +438,7 @@ public:
 
   /// the number of points.
   size_type number_of_points() const { return m_core->maintained.ids.number_of_points(); }
-  /// what all ids are smaller than: as many as there ever were points at the same time. It never
-  /// gets smaller.
+  /// one more than the largest id ever in use. It never gets smaller.
   size_type number_of_ids() const { return m_core->maintained.ids.number_of_ids(); }
   /// whether there is a point with this id.
   bool has_id(size_type id) const { return m_core->maintained.ids.is_taken(id); }
@@ -572,7 +572,9 @@ public:
   void write_checkpoint(std::ostream& out, std::string_view subject, const Append& append) const
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
-    Checkpoint_writer_2<Maintained>(m_core->maintained, is_certified()).write(out, subject, append);
+    Checkpoint_writer_2<Maintained>(m_core->maintained, is_certified(),
+                                    m_core->update.was_hopeless())
+        .write(out, subject, append);
   }
 
   template <class ReadAppendix>
@@ -590,7 +592,7 @@ public:
     start_visit([] {});
     m_classifier = std::move(classifier); // nothing throws from here on
     m_core->update.tools().exchange(maintained);
-    m_core->update.set_certified(reader.is_certified());
+    m_core->update.restore(reader.is_certified(), reader.was_hopeless());
     m_is_classifier_informed = true;
     Update_report_2 report;
     report.certified = is_certified();

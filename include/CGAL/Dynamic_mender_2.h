@@ -70,18 +70,18 @@ public:
   /// \name Tools
   /// @{
 
-  /// lets the tools spend from now on half as much again as mending the open edges is expected to
+  /// lets the tools spend from now on a quarter more than mending the open edges is expected to
   /// cost, and an eighth of what a rebuild does. Without it they may spend two rebuilds.
   void limit_cost() { m_tools.limit_cost(); }
 
   /// takes those vertices out of their faces that went farther than their neighborhoods reach, of
   /// the vertices at open edges that may have inverted faces. After the repair they are put in
-  /// again where they are now. Cost: proportional to their number. Does nothing if the classifier
-  /// is heuristic.
+  /// again where they are now. Cost: proportional to their number; rebuilds if they are so many
+  /// that this costs less. Does nothing if the classifier is heuristic.
   void take_out_jumpers() { m_tools.take_out_jumpers(); }
 
-  /// takes a vertex out for each open edge that may have inverted faces: of its four vertices the one
-  /// that went farthest as seen from the others. For what flips have left. Otherwise the same.
+  /// takes a vertex out for each open edge that may have inverted faces: of its four vertices the
+  /// one that went farthest as seen from the others. For what flips have left. Otherwise the same.
   void take_out_farthest() { m_tools.take_out_farthest(); }
 
   /// flips edges from the open ones on until none that can be flipped violates the in-circle

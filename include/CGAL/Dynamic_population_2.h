@@ -111,11 +111,12 @@ public:
   {
     read(first, beyond, id_map, point_map);
     find_missing();
-    expect_newcomers();
+    m_new_ids.clear();
     const At_exit settle{[this] {
       forget_gone(m_missing);
       settle_newcomers();
     }};
+    expect_newcomers();
     return m_triangulation.update_population(m_positions.begin(), m_positions.end(), m_missing,
                                              m_new_points, m_new_ids);
   }

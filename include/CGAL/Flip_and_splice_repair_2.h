@@ -13,10 +13,10 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Repairs
 
-The default for exact use: flips first, border splices around what flips cannot right. If so much is
-classified that mending would cost more than a rebuild, it rebuilds at once; if flips and splices
-leave edges open, it does so in the end. So no edge is left open, with heuristic classifiers
-neither.
+The default for exact use. If so much is classified that mending would cost more than a rebuild, it
+rebuilds at once. Else it takes out the vertices that went far, flips edges, and splices around what
+flips cannot right. If edges are open after that, or this has cost more than it should, it rebuilds.
+So no edge is left open, with heuristic classifiers neither.
 
 \cgalModels{DelaunayRepair_2}
 */
@@ -44,7 +44,7 @@ public:
     mend(mender);
   }
 
-  /// repairs, however much is classified: rebuilds only if edges are open in the end.
+  /// flips and splices, however much is classified, and rebuilds if edges are open in the end.
   template <class Mender>
   void mend(Mender& mender) const
   {

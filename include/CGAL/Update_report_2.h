@@ -16,7 +16,7 @@ Why an update rebuilt the triangulation instead of mending it.
 enum class Rebuild_reason_2 {
   NONE,            ///< it did not
   REPAIR,          ///< the repair is `Rebuild_repair_2`, and something was classified
-  TOO_MUCH_BROKEN, ///< so much was classified that mending would have cost more
+  TOO_MUCH_BROKEN, ///< so much was broken, or jumped, that mending would have cost more
   STUCK,           ///< what the repair left broken
   COINCIDENCE,     ///< many points came to coincide, or coincident points parted
   POPULATION,      ///< many points came or went

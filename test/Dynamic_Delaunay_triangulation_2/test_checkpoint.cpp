@@ -642,7 +642,7 @@ TEST(Checkpoints, a_refusal_says_where_and_why)
     return std::string(refusal(dt, edited).what());
   };
   EXPECT_EQ(message(replaced(text, "certified yes", "certified maybe")),
-            "checkpoint, line 4: certified is \"maybe\", and has to be yes or no");
+            "checkpoint, line 4: certified is \"maybe\", and has to be yes, no or rebuilt");
   EXPECT_EQ(message(replaced(text, "double", "rational")),
             "checkpoint, line 2: the coordinates are of the kind \"rational\", and those of the "
             "triangulation's points of the kind \"double\"");

@@ -47,9 +47,11 @@ public:
   using Usual_repair = unspecified_type;
 
   /*!
-  classifies. It is called once in every frame in which the points span the plane, unless many coincident points
-  part, or the update policy wants a rebuild (then the triangulation is rebuilt). It is not asked where points come,
-  go, or move alone.
+  classifies. It is called once in every frame in which the points span the plane, unless the triangulation is rebuilt
+  before: because many points come or go, or many coincident points part; because the update policy wants it; or, if
+  the
+  classifier is exact and the last frame had to be rebuilt, because a sample of the edges says that this one has to be as
+  well. It is not asked where points come, go, or move alone.
 
   If it throws, the update changes nothing and hands the exception on.
 

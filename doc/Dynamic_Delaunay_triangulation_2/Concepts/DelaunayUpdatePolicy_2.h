@@ -25,7 +25,8 @@ public:
   /*!
   whether this frame is to be rebuilt, without asking the classifier. It is asked before the classifier, at
   the positions of the current frame and with the topology of the last one, in every frame in which the points
-  span the plane, unless many coincident points part (else the triangulation is rebuilt anyway).
+  span the plane, unless many points come or go, or many coincident points part (then the triangulation is rebuilt
+  anyway).
 
   If it throws, the update changes nothing and hands the exception on.
 
@@ -37,8 +38,9 @@ public:
   bool wants_rebuild(const Frame& frame);
 
   /*!
-  is called at the end of every update, also of one for which `wants_rebuild()` was not asked, with what it has
-  done. Construction, `Dynamic_Delaunay_triangulation_2::mend()`, and points that come, go or move alone are no updates.
+  is called at the end of every update, also of one for which `wants_rebuild()` was not asked, with what it has done.
+  A frame of a `Dynamic_population_2` is one update. Construction, `Dynamic_Delaunay_triangulation_2::mend()`, and
+  points that come, go or move alone are none.
 
   If it throws, the update has been done, and the exception is handed on.
 

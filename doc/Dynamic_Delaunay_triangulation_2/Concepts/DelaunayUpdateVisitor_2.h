@@ -11,13 +11,16 @@ visitors that need some of them.
 
 Each call of the triangulation that may change it, construction from points,
 `update()`, `move()`, `insert()`, `remove()`, `mend()` if there is something to mend, and `read_checkpoint()`,
-begins with `before_update()` and ends with `after_update()`. Between these two
+begins with `before_update()` and ends with `after_update()`. A frame of a `Dynamic_population_2` is one such call,
+whoever comes and goes in it. Between these two
 
 - faces and vertices around those that are named can be looked at; not all of `tds()`, which may hold faces and
   vertices that are about to be written or deleted;
-- in `update()` vertices still have the points that they had before, but for new ones, and get theirs right before
-  `after_update()`; other calls move points one by one as they go. So face areas, circumcentres and the like are best
-  computed in `after_update()`;
+- vertices that move, in `update()` and in `move()`, still have the points that they had before, and get theirs right
+  before `after_update()`, or in a rebuild; new vertices have theirs at once. So face areas, circumcentres and the
+  like are best computed in `after_update()`;
+- a vertex may be outside of all faces, from `before_vertex_relocation()` until the creation of its faces is told, and
+  `v->face()` then means nothing;
 - the triangulation is not certified, and may have inverted faces: `Dynamic_Delaunay_triangulation_2::tds()`,
   `infinite_vertex()` and `id()` may be asked for, but neither `triangulation()` nor `frame()`, and nothing may be
   changed but what the user keeps in vertices and faces.
@@ -25,11 +28,11 @@ begins with `before_update()` and ends with `after_update()`. Between these two
 Faces with the infinite vertex are told of like all others. While the points do not span the plane there are no
 faces to tell of, but vertices still come and go.
 
-What happens to a face is either a flip, which keeps the handles of both faces, or a removal or creation. A face
-that is created may have the handle of one that has just been removed, and then has what the user kept in that one. Of
-several faces that are written anew together all removals are told first, then vertices that are new, and then all
-creations.
-In a rebuild that is all faces. An edge may be flipped more than once in an update, and a face be removed and created.
+What happens to a face is either a flip, which keeps the handles of both faces, or a removal or creation. A face that
+is created may have the handle of one that has just been removed, and then has what the user kept in that one. Of
+several faces that are written anew together all removals are told first, then what becomes of vertices, and then all
+creations; but a new vertex that is put into a face is told of before the removal of that face. In a rebuild that is
+all faces. An edge may be flipped more than once in an update, and a face be removed and created.
 
 If a visitor throws in `before_update()`, nothing changes. If it throws in one of the functions between
 `before_update()` and `after_update()`, it is told nothing more, not even `after_update()`; the triangulation goes on
@@ -98,6 +101,15 @@ public:
   */
   template <class Dynamic>
   void before_vertex_removal(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id);
+
+  /*!
+  vertex `v`, that of the point with this id, is taken out of its faces, because it went far; the removal of these was
+  told. It will be put in elsewhere, and keeps its handle, its id and what the user keeps in it: the creation of its
+  new faces is told later in the same call. If another vertex is where it has gone to, `before_vertex_merge()` is
+  called for it instead. Everything may be rebuilt in between, which writes all faces anew.
+  */
+  template <class Dynamic>
+  void before_vertex_relocation(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id);
 
   /*!
   vertex `v`, which was that of the point with this id, will be no more; the removal of its faces was told. The point has

@@ -124,7 +124,7 @@ private:
   Splice_result_2 splice_cluster(Topology_editor_2<Maintained>& editor, Limits& limits)
   {
     const std::size_t first_size = m_cluster.size();
-    for (std::size_t growths = 0; growths <= limits.most_growths; ++growths) {
+    for (std::size_t growths = 0;; ++growths) {
       collect_old_faces();
       const std::size_t size = m_cluster.size() + m_cluster_border.size();
       if (is_too_large(size))
@@ -139,6 +139,8 @@ private:
         put_in(editor);
         return Splice_result_2::DONE;
       }
+      if (growths == limits.most_growths)
+        break;
       grow(growths > 0);
       ++limits.growths;
     }
@@ -148,8 +150,8 @@ private:
   }
 
   // The vertices where the two boundaries differ join the cluster. From the second time on the
-  // whole border does as well, until the cluster has doubled: so all attempts together cost little
-  // more than the last one.
+  // whole border does as well, until the cluster has doubled: so all attempts together cost at most
+  // about twice what the last one does.
   void grow(bool has_grown)
   {
     const std::size_t size = m_cluster.size();

@@ -64,6 +64,7 @@ public:
   }
 
   bool is_certified() const { return m_is_certified; }
+  bool was_hopeless() const { return m_was_hopeless; }
 
 private:
   // Half-edges, of which Flat_faces_2 counts eight a vertex, and ids have to have numbers.
@@ -79,6 +80,17 @@ private:
     return value == yes;
   }
 
+  // Whether it is, and whether the last update found too much broken to be mended.
+  void read_certified()
+  {
+    const std::string_view value = m_file.entry("certified");
+    if (value != "yes" && value != "no" && value != "rebuilt")
+      m_file.refuse("certified is " + Checkpoint_input_2::quoted(value) +
+                    ", and has to be yes, no or rebuilt");
+    m_is_certified = value != "no";
+    m_was_hopeless = value == "rebuilt";
+  }
+
   void read_head()
   {
     const std::string_view kind = m_file.entry("coordinates");
@@ -89,7 +101,7 @@ private:
     m_kept.positions_are_exact = flag("positions", "exact", "rounded");
     if (Maintained::coordinates_are_doubles && !m_kept.positions_are_exact)
       m_file.refuse("doubles are exact, and cannot be rounded");
-    m_is_certified = flag("certified", "yes", "no");
+    read_certified();
     m_certified_line = m_file.line();
     m_dimension = m_file.number_entry("dimension", -1, 2);
     if (m_dimension < 2 && !m_is_certified)
@@ -328,6 +340,7 @@ private:
   Checkpoint_input_2& m_file;
   int m_dimension = -1;
   bool m_is_certified = false;
+  bool m_was_hopeless = false;
   std::size_t m_certified_line = 0;
   Index m_number_of_ids = 0;
   std::vector<Index> m_ids; // of the hosts

@@ -30,9 +30,10 @@ class Checkpoint_writer_2
                 "a checkpoint keeps x and y, which are not all of these points");
 
 public:
-  Checkpoint_writer_2(const Maintained& maintained, bool is_certified)
+  Checkpoint_writer_2(const Maintained& maintained, bool is_certified, bool was_hopeless)
     : m_maintained(maintained)
     , m_is_certified(is_certified)
+    , m_was_hopeless(was_hopeless)
   {
   }
 
@@ -44,7 +45,7 @@ public:
     Checkpoint_output_2 file(out, subject);
     file.line("coordinates", Coordinate::kind);
     file.line("positions", m_maintained.positions_are_exact ? "exact" : "rounded");
-    file.line("certified", m_is_certified ? "yes" : "no");
+    file.line("certified", !m_is_certified ? "no" : m_was_hopeless ? "rebuilt" : "yes");
     file.line("dimension", m_maintained.triangulation.dimension());
     file.line("ids", m_maintained.ids.number_of_ids());
     write_points(file);
@@ -125,6 +126,7 @@ private:
 
   const Maintained& m_maintained;
   bool m_is_certified;
+  bool m_was_hopeless;
 };
 
 } // namespace internal

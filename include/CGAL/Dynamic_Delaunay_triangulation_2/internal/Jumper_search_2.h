@@ -7,6 +7,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Prefetch_2.h>
 
 #include <algorithm>
 #include <array>
@@ -31,17 +32,15 @@ public:
   {
   }
 
-  // Among the vertices of these edges, in the order in which they are met. Here and below only while
-  // CGAL's vertices have the points of the last frame.
+  // Among the vertices of these edges, in the order in which they are met. Here and below only
+  // while CGAL's vertices have the points of the last frame.
   const std::vector<Index>& find_jumpers(const std::vector<Index>& edges)
   {
     m_jumpers.clear();
     m_seen.clear(m_maintained.vertices.size());
-    for (const Index e : edges) {
-      const Edge_2& edge = m_maintained.mirror.edge(e);
-      for (const Index v : {edge.source, edge.target, edge.left, edge.right})
-        if (v != infinite_index && m_seen.insert(v) && has_jumped(v))
-          m_jumpers.push_back(v);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      prefetch_edges(edges, i);
+      look_at(m_maintained.mirror.edge(edges[i]));
     }
     return m_jumpers;
   }
@@ -77,7 +76,7 @@ private:
         m_x.push_back(step.x);
         m_y.push_back(step.y);
       }
-    const Position_2 usual{median(m_x), median(m_y)};
+    const Position_2 usual{quantile(m_x, 2), quantile(m_y, 2)};
     Index farthest = no_index;
     double longest = 0;
     for (const Index v : vertices)
@@ -94,37 +93,65 @@ private:
 
   // Flips take one or two for every spacing that a vertex travels, and cost a tenth of what taking
   // it out and putting it in again does; but from about this many spacings on they get stuck.
-  static constexpr double longest_way = 0.75;
+  static constexpr double longest_way = 1;
+
+  // One that went another way than each of the others, and not just a little, is looked at closely.
+  // At 100,000 points what is read here is anywhere in memory, and the most of the search.
+  void look_at(const Edge_2& edge)
+  {
+    std::array<Index, 4> vertices;
+    std::array<Position_2, 4> places, steps;
+    std::size_t size = 0;
+    for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+      if (v != infinite_index) {
+        vertices[size] = v;
+        places[size] = previous_position(v);
+        steps[size] = m_maintained.positions[v] - places[size];
+        ++size;
+      }
+    for (std::size_t i = 0; i < size; ++i) {
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      double difference = infinity, distance = infinity;
+      for (std::size_t k = 0; k < size; ++k)
+        if (k != i) {
+          difference = (std::min)(difference, squared_distance(steps[i], steps[k]));
+          distance = (std::min)(distance, squared_distance(places[i], places[k]));
+        }
+      if (16 * difference > distance && m_seen.insert(vertices[i]) && has_jumped(vertices[i]))
+        m_jumpers.push_back(vertices[i]);
+    }
+  }
 
   bool has_jumped(Index v)
   {
-    const Position_2 step = displacement(v);
-    if (!may_have_jumped(v, step))
-      return false;
     collect_neighbors(v);
-    const Position_2 relative = step - Position_2{median(m_x), median(m_y)};
-    return dot(relative, relative) > longest_way * longest_way * median(m_squared_lengths);
+    if (m_squared_lengths.empty())
+      return false;
+    const Position_2 relative = displacement(v) - Position_2{quantile(m_x, 2), quantile(m_y, 2)};
+    return dot(relative, relative) > longest_way * longest_way * quantile(m_squared_lengths, 4);
   }
 
-  // Reads no more than one neighbor's last position: a vertex that jumped is far from the nearest of
-  // its neighbors, measured by how differently the two went; if that one jumped along with it, by
-  // how far it went.
-  bool may_have_jumped(Index v, const Position_2& step) const
+  // In steps, each of which reads what the one before has fetched.
+  void prefetch_edges(const std::vector<Index>& edges, std::size_t i) const
   {
-    const auto& positions = m_maintained.positions;
-    double smallest = (std::numeric_limits<double>::infinity)();
-    Index nearest = no_index;
-    m_maintained.mirror.for_each_neighbor(v, [&](Index w) {
-      const double square = squared_distance(positions[v], positions[w]); // NaN at infinity
-      if (square < smallest) {
-        smallest = square;
-        nearest = w;
-      }
-    });
-    if (nearest == no_index)
-      return false;
-    const Position_2 relative = step - displacement(nearest);
-    return 16 * (std::max)(dot(step, step), dot(relative, relative)) > smallest;
+    constexpr std::size_t ahead = 4;
+    if (i + 3 * ahead < edges.size())
+      prefetch(&m_maintained.mirror.edge(edges[i + 3 * ahead]));
+    if (i + 2 * ahead < edges.size())
+      for_each_vertex(edges[i + 2 * ahead], [this](Index v) {
+        prefetch(&m_maintained.vertices[v]);
+        prefetch(&m_maintained.positions[v]);
+      });
+    if (i + ahead < edges.size())
+      for_each_vertex(edges[i + ahead], [this](Index v) { prefetch(&*m_maintained.vertices[v]); });
+  }
+
+  template <class Function>
+  void for_each_vertex(Index e, const Function& f) const
+  {
+    const Edge_2& edge = m_maintained.mirror.edge(e);
+    for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+      f(v);
   }
 
   // How far each went, and how far it was away a frame ago.
@@ -154,11 +181,12 @@ private:
     return m_maintained.positions[v] - previous_position(v);
   }
 
-  static double median(std::vector<double>& values)
+  // What one in `part` of the values is smaller than.
+  static double quantile(std::vector<double>& values, std::size_t part)
   {
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    const auto place = values.begin() + std::ptrdiff_t(values.size() / part);
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
   }
 
   const Maintained& m_maintained;

@@ -74,17 +74,22 @@ public:
   {
     const auto& mirror = maintained.mirror;
     const auto& new_edges = maintained.new_edges;
+    m_opened_last.clear();
     for (; i < new_edges.size(); ++i)
       if (!mirror.is_empty_edge(new_edges[i])) {
-        m_uncertain.push_back(new_edges[i]);
-        mirror.for_each_side(new_edges[i], [this](Index e) { m_uncertain.push_back(e); });
+        m_opened_last.push_back(new_edges[i]);
+        mirror.for_each_side(new_edges[i], [this](Index e) { m_opened_last.push_back(e); });
       }
+    m_uncertain.insert(m_uncertain.end(), m_opened_last.begin(), m_opened_last.end());
     const auto is_empty = [&](Index e) { return mirror.is_empty_edge(e); };
     for (std::vector<Index>* edges : {&m_uncertain, &m_illegal})
       edges->erase(std::remove_if(edges->begin(), edges->end(), is_empty), edges->end());
     make_distinct(m_uncertain);
     m_is_planar = false;
   }
+
+  // By the last call of open_new_edges(); some more than once.
+  const std::vector<Index>& opened_last() const { return m_opened_last; }
 
   // From here on they are edges like others.
   void open_illegal()
@@ -98,10 +103,11 @@ public:
   void open_surroundings(const Maintained& maintained)
   {
     const Dynamic_frame_2<Maintained> frame(maintained);
-    std::vector<Index> edges;
-    for_each_uncertain_vertex(maintained, [&](Index v) {
+    std::vector<Index> vertices, edges;
+    for_each_uncertain_vertex(maintained, [&](Index v) { vertices.push_back(v); });
+    make_distinct(vertices); // one of them may be at many of these edges, and have many others
+    for (const Index v : vertices)
       frame.for_each_edge_that_sees(v, [&](Index e) { edges.push_back(e); });
-    });
     m_uncertain.insert(m_uncertain.end(), edges.begin(), edges.end());
     make_distinct(m_uncertain);
   }
@@ -133,6 +139,7 @@ public:
 
 private:
   std::vector<Index> m_uncertain, m_illegal;
+  std::vector<Index> m_opened_last;
   bool m_is_planar = false;
 };
 

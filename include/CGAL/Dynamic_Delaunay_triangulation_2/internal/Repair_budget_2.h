@@ -21,6 +21,7 @@ public:
   static constexpr std::size_t spliced_vertex = 32;
   static constexpr std::size_t relocation = 240;
   static constexpr std::size_t step_of_a_walk = 2;
+  static constexpr std::size_t look_for_jumpers = 8; // at an edge
   // What it takes to mend what is around an open edge, flips, splices and all: random clouds are
   // mended and rebuilt in the same time when an eighth of their edges are open.
   static constexpr std::size_t open_edge = 36;
@@ -28,11 +29,11 @@ public:
   // Twice a rebuild, for repairs that do not know better.
   void start_generously(std::size_t vertices) { m_left = least + 2 * rebuilt_vertex * vertices; }
 
-  // When it is known how many edges are open: half as much again as mending should take, an eighth
+  // When it is known how many edges are open: a quarter more than mending should take, an eighth
   // of a rebuild, and something for small triangulations, where a rebuild costs next to nothing.
   void start(std::size_t vertices, std::size_t open_edges)
   {
-    m_left = least + rebuilt_vertex * vertices / 8 + open_edge * open_edges * 3 / 2;
+    m_left = least + rebuilt_vertex * vertices / 8 + open_edge * open_edges * 5 / 4;
   }
 
   // Whether a rebuild is expected to cost less than mending what is open, and so many points that

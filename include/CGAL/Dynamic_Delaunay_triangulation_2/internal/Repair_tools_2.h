@@ -65,13 +65,14 @@ public:
     m_report = &report;
     forget();
     m_budget.start_generously(m_maintained.number_of_vertices());
+    m_may_take_out = true;
   }
 
   Classification& classification() { return m_classification; }
   Traffic& traffic() { return m_traffic; }
   Topology_builder_2<Maintained>& builder() { return m_builder; }
 
-  // After the classifier has answered. `changes` is how many points come, go and part.
+  // After the classifier has answered. `changes` is how many points come and go.
   void take_classification(bool has_to_prove, bool was_certified, std::size_t changes)
   {
     m_has_to_prove = has_to_prove;
@@ -98,6 +99,7 @@ public:
   void put_in(const std::vector<Index>& parted_guests)
   {
     m_open.set_planar(false);
+    m_may_take_out = false;
     m_budget.allow((parted_guests.size() + m_traffic.number_to_put_in()) *
                    Repair_budget_2::relocation);
     std::size_t steps_before = 0;
@@ -105,7 +107,8 @@ public:
       m_budget.spend(Repair_budget_2::relocation / 2 +
                      Repair_budget_2::step_of_a_walk * (steps - steps_before));
       steps_before = steps;
-      return settle(v) && !m_budget.is_spent();
+      settle(v);
+      return !m_budget.is_spent();
     });
     m_report->relocated += counts.relocated;
     m_report->merged += counts.merged;
@@ -117,7 +120,8 @@ public:
   // Whether nothing is left to prove.
   bool is_proved() const
   {
-    return m_open.empty() && (m_open.is_planar() || Certificate(m_maintained).hull_turns_once());
+    return m_open.empty() && m_traffic.number_waiting() == 0 &&
+           (m_open.is_planar() || Certificate(m_maintained).hull_turns_once());
   }
 
   // Gives the numbers of vertices that are no more to others.
@@ -148,8 +152,8 @@ public:
   // Of what was classified, and the points that come and go in the same update.
   bool is_rebuild_cheaper() const
   {
-    return Repair_budget_2::is_rebuild_cheaper(m_maintained.number_of_vertices(), m_classified_edges,
-                                               m_changes);
+    return Repair_budget_2::is_rebuild_cheaper(m_maintained.number_of_vertices(),
+                                               m_classified_edges, m_changes);
   }
 
   // TOOLS, as Dynamic_mender_2 documents them ----------------------------------------------------
@@ -160,9 +164,17 @@ public:
   {
     // where several neighbors jumped, some look as if they had stayed, until the others are out
     constexpr unsigned most_rounds = 4;
-    for (unsigned round = 0; round < most_rounds && can_take_out(); ++round)
-      if (!take_out(m_jumpers.find_jumpers(m_open.uncertain())))
+    for (unsigned round = 0; round < most_rounds && can_take_out(); ++round) {
+      const std::vector<Index>& edges = round == 0 ? m_open.uncertain() : m_open.opened_last();
+      m_budget.spend(edges.size() * Repair_budget_2::look_for_jumpers);
+      const std::vector<Index>& jumpers = m_jumpers.find_jumpers(edges);
+      // each of them is one point that goes, and one that comes
+      if (Repair_budget_2::is_rebuild_cheaper(m_maintained.number_of_vertices(), 0,
+                                              m_changes + 2 * jumpers.size()))
+        return rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
+      if (!take_out(jumpers))
         return;
+    }
   }
 
   void take_out_farthest()
@@ -213,7 +225,7 @@ public:
   {
     std::vector<Index> vertices;
     m_open.for_each_uncertain_vertex(m_maintained, [&](Index v) { vertices.push_back(v); });
-    constexpr std::size_t most_growths = 3; // which make eight times as large a region of one
+    constexpr std::size_t most_growths = 3; // each but the first doubles the region at least
     splice(vertices, padding, most_growths, true);
   }
 
@@ -262,15 +274,16 @@ private:
 
   bool can_take_out() const
   {
-    return m_has_to_prove && !m_maintained.points_are_written && !has_rebuilt();
+    return m_may_take_out && m_has_to_prove && !m_maintained.points_are_written && !has_rebuilt();
   }
 
   // At least three stay. Whether any went.
   bool take_out(const std::vector<Index>& vertices)
   {
     constexpr std::size_t fewest_vertices = 3;
-    if (vertices.empty() || m_traffic.number_outside() + vertices.size() + fewest_vertices >
-                                m_maintained.number_of_vertices())
+    if (vertices.empty() || vertices.size() * Repair_budget_2::relocation > m_budget.left() ||
+        m_traffic.number_outside() + vertices.size() + fewest_vertices >
+            m_maintained.number_of_vertices())
       return false;
     const std::size_t first_new = m_maintained.new_edges.size();
     for (const Index v : vertices)
@@ -299,7 +312,7 @@ private:
   }
 
   // Flips around a vertex that was put in.
-  bool settle(Index v)
+  void settle(Index v)
   {
     const auto& mirror = m_maintained.mirror;
     m_around.clear();
@@ -314,7 +327,6 @@ private:
     constexpr std::size_t few = 8;
     m_budget.spend(flips > few ? (flips - few) * Repair_budget_2::flip : 0);
     m_open.uncertain().insert(m_open.uncertain().end(), m_around.begin(), m_around.end());
-    return true;
   }
 
   // SPLICES -------------------------------------------------------------------------------------
@@ -441,6 +453,7 @@ private:
   Update_report_2* m_report = nullptr;
   bool m_has_to_prove = false;
   bool m_was_certified = false;
+  bool m_may_take_out = true; // nobody has been put in yet
   std::size_t m_classified_edges = 0;
   std::size_t m_changes = 0;
 };

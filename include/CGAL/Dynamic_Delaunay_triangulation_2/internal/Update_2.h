@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -46,7 +47,15 @@ public:
   }
 
   bool is_certified() const { return m_is_certified; }
-  void set_certified(bool is_certified) { m_is_certified = is_certified; }
+  bool was_hopeless() const { return m_was_hopeless; }
+
+  // After a checkpoint has been read.
+  void restore(bool is_certified, bool was_hopeless)
+  {
+    m_is_certified = is_certified;
+    m_was_hopeless = was_hopeless;
+  }
+
   Tools& tools() { return m_tools; }
   const Tools& tools() const { return m_tools; }
 
@@ -58,15 +67,18 @@ public:
   {
     Update_report_2 report;
     const Give_up at_exit{m_tools};
-    const bool was_certified = begin(change, is_informed, report);
+    const bool was_certified = std::exchange(m_is_certified, false);
     if (change.is_empty() && !m_maintained.is_mirrored()) {
       m_is_certified = was_certified;
       return report;
     }
-    stage_moved(change);
     Rebuild_reason_2 reason;
     try {
-      reason = reason_to_rebuild(change, policy, Classifier::is_exact);
+      begin(change, is_informed, report);
+      stage_moved(change);
+      constexpr bool may_sample =
+          Classifier::is_exact && std::is_base_of_v<Flip_and_splice_repair_2, Repair>;
+      reason = reason_to_rebuild(change, policy, may_sample);
       if (reason == Rebuild_reason_2::NONE)
         classify(change, classifier, was_certified);
     } catch (...) {
@@ -120,8 +132,8 @@ private:
     ~Give_up() { tools.traffic().give_up(); }
   };
 
-  // What has changed from here on is news. Returns whether the triangulation was certified.
-  bool begin(const Change& change, bool is_informed, Update_report_2& report)
+  // What has changed from here on is news.
+  void begin(const Change& change, bool is_informed, Update_report_2& report)
   {
     report.inserted = change.coming.size();
     report.removed = change.gone.size();
@@ -129,9 +141,8 @@ private:
       m_maintained.forget_news();
     else if (Frame(m_maintained).has_other_numbers()) // and there will be others again
       m_maintained.everything_is_new = true;
-    m_tools.start(report);
     m_has_removed = false;
-    return std::exchange(m_is_certified, false);
+    m_tools.start(report);
   }
 
   // POINTS THAT MOVE ALONE ----------------------------------------------------------------------
@@ -165,9 +176,10 @@ private:
                                return are_together(guest.point, place);
                              });
     if (heir == no_index)
-      m_maintained.stage_vertex(v, p); // there may be more to p than where it is
-    else
-      m_maintained.hand_over(heir, v, p);
+      return m_maintained.stage_vertex(v, p); // there may be more to p than where it is
+    const Point point_of_heir = ids.guest(heir).point;
+    m_maintained.hand_over(heir, v, p);
+    m_maintained.move_vertex(v, point_of_heir); // at the same place, but there may be more to it
   }
 
   bool are_together(const Point& p, const Point& q) const
@@ -179,7 +191,7 @@ private:
 
   // Decided before any work that would then be lost.
   template <class Policy>
-  Rebuild_reason_2 reason_to_rebuild(const Change& change, Policy& policy, bool is_exact)
+  Rebuild_reason_2 reason_to_rebuild(const Change& change, Policy& policy, bool may_sample)
   {
     if (!m_maintained.is_mirrored() || leaves_too_few(change))
       return Rebuild_reason_2::DIMENSION;
@@ -189,7 +201,7 @@ private:
                                                                 : Rebuild_reason_2::POPULATION;
     if (change.is_frame && policy.wants_rebuild(Frame(m_maintained)))
       return Rebuild_reason_2::POLICY;
-    if (change.is_frame && is_exact && m_was_hopeless && is_sample_hopeless())
+    if (change.is_frame && may_sample && m_was_hopeless && is_sample_hopeless())
       return Rebuild_reason_2::TOO_MUCH_BROKEN;
     return Rebuild_reason_2::NONE;
   }
@@ -213,7 +225,8 @@ private:
   }
 
   // Where one frame had to be rebuilt the next one may have to be as well. Then a sample of the
-  // edges tells, instead of a classification that would be in vain.
+  // edges tells, instead of a classification that would be in vain. Only for the default repair:
+  // any other one is asked whatever is broken.
   bool is_sample_hopeless() const
   {
     constexpr std::size_t sample_size = 128;
@@ -319,7 +332,7 @@ private:
   Tools m_tools;
   bool m_is_certified = true;
   bool m_has_removed = true;
-  bool m_was_hopeless = false; // the last update classified, and had to rebuild
+  bool m_was_hopeless = false; // the last update found too much broken to be mended
 };
 
 } // namespace internal

@@ -48,9 +48,10 @@ public:
   // Points that will come, with the next ids, after those that go.
   void announce(const std::vector<Index>& ids, const std::vector<Point>& points)
   {
-    m_maintained.ids.reserve(ids);
-    m_coming_ids = ids;
     m_coming_points = points;
+    std::vector<Index> copy = ids;
+    m_maintained.ids.reserve(ids); // nothing throws from here on
+    m_coming_ids.swap(copy);
   }
 
   // Calls f(id, point) for those of them that have not come yet.
@@ -64,6 +65,9 @@ public:
 
   // How many vertices are outside of all faces.
   std::size_t number_outside() const { return m_waiting.size() + m_empty.size(); }
+
+  // How many wait to be put in again.
+  std::size_t number_waiting() const { return m_waiting.size(); }
 
   // How many vertices wait, or come.
   std::size_t number_to_put_in() const { return m_waiting.size() + m_coming_ids.size(); }
@@ -141,16 +145,16 @@ public:
   {
     Counts counts;
     collect_places(parted_guests);
-    Index near = any_vertex();
+    Hint hint{any_vertex(), m_maintained.number_of_vertices()};
     for (std::size_t k = 0; k < m_order.size(); ++k) {
       const std::size_t i = m_order[k];
       provide(m_maintained.new_edges, 6);
       const Index v = i < m_waiting.size()
-                          ? put_in_again(m_waiting[i], near, counts)
-                          : let_come(parted_guests, i - m_waiting.size(), near, counts);
+                          ? put_in_again(m_waiting[i], hint, counts)
+                          : let_come(parted_guests, i - m_waiting.size(), hint, counts);
       if (v == no_index)
         continue;
-      near = v;
+      hint = hint_at(v);
       if (!settle(v, counts.steps))
         return counts;
     }
@@ -254,11 +258,27 @@ private:
     return v;
   }
 
+  // Where to look for the next one.
+  struct Hint
+  {
+    Index near, spread;
+  };
+
+  // v itself has the number that belongs to where it was.
+  Hint hint_at(Index v) const
+  {
+    Index near = v;
+    m_maintained.mirror.for_each_neighbor(v,
+                                          [&](Index w) { near = w == infinite_index ? near : w; });
+    const std::size_t spread = 4 * m_maintained.number_of_vertices() / m_order.size();
+    return {near, Index(spread)};
+  }
+
   // Returns the vertex, or `no_index` if another one is there already, and has its points now.
-  Index put_in_again(const Slot& slot, Index near, Counts& counts)
+  Index put_in_again(const Slot& slot, const Hint& hint, Counts& counts)
   {
     const Index v = slot.vertex;
-    const Place_2 place = m_location.locate(v, near);
+    const Place_2 place = m_location.locate(v, hint.near, hint.spread);
     counts.steps += place.steps;
     if (place.vertex == no_index) {
       m_editor.put_in(slot, place.face);
@@ -273,7 +293,8 @@ private:
   }
 
   // The same for a guest that parts, or a point that comes.
-  Index let_come(const std::vector<Index>& parted_guests, std::size_t i, Index near, Counts& counts)
+  Index let_come(const std::vector<Index>& parted_guests, std::size_t i, const Hint& hint,
+                 Counts& counts)
   {
     auto& ids = m_maintained.ids;
     const bool parts = i < parted_guests.size();
@@ -283,7 +304,7 @@ private:
     counts.parted += parts;
     ids.provide_for_guests(1);
     const Slot slot = take_slot(p);
-    const Place_2 place = m_location.locate(slot.vertex, near);
+    const Place_2 place = m_location.locate(slot.vertex, hint.near, hint.spread);
     counts.steps += place.steps;
     if (place.vertex != no_index) {
       ids.place_guest(id, place.vertex, p);
