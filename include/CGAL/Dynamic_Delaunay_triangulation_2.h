@@ -673,6 +673,7 @@ private:
         m_core->input.unstage(m_core->maintained);
       return change.moved.empty();
     };
+    m_core->update.enter();
     start_visit(take_back);
     Point_writer writer{m_core->maintained, change};
     const bool is_informed = std::exchange(m_is_classifier_informed, false);

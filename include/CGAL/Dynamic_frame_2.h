@@ -171,13 +171,16 @@ public:
   /// \name What the last update triangulated anew
   /// @{
 
-  /// whether that was everything: at the start, after a rebuild, and after relocations.
+  /// whether that was everything: at the start, after a rebuild, and after CGAL's relocations.
   bool everything_is_new() const { return m_maintained->everything_is_new; }
-  /// the edges in the regions that were triangulated anew, if not everything was; an edge can be
-  /// there more than once.
+  /// the edges in the regions that were triangulated anew, if not everything was; after an update
+  /// each of them once.
   const std::vector<Index>& new_edges() const { return m_maintained->new_edges; }
-  /// whether vertices came, went or were put in elsewhere, and everything else is not new: then
-  /// some vertices, edges and faces have taken the numbers of others that went.
+  /// the vertices that jumped, and were put into other faces, if not everything is new and numbers
+  /// have stayed: all edges at them are among `new_edges()`.
+  const std::vector<Index>& relocated_vertices() const { return m_maintained->relocated; }
+  /// whether vertices came or went, and everything else is not new: then some vertices, edges and
+  /// faces have taken the numbers of others that went.
   bool has_other_numbers() const
   {
     return !everything_is_new() && !m_maintained->renumberings.are_none();

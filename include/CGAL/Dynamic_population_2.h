@@ -338,6 +338,7 @@ private:
 
   Update_report_2 remove_all(const std::vector<size_type>& missing)
   {
+    m_new_ids.clear();
     const At_exit settle{[&] { forget_gone(missing); }};
     return m_triangulation.remove(missing.begin(), missing.end());
   }

@@ -162,6 +162,22 @@ inline std::vector<Family> all_families()
         M::SWAP, M::PART, M::SNAP, M::MIRROR, M::TRANSLATE, M::JUMP},
        {M::CREEP, M::STEP, M::JUMP, M::TELEPORT, M::SWAP, M::ONTO_OTHERS, M::PART},
        500});
+  // so many points that a few that jump are put in again one by one
+  families.push_back({"jumps",
+                      5,
+                      {4, 2, 4, 2, 18, 70},
+                      {S::SQUARE, S::SQUARE, S::GRID, S::HEXAGONS, S::CIRCLE, S::NEAR_ANOTHER},
+                      {M::FLY, M::FLY, M::FLY, M::DISTURB, M::SWAP, M::SWAP, M::REST, M::CREEP},
+                      {M::TELEPORT, M::SWAP, M::SHUFFLE, M::ONTO_OTHERS, M::FLY},
+                      500});
+  families.push_back({"jumping_tracks",
+                      5,
+                      {2, 2, 2, 2, 12, 80},
+                      {S::SQUARE, S::SQUARE, S::SQUARE, S::GRID, S::AT_ANOTHER, S::FAR_AWAY},
+                      {M::FLY, M::FLY, M::DISTURB, M::SWAP, M::PART, M::REST, M::CREEP},
+                      {M::TELEPORT, M::SWAP, M::ONTO_OTHERS, M::PART},
+                      400,
+                      true});
   return families;
 }
 

@@ -74,6 +74,7 @@ inline void add_results(Json& json, const Run_summary& summary)
   json["flips_mean"] = json_of(summary.flips_mean);
   json["splices_mean"] = json_of(summary.splices_mean);
   json["growths_mean"] = json_of(summary.growths_mean);
+  json["relocated_mean"] = json_of(summary.relocated_mean);
 }
 
 inline void add_comparison(Json& json, const Run_summary& summary)

@@ -104,7 +104,8 @@ inline void write_results(std::ostream& out, const Run_summary& summary)
   write_line(out, "a frame",
              "classified " + readable(summary.classified_mean) + ", padded " +
                  readable(summary.padded_mean) + ", border " + readable(summary.border_mean) +
-                 ", flips " + readable(summary.flips_mean));
+                 ", flips " + readable(summary.flips_mean) + ", relocated " +
+                 readable(summary.relocated_mean));
 }
 
 // For a person; a program reads the report.

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -91,9 +92,11 @@ private:
     return farthest;
   }
 
-  // Flips take one or two for every spacing that a vertex travels, and cost a tenth of what taking
-  // it out and putting it in again does; but from about this many spacings on they get stuck.
-  static constexpr double longest_way = 1;
+  // In lengths of a short edge. Flips take one or two for every spacing that a vertex travels, and
+  // cost a tenth of what taking it out and putting it in again does; but from about this length on
+  // they get stuck. Below 1, as a vertex that comes back from far away has gone as far as it was
+  // from all its neighbors.
+  static constexpr double longest_way = 0.9;
 
   // One that went another way than each of the others, and not just a little, is looked at closely.
   // At 100,000 points what is read here is anywhere in memory, and the most of the search.
@@ -127,7 +130,8 @@ private:
     collect_neighbors(v);
     if (m_squared_lengths.empty())
       return false;
-    const Position_2 relative = displacement(v) - Position_2{quantile(m_x, 2), quantile(m_y, 2)};
+    const Position_2 step = displacement(v);
+    const Position_2 relative{farthest_from_median(step.x, m_x), farthest_from_median(step.y, m_y)};
     return dot(relative, relative) > longest_way * longest_way * quantile(m_squared_lengths, 4);
   }
 
@@ -179,6 +183,19 @@ private:
   Position_2 displacement(Index v) const
   {
     return m_maintained.positions[v] - previous_position(v);
+  }
+
+  // How far x is from the median; from the farther one of two. Half of a vertex's neighbors may
+  // have jumped along with it.
+  static double farthest_from_median(double x, std::vector<double>& values)
+  {
+    const double upper = quantile(values, 2);
+    double difference = std::abs(x - upper);
+    if (values.size() % 2 == 0) {
+      const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+      difference = (std::max)(difference, std::abs(x - *std::max_element(values.begin(), middle)));
+    }
+    return difference;
   }
 
   // What one in `part` of the values is smaller than.

@@ -114,6 +114,7 @@ struct Maintained_triangulation_2
   {
     everything_is_new = false;
     new_edges.clear();
+    relocated.clear();
     renumberings.clear();
   }
 
@@ -176,6 +177,7 @@ struct Maintained_triangulation_2
     next_points.swap(other.next_points);
     next_guests.swap(other.next_guests);
     new_edges.swap(other.new_edges);
+    relocated.swap(other.relocated);
     std::swap(mirror, other.mirror);
     std::swap(ids, other.ids);
     std::swap(renumberings, other.renumberings);
@@ -308,7 +310,8 @@ public:
   // What the last update triangulated anew: everything, or the edges with these indices.
   bool everything_is_new = true;
   std::vector<Index> new_edges;
-  Renumberings_2 renumberings; // of what is not new
+  std::vector<Index> relocated; // the vertices that were put in elsewhere
+  Renumberings_2 renumberings;  // of what is not new
 };
 
 } // namespace internal

@@ -60,9 +60,12 @@ public:
 
   // AN UPDATE -----------------------------------------------------------------------------------
 
-  void start(Update_report_2& report)
+  // With an exact classifier nobody needs to hear of edges that were looked at and left as they
+  // are.
+  void start(Update_report_2& report, bool is_exact)
   {
     m_report = &report;
+    m_is_exact = is_exact;
     forget();
     m_budget.start_generously(m_maintained.number_of_vertices());
     m_may_take_out = true;
@@ -136,7 +139,8 @@ public:
   {
     m_builder.exchange(other);
     m_classification = Classification();
-    forget_sets();
+    m_padded.clear();
+    m_border.clear();
   }
 
   // WHAT THERE IS TO DO -------------------------------------------------------------------------
@@ -300,9 +304,10 @@ private:
     if (has_rebuilt())
       return;
     std::vector<Index>& edges = m_open.uncertain();
-    // the neighborhoods that it has looked at count as triangulated anew
+    // for a heuristic classifier, what was looked at counts as triangulated anew
     auto& new_edges = m_maintained.new_edges;
-    new_edges.insert(new_edges.end(), edges.begin(), edges.end());
+    if (!m_is_exact)
+      new_edges.insert(new_edges.end(), edges.begin(), edges.end());
     const std::size_t most = m_budget.left() / Repair_budget_2::flip + 1;
     const std::size_t flips = m_lawson.run(m_maintained, m_editor, edges, m_open.is_planar(), most);
     m_report->flips += flips;
@@ -453,6 +458,7 @@ private:
   Update_report_2* m_report = nullptr;
   bool m_has_to_prove = false;
   bool m_was_certified = false;
+  bool m_is_exact = true;     // the classifier
   bool m_may_take_out = true; // nobody has been put in yet
   std::size_t m_classified_edges = 0;
   std::size_t m_changes = 0;

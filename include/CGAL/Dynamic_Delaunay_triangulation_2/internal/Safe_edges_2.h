@@ -98,8 +98,19 @@ public:
               !frame.has_other_numbers() && 64 * frame.new_edges().size() < frame.number_of_edges();
     if (!m_holds)
       return;
+    for (const Index v : frame.relocated_vertices())
+      m_references[v] = frame.position(v);
+    m_changed.clear();
     for (const Index e : frame.new_edges())
-      consider_around(frame, e);
+      if (is_at_infinity(frame.edge(e))) {
+        consider_around(frame, e);
+      } else {
+        m_changed.push_back(e);
+        frame.for_each_side(e, [this](Index side) { m_changed.push_back(side); });
+      }
+    make_distinct(m_changed);
+    for (const Index e : m_changed)
+      consider(frame, e);
     m_holds = m_tight.size() <= most_tight(frame);
   }
 
@@ -211,16 +222,15 @@ private:
       });
   }
 
-  // A new edge has changed what its own edges see, and the four around it: all of these end at it.
+  // A new edge at the hull.
   template <class Frame>
   void consider_around(const Frame& frame, Index e)
   {
     const Edge_2& edge = frame.edge(e);
-    const bool is_at_hull = is_at_infinity(edge);
-    m_hull_is_safe = m_hull_is_safe && !is_at_hull;
-    m_hull_is_checked = m_hull_is_checked && !is_at_hull;
+    m_hull_is_safe = false;
+    m_hull_is_checked = false;
     for (const Index v : {edge.source, edge.target, edge.left, edge.right})
-      if (v != infinite_index && (is_at_hull || v == edge.source || v == edge.target))
+      if (v != infinite_index)
         frame.for_each_incident_edge(v, [&](Index f) { consider(frame, f); });
   }
 
@@ -233,6 +243,7 @@ private:
   bool m_hull_is_safe = false; // it keeps turning once while no vertex leaves the tolerance
   bool m_hull_stays = false;   // and none at the hull has
   std::vector<Index> m_moved;
+  std::vector<Index> m_changed; // edges with another opposite vertex
   std::vector<double> m_sample;
 };
 

@@ -210,6 +210,8 @@ public:
     const auto note = [&](Index from, Index to) { number_of_edge[from - kept_edges] = to; };
     drop_collected(note); // nothing throws from here on
     auto& new_edges = m_maintained.new_edges;
+    if (m_maintained.everything_is_new) // and nobody knows what some of these were called
+      return new_edges.clear();
     for (Index& e : new_edges)
       while (e != no_index && e >= kept_edges)
         e = number_of_edge[e - kept_edges];

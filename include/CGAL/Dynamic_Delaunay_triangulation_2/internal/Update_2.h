@@ -74,7 +74,7 @@ public:
     }
     Rebuild_reason_2 reason;
     try {
-      begin(change, is_informed, report);
+      begin(change, is_informed, Classifier::is_exact, report);
       stage_moved(change);
       constexpr bool may_sample =
           Classifier::is_exact && std::is_base_of_v<Flip_and_splice_repair_2, Repair>;
@@ -98,11 +98,13 @@ public:
     m_tools.traffic().announce(change.coming, change.coming_points);
     mend(change, repair);
     put_in(report);
-    prove(report);
+    prove(change, report);
     return report;
   }
 
-  // Whether all that had to go in the last call have gone.
+  // Before anything of a call is done.
+  void enter() { m_has_removed = false; }
+  // Whether all that have to go in this call, or had to in the last one, have gone.
   bool has_removed() const { return m_has_removed; }
 
   // Whether the triangulation is Delaunay; changes nothing else.
@@ -133,7 +135,7 @@ private:
   };
 
   // What has changed from here on is news.
-  void begin(const Change& change, bool is_informed, Update_report_2& report)
+  void begin(const Change& change, bool is_informed, bool is_exact, Update_report_2& report)
   {
     report.inserted = change.coming.size();
     report.removed = change.gone.size();
@@ -141,8 +143,9 @@ private:
       m_maintained.forget_news();
     else if (Frame(m_maintained).has_other_numbers()) // and there will be others again
       m_maintained.everything_is_new = true;
-    m_has_removed = false;
-    m_tools.start(report);
+    if (m_maintained.everything_is_new)
+      m_maintained.new_edges.clear();
+    m_tools.start(report, is_exact);
   }
 
   // POINTS THAT MOVE ALONE ----------------------------------------------------------------------
@@ -244,7 +247,8 @@ private:
   void rebuild(const Change& change, Rebuild_reason_2 reason, Update_report_2& report)
   {
     const bool spanned_plane = m_maintained.is_mirrored();
-    m_was_hopeless = m_was_hopeless || reason == Rebuild_reason_2::TOO_MUCH_BROKEN;
+    if (change.is_frame)
+      m_was_hopeless = m_was_hopeless || reason == Rebuild_reason_2::TOO_MUCH_BROKEN;
     if (change.gone.empty() && change.coming.empty()) {
       m_tools.rebuild(reason);
     } else {
@@ -315,16 +319,18 @@ private:
   }
 
   // Rebuilds if there has to be a proof and it has not come to an end.
-  void prove(Update_report_2& report)
+  void prove(const Change& change, Update_report_2& report)
   {
     const bool has_to = m_tools.has_to_prove();
     if (has_to && !report.rebuilt() && !m_tools.is_proved())
       m_tools.rebuild(Rebuild_reason_2::STUCK);
     if (!report.rebuilt())
       m_tools.finish();
-    m_was_hopeless = report.rebuild_reason == Rebuild_reason_2::TOO_MUCH_BROKEN ||
-                     report.rebuild_reason == Rebuild_reason_2::BUDGET_SPENT ||
-                     report.rebuild_reason == Rebuild_reason_2::STUCK;
+    make_distinct(m_maintained.new_edges);
+    if (change.is_frame)
+      m_was_hopeless = report.rebuild_reason == Rebuild_reason_2::TOO_MUCH_BROKEN ||
+                       report.rebuild_reason == Rebuild_reason_2::BUDGET_SPENT ||
+                       report.rebuild_reason == Rebuild_reason_2::STUCK;
     m_is_certified = has_to || report.rebuilt();
   }
 
@@ -332,7 +338,7 @@ private:
   Tools m_tools;
   bool m_is_certified = true;
   bool m_has_removed = true;
-  bool m_was_hopeless = false; // the last update found too much broken to be mended
+  bool m_was_hopeless = false; // the last frame had too much broken to be mended
 };
 
 } // namespace internal

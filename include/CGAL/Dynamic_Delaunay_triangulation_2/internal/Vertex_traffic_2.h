@@ -281,7 +281,9 @@ private:
     const Place_2 place = m_location.locate(v, hint.near, hint.spread);
     counts.steps += place.steps;
     if (place.vertex == no_index) {
+      provide(m_maintained.relocated, 1);
       m_editor.put_in(slot, place.face);
+      m_maintained.relocated.push_back(v);
       ++counts.relocated;
       return v;
     }

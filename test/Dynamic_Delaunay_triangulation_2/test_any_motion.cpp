@@ -1,0 +1,1698 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Any motion: points jump, trade places, meet and part, come and go, all in one update.
+
+#include "news_ledger.h"
+#include "oracle.h"
+
+#include <CGAL/Dynamic_population_2.h>
+#include <CGAL/Edge_changes_visitor_2.h>
+#include <CGAL/Estimated_voronoi_circumcenter_classifier_2.h>
+#include <CGAL/Flip_and_splice_repair_2.h>
+#include <CGAL/Inflation_aware_classifier_2.h>
+#include <CGAL/Nearly_delaunay_classifier_2.h>
+#include <CGAL/Point_distance_classifier_2.h>
+#include <CGAL/Random_classifier_2.h>
+#include <CGAL/Safe_region_classifier_2.h>
+#include <CGAL/Voronoi_circumcenter_classifier_2.h>
+#include <CGAL/Voronoi_edge_length_classifier_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <random>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Ids = std::vector<std::size_t>;
+using Edge_set = std::set<CGAL::Edge_changes_visitor_2::Edge>;
+
+template <class Dynamic>
+Edge_set edges_of(const Dynamic& dt)
+{
+  Edge_set edges;
+  dt.for_each_edge([&](std::size_t i, std::size_t j) { edges.insert(std::minmax(i, j)); });
+  return edges;
+}
+
+// What it throws who has had enough.
+struct Refusal : std::runtime_error
+{
+  Refusal()
+    : std::runtime_error("it has had enough")
+  {
+  }
+};
+
+// Keeps the edges and the faces in step with what it is told, and writes down who is relocated.
+class Diary : public CGAL::Edge_changes_visitor_2
+{
+  using Base = CGAL::Edge_changes_visitor_2;
+
+public:
+  int begun() const { return m_begun; }
+  int finished() const { return m_finished; }
+  // The ids, in the order in which they were told, of the last call.
+  const Ids& relocated() const { return m_relocated; }
+  std::size_t merges() const { return m_merges; }
+  void refuse() { m_refuses = true; }
+
+  template <class Dynamic>
+  void before_update(const Dynamic& dt)
+  {
+    if (std::exchange(m_refuses, false))
+      throw Refusal();
+    Base::before_update(dt);
+    ++m_begun;
+    m_relocated.clear();
+    m_merges = 0;
+  }
+
+  template <class Dynamic>
+  void after_update(const Dynamic& dt, const CGAL::Update_report_2& report)
+  {
+    Base::after_update(dt, report);
+    ++m_finished;
+    for (const Edge& e : removed_edges())
+      EXPECT_EQ(m_edges.erase(e), 1u);
+    for (const Edge& e : created_edges())
+      EXPECT_TRUE(m_edges.insert(e).second);
+    Base::clear();
+    EXPECT_TRUE(m_edges == edges_of(dt));
+    expect_faces_in_step(dt);
+    EXPECT_EQ(std::set<std::size_t>(m_relocated.begin(), m_relocated.end()).size(),
+              m_relocated.size());
+    if (!report.rebuilt()) {
+      EXPECT_LE(report.relocated, m_relocated.size());
+      EXPECT_GE(report.relocated + report.merged, m_relocated.size());
+    }
+  }
+
+  template <class Dynamic>
+  void before_flip(const Dynamic& dt, const typename Dynamic::Edge& e)
+  {
+    Base::before_flip(dt, e);
+    forget(e.first);
+    forget(e.first->neighbor(e.second));
+  }
+
+  template <class Dynamic>
+  void after_flip(const Dynamic& dt, const typename Dynamic::Edge& e)
+  {
+    Base::after_flip(dt, e);
+    learn(e.first);
+    learn(e.first->neighbor(e.second));
+  }
+
+  template <class Dynamic>
+  void before_face_removal(const Dynamic& dt, typename Dynamic::Face_handle f)
+  {
+    Base::before_face_removal(dt, f);
+    forget(f);
+  }
+
+  template <class Dynamic>
+  void after_face_creation(const Dynamic& dt, typename Dynamic::Face_handle f)
+  {
+    Base::after_face_creation(dt, f);
+    learn(f);
+  }
+
+  template <class Dynamic>
+  void before_vertex_relocation(const Dynamic& dt, typename Dynamic::Vertex_handle v,
+                                std::size_t id)
+  {
+    EXPECT_NE(v, dt.infinite_vertex());
+    EXPECT_EQ(dt.id(v), id);
+    EXPECT_EQ(dt.vertex(id), v);
+    m_relocated.push_back(id);
+  }
+
+  template <class Dynamic>
+  void before_vertex_merge(const Dynamic&, typename Dynamic::Vertex_handle, std::size_t,
+                           typename Dynamic::Vertex_handle)
+  {
+    ++m_merges;
+  }
+
+private:
+  using Triple = std::array<const void*, 3>; // vertices, ascending
+
+  template <class Face_handle>
+  static Triple vertices_of(Face_handle f)
+  {
+    Triple vertices{&*f->vertex(0), &*f->vertex(1), &*f->vertex(2)};
+    std::sort(vertices.begin(), vertices.end());
+    return vertices;
+  }
+
+  template <class Face_handle>
+  void forget(Face_handle f)
+  {
+    const auto known = m_faces.find(&*f);
+    ASSERT_TRUE(known != m_faces.end());
+    EXPECT_EQ(known->second, vertices_of(f));
+    m_faces.erase(known);
+  }
+
+  template <class Face_handle>
+  void learn(Face_handle f)
+  {
+    EXPECT_TRUE(m_faces.emplace(&*f, vertices_of(f)).second);
+  }
+
+  template <class Dynamic>
+  void expect_faces_in_step(const Dynamic& dt) const
+  {
+    std::map<const void*, Triple> faces;
+    if (dt.tds().dimension() == 2)
+      for (auto f = dt.tds().faces_begin(); f != dt.tds().faces_end(); ++f)
+        faces.emplace(&*f, vertices_of(f));
+    EXPECT_TRUE(faces == m_faces);
+  }
+
+  int m_begun = 0, m_finished = 0;
+  bool m_refuses = false;
+  Ids m_relocated;
+  std::size_t m_merges = 0;
+  Edge_set m_edges;
+  std::map<const void*, Triple> m_faces;
+};
+
+template <class Kernel, class Classifier = CGAL::Circumcircle_classifier_2>
+using Visited =
+    CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, CGAL::Default, CGAL::Default,
+                                           CGAL::Default, Diary>;
+
+// How many points share each vertex.
+template <class Dynamic>
+std::map<typename Dynamic::Vertex_handle, std::size_t> shares_of(const Dynamic& dt)
+{
+  std::map<typename Dynamic::Vertex_handle, std::size_t> shares;
+  for (std::size_t id = 0; id < dt.number_of_ids(); ++id)
+    if (dt.has_id(id))
+      ++shares[dt.vertex(id)];
+  return shares;
+}
+
+// The vertices of the points that have one of their own.
+template <class Dynamic>
+std::map<std::size_t, typename Dynamic::Vertex_handle> handles_of(const Dynamic& dt)
+{
+  std::map<std::size_t, typename Dynamic::Vertex_handle> handles;
+  for (const auto& [vertex, share] : shares_of(dt))
+    if (share == 1)
+      handles.emplace(dt.id(vertex), vertex);
+  return handles;
+}
+
+// Points that are moved about; after each call all is as it should be.
+template <class Kernel>
+class Stage
+{
+public:
+  using Dynamic = Visited<Kernel>;
+  using Point = typename Kernel::Point_2;
+  using Points = std::vector<Point>;
+
+  explicit Stage(const Points& initial)
+    : points(initial)
+    , m_dt(initial.begin(), initial.end())
+  {
+  }
+
+  // Where everybody goes next.
+  Points points;
+
+  const Dynamic& dt() const { return m_dt; }
+  const CGAL::Update_report_2& report() const { return m_report; }
+  Ids relocated() const
+  {
+    Ids ids = m_dt.visitor().relocated();
+    std::sort(ids.begin(), ids.end());
+    return ids;
+  }
+
+  void update()
+  {
+    check([this] { return m_dt.update(points.begin(), points.end()); });
+  }
+
+  // Those whose places have changed, and nobody else.
+  void move()
+  {
+    std::vector<std::pair<std::size_t, Point>> movers;
+    for (std::size_t id = 0; id < points.size(); ++id)
+      if (m_dt.point(id) != points[id])
+        movers.emplace_back(id, points[id]);
+    check([&] { return m_dt.move(movers.begin(), movers.end()); });
+  }
+
+  void trade(std::size_t i, std::size_t j) { std::swap(points[i], points[j]); }
+
+  // Each takes the place of the next one.
+  void shift(const Ids& ids)
+  {
+    const Point first = points[ids.front()];
+    for (std::size_t k = 0; k + 1 < ids.size(); ++k)
+      points[ids[k]] = points[ids[k + 1]];
+    points[ids.back()] = first;
+  }
+
+private:
+  template <class Call>
+  void check(const Call& call)
+  {
+    const auto handles = handles_of(m_dt);
+    const int visits = m_dt.visitor().begun();
+    m_report = call();
+    ASSERT_TRUE(m_report.certified);
+    ASSERT_NO_FATAL_FAILURE(expect_exact(m_dt, points));
+    ASSERT_EQ(m_dt.visitor().begun(), visits + 1);
+    ASSERT_EQ(m_dt.visitor().finished(), m_dt.visitor().begun());
+    for (const auto& [id, vertex] : handles)
+      if (m_dt.id(m_dt.vertex(id)) == id) {
+        ASSERT_EQ(m_dt.vertex(id), vertex) << "id " << id;
+      }
+    ASSERT_FALSE(testing::Test::HasFailure());
+  }
+
+  Dynamic m_dt;
+  CGAL::Update_report_2 m_report;
+};
+
+// Some of the first `number` ids, each once.
+Ids some_ids(std::size_t number, std::size_t count, std::mt19937& random)
+{
+  Ids ids(number);
+  std::iota(ids.begin(), ids.end(), std::size_t(0));
+  std::shuffle(ids.begin(), ids.end(), random);
+  ids.resize(count);
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+template <class Point>
+double distance(const Point& p, const Point& q)
+{
+  return std::hypot(CGAL::to_double(p.x()) - CGAL::to_double(q.x()),
+                    CGAL::to_double(p.y()) - CGAL::to_double(q.y()));
+}
+
+// Some points jump, each at least `least` far, to anywhere in the square from `low` to `high`.
+template <class Kernel>
+Ids jump(std::vector<typename Kernel::Point_2>& points, std::size_t count, double low, double high,
+         double least, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> coordinate(low, high);
+  const Ids ids = some_ids(points.size(), count, random);
+  for (const std::size_t id : ids)
+    for (;;) {
+      const double x = coordinate(random);
+      const typename Kernel::Point_2 p(x, coordinate(random));
+      if (distance(p, points[id]) < least)
+        continue;
+      points[id] = p;
+      break;
+    }
+  return ids;
+}
+
+template <class Dynamic>
+Ids hull_of(const Dynamic& dt)
+{
+  Ids ids;
+  const auto first = dt.triangulation().incident_vertices(dt.infinite_vertex());
+  auto v = first;
+  do
+    ids.push_back(dt.id(v));
+  while (++v != first);
+  return ids;
+}
+
+template <class Dynamic>
+Ids neighbors_of(const Dynamic& dt, std::size_t id)
+{
+  Ids ids;
+  const auto first = dt.triangulation().incident_vertices(dt.vertex(id));
+  auto v = first;
+  do
+    if (v != dt.infinite_vertex())
+      ids.push_back(dt.id(v));
+  while (++v != first);
+  return ids;
+}
+
+// -------------------------------------------------------------------------------------------------
+// Points that jump.
+
+template <class Kernel>
+class Jumps : public testing::Test
+{
+protected:
+  using Point = typename Kernel::Point_2;
+  using Points = std::vector<Point>;
+
+  // All in a square as large as the `scale`, but for the parabola.
+  static std::map<std::string, Points> shapes()
+  {
+    std::map<std::string, Points> shapes;
+    shapes["uniform"] = Cloud<Kernel>(1).uniform(200);
+    shapes["lattice"] = Cloud<Kernel>::grid(15, 15);
+    shapes["circle"] = Cloud<Kernel>::on_circle(36);
+    Cloud<Kernel> cloud(2);
+    for (const Point& centre : cloud.uniform(8))
+      for (int i = 0; i < 25; ++i)
+        shapes["clusters"].push_back(cloud.shifted(centre, 1e-3));
+    for (int i = -60; i < 60; ++i)
+      shapes["parabola"].push_back(Point(i / 8., i * i / 64.));
+    for (const Point& p : Cloud<Kernel>(3).uniform(150))
+      shapes["needles"].push_back(Point(CGAL::to_double(p.x()) * 1e-6, p.y()));
+    return shapes;
+  }
+
+  static void expect_exact_frames(const Points& points, double scale, unsigned seed)
+  {
+    Stage<Kernel> stage(points);
+    std::mt19937 random(seed);
+    Cloud<Kernel> cloud(seed);
+    for (const double step : {0., 0.02}) {
+      for (int frame = 0; frame < 6; ++frame) {
+        SCOPED_TRACE(testing::Message() << "step " << step << ", frame " << frame);
+        cloud.shake(stage.points, step * scale);
+        jump<Kernel>(stage.points, 3, -scale, 10 * scale, 0, random);
+        ASSERT_NO_FATAL_FAILURE(frame % 3 == 2 ? stage.move() : stage.update());
+      }
+      stage.points = points;
+      ASSERT_NO_FATAL_FAILURE(stage.update());
+    }
+  }
+};
+
+using Kernels = testing::Types<Epick, Epeck>;
+TYPED_TEST_SUITE(Jumps, Kernels);
+
+TYPED_TEST(Jumps, of_a_few_at_rest_relocate_just_these_frame_after_frame)
+{
+  for (const bool is_lattice : {false, true}) {
+    SCOPED_TRACE(is_lattice ? "lattice" : "uniform");
+    Stage<TypeParam> stage(is_lattice ? Cloud<TypeParam>::grid(20, 20)
+                                      : Cloud<TypeParam>(1).uniform(400));
+    std::mt19937 random(2);
+    for (int frame = 0; frame < 12; ++frame) {
+      SCOPED_TRACE(testing::Message() << "frame " << frame);
+      const Ids jumpers = jump<TypeParam>(stage.points, 4, 1, 18, 5, random);
+      ASSERT_NO_FATAL_FAILURE(stage.update());
+      ASSERT_FALSE(stage.report().rebuilt());
+      ASSERT_EQ(stage.report().relocated, jumpers.size());
+      ASSERT_EQ(stage.relocated(), jumpers);
+      ASSERT_EQ(stage.report().growths, 0u);
+    }
+  }
+}
+
+TYPED_TEST(Jumps, of_a_few_relocate_just_these_while_all_others_shake)
+{
+  Cloud<TypeParam> cloud(3);
+  Stage<TypeParam> stage(cloud.uniform(400));
+  for (int frame = 0; frame < 12; ++frame) {
+    SCOPED_TRACE(testing::Message() << "frame " << frame);
+    cloud.shake(stage.points, 0.02);
+    const Ids jumpers = jump<TypeParam>(stage.points, 4, 1, 18, 5, cloud.random());
+    ASSERT_NO_FATAL_FAILURE(stage.update());
+    ASSERT_FALSE(stage.report().rebuilt());
+    const Ids relocated = stage.relocated();
+    ASSERT_TRUE(
+        std::includes(relocated.begin(), relocated.end(), jumpers.begin(), jumpers.end()));
+    ASSERT_EQ(relocated.size(), jumpers.size());
+  }
+}
+
+TYPED_TEST(Jumps, are_mended_exactly_whatever_the_points_look_like)
+{
+  for (const auto& [name, points] : this->shapes()) {
+    SCOPED_TRACE(name);
+    ASSERT_NO_FATAL_FAILURE(this->expect_exact_frames(points, 1, 4));
+  }
+}
+
+TYPED_TEST(Jumps, are_mended_exactly_in_huge_and_in_tiny_units)
+{
+  for (const double unit : {1e150, 1e-150, 1e-300}) {
+    SCOPED_TRACE(testing::Message() << "unit " << unit);
+    const auto points = scaled<TypeParam>(Cloud<TypeParam>(5).uniform(60), unit);
+    ASSERT_NO_FATAL_FAILURE(this->expect_exact_frames(points, unit, 5));
+  }
+}
+
+TYPED_TEST(Jumps, onto_others_merge)
+{
+  Stage<TypeParam> stage(Cloud<TypeParam>(6).uniform(400));
+  const auto home = stage.points;
+  const Ids jumpers{3, 50, 120, 333, 390};
+  for (const std::size_t id : jumpers)
+    stage.points[id] = stage.points[(id + 200) % 400];
+  ASSERT_NO_FATAL_FAILURE(stage.update());
+  EXPECT_FALSE(stage.report().rebuilt());
+  EXPECT_EQ(stage.report().merged, 5u);
+  EXPECT_EQ(stage.report().relocated, 0u);
+  EXPECT_EQ(stage.dt().visitor().merges(), 5u);
+  EXPECT_EQ(stage.relocated(), jumpers) << "told of merged ones, too";
+  for (const std::size_t id : jumpers)
+    EXPECT_EQ(stage.dt().id(stage.dt().vertex(id)), (id + 200) % 400) << "was there first";
+  stage.points = home;
+  ASSERT_NO_FATAL_FAILURE(stage.update());
+  EXPECT_FALSE(stage.report().rebuilt());
+  EXPECT_EQ(stage.report().parted, 5u);
+  EXPECT_EQ(stage.report().merged, 0u);
+}
+
+TYPED_TEST(Jumps, of_shared_vertices_take_all_guests_along)
+{
+  auto points = Cloud<TypeParam>(7).uniform(300);
+  for (const std::size_t id : {11u, 12u, 13u})
+    points[id] = points[10];
+  points[21] = points[20];
+  Stage<TypeParam> stage(points);
+  for (const std::array<double, 2>& place : {std::array<double, 2>{3.3, 4.4}, {15.1, 2.2}}) {
+    for (const std::size_t id : {10u, 11u, 12u, 13u})
+      stage.points[id] = typename TestFixture::Point(place[0], place[1]);
+    for (const std::size_t id : {20u, 21u})
+      stage.points[id] = typename TestFixture::Point(place[1], place[0]);
+    ASSERT_NO_FATAL_FAILURE(stage.update());
+    EXPECT_FALSE(stage.report().rebuilt());
+    EXPECT_EQ(stage.report().relocated, 2u);
+    EXPECT_EQ(stage.report().merged + stage.report().parted, 0u);
+    EXPECT_EQ(stage.relocated(), (Ids{10, 20}));
+    EXPECT_EQ(stage.dt().number_of_vertices(), 296u);
+  }
+  // one onto the other
+  for (const std::size_t id : {10u, 11u, 12u, 13u})
+    stage.points[id] = stage.points[20];
+  ASSERT_NO_FATAL_FAILURE(stage.update());
+  EXPECT_EQ(stage.report().merged, 1u);
+  EXPECT_EQ(stage.dt().number_of_vertices(), 295u);
+}
+
+TYPED_TEST(Jumps, of_guests_leave_the_host_and_of_a_host_the_guests_where_they_were)
+{
+  for (const bool moves : {false, true}) {
+    SCOPED_TRACE(moves ? "move" : "update");
+    auto points = Cloud<TypeParam>(8).uniform(300);
+    points[11] = points[12] = points[13] = points[10];
+    Stage<TypeParam> stage(points);
+    const auto go = [&] { moves ? stage.move() : stage.update(); };
+    const auto host = stage.dt().vertex(10);
+    stage.points[12] = typename TestFixture::Point(2.1, 3.2);
+    ASSERT_NO_FATAL_FAILURE(go());
+    EXPECT_FALSE(stage.report().rebuilt());
+    EXPECT_EQ(stage.report().parted, 1u);
+    EXPECT_EQ(stage.dt().vertex(10), host);
+    EXPECT_EQ(stage.dt().vertex(13), host);
+    stage.points[10] = typename TestFixture::Point(12.3, 9.4);
+    ASSERT_NO_FATAL_FAILURE(go());
+    EXPECT_FALSE(stage.report().rebuilt());
+    EXPECT_EQ(stage.dt().vertex(11), stage.dt().vertex(13));
+    EXPECT_EQ(stage.dt().number_of_vertices(), 299u);
+    // host and guest trade: one comes to where the other one is, which is leaving
+    stage.trade(11, 10);
+    ASSERT_NO_FATAL_FAILURE(go());
+    EXPECT_FALSE(stage.report().rebuilt());
+    EXPECT_EQ(stage.dt().vertex(10), stage.dt().vertex(13));
+  }
+}
+
+TYPED_TEST(Jumps, may_be_trades_of_pairs_and_cycles)
+{
+  for (const bool moves : {false, true}) {
+    SCOPED_TRACE(moves ? "move" : "update");
+    Stage<TypeParam> stage(Cloud<TypeParam>(9).uniform(600));
+    const auto go = [&] { moves ? stage.move() : stage.update(); };
+    std::mt19937 random(9);
+    for (const std::size_t pairs : {1u, 1u, 4u, 8u}) {
+      Ids ids = some_ids(600, 2 * pairs, random);
+      std::shuffle(ids.begin(), ids.end(), random);
+      for (std::size_t k = 0; k < ids.size(); k += 2)
+        stage.trade(ids[k], ids[k + 1]);
+      ASSERT_NO_FATAL_FAILURE(go());
+      EXPECT_FALSE(stage.report().rebuilt()) << pairs << " pairs";
+      EXPECT_LE(stage.report().relocated, 2 * pairs);
+      EXPECT_EQ(stage.report().merged, 0u);
+    }
+    for (const std::size_t length : {3u, 5u, 12u}) {
+      Ids ids = some_ids(600, length, random);
+      std::shuffle(ids.begin(), ids.end(), random);
+      stage.shift(ids);
+      ASSERT_NO_FATAL_FAILURE(go());
+      EXPECT_FALSE(stage.report().rebuilt()) << "cycle of " << length;
+      EXPECT_EQ(stage.report().merged, 0u);
+    }
+    // so many that no update would be worth it
+    Ids all(600);
+    std::iota(all.begin(), all.end(), std::size_t(0));
+    stage.shift(all);
+    ASSERT_NO_FATAL_FAILURE(go());
+  }
+}
+
+TYPED_TEST(Jumps, may_be_trades_of_neighbors_and_of_shared_vertices)
+{
+  auto points = Cloud<TypeParam>(10).uniform(300);
+  points[1] = points[2] = points[0];
+  points[11] = points[10];
+  Stage<TypeParam> stage(points);
+  std::mt19937 random(10);
+  for (int round = 0; round < 4; ++round) {
+    const auto place = stage.points[0];
+    const auto first = stage.dt().vertex(0), second = stage.dt().vertex(10);
+    for (const std::size_t id : {0u, 1u, 2u})
+      stage.points[id] = stage.points[10];
+    stage.points[10] = stage.points[11] = place;
+    ASSERT_NO_FATAL_FAILURE(round % 2 == 0 ? stage.update() : stage.move());
+    EXPECT_FALSE(stage.report().rebuilt());
+    EXPECT_EQ(stage.dt().vertex(2), first);
+    EXPECT_EQ(stage.dt().vertex(11), second);
+    EXPECT_EQ(stage.dt().number_of_vertices(), 297u);
+  }
+  for (int round = 0; round < 20; ++round) {
+    const std::size_t i = 20 + random() % 200;
+    const Ids neighbors = neighbors_of(stage.dt(), stage.dt().id(stage.dt().vertex(i)));
+    const std::size_t j = neighbors[random() % neighbors.size()];
+    if (j < 20)
+      continue;
+    stage.trade(i, j);
+    ASSERT_NO_FATAL_FAILURE(round % 2 == 0 ? stage.update() : stage.move());
+    EXPECT_FALSE(stage.report().rebuilt());
+  }
+}
+
+TYPED_TEST(Jumps, may_leave_the_hull_and_come_back_from_far_away)
+{
+  Stage<TypeParam> stage(Cloud<TypeParam>(11).uniform(300));
+  const auto home = stage.points;
+  for (const double far : {30., 1e3, 1e6, 1e12, 1e100}) {
+    SCOPED_TRACE(testing::Message() << "far " << far);
+    stage.points[5] = typename TestFixture::Point(far, 3);
+    stage.points[77] = typename TestFixture::Point(-1, -far);
+    ASSERT_NO_FATAL_FAILURE(stage.update());
+    EXPECT_FALSE(stage.report().rebuilt());
+    stage.points = home;
+    ASSERT_NO_FATAL_FAILURE(stage.update());
+    EXPECT_FALSE(stage.report().rebuilt());
+    EXPECT_LE(stage.report().flips, 100u);
+  }
+}
+
+TYPED_TEST(Jumps, may_be_those_of_the_hull)
+{
+  Stage<TypeParam> stage(Cloud<TypeParam>(12).uniform(300));
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> coordinate(2, 15);
+  for (int round = 0; round < 6; ++round) {
+    SCOPED_TRACE(testing::Message() << "round " << round);
+    const Ids hull = hull_of(stage.dt());
+    const auto before = stage.points;
+    for (std::size_t k = 0; k < hull.size(); k += round == 5 ? 1 : 2) {
+      const double x = coordinate(random);
+      stage.points[hull[k]] = typename TestFixture::Point(x, coordinate(random));
+    }
+    ASSERT_NO_FATAL_FAILURE(round % 2 == 0 ? stage.update() : stage.move());
+    stage.points = before;
+    ASSERT_NO_FATAL_FAILURE(stage.update());
+  }
+  // a hull that is nothing but corners, one after the other into the middle
+  Stage<TypeParam> corners(Cloud<TypeParam>::grid(9, 9));
+  for (const std::size_t id : {0u, 8u, 72u, 80u}) {
+    corners.points[id] = typename TestFixture::Point(4.25, 3.5 + double(id) / 160);
+    ASSERT_NO_FATAL_FAILURE(corners.update());
+    EXPECT_FALSE(corners.report().rebuilt());
+    EXPECT_EQ(corners.report().relocated, 1u);
+  }
+}
+
+TYPED_TEST(Jumps, may_be_those_of_neighbors_together)
+{
+  Stage<TypeParam> stage(Cloud<TypeParam>(13).uniform(600));
+  int rebuilds = 0;
+  for (std::size_t id = 0; id < 600; id += 25) {
+    SCOPED_TRACE(testing::Message() << "id " << id);
+    Ids flock = neighbors_of(stage.dt(), id);
+    flock.push_back(id);
+    for (const double dx : {7.3, -7.3}) {
+      for (const std::size_t i : flock)
+        stage.points[i] = typename TestFixture::Point(CGAL::to_double(stage.points[i].x()) + dx,
+                                                      stage.points[i].y());
+      ASSERT_NO_FATAL_FAILURE(stage.update());
+      rebuilds += stage.report().rebuilt();
+      if (!stage.report().rebuilt()) {
+        EXPECT_LE(stage.report().relocated, 2 * flock.size());
+      }
+    }
+  }
+  EXPECT_LE(rebuilds, 12) << "of 48 frames";
+}
+
+TYPED_TEST(Jumps, are_right_however_few_points_there_are)
+{
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    const bool is_lattice = seed % 2 == 0;
+    const auto place = [&] {
+      if (is_lattice) {
+        const int x = int(random() % 4);
+        return typename TestFixture::Point(x, int(random() % 4));
+      }
+      const double x = double(random() % 1000);
+      return typename TestFixture::Point(x, double(random() % 1000));
+    };
+    typename TestFixture::Points points;
+    for (unsigned i = 0; i < 3 + seed / 2 % 5; ++i)
+      points.push_back(place());
+    Stage<TypeParam> stage(points);
+    for (int frame = 0; frame < 8; ++frame) {
+      for (std::size_t count = 1 + random() % points.size(); count > 0; --count)
+        stage.points[random() % points.size()] = place();
+      ASSERT_NO_FATAL_FAILURE(frame % 2 == 0 ? stage.update() : stage.move());
+    }
+  }
+}
+
+TYPED_TEST(Jumps, may_be_those_of_all_but_three)
+{
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Cloud<TypeParam> cloud(seed);
+    Stage<TypeParam> stage(cloud.uniform(60));
+    for (const std::size_t count : {57u, 59u, 60u, 30u, 57u}) {
+      jump<TypeParam>(stage.points, count, 0, 8, 0, cloud.random());
+      ASSERT_NO_FATAL_FAILURE(seed % 2 == 0 ? stage.update() : stage.move());
+    }
+  }
+}
+
+// The budget for mending may be spent; then there is a rebuild, and not earlier, and never a loss.
+TEST(Jumps_of_many, end_exact_whatever_they_cost)
+{
+  std::vector<Epick::Point_2> parabola;
+  for (int i = -500; i < 500; ++i)
+    parabola.emplace_back(i / 8., i * i / 64.);
+  std::mt19937 random(14);
+  for (const auto& points : {parabola, Cloud<Epick>(14).uniform(1000)}) {
+    Stage<Epick> stage(points);
+    for (const std::size_t count : {10u, 10u, 30u, 100u, 200u, 400u, 10u}) {
+      SCOPED_TRACE(testing::Message() << count << " jump");
+      jump<Epick>(stage.points, count, 0, 30, 0, random);
+      ASSERT_NO_FATAL_FAILURE(stage.update());
+    }
+    stage.points = points;
+    ASSERT_NO_FATAL_FAILURE(stage.update());
+    stage.points.assign(points.rbegin(), points.rend());
+    ASSERT_NO_FATAL_FAILURE(stage.update());
+  }
+}
+
+TEST(Jumps_of_a_few_of_thousands, cost_little_and_move_nobody_else)
+{
+  Stage<Epick> stage(Cloud<Epick>(15).uniform(3000));
+  std::mt19937 random(15);
+  for (int frame = 0; frame < 3; ++frame) {
+    const Ids jumpers = jump<Epick>(stage.points, 5, 2, 52, 10, random);
+    ASSERT_NO_FATAL_FAILURE(stage.update());
+    EXPECT_FALSE(stage.report().rebuilt());
+    EXPECT_LT(stage.report().flips, 200u);
+    EXPECT_EQ(stage.report().growths, 0u);
+    EXPECT_EQ(stage.report().spliced, 0u);
+    EXPECT_EQ(stage.relocated(), jumpers);
+    EXPECT_EQ(stage.report().relocated, 5u);
+  }
+  // meetings cost what meets, not everything
+  const Ids ids = some_ids(3000, 20, random);
+  for (std::size_t k = 0; k < ids.size(); k += 2)
+    stage.points[ids[k]] = stage.points[ids[k + 1]];
+  ASSERT_NO_FATAL_FAILURE(stage.update());
+  EXPECT_FALSE(stage.report().rebuilt());
+  EXPECT_EQ(stage.report().merged, 10u);
+  EXPECT_LT(stage.report().flips, 300u);
+}
+
+// -------------------------------------------------------------------------------------------------
+// Points that move alone.
+
+TEST(Movers, trade_places_among_thousands_without_a_rebuild)
+{
+  Stage<Epick> stage(Cloud<Epick>(20).uniform(3000));
+  std::mt19937 random(20);
+  for (int frame = 0; frame < 3; ++frame) {
+    Ids ids = some_ids(3000, 7, random);
+    std::shuffle(ids.begin(), ids.end(), random);
+    stage.shift(ids);
+    ASSERT_NO_FATAL_FAILURE(stage.move());
+    EXPECT_FALSE(stage.report().rebuilt());
+    EXPECT_EQ(stage.report().relocated, 7u);
+    EXPECT_EQ(stage.report().merged, 0u);
+    EXPECT_LT(stage.report().flips, 300u);
+  }
+}
+
+TEST(Movers, go_near_and_far_trade_and_meet_in_one_call)
+{
+  Cloud<Epick> cloud(21);
+  Stage<Epick> stage(cloud.uniform(800));
+  auto& random = cloud.random();
+  for (int frame = 0; frame < 25; ++frame) {
+    SCOPED_TRACE(testing::Message() << "frame " << frame);
+    Ids ids = some_ids(800, 20, random);
+    std::shuffle(ids.begin(), ids.end(), random);
+    for (std::size_t k = 0; k < 10; ++k)
+      stage.points[ids[k]] = cloud.shifted(stage.points[ids[k]], std::pow(10., double(k) - 8));
+    for (std::size_t k = 10; k < 16; k += 2)
+      stage.trade(ids[k], ids[k + 1]);
+    stage.points[ids[16]] = stage.points[ids[17]]; // onto one that stays
+    stage.points[ids[18]] = stage.points[ids[0]];  // onto one that comes there
+    stage.points[ids[19]] = stage.points[ids[10]];
+    ASSERT_NO_FATAL_FAILURE(stage.move());
+    EXPECT_FALSE(stage.report().rebuilt());
+  }
+}
+
+// -------------------------------------------------------------------------------------------------
+// Populations.
+
+template <class Dynamic>
+class Crowd
+{
+public:
+  using Point = typename Dynamic::Point;
+  using Frame = std::map<int, Point>;
+  using People = CGAL::Dynamic_population_2<Dynamic, int>;
+
+  explicit Crowd(Dynamic&& dt = Dynamic())
+    : people(std::move(dt))
+  {
+  }
+
+  People people;
+  Frame frame; // who shall be where
+  bool is_exact = true;
+
+  const CGAL::Update_report_2& report() const { return m_report; }
+
+  // In the order of the frame, or any other.
+  void update(std::mt19937* random = nullptr)
+  {
+    std::vector<std::pair<int, Point>> range(frame.begin(), frame.end());
+    if (random != nullptr)
+      std::shuffle(range.begin(), range.end(), *random);
+    const auto ids = expected_ids(range);
+    const auto handles = handles_of(people.triangulation());
+    std::size_t newcomers = 0;
+    for (const auto& person : frame)
+      newcomers += m_ids.count(person.first) == 0;
+    m_most = std::max(m_most, frame.size());
+    const std::size_t removed = m_ids.size() + newcomers - frame.size();
+    m_report = people.update(range.begin(), range.end());
+    ASSERT_EQ(m_report.inserted, newcomers);
+    ASSERT_EQ(m_report.removed, removed);
+    for (const auto& [user_id, id] : ids)
+      ASSERT_EQ(people.id(user_id), id) << "user's id " << user_id;
+    const auto& dt = people.triangulation();
+    for (const auto& [id, vertex] : handles)
+      if (dt.has_id(id) && m_ids.count(people.user_id(id)) && m_ids.at(people.user_id(id)) == id &&
+          dt.id(dt.vertex(id)) == id) {
+        ASSERT_EQ(dt.vertex(id), vertex) << "id " << id;
+      }
+    m_ids = ids;
+    ASSERT_NO_FATAL_FAILURE(check());
+  }
+
+  // Those whose places have changed; all are there already.
+  void move()
+  {
+    std::vector<std::pair<int, Point>> movers;
+    for (const auto& person : frame)
+      if (people.point(person.first) != person.second)
+        movers.push_back(person);
+    m_report = people.move(movers.begin(), movers.end());
+    ASSERT_NO_FATAL_FAILURE(check());
+  }
+
+  // All is as the frame says.
+  void check()
+  {
+    const auto& dt = people.triangulation();
+    ASSERT_EQ(people.size(), frame.size());
+    ASSERT_EQ(dt.number_of_points(), frame.size());
+    ASSERT_EQ(dt.number_of_ids(), m_most);
+    ASSERT_EQ(m_report.certified, dt.is_certified());
+    Model<Dynamic> model;
+    for (const auto& [user_id, p] : frame) {
+      ASSERT_TRUE(people.has(user_id)) << "user's id " << user_id;
+      ASSERT_EQ(people.point(user_id), p) << "user's id " << user_id;
+      const std::size_t id = people.id(user_id);
+      ASSERT_EQ(id, m_ids.at(user_id)) << "user's id " << user_id;
+      ASSERT_EQ(people.user_id(id), user_id);
+      ASSERT_EQ(people.vertex(user_id), dt.vertex(id));
+      const int host = people.user_id(people.vertex(user_id));
+      ASSERT_EQ(frame.at(host), p) << "user's id " << user_id << ", a guest of " << host;
+      ASSERT_TRUE(model.emplace(id, p).second);
+    }
+    if (is_exact)
+      ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model));
+    else
+      ASSERT_NO_FATAL_FAILURE(expect_valid(dt, model));
+    ASSERT_FALSE(testing::Test::HasFailure());
+  }
+
+  std::size_t most() const { return m_most; }
+
+private:
+  // Who stays keeps the id, who comes gets the smallest one that is free after all that go went.
+  std::map<int, std::size_t> expected_ids(const std::vector<std::pair<int, Point>>& range) const
+  {
+    std::map<int, std::size_t> ids;
+    std::set<std::size_t> taken;
+    for (const auto& [user_id, id] : m_ids)
+      if (frame.count(user_id) > 0) {
+        ids.emplace(user_id, id);
+        taken.insert(id);
+      }
+    std::size_t next = 0;
+    for (const auto& person : range)
+      if (ids.count(person.first) == 0) {
+        while (!taken.insert(next).second)
+          ++next;
+        ids.emplace(person.first, next);
+      }
+    return ids;
+  }
+
+  CGAL::Update_report_2 m_report;
+  std::map<int, std::size_t> m_ids; // of those who are there
+  std::size_t m_most = 0;
+};
+
+template <class Kernel>
+class Populations : public testing::Test
+{
+protected:
+  using Point = typename Kernel::Point_2;
+  using Watched_crowd = Crowd<Visited<Kernel>>;
+
+  static void settle(Watched_crowd& crowd, std::size_t number, unsigned seed)
+  {
+    int user_id = 100;
+    for (const Point& p : Cloud<Kernel>(seed).uniform(number))
+      crowd.frame.emplace(user_id += 3, p);
+    crowd.update();
+  }
+
+  static int user_id(std::size_t place) { return 103 + 3 * int(place); }
+};
+
+TYPED_TEST_SUITE(Populations, Kernels);
+
+TYPED_TEST(Populations, go_come_move_and_jump_in_one_frame_which_is_one_update)
+{
+  typename TestFixture::Watched_crowd crowd;
+  ASSERT_NO_FATAL_FAILURE(this->settle(crowd, 400, 30));
+  Cloud<TypeParam> cloud(30);
+  auto& random = cloud.random();
+  std::uniform_real_distribution<double> coordinate(1, 18);
+  const auto place = [&] {
+    const double x = coordinate(random);
+    return typename TestFixture::Point(x, coordinate(random));
+  };
+  int next = 5000;
+  for (int frame = 0; frame < 10; ++frame) {
+    SCOPED_TRACE(testing::Message() << "frame " << frame);
+    if (frame % 2 == 0)
+      for (auto& person : crowd.frame)
+        person.second = cloud.shifted(person.second, 0.02);
+    for (int i = 0; i < 4; ++i)
+      crowd.frame.erase(std::next(crowd.frame.begin(), int(random() % crowd.frame.size())));
+    for (int i = 0; i < 4; ++i)
+      crowd.frame.emplace(next++, place());
+    for (int i = 0; i < 3; ++i)
+      std::next(crowd.frame.begin(), int(random() % crowd.frame.size()))->second = place();
+    const auto& visitor = crowd.people.triangulation().visitor();
+    const int visits = visitor.begun();
+    ASSERT_NO_FATAL_FAILURE(crowd.update(frame % 3 == 0 ? &random : nullptr));
+    EXPECT_FALSE(crowd.report().rebuilt());
+    EXPECT_LE(crowd.report().relocated, 6u) << "three jump";
+    EXPECT_EQ(visitor.begun(), visits + 1);
+    EXPECT_EQ(visitor.finished(), visits + 1);
+    EXPECT_EQ(crowd.people.triangulation().number_of_ids(), 400u);
+  }
+}
+
+TYPED_TEST(Populations, let_newcomers_take_the_places_of_those_who_went_and_sit_on_others)
+{
+  typename TestFixture::Watched_crowd crowd;
+  ASSERT_NO_FATAL_FAILURE(this->settle(crowd, 200, 31));
+  const auto gone = crowd.frame.at(this->user_id(7));
+  const auto stays = crowd.frame.at(this->user_id(8));
+  const auto moves = crowd.frame.at(this->user_id(9));
+  crowd.frame.erase(this->user_id(7));
+  crowd.frame.emplace(1, gone);  // at the place of one who went
+  crowd.frame.emplace(2, stays); // onto one who stays
+  crowd.frame.emplace(3, moves); // to the place of one who jumps away
+  crowd.frame[this->user_id(9)] = typename TestFixture::Point(3.25, 4.75);
+  crowd.frame.emplace(4, typename TestFixture::Point(3.25, 4.75)); // onto one who jumps there
+  crowd.frame.emplace(5, typename TestFixture::Point(6.5, 4.75));
+  crowd.frame.emplace(6, typename TestFixture::Point(6.5, 4.75)); // both new
+  ASSERT_NO_FATAL_FAILURE(crowd.update());
+  EXPECT_FALSE(crowd.report().rebuilt());
+  EXPECT_EQ(crowd.report().inserted, 6u);
+  EXPECT_EQ(crowd.report().removed, 1u);
+  EXPECT_EQ(crowd.people.id(1), 7u);
+  EXPECT_EQ(crowd.people.triangulation().number_of_ids(), 205u);
+  EXPECT_EQ(crowd.people.triangulation().number_of_vertices(), 202u);
+  EXPECT_EQ(crowd.people.vertex(2), crowd.people.vertex(this->user_id(8)));
+  EXPECT_EQ(crowd.people.vertex(4), crowd.people.vertex(this->user_id(9)));
+  EXPECT_EQ(crowd.people.vertex(5), crowd.people.vertex(6));
+}
+
+TYPED_TEST(Populations, lose_hosts_whose_guests_stay_part_or_jump_in_the_same_frame)
+{
+  for (unsigned way = 0; way < 16; ++way) {
+    SCOPED_TRACE(testing::Message() << "way " << way);
+    typename TestFixture::Watched_crowd crowd;
+    ASSERT_NO_FATAL_FAILURE(this->settle(crowd, 100, 32));
+    const auto place = crowd.frame.at(this->user_id(50));
+    for (int id = 1; id <= 4; ++id)
+      crowd.frame.emplace(id, place);
+    ASSERT_NO_FATAL_FAILURE(crowd.update());
+    EXPECT_EQ(crowd.people.triangulation().number_of_vertices(), 100u);
+    crowd.frame.erase(this->user_id(50));
+    for (int id = 1; id <= 4; ++id) {
+      if (way & 1)
+        crowd.frame[id] = typename TestFixture::Point(2.5 + (way & 2 ? id : 0), 6.75);
+      if (id == 2 && (way & 4))
+        crowd.frame.erase(id);
+      if (id == 3 && (way & 8))
+        crowd.frame[id] = crowd.frame.at(this->user_id(0));
+    }
+    ASSERT_NO_FATAL_FAILURE(crowd.update());
+    EXPECT_FALSE(crowd.report().rebuilt());
+    ASSERT_NO_FATAL_FAILURE(crowd.update());
+    EXPECT_EQ(crowd.report().flips, 0u);
+  }
+}
+
+TYPED_TEST(Populations, are_replaced_and_dwindle_to_nobody_and_grow_again)
+{
+  typename TestFixture::Watched_crowd crowd;
+  Cloud<TypeParam> cloud(33);
+  int next = 0;
+  for (const std::size_t number : {30u, 30u, 3u, 2u, 2u, 1u, 1u, 0u, 0u, 1u, 2u, 3u, 4u, 60u, 5u,
+                                   3u, 60u, 0u, 10u}) {
+    SCOPED_TRACE(testing::Message() << "to " << number);
+    const auto points = cloud.uniform(number);
+    // all are others
+    crowd.frame.clear();
+    for (const auto& p : points)
+      crowd.frame.emplace(next++, p);
+    ASSERT_NO_FATAL_FAILURE(crowd.update());
+    // in a line
+    for (auto& person : crowd.frame)
+      person.second = typename TestFixture::Point(person.first, 2 * person.first);
+    ASSERT_NO_FATAL_FAILURE(crowd.update());
+    // some are others, and all leave the line
+    if (number > 1)
+      crowd.frame.erase(crowd.frame.begin());
+    for (auto& person : crowd.frame)
+      person.second = cloud.shifted(person.second, 1);
+    crowd.frame.emplace(next++, typename TestFixture::Point(1, 2));
+    ASSERT_NO_FATAL_FAILURE(crowd.update());
+  }
+  EXPECT_EQ(crowd.people.triangulation().number_of_ids(), crowd.most());
+}
+
+TYPED_TEST(Populations, lose_the_last_point_beside_a_line_while_another_one_comes_or_jumps)
+{
+  for (const bool comes : {false, true}) {
+    typename TestFixture::Watched_crowd crowd;
+    for (int i = 0; i < 30; ++i)
+      crowd.frame.emplace(i, typename TestFixture::Point(i, 0));
+    crowd.frame.emplace(30, typename TestFixture::Point(12, 5));
+    ASSERT_NO_FATAL_FAILURE(crowd.update());
+    crowd.frame.erase(30);
+    if (comes)
+      crowd.frame.emplace(40, typename TestFixture::Point(3, -1));
+    else
+      crowd.frame[7] = typename TestFixture::Point(3, -1);
+    ASSERT_NO_FATAL_FAILURE(crowd.update());
+    crowd.frame.erase(comes ? 40 : 7);
+    ASSERT_NO_FATAL_FAILURE(crowd.update());
+    crowd.frame.emplace(50, typename TestFixture::Point(3, 8));
+    ASSERT_NO_FATAL_FAILURE(crowd.update());
+  }
+}
+
+// -------------------------------------------------------------------------------------------------
+// A random program.
+
+// Where the points of a crowd go next, if they may do anything.
+template <class Dynamic>
+class Program
+{
+public:
+  Program(unsigned seed, std::size_t fewest, std::size_t most, Dynamic&& dt = Dynamic())
+    : m_crowd(std::move(dt))
+    , m_random(seed)
+    , m_fewest(fewest)
+    , m_most(most)
+    , m_is_lattice(seed % 3 == 0)
+    , m_side(m_is_lattice ? 4 + int(random(6)) : 8)
+  {
+    for (std::size_t number = m_fewest + random(m_most - m_fewest + 1); number > 0; --number)
+      come();
+  }
+
+  Crowd<Dynamic>& crowd() { return m_crowd; }
+
+  void play()
+  {
+    auto& frame = m_crowd.frame;
+    const bool moves = random(5) == 0 && !frame.empty() && m_crowd.people.size() > 0;
+    if (random(3) == 0)
+      for (auto& person : frame)
+        person.second = near(person.second);
+    for (std::size_t turns = random(5); turns > 0; --turns)
+      switch (random(moves ? 5 : 8)) {
+      case 0: // one jumps
+        person() = place();
+        break;
+      case 1: // two trade
+        std::swap(person(), person());
+        break;
+      case 2: { // two meet
+        const Point p = person();
+        person() = p;
+        break;
+      }
+      case 3: // who shares parts
+        person() = near(person());
+        break;
+      case 4: { // all at a place go elsewhere
+        const Point p = person(), q = place();
+        for (auto& other : frame)
+          if (other.second == p)
+            other.second = q;
+        break;
+      }
+      case 5:
+        if (frame.size() > m_fewest)
+          frame.erase(any());
+        break;
+      default:
+        if (frame.size() < m_most)
+          come();
+      }
+    if (!moves && random(60) == 0) // everybody goes, and others come
+      for (std::size_t number = std::exchange(frame, {}).size(); number > 0; --number)
+        come();
+    if (moves)
+      m_crowd.move();
+    else
+      m_crowd.update(random(2) == 0 ? &m_random : nullptr);
+  }
+
+private:
+  using Point = typename Dynamic::Point;
+
+  std::size_t random(std::size_t bound) { return m_random() % bound; }
+
+  typename std::map<int, Point>::iterator any()
+  {
+    return std::next(m_crowd.frame.begin(), std::ptrdiff_t(random(m_crowd.frame.size())));
+  }
+
+  Point& person() { return any()->second; }
+
+  // The ids of those who went are used again, now and then.
+  void come()
+  {
+    m_crowd.frame.emplace(int(random(3 * m_most)) - 20,
+                          !m_crowd.frame.empty() && random(5) == 0 ? person() : place());
+  }
+
+  Point place()
+  {
+    if (m_is_lattice) {
+      const int x = int(random(std::size_t(m_side)));
+      return Point(x, int(random(std::size_t(m_side))));
+    }
+    std::uniform_real_distribution<double> coordinate(0, m_side);
+    const double x = coordinate(m_random);
+    return Point(x, coordinate(m_random));
+  }
+
+  Point near(const Point& p)
+  {
+    const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
+    if (m_is_lattice)
+      return random(2) == 0 ? Point(x, y + double(random(3)) - 1) : p;
+    std::normal_distribution<double> step(0, 0.05);
+    const double dx = step(m_random);
+    return Point(x + dx, y + step(m_random));
+  }
+
+  Crowd<Dynamic> m_crowd;
+  std::mt19937 m_random;
+  std::size_t m_fewest, m_most;
+  bool m_is_lattice;
+  int m_side;
+};
+
+template <class Dynamic>
+void expect_right_programs(unsigned programs, int frames, unsigned first_seed = 0)
+{
+  for (unsigned seed = first_seed; seed < first_seed + programs; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const std::size_t fewest = seed % 5 == 4 ? 0 : 4;
+    Program<Dynamic> program(seed, std::max(fewest, std::size_t(1)), 5 + seed % 7 * 9);
+    for (int frame = 0; frame < frames; ++frame) {
+      SCOPED_TRACE(testing::Message() << "frame " << frame);
+      ASSERT_NO_FATAL_FAILURE(program.play());
+    }
+  }
+}
+
+TEST(Programs, of_any_motion_are_right_in_each_frame)
+{
+  ASSERT_NO_FATAL_FAILURE(expect_right_programs<Visited<Epick>>(40, 50));
+}
+
+TEST(Programs, of_any_motion_are_right_with_exact_coordinates)
+{
+  ASSERT_NO_FATAL_FAILURE(expect_right_programs<Visited<Epeck>>(10, 20));
+}
+
+TEST(Programs, of_any_motion_are_right_in_safe_regions)
+{
+  using Dynamic = Visited<Epick, CGAL::Safe_region_classifier_2>;
+  ASSERT_NO_FATAL_FAILURE(expect_right_programs<Dynamic>(10, 40, 1000));
+}
+
+// -------------------------------------------------------------------------------------------------
+// What classifiers are told.
+
+template <class Classifier>
+class Watched : public testing::Test
+{
+};
+
+using Watched_classifiers =
+    testing::Types<CGAL::Circumcircle_classifier_2, CGAL::Safe_region_classifier_2,
+                   CGAL::Inflation_aware_classifier_2, CGAL::Voronoi_circumcenter_classifier_2>;
+TYPED_TEST_SUITE(Watched, Watched_classifiers);
+
+TYPED_TEST(Watched, frames_tell_all_that_is_new)
+{
+  using Dynamic = Watched_triangulation<Epick, TypeParam>;
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Program<Dynamic> program(seed, 20, 60);
+    auto& crowd = program.crowd();
+    crowd.is_exact = TypeParam::is_exact;
+    crowd.people.triangulation().classifier().watch(crowd.people.triangulation());
+    for (int frame = 0; frame < 40; ++frame) {
+      SCOPED_TRACE(testing::Message() << "frame " << frame);
+      ASSERT_NO_FATAL_FAILURE(program.play());
+    }
+  }
+}
+
+TEST(Watched_jumps, are_news)
+{
+  using Dynamic = Watched_triangulation<Epick, CGAL::Circumcircle_classifier_2>;
+  Cloud<Epick> cloud(40);
+  auto points = cloud.uniform(400);
+  Dynamic dt;
+  dt.classifier().watch(dt);
+  Ids ids;
+  dt.insert(points.begin(), points.end(), std::back_inserter(ids));
+  for (int frame = 0; frame < 15; ++frame) {
+    SCOPED_TRACE(testing::Message() << "frame " << frame);
+    if (frame % 3 != 0)
+      cloud.shake(points, 0.02);
+    jump<Epick>(points, 4, 0, 20, 0, cloud.random());
+    points[std::size_t(frame)] = points[std::size_t(frame) + 100];
+    const auto report = dt.update(points.begin(), points.end());
+    EXPECT_FALSE(report.rebuilt());
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+    ASSERT_FALSE(testing::Test::HasFailure());
+  }
+}
+
+// -------------------------------------------------------------------------------------------------
+// Heuristic classifiers.
+
+template <class Classifier>
+class Heuristic : public testing::Test
+{
+};
+
+using Heuristics =
+    testing::Types<CGAL::Point_distance_classifier_2, CGAL::Inflation_aware_classifier_2,
+                   CGAL::Nearly_delaunay_classifier_2, CGAL::Voronoi_edge_length_classifier_2,
+                   CGAL::Voronoi_circumcenter_classifier_2,
+                   CGAL::Estimated_voronoi_circumcenter_classifier_2, CGAL::Random_classifier_2>;
+TYPED_TEST_SUITE(Heuristic, Heuristics);
+
+TYPED_TEST(Heuristic, populations_stay_valid_and_can_be_mended)
+{
+  using Dynamic = Visited<Epick, TypeParam>;
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Program<Dynamic> program(seed, 4, 5 + seed % 7 * 9);
+    auto& crowd = program.crowd();
+    crowd.is_exact = false;
+    for (int frame = 0; frame < 40; ++frame) {
+      SCOPED_TRACE(testing::Message() << "frame " << frame);
+      ASSERT_NO_FATAL_FAILURE(program.play());
+      if (frame % 12 == 11) {
+        ASSERT_TRUE(crowd.people.mend().certified);
+        ASSERT_NO_FATAL_FAILURE(
+            expect_exact(crowd.people.triangulation(), model_of(crowd.people.triangulation())));
+      }
+    }
+  }
+}
+
+// -------------------------------------------------------------------------------------------------
+// Equal calls.
+
+auto numbers_of(const CGAL::Update_report_2& r)
+{
+  return std::make_tuple(r.classified, r.padded, r.border, r.flips, r.splices, r.spliced, r.growths,
+                         r.relocated, r.inserted, r.removed, r.merged, r.parted, r.rebuild_reason,
+                         r.certified);
+}
+
+template <class Dynamic>
+std::vector<std::pair<std::size_t, std::size_t>> listed_edges(const Dynamic& dt)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> edges;
+  dt.for_each_edge([&](std::size_t i, std::size_t j) { edges.emplace_back(i, j); });
+  return edges;
+}
+
+TEST(Equal_calls, have_equal_reports_and_edges)
+{
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Program<Dynamic> one(seed, 4, 40), other(seed, 4, 40);
+    for (int frame = 0; frame < 40; ++frame) {
+      ASSERT_NO_FATAL_FAILURE(one.play());
+      // memory is elsewhere
+      const auto in_the_way = std::make_unique<std::vector<int>>(1000);
+      ASSERT_NO_FATAL_FAILURE(other.play());
+      ASSERT_EQ(numbers_of(one.crowd().report()), numbers_of(other.crowd().report()));
+      ASSERT_EQ(listed_edges(one.crowd().people.triangulation()),
+                listed_edges(other.crowd().people.triangulation()));
+    }
+  }
+}
+
+TEST(Equal_calls, have_equal_results_on_jumps_among_many)
+{
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
+  Cloud<Epick> cloud(50);
+  auto points = cloud.uniform(500);
+  Dynamic one(points.begin(), points.end()), other(points.begin(), points.end());
+  for (const std::size_t count : {1u, 5u, 20u, 80u, 500u}) {
+    cloud.shake(points, 0.03);
+    jump<Epick>(points, count, 0, 22, 0, cloud.random());
+    const auto report = one.update(points.begin(), points.end());
+    ASSERT_EQ(numbers_of(report), numbers_of(other.update(points.begin(), points.end())));
+    ASSERT_EQ(listed_edges(one), listed_edges(other));
+  }
+}
+
+// -------------------------------------------------------------------------------------------------
+// What goes wrong.
+
+// Refuses to be asked, once it is told so.
+class Refusing_classifier : public CGAL::Circumcircle_classifier_2
+{
+public:
+  void refuse() const { *m_refuses = true; }
+
+  template <class Frame, class Classification>
+  void operator()(const Frame& frame, Classification& classified)
+  {
+    if (std::exchange(*m_refuses, false))
+      throw Refusal();
+    CGAL::Circumcircle_classifier_2::operator()(frame, classified);
+  }
+
+private:
+  std::shared_ptr<bool> m_refuses = std::make_shared<bool>(false);
+};
+
+class Wrong_frames : public testing::Test
+{
+protected:
+  using Dynamic = Visited<Epick, Refusing_classifier>;
+  using Frame = Crowd<Dynamic>::Frame;
+  using Range = std::vector<std::pair<int, Epick::Point_2>>;
+
+  void SetUp() override
+  {
+    int user_id = 0;
+    for (const auto& p : m_cloud.uniform(600))
+      m_crowd.frame.emplace(user_id++, p);
+    m_crowd.frame[20] = m_crowd.frame[21] = m_crowd.frame[22];
+    ASSERT_NO_FATAL_FAILURE(m_crowd.update());
+    // the ids of the triangulation are no longer the user's
+    m_crowd.frame.erase(5);
+    m_crowd.frame.emplace(800, Epick::Point_2(2, 3));
+    ASSERT_NO_FATAL_FAILURE(m_crowd.update());
+  }
+
+  // Some go, whose ids those get that come; a few jump, a host goes, some meet.
+  Frame next_frame()
+  {
+    Frame next = m_crowd.frame;
+    for (auto& person : next)
+      person.second = m_cloud.shifted(person.second, 0.02);
+    for (const int user_id : {3, 4, 20, 599})
+      next.erase(user_id);
+    next.emplace(900, Epick::Point_2(5, 5.5));
+    next.emplace(901, Epick::Point_2(6, 5.5));
+    next[50] = Epick::Point_2(1, 2);
+    next[51] = next[52];
+    return next;
+  }
+
+  template <class Error, class Call>
+  void expect_nothing_changes(const Call& call)
+  {
+    const auto& dt = m_crowd.people.triangulation();
+    ASSERT_TRUE(dt.is_certified());
+    const auto edges = edges_of(dt);
+    const auto handles = handles_of(dt);
+    const std::size_t ids = dt.number_of_ids();
+    EXPECT_THROW(call(), Error);
+    EXPECT_TRUE(dt.is_certified());
+    EXPECT_EQ(dt.number_of_ids(), ids);
+    EXPECT_TRUE(edges_of(dt) == edges);
+    EXPECT_TRUE(handles_of(dt) == handles);
+    for (const int user_id : {900, 901})
+      EXPECT_FALSE(m_crowd.people.has(user_id)) << "user's id " << user_id;
+    ASSERT_NO_FATAL_FAILURE(m_crowd.check());
+  }
+
+  void update(const Frame& frame)
+  {
+    const Range range(frame.begin(), frame.end());
+    m_crowd.people.update(range.begin(), range.end());
+  }
+
+  void expect_next_frame_is_right()
+  {
+    m_crowd.frame = next_frame();
+    ASSERT_NO_FATAL_FAILURE(m_crowd.update());
+    EXPECT_FALSE(m_crowd.report().rebuilt());
+  }
+
+  Cloud<Epick> m_cloud{60};
+  Crowd<Dynamic> m_crowd;
+};
+
+TEST_F(Wrong_frames, that_the_classifier_refuses_change_nothing)
+{
+  ASSERT_NO_FATAL_FAILURE(expect_nothing_changes<Refusal>([this] {
+    m_crowd.people.triangulation().classifier().refuse();
+    update(next_frame());
+  }));
+  ASSERT_NO_FATAL_FAILURE(expect_next_frame_is_right());
+}
+
+TEST_F(Wrong_frames, that_the_visitor_refuses_change_nothing)
+{
+  ASSERT_NO_FATAL_FAILURE(expect_nothing_changes<Refusal>([this] {
+    m_crowd.people.visitor().refuse();
+    update(next_frame());
+  }));
+  ASSERT_NO_FATAL_FAILURE(expect_next_frame_is_right());
+}
+
+TEST_F(Wrong_frames, that_the_visitor_refuses_do_not_lose_who_has_come_before)
+{
+  // 800 came by the last frame
+  ASSERT_NO_FATAL_FAILURE(expect_nothing_changes<Refusal>([this] {
+    m_crowd.people.visitor().refuse();
+    m_crowd.people.remove(800);
+  }));
+  ASSERT_NO_FATAL_FAILURE(expect_nothing_changes<Refusal>([this] {
+    Frame next = m_crowd.frame;
+    next.erase(800);
+    m_crowd.people.visitor().refuse();
+    update(next);
+  }));
+  ASSERT_NO_FATAL_FAILURE(expect_nothing_changes<Refusal>([this] {
+    m_crowd.people.visitor().refuse();
+    m_crowd.people.insert(900, Epick::Point_2(4, 4));
+  }));
+  ASSERT_NO_FATAL_FAILURE(expect_next_frame_is_right());
+}
+
+TEST_F(Wrong_frames, with_what_is_no_number_or_repeated_ids_change_nothing)
+{
+  const Frame next = next_frame();
+  for (const int user_id : {50, 900}) {
+    Frame bad = next;
+    bad[user_id] = Epick::Point_2(std::numeric_limits<double>::quiet_NaN(), 1);
+    ASSERT_NO_FATAL_FAILURE(
+        expect_nothing_changes<CGAL::Non_finite_coordinate_error_2>([&] { update(bad); }));
+    Range twice(next.begin(), next.end());
+    twice.emplace_back(user_id, Epick::Point_2(1, 1));
+    ASSERT_NO_FATAL_FAILURE(expect_nothing_changes<CGAL::Repeated_id_error_2>(
+        [&] { m_crowd.people.update(twice.begin(), twice.end()); }));
+  }
+  ASSERT_NO_FATAL_FAILURE(expect_next_frame_is_right());
+}
+
+TEST_F(Wrong_frames, of_jumps_that_the_classifier_refuses_change_nothing)
+{
+  ASSERT_NO_FATAL_FAILURE(expect_nothing_changes<Refusal>([this] {
+    Frame next = m_crowd.frame;
+    std::swap(next[7], next[70]);
+    next[8] = next[80];
+    m_crowd.people.triangulation().classifier().refuse();
+    update(next);
+  }));
+  ASSERT_NO_FATAL_FAILURE(expect_next_frame_is_right());
+}
+
+// Throws at the n-th thing that it is told between the beginning and the end of a call.
+class Interrupter : public CGAL::Delaunay_update_visitor_base_2
+{
+public:
+  void throw_at(int n) { m_left = n; }
+
+  template <class... Arguments>
+  void before_flip(const Arguments&...)
+  {
+    hear();
+  }
+  template <class... Arguments>
+  void before_face_removal(const Arguments&...)
+  {
+    hear();
+  }
+  template <class... Arguments>
+  void after_face_creation(const Arguments&...)
+  {
+    hear();
+  }
+  template <class... Arguments>
+  void after_vertex_creation(const Arguments&...)
+  {
+    hear();
+  }
+  template <class... Arguments>
+  void before_vertex_removal(const Arguments&...)
+  {
+    hear();
+  }
+  template <class... Arguments>
+  void before_vertex_relocation(const Arguments&...)
+  {
+    hear();
+  }
+  template <class... Arguments>
+  void before_vertex_merge(const Arguments&...)
+  {
+    hear();
+  }
+  template <class... Arguments>
+  void after_id_change(const Arguments&...)
+  {
+    hear();
+  }
+
+private:
+  void hear()
+  {
+    if (m_left > 0 && --m_left == 0)
+      throw Refusal();
+  }
+
+  int m_left = -1;
+};
+
+// Mends first, or not at all, when it is told to throw.
+class Failing_repair : public CGAL::Flip_and_splice_repair_2
+{
+public:
+  enum class Way { MENDS, THROWS_BEFORE, THROWS_AFTER_JUMPERS_ARE_OUT, THROWS_AFTER };
+
+  void go(Way way) const { *m_way = way; }
+
+  template <class Mender>
+  void operator()(Mender& mender) const
+  {
+    const Way way = std::exchange(*m_way, Way::MENDS);
+    if (way == Way::THROWS_BEFORE)
+      throw Refusal();
+    if (way == Way::THROWS_AFTER_JUMPERS_ARE_OUT) {
+      mender.take_out_jumpers();
+      throw Refusal();
+    }
+    CGAL::Flip_and_splice_repair_2::operator()(mender);
+    if (way == Way::THROWS_AFTER)
+      throw Refusal();
+  }
+
+private:
+  std::shared_ptr<Way> m_way = std::make_shared<Way>(Way::MENDS);
+};
+
+using Frame = std::map<int, Epick::Point_2>;
+
+Frame frame_of(const Cloud<Epick>::Points& points)
+{
+  Frame frame;
+  for (const auto& p : points)
+    frame.emplace(int(frame.size()), p);
+  for (const int guest : {20, 21})
+    frame[guest] = frame[22];
+  return frame;
+}
+
+// Some go, among them a host; others come, one of them onto another one; some jump and meet.
+Frame next_of(Frame frame, Cloud<Epick>& cloud)
+{
+  for (auto& person : frame)
+    person.second = cloud.shifted(person.second, 0.02);
+  for (const int user_id : {3, 4, 20})
+    frame.erase(user_id);
+  frame[900] = Epick::Point_2(5, 5.5);
+  frame[901] = frame[30];
+  frame[902] = Epick::Point_2(1, 5.5);
+  std::swap(frame[7], frame[270]);
+  frame[50] = Epick::Point_2(1, 2);
+  frame[51] = frame[52];
+  return frame;
+}
+
+template <class People>
+CGAL::Update_report_2 update(People& people, const Frame& frame)
+{
+  const std::vector<std::pair<int, Epick::Point_2>> range(frame.begin(), frame.end());
+  return people.update(range.begin(), range.end());
+}
+
+// Everybody is there who is in `frame`, and nobody else.
+template <class People>
+void expect_people(const People& people, const Frame& frame)
+{
+  ASSERT_EQ(people.size(), frame.size());
+  ASSERT_EQ(people.triangulation().number_of_points(), frame.size());
+  for (const auto& [user_id, p] : frame) {
+    ASSERT_TRUE(people.has(user_id)) << "user's id " << user_id;
+    ASSERT_EQ(people.point(user_id), p) << "user's id " << user_id;
+    ASSERT_EQ(people.user_id(people.id(user_id)), user_id);
+  }
+}
+
+TEST(Visitor_that_throws_amid_a_frame, does_not_keep_it_from_its_end)
+{
+  using Dynamic =
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2, CGAL::Default,
+                                             CGAL::Default, CGAL::Default, Interrupter>;
+  Cloud<Epick> cloud(61);
+  const Frame first = frame_of(cloud.uniform(300)), next = next_of(first, cloud);
+  bool has_thrown = true;
+  for (int n = 1; has_thrown; n += 1 + n / 8) {
+    SCOPED_TRACE(testing::Message() << "thing " << n);
+    CGAL::Dynamic_population_2<Dynamic, int> people;
+    update(people, first);
+    people.visitor().throw_at(n);
+    try {
+      EXPECT_FALSE(update(people, next).rebuilt());
+      has_thrown = false;
+      ASSERT_GT(n, 100) << "it is told more than that";
+    } catch (const Refusal&) {
+    }
+    ASSERT_NO_FATAL_FAILURE(expect_people(people, next));
+    ASSERT_NO_FATAL_FAILURE(expect_exact(people.triangulation(), model_of(people.triangulation())));
+  }
+}
+
+TEST(Repair_that_throws_in_a_frame, leaves_what_the_next_frame_mends)
+{
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2,
+                                                         Failing_repair>;
+  using Way = Failing_repair::Way;
+  Cloud<Epick> cloud(62);
+  const Frame first = frame_of(cloud.uniform(300)), next = next_of(first, cloud);
+  for (const Way way :
+       {Way::THROWS_BEFORE, Way::THROWS_AFTER_JUMPERS_ARE_OUT, Way::THROWS_AFTER}) {
+    SCOPED_TRACE(testing::Message() << "way " << int(way));
+    CGAL::Dynamic_population_2<Dynamic, int> people;
+    update(people, first);
+    people.triangulation().repair().go(way);
+    EXPECT_THROW(update(people, next), Refusal);
+    EXPECT_TRUE(people.triangulation().is_valid(true));
+    // who has gone has gone, and nobody has come
+    Frame between = next;
+    for (const int user_id : {900, 901, 902})
+      between.erase(user_id);
+    ASSERT_NO_FATAL_FAILURE(expect_people(people, between));
+    for (const bool mends : {false, true}) {
+      if (mends) {
+        people.triangulation().repair().go(way);
+        EXPECT_THROW(update(people, first), Refusal);
+        EXPECT_TRUE(people.mend().certified);
+        ASSERT_NO_FATAL_FAILURE(
+            expect_exact(people.triangulation(), model_of(people.triangulation())));
+      }
+      update(people, next);
+      ASSERT_NO_FATAL_FAILURE(expect_people(people, next));
+      ASSERT_NO_FATAL_FAILURE(
+          expect_exact(people.triangulation(), model_of(people.triangulation())));
+    }
+  }
+}
+
+} // namespace
