@@ -63,17 +63,23 @@ public:
   void build_with(const std::vector<Index>& gone, const std::vector<Index>& coming_ids,
                   const std::vector<Point>& coming_points)
   {
-    std::vector<Index> ids = ids_without(gone);
-    std::vector<Point> points;
-    points.reserve(ids.size() + coming_ids.size());
-    for (const Index id : ids)
-      points.push_back(m_maintained.point_of_id(id));
-    points.insert(points.end(), coming_points.begin(), coming_points.end());
-    ids.insert(ids.end(), coming_ids.begin(), coming_ids.end());
-    Index number_of_ids = m_maintained.ids.number_of_ids();
-    for (const Index id : coming_ids)
-      number_of_ids = (std::max)(number_of_ids, id + 1);
-    build(std::move(ids), std::move(points), number_of_ids);
+    try {
+      std::vector<Index> ids = ids_without(gone);
+      std::vector<Point> points;
+      points.reserve(ids.size() + coming_ids.size());
+      for (const Index id : ids)
+        points.push_back(m_maintained.point_of_id(id));
+      points.insert(points.end(), coming_points.begin(), coming_points.end());
+      ids.insert(ids.end(), coming_ids.begin(), coming_ids.end());
+      Index number_of_ids = m_maintained.ids.number_of_ids();
+      for (const Index id : coming_ids)
+        number_of_ids = (std::max)(number_of_ids, id + 1);
+      build(std::move(ids), std::move(points), number_of_ids);
+    } catch (...) {
+      m_goes.clear();
+      throw;
+    }
+    m_goes.clear();
   }
 
   // A fresh triangulation of the points where they are now. The vertices keep their numbers while
@@ -138,18 +144,21 @@ private:
   // BUILDING ------------------------------------------------------------------------------------
 
   // Hosts first.
-  std::vector<Index> ids_without(const std::vector<Index>& gone) const
+  std::vector<Index> ids_without(const std::vector<Index>& gone)
   {
     std::vector<Index> ids = m_maintained.ids.hosts_and_guests();
     if (gone.empty())
       return ids;
-    std::vector<bool> goes(m_maintained.ids.number_of_ids());
+    m_goes.assign(m_maintained.ids.number_of_ids(), false);
     for (const Index id : gone)
-      goes[id] = true;
-    ids.erase(std::remove_if(ids.begin(), ids.end(), [&](Index id) { return goes[id]; }),
+      m_goes[id] = true;
+    ids.erase(std::remove_if(ids.begin(), ids.end(), [this](Index id) { return goes(id); }),
               ids.end());
     return ids;
   }
+
+  // Whether the point with this id goes: another one may come, and get its id, but not its vertex.
+  bool goes(Index id) const { return id < m_goes.size() && m_goes[id]; }
 
   // False if the vertices need new numbers: points have come together, or may part, or those that
   // follow each other in space have numbers far apart.
@@ -195,8 +204,8 @@ private:
     fresh.append(m_maintained.triangulation.infinite_vertex());
     for (Index v = 1; v <= ids.number_of_hosts(); ++v) {
       const Index id = ids.host(v);
-      fresh.append(is_host(id, old_ids) ? m_maintained.vertices[old_ids.vertex(id)]
-                                        : m_maintained.triangulation.tds().create_vertex(),
+      fresh.append(keeps_vertex(id, old_ids) ? m_maintained.vertices[old_ids.vertex(id)]
+                                             : m_maintained.triangulation.tds().create_vertex(),
                    m_numbering.point(v));
     }
   }
@@ -217,12 +226,12 @@ private:
       auto& visitor_calls = m_maintained.visitor_calls;
       const Ids& ids = m_maintained.ids;
       for_each_vertex([&](Vertex_handle v, Index id) {
-        if (!is_host(id, ids_before))
+        if (!keeps_vertex(id, ids_before))
           visitor_calls.after_vertex_creation(v, id);
       });
       for (Index v = 1; v < Index(vertices_before.size()); ++v) {
         const Index id = ids_before.host(v);
-        if (!ids.is_taken(id))
+        if (!ids.is_taken(id) || goes(id))
           visitor_calls.before_vertex_removal(vertices_before[v], id);
         else if (!ids.is_host(id))
           visitor_calls.before_vertex_merge(vertices_before[v], id,
@@ -232,6 +241,7 @@ private:
   }
 
   static bool is_host(Index id, const Ids& ids) { return ids.is_taken(id) && ids.is_host(id); }
+  bool keeps_vertex(Index id, const Ids& ids) const { return is_host(id, ids) && !goes(id); }
 
   // Of those vertices that their hosts do not have elsewhere.
   void delete_vertices(const std::vector<Vertex_handle>& vertices, const Ids& ids,
@@ -239,7 +249,7 @@ private:
   {
     for (Index v = 1; v < Index(vertices.size()); ++v) {
       const Index id = ids.host(v);
-      if (!is_host(id, elsewhere))
+      if (!keeps_vertex(id, elsewhere))
         m_maintained.triangulation.tds().delete_vertex(vertices[v]);
     }
   }
@@ -413,6 +423,7 @@ private:
   Maintained& m_maintained;
   Vertex_order_2<Maintained> m_vertex_order;
   Point_numbering_2<Maintained> m_numbering;
+  std::vector<bool> m_goes; // each id, while others come
   Static_triangulator_2<Maintained> m_triangulator;
 };
 
