@@ -172,9 +172,9 @@ public:
       const std::vector<Index>& edges = round == 0 ? m_open.uncertain() : m_open.opened_last();
       m_budget.spend(edges.size() * Repair_budget_2::look_for_jumpers);
       const std::vector<Index>& jumpers = m_jumpers.find_jumpers(edges);
-      // each of them is one point that goes, and one that comes
+      // each of them is one point that goes, and one that comes, and half of that for the search
       if (Repair_budget_2::is_rebuild_cheaper(m_maintained.number_of_vertices(), 0,
-                                              m_changes + 2 * jumpers.size()))
+                                              m_changes + 3 * jumpers.size()))
         return rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
       if (!take_out(jumpers))
         return;
