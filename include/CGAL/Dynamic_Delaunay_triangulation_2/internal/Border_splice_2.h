@@ -123,6 +123,7 @@ private:
 
   Splice_result_2 splice_cluster(Topology_editor_2<Maintained>& editor, Limits& limits)
   {
+    constexpr std::size_t gentle_growths = 3;
     const std::size_t first_size = m_cluster.size();
     for (std::size_t growths = 0;; ++growths) {
       collect_old_faces();
@@ -141,7 +142,7 @@ private:
       }
       if (growths == limits.most_growths)
         break;
-      grow(growths > 0);
+      grow(growths >= gentle_growths);
       ++limits.growths;
     }
     for (std::size_t i = 0; i < first_size; ++i)
@@ -149,19 +150,19 @@ private:
     return Splice_result_2::DONE;
   }
 
-  // The vertices where the two boundaries differ join the cluster. From the second time on the
-  // whole border does as well, until the cluster has doubled: so all attempts together cost at most
+  // The vertices where the two boundaries differ join the cluster. From the fourth time on the
+  // whole border does as well, until the cluster has doubled: so all of these together cost at most
   // about twice what the last one does.
-  void grow(bool has_grown)
+  void grow(bool doubles)
   {
     const std::size_t size = m_cluster.size();
     for (const Index v : m_disagreeing)
       if (v != infinite_index)
         m_cluster.insert(v);
-    if (m_cluster.size() == size || has_grown)
+    if (m_cluster.size() == size || doubles)
       for (const Index v : m_cluster_border)
         m_cluster.insert(v);
-    for (std::size_t first = 0; has_grown && m_cluster.size() < 2 * size;) {
+    for (std::size_t first = 0; doubles && m_cluster.size() < 2 * size;) {
       const std::size_t beyond = m_cluster.size();
       for (; first < beyond; ++first)
         m_maintained.mirror.for_each_neighbor(m_cluster[first], [&](Index w) {

@@ -229,7 +229,7 @@ public:
   {
     std::vector<Index> vertices;
     m_open.for_each_uncertain_vertex(m_maintained, [&](Index v) { vertices.push_back(v); });
-    constexpr std::size_t most_growths = 3; // each but the first doubles the region at least
+    constexpr std::size_t most_growths = 3; // then more padding, or a vertex less, does better
     splice(vertices, padding, most_growths, true);
   }
 
