@@ -62,7 +62,7 @@ public:
   // `is_informed`: the classifier has heard what the last call triangulated anew. `take_back()` is
   // called if the policy or the classifier throws: whether it could undo what was staged.
   template <class Classifier, class Repair, class Policy, class Take_back>
-  Update_report_2 run(const Change& change, Classifier& classifier, const Repair& repair,
+  Update_report_2 run(const Change& change, Classifier& classifier, Repair& repair,
                       Policy& policy, bool is_informed, const Take_back& take_back)
   {
     Update_report_2 report;
@@ -294,7 +294,7 @@ private:
   // MENDING -------------------------------------------------------------------------------------
 
   template <class Repair>
-  void mend(const Change& change, const Repair& repair)
+  void mend(const Change& change, Repair& repair)
   {
     Mender mender(m_tools);
     if (change.is_frame && m_tools.classification().empty() && m_tools.open_edges().empty())
