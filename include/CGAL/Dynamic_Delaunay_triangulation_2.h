@@ -572,8 +572,7 @@ public:
   void write_checkpoint(std::ostream& out, std::string_view subject, const Append& append) const
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
-    Checkpoint_writer_2<Maintained>(m_core->maintained, is_certified(),
-                                    m_core->update.was_hopeless())
+    Checkpoint_writer_2<Maintained>(m_core->maintained, is_certified(), m_core->update.experience())
         .write(out, subject, append);
   }
 
@@ -592,7 +591,7 @@ public:
     start_visit([] {});
     m_classifier = std::move(classifier); // nothing throws from here on
     m_core->update.tools().exchange(maintained);
-    m_core->update.restore(reader.is_certified(), reader.was_hopeless());
+    m_core->update.restore(reader.is_certified(), reader.experience());
     m_is_classifier_informed = true;
     Update_report_2 report;
     report.certified = is_certified();

@@ -8,11 +8,11 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_operators_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distinct_numbers_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_position_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/User_id_table_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/property_map.h>
 #include <CGAL/Update_report_2.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <istream>
@@ -22,7 +22,6 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -130,6 +129,7 @@ public:
       throw Repeated_id_error_2(user_id);
     forget_newcomers();
     m_newcomers.push_back(user_id);
+    m_newcomers_follow.push_back(no_id);
     m_new_points.push_back(p);
     return insert_newcomers();
   }
@@ -169,16 +169,16 @@ public:
   /// the number of points.
   size_type size() const { return m_ids.size(); }
   /// whether there is a point with this id.
-  bool has(UserId user_id) const { return m_ids.count(user_id) > 0; }
+  bool has(UserId user_id) const { return m_ids.find(user_id) != no_id; }
 
   /// the id of a point in `triangulation()`. It stays the same as long as the point is there.
   /// \throws Unknown_user_id_error_2 if there is none with this id.
   size_type id(UserId user_id) const
   {
-    const auto found = m_ids.find(user_id);
-    if (found == m_ids.end())
+    const size_type found = m_ids.find(user_id);
+    if (found == no_id)
       throw Unknown_user_id_error_2(user_id);
-    return found->second;
+    return found;
   }
 
   /// the user's id of the point `id` of `triangulation()`, which has to be there.
@@ -212,7 +212,7 @@ public:
   /// `User_id`. Whatever is thrown, nothing changes.
   void read_checkpoint(std::istream& in)
   {
-    std::unordered_map<UserId, size_type> ids;
+    Table ids;
     std::vector<UserId> user_ids;
     m_triangulation.read_checkpoint(in, checkpoint_subject, [&](auto& file, const auto& frame) {
       read_user_ids(file, frame, ids, user_ids);
@@ -237,7 +237,10 @@ public:
   /// @}
 
 private:
-  static constexpr size_type no_id = size_type(-1);
+  using Table = Dynamic_Delaunay_triangulations_2::internal::User_id_table_2<UserId>;
+
+  static constexpr size_type no_id = Table::no_id;
+  static constexpr size_type ahead = 8; // of what is done, the table is fetched from memory
   static constexpr std::string_view checkpoint_subject = "Dynamic_population_2";
 
   // For files: ids may be single characters or bits.
@@ -255,14 +258,14 @@ private:
 
   // One for each point.
   template <class File, class Frame>
-  static void read_user_ids(File& file, const Frame& frame,
-                            std::unordered_map<UserId, size_type>& ids,
+  static void read_user_ids(File& file, const Frame& frame, Table& ids,
                             std::vector<UserId>& user_ids)
   {
     using Limits = std::numeric_limits<UserId>;
     const size_type points = frame.number_of_points();
     file.number_entry("user_ids", points, points);
     user_ids.resize(frame.number_of_ids());
+    ids.provide(points);
     for (size_type id = 0; id < user_ids.size(); ++id) {
       if (!frame.has_id(static_cast<typename Frame::Index>(id)))
         continue;
@@ -272,8 +275,9 @@ private:
           file.number("the user's id", Widest((Limits::min)()), Widest((Limits::max)()));
       file.end_line();
       user_ids[id] = UserId(user_id);
-      if (!ids.emplace(user_ids[id], id).second)
+      if (ids.find(user_ids[id]) != no_id)
         file.refuse("the user's id " + std::to_string(user_id) + " is there more than once");
+      ids.set(user_ids[id], id);
     }
   }
 
@@ -294,6 +298,7 @@ private:
       const size_type id = find(user_id);
       if (id == no_id) {
         m_newcomers.push_back(user_id);
+        m_newcomers_follow.push_back(m_last);
         m_new_points.push_back(p);
         continue;
       }
@@ -306,16 +311,19 @@ private:
     Dynamic_Delaunay_triangulations_2::internal::check_distinct(m_newcomers);
   }
 
-  // Most points follow the one that they followed in the last frame: then there is no need for the
-  // table.
+  // Most points follow the one that they followed in the last frame, or one soon after it: then
+  // there is no need for the table.
   size_type find(UserId user_id) const
   {
-    const size_type expected = m_last == no_id ? no_id : m_next_of[m_last];
-    if (expected < m_user_ids.size() && m_user_ids[expected] == user_id &&
-        m_triangulation.has_id(expected))
-      return expected;
-    const auto found = m_ids.find(user_id);
-    return found == m_ids.end() ? no_id : found->second;
+    constexpr int soon = 3;
+    size_type expected = m_last;
+    for (int i = 0; i < soon && expected < m_next_of.size(); ++i) {
+      expected = m_next_of[expected];
+      if (expected < m_user_ids.size() && m_user_ids[expected] == user_id &&
+          m_triangulation.has_id(expected))
+        return expected;
+    }
+    return m_ids.find(user_id);
   }
 
   void note_order(size_type id)
@@ -343,28 +351,29 @@ private:
     return m_triangulation.remove(missing.begin(), missing.end());
   }
 
+  // Their ids are ascending, if others have come meanwhile.
   void forget_gone(const std::vector<size_type>& missing)
   {
-    for (const size_type id : missing)
-      if (!m_triangulation.has_id(id) || is_new(id))
-        m_ids.erase(m_user_ids[id]);
+    auto next_new = m_new_ids.begin(); // who has come may have the id of one that is gone
+    for (size_type i = 0; i < missing.size(); ++i) {
+      if (i + ahead < missing.size())
+        m_ids.prefetch(m_user_ids[missing[i + ahead]]);
+      while (next_new != m_new_ids.end() && *next_new < missing[i])
+        ++next_new;
+      const bool is_new = next_new != m_new_ids.end() && *next_new == missing[i];
+      if (is_new || !m_triangulation.has_id(missing[i]))
+        m_ids.erase(m_user_ids[missing[i]]);
+    }
   }
 
-  // Whether a point that has come has this id, which another one had before.
-  bool is_new(size_type id) const
-  {
-    return std::binary_search(m_new_ids.begin(), m_new_ids.end(), id);
-  }
-
-  // Who is new is in the table before the point is in the triangulation; who has not come, if
-  // memory runs out, leaves it again.
+  // There is memory for all of them before one is in the triangulation.
   void expect_newcomers()
   {
     m_new_ids.clear();
     m_new_ids.reserve(m_newcomers.size());
     m_user_ids.resize(m_triangulation.number_of_ids() + m_newcomers.size());
-    for (const UserId user_id : m_newcomers)
-      m_ids.emplace(user_id, no_id);
+    m_next_of.resize(m_user_ids.size(), no_id);
+    m_ids.provide(m_newcomers.size());
   }
 
   Update_report_2 insert_newcomers()
@@ -375,24 +384,31 @@ private:
                                   std::back_inserter(m_new_ids));
   }
 
+  // Those that have come; all, but if memory runs out. The last one first, as several may follow
+  // the same point.
   void settle_newcomers()
   {
-    for (size_type i = 0; i < m_newcomers.size(); ++i)
-      if (i < m_new_ids.size() && m_triangulation.has_id(m_new_ids[i])) {
-        m_ids.find(m_newcomers[i])->second = m_new_ids[i];
-        m_user_ids[m_new_ids[i]] = m_newcomers[i];
-      } else
-        m_ids.erase(m_newcomers[i]);
+    for (size_type i = m_new_ids.size(); i-- > 0;) {
+      const size_type id = m_new_ids[i], last = m_newcomers_follow[i];
+      if (i >= ahead)
+        m_ids.prefetch(m_newcomers[i - ahead]);
+      if (!m_triangulation.has_id(id))
+        continue;
+      m_ids.set(m_newcomers[i], id);
+      m_user_ids[id] = m_newcomers[i];
+      m_next_of[id] = last == no_id ? no_id : std::exchange(m_next_of[last], id);
+    }
   }
 
   void forget_newcomers()
   {
     m_newcomers.clear();
+    m_newcomers_follow.clear();
     m_new_points.clear();
   }
 
   Dynamic m_triangulation;
-  std::unordered_map<UserId, size_type> m_ids;
+  Table m_ids;
   std::vector<UserId> m_user_ids; // of each id
 
   // of the frame that is read
@@ -401,9 +417,10 @@ private:
   std::vector<bool> m_is_there;   // each id
   std::vector<Point> m_positions; // of each id
   std::vector<UserId> m_newcomers;
+  std::vector<size_type> m_newcomers_follow; // the last point before each that was there already
   std::vector<Point> m_new_points;
   std::vector<size_type> m_new_ids; // ascending
-  std::vector<size_type> m_missing;
+  std::vector<size_type> m_missing; // ascending
 };
 
 } // namespace CGAL

@@ -382,6 +382,26 @@ TEST(Checkpoints, what_an_exact_classifier_remembers_makes_no_difference)
   expect_to_go_on(by_regions, 11, 1e-4, 100);
 }
 
+// Motion between mending and rebuilding: what was in vain decides whether it is tried again.
+TEST(Checkpoints, what_was_in_vain_is_remembered)
+{
+  Cloud<Epick> cloud(11);
+  auto points = cloud.uniform(1500);
+  Exact dt(points.begin(), points.end());
+  std::size_t rebuilt = 0;
+  for (int frame = 0; frame < 40; ++frame) {
+    SCOPED_TRACE(testing::Message() << "frame " << frame);
+    Exact other = restored(dt);
+    for (std::size_t i = std::size_t(frame) % 24; i < points.size(); i += 24)
+      points[i] = cloud.shifted(points[i], 2);
+    const CGAL::Update_report_2 report = dt.update(points.begin(), points.end());
+    ASSERT_EQ(all_of(other.update(points.begin(), points.end())), all_of(report));
+    rebuilt += report.rebuilt();
+  }
+  EXPECT_GT(rebuilt, 3u);
+  EXPECT_LT(rebuilt, 40u);
+}
+
 TEST(Checkpoints, uncertified_triangulations_are_kept_as_they_are)
 {
   using Classifier = CGAL::Nearly_delaunay_classifier_2;
@@ -509,13 +529,14 @@ TEST(Checkpoints, the_example_in_the_manual_is_a_checkpoint)
   Exact dt(points.begin(), points.end());
   dt.remove(3);
   EXPECT_EQ(text_of(dt), "Dynamic_Delaunay_triangulation_2 checkpoint 1\n"
-                         "coordinates double\npositions exact\ncertified yes\ndimension 2\n"
+                         "coordinates double\npositions exact\ncertified yes\n"
+                         "hopeless_share 65536\ndimension 2\n"
                          "ids 6\nvertices 4\n0 0 0\n4 1 0.4\n1 2 0\n2 2 1\n"
                          "guests 1\n5 4 2 1\nfree_ids 1\n3\n"
                          "faces 6\n4 1 2\n3 2 1\n0 3 1\n0 1 4\n2 3 4\n0 4 3\n"
                          "corners 5\n15 5\n10 3\n12 4\n17 5\n16 5\n"
                          "edges 9\n3 3\n13 13\n9 9\n6 6\n14 14\n11 11\n16 16\n17 17\n15 15\n"
-                         "checksum 0cbda45f\n");
+                         "checksum 5d68c243\n");
 }
 
 // POPULATIONS -------------------------------------------------------------------------------------
@@ -642,7 +663,7 @@ TEST(Checkpoints, a_refusal_says_where_and_why)
     return std::string(refusal(dt, edited).what());
   };
   EXPECT_EQ(message(replaced(text, "certified yes", "certified maybe")),
-            "checkpoint, line 4: certified is \"maybe\", and has to be yes, no or rebuilt");
+            "checkpoint, line 4: certified is \"maybe\", and has to be yes or no");
   EXPECT_EQ(message(replaced(text, "double", "rational")),
             "checkpoint, line 2: the coordinates are of the kind \"rational\", and those of the "
             "triangulation's points of the kind \"double\"");

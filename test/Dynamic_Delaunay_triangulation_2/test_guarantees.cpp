@@ -251,7 +251,7 @@ TEST(Guarantees, an_exception_from_the_classifier_changes_nothing)
   Cloud<Epick> cloud(7);
   const auto points = cloud.uniform(50);
   auto moved = points;
-  cloud.shake(moved, 0.2);
+  cloud.shake(moved, 0.05); // or it is not asked
   Faulty_classifier classifier;
   CGAL::Dynamic_Delaunay_triangulation_2<Epick, Faulty_classifier> dt(points.begin(), points.end(),
                                                                       classifier);
@@ -267,7 +267,7 @@ TEST(Guarantees, an_unknown_id_from_the_classifier_is_refused_and_nothing_change
   Cloud<Epick> cloud(8);
   const auto points = cloud.uniform(50);
   auto moved = points;
-  cloud.shake(moved, 0.2);
+  cloud.shake(moved, 0.05); // or it is not asked
   Faulty_classifier classifier;
   classifier.names_unknown_id = true;
   CGAL::Dynamic_Delaunay_triangulation_2<Epick, Faulty_classifier> dt(points.begin(), points.end(),
@@ -307,8 +307,9 @@ TEST(Guarantees, the_classified_set_names_no_vertex_that_a_rebuild_did_away_with
 {
   Cloud<Epick> cloud(15);
   const auto points = cloud.uniform(200);
-  auto elsewhere = cloud.uniform(200);
-  std::copy(elsewhere.begin(), elsewhere.begin() + 100, elsewhere.begin() + 100);
+  auto elsewhere =
+      points; // a third of them: were it more, a sample would decide, and nobody be classified
+  std::copy(elsewhere.begin(), elsewhere.begin() + 70, elsewhere.begin() + 130);
   Exact dt(points.begin(), points.end());
   const auto report = dt.update(elsewhere.begin(), elsewhere.end());
   EXPECT_TRUE(report.rebuilt());

@@ -16,6 +16,7 @@
 #include <CGAL/Voronoi_circumcenter_classifier_2.h>
 #include <CGAL/Voronoi_edge_length_classifier_2.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -863,6 +864,94 @@ TEST(User_id_report, says_that_a_frame_without_newcomers_is_certified)
   frame.clear();
   EXPECT_TRUE(people.update(frame.begin(), frame.end()).certified);
   EXPECT_EQ(people.size(), 0u);
+}
+
+// Tables: a std::map is told the same.
+template <class UserId>
+void expect_a_table_like_a_map(const std::vector<UserId>& user_ids, unsigned seed)
+{
+  CGAL::Dynamic_Delaunay_triangulations_2::internal::User_id_table_2<UserId> table;
+  std::map<UserId, std::size_t> map;
+  std::mt19937_64 random(seed);
+  for (int step = 0; step < 4000; ++step) {
+    const UserId user_id = user_ids[random() % user_ids.size()];
+    // it grows for a while, then shrinks
+    if (random() % 1000 < (step % 2000 < 1000 ? 700u : 300u)) {
+      table.provide(1);
+      table.set(user_id, std::size_t(step));
+      map[user_id] = std::size_t(step);
+    } else {
+      table.erase(user_id);
+      map.erase(user_id);
+    }
+    ASSERT_EQ(table.size(), map.size());
+    if (step % 50 == 0)
+      for (const UserId id : user_ids) {
+        const auto found = map.find(id);
+        ASSERT_EQ(table.find(id), found == map.end() ? table.no_id : found->second) << +id;
+      }
+  }
+}
+
+TEST(User_id_table, finds_what_is_there_whatever_steps_ids_make)
+{
+  using Limits = std::numeric_limits<std::int64_t>;
+  for (const std::int64_t step : {1ll, 2ll, 64ll, 1000ll, 1ll << 20, 1ll << 40, 1ll << 55, -7ll}) {
+    SCOPED_TRACE(testing::Message() << "step " << step);
+    std::vector<std::int64_t> user_ids = {0, -1, (Limits::min)(), (Limits::max)()};
+    for (std::int64_t i = 1; i < 120; ++i)
+      user_ids.push_back(i * step);
+    ASSERT_NO_FATAL_FAILURE(expect_a_table_like_a_map(user_ids, 3));
+  }
+  std::vector<signed char> letters;
+  for (int i = -128; i < 128; ++i)
+    letters.push_back(static_cast<signed char>(i));
+  ASSERT_NO_FATAL_FAILURE(expect_a_table_like_a_map(letters, 4));
+}
+
+TEST(User_id_table, is_empty_after_it_was_moved)
+{
+  CGAL::Dynamic_Delaunay_triangulations_2::internal::User_id_table_2<int> table;
+  table.provide(2);
+  table.set(5, 1);
+  auto other = std::move(table);
+  EXPECT_EQ(other.find(5), 1u);
+  EXPECT_EQ(table.size(), 0u);
+  EXPECT_EQ(table.find(5), table.no_id);
+  table.provide(1);
+  table.set(4, 2);
+  EXPECT_EQ(table.find(4), 2u);
+}
+
+// Whoever comes is found without the table in the frame after, at the place where it came: order,
+// gaps and newcomers in any places change nothing.
+TEST(User_id_report, does_not_depend_on_the_order_of_frames)
+{
+  using Frame = std::vector<std::pair<std::int64_t, Epick::Point_2>>;
+  Cloud<Epick> cloud(8);
+  CGAL::Dynamic_population_2<Exact> people;
+  Frame frame;
+  std::int64_t next_id = 1000;
+  for (int step = 0; step < 60; ++step) {
+    SCOPED_TRACE(testing::Message() << "frame " << step);
+    if (step % 7 == 0)
+      std::shuffle(frame.begin(), frame.end(), cloud.random());
+    for (int k = 0; k < 5; ++k)
+      frame.insert(frame.begin() + std::ptrdiff_t(cloud.random()() % (frame.size() + 1)),
+                   {step % 2 == 0 ? next_id++ : -next_id++, cloud.uniform(1)[0]});
+    for (int k = 0; k < 3 && frame.size() > 9; ++k)
+      frame.erase(frame.begin() + std::ptrdiff_t(cloud.random()() % frame.size()));
+    for (auto& [id, p] : frame)
+      p = cloud.shifted(p, 0.01);
+    people.update(frame.begin(), frame.end());
+    ASSERT_EQ(people.size(), frame.size());
+    for (const auto& [id, p] : frame) {
+      ASSERT_EQ(people.point(id), p);
+      ASSERT_EQ(people.user_id(people.id(id)), id);
+    }
+    ASSERT_TRUE(people.triangulation().is_certified());
+    ASSERT_TRUE(people.triangulation().is_valid(true));
+  }
 }
 
 // -------------------------------------------------------------------------------------------------

@@ -113,6 +113,106 @@ TEST(Flip_and_splice, needs_no_rebuild_on_brownian_motion)
 }
 
 // One point of a lattice jumps over several others: far out of any region padded with one layer.
+// What is hopeless costs a rebuild and no more: a sample sees it before anything is classified.
+TEST(Flip_and_splice, classifies_nothing_where_everybody_is_elsewhere)
+{
+  Cloud<Epick> cloud(2);
+  auto points = cloud.uniform(2000);
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick> dt(points.begin(), points.end());
+  for (int frame = 0; frame < 5; ++frame) {
+    points = cloud.uniform(2000);
+    const CGAL::Update_report_2 report = dt.update(points.begin(), points.end());
+    EXPECT_EQ(report.rebuild_reason, CGAL::Rebuild_reason_2::TOO_MUCH_BROKEN);
+    EXPECT_EQ(report.classified, 0u);
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  }
+  cloud.shake(points, 1e-4);
+  EXPECT_FALSE(dt.update(points.begin(), points.end()).rebuilt());
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+}
+
+// Of a hundred frames that look as if they could be mended, and cannot.
+TEST(Flip_and_splice, tries_what_was_in_vain_less_and_less_often)
+{
+  Cloud<Epick> cloud(5);
+  auto points = cloud.uniform(1500);
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick> dt(points.begin(), points.end());
+  std::size_t in_vain = 0, rebuilt = 0;
+  for (int frame = 0; frame < 100; ++frame) {
+    for (std::size_t i = std::size_t(frame) % 20; i < points.size(); i += 20)
+      points[i] = cloud.shifted(points[i], 2);
+    const CGAL::Update_report_2 report = dt.update(points.begin(), points.end());
+    in_vain += report.rebuilt() && report.classified > 0;
+    rebuilt += report.rebuilt();
+    ASSERT_TRUE(report.certified);
+  }
+  EXPECT_GT(rebuilt, 50u);
+  EXPECT_LT(in_vain, 25u);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+}
+
+// SHARES OF BROKEN EDGES --------------------------------------------------------------------------
+
+using CGAL::Dynamic_Delaunay_triangulations_2::internal::Repair_experience_2;
+
+TEST(Repair_experience, expects_nothing_before_something_was_in_vain)
+{
+  Repair_experience_2 experience;
+  EXPECT_FALSE(experience.is_wary());
+  EXPECT_FALSE(experience.is_hopeless(100, 100));
+  experience.note_mended(50, 100);
+  experience.note_not_tried();
+  EXPECT_FALSE(experience.is_wary());
+}
+
+TEST(Repair_experience, expects_the_same_of_as_much_until_that_was_mended)
+{
+  Repair_experience_2 experience;
+  experience.note_in_vain(10, 100);
+  EXPECT_TRUE(experience.is_hopeless(100, 10));
+  EXPECT_TRUE(experience.is_hopeless(100, 8));
+  EXPECT_FALSE(experience.is_hopeless(100, 7));
+  experience.note_mended(7, 100); // more than half of it: still near
+  EXPECT_TRUE(experience.is_hopeless(100, 8));
+  experience.note_mended(12, 100);
+  EXPECT_FALSE(experience.is_hopeless(100, 10));
+  EXPECT_TRUE(experience.is_hopeless(100, 12));
+  experience.note_mended(1, 100);
+  EXPECT_FALSE(experience.is_wary());
+}
+
+TEST(Repair_experience, tries_again_the_sooner_the_more_that_may_save)
+{
+  const auto frames_not_tried = [](std::size_t broken) {
+    Repair_experience_2 experience;
+    experience.note_in_vain(broken, 1000);
+    std::size_t frames = 0;
+    while (experience.is_hopeless(1000, broken) && frames < 1000) {
+      experience.note_not_tried();
+      ++frames;
+    }
+    return frames;
+  };
+  EXPECT_LE(frames_not_tried(1), 1u);
+  EXPECT_LE(frames_not_tried(30), 3u);
+  EXPECT_GT(frames_not_tried(90), 5u);
+  EXPECT_GT(frames_not_tried(110), frames_not_tried(90));
+  EXPECT_LT(frames_not_tried(110), 30u);
+}
+
+TEST(Repair_experience, counts_any_number_of_edges)
+{
+  Repair_experience_2 experience;
+  experience.note_in_vain(0, 0);
+  EXPECT_FALSE(experience.is_hopeless(0, 0));
+  experience.note_in_vain(0, 3);
+  EXPECT_FALSE(experience.is_hopeless(3, 0));
+  experience = Repair_experience_2();
+  experience.note_in_vain(1u << 31, 3u << 30);
+  EXPECT_TRUE(experience.is_hopeless(3, 2));
+  EXPECT_FALSE(experience.is_hopeless(3, 1));
+}
+
 TEST(Border_splice, catches_a_fast_point_by_growing)
 {
   auto points = Cloud<Epick>::grid(20, 20);

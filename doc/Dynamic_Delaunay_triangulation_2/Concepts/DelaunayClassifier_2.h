@@ -49,9 +49,8 @@ public:
   /*!
   classifies. It is called once in every frame in which the points span the plane, unless the triangulation is rebuilt
   before: because many points come or go, or many coincident points part; because the update policy wants it; or, if
-  the
-  classifier is exact and the last frame had to be rebuilt, because a sample of the edges says that this one has to be as
-  well. It is not asked where points come, go, or move alone.
+  the classifier is exact and the repair is `Flip_and_splice_repair_2`, because a sample of the edges says that too much
+  is broken. It is not asked where points come, go, or move alone.
 
   If it throws, the update changes nothing and hands the exception on.
 

@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Coordinate_range_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_experience_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Sphere_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_builder_2.h>
 #include <CGAL/enum.h>
@@ -64,7 +65,7 @@ public:
   }
 
   bool is_certified() const { return m_is_certified; }
-  bool was_hopeless() const { return m_was_hopeless; }
+  const Repair_experience_2& experience() const { return m_experience; }
 
 private:
   // Half-edges, of which Flat_faces_2 counts eight a vertex, and ids have to have numbers.
@@ -80,17 +81,6 @@ private:
     return value == yes;
   }
 
-  // Whether it is, and whether the last update found too much broken to be mended.
-  void read_certified()
-  {
-    const std::string_view value = m_file.entry("certified");
-    if (value != "yes" && value != "no" && value != "rebuilt")
-      m_file.refuse("certified is " + Checkpoint_input_2::quoted(value) +
-                    ", and has to be yes, no or rebuilt");
-    m_is_certified = value != "no";
-    m_was_hopeless = value == "rebuilt";
-  }
-
   void read_head()
   {
     const std::string_view kind = m_file.entry("coordinates");
@@ -101,8 +91,10 @@ private:
     m_kept.positions_are_exact = flag("positions", "exact", "rounded");
     if (Maintained::coordinates_are_doubles && !m_kept.positions_are_exact)
       m_file.refuse("doubles are exact, and cannot be rounded");
-    read_certified();
+    m_is_certified = flag("certified", "yes", "no");
     m_certified_line = m_file.line();
+    m_experience.restore(
+        m_file.number_entry("hopeless_share", std::size_t(1), Repair_experience_2::all));
     m_dimension = m_file.number_entry("dimension", -1, 2);
     if (m_dimension < 2 && !m_is_certified)
       m_file.refuse("in this dimension the triangulation has to be certified");
@@ -340,7 +332,7 @@ private:
   Checkpoint_input_2& m_file;
   int m_dimension = -1;
   bool m_is_certified = false;
-  bool m_was_hopeless = false;
+  Repair_experience_2 m_experience;
   std::size_t m_certified_line = 0;
   Index m_number_of_ids = 0;
   std::vector<Index> m_ids; // of the hosts

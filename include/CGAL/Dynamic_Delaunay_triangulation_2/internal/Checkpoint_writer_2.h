@@ -8,6 +8,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_experience_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 #include <ostream>
@@ -30,10 +31,11 @@ class Checkpoint_writer_2
                 "a checkpoint keeps x and y, which are not all of these points");
 
 public:
-  Checkpoint_writer_2(const Maintained& maintained, bool is_certified, bool was_hopeless)
+  Checkpoint_writer_2(const Maintained& maintained, bool is_certified,
+                      const Repair_experience_2& experience)
     : m_maintained(maintained)
     , m_is_certified(is_certified)
-    , m_was_hopeless(was_hopeless)
+    , m_experience(experience)
   {
   }
 
@@ -45,7 +47,8 @@ public:
     Checkpoint_output_2 file(out, subject);
     file.line("coordinates", Coordinate::kind);
     file.line("positions", m_maintained.positions_are_exact ? "exact" : "rounded");
-    file.line("certified", !m_is_certified ? "no" : m_was_hopeless ? "rebuilt" : "yes");
+    file.line("certified", m_is_certified ? "yes" : "no");
+    file.line("hopeless_share", m_experience.hopeless_share());
     file.line("dimension", m_maintained.triangulation.dimension());
     file.line("ids", m_maintained.ids.number_of_ids());
     write_points(file);
@@ -126,7 +129,7 @@ private:
 
   const Maintained& m_maintained;
   bool m_is_certified;
-  bool m_was_hopeless;
+  Repair_experience_2 m_experience;
 };
 
 } // namespace internal

@@ -6,6 +6,8 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
 #include <algorithm>
 #include <vector>
 
@@ -17,7 +19,7 @@ namespace internal {
 template <class Number>
 void make_distinct(std::vector<Number>& numbers)
 {
-  std::sort(numbers.begin(), numbers.end());
+  boost::sort::spreadsort::integer_sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 

@@ -80,6 +80,7 @@ public:
         m_opened_last.push_back(new_edges[i]);
         mirror.for_each_side(new_edges[i], [this](Index e) { m_opened_last.push_back(e); });
       }
+    make_distinct(m_opened_last); // each is met some five times
     m_uncertain.insert(m_uncertain.end(), m_opened_last.begin(), m_opened_last.end());
     const auto is_empty = [&](Index e) { return mirror.is_empty_edge(e); };
     for (std::vector<Index>* edges : {&m_uncertain, &m_illegal})
@@ -88,7 +89,7 @@ public:
     m_is_planar = false;
   }
 
-  // By the last call of open_new_edges(); some more than once.
+  // By the last call of open_new_edges().
   const std::vector<Index>& opened_last() const { return m_opened_last; }
 
   // From here on they are edges like others.

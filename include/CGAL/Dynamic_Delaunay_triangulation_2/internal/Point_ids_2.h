@@ -128,8 +128,9 @@ public:
   // After the last one was added.
   void settle()
   {
-    std::sort(m_guests.begin(), m_guests.end(),
-              [](const Guest& g, const Guest& h) { return g.id < h.id; });
+    const auto comes_before = [](const Guest& g, const Guest& h) { return g.id < h.id; };
+    if (!std::is_sorted(m_guests.begin(), m_guests.end(), comes_before))
+      std::sort(m_guests.begin(), m_guests.end(), comes_before);
     for (Index id = 0; id < number_of_ids(); ++id)
       if (m_vertex_of_id[id] == no_index)
         m_free_ids.push_back(id); // ascending numbers are a heap

@@ -39,7 +39,23 @@ public:
   {
     m_point_ids = std::move(ids);
     m_points = std::move(points);
+    sort_points();
     number_points(number_of_ids);
+  }
+
+  // Takes the vertices of the maintained triangulation, where they are now, in this order. None
+  // coincide, and there are no guests.
+  void number(const Spatial_order_2& order)
+  {
+    const Index vertices = m_maintained.number_of_vertices();
+    m_order = order;
+    m_point_ids.resize(vertices + std::size_t(1)); // the infinite vertex has no point
+    m_points.resize(vertices + std::size_t(1));
+    for (Index v = 1; v <= vertices; ++v) {
+      m_point_ids[v] = m_maintained.ids.host(v);
+      m_points[v] = m_maintained.point(v);
+    }
+    number_points(m_maintained.ids.number_of_ids());
   }
 
   // Takes the points of the maintained triangulation, where they are now.
@@ -49,8 +65,10 @@ public:
     std::vector<Index> point_ids = ids.hosts_and_guests();
     std::vector<Point> points;
     points.reserve(point_ids.size());
-    for (const Index id : point_ids)
-      points.push_back(m_maintained.point_of_id(id));
+    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
+      points.push_back(m_maintained.point(v));
+    for (const auto& guest : ids.guests())
+      points.push_back(guest.point);
     number(std::move(point_ids), std::move(points), ids.number_of_ids());
   }
 
@@ -70,10 +88,9 @@ public:
   }
 
 private:
-  // Sorts m_points by their indices, which become numbers of vertices.
+  // The indices of points in the order become numbers of vertices.
   void number_points(Index number_of_ids)
   {
-    sort_points();
     m_ids.reset(number_of_ids);
     m_place_of_vertex.clear();
     m_place_of_vertex.reserve(m_points.size());

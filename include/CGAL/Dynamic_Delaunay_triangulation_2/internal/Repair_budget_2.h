@@ -4,6 +4,7 @@
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_REPAIR_BUDGET_2_H
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_REPAIR_BUDGET_2_H
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -27,13 +28,19 @@ public:
   static constexpr std::size_t open_edge = 36;
 
   // Twice a rebuild, for repairs that do not know better.
-  void start_generously(std::size_t vertices) { m_left = least + 2 * rebuilt_vertex * vertices; }
+  void start_generously(std::size_t vertices)
+  {
+    m_left = least + 2 * rebuilt_vertex * vertices;
+    m_spent = 0;
+  }
 
   // When it is known how many edges are open: a quarter more than mending should take, an eighth
   // of a rebuild, and something for small triangulations, where a rebuild costs next to nothing.
+  // But no more than a rebuild: then the worst that can happen is that it takes two.
   void start(std::size_t vertices, std::size_t open_edges)
   {
-    m_left = least + rebuilt_vertex * vertices / 8 + open_edge * open_edges * 5 / 4;
+    const std::size_t rebuild = rebuilt_vertex * vertices;
+    m_left = least + (std::min)(rebuild / 8 + open_edge * open_edges * 5 / 4, rebuild);
   }
 
   // Whether a rebuild is expected to cost less than mending what is open, and so many points that
@@ -47,14 +54,23 @@ public:
   }
 
   void allow(std::size_t cost) { m_left += cost; }
-  void spend(std::size_t cost) { m_left -= cost < m_left ? cost : m_left; }
+  void spend(std::size_t cost)
+  {
+    m_left -= (std::min)(cost, m_left);
+    m_spent += cost;
+  }
+  // More than a rebuild of so many vertices, for which a small one takes next to nothing.
+  bool has_spent_a_rebuild(std::size_t vertices) const
+  {
+    return m_spent >= least / 4 + rebuilt_vertex * vertices;
+  }
   std::size_t left() const { return m_left; }
   bool is_spent() const { return m_left == 0; }
 
 private:
   static constexpr std::size_t least = 4000;
 
-  std::size_t m_left = 0;
+  std::size_t m_left = 0, m_spent = 0;
 };
 
 } // namespace internal

@@ -150,6 +150,7 @@ public:
   bool has_to_prove() const { return m_has_to_prove; }
   bool has_rebuilt() const { return m_report->rebuilt(); }
   std::size_t number_of_edges() const { return m_maintained.mirror.number_of_edges(); }
+  std::size_t number_of_classified_edges() const { return m_classified_edges; }
   const std::vector<Index>& padded() const { return m_padded; }
   const std::vector<Index>& border() const { return m_border; }
 
@@ -158,6 +159,12 @@ public:
   {
     return Repair_budget_2::is_rebuild_cheaper(m_maintained.number_of_vertices(),
                                                m_classified_edges, m_changes);
+  }
+
+  // Whether mending alone has.
+  bool has_cost_a_rebuild() const
+  {
+    return m_budget.has_spent_a_rebuild(m_maintained.number_of_vertices());
   }
 
   // TOOLS, as Dynamic_mender_2 documents them ----------------------------------------------------

@@ -217,11 +217,15 @@ private:
   template <class Less>
   void sort_by_coordinates(const Less& is_less, std::size_t first, std::size_t beyond, int depth)
   {
-    std::sort(m_places.begin() + std::ptrdiff_t(first), m_places.begin() + std::ptrdiff_t(beyond),
-              [&](std::uint64_t a, std::uint64_t b) {
-                const Index i = Index(a), j = Index(b);
-                return is_less(i, j) || (!is_less(j, i) && i < j);
-              });
+    const auto begin = m_places.begin() + std::ptrdiff_t(first);
+    const auto end = m_places.begin() + std::ptrdiff_t(beyond);
+    const auto comes_before = [&](std::uint64_t a, std::uint64_t b) {
+      const Index i = Index(a), j = Index(b);
+      return is_less(i, j) || (!is_less(j, i) && i < j);
+    };
+    // as many are that coincide, or that stayed on a line
+    if (!std::is_sorted(begin, end, comes_before))
+      std::sort(begin, end, comes_before);
     for (std::size_t i = first + 1; i < beyond; ++i) {
       int rank = 0;
       for (std::size_t k = i - first; k % 2 == 0; k /= 2)

@@ -88,10 +88,15 @@ public:
   {
     m_maintained.everything_is_new = true;
     const All_faces_anew_2<Maintained> anew(m_maintained);
-    if (sort_vertices())
-      return triangulate(m_vertex_order.order());
-    m_numbering.number();
-    triangulate_numbered();
+    if (!sort_vertices()) {
+      m_numbering.number();
+      triangulate_numbered();
+    } else if (are_numbers_far_apart()) {
+      m_numbering.number(m_vertex_order.order());
+      m_vertex_order.release();
+      triangulate_numbered();
+    } else
+      triangulate(m_vertex_order.order());
   }
 
   // The triangulation that was kept, which must be right, in place of one without points. If memory
@@ -160,16 +165,20 @@ private:
   // Whether the point with this id goes: another one may come, and get its id, but not its vertex.
   bool goes(Index id) const { return id < m_goes.size() && m_goes[id]; }
 
-  // False if the vertices need new numbers: points have come together, or may part, or those that
-  // follow each other in space have numbers far apart.
+  // False if they may be others: points have come together, or may part.
   bool sort_vertices()
   {
     if (!m_maintained.ids.guests().empty())
       return false;
     const boost::counting_iterator<Index> first(1), beyond(Index(m_maintained.vertices.size()));
     m_vertex_order.sort(first, beyond);
-    return 8 * m_vertex_order.number_of_far_steps() <= m_maintained.vertices.size() &&
-           !m_vertex_order.has_coincident_vertices();
+    return !m_vertex_order.has_coincident_vertices();
+  }
+
+  // Where vertices that follow each other in space have numbers far apart, new numbers pay.
+  bool are_numbers_far_apart() const
+  {
+    return 8 * m_vertex_order.number_of_far_steps() > m_maintained.vertices.size();
   }
 
   // The vertices as m_numbering numbers them. Each host keeps the vertex that it had, if it had one

@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_examination_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_budget_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_experience_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_tools_2.h>
 #include <CGAL/Dynamic_frame_2.h>
 #include <CGAL/Dynamic_mender_2.h>
@@ -47,13 +48,13 @@ public:
   }
 
   bool is_certified() const { return m_is_certified; }
-  bool was_hopeless() const { return m_was_hopeless; }
+  const Repair_experience_2& experience() const { return m_experience; }
 
   // After a checkpoint has been read.
-  void restore(bool is_certified, bool was_hopeless)
+  void restore(bool is_certified, const Repair_experience_2& experience)
   {
     m_is_certified = is_certified;
-    m_was_hopeless = was_hopeless;
+    m_experience = experience;
   }
 
   Tools& tools() { return m_tools; }
@@ -62,8 +63,8 @@ public:
   // `is_informed`: the classifier has heard what the last call triangulated anew. `take_back()` is
   // called if the policy or the classifier throws: whether it could undo what was staged.
   template <class Classifier, class Repair, class Policy, class Take_back>
-  Update_report_2 run(const Change& change, Classifier& classifier, Repair& repair,
-                      Policy& policy, bool is_informed, const Take_back& take_back)
+  Update_report_2 run(const Change& change, Classifier& classifier, Repair& repair, Policy& policy,
+                      bool is_informed, const Take_back& take_back)
   {
     Update_report_2 report;
     const Give_up at_exit{m_tools};
@@ -87,8 +88,11 @@ public:
     }
     // with an exact classifier, before points go: a rebuild leaves them out by itself
     if (reason == Rebuild_reason_2::NONE && change.has_population() && m_tools.has_to_prove() &&
-        m_tools.is_rebuild_cheaper())
+        m_tools.is_rebuild_cheaper()) {
       reason = Rebuild_reason_2::TOO_MUCH_BROKEN;
+      if (change.is_frame)
+        learn(reason);
+    }
     if (reason != Rebuild_reason_2::NONE) {
       rebuild(change, reason, report);
       return report;
@@ -204,8 +208,10 @@ private:
                                                                 : Rebuild_reason_2::POPULATION;
     if (change.is_frame && policy.wants_rebuild(Frame(m_maintained)))
       return Rebuild_reason_2::POLICY;
-    if (change.is_frame && may_sample && m_was_hopeless && is_sample_hopeless())
+    if (change.is_frame && may_sample && is_sample_hopeless()) {
+      m_experience.note_not_tried();
       return Rebuild_reason_2::TOO_MUCH_BROKEN;
+    }
     return Rebuild_reason_2::NONE;
   }
 
@@ -227,28 +233,45 @@ private:
                                                changes + changes * guests / 512);
   }
 
-  // Where one frame had to be rebuilt the next one may have to be as well. Then a sample of the
-  // edges tells, instead of a classification that would be in vain. Only for the default repair:
-  // any other one is asked whatever is broken.
+  // Instead of a classification that would be in vain: a sample of the edges, where mending was in
+  // vain lately, or where half of the very few are broken that every frame is asked for. Only for
+  // the default repair: any other one is asked whatever is broken.
   bool is_sample_hopeless() const
   {
-    constexpr std::size_t sample_size = 128;
+    constexpr std::size_t very_few = 8, least = 128, most = 1024;
     const Frame frame(m_maintained);
     const std::size_t edges = frame.number_of_edges();
-    const std::size_t stride = 1 + edges / sample_size;
-    std::size_t sampled = 0, broken = 0;
-    for (std::size_t e = 0; e < edges; e += stride, ++sampled)
-      broken += !frame.is_delaunay(Index(e));
+    if (!m_experience.is_wary()) {
+      const Sample few = sample(frame, very_few);
+      if (2 * few.broken < few.size)
+        return false;
+    }
+    const Sample many = sample(frame, (std::min)((std::max)(edges / 16, least), most));
     // by a quarter more than would do, as a sample may be wrong
-    return Repair_budget_2::is_rebuild_cheaper(frame.number_of_vertices(),
-                                               edges * broken / sampled * 4 / 5);
+    return m_experience.is_hopeless(many.size, many.broken) ||
+           Repair_budget_2::is_rebuild_cheaper(frame.number_of_vertices(),
+                                               edges * many.broken / many.size * 4 / 5);
+  }
+
+  struct Sample
+  {
+    std::size_t size, broken;
+  };
+
+  // Of about so many edges, or of all.
+  static Sample sample(const Frame& frame, std::size_t size)
+  {
+    const std::size_t edges = frame.number_of_edges();
+    const std::size_t stride = 1 + edges / size;
+    Sample taken{0, 0};
+    for (std::size_t e = 0; e < edges; e += stride, ++taken.size)
+      taken.broken += !frame.is_delaunay(Index(e));
+    return taken;
   }
 
   void rebuild(const Change& change, Rebuild_reason_2 reason, Update_report_2& report)
   {
     const bool spanned_plane = m_maintained.is_mirrored();
-    if (change.is_frame)
-      m_was_hopeless = m_was_hopeless || reason == Rebuild_reason_2::TOO_MUCH_BROKEN;
     if (change.gone.empty() && change.coming.empty()) {
       m_tools.rebuild(reason);
     } else {
@@ -327,18 +350,27 @@ private:
     if (!report.rebuilt())
       m_tools.finish();
     make_distinct(m_maintained.new_edges);
-    if (change.is_frame)
-      m_was_hopeless = report.rebuild_reason == Rebuild_reason_2::TOO_MUCH_BROKEN ||
-                       report.rebuild_reason == Rebuild_reason_2::BUDGET_SPENT ||
-                       report.rebuild_reason == Rebuild_reason_2::STUCK;
     m_is_certified = has_to || report.rebuilt();
+    if (change.is_frame)
+      learn(report.rebuild_reason);
+  }
+
+  void learn(Rebuild_reason_2 reason)
+  {
+    const std::size_t open = m_tools.number_of_classified_edges(),
+                      edges = m_tools.number_of_edges();
+    if (reason == Rebuild_reason_2::TOO_MUCH_BROKEN || reason == Rebuild_reason_2::BUDGET_SPENT ||
+        reason == Rebuild_reason_2::STUCK || m_tools.has_cost_a_rebuild())
+      m_experience.note_in_vain(open, edges);
+    else if (reason == Rebuild_reason_2::NONE)
+      m_experience.note_mended(open, edges);
   }
 
   Maintained& m_maintained;
   Tools m_tools;
   bool m_is_certified = true;
   bool m_has_removed = true;
-  bool m_was_hopeless = false; // the last frame had too much broken to be mended
+  Repair_experience_2 m_experience; // of frames
 };
 
 } // namespace internal

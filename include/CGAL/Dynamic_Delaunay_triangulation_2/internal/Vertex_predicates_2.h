@@ -9,6 +9,8 @@
 #include <CGAL/enum.h>
 #include <CGAL/number_type_basic.h>
 
+#include <boost/config.hpp>
+
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
@@ -31,8 +33,7 @@ public:
       if (const int sign = filtered_orientation(positions[a], positions[b], positions[c]))
         return sign > 0 ? LEFT_TURN : RIGHT_TURN;
     }
-    return m_maintained.traits().orientation_2_object()(
-        m_maintained.point(a), m_maintained.point(b), m_maintained.point(c));
+    return kernel_orientation(a, b, c);
   }
 
   // Of d, for a circle that is given counterclockwise.
@@ -44,8 +45,7 @@ public:
               filtered_in_circle(positions[a], positions[b], positions[c], positions[d]))
         return sign > 0 ? ON_POSITIVE_SIDE : ON_NEGATIVE_SIDE;
     }
-    return m_maintained.traits().side_of_oriented_circle_2_object()(
-        m_maintained.point(a), m_maintained.point(b), m_maintained.point(c), m_maintained.point(d));
+    return kernel_side_of_circle(a, b, c, d);
   }
 
   Comparison_result compare_xy(Index v, Index w) const
@@ -69,6 +69,20 @@ public:
   }
 
 private:
+  // Apart, so that compilers put the filters in line.
+
+  BOOST_NOINLINE Orientation kernel_orientation(Index a, Index b, Index c) const
+  {
+    return m_maintained.traits().orientation_2_object()(
+        m_maintained.point(a), m_maintained.point(b), m_maintained.point(c));
+  }
+
+  BOOST_NOINLINE Oriented_side kernel_side_of_circle(Index a, Index b, Index c, Index d) const
+  {
+    return m_maintained.traits().side_of_oriented_circle_2_object()(
+        m_maintained.point(a), m_maintained.point(b), m_maintained.point(c), m_maintained.point(d));
+  }
+
   Comparison_result compare_x(Index v, Index w) const
   {
     return m_maintained.traits().compare_x_2_object()(m_maintained.point(v), m_maintained.point(w));

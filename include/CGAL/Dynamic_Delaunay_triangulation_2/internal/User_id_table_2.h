@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_USER_ID_TABLE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_USER_ID_TABLE_2_H
+
+#include <CGAL/assertions.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Prefetch_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// The id of the point for each of the user's ids, which are any integers. Open addressing, with
+// linear probing: one place in memory for a look-up, where std::unordered_map reads three, and asks
+// for memory for each entry. That took a fifth of the frame where many of 100,000 points come and
+// go.
+template <class UserId>
+class User_id_table_2
+{
+public:
+  static constexpr std::size_t no_id = std::size_t(-1);
+
+  User_id_table_2() = default;
+  User_id_table_2(User_id_table_2&& other) noexcept { swap(other); }
+  User_id_table_2& operator=(User_id_table_2&& other) noexcept
+  {
+    User_id_table_2 taken(std::move(other));
+    swap(taken);
+    return *this;
+  }
+
+  std::size_t size() const { return m_size; }
+
+  // `no_id` if there is none. Mostly who is new has a larger id than all before.
+  std::size_t find(UserId user_id) const
+  {
+    return m_size == 0 || user_id > m_largest ? no_id : m_slots[slot_of(user_id)].id;
+  }
+
+  // Where `find()` will look.
+  void prefetch(UserId user_id) const
+  {
+    if (!m_slots.empty())
+      internal::prefetch(&m_slots[first_slot(user_id)]);
+  }
+
+  // Memory for so many entries more: then `set()` throws nothing.
+  void provide(std::size_t number)
+  {
+    if (2 * (m_size + number) <= m_slots.size())
+      return;
+    int bits = 4;
+    while ((std::size_t(1) << bits) < 2 * (m_size + number))
+      ++bits;
+    std::vector<Slot> slots(std::size_t(1) << bits);
+    slots.swap(m_slots);
+    m_bits = bits;
+    for (const Slot& slot : slots)
+      if (slot.id != no_id)
+        m_slots[slot_of(slot.user_id)] = slot;
+  }
+
+  // \pre there is memory for it.
+  void set(UserId user_id, std::size_t id)
+  {
+    Slot& slot = m_slots[slot_of(user_id)];
+    m_largest = m_size == 0 ? user_id : (std::max)(m_largest, user_id);
+    m_size += slot.id == no_id;
+    slot = Slot{user_id, id};
+    CGAL_postcondition(2 * m_size <= m_slots.size());
+  }
+
+  // Nothing if there is none.
+  void erase(UserId user_id)
+  {
+    if (find(user_id) == no_id)
+      return;
+    --m_size;
+    std::size_t hole = slot_of(user_id);
+    m_slots[hole].id = no_id;
+    // whoever would not be found beyond the hole moves into it
+    for (std::size_t i = next(hole); m_slots[i].id != no_id; i = next(i))
+      if (distance(first_slot(m_slots[i].user_id), i) >= distance(hole, i)) {
+        m_slots[hole] = m_slots[i];
+        m_slots[i].id = no_id;
+        hole = i;
+      }
+  }
+
+  void swap(User_id_table_2& other) noexcept
+  {
+    m_slots.swap(other.m_slots);
+    std::swap(m_size, other.m_size);
+    std::swap(m_largest, other.m_largest);
+    std::swap(m_bits, other.m_bits);
+  }
+
+private:
+  struct Slot
+  {
+    UserId user_id = UserId();
+    std::size_t id = no_id;
+  };
+
+  // Multiples of the golden ratio are spread evenly, whatever the steps between ids are.
+  std::size_t first_slot(UserId user_id) const
+  {
+    return std::size_t(std::uint64_t(user_id) * 0x9E3779B97F4A7C15u >> (64 - m_bits));
+  }
+
+  std::size_t next(std::size_t slot) const { return (slot + 1) & (m_slots.size() - 1); }
+
+  std::size_t distance(std::size_t from, std::size_t to) const
+  {
+    return (to - from) & (m_slots.size() - 1);
+  }
+
+  // That of this id, or the empty one where it would be.
+  std::size_t slot_of(UserId user_id) const
+  {
+    std::size_t i = first_slot(user_id);
+    while (m_slots[i].id != no_id && m_slots[i].user_id != user_id)
+      i = next(i);
+    return i;
+  }
+
+  std::vector<Slot> m_slots; // a power of two, half of which are empty, or none
+  std::size_t m_size = 0;
+  UserId m_largest = UserId(); // that there was
+  int m_bits = 0;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_USER_ID_TABLE_2_H
