@@ -177,6 +177,9 @@ void run_scenario(const run::Run_options& options)
   const std::string path = run::scenario_path(options.scenario);
   const run::Scenario_facts facts = run::scenario_facts(path, options.overrides.points);
   const auto motion = open(path, options, !facts.seed);
+  if (!motion->remark().empty()) {
+    std::cerr << "run_scenario: " << path << ": " << motion->remark() << std::endl;
+  }
   const run::Run_subject subject = run::run_subject(options, *motion, facts);
   std::size_t frames = options.frames.value_or(motion->frames());
   if (!facts.seed) {

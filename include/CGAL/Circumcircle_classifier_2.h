@@ -6,6 +6,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_examination_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_proofs_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Safe_edges_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Safe_edges_schedule_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
@@ -167,6 +168,8 @@ private:
   template <class Frame>
   void find_unproved(const Frame& frame, unsigned part, unsigned parts)
   {
+    // each thread has a mode of its own
+    const Dynamic_Delaunay_triangulations_2::internal::Rounding_to_nearest_2 rounding;
     const std::size_t edges = frame.number_of_edges();
     m_unproved[part].clear();
     Dynamic_Delaunay_triangulations_2::internal::append_unproved(

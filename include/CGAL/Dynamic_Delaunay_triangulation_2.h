@@ -4,6 +4,7 @@
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_H
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_H
 
+#include <CGAL/accepts_inexact_predicates_2.h>
 #include <CGAL/Always_dynamic_policy_2.h>
 #include <CGAL/Border_splice_repair_2.h>
 #include <CGAL/Circumcircle_classifier_2.h>
@@ -14,6 +15,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_operators_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_reader_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_writer_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_frame_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Population_input_2.h>
@@ -65,7 +67,8 @@ vertices.
 
 \tparam Traits a model of `DynamicDelaunayTraits_2`: a CGAL kernel with exact predicates, such as
   `Exact_predicates_inexact_constructions_kernel`, or `Projection_traits_xy_3` of one.
-\tparam Classifier a model of `DelaunayClassifier_2`, what may be broken.
+\tparam Classifier a model of `DelaunayClassifier_2`, what may be broken; `Default` for
+  `Circumcircle_classifier_2`.
 \tparam Repair a model of `DelaunayRepair_2`, what mends it. `Default` stands for the classifier's
   `Usual_repair` if it has one; else for `Flip_and_splice_repair_2` if the classifier is exact, and
   for `Border_splice_repair_2` if it is not.
@@ -74,7 +77,8 @@ vertices.
   What a user keeps in a vertex stays in it; faces change their vertices, of which a visitor hears.
 \tparam UpdatePolicy a model of `DelaunayUpdatePolicy_2`, which frames are rebuilt instead;
   `Default` for `Always_dynamic_policy_2`.
-\tparam Visitor a model of `DelaunayUpdateVisitor_2`, which is told what changes.
+\tparam Visitor a model of `DelaunayUpdateVisitor_2`, which is told what changes; `Default` for
+  `Delaunay_update_visitor_base_2`, which does nothing with it.
 \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag`, which needs TBB (`CGAL::TBB_support`):
   a classifier that is not given but made here then shares its work among all threads of the
   machine, if it can. No result depends on it.
@@ -84,6 +88,13 @@ template <class Traits, class Classifier = Circumcircle_classifier_2, class Repa
           class Visitor = Delaunay_update_visitor_base_2, class ConcurrencyTag = Sequential_tag>
 class Dynamic_Delaunay_triangulation_2
 {
+  static constexpr bool is_exact =
+      !Dynamic_Delaunay_triangulations_2::internal::Are_known_to_be_inexact_2<Traits>::value;
+  static_assert(is_exact || accepts_inexact_predicates_2<Traits>,
+                "the predicates of these traits are rounded, so nothing could be certified: take "
+                "Exact_predicates_inexact_constructions_kernel, or see "
+                "accepts_inexact_predicates_2");
+
   template <class C, class = void>
   struct Usual_repair
   {
@@ -94,7 +105,9 @@ class Dynamic_Delaunay_triangulation_2
   {
     using type = typename C::Usual_repair;
   };
-  using Default_repair = typename Usual_repair<Classifier>::type;
+  using Chosen_classifier = typename Default::Get<Classifier, Circumcircle_classifier_2>::type;
+  using Chosen_visitor = typename Default::Get<Visitor, Delaunay_update_visitor_base_2>::type;
+  using Default_repair = typename Usual_repair<Chosen_classifier>::type;
   using Default_tds =
       Triangulation_data_structure_2<Dynamic_Delaunay_triangulation_vertex_base_2<Traits>,
                                      Triangulation_face_base_2<Traits>>;
@@ -103,12 +116,14 @@ class Dynamic_Delaunay_triangulation_2
   using Maintained = Dynamic_Delaunay_triangulations_2::internal::Maintained_triangulation_2<
       Traits, Data_structure,
       Dynamic_Delaunay_triangulations_2::internal::Visitor_calls_2<
-          Visitor, Dynamic_Delaunay_triangulation_2>>;
+          Chosen_visitor, Dynamic_Delaunay_triangulation_2>>;
   using Update = Dynamic_Delaunay_triangulations_2::internal::Update_2<Maintained>;
   using Input = Dynamic_Delaunay_triangulations_2::internal::Input_frame_2<Maintained>;
   using Population_input =
       Dynamic_Delaunay_triangulations_2::internal::Population_input_2<Maintained>;
   using Index = Dynamic_Delaunay_triangulations_2::Index;
+  template <class Range>
+  using If_range = decltype(std::begin(std::declval<const Range&>()));
 
 public:
   /// \name Types
@@ -117,13 +132,13 @@ public:
   /// the traits.
   using Geom_traits = Traits;
   /// the classifier.
-  using Delaunay_classifier = Classifier;
+  using Delaunay_classifier = Chosen_classifier;
   /// the repair.
   using Delaunay_repair = typename Default::Get<Repair, Default_repair>::type;
   /// the update policy.
   using Delaunay_update_policy = Policy;
   /// the visitor.
-  using Delaunay_update_visitor = Visitor;
+  using Delaunay_update_visitor = Chosen_visitor;
   /// whether work is shared among threads.
   using Concurrency_tag = ConcurrencyTag;
   /// the CGAL triangulation that is maintained.
@@ -154,11 +169,10 @@ public:
   }
 
   /// an empty triangulation.
-  explicit Dynamic_Delaunay_triangulation_2(const Classifier& classifier,
-                                            const Delaunay_repair& repair = Delaunay_repair(),
-                                            const Static_engines_2& engines = {},
-                                            const Policy& policy = Policy(),
-                                            const Visitor& visitor = Visitor())
+  explicit Dynamic_Delaunay_triangulation_2(
+      const Delaunay_classifier& classifier, const Delaunay_repair& repair = Delaunay_repair(),
+      const Static_engines_2& engines = {}, const Policy& policy = Policy(),
+      const Delaunay_update_visitor& visitor = Delaunay_update_visitor())
     : m_classifier(classifier)
     , m_repair(repair)
     , m_policy(policy)
@@ -178,15 +192,21 @@ public:
   {
   }
 
+  /// the same for a range as a whole: anything with `begin()` and `end()`.
+  template <class Range, class = If_range<Range>>
+  explicit Dynamic_Delaunay_triangulation_2(const Range& points)
+    : Dynamic_Delaunay_triangulation_2(std::begin(points), std::end(points))
+  {
+  }
+
   /// the same, with a classifier, a repair, the engines that triangulate anew, a policy, and a
   /// visitor. The visitor is copied, and told of all vertices and faces.
   template <class InputIterator>
-  Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
-                                   const Classifier& classifier,
-                                   const Delaunay_repair& repair = Delaunay_repair(),
-                                   const Static_engines_2& engines = {},
-                                   const Policy& policy = Policy(),
-                                   const Visitor& visitor = Visitor())
+  Dynamic_Delaunay_triangulation_2(
+      InputIterator first, InputIterator beyond, const Delaunay_classifier& classifier,
+      const Delaunay_repair& repair = Delaunay_repair(), const Static_engines_2& engines = {},
+      const Policy& policy = Policy(),
+      const Delaunay_update_visitor& visitor = Delaunay_update_visitor())
     : Dynamic_Delaunay_triangulation_2(first, beyond, Identity_map(), classifier, repair, engines,
                                        policy, visitor)
   {
@@ -207,21 +227,35 @@ public:
   /// visitor.
   template <class InputIterator, class PointMap,
             class = typename boost::property_traits<PointMap>::key_type>
-  Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond, PointMap point_map,
-                                   const Classifier& classifier,
-                                   const Delaunay_repair& repair = Delaunay_repair(),
-                                   const Static_engines_2& engines = {},
-                                   const Policy& policy = Policy(),
-                                   const Visitor& visitor = Visitor())
+  Dynamic_Delaunay_triangulation_2(
+      InputIterator first, InputIterator beyond, PointMap point_map,
+      const Delaunay_classifier& classifier, const Delaunay_repair& repair = Delaunay_repair(),
+      const Static_engines_2& engines = {}, const Policy& policy = Policy(),
+      const Delaunay_update_visitor& visitor = Delaunay_update_visitor())
     : Dynamic_Delaunay_triangulation_2(classifier, repair, engines, policy, visitor)
   {
     insert(first, beyond, point_map, Emptyset_iterator());
   }
 
-  /// the moved-from object can only be assigned to or destroyed.
-  Dynamic_Delaunay_triangulation_2(Dynamic_Delaunay_triangulation_2&&) = default;
-  /// the same.
-  Dynamic_Delaunay_triangulation_2& operator=(Dynamic_Delaunay_triangulation_2&&) = default;
+  /// takes everything from another one, which is an empty triangulation then, with what is left of
+  /// its classifier, repair, policy and visitor. Vertices and faces stay where they are in memory.
+  /// Takes memory for the empty triangulation.
+  Dynamic_Delaunay_triangulation_2(Dynamic_Delaunay_triangulation_2&& other)
+    : Dynamic_Delaunay_triangulation_2(other, std::make_unique<Core>(), 0)
+  {
+  }
+  /// the same. Nothing happens to an object that is moved to itself.
+  Dynamic_Delaunay_triangulation_2& operator=(Dynamic_Delaunay_triangulation_2&& other)
+  {
+    Dynamic_Delaunay_triangulation_2 taken(std::move(other));
+    m_classifier = std::move(taken.m_classifier);
+    m_repair = std::move(taken.m_repair);
+    m_policy = std::move(taken.m_policy);
+    m_visitor = std::move(taken.m_visitor);
+    m_core = std::move(taken.m_core);
+    m_is_classifier_informed = taken.m_is_classifier_informed;
+    return *this;
+  }
 
   /// @}
   /// \name Motion
@@ -249,14 +283,30 @@ public:
     return update(first, beyond, Identity_map());
   }
 
+  /// the same for a range as a whole: anything with `begin()` and `end()`.
+  template <class Range, class = If_range<Range>>
+  Update_report_2 update(const Range& points)
+  {
+    return update(std::begin(points), std::end(points));
+  }
+
   /// moves point i to what `point_map` reads from the i-th value of the range.
   template <class InputIterator, class PointMap>
   Update_report_2 update(InputIterator first, InputIterator beyond, PointMap point_map)
   {
+    const Rounding rounding;
     m_core->input.stage(first, beyond, point_map, m_core->maintained);
     Change change;
     change.is_frame = true;
     return run(change);
+  }
+
+  /// the same for a range as a whole.
+  template <class Range, class PointMap, class = If_range<Range>,
+            class = typename boost::property_traits<PointMap>::key_type>
+  Update_report_2 update(const Range& range, PointMap point_map)
+  {
+    return update(std::begin(range), std::end(range), point_map);
   }
 
   /// moves some points, and mends what that breaks, by exact predicates whatever the classifier is;
@@ -282,10 +332,18 @@ public:
                 Second_of_pair_property_map<Value>());
   }
 
+  /// the same for a range as a whole.
+  template <class Range, class = If_range<Range>>
+  Update_report_2 move(const Range& movers)
+  {
+    return move(std::begin(movers), std::end(movers));
+  }
+
   /// the same for ids and points that the property maps read from the values of the range.
   template <class InputIterator, class IdMap, class PointMap>
   Update_report_2 move(InputIterator first, InputIterator beyond, IdMap id_map, PointMap point_map)
   {
+    const Rounding rounding;
     Change change;
     Population_input::read_movers(first, beyond, id_map, point_map, m_core->maintained, change);
     return run(change);
@@ -328,11 +386,19 @@ public:
     return insert(first, beyond, Identity_map(), ids);
   }
 
+  /// the same for a range as a whole.
+  template <class Range, class OutputIterator, class = If_range<Range>>
+  Update_report_2 insert(const Range& points, OutputIterator ids)
+  {
+    return insert(std::begin(points), std::end(points), ids);
+  }
+
   /// adds the points that `point_map` reads from the values of the range.
   template <class InputIterator, class PointMap, class OutputIterator>
   Update_report_2 insert(InputIterator first, InputIterator beyond, PointMap point_map,
                          OutputIterator ids)
   {
+    const Rounding rounding;
     Change change;
     Population_input::read_newcomers(first, beyond, point_map, m_core->maintained, change);
     for (const Index id : change.coming)
@@ -355,9 +421,17 @@ public:
   template <class InputIterator>
   Update_report_2 remove(InputIterator first, InputIterator beyond)
   {
+    const Rounding rounding;
     Change change;
     change.gone = Population_input::read_ids(first, beyond, m_core->maintained);
     return run(change);
+  }
+
+  /// the same for a range as a whole.
+  template <class Range, class = If_range<Range>>
+  Update_report_2 remove(const Range& ids)
+  {
+    return remove(std::begin(ids), std::end(ids));
   }
 
   /// \cond
@@ -369,6 +443,7 @@ public:
   update_population(InputIterator first, InputIterator beyond, const std::vector<size_type>& gone,
                     const std::vector<Point>& coming, std::vector<size_type>& coming_ids)
   {
+    const Rounding rounding;
     Change change;
     Population_input::read_newcomers(coming.begin(), coming.end(), Identity_map(),
                                      m_core->maintained, change);
@@ -398,6 +473,7 @@ public:
   /// is certified already. \post `is_certified()`
   Update_report_2 mend()
   {
+    const Rounding rounding;
     Change change;
     change.is_mending = true;
     if (!is_certified())
@@ -410,14 +486,18 @@ public:
   /// finds out whether the triangulation is Delaunay, by exact predicates at every edge; changes
   /// nothing else. It is not, as long as an exception has left points without vertices of their own
   /// or the plane not spanned. Cost: one pass over all edges, none if it is certified already.
-  bool certify() { return m_core->update.certify(); }
+  bool certify()
+  {
+    const Rounding rounding;
+    return is_exact && m_core->update.certify();
+  }
 
   /// @}
   /// \name Access
   /// @{
 
   /// whether the triangulation is proved Delaunay. Cost: none.
-  bool is_certified() const { return m_core->update.is_certified(); }
+  bool is_certified() const { return is_exact && m_core->update.is_certified(); }
 
   /// the CGAL triangulation.
   /// \throws Uncertified_triangulation_error_2 unless `is_certified()`: CGAL's queries are not safe
@@ -489,15 +569,15 @@ public:
   Frame frame() const { return Frame(m_core->maintained); }
 
   /// the classifier.
-  const Classifier& classifier() const { return m_classifier; }
+  const Delaunay_classifier& classifier() const { return m_classifier; }
   /// the repair.
   const Delaunay_repair& repair() const { return m_repair; }
   /// the update policy.
   const Policy& policy() const { return m_policy; }
   /// the visitor.
-  const Visitor& visitor() const { return m_visitor; }
+  const Delaunay_update_visitor& visitor() const { return m_visitor; }
   /// the visitor, for whoever wants to take something from it, or to clear it.
-  Visitor& visitor() { return m_visitor; }
+  Delaunay_update_visitor& visitor() { return m_visitor; }
 
   /// the Classified set of the last update, as vertices of `frame()`. Empty after a rebuild that
   /// came before classification.
@@ -572,6 +652,7 @@ public:
   void write_checkpoint(std::ostream& out, std::string_view subject, const Append& append) const
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
+    const Rounding rounding;
     Checkpoint_writer_2<Maintained>(m_core->maintained, is_certified(), m_core->update.experience())
         .write(out, subject, append);
   }
@@ -580,13 +661,14 @@ public:
   void read_checkpoint(std::istream& in, std::string_view subject, const ReadAppendix& read_more)
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
+    const Rounding rounding;
     Checkpoint_input_2 file(in, subject);
     Checkpoint_reader_2<Maintained> reader(file);
     Maintained maintained(m_core->maintained.traits());
     reader.read(maintained);
     read_more(file, Frame(maintained));
     file.finish();
-    Classifier classifier = m_classifier;
+    Delaunay_classifier classifier = m_classifier;
     inform_classifier(classifier, Frame(maintained));
     start_visit([] {});
     m_classifier = std::move(classifier); // nothing throws from here on
@@ -610,6 +692,7 @@ public:
   bool is_valid(bool verbose = false, int level = 0) const
   {
     using Check = Dynamic_Delaunay_triangulations_2::internal::Validity_check_2<Maintained>;
+    const Rounding rounding;
     return Check(m_core->maintained, verbose).passes(level, is_certified());
   }
 
@@ -617,18 +700,19 @@ public:
 
 private:
   using Identity_map = boost::typed_identity_property_map<Point>;
+  using Rounding = Dynamic_Delaunay_triangulations_2::internal::Rounding_to_nearest_2;
 
   static constexpr bool is_parallel = std::is_convertible_v<ConcurrencyTag, Parallel_tag>;
 #ifndef CGAL_LINKED_WITH_TBB
   static_assert(!is_parallel, "Parallel_tag needs TBB: link with CGAL::TBB_support");
 #endif
 
-  static Classifier default_classifier()
+  static Delaunay_classifier default_classifier()
   {
-    if constexpr (is_parallel && std::is_constructible_v<Classifier, Parallel_tag>)
-      return Classifier(Parallel_tag());
+    if constexpr (is_parallel && std::is_constructible_v<Delaunay_classifier, Parallel_tag>)
+      return Delaunay_classifier(Parallel_tag());
     else
-      return Classifier();
+      return Delaunay_classifier();
   }
 
   static constexpr std::string_view checkpoint_subject = "Dynamic_Delaunay_triangulation_2";
@@ -640,6 +724,18 @@ private:
     Update update{maintained};
     Input input;
   };
+
+  // Takes everything; the other one gets an empty core, of which its classifier knows nothing.
+  Dynamic_Delaunay_triangulation_2(Dynamic_Delaunay_triangulation_2& other,
+                                   std::unique_ptr<Core> empty, int)
+    : m_classifier(std::move(other.m_classifier))
+    , m_repair(std::move(other.m_repair))
+    , m_policy(std::move(other.m_policy))
+    , m_visitor(std::move(other.m_visitor))
+    , m_core(std::exchange(other.m_core, std::move(empty)))
+    , m_is_classifier_informed(std::exchange(other.m_is_classifier_informed, false))
+  {
+  }
 
   using Change = Dynamic_Delaunay_triangulations_2::internal::Change_2<Point>;
 
@@ -716,10 +812,10 @@ private:
       f(size_type(ids.host(v)), size_type(ids.host(w)));
   }
 
-  Classifier m_classifier;
+  Delaunay_classifier m_classifier;
   Delaunay_repair m_repair;
   Policy m_policy;
-  Visitor m_visitor;
+  Delaunay_update_visitor m_visitor;
   std::unique_ptr<Core> m_core;
   bool m_is_classifier_informed = true;
 };

@@ -184,6 +184,39 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
+A classifier has named a vertex or an edge that is not there.
+*/
+class Unknown_index_error_2 : public Dynamic_Delaunay_triangulation_error_2
+{
+public:
+  /// \cond
+  Unknown_index_error_2(const std::string& what, std::size_t index, std::size_t bound)
+    : Dynamic_Delaunay_triangulation_error_2(message(what, index, bound))
+    , m_index(index)
+    , m_bound(bound)
+  {
+  }
+  /// \endcond
+
+  /// the index.
+  std::size_t index() const { return m_index; }
+  /// all indices are smaller.
+  std::size_t bound() const { return m_bound; }
+
+private:
+  static std::string message(const std::string& what, std::size_t index, std::size_t bound)
+  {
+    std::ostringstream out;
+    out << "there is no " << what << ' ' << index << ": their indices are smaller than " << bound;
+    return out.str();
+  }
+
+  std::size_t m_index, m_bound;
+};
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Errors
+
 An id that no point of a `Dynamic_population_2` has.
 */
 class Unknown_user_id_error_2 : public Dynamic_Delaunay_triangulation_error_2

@@ -50,8 +50,11 @@ public:
 
   /// classifies vertex `v`; nothing happens if it is the infinite one. Of every edge that is not
   /// Delaunay, an exact classifier classifies an end so, or it gives the edge to `add_edge()`.
+  /// \throws Unknown_index_error_2 if there is no such vertex.
   void add_vertex(Index v)
   {
+    if (v >= m_maintained->vertices.size())
+      throw Unknown_index_error_2("vertex", v, m_maintained->vertices.size());
     if (v != Dynamic_Delaunay_triangulations_2::internal::infinite_index) {
       m_vertices.insert(v);
       m_whole_vertices.insert(v);
@@ -69,8 +72,11 @@ public:
 
   /// classifies the four vertices of edge `e`, for the sake of that edge alone: repairs that work
   /// on edges start there, and need not look at all the edges of its vertices.
+  /// \throws Unknown_index_error_2 if there is no such edge.
   void add_edge(Index e)
   {
+    if (e >= m_maintained->mirror.number_of_edges())
+      throw Unknown_index_error_2("edge", e, m_maintained->mirror.number_of_edges());
     m_edges.push_back(e);
     std::swap(m_edges.back(), m_edges[m_edges.size() - 1 - m_number_of_illegal]);
     add_vertices_of(e);

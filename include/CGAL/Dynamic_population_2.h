@@ -41,6 +41,8 @@ template <class Dynamic, class UserId = std::int64_t>
 class Dynamic_population_2
 {
   static_assert(std::is_integral_v<UserId>, "the ids of a population are integers");
+  template <class Range>
+  using If_range = decltype(std::begin(std::declval<const Range&>()));
 
 public:
   /// \name Types
@@ -103,6 +105,13 @@ public:
                   Second_of_pair_property_map<Value>());
   }
 
+  /// the same for a range as a whole: anything with `begin()` and `end()`.
+  template <class Range, class = If_range<Range>>
+  Update_report_2 update(const Range& frame)
+  {
+    return update(std::begin(frame), std::end(frame));
+  }
+
   /// the same for ids and points that the property maps read from the values of the range.
   template <class InputIterator, class IdMap, class PointMap>
   Update_report_2 update(InputIterator first, InputIterator beyond, IdMap id_map,
@@ -148,9 +157,18 @@ public:
   Update_report_2 move(InputIterator first, InputIterator beyond)
   {
     std::vector<std::pair<size_type, Point>> movers;
-    for (; first != beyond; ++first)
-      movers.emplace_back(id(first->first), first->second);
+    for (; first != beyond; ++first) {
+      auto&& mover = *first;
+      movers.emplace_back(id(mover.first), mover.second);
+    }
     return m_triangulation.move(movers.begin(), movers.end());
+  }
+
+  /// the same for a range as a whole.
+  template <class Range, class = If_range<Range>>
+  Update_report_2 move(const Range& movers)
+  {
+    return move(std::begin(movers), std::end(movers));
   }
 
   /// as `Dynamic_Delaunay_triangulation_2::mend()`.
@@ -292,8 +310,9 @@ private:
     m_next_of.resize(m_triangulation.number_of_ids(), no_id);
     m_last = no_id;
     for (size_type place = 0; first != beyond; ++first, ++place) {
-      const UserId user_id = get(id_map, *first);
-      const Point p = get(point_map, *first);
+      auto&& value = *first;
+      const UserId user_id = get(id_map, value);
+      const Point p = get(point_map, value);
       Dynamic_Delaunay_triangulations_2::internal::checked_position(p, place);
       const size_type id = find(user_id);
       if (id == no_id) {

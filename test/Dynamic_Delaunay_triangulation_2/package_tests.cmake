@@ -24,6 +24,23 @@ if(NOT MSVC)
   target_compile_options(self_sufficient_headers PRIVATE -UNDEBUG -O0)
 endif()
 
+# What must not compile: the message is the test.
+if(NOT MSVC)
+  set(include_directories $<TARGET_PROPERTY:CGAL::CGAL,INTERFACE_INCLUDE_DIRECTORIES>)
+  function(add_refusal name source message)
+    add_test(NAME refused_${name} COMMAND_EXPAND_LISTS
+      COMMAND "${CMAKE_CXX_COMPILER}" -std=c++17 -fsyntax-only ${ARGN} "-I${PROJECT_SOURCE_DIR}/include"
+        "$<$<BOOL:${include_directories}>:-I$<JOIN:${include_directories},;-I>>"
+        "${CMAKE_CURRENT_SOURCE_DIR}/refused/${source}.cpp")
+    set_tests_properties(refused_${name} PROPERTIES LABELS test TIMEOUT 120 PASS_REGULAR_EXPRESSION "${message}")
+  endfunction()
+  foreach(flag IN ITEMS fast-math finite-math-only)
+    add_refusal(${flag} fast_math "impossible under" -f${flag} -Wfatal-errors)
+  endforeach()
+  add_refusal(Ofast fast_math "impossible under" -Ofast -Wfatal-errors)
+  add_refusal(rounded_predicates rounded_predicates "nothing could be certified")
+endif()
+
 # A program that finds the installed package, and one that has it as a subdirectory.
 add_test(NAME consumer
   COMMAND "${CMAKE_COMMAND}" -D SOURCE=${PROJECT_SOURCE_DIR} -D BUILD=${PROJECT_BINARY_DIR} -D CONFIG=$<CONFIG>

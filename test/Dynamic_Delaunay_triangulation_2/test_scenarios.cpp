@@ -1021,6 +1021,23 @@ TEST(Lammps_dump, in_a_tilted_box_takes_only_coordinates_that_are_not_scaled)
   expect_words(error_of(write_file("tilted.dump", bad)), {"tilted box", "not supported"});
 }
 
+TEST(Lammps_dump, of_a_periodic_box_is_remarked)
+{
+  const std::string periodic = dump_frame(0, "id x y", {"1 2 3"});
+  const auto remark = [&](const std::string& box) {
+    const std::string text = with_replaced(periodic, "BOX BOUNDS pp pp pp", box);
+    return open_motion(write_file("box.dump", text))->remark();
+  };
+  for (const char* const box : {"BOX BOUNDS pp pp pp", "BOX BOUNDS pp ff ff", "BOX BOUNDS ss pp fm",
+                                "BOX BOUNDS xy xz yz pp ff pp"}) {
+    EXPECT_NE(remark(box).find("periodic"), std::string::npos) << box;
+  }
+  // a flat system is periodic in z
+  for (const char* const box : {"BOX BOUNDS ff ff pp", "BOX BOUNDS ss fm pp", "BOX BOUNDS"}) {
+    EXPECT_EQ(remark(box), "") << box;
+  }
+}
+
 TEST(Lammps_dump, takes_the_time_where_it_is_written)
 {
   const auto motion = open_motion(write_file(

@@ -118,6 +118,7 @@ private:
   {
     m_box_is_tilted = header.find(" xy ") != std::string_view::npos ||
                       header.find(" abc ") != std::string_view::npos;
+    read_boundaries(header);
     m_box.emplace();
     for (Interval& side : *m_box) {
       split_at_blanks(data_line(), m_fields);
@@ -126,6 +127,16 @@ private:
       }
       side = {finite(m_fields[0], "lower bound"), finite(m_fields[1], "upper bound")};
     }
+  }
+
+  // Of x, y and z: two letters each, p for periodic.
+  void read_boundaries(std::string_view header)
+  {
+    split_at_blanks(header, m_fields);
+    const std::size_t planar = m_fields.size() < 3 ? m_fields.size() : m_fields.size() - 1;
+    m_box_is_periodic =
+        std::find(m_fields.begin(), m_fields.begin() + static_cast<std::ptrdiff_t>(planar), "pp") !=
+        m_fields.begin() + static_cast<std::ptrdiff_t>(planar);
   }
 
   void read_atoms(std::string_view header, Recording& frames)
@@ -137,6 +148,7 @@ private:
     const Columns columns = read_columns(header);
     Recorded_frame frame;
     frame.time = m_time.value_or(static_cast<double>(m_timestep));
+    frame.is_periodic = m_box && m_box_is_periodic;
     const std::size_t plausible = std::min(*m_number_of_atoms, m_scanner.bytes_left() / 2);
     frame.ids.reserve(plausible);
     frame.points.reserve(plausible);
@@ -284,6 +296,7 @@ private:
   std::optional<std::size_t> m_number_of_atoms;
   std::optional<std::array<Interval, 3>> m_box;
   bool m_box_is_tilted = false;
+  bool m_box_is_periodic = false;
   bool m_frame_is_open = false;
 };
 

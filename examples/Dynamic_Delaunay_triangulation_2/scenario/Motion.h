@@ -61,6 +61,9 @@ public:
   virtual std::optional<double> time_step() const { return std::nullopt; }
   virtual std::optional<double> largest_stable_time_step() const { return std::nullopt; }
 
+  // What whoever runs it should know, as it is not followed; empty if there is nothing.
+  virtual std::string remark() const { return {}; }
+
 private:
   std::string m_name;
 };

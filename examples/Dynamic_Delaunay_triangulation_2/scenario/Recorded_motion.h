@@ -22,6 +22,7 @@ struct Recorded_frame
   double time = 0.0;
   std::vector<std::int64_t> ids;
   std::vector<Point> points;
+  bool is_periodic = false; // its box is, in x or y
 };
 
 using Recording = std::vector<Recorded_frame>;
@@ -49,6 +50,16 @@ public:
   }
   bool population_changed() const override { return m_population_changed; }
   std::size_t frames() const override { return m_recording.size() - 1; }
+
+  std::string remark() const override
+  {
+    const bool is_periodic =
+        std::any_of(m_recording.begin(), m_recording.end(),
+                    [](const Recorded_frame& frame) { return frame.is_periodic; });
+    return is_periodic ? "the box is periodic, and is taken for an open one: points that leave it "
+                         "on one side jump to the other, and nobody has neighbors across its sides"
+                       : "";
+  }
 
   bool advance(const Neighbor_edges&) override
   {

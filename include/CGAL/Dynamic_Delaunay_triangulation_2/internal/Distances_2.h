@@ -5,6 +5,7 @@
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTANCES_2_H
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_position_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/enum.h>
@@ -86,6 +87,7 @@ private:
     return is_surely_smaller(s, t) ? SMALLER : is_surely_smaller(t, s) ? LARGER : EQUAL;
   }
 
+  const Rounding_to_nearest_2 m_rounding; // while distances are compared
   const Dynamic& m_dt;
   const typename Dynamic::Frame m_frame;
   const Traits& m_traits;

@@ -16,13 +16,22 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <memory>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
+
+// Whether it is known to point to values that stand in memory: others may be costly to ask twice.
+template <class Iterator, class Value = typename std::iterator_traits<Iterator>::value_type>
+constexpr bool is_in_memory = std::is_pointer_v<Iterator> ||
+                              std::is_same_v<Iterator, typename std::vector<Value>::iterator> ||
+                              std::is_same_v<Iterator, typename std::vector<Value>::const_iterator>;
+// which has no values to point to
+template <class Iterator>
+constexpr bool is_in_memory<Iterator, bool> = false;
 
 // Reads and checks the positions of a frame, before anything changes.
 template <class Maintained>
@@ -84,7 +93,10 @@ private:
     const Index* const hosts = maintained.ids.hosts();
     bool are_exact = true;
     const auto stage = [&](std::size_t v, Position_2& zero) {
-      const Point& p = get(point_map, first[Difference(hosts[v])]);
+      // iterators may keep their values in themselves, or make them, and maps refer into these
+      const RandomAccessIterator iterator = first + Difference(hosts[v]);
+      auto&& value = *iterator;
+      const Point& p = get(point_map, value);
       const Position_2 position{CGAL::to_double(p.x()), CGAL::to_double(p.y())};
       zero.x += 0 * (factor_beyond_limit * position.x);
       zero.y += 0 * (factor_beyond_limit * position.y);
@@ -93,9 +105,8 @@ private:
     };
     // one after the other in the plane, the points are anywhere in the range
     const auto prefetch_point = [&](std::size_t v) {
-      using Reference = typename std::iterator_traits<RandomAccessIterator>::reference;
-      if constexpr (std::is_lvalue_reference_v<Reference>)
-        prefetch(std::addressof(first[Difference(hosts[v])]));
+      if constexpr (is_in_memory<RandomAccessIterator>)
+        prefetch(&*(first + Difference(hosts[v])));
       prefetch(&maintained.positions[v]);
     };
     constexpr std::size_t ahead = 128;
@@ -139,7 +150,8 @@ private:
     for (; id < ids && first != beyond; ++id, ++first) {
       if (!maintained.ids.is_taken(id))
         continue;
-      const Point& p = get(point_map, *first);
+      auto&& value = *first;
+      const Point& p = get(point_map, value);
       const Position_2 position = checked_position(p, id, are_exact);
       if (guest != maintained.next_guests.end() && guest->id == id)
         (guest++)->point = p;

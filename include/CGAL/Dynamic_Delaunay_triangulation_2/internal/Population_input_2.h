@@ -63,8 +63,9 @@ public:
                           Change_2<Point>& change)
   {
     for (; first != beyond; ++first) {
-      change.moved.push_back(read_id(get(id_map, *first), maintained));
-      change.moved_points.push_back(get(point_map, *first));
+      auto&& value = *first;
+      change.moved.push_back(read_id(get(id_map, value), maintained));
+      change.moved_points.push_back(get(point_map, value));
       checked_position(change.moved_points.back(), change.moved.back(), change.are_exact);
     }
     check_distinct(change.moved);

@@ -7,8 +7,10 @@
 #include <CGAL/Circumcircle_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Change_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distinct_numbers_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_examination_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_filter_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_budget_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_experience_2.h>
@@ -241,12 +243,15 @@ private:
     constexpr std::size_t very_few = 8, least = 128, most = 1024;
     const Frame frame(m_maintained);
     const std::size_t edges = frame.number_of_edges();
-    if (!m_experience.is_wary()) {
-      const Sample few = sample(frame, very_few);
-      if (2 * few.broken < few.size)
-        return false;
-    }
-    const Sample many = sample(frame, (std::min)((std::max)(edges / 16, least), most));
+    const auto is_half_broken = [](const Sample& few) { return 2 * few.broken >= few.size; };
+    const auto is_not_delaunay = [&](Index e) { return !frame.is_delaunay(e); };
+    // the filter alone first: every frame pays for it
+    if (!m_experience.is_wary() &&
+        !(is_half_broken(sample(frame, very_few, [&](Index e) { return is_unproved(e); })) &&
+          is_half_broken(sample(frame, very_few, is_not_delaunay))))
+      return false;
+    const std::size_t size = (std::min)((std::max)(edges / 16, least), most);
+    const Sample many = sample(frame, size, is_not_delaunay);
     // by a quarter more than would do, as a sample may be wrong
     return m_experience.is_hopeless(many.size, many.broken) ||
            Repair_budget_2::is_rebuild_cheaper(frame.number_of_vertices(),
@@ -259,14 +264,25 @@ private:
   };
 
   // Of about so many edges, or of all.
-  static Sample sample(const Frame& frame, std::size_t size)
+  template <class Is_broken>
+  static Sample sample(const Frame& frame, std::size_t size, const Is_broken& is_broken)
   {
     const std::size_t edges = frame.number_of_edges();
     const std::size_t stride = 1 + edges / size;
     Sample taken{0, 0};
     for (std::size_t e = 0; e < edges; e += stride, ++taken.size)
-      taken.broken += !frame.is_delaunay(Index(e));
+      taken.broken += is_broken(Index(e));
     return taken;
+  }
+
+  // Not for an edge at infinity, where there is a NaN.
+  bool is_unproved(Index e) const
+  {
+    const Edge_2& edge = m_maintained.mirror.edge(e);
+    const auto& positions = m_maintained.positions;
+    return !is_at_infinity(edge) && !Edge_filter_2(positions[edge.left], positions[edge.source],
+                                                   positions[edge.target], positions[edge.right])
+                                         .proves_delaunay();
   }
 
   void rebuild(const Change& change, Rebuild_reason_2 reason, Update_report_2& report)

@@ -31,6 +31,7 @@ public:
   {
     return says(is_data_structure_valid(level), "the triangulation data structure is not valid") &&
            says(is_nobody_lost(is_certified), "a point has no vertex, or not its own") &&
+           says(is_nobody_moved(), "a vertex was moved from outside") &&
            says(is_mirror_in_step(), "the flat arrays differ from the data structure") &&
            says(is_simplicial(), "two edges have the same vertices") &&
            says(!is_certified || is_delaunay(), "the triangulation is certified, and not Delaunay");
@@ -82,6 +83,20 @@ private:
         return false;
     return guests == ids.guests().size() &&
            m_maintained.number_of_vertices() == ids.number_of_hosts();
+  }
+
+  // Handles let anybody set the point of a vertex.
+  bool is_nobody_moved() const
+  {
+    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v) {
+      const auto& p = m_maintained.vertices[v]->point();
+      if constexpr (Maintained::coordinates_are_doubles) {
+        if (p.x() != m_maintained.positions[v].x || p.y() != m_maintained.positions[v].y)
+          return false;
+      } else if (!coincide(m_maintained.traits(), p, m_maintained.next_points[v]))
+        return false;
+    }
+    return true;
   }
 
   bool is_mirror_in_step() const

@@ -1,0 +1,10 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Must not compile under -ffast-math, -Ofast or -ffinite-math-only, whichever header comes first.
+
+#include <CGAL/Circumcircle_classifier_2.h>
+
+int main()
+{
+}

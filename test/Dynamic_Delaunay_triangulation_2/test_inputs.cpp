@@ -1,0 +1,609 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Points come from anything that C++ calls a range, whatever its iterators keep, make or refer to;
+// wrong uses are refused, and whatever object was moved from works.
+
+#include "oracle.h"
+
+#include <CGAL/accepts_inexact_predicates_2.h>
+#include <CGAL/Cartesian.h>
+#include <CGAL/Delaunay_point_queries_2.h>
+#include <CGAL/Dynamic_population_2.h>
+#include <CGAL/Point_distance_classifier_2.h>
+#include <CGAL/Projection_traits_xy_3.h>
+#include <CGAL/property_map.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/iterator/transform_iterator.hpp>
+#include <boost/iterator/zip_iterator.hpp>
+#include <boost/property_map/function_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
+#include <boost/range/irange.hpp>
+
+#include <array>
+#include <cfenv>
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <iterator>
+#include <list>
+#include <memory>
+#include <sstream>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Point = Epick::Point_2;
+using Points = std::vector<Point>;
+using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
+using Population = CGAL::Dynamic_population_2<Dynamic>;
+
+constexpr std::size_t number = 500; // enough to overwrite what a dangling reference points to
+
+// RANGES ------------------------------------------------------------------------------------------
+
+// An iterator that keeps its value in itself, as one that reads a file does: it is gone when the
+// iterator is.
+class Stashing_iterator
+{
+public:
+  using iterator_category = std::random_access_iterator_tag;
+  using value_type = Point;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const Point*;
+  using reference = const Point&;
+
+  Stashing_iterator(const Points& points, std::ptrdiff_t i)
+    : m_points(&points)
+    , m_i(i)
+  {
+  }
+  ~Stashing_iterator() { m_value = Point(-1, -1); }
+  Stashing_iterator(const Stashing_iterator&) = default;
+  Stashing_iterator& operator=(const Stashing_iterator&) = default;
+
+  reference operator*() const
+  {
+    if (m_i < std::ptrdiff_t(m_points->size()))
+      m_value = (*m_points)[std::size_t(m_i)];
+    return m_value;
+  }
+  Stashing_iterator& operator++() { return *this += 1; }
+  Stashing_iterator operator++(int)
+  {
+    Stashing_iterator copy = *this;
+    ++*this;
+    return copy;
+  }
+  Stashing_iterator& operator+=(std::ptrdiff_t n)
+  {
+    m_i += n;
+    return *this;
+  }
+  friend Stashing_iterator operator+(Stashing_iterator i, std::ptrdiff_t n) { return i += n; }
+  friend std::ptrdiff_t operator-(const Stashing_iterator& i, const Stashing_iterator& j)
+  {
+    return i.m_i - j.m_i;
+  }
+  friend bool operator==(const Stashing_iterator& i, const Stashing_iterator& j)
+  {
+    return i.m_i == j.m_i;
+  }
+  friend bool operator!=(const Stashing_iterator& i, const Stashing_iterator& j)
+  {
+    return i.m_i != j.m_i;
+  }
+
+private:
+  const Points* m_points;
+  std::ptrdiff_t m_i;
+  mutable Point m_value;
+};
+
+// Each value can be read once only.
+class Single_pass_iterator
+{
+public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = Point;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const Point*;
+  using reference = Point;
+
+  Single_pass_iterator(std::deque<Point>* queue, std::size_t left)
+    : m_queue(queue)
+    , m_left(left)
+  {
+  }
+  Point operator*() const
+  {
+    const Point p = m_queue->front();
+    m_queue->pop_front();
+    return p;
+  }
+  Single_pass_iterator& operator++()
+  {
+    --m_left;
+    return *this;
+  }
+  void operator++(int) { ++*this; }
+  friend bool operator==(const Single_pass_iterator& i, const Single_pass_iterator& j)
+  {
+    return i.m_left == j.m_left;
+  }
+  friend bool operator!=(const Single_pass_iterator& i, const Single_pass_iterator& j)
+  {
+    return i.m_left != j.m_left;
+  }
+
+private:
+  std::deque<Point>* m_queue;
+  std::size_t m_left;
+};
+
+struct Particle
+{
+  std::array<double, 7> other = {};
+  Point where;
+};
+
+struct Where
+{
+  using result_type = const Point&;
+  const Point& operator()(const Particle& particle) const { return particle.where; }
+};
+
+struct Pair_of
+{
+  std::pair<Point, int> operator()(const Point& p) const { return {p, 3}; }
+};
+
+// Calls f(first, beyond, point_map) for the points in every kind of range.
+template <class Function>
+void for_each_kind_of_range(const Points& points, const Function& f)
+{
+  const boost::typed_identity_property_map<Point> identity;
+  const auto call = [&](const char* kind, auto first, auto beyond, auto map) {
+    SCOPED_TRACE(kind);
+    f(first, beyond, map);
+  };
+  call("pointers", points.data(), points.data() + points.size(), identity);
+  call("vector", points.begin(), points.end(), identity);
+  const std::list<Point> list(points.begin(), points.end());
+  call("list", list.begin(), list.end(), identity);
+  const std::deque<Point> deque(points.begin(), points.end());
+  call("deque", deque.begin(), deque.end(), identity);
+  call("iterators that keep their values", Stashing_iterator(points, 0),
+       Stashing_iterator(points, std::ptrdiff_t(points.size())), identity);
+  std::deque<Point> queue = deque;
+  call("a single pass", Single_pass_iterator(&queue, points.size()),
+       Single_pass_iterator(&queue, 0), identity);
+
+  std::vector<Particle> particles(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    particles[i].where = points[i];
+  call("references that a function gives",
+       boost::make_transform_iterator(particles.begin(), Where()),
+       boost::make_transform_iterator(particles.end(), Where()), identity);
+  call("a property map of structures", particles.begin(), particles.end(),
+       boost::make_function_property_map<Particle, const Point&>(Where()));
+
+  // the map refers into a pair that the iterator has made
+  const Pair_of pair_of;
+  call("references into values that are made",
+       boost::make_transform_iterator(points.begin(), pair_of),
+       boost::make_transform_iterator(points.end(), pair_of),
+       CGAL::First_of_pair_property_map<std::pair<Point, int>>());
+
+  std::vector<double> x, y;
+  for (const Point& p : points) {
+    x.push_back(p.x());
+    y.push_back(p.y());
+  }
+  const auto position = boost::make_function_property_map<std::size_t>(
+      [&](std::size_t i) { return Point(x[i], y[i]); });
+  const boost::counting_iterator<std::size_t> zero(0), end(points.size());
+  call("two arrays by numbers", zero, end, position);
+  const auto range = boost::irange<std::size_t>(0, points.size());
+  call("two arrays by a range of numbers", range.begin(), range.end(), position);
+  call("points by numbers", zero, end,
+       boost::make_iterator_property_map(points.begin(),
+                                         boost::typed_identity_property_map<std::size_t>()));
+  const auto zipped = [](const auto& a, const auto& b) {
+    return boost::make_zip_iterator(boost::make_tuple(a, b));
+  };
+  using Tuple = boost::tuple<const double&, const double&>;
+  call("two arrays side by side", zipped(x.cbegin(), y.cbegin()), zipped(x.cend(), y.cend()),
+       boost::make_function_property_map<Tuple>(
+           [](const Tuple& t) { return Point(t.get<0>(), t.get<1>()); }));
+  const auto made = [&](std::size_t i) { return Point(x[i], y[i]); };
+  call("points that are made", boost::make_transform_iterator(zero, made),
+       boost::make_transform_iterator(end, made), identity);
+}
+
+TEST(Ranges, of_any_kind_are_read_by_the_constructor)
+{
+  const Points points = Cloud<Epick>(1).uniform(number);
+  for_each_kind_of_range(points, [&](auto first, auto beyond, auto map) {
+    const Dynamic dt(first, beyond, map);
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  });
+}
+
+TEST(Ranges, of_any_kind_are_read_by_an_update)
+{
+  Cloud<Epick> cloud(2);
+  const Points before = cloud.uniform(number);
+  Points points = before;
+  cloud.shake(points, 0.1);
+  for_each_kind_of_range(points, [&](auto first, auto beyond, auto map) {
+    Dynamic dt(before);
+    dt.update(first, beyond, map);
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  });
+}
+
+TEST(Ranges, of_any_kind_are_read_by_an_update_with_points_that_coincide)
+{
+  Cloud<Epick> cloud(2);
+  Points before = cloud.uniform(number);
+  before[7] = before[300];
+  Points points = before;
+  cloud.shake(points, 0.1);
+  for_each_kind_of_range(points, [&](auto first, auto beyond, auto map) {
+    Dynamic dt(before);
+    dt.update(first, beyond, map);
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  });
+}
+
+TEST(Ranges, of_any_kind_are_read_by_an_insertion)
+{
+  Cloud<Epick> cloud(3);
+  const Points before = cloud.uniform(number), points = cloud.uniform(100);
+  Points all = before;
+  all.insert(all.end(), points.begin(), points.end());
+  for_each_kind_of_range(points, [&](auto first, auto beyond, auto map) {
+    Dynamic dt(before);
+    std::vector<std::size_t> ids;
+    dt.insert(first, beyond, map, std::back_inserter(ids));
+    ASSERT_EQ(ids.size(), points.size());
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, all));
+  });
+}
+
+TEST(Ranges, of_pairs_that_are_made_are_read_by_moves_and_populations)
+{
+  Cloud<Epick> cloud(4);
+  const Points before = cloud.uniform(number);
+  Points points = before;
+  cloud.shake(points, 0.1);
+  const auto pair_of = [&](std::size_t i) { return std::pair<std::size_t, Point>(i, points[i]); };
+  const auto first =
+      boost::make_transform_iterator(boost::counting_iterator<std::size_t>(0), pair_of);
+  const auto beyond =
+      boost::make_transform_iterator(boost::counting_iterator<std::size_t>(number), pair_of);
+  Dynamic dt(before);
+  dt.move(first, beyond);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+
+  Population people;
+  people.update(first, beyond);
+  for (std::size_t i = 0; i < number; ++i)
+    ASSERT_EQ(people.point(std::int64_t(i)), points[i]);
+  people.move(first, beyond);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(people.triangulation(), points));
+  const auto id_map = boost::make_function_property_map<std::size_t>(
+      [](std::size_t i) { return std::int64_t(i) + 1000; });
+  const auto point_map =
+      boost::make_function_property_map<std::size_t>([&](std::size_t i) { return points[i]; });
+  people.update(boost::counting_iterator<std::size_t>(0),
+                boost::counting_iterator<std::size_t>(number), id_map, point_map);
+  ASSERT_EQ(people.point(1000), points[0]);
+}
+
+TEST(Ranges, are_taken_as_a_whole)
+{
+  Cloud<Epick> cloud(5);
+  Points points = cloud.uniform(number);
+  Dynamic dt(points);
+  cloud.shake(points, 0.1);
+  EXPECT_TRUE(dt.update(points).certified);
+  cloud.shake(points, 0.1);
+  const std::list<Point> list(points.begin(), points.end());
+  EXPECT_TRUE(dt.update(list).certified);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  const auto position =
+      boost::make_function_property_map<std::size_t>([&](std::size_t i) { return points[i]; });
+  cloud.shake(points, 0.1);
+  dt.update(boost::irange<std::size_t>(0, number), position);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  const Point array[] = {{0.5, 0.25}, {0.125, 3}};
+  std::vector<std::size_t> ids;
+  dt.insert(array, std::back_inserter(ids));
+  points.insert(points.end(), std::begin(array), std::end(array));
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  dt.remove(ids);
+  points.resize(number);
+  const std::vector<std::pair<int, Point>> movers = {{3, {1, 1}}, {4, {2, 1}}};
+  dt.move(movers);
+  points[3] = {1, 1};
+  points[4] = {2, 1};
+  for (std::size_t id = 0; id < number; ++id)
+    ASSERT_EQ(dt.point(id), points[id]);
+
+  Population people;
+  const std::vector<std::pair<int, Point>> crowd = {{9, {0, 0}}, {4, {1, 0}}, {7, {0, 1}}};
+  EXPECT_TRUE(people.update(crowd).certified);
+  people.move(std::vector<std::pair<int, Point>>{{9, {0.25, 0}}});
+  EXPECT_EQ(people.point(9), Point(0.25, 0));
+}
+
+// OBJECTS THAT WERE MOVED FROM --------------------------------------------------------------------
+
+template <class Classifier>
+void expect_to_work_after_a_move(const Classifier& classifier)
+{
+  using Moved = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier>;
+  Cloud<Epick> cloud(6);
+  Points points = cloud.uniform(number), others = cloud.uniform(40);
+  Moved dt(points.begin(), points.end(), classifier);
+  for (int frame = 0; frame < 20; ++frame) { // until a classifier knows the points
+    cloud.shake(points, 1e-5);
+    dt.update(points);
+  }
+  const auto vertex = dt.vertex(3);
+  Moved target(std::move(dt));
+  EXPECT_EQ(target.vertex(3), vertex);
+  ASSERT_NO_FATAL_FAILURE(expect_valid(target, points));
+  EXPECT_EQ(dt.number_of_points(), 0u);
+  EXPECT_TRUE(dt.is_valid(true));
+  EXPECT_THROW(dt.update(points), CGAL::Point_count_error_2);
+  std::vector<std::size_t> ids;
+  dt.insert(others, std::back_inserter(ids));
+  for (int frame = 0; frame < 20; ++frame) {
+    cloud.shake(others, 1e-3);
+    dt.update(others);
+    cloud.shake(points, 1e-3);
+    target.update(points);
+  }
+  dt.mend();
+  target.mend();
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, others));
+  ASSERT_NO_FATAL_FAILURE(expect_exact(target, points));
+  dt = std::move(target);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  EXPECT_EQ(target.number_of_points(), 0u);
+}
+
+TEST(Objects, that_were_moved_from_are_empty_and_work)
+{
+  ASSERT_NO_FATAL_FAILURE(expect_to_work_after_a_move(CGAL::Circumcircle_classifier_2()));
+  ASSERT_NO_FATAL_FAILURE(expect_to_work_after_a_move(CGAL::Point_distance_classifier_2(0.5)));
+}
+
+TEST(Objects, that_are_moved_to_themselves_stay_as_they_are)
+{
+  Cloud<Epick> cloud(7);
+  Points points = cloud.uniform(number);
+  Dynamic dt(points);
+  Dynamic& same = dt;
+  for (int frame = 0; frame < 20; ++frame) {
+    cloud.shake(points, 1e-5);
+    dt.update(points);
+    dt = std::move(same);
+  }
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+}
+
+TEST(Objects, that_are_populations_can_be_moved)
+{
+  Population people;
+  std::vector<std::pair<int, Point>> crowd = {{9, {0, 0}}, {4, {1, 0}}, {7, {0, 1}}, {1, {3, 3}}};
+  people.update(crowd);
+  Population target(std::move(people));
+  EXPECT_EQ(target.size(), 4u);
+  EXPECT_EQ(people.size(), 0u);
+  EXPECT_FALSE(people.has(9));
+  crowd.pop_back();
+  people.update(crowd);
+  target.update(crowd);
+  for (const Population* each : {&people, &target}) {
+    EXPECT_EQ(each->size(), 3u);
+    EXPECT_EQ(each->point(4), Point(1, 0));
+    EXPECT_TRUE(each->triangulation().is_valid(true));
+  }
+}
+
+// WRONG USES --------------------------------------------------------------------------------------
+
+// Names what is not there.
+struct Wrong_classifier
+{
+  static constexpr bool is_exact = false;
+
+  template <class Frame, class Classification>
+  void operator()(const Frame& frame, Classification& classification) const
+  {
+    if (names_an_edge)
+      classification.add_edge(frame.number_of_edges() + excess);
+    else
+      classification.add_vertex(frame.number_of_vertices() + 1 + excess);
+  }
+
+  bool names_an_edge = false;
+  unsigned excess = 0;
+};
+
+TEST(Wrong_uses, of_indices_by_classifiers_are_refused_and_change_nothing)
+{
+  Cloud<Epick> cloud(8);
+  const Points points = cloud.uniform(50);
+  Points next = points;
+  cloud.shake(next, 0.1);
+  for (const bool names_an_edge : {false, true})
+    for (const unsigned excess : {0u, 1u, 1000000u, 0xfff00000u}) {
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, Wrong_classifier> dt(
+          points.begin(), points.end(), Wrong_classifier{names_an_edge, excess});
+      try {
+        dt.update(next);
+        ADD_FAILURE() << "not refused";
+      } catch (const CGAL::Unknown_index_error_2& error) {
+        EXPECT_GE(error.index(), error.bound());
+        EXPECT_NE(std::string(error.what()).find(names_an_edge ? "no edge" : "no vertex"),
+                  std::string::npos);
+      }
+      ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+    }
+}
+
+TEST(Wrong_uses, of_handles_that_move_a_point_are_seen)
+{
+  const Points points = Cloud<Epick>(9).uniform(50);
+  const Dynamic dt(points);
+  const auto vertex = dt.vertex(5);
+  vertex->set_point(Point(points[5].x() + 1e-9, points[5].y()));
+  EXPECT_FALSE(dt.is_valid());
+  vertex->set_point(points[5]);
+  EXPECT_TRUE(dt.is_valid());
+
+  const CGAL::Dynamic_Delaunay_triangulation_2<Epeck> exact(Cloud<Epeck>(9).uniform(50));
+  exact.vertex(5)->set_point(Epeck::Point_2(Epeck::FT(1) / 3, 5));
+  EXPECT_FALSE(exact.is_valid());
+}
+
+} // namespace
+
+template <>
+constexpr bool CGAL::accepts_inexact_predicates_2<CGAL::Simple_cartesian<double>> = true;
+
+namespace {
+
+using CGAL::Dynamic_Delaunay_triangulations_2::internal::Are_known_to_be_inexact_2;
+
+TEST(Kernels, whose_predicates_are_rounded_are_known)
+{
+  EXPECT_TRUE(Are_known_to_be_inexact_2<CGAL::Simple_cartesian<double>>::value);
+  EXPECT_TRUE(Are_known_to_be_inexact_2<CGAL::Simple_cartesian<float>>::value);
+  EXPECT_TRUE(Are_known_to_be_inexact_2<CGAL::Cartesian<double>>::value);
+  EXPECT_TRUE(Are_known_to_be_inexact_2<
+              CGAL::Projection_traits_xy_3<CGAL::Simple_cartesian<double>>>::value);
+  EXPECT_FALSE(Are_known_to_be_inexact_2<Epick>::value);
+  EXPECT_FALSE(Are_known_to_be_inexact_2<Epeck>::value);
+  EXPECT_FALSE(Are_known_to_be_inexact_2<CGAL::Projection_traits_xy_3<Epick>>::value);
+  EXPECT_FALSE(Are_known_to_be_inexact_2<CGAL::Simple_cartesian<Epeck::FT>>::value);
+}
+
+TEST(Kernels, whose_predicates_are_rounded_never_certify)
+{
+  using Rounded = CGAL::Simple_cartesian<double>;
+  std::vector<Rounded::Point_2> points = Cloud<Rounded>(10).uniform(100);
+  CGAL::Dynamic_Delaunay_triangulation_2<Rounded> dt(points);
+  EXPECT_FALSE(dt.is_certified());
+  EXPECT_FALSE(dt.update(points).certified);
+  EXPECT_FALSE(dt.mend().certified);
+  EXPECT_FALSE(dt.certify());
+  EXPECT_THROW(dt.triangulation(), CGAL::Uncertified_triangulation_error_2);
+  EXPECT_TRUE(dt.is_valid(true));
+  EXPECT_EQ(dt.number_of_vertices(), 100u);
+}
+
+TEST(Default, stands_for_every_parameter)
+{
+  using All_default =
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default, CGAL::Default, CGAL::Default,
+                                             CGAL::Default, CGAL::Default>;
+  static_assert(std::is_same_v<All_default::Delaunay_classifier, CGAL::Circumcircle_classifier_2>);
+  static_assert(
+      std::is_same_v<All_default::Delaunay_update_visitor, CGAL::Delaunay_update_visitor_base_2>);
+  Cloud<Epick> cloud(11);
+  Points points = cloud.uniform(60);
+  All_default dt(points);
+  cloud.shake(points, 0.1);
+  dt.update(points);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+}
+
+// ROUNDING MODES ----------------------------------------------------------------------------------
+
+class Rounding_modes : public testing::TestWithParam<int>
+{
+protected:
+  void SetUp() override { ASSERT_EQ(std::fesetround(GetParam()), 0); }
+  void TearDown() override
+  {
+    EXPECT_EQ(std::fegetround(), GetParam()); // it was given back
+    std::fesetround(FE_TONEAREST);
+  }
+  // What the oracle does, it does as CGAL's users have to.
+  template <class Call>
+  static void to_nearest(const Call& call)
+  {
+    const int mode = std::fegetround();
+    std::fesetround(FE_TONEAREST);
+    call();
+    std::fesetround(mode);
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(All, Rounding_modes,
+                         testing::Values(FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO));
+
+TEST_P(Rounding_modes, of_the_caller_change_nothing)
+{
+  for (const double unit : {1., 0x1p-1060, 0x1p900, 3e-304}) {
+    SCOPED_TRACE(testing::Message() << "unit " << unit);
+    Cloud<Epick> cloud(12);
+    Points points;
+    for (const Point& p : cloud.uniform(120))
+      points.push_back(Point(p.x() * unit, p.y() * unit));
+    std::unique_ptr<Dynamic> dt = std::make_unique<Dynamic>(points);
+    for (int frame = 0; frame < 12; ++frame) {
+      for (Point& p : points)
+        p = cloud.shifted(p, (frame % 4 == 3 ? 1 : 0.05) * unit);
+      if (frame == 5)
+        points[3] = points[4];
+      dt->update(points);
+      to_nearest([&] { expect_exact(*dt, points); });
+      ASSERT_FALSE(HasFatalFailure());
+      ASSERT_EQ(std::fegetround(), GetParam());
+    }
+    dt->move(7, Point(0, 0));
+    dt->remove(8);
+    dt->insert(points[8]);
+    points[7] = Point(0, 0);
+    EXPECT_TRUE(dt->certify());
+    EXPECT_TRUE(dt->is_valid(true));
+    to_nearest([&] { expect_exact(*dt, points); });
+    CGAL::Delaunay_point_queries_2<Dynamic> queries(*dt);
+    EXPECT_EQ(queries.nearest(points[20]), 20u);
+    std::stringstream file;
+    dt->write_checkpoint(file);
+    Dynamic other;
+    other.read_checkpoint(file);
+    to_nearest([&] { expect_exact(other, points); });
+    std::vector<std::pair<std::size_t, Point>> crowd;
+    for (std::size_t i = 0; i < points.size(); i += 2)
+      crowd.emplace_back(i, points[i]);
+    Population people;
+    EXPECT_TRUE(people.update(crowd).certified);
+    EXPECT_TRUE(people.triangulation().is_valid(true));
+  }
+}
+
+// Nine points with an extent for which a rounded scale is the largest double, not infinity: the
+// search for a finer grid never ended.
+TEST_P(Rounding_modes, let_points_at_the_smallest_extents_be_sorted)
+{
+  Points points;
+  for (int i = 0; i < 9; ++i)
+    points.push_back(Point(i * 4e-305, (i * i % 7) * 4e-306));
+  const Dynamic dt(points);
+  to_nearest([&] { expect_exact(dt, points); });
+}
+
+} // namespace
