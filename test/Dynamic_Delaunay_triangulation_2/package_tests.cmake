@@ -73,14 +73,20 @@ if(DOXYGEN AND DOT)
     "ENABLED_SECTIONS += EVERY_NAME\n")
   file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/manual")
   add_test(NAME manual COMMAND "${DOXYGEN}" "${doxyfile}" WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
-  set_tests_properties(manual PROPERTIES LABELS test TIMEOUT 300)
+  set_tests_properties(manual PROPERTIES LABELS test TIMEOUT 300 FIXTURES_SETUP manual)
 else()
   message(STATUS "No test of the manual: it needs doxygen and dot")
 endif()
 
-# That the code in it, and in the README, is that of examples.
+# That the code in it, and in the README, is that of examples; and what a reader sees.
 find_package(Python3 COMPONENTS Interpreter QUIET)
 if(Python3_FOUND)
+  if(TEST manual)
+    add_test(NAME built_manual
+      COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/built_manual.py"
+        "${PROJECT_SOURCE_DIR}/doc/Dynamic_Delaunay_triangulation_2" "${CMAKE_CURRENT_BINARY_DIR}/manual/html")
+    set_tests_properties(built_manual PROPERTIES LABELS test TIMEOUT 60 FIXTURES_REQUIRED manual)
+  endif()
   add_test(NAME shown_code
     COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/shown_code.py" "${PROJECT_SOURCE_DIR}")
   set_tests_properties(shown_code PROPERTIES LABELS test TIMEOUT 60)

@@ -5,23 +5,23 @@
 \ingroup PkgDynamicDelaunayTriangulation2Concepts
 \cgalConcept
 
-A repair mends what was classified. It does so with the tools of a `Dynamic_mender_2`, each of which leaves
+A repair mends what was classified. It does so with the tools of a `CGAL::Dynamic_mender_2`, each of which leaves
 the triangulation a valid triangulated sphere, so that no repair can break it.
 
 What the tools of an update may cost together is limited: by two rebuilds, or less if the repair calls
-`Dynamic_mender_2::limit_cost()`. When that is spent, everything is rebuilt. If the classifier is exact and the repair
-leaves edges open, the triangulation is rebuilt after it.
+`CGAL::Dynamic_mender_2::limit_cost()`. When that is spent, everything is rebuilt. If the classifier is exact and the
+repair leaves edges open, the triangulation is rebuilt after it.
 
 Vertices that the repair takes out of their faces, coincident points that part, and points that come are put in after
-it. What that breaks is mended by `Flip_and_splice_repair_2`, whatever the repair is, and so is what breaks where
+it. What that breaks is mended by `CGAL::Flip_and_splice_repair_2`, whatever the repair is, and so is what breaks where
 points come, go or move alone.
 
 \cgalHasModelsBegin
-\cgalHasModels{Flip_and_splice_repair_2}
-\cgalHasModels{Border_splice_repair_2}
-\cgalHasModels{Flip_repair_2}
-\cgalHasModels{Relocation_repair_2}
-\cgalHasModels{Rebuild_repair_2}
+\cgalHasModels{CGAL::Flip_and_splice_repair_2}
+\cgalHasModels{CGAL::Border_splice_repair_2}
+\cgalHasModels{CGAL::Flip_repair_2}
+\cgalHasModels{CGAL::Relocation_repair_2}
+\cgalHasModels{CGAL::Rebuild_repair_2}
 \cgalHasModelsEnd
 */
 class DelaunayRepair_2
@@ -35,7 +35,7 @@ public:
   exception is handed on.
 
   \param mender what was classified, which edges are open, and the tools. It is good until the call ends.
-  \tparam Mender `Dynamic_mender_2`
+  \tparam Mender `CGAL::Dynamic_mender_2`
   */
   template <class Mender>
   void operator()(Mender& mender);

@@ -6,13 +6,13 @@
 \cgalConcept
 
 A visitor is told what changes, as by those of CGAL's kinetic data structures: so it can keep data of faces,
-edges and vertices in step with them. `Delaunay_update_visitor_base_2` has all functions, and is a base for
+edges and vertices in step with them. `CGAL::Delaunay_update_visitor_base_2` has all functions, and is a base for
 visitors that need some of them.
 
 Each call of the triangulation that may change it, construction from points,
 `update()`, `move()`, `insert()`, `remove()`, `mend()` if there is something to mend, and `read_checkpoint()`,
-begins with `before_update()` and ends with `after_update()`. A frame of a `Dynamic_population_2` is one such call,
-whoever comes and goes in it. Between these two
+begins with `before_update()` and ends with `after_update()`. A frame of a `CGAL::Dynamic_population_2` is one such
+call, whoever comes and goes in it. Between these two
 
 - faces and vertices around those that are named can be looked at; not all of `tds()`, which may hold faces and
   vertices that are about to be written or deleted;
@@ -21,7 +21,7 @@ whoever comes and goes in it. Between these two
   like are best computed in `after_update()`;
 - a vertex may be outside of all faces, from `before_vertex_relocation()` until the creation of its faces is told, and
   `v->face()` then means nothing;
-- the triangulation is not certified, and may have inverted faces: `Dynamic_Delaunay_triangulation_2::tds()`,
+- the triangulation is not certified, and may have inverted faces: `CGAL::Dynamic_Delaunay_triangulation_2::tds()`,
   `infinite_vertex()` and `id()` may be asked for, but neither `triangulation()` nor `frame()`, and nothing may be
   changed but what the user keeps in vertices and faces.
 
@@ -39,13 +39,13 @@ If a visitor throws in `before_update()`, nothing changes. If it throws in one o
 to the end as if nobody had thrown, to the same result, and then throws that exception instead of returning its report.
 If the call ends by any other exception, `after_update()` is not called.
 
-A visitor is copied into the triangulation when that is constructed, and is never copied after that. The triangulation may be
-moved between two calls: no visitor should keep its address. All functions are templates, as the type of the
+A visitor is copied into the triangulation when that is constructed, and is never copied after that. The triangulation
+may be moved between two calls: no visitor should keep its address. All functions are templates, as the type of the
 triangulation depends on that of the visitor.
 
 \cgalHasModelsBegin
-\cgalHasModels{Delaunay_update_visitor_base_2}
-\cgalHasModels{Edge_changes_visitor_2}
+\cgalHasModels{CGAL::Delaunay_update_visitor_base_2}
+\cgalHasModels{CGAL::Edge_changes_visitor_2}
 \cgalHasModelsEnd
 */
 class DelaunayUpdateVisitor_2
@@ -53,7 +53,7 @@ class DelaunayUpdateVisitor_2
 public:
   /*!
   is called when the input of a call was read and accepted, before anything changes.
-  \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`
+  \tparam Dynamic a `CGAL::Dynamic_Delaunay_triangulation_2`
   */
   template <class Dynamic>
   void before_update(const Dynamic& dt);
@@ -96,8 +96,8 @@ public:
   void after_vertex_creation(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id);
 
   /*!
-  vertex `v`, which was that of the point with this id, will be no more; the removal of its faces was told. The point may
-  still be there: if other points shared its vertex, these get a new one in a rebuild.
+  vertex `v`, which was that of the point with this id, will be no more; the removal of its faces was told. The point
+  may still be there: if other points shared its vertex, these get a new one in a rebuild.
   */
   template <class Dynamic>
   void before_vertex_removal(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id);
@@ -112,8 +112,8 @@ public:
   void before_vertex_relocation(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id);
 
   /*!
-  vertex `v`, which was that of the point with this id, will be no more; the removal of its faces was told. The point has
-  come to where another one is, and shares the vertex `stays` from now on.
+  vertex `v`, which was that of the point with this id, will be no more; the removal of its faces was told. The point
+  has come to where another one is, and shares the vertex `stays` from now on.
   */
   template <class Dynamic>
   void before_vertex_merge(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id,

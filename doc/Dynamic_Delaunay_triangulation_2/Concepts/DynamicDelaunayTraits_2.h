@@ -5,23 +5,23 @@
 \ingroup PkgDynamicDelaunayTriangulation2Concepts
 \cgalConcept
 
-The points of a `Dynamic_Delaunay_triangulation_2`, and the predicates about them. The plane that is triangulated
+The points of a `CGAL::Dynamic_Delaunay_triangulation_2`, and the predicates about them. The plane that is triangulated
 is that of their `x()` and `y()`: traits that project onto another plane, such as `Projection_traits_yz_3`, are no
 models.
 
 A point may hold more than its place, such as a height, or a name. Nothing of that is looked at, and it stays with the
-point: `Dynamic_Delaunay_triangulation_2::point()` returns all that the user has given last, and the vertex has the
-point of the one whose id it names (`Dynamic_Delaunay_triangulation_2::id()`). Points *coincide* if they are equal in
-`x()` and `y()`, whatever else they hold. A frame with other heights and the same places breaks nothing.
+point: `CGAL::Dynamic_Delaunay_triangulation_2::point()` returns all that the user has given last, and the vertex has
+the point of the one whose id it names (`CGAL::Dynamic_Delaunay_triangulation_2::id()`). Points *coincide* if they are
+equal in `x()` and `y()`, whatever else they hold. A frame with other heights and the same places breaks nothing.
 
 Points that are a kernel's `Point_2` with doubles for coordinates are the fastest: they are made of the flat arrays
 again, and need no room of their own. Others are kept beside these. As long as their coordinates are doubles, the
 floating-point filters decide nearly all signs just the same.
 
-Checkpoints keep `x()` and `y()` only: `Dynamic_Delaunay_triangulation_2::write_checkpoint()` and
-`Dynamic_Delaunay_triangulation_2::read_checkpoint()` compile for a kernel's `Point_2` alone. Other parts ask for more
-where their pages say so, such as `Delaunay_point_queries_2`; `Relocation_repair_2` compares points by `==`, as CGAL
-does when it moves them.
+Checkpoints keep `x()` and `y()` only: `CGAL::Dynamic_Delaunay_triangulation_2::write_checkpoint()` and
+`CGAL::Dynamic_Delaunay_triangulation_2::read_checkpoint()` compile for a kernel's `Point_2` alone. Other parts ask for
+more where their pages say so, such as `CGAL::Delaunay_point_queries_2`; `CGAL::Relocation_repair_2` compares points by
+`==`, as CGAL does when it moves them.
 
 \cgalRefines{DelaunayTriangulationTraits_2}
 
