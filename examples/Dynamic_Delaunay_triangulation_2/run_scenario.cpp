@@ -11,6 +11,7 @@
 #include "run/Extended_xyz_format.h"
 #include "run/Frame_choice.h"
 #include "run/Frame_log.h"
+#include "run/Interruption.h"
 #include "run/Lammps_format.h"
 #include "run/Output_file.h"
 #include "run/Picture_series.h"
@@ -27,11 +28,14 @@
 #include "scenario/Open_motion.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstddef>
+#include <cstring>
 #include <exception>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -143,7 +147,7 @@ run::Run_summary run_frames(scenario::Motion& motion, const Classifier& classifi
   const std::size_t points_of_first_frame = motion.points().size();
   std::vector<run::Frame_record> records;
   outputs.take_first_frame(run);
-  while (records.size() != frames && run.advance()) {
+  while (records.size() != frames && !run::Interruption::has_come() && run.advance()) {
     records.push_back(run.record());
     outputs.take_frame(run);
   }
@@ -172,7 +176,19 @@ std::unique_ptr<scenario::Motion> open(const std::string& path, const run::Run_o
   return scenario::open_motion(path, overrides);
 }
 
-void run_scenario(const run::Run_options& options)
+// What it prints, and whether that arrives.
+void print(const run::Run_subject& subject, const run::Run_summary& summary)
+{
+  errno = 0;
+  run::write_table(std::cout, subject, summary);
+  std::cout.flush();
+  if (!std::cout) {
+    throw std::runtime_error(std::string("standard output: cannot be written: ") +
+                             std::strerror(errno));
+  }
+}
+
+int run_scenario(const run::Run_options& options)
 {
   const std::string path = run::scenario_path(options.scenario);
   const run::Scenario_facts facts = run::scenario_facts(path, options.overrides.points);
@@ -192,8 +208,14 @@ void run_scenario(const run::Run_options& options)
     outputs.finish(subject, summary);
   }
   if (!options.quiet) {
-    run::write_table(std::cout, subject, summary);
+    print(subject, summary);
   }
+  if (run::Interruption::has_come()) {
+    std::cerr << "run_scenario: interrupted: what was written is of the " << summary.frames
+              << " frames that were done, of " << frames << std::endl;
+    return run::Interruption::exit_code();
+  }
+  return 0;
 }
 
 } // namespace
@@ -202,8 +224,9 @@ int main(int argc, char** argv)
 {
   CLI::App app("", "run_scenario");
   try {
-    run_scenario(run::parse_options(app, argc, argv));
-    return 0;
+    const run::Run_options options = run::parse_options(app, argc, argv);
+    run::Interruption::expect();
+    return run_scenario(options);
   } catch (const CLI::Success& help_or_version) {
     return app.exit(help_or_version);
   } catch (const std::exception& error) {

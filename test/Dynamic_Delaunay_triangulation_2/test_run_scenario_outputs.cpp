@@ -22,8 +22,10 @@
 #include <array>
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -595,11 +597,78 @@ TEST(Files, of_a_run_that_fails_are_as_they_were)
       run_program({"dam_break", "--points", "50", "--frames", "9", "--csv", "/dev/full", "--xyz",
                    xyz, "--lammps", dump, "--vtk", directory.string()});
   EXPECT_FALSE(outcome.succeeded);
-  EXPECT_TRUE(contains(outcome.errors, "cannot be written to its end")) << outcome.errors;
+  EXPECT_TRUE(contains(outcome.errors, "/dev/full: cannot be written to its end: No space left"))
+      << outcome.errors;
   EXPECT_EQ(content_of(xyz), "old");
   EXPECT_EQ(content_of(dump), "old");
   EXPECT_FALSE(std::filesystem::exists(directory / "frames.pvd"));
   EXPECT_FALSE(std::filesystem::exists(directory / "frames.pvd.part"));
+}
+
+// Not after the last one of many frames.
+TEST(A_full_disk, is_told_when_it_is_full)
+{
+  if (!std::filesystem::exists("/dev/full")) {
+    GTEST_SKIP() << "there is no device that is full";
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const Outcome outcome = run_program(
+      {"dam_break", "--points", "50", "--frames", "100000000", "--quiet", "--csv", "/dev/full"});
+  EXPECT_FALSE(outcome.succeeded);
+  EXPECT_TRUE(contains(outcome.errors, "No space left")) << outcome.errors;
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::minutes(1));
+}
+
+TEST(Standard_output, that_is_full_is_a_failure)
+{
+  if (!std::filesystem::exists("/dev/full")) {
+    GTEST_SKIP() << "there is no device that is full";
+  }
+  const std::string errors = temporary_path("errors");
+  const std::string command =
+      "\"" RUN_SCENARIO "\" dam_break --points 50 --frames 2 > /dev/full 2> \"" + errors + "\"";
+  EXPECT_NE(std::system(command.c_str()), 0);
+  EXPECT_TRUE(contains(content_of(errors), "standard output: cannot be written: No space left"))
+      << content_of(errors);
+}
+
+#ifndef _WIN32
+// What was done until then is there as a whole, and a summary of it.
+TEST(An_interrupted_run, finishes_what_it_has_written)
+{
+  const std::string log = temporary_path("interrupted.csv"),
+                    dump = temporary_path("interrupted.xyz");
+  const std::string output = temporary_path("output"), errors = temporary_path("errors");
+  for (const char* signal : {"INT", "TERM"}) {
+    SCOPED_TRACE(signal);
+    std::filesystem::remove(log);
+    std::filesystem::remove(dump);
+    const std::string command = std::string("timeout --signal=") + signal +
+                                " 3 \"" RUN_SCENARIO "\" dam_break --points 60 --frames 100000000" +
+                                " --csv \"" + log + "\" --xyz \"" + dump + "\" > \"" + output +
+                                "\" 2> \"" + errors + "\"";
+    EXPECT_NE(std::system(command.c_str()), 0);
+    EXPECT_TRUE(contains(content_of(errors), "run_scenario: interrupted")) << content_of(errors);
+    EXPECT_TRUE(contains(content_of(output), "certified")) << content_of(output);
+    const std::string rows = content_of(log);
+    ASSERT_GT(number_of_lines(rows), 2u);
+    EXPECT_EQ(rows.back(), '\n');
+    EXPECT_TRUE(std::filesystem::exists(dump));
+    for (const std::string& path : {log, dump}) {
+      EXPECT_FALSE(std::filesystem::exists(path + ".part"));
+    }
+  }
+}
+#endif
+
+TEST(Frame_log, has_times_that_do_not_drift_in_few_digits)
+{
+  const std::string log = temporary_path("short.csv");
+  ASSERT_TRUE(run_program({"dam_break", "--points", "20", "--frames", "40", "--quiet", "--csv", log})
+                  .succeeded);
+  const std::string rows = content_of(log);
+  EXPECT_TRUE(contains(rows, "\n1,0.3,20,")) << rows;
+  EXPECT_TRUE(contains(rows, "\n40,12,20,")) << rows;
 }
 
 TEST(Help, lists_the_formats)

@@ -4,11 +4,11 @@
 #ifndef RUN_FRAME_LOG_H
 #define RUN_FRAME_LOG_H
 
+#include "Exact_number.h"
 #include "Frame_record.h"
 #include "Output_file.h"
 #include "Rebuild_reason_name.h"
 
-#include <limits>
 #include <string>
 
 namespace run {
@@ -20,7 +20,6 @@ public:
   explicit Frame_log(const std::string& path)
     : m_file(path)
   {
-    m_file.stream().precision(std::numeric_limits<double>::max_digits10);
     m_file.stream() << "frame,time,points,population_changed,certified,mcc,rebuild_reason,"
                        "classified,padded,border,flips,splices,growths,relocated,"
                        "dynamic_ns,static_insert_ns,static_fastest_ns\n";
@@ -29,14 +28,16 @@ public:
   void write(const Frame_record& record)
   {
     const CGAL::Update_report_2& update = record.update;
-    m_file.stream() << record.frame << ',' << record.time << ',' << record.points << ','
-                    << record.population_changed << ',' << record.certified << ','
-                    << record.validity << ',' << rebuild_reason_name(update.rebuild_reason) << ','
-                    << update.classified << ',' << update.padded << ',' << update.border << ','
-                    << update.flips << ',' << update.splices << ',' << update.growths << ','
-                    << update.relocated << ',' << record.nanoseconds.dynamic << ','
-                    << record.nanoseconds.static_insert << ',' << record.nanoseconds.static_fastest
-                    << '\n';
+    m_file.stream() << record.frame << ',' << Exact_number{record.time} << ',' << record.points
+                    << ',' << record.population_changed << ',' << record.certified << ','
+                    << Exact_number{record.validity} << ','
+                    << rebuild_reason_name(update.rebuild_reason) << ',' << update.classified << ','
+                    << update.padded << ',' << update.border << ',' << update.flips << ','
+                    << update.splices << ',' << update.growths << ',' << update.relocated << ','
+                    << Exact_number{record.nanoseconds.dynamic} << ','
+                    << Exact_number{record.nanoseconds.static_insert} << ','
+                    << Exact_number{record.nanoseconds.static_fastest} << '\n';
+    m_file.check();
   }
 
   void finish() { m_file.finish(); }

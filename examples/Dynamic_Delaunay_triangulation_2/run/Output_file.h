@@ -45,12 +45,20 @@ public:
 
   std::ostream& stream() { return m_stream; }
 
+  // After each frame: a full disk is told when it is full, not after the last frame.
+  void check()
+  {
+    if (!m_stream) {
+      throw std::runtime_error(m_path + ": cannot be written to its end" + reason());
+    }
+    errno = 0;
+  }
+
   void finish()
   {
+    check();
     m_stream.close();
-    if (!m_stream) {
-      throw std::runtime_error(m_path + ": cannot be written to its end");
-    }
+    check();
     std::error_code error;
     if (m_written_path != m_path) {
       std::filesystem::rename(m_written_path, m_path, error);
@@ -62,6 +70,9 @@ public:
   }
 
 private:
+  // If the system has said it since the last check.
+  static std::string reason() { return errno != 0 ? std::string(": ") + std::strerror(errno) : ""; }
+
   static bool is_special(const std::string& path)
   {
     std::error_code ignored;

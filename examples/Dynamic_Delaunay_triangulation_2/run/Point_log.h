@@ -42,6 +42,7 @@ public:
       const scenario::Motion& motion = run.motion();
       Format::write_head(m_file.stream(), motion, cell_bounds(m_box, motion.points()), frame);
       write_points(motion, sets_of_points(run));
+      m_file.check();
     }
   }
 

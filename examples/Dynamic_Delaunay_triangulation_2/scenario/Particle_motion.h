@@ -42,7 +42,7 @@ public:
 
   const std::vector<std::int64_t>& ids() const override { return m_ids; }
   const std::vector<Point>& points() const override { return m_system.positions(); }
-  double time() const override { return m_time; }
+  double time() const override { return m_frame * m_seconds_per_frame; }
   std::size_t frames() const override { return m_frames; }
   bool uses_neighbors() const override { return true; }
   std::optional<double> time_step() const override { return m_time_step; }
@@ -55,7 +55,7 @@ public:
   bool advance(const Neighbor_edges& neighbors) override
   {
     m_system.step(neighbors, m_seconds_per_frame);
-    m_time += m_seconds_per_frame;
+    m_frame += 1;
     return true;
   }
 
@@ -159,7 +159,7 @@ private:
   std::optional<double> m_largest_stable_time_step;
   std::size_t m_frames;
   double m_seconds_per_frame;
-  double m_time = 0.0;
+  double m_frame = 0.0;
   std::vector<std::int64_t> m_ids;
   Particle_system m_system;
 };
