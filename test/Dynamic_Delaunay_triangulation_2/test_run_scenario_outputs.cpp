@@ -664,8 +664,9 @@ TEST(An_interrupted_run, finishes_what_it_has_written)
 TEST(Frame_log, has_times_that_do_not_drift_in_few_digits)
 {
   const std::string log = temporary_path("short.csv");
-  ASSERT_TRUE(run_program({"dam_break", "--points", "20", "--frames", "40", "--quiet", "--csv", log})
-                  .succeeded);
+  ASSERT_TRUE(
+      run_program({"dam_break", "--points", "20", "--frames", "40", "--quiet", "--csv", log})
+          .succeeded);
   const std::string rows = content_of(log);
   EXPECT_TRUE(contains(rows, "\n1,0.3,20,")) << rows;
   EXPECT_TRUE(contains(rows, "\n40,12,20,")) << rows;
