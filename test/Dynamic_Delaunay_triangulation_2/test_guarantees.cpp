@@ -307,9 +307,8 @@ TEST(Guarantees, the_classified_set_names_no_vertex_that_a_rebuild_did_away_with
 {
   Cloud<Epick> cloud(15);
   const auto points = cloud.uniform(200);
-  auto elsewhere =
-      points; // a third of them: were it more, a sample would decide, and nobody be classified
-  std::copy(elsewhere.begin(), elsewhere.begin() + 70, elsewhere.begin() + 130);
+  auto elsewhere = points; // were it more than a quarter, a sample would decide
+  std::copy(elsewhere.begin(), elsewhere.begin() + 50, elsewhere.begin() + 150);
   Exact dt(points.begin(), points.end());
   const auto report = dt.update(elsewhere.begin(), elsewhere.end());
   EXPECT_TRUE(report.rebuilt());

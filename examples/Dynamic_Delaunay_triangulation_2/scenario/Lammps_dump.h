@@ -239,6 +239,7 @@ private:
     });
     Recorded_frame sorted;
     sorted.time = frame.time;
+    sorted.is_periodic = frame.is_periodic;
     for (std::size_t i = 0; i != order.size(); ++i) {
       if (i != 0 && frame.ids[order[i]] == frame.ids[order[i - 1]]) {
         fail_twice(frame.ids[order[i]], m_lines[order[i - 1]], m_lines[order[i]]);
