@@ -109,6 +109,26 @@ TEST(A_splice_that_merges, names_only_vertices_that_there_are)
   EXPECT_GT(merged_for_good, 0u);
 }
 
+// One cluster had been spliced when two points of another one were found to coincide, and what lay
+// around the first was taken for proved: certified, and not Delaunay
+// (--family cocircular --trial 12519586882401566296, and 282966 of a search for smaller ones).
+TEST(A_splice_that_merges, proves_what_it_has_spliced_before)
+{
+  Points points = {{-59, -27}, {28, 59},  {-61, -25}, {-65, -15}, {18, 63},  {-51, -42},
+                   {-62, -24}, {-47, 45}, {36, -55},  {38, -53},  {-24, 61}, {66, 9},
+                   {-65, 17},  {57, 31},  {-6, -65},  {-21, 63},  {-62, 19}, {67, 2},
+                   {13, -66},  {24, -63}, {29, 60},   {22, -61},  {-66, -9}, {-36, 56},
+                   {-16, -63}, {58, -31}, {-3, 67},   {-2, 65},   {-6, -67}, {-4, -65}};
+  const Moves moves = {{1, {29, 60}}, {2, {-60, -24}}};
+  Dynamic dt(points);
+  const CGAL::Update_report_2 report = dt.move(moves);
+  EXPECT_EQ(report.merged, 1u);
+  EXPECT_FALSE(report.rebuilt());
+  for (const auto& [id, point] : moves)
+    points[id] = point;
+  expect_exact(dt, points);
+}
+
 TEST(A_rebuild, is_for_the_dimension_where_the_plane_was_or_is_not_spanned)
 {
   using CGAL::Rebuild_reason_2;

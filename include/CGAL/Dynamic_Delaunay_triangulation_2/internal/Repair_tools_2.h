@@ -380,11 +380,13 @@ private:
     return true;
   }
 
-  // Vertices that have come to coincide become one.
+  // Vertices that have come to coincide become one. Other clusters may have been spliced before
+  // that was found.
   void merge()
   {
     if (!m_has_to_prove)
       return rebuild(Rebuild_reason_2::COINCIDENCE);
+    m_open.reopen(m_maintained, m_splice.boundary_edges());
     std::vector<Index> candidates = m_splice.region();
     m_open.for_each_uncertain_vertex(m_maintained, [&](Index v) { candidates.push_back(v); });
     make_distinct(candidates);
