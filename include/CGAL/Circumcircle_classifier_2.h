@@ -169,7 +169,7 @@ private:
   void find_unproved(const Frame& frame, unsigned part, unsigned parts)
   {
     // each thread has a mode of its own
-    const Dynamic_Delaunay_triangulations_2::internal::Rounding_to_nearest_2 rounding;
+    const Dynamic_Delaunay_triangulations_2::internal::Default_floating_point_2 floating_point;
     const std::size_t edges = frame.number_of_edges();
     m_unproved[part].clear();
     Dynamic_Delaunay_triangulations_2::internal::append_unproved(

@@ -16,6 +16,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_reader_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_writer_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/If_range.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_frame_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Population_input_2.h>
@@ -123,7 +124,7 @@ class Dynamic_Delaunay_triangulation_2
       Dynamic_Delaunay_triangulations_2::internal::Population_input_2<Maintained>;
   using Index = Dynamic_Delaunay_triangulations_2::Index;
   template <class Range>
-  using If_range = decltype(std::begin(std::declval<const Range&>()));
+  using If_range = Dynamic_Delaunay_triangulations_2::internal::If_range<Range>;
 
 public:
   /// \name Types
@@ -237,11 +238,12 @@ public:
     insert(first, beyond, point_map, Emptyset_iterator());
   }
 
-  /// takes everything from another one, which is an empty triangulation then, with what is left of
-  /// its classifier, repair, policy and visitor. Vertices and faces stay where they are in memory.
-  /// Takes memory for the empty triangulation.
+  /// takes everything from another one, which is an empty triangulation then, with the same
+  /// classifier, repair and policy, and what is left of its visitor. Vertices and faces stay where
+  /// they are in memory. Takes memory for the empty triangulation, and for what classifier, repair
+  /// and policy remember.
   Dynamic_Delaunay_triangulation_2(Dynamic_Delaunay_triangulation_2&& other)
-    : Dynamic_Delaunay_triangulation_2(other, std::make_unique<Core>(), 0)
+    : Dynamic_Delaunay_triangulation_2(other, std::make_unique<Core>())
   {
   }
   /// the same. Nothing happens to an object that is moved to itself.
@@ -294,7 +296,7 @@ public:
   template <class InputIterator, class PointMap>
   Update_report_2 update(InputIterator first, InputIterator beyond, PointMap point_map)
   {
-    const Rounding rounding;
+    const Floating_point floating_point;
     m_core->input.stage(first, beyond, point_map, m_core->maintained);
     Change change;
     change.is_frame = true;
@@ -343,7 +345,7 @@ public:
   template <class InputIterator, class IdMap, class PointMap>
   Update_report_2 move(InputIterator first, InputIterator beyond, IdMap id_map, PointMap point_map)
   {
-    const Rounding rounding;
+    const Floating_point floating_point;
     Change change;
     Population_input::read_movers(first, beyond, id_map, point_map, m_core->maintained, change);
     return run(change);
@@ -398,7 +400,7 @@ public:
   Update_report_2 insert(InputIterator first, InputIterator beyond, PointMap point_map,
                          OutputIterator ids)
   {
-    const Rounding rounding;
+    const Floating_point floating_point;
     Change change;
     Population_input::read_newcomers(first, beyond, point_map, m_core->maintained, change);
     for (const Index id : change.coming)
@@ -421,7 +423,7 @@ public:
   template <class InputIterator>
   Update_report_2 remove(InputIterator first, InputIterator beyond)
   {
-    const Rounding rounding;
+    const Floating_point floating_point;
     Change change;
     change.gone = Population_input::read_ids(first, beyond, m_core->maintained);
     return run(change);
@@ -443,7 +445,7 @@ public:
   update_population(InputIterator first, InputIterator beyond, const std::vector<size_type>& gone,
                     const std::vector<Point>& coming, std::vector<size_type>& coming_ids)
   {
-    const Rounding rounding;
+    const Floating_point floating_point;
     Change change;
     Population_input::read_newcomers(coming.begin(), coming.end(), Identity_map(),
                                      m_core->maintained, change);
@@ -473,7 +475,7 @@ public:
   /// is certified already. \post `is_certified()`
   Update_report_2 mend()
   {
-    const Rounding rounding;
+    const Floating_point floating_point;
     Change change;
     change.is_mending = true;
     if (!is_certified())
@@ -488,7 +490,7 @@ public:
   /// or the plane not spanned. Cost: one pass over all edges, none if it is certified already.
   bool certify()
   {
-    const Rounding rounding;
+    const Floating_point floating_point;
     return is_exact && m_core->update.certify();
   }
 
@@ -652,7 +654,7 @@ public:
   void write_checkpoint(std::ostream& out, std::string_view subject, const Append& append) const
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
-    const Rounding rounding;
+    const Floating_point floating_point;
     Checkpoint_writer_2<Maintained>(m_core->maintained, is_certified(), m_core->update.experience())
         .write(out, subject, append);
   }
@@ -661,7 +663,7 @@ public:
   void read_checkpoint(std::istream& in, std::string_view subject, const ReadAppendix& read_more)
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
-    const Rounding rounding;
+    const Floating_point floating_point;
     Checkpoint_input_2 file(in, subject);
     Checkpoint_reader_2<Maintained> reader(file);
     Maintained maintained(m_core->maintained.traits());
@@ -692,7 +694,7 @@ public:
   bool is_valid(bool verbose = false, int level = 0) const
   {
     using Check = Dynamic_Delaunay_triangulations_2::internal::Validity_check_2<Maintained>;
-    const Rounding rounding;
+    const Floating_point floating_point;
     return Check(m_core->maintained, verbose).passes(level, is_certified());
   }
 
@@ -700,7 +702,7 @@ public:
 
 private:
   using Identity_map = boost::typed_identity_property_map<Point>;
-  using Rounding = Dynamic_Delaunay_triangulations_2::internal::Rounding_to_nearest_2;
+  using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point_2;
 
   static constexpr bool is_parallel = std::is_convertible_v<ConcurrencyTag, Parallel_tag>;
 #ifndef CGAL_LINKED_WITH_TBB
@@ -725,12 +727,13 @@ private:
     Input input;
   };
 
-  // Takes everything; the other one gets an empty core, of which its classifier knows nothing.
+  // Takes everything; the other one gets an empty core, of which its classifier knows nothing. What
+  // is copied has to work on in both: an object that was moved from may be good for nothing.
   Dynamic_Delaunay_triangulation_2(Dynamic_Delaunay_triangulation_2& other,
-                                   std::unique_ptr<Core> empty, int)
-    : m_classifier(std::move(other.m_classifier))
-    , m_repair(std::move(other.m_repair))
-    , m_policy(std::move(other.m_policy))
+                                   std::unique_ptr<Core> empty)
+    : m_classifier(other.m_classifier)
+    , m_repair(other.m_repair)
+    , m_policy(other.m_policy)
     , m_visitor(std::move(other.m_visitor))
     , m_core(std::exchange(other.m_core, std::move(empty)))
     , m_is_classifier_informed(std::exchange(other.m_is_classifier_informed, false))

@@ -7,6 +7,7 @@
 #include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_operators_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distinct_numbers_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/If_range.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_position_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/User_id_table_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
@@ -42,7 +43,7 @@ class Dynamic_population_2
 {
   static_assert(std::is_integral_v<UserId>, "the ids of a population are integers");
   template <class Range>
-  using If_range = decltype(std::begin(std::declval<const Range&>()));
+  using If_range = Dynamic_Delaunay_triangulations_2::internal::If_range<Range>;
 
 public:
   /// \name Types

@@ -4,6 +4,7 @@
 #ifndef CGAL_DELAUNAY_AGREEMENT_H
 #define CGAL_DELAUNAY_AGREEMENT_H
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/Union_find.h>
@@ -260,6 +261,7 @@ template <class Maintained, class Reference>
 Delaunay_agreement delaunay_agreement(const Maintained& maintained, const Reference& reference)
 {
   using Places = Dynamic_Delaunay_triangulations_2::internal::Delaunay_reference_2<Reference>;
+  const Dynamic_Delaunay_triangulations_2::internal::Default_floating_point_2 floating_point;
   const Places places(reference);
   std::vector<typename Places::Edge> edges;
   const auto& tds = maintained.tds();

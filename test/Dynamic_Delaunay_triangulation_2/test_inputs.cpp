@@ -30,10 +30,15 @@
 #include <iterator>
 #include <list>
 #include <memory>
+#include <ostream>
 #include <sstream>
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
 
 namespace {
 
@@ -234,12 +239,10 @@ TEST(Ranges, of_any_kind_are_read_by_the_constructor)
   });
 }
 
-TEST(Ranges, of_any_kind_are_read_by_an_update)
+void expect_to_be_read_by_an_update(const Points& before)
 {
-  Cloud<Epick> cloud(2);
-  const Points before = cloud.uniform(number);
   Points points = before;
-  cloud.shake(points, 0.1);
+  Cloud<Epick>(2).shake(points, 0.1);
   for_each_kind_of_range(points, [&](auto first, auto beyond, auto map) {
     Dynamic dt(before);
     dt.update(first, beyond, map);
@@ -247,18 +250,16 @@ TEST(Ranges, of_any_kind_are_read_by_an_update)
   });
 }
 
+TEST(Ranges, of_any_kind_are_read_by_an_update)
+{
+  expect_to_be_read_by_an_update(Cloud<Epick>(1).uniform(number));
+}
+
 TEST(Ranges, of_any_kind_are_read_by_an_update_with_points_that_coincide)
 {
-  Cloud<Epick> cloud(2);
-  Points before = cloud.uniform(number);
-  before[7] = before[300];
-  Points points = before;
-  cloud.shake(points, 0.1);
-  for_each_kind_of_range(points, [&](auto first, auto beyond, auto map) {
-    Dynamic dt(before);
-    dt.update(first, beyond, map);
-    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
-  });
+  Points points = Cloud<Epick>(1).uniform(number);
+  points[7] = points[300];
+  expect_to_be_read_by_an_update(points);
 }
 
 TEST(Ranges, of_any_kind_are_read_by_an_insertion)
@@ -346,11 +347,11 @@ TEST(Ranges, are_taken_as_a_whole)
 // OBJECTS THAT WERE MOVED FROM --------------------------------------------------------------------
 
 template <class Classifier>
-void expect_to_work_after_a_move(const Classifier& classifier)
+void expect_to_work_after_a_move(const Classifier& classifier, std::size_t size = number)
 {
   using Moved = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier>;
   Cloud<Epick> cloud(6);
-  Points points = cloud.uniform(number), others = cloud.uniform(40);
+  Points points = cloud.uniform(size), others = cloud.uniform(size - 40);
   Moved dt(points.begin(), points.end(), classifier);
   for (int frame = 0; frame < 20; ++frame) { // until a classifier knows the points
     cloud.shake(points, 1e-5);
@@ -384,6 +385,9 @@ TEST(Objects, that_were_moved_from_are_empty_and_work)
 {
   ASSERT_NO_FATAL_FAILURE(expect_to_work_after_a_move(CGAL::Circumcircle_classifier_2()));
   ASSERT_NO_FATAL_FAILURE(expect_to_work_after_a_move(CGAL::Point_distance_classifier_2(0.5)));
+#ifdef CGAL_LINKED_WITH_TBB
+  ASSERT_NO_FATAL_FAILURE(expect_to_work_after_a_move(CGAL::Circumcircle_classifier_2(2), 8000));
+#endif
 }
 
 TEST(Objects, that_are_moved_to_themselves_stay_as_they_are)
@@ -528,49 +532,104 @@ TEST(Default, stands_for_every_parameter)
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
 }
 
-// ROUNDING MODES ----------------------------------------------------------------------------------
+// FLOATING POINT ----------------------------------------------------------------------------------
 
-class Rounding_modes : public testing::TestWithParam<int>
+// How a caller may have set up arithmetic.
+struct Set_up
 {
-protected:
-  void SetUp() override { ASSERT_EQ(std::fesetround(GetParam()), 0); }
-  void TearDown() override
+  const char* name;
+  int rounding = FE_TONEAREST;
+  bool flushes_subnormals = false; // to zero, as operands and as results
+  bool traps = false;              // invalid operations, overflow and division by zero
+
+  friend std::ostream& operator<<(std::ostream& out, const Set_up& set_up)
   {
-    EXPECT_EQ(std::fegetround(), GetParam()); // it was given back
-    std::fesetround(FE_TONEAREST);
-  }
-  // What the oracle does, it does as CGAL's users have to.
-  template <class Call>
-  static void to_nearest(const Call& call)
-  {
-    const int mode = std::fegetround();
-    std::fesetround(FE_TONEAREST);
-    call();
-    std::fesetround(mode);
+    return out << set_up.name;
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(All, Rounding_modes,
-                         testing::Values(FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO));
-
-TEST_P(Rounding_modes, of_the_caller_change_nothing)
+// The test has the caller's arithmetic, and gives it back; the oracle has what CGAL asks for.
+class Floating_point : public testing::TestWithParam<Set_up>
 {
-  for (const double unit : {1., 0x1p-1060, 0x1p900, 3e-304}) {
-    SCOPED_TRACE(testing::Message() << "unit " << unit);
-    Cloud<Epick> cloud(12);
+protected:
+  void SetUp() override
+  {
+    std::fegetenv(&m_ours);
+    ASSERT_EQ(std::fesetround(GetParam().rounding), 0);
+#ifdef __SSE2__
+    constexpr unsigned flush_subnormals = 0x8040, trapped = 0x0680;
+    unsigned state = _mm_getcsr();
+    if (GetParam().flushes_subnormals)
+      state |= flush_subnormals;
+    if (GetParam().traps)
+      state &= ~trapped;
+    _mm_setcsr(state);
+    m_state = state;
+#else
+    if (GetParam().flushes_subnormals || GetParam().traps)
+      GTEST_SKIP() << "set here on x86 only";
+#endif
+    std::fegetenv(&m_callers);
+  }
+  void TearDown() override
+  {
+    std::fesetenv(&m_ours);
+  }
+
+  void expect_that_it_was_given_back() const
+  {
+    EXPECT_EQ(std::fegetround(), GetParam().rounding);
+#ifdef __SSE2__
+    constexpr unsigned raised = 0x3f;
+    const unsigned state = _mm_getcsr();
+    EXPECT_EQ(state & ~raised, m_state & ~raised);
+#endif
+  }
+
+  template <class Call>
+  void check(const Call& call) const
+  {
+    expect_that_it_was_given_back();
+    std::fesetenv(&m_ours);
+    call();
+    std::fesetenv(&m_callers);
+  }
+
+private:
+  std::fenv_t m_ours, m_callers;
+  unsigned m_state = 0;
+};
+
+INSTANTIATE_TEST_SUITE_P(All, Floating_point,
+                         testing::Values(Set_up{"to nearest"}, Set_up{"upward", FE_UPWARD},
+                                         Set_up{"downward", FE_DOWNWARD},
+                                         Set_up{"toward zero", FE_TOWARDZERO},
+                                         Set_up{"without subnormals", FE_TONEAREST, true},
+                                         Set_up{"with traps", FE_TONEAREST, false, true}));
+
+TEST_P(Floating_point, of_the_caller_changes_nothing)
+{
+  for (const int exponent : {0, -1022, -1040, -1060, 900, -1007}) {
+    SCOPED_TRACE(testing::Message() << "unit 2^" << exponent);
     Points points;
-    for (const Point& p : cloud.uniform(120))
-      points.push_back(Point(p.x() * unit, p.y() * unit));
-    std::unique_ptr<Dynamic> dt = std::make_unique<Dynamic>(points);
-    for (int frame = 0; frame < 12; ++frame) {
-      for (Point& p : points)
-        p = cloud.shifted(p, (frame % 4 == 3 ? 1 : 0.05) * unit);
-      if (frame == 5)
-        points[3] = points[4];
-      dt->update(points);
-      to_nearest([&] { expect_exact(*dt, points); });
+    std::vector<Points> frames;
+    check([&] {
+      const double unit = std::ldexp(1, exponent);
+      Cloud<Epick> cloud(12);
+      for (const Point& p : cloud.uniform(120))
+        points.push_back(Point(p.x() * unit, p.y() * unit));
+      frames.assign(12, points);
+      for (std::size_t frame = 0; frame < frames.size(); ++frame)
+        for (std::size_t i = 0; i < points.size(); ++i)
+          frames[frame][i] = points[i] =
+              cloud.shifted(points[i], (frame % 4 == 3 ? 1 : 0.05) * unit);
+      frames[5][3] = frames[5][4];
+    });
+    std::unique_ptr<Dynamic> dt = std::make_unique<Dynamic>(frames.front());
+    for (const Points& frame : frames) {
+      dt->update(frame);
+      check([&] { expect_exact(*dt, frame); });
       ASSERT_FALSE(HasFatalFailure());
-      ASSERT_EQ(std::fegetround(), GetParam());
     }
     dt->move(7, Point(0, 0));
     dt->remove(8);
@@ -578,32 +637,59 @@ TEST_P(Rounding_modes, of_the_caller_change_nothing)
     points[7] = Point(0, 0);
     EXPECT_TRUE(dt->certify());
     EXPECT_TRUE(dt->is_valid(true));
-    to_nearest([&] { expect_exact(*dt, points); });
+    check([&] { expect_exact(*dt, points); });
     CGAL::Delaunay_point_queries_2<Dynamic> queries(*dt);
     EXPECT_EQ(queries.nearest(points[20]), 20u);
     std::stringstream file;
     dt->write_checkpoint(file);
     Dynamic other;
     other.read_checkpoint(file);
-    to_nearest([&] { expect_exact(other, points); });
+    check([&] { expect_exact(other, points); });
     std::vector<std::pair<std::size_t, Point>> crowd;
     for (std::size_t i = 0; i < points.size(); i += 2)
       crowd.emplace_back(i, points[i]);
     Population people;
     EXPECT_TRUE(people.update(crowd).certified);
     EXPECT_TRUE(people.triangulation().is_valid(true));
+    expect_that_it_was_given_back();
   }
 }
 
 // Nine points with an extent for which a rounded scale is the largest double, not infinity: the
 // search for a finer grid never ended.
-TEST_P(Rounding_modes, let_points_at_the_smallest_extents_be_sorted)
+TEST_P(Floating_point, lets_points_at_the_smallest_extents_be_sorted)
 {
   Points points;
   for (int i = 0; i < 9; ++i)
     points.push_back(Point(i * 4e-305, (i * i % 7) * 4e-306));
   const Dynamic dt(points);
-  to_nearest([&] { expect_exact(dt, points); });
+  check([&] { expect_exact(dt, points); });
 }
+
+#ifdef CGAL_LINKED_WITH_TBB
+// So many points that both threads get some. A thread starts with the mode of whoever made it, or
+// with the usual one.
+TEST_P(Floating_point, of_the_caller_changes_nothing_on_two_threads)
+{
+  std::vector<Points> frames;
+  check([&] {
+    Cloud<Epick> cloud(13);
+    Points points = cloud.uniform(12000);
+    for (Point& p : points)
+      p = Point(std::ldexp(p.x(), -1040), std::ldexp(p.y(), -1040));
+    for (int frame = 0; frame < 4; ++frame) {
+      frames.push_back(points);
+      for (Point& p : points)
+        p = cloud.shifted(p, std::ldexp(0.003, -1040));
+    }
+  });
+  Dynamic dt(frames.front().begin(), frames.front().end(), CGAL::Circumcircle_classifier_2(2));
+  for (const Points& frame : frames) {
+    dt.update(frame);
+    check([&] { expect_exact(dt, frame); });
+    ASSERT_FALSE(HasFatalFailure());
+  }
+}
+#endif
 
 } // namespace

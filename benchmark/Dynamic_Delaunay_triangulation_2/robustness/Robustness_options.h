@@ -4,6 +4,7 @@
 #ifndef ROBUSTNESS_ROBUSTNESS_OPTIONS_H
 #define ROBUSTNESS_ROBUSTNESS_OPTIONS_H
 
+#include "Arithmetic.h"
 #include "Families.h"
 #include "run/Command_line_option.h"
 #include "run/Number_argument.h"
@@ -31,6 +32,7 @@ struct Robustness_options
   std::optional<std::uint64_t> trial{};
   std::optional<std::size_t> family{};
   std::optional<std::string> report{};
+  Arithmetic arithmetic{};
 };
 
 // \throws CLI::Success for --help, another CLI::ParseError for a mistake.
@@ -63,6 +65,10 @@ inline Robustness_options parse_options(CLI::App& app, int argc, const char* con
       [&](const std::string& text) {
         options.patience = run::number_argument(text, scenario::positive_up_to(longest_patience));
       });
+  add_option(app, "--arithmetic", "NAME",
+             "what the caller's is: usual (default), upward, downward, toward_zero, or "
+             "without_subnormals",
+             [&](const std::string& text) { options.arithmetic = arithmetic_named(text); });
   add_option(app, "--report", "FILE.json", "write what came out, as one JSON object",
              [&](const std::string& text) { options.report = text; });
   app.parse(argc, argv);

@@ -4,6 +4,7 @@
 #ifndef ROBUSTNESS_ROBUSTNESS_RUN_H
 #define ROBUSTNESS_ROBUSTNESS_RUN_H
 
+#include "Arithmetic_subject.h"
 #include "Counts.h"
 #include "Decisions.h"
 #include "Families.h"
@@ -154,12 +155,14 @@ private:
     Trial_start start(seed, m_options.family);
     const Family& family = families()[start.family];
     const auto subject = make_subject(start.setup);
-    Told_subject told(*subject, std::cout);
+    Arithmetic_subject called(*subject, arithmetic_of(start.setup));
+    Told_subject told(called, std::cout);
     if (is_told) {
       std::cout << family.name << ": " << start.setup.text() << std::endl;
     }
     Counts counts;
-    Trial trial(family, start.setup, is_told ? told : *subject, start.decisions, counts);
+    Trial trial(family, start.setup, is_told ? static_cast<Subject&>(told) : called,
+                start.decisions, counts);
     this_thread_watched = &watched;
     watched.seed = seed;
     watched.family = family.name.c_str();
@@ -177,7 +180,17 @@ private:
     results.classifiers[start.setup.classifier_name()] += counts;
   }
 
+  // Numbers of exact kernels are intervals first, which are wrong where subnormals are zero, before
+  // any triangulation sees them.
+  const Arithmetic& arithmetic_of(const Setup& setup) const
+  {
+    return setup.constructs_exactly && m_options.arithmetic.flushes_subnormals
+               ? m_usual_arithmetic
+               : m_options.arithmetic;
+  }
+
   const Robustness_options& m_options;
+  Arithmetic m_usual_arithmetic;
   std::uint64_t m_trials;
   Watchdog m_watchdog;
   std::atomic<std::uint64_t> m_next{0};

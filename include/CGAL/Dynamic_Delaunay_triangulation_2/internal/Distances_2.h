@@ -87,7 +87,7 @@ private:
     return is_surely_smaller(s, t) ? SMALLER : is_surely_smaller(t, s) ? LARGER : EQUAL;
   }
 
-  const Rounding_to_nearest_2 m_rounding; // while distances are compared
+  const Default_floating_point_2 m_floating_point; // while distances are compared
   const Dynamic& m_dt;
   const typename Dynamic::Frame m_frame;
   const Traits& m_traits;

@@ -4,36 +4,72 @@
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_FLOATING_POINT_2_H
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_FLOATING_POINT_2_H
 
-#include <CGAL/FPU.h>
+#if defined(__SSE2_MATH__) || defined(_M_X64)
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_HAS_MXCSR
+#include <xmmintrin.h>
+#else
+#include <cfenv>
+#endif
 
-// -ffast-math, -Ofast and -ffinite-math-only let a compiler take NaN and infinity for impossible,
-// and rounding errors for any: no coordinate could be checked, and no sign proved.
-#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
-#error                                                                                             \
-    "Dynamic_Delaunay_triangulation_2 proves signs of rounded numbers, which is impossible under \
--ffast-math, -Ofast and -ffinite-math-only: compile the files that include it without these flags \
-(-O3 -fno-math-errno -fno-trapping-math keeps most of their speed)"
+// Then a compiler takes NaN and infinity for impossible, and rounding errors for any: no coordinate
+// could be checked, and no sign proved.
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) ||       \
+    defined(__ASSOCIATIVE_MATH__)
+static_assert(false,
+              "Dynamic_Delaunay_triangulation_2 proves the signs of rounded numbers, which is "
+              "impossible under -ffast-math, -Ofast, -ffinite-math-only and -fassociative-math: "
+              "compile the files that include it without these flags");
+#endif
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16
+static_assert(false,
+              "Dynamic_Delaunay_triangulation_2 proves the signs of doubles, which is impossible "
+              "where they are computed in more digits than they have: compile for SSE2 "
+              "(-msse2 -mfpmath=sse)");
 #endif
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// Rounds to nearest while it lives, whatever the caller's mode is, and gives that back. Every bound
-// of a filter is proved for this mode.
-class Rounding_to_nearest_2
+// While it lives, arithmetic is as a program finds it when it starts: rounded to nearest, subnormal
+// numbers are numbers, and nothing traps. Every bound of a filter is proved for that. Afterwards it
+// is as the caller had it: games have subnormal numbers flushed to zero, as does any program that
+// loads a library which was linked with -ffast-math by a compiler of before 2023.
+class Default_floating_point_2
 {
 public:
-  Rounding_to_nearest_2()
-    : m_mode(FPU_get_and_set_cw(CGAL_FE_TONEAREST))
+  Default_floating_point_2(const Default_floating_point_2&) = delete;
+  Default_floating_point_2& operator=(const Default_floating_point_2&) = delete;
+
+#ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_HAS_MXCSR
+  // Some 20 nanoseconds; <cfenv>, which sets the x87 unit as well, takes hundreds.
+  Default_floating_point_2()
+    : m_state(_mm_getcsr())
   {
+    constexpr unsigned default_state = 0x1f80;
+    _mm_setcsr(default_state);
   }
-  ~Rounding_to_nearest_2() { FPU_set_cw(m_mode); }
-  Rounding_to_nearest_2(const Rounding_to_nearest_2&) = delete;
-  Rounding_to_nearest_2& operator=(const Rounding_to_nearest_2&) = delete;
+  ~Default_floating_point_2()
+  {
+    _mm_setcsr(m_state);
+  }
 
 private:
-  FPU_CW_t m_mode;
+  unsigned m_state;
+#else
+  Default_floating_point_2()
+  {
+    std::fegetenv(&m_state);
+    std::fesetenv(FE_DFL_ENV);
+  }
+  ~Default_floating_point_2()
+  {
+    std::fesetenv(&m_state);
+  }
+
+private:
+  std::fenv_t m_state;
+#endif
 };
 
 } // namespace internal

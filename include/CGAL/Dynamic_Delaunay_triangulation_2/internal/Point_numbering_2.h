@@ -45,10 +45,10 @@ public:
 
   // Takes the vertices of the maintained triangulation, where they are now, in this order. None
   // coincide, and there are no guests.
-  void number(const Spatial_order_2& order)
+  void number(Spatial_order_2 order)
   {
     const Index vertices = m_maintained.number_of_vertices();
-    m_order = order;
+    m_order = std::move(order);
     m_point_ids.resize(vertices + std::size_t(1)); // the infinite vertex has no point
     m_points.resize(vertices + std::size_t(1));
     for (Index v = 1; v <= vertices; ++v) {

@@ -59,7 +59,7 @@ public:
     m_left -= (std::min)(cost, m_left);
     m_spent += cost;
   }
-  // More than a rebuild of so many vertices, for which a small one takes next to nothing.
+  // As much as a rebuild of so many vertices, and something for small triangulations.
   bool has_spent_a_rebuild(std::size_t vertices) const
   {
     return m_spent >= least / 4 + rebuilt_vertex * vertices;

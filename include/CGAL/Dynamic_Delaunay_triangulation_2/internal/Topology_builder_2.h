@@ -92,8 +92,7 @@ public:
       m_numbering.number();
       triangulate_numbered();
     } else if (are_numbers_far_apart()) {
-      m_numbering.number(m_vertex_order.order());
-      m_vertex_order.release();
+      m_numbering.number(m_vertex_order.take_order());
       triangulate_numbered();
     } else
       triangulate(m_vertex_order.order());

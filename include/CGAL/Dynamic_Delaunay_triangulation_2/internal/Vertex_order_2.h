@@ -9,6 +9,7 @@
 #include <CGAL/enum.h>
 
 #include <cstddef>
+#include <utility>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
@@ -37,6 +38,8 @@ public:
   }
 
   const Spatial_order_2& order() const { return m_order; }
+  // Leaves nothing.
+  Spatial_order_2 take_order() { return std::exchange(m_order, {}); }
 
   // Coincident ones follow each other.
   bool has_coincident_vertices() const

@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef ROBUSTNESS_ARITHMETIC_H
+#define ROBUSTNESS_ARITHMETIC_H
+
+#include <cfenv>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
+
+namespace robustness {
+
+// How a caller has set up floating-point arithmetic.
+struct Arithmetic
+{
+  std::string name = "usual";
+  int rounding = FE_TONEAREST;
+  bool flushes_subnormals = false; // takes them for zero, as operands and as results
+};
+
+inline const std::vector<Arithmetic>& all_arithmetic()
+{
+  static const std::vector<Arithmetic> all = {{"usual", FE_TONEAREST, false},
+                                              {"upward", FE_UPWARD, false},
+                                              {"downward", FE_DOWNWARD, false},
+                                              {"toward_zero", FE_TOWARDZERO, false},
+#ifdef __SSE2__
+                                              {"without_subnormals", FE_TONEAREST, true}
+#endif
+  };
+  return all;
+}
+
+inline Arithmetic arithmetic_named(const std::string& name)
+{
+  std::string names;
+  for (const Arithmetic& arithmetic : all_arithmetic()) {
+    if (arithmetic.name == name) {
+      return arithmetic;
+    }
+    names += (names.empty() ? "" : ", ") + arithmetic.name;
+  }
+  throw std::invalid_argument("there is no arithmetic '" + name + "', but " + names);
+}
+
+// The caller's arithmetic, while it lives.
+class Arithmetic_in_use
+{
+public:
+  explicit Arithmetic_in_use(const Arithmetic& arithmetic)
+  {
+    std::fegetenv(&m_ours);
+    std::fesetround(arithmetic.rounding);
+    if (arithmetic.flushes_subnormals) {
+      flush_subnormals();
+    }
+    m_state = state();
+  }
+  Arithmetic_in_use(const Arithmetic_in_use&) = delete;
+  Arithmetic_in_use& operator=(const Arithmetic_in_use&) = delete;
+  ~Arithmetic_in_use() { std::fesetenv(&m_ours); }
+
+  // Whether it is still what was set.
+  bool is_kept() const { return state() == m_state; }
+
+private:
+#ifdef __SSE2__
+  static constexpr unsigned raised_exceptions = 0x3f, subnormals_are_zero = 0x8040;
+
+  static void flush_subnormals()
+  {
+    _mm_setcsr(_mm_getcsr() | subnormals_are_zero);
+  }
+  static unsigned state()
+  {
+    return _mm_getcsr() & ~raised_exceptions;
+  }
+#else
+  static void flush_subnormals()
+  {
+  }
+  static unsigned state()
+  {
+    return static_cast<unsigned>(std::fegetround());
+  }
+#endif
+
+  std::fenv_t m_ours;
+  unsigned m_state = 0;
+};
+
+} // namespace robustness
+
+#endif // ROBUSTNESS_ARITHMETIC_H
