@@ -195,6 +195,8 @@ inline void add_convex(std::vector<Kind>& all)
        {"line_swap", "lines", "on a line, along it by half of their gap", "line; along 1 0.5", 0,
         most_on_a_line},
        {"line_leave", "lines", "from a line, off by a tenth of their gap", "line; brownian 1 0.1"},
+       {"line_hop", "lines", "on a line, 3 per mille go next to others, eight spacings away",
+        "line; hop 0.003 8 fixed", 0, most_on_a_line},
        {"two_lines", "lines", "on two lines, along them by a tenth of their gap",
         "two_lines; along 1 0.1"},
        {"two_lines_swap", "lines", "on two lines, along them by up to their gap",

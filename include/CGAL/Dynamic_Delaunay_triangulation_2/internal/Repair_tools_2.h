@@ -296,12 +296,31 @@ private:
         m_traffic.number_outside() + vertices.size() + fewest_vertices >
             m_maintained.number_of_vertices())
       return false;
+    const std::size_t price = price_of_taking_out(vertices);
+    if (price > m_budget.left()) {
+      rebuild(Rebuild_reason_2::BUDGET_SPENT);
+      return false;
+    }
     const std::size_t first_new = m_maintained.new_edges.size();
     for (const Index v : vertices)
       m_traffic.take_out(v);
-    m_budget.spend(vertices.size() * Repair_budget_2::relocation / 2);
+    m_budget.spend(price);
     m_open.open_new_edges(m_maintained, first_new);
     return true;
+  }
+
+  // That of a vertex includes a few flips; one with many edges takes as many.
+  std::size_t price_of_taking_out(const std::vector<Index>& vertices) const
+  {
+    constexpr std::size_t usual_degree = 8;
+    std::size_t price = 0;
+    for (const Index v : vertices) {
+      std::size_t degree = 0;
+      m_maintained.mirror.for_each_corner(v, [&](Index) { ++degree; });
+      price += Repair_budget_2::relocation / 2 +
+               Repair_budget_2::flip * (degree - (std::min)(degree, usual_degree));
+    }
+    return price;
   }
 
   // FLIPS ---------------------------------------------------------------------------------------

@@ -262,13 +262,16 @@ private:
 
   // Cuts off every other ear of this kind in each round, until there is none or v has three edges:
   // one after the other, their edges would all end at one vertex. Those at infinity all do so in
-  // any case, and stand side by side. Returns how many.
+  // any case, and stand side by side. Where each round finds one ear that the one before has made,
+  // as at a vertex beside a line of a thousand, it gives up, for any ears are right in the end.
+  // Returns how many.
   Index cut_ears(Index v, const Position_2& place, Index degree, Ear kind, Flip_series& series)
   {
     const auto& mirror = m_maintained.mirror;
-    Index cut = 0;
+    constexpr Index most_rounds = 4;
+    Index cut = 0, looks = kind == Ear::ANY ? no_index : most_rounds * degree;
     Index corner = mirror.corner(v);
-    for (Index left = degree; left > 0 && degree - cut > 3; --left) {
+    for (Index left = degree; left > 0 && looks > 0 && degree - cut > 3; --left, --looks) {
       const Index h = Neighborhood_mirror_2::next(corner); // from the tip of the ear to v
       if (is_ear(h, place, kind) && can_flip(h)) {
         series.flip(h);
