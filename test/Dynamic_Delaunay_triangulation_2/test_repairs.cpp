@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace {
 
@@ -300,19 +301,52 @@ TEST(Border_splice, is_outrun_by_nobody_under_an_exact_classifier_with_any_paddi
   }
 }
 
-// Names three vertices in every frame, whatever has happened.
-class Vertices_4_to_6_classifier
+// Names the same vertices in every frame, whatever has happened.
+struct Named_vertices_classifier
 {
-public:
   static constexpr bool is_exact = false;
 
   template <class Frame, class Classification>
-  void operator()(const Frame&, Classification& classified)
+  void operator()(const Frame&, Classification& classified) const
   {
-    for (const std::size_t id : {4, 5, 6})
+    for (const std::size_t id : ids)
       classified.add_id(id);
   }
+
+  std::vector<std::size_t> ids;
 };
+
+using Named_vertices_triangulation =
+    CGAL::Dynamic_Delaunay_triangulation_2<Epick, Named_vertices_classifier,
+                                           CGAL::Border_splice_repair_2>;
+
+// Far from what happens, so that a region is not too large.
+void add_ring(Points& points)
+{
+  for (int i = 0; i < 24; ++i)
+    points.push_back(Epick::Point_2(40 * std::cos(0.2618 * i), 40 * std::sin(0.2618 * i)));
+}
+
+// The edge between 2 and 3 has 4 on its upper side, then 0 and 1. Then 4 and 0 go below it: alone,
+// 0 and 1 with their neighbors have a triangulation with the old boundary in which 2 and 3 are
+// joined between 0 and 1. But the old edge is still there, at a face that nobody has named.
+TEST(Border_splice, doubles_no_edge_that_a_face_has_which_nobody_named)
+{
+  using Point = Epick::Point_2;
+  Points points = {Point(0, 2.6), Point(0, 3.8),    Point(-1, 0),    Point(1, 0),   Point(0, 0.7),
+                   Point(0, 7.6), Point(-3.7, 4.1), Point(3.7, 4.1), Point(0, -6.9)};
+  add_ring(points);
+  Named_vertices_triangulation dt(points.begin(), points.end(), Named_vertices_classifier{{0, 1}},
+                                  CGAL::Border_splice_repair_2(0));
+  points[0] = Point(0, -1.2);
+  points[1] = Point(0, 1.1);
+  points[4] = Point(0, -1.8);
+  const auto report = dt.update(points.begin(), points.end());
+  EXPECT_GT(report.growths, 0u);
+  expect_valid(dt, points);
+  dt.mend();
+  expect_exact(dt, points);
+}
 
 // The triangle of the points 0, 1, 2 holds 4, 5, 6, and these hold 3. Then it is mirrored, 3 stays
 // inside, and the others end up around it: alone, all seven have a triangulation with the old
@@ -323,12 +357,10 @@ TEST(Border_splice, loses_nobody_in_a_cluster_that_is_turned_inside_out)
   using Point = Epick::Point_2;
   Points points = {Point(-3, -2),     Point(3, -2),     Point(0, 4),  Point(0, 0),
                    Point(-0.5, -0.5), Point(0.5, -0.4), Point(0, 0.6)};
-  for (int i = 0; i < 24; ++i)
-    points.push_back(Point(40 * std::cos(0.2618 * i), 40 * std::sin(0.2618 * i)));
-  CGAL::Dynamic_Delaunay_triangulation_2<Epick, Vertices_4_to_6_classifier,
-                                         CGAL::Border_splice_repair_2>
-      dt(points.begin(), points.end(), Vertices_4_to_6_classifier(),
-         CGAL::Border_splice_repair_2(0));
+  add_ring(points);
+  Named_vertices_triangulation dt(points.begin(), points.end(),
+                                  Named_vertices_classifier{{4, 5, 6}},
+                                  CGAL::Border_splice_repair_2(0));
   points[0] = Point(3, -2);
   points[1] = Point(-3, -2);
   points[3] = Point(0, 0.1);

@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Breaks the guards of guards.toml, one after the other, and says which test notices.
+
+A guard that no test misses is not tested, or not needed. Each broken header is put in front of the right one; a test
+that does not compile, fails, crashes or does not end kills the mutant. Tests that no mutant has changed have to pass.
+Compilers take most of the time: some two minutes a guard on one core.
+"""
+
+import argparse
+import os
+import pathlib
+import shlex
+import subprocess
+import sys
+import tempfile
+import tomllib
+from concurrent.futures import ThreadPoolExecutor
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[2]
+PACKAGE = "Dynamic_Delaunay_triangulation_2"
+INTERNAL = ROOT / "include" / "CGAL" / PACKAGE / "internal"
+# The compiler takes most of the time; seconds that a test may run.
+OPTIONS = "-std=c++17 -O0 -frounding-math -D_GLIBCXX_ASSERTIONS -DNOMINMAX -DCGAL_USE_GMPXX=1".split()
+PATIENCE = 600
+
+
+def header_of(guard):
+    return (INTERNAL / guard["file"]).resolve()
+
+
+def mutated(guard):
+    """The text of the broken header."""
+    text = header_of(guard).read_text()
+    if text.count(guard["old"]) != 1:
+        sys.exit(f'{guard["name"]}: what it edits is {text.count(guard["old"])} times in {guard["file"]}, and has to be '
+                 "there once")
+    return text.replace(guard["old"], guard["new"])
+
+
+def source_of(test):
+    """Of a program, or of some tests in it: `test_numbers:Predicates*`."""
+    test = test.partition(":")[0]
+    if test == "robustness":
+        return ROOT / "benchmark" / PACKAGE / "robustness.cpp"
+    return ROOT / "test" / PACKAGE / f"{test}.cpp"
+
+
+def arguments_of(test):
+    if test == "robustness":
+        return ["--operations", "20000", "--threads", "1"]
+    return ["--gtest_fail_fast", f'--gtest_filter={test.partition(":")[2] or "*"}']
+
+
+def command_of(test, overlay, program):
+    folders = [overlay, ROOT / "include", ROOT / "examples" / PACKAGE, ROOT / "test" / PACKAGE,
+               ROOT / "benchmark" / PACKAGE]
+    libraries = ["-lgmpxx", "-lgmp", "-lmpfr", "-lpthread"]
+    if test == "robustness":
+        options = ["-DNDEBUG", '-DRESULTS_DIR="."', '-DSCENARIOS_DIR="."', '-DSHARED_DATA_DIR="."']
+    else:
+        options = [f'-DSCENARIOS_DIR="{ROOT / "scenarios"}"', f'-DSHARED_DATA_DIR="{ROOT.parent / "shared" / "data"}"']
+        libraries = ["-lgtest_main", "-lgtest"] + libraries
+    return ([os.environ.get("CXX", "g++")] + OPTIONS + options + [f"-I{folder}" for folder in folders]
+            + [str(source_of(test)), "-o", str(program)] + libraries)
+
+
+def first_failure(output):
+    """The name of the first test that failed, if it is one of GoogleTest's."""
+    for line in output.splitlines():
+        if line.startswith("[  FAILED  ]"):
+            return line.split("]", 1)[1].split(",")[0].split("(")[0].strip()
+    return ""
+
+
+def verdict(test, overlay, folder):
+    """What the test says of the headers in `overlay` and the others; nothing if it passes."""
+    program = folder / "program"
+    compiled = subprocess.run(command_of(test, overlay, program), capture_output=True, text=True)
+    if compiled.returncode != 0:
+        return "does not compile: " + (compiled.stderr.strip().splitlines() or ["?"])[0]
+    try:
+        run = subprocess.run([str(program)] + arguments_of(test), capture_output=True, text=True, cwd=folder,
+                             timeout=PATIENCE, errors="replace")
+    except subprocess.TimeoutExpired:
+        return "does not end"
+    if run.returncode == 0:
+        return ""
+    return first_failure(run.stdout) or (f"ends with signal {-run.returncode}" if run.returncode < 0 else "fails")
+
+
+def attack(guard):
+    """Which test has killed the mutant, and by what; two empty strings if it survived."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        overlay = folder / "include"
+        broken = overlay / header_of(guard).relative_to(ROOT / "include")
+        broken.parent.mkdir(parents=True)
+        broken.write_text(mutated(guard))
+        for test in guard["tests"]:
+            noticed = verdict(test, overlay, folder)
+            if noticed.startswith("does not compile"):
+                sys.exit(f'{guard["name"]}, {test}: {noticed}')
+            if noticed:
+                return test, noticed
+    return "", ""
+
+
+def unbroken_failures(tests):
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        return [f"{test}: {noticed}" for test in tests if (noticed := verdict(test, folder / "include", folder))]
+
+
+def row(guard, test, noticed):
+    if "unreachable" in guard and not test:
+        return f'| {guard["name"]} | `{guard["file"]}` | unreachable: {guard["unreachable"]} |'
+    return f'| {guard["name"]} | `{guard["file"]}` | ' + (f"`{test}`: {noticed} |" if test else "**survives** |")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("names", nargs="*", metavar="TEXT", help="only guards with this in their names")
+    parser.add_argument("--check", action="store_true", help="only whether every edit fits")
+    parser.add_argument("--unbroken", action="store_true", help="first see that all tests pass as they are")
+    parser.add_argument("--jobs", type=int, default=1, help="how many at once")
+    options = parser.parse_args()
+    guards = tomllib.loads((HERE / "guards.toml").read_text())["guard"]
+    guards = [g for g in guards if not options.names or any(text in g["name"] for text in options.names)]
+    if not guards:
+        sys.exit("no guard has such a name")
+    for guard in guards:
+        mutated(guard)
+        for test in guard["tests"]:
+            if not source_of(test).exists():
+                sys.exit(f'{guard["name"]}: there is no {test}')
+    if options.check:
+        print(f"{len(guards)} edits fit")
+        return
+    if options.unbroken and (failures := unbroken_failures(sorted({t for g in guards for t in g["tests"]}))):
+        sys.exit("without a mutation: " + "; ".join(failures))
+    survivors = 0
+    print("| guard | header | killed by |\n|---|---|---|", flush=True)
+    with ThreadPoolExecutor(options.jobs) as pool:
+        for guard, (test, noticed) in zip(guards, pool.map(attack, guards)):
+            survivors += not test and "unreachable" not in guard
+            print(row(guard, test, noticed), flush=True)
+    print(f"\n{len(guards)} guards, {survivors} without a test\n"
+          + shlex.join(["test/" + PACKAGE + "/mutations/run.py"] + sys.argv[1:]))
+    sys.exit(survivors > 0)
+
+
+if __name__ == "__main__":
+    main()
