@@ -96,6 +96,11 @@ if(Python3_FOUND)
   add_test(NAME shown_code
     COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/shown_code.py" "${PROJECT_SOURCE_DIR}")
   set_tests_properties(shown_code PROPERTIES LABELS test TIMEOUT 60)
+  if(Python3_VERSION VERSION_GREATER_EQUAL 3.11) # which reads TOML
+    add_test(NAME mutations_fit
+      COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/mutations/run.py" --check)
+    set_tests_properties(mutations_fit PROPERTIES LABELS test TIMEOUT 60)
+  endif()
 else()
   message(STATUS "No test of the code in the manual: it needs Python 3")
 endif()
