@@ -38,8 +38,8 @@ for each of its sides: those of the places that are no nearer to \f$w\f$ than to
 \f$w\f$ is the point beyond that side. Such a \f$w\f$ is a neighbor of \f$v\f$ in every Delaunay
 triangulation, because circles around the inner places of the side pass through \f$v\f$ and \f$w\f$
 and neither through nor around anybody else. So, if \f$v\f$ is not among the nearest to a place
-\f$q\f$, then \f$q\f$ is not in its cell, one of the half-planes does not have it, and *a neighbor
-of \f$v\f$ is nearer to \f$q\f$*.
+\f$q\f$, then \f$q\f$ is not in its cell, one of the half-planes does not have it, and
+<em>a neighbor of \f$v\f$ is nearer to \f$q\f$</em>.
 
 Going on to a nearer neighbor therefore ends at a nearest point, from everywhere. Seen from there,
 the same ways back lead to all points within any radius of \f$q\f$, and no way leaves the disc, as

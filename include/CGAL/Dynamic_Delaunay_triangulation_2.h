@@ -61,10 +61,10 @@ all updates. Points that coincide share a vertex while they do. Points come by `
 id. `Dynamic_population_2` keeps points by ids of the user's own.
 
 After construction, and after every update with an exact classifier, the triangulation is
-*certified*: its faces are counterclockwise, its hull is convex and turns around once, and each of
-its edges is locally Delaunay, all by exact predicates. After an update with a heuristic classifier
-it is not, unless it was rebuilt; it is then still a valid triangulated sphere with all its
-vertices.
+<em>certified</em>: its faces are counterclockwise, its hull is convex and turns around once, and
+each of its edges is locally Delaunay, all by exact predicates. After an update with a heuristic
+classifier it is not, unless it was rebuilt; it is then still a valid triangulated sphere with all
+its vertices.
 
 \tparam Traits a model of `DynamicDelaunayTraits_2`: a CGAL kernel with exact predicates, such as
   `Exact_predicates_inexact_constructions_kernel`, or `Projection_traits_xy_3` of one.

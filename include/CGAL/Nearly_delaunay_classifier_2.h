@@ -27,9 +27,10 @@ radius of the first one,
 and so for the second one. The vertices of all other edges that are not Delaunay are classified,
 whatever `eps` is also where a face is not counterclockwise or the hull not convex.
 
-**The bound.** With `Flip_and_splice_repair_2`, which is what an update with this classifier uses if
-it is not told otherwise, every update ends with all finite faces counterclockwise, the hull turning
-left or going straight on at each vertex, and all edges between finite faces nearly Delaunay.
+<b>The bound.</b> With `Flip_and_splice_repair_2`, which is what an update with this classifier uses
+if it is not told otherwise, every update ends with all finite faces counterclockwise, the hull
+turning left or going straight on at each vertex, and all edges between finite faces nearly
+Delaunay.
 For flips and splices leave no edge that has got another vertex before it is proved Delaunay, and
 that repair rebuilds where they cannot. Rounding is on the safe side. With other repairs the bound
 is not promised: flips alone get stuck at inverted faces, and a border splice looks neither at its

@@ -19,7 +19,8 @@ namespace CGAL {
 Classifies both ends of an edge whose length has left the range from `x * Lt` to `(2 - x) * Lt`,
 where `Lt` is the length that it had when its neighborhood was last triangulated (thesis 4.2.2,
 figure 4.2). With `x = 1` every change of length counts; a small `x` tolerates much. It is
-*heuristic*: an edge can lose the Delaunay property while all lengths stay within their ranges.
+<em>heuristic</em>: an edge can lose the Delaunay property while all lengths stay within their
+ranges.
 
 Cost: one pass over all edges; one double an edge of memory.
 
