@@ -72,13 +72,10 @@ set_tests_properties(${package_tests} PROPERTIES LABELS test TIMEOUT 300 RESOURC
 find_program(DOXYGEN doxygen)
 find_program(DOT dot)
 if(DOXYGEN AND DOT)
-  set(doxyfile "${CMAKE_CURRENT_BINARY_DIR}/Doxyfile")
-  file(WRITE "${doxyfile}"
-    "@INCLUDE = doc/Dynamic_Delaunay_triangulation_2/Doxyfile\n"
-    "OUTPUT_DIRECTORY = \"${CMAKE_CURRENT_BINARY_DIR}/manual\"\n"
-    "ENABLED_SECTIONS += EVERY_NAME\n")
-  file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/manual")
-  add_test(NAME manual COMMAND "${DOXYGEN}" "${doxyfile}" WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
+  set(manual "${CMAKE_CURRENT_BINARY_DIR}/manual")
+  add_test(NAME manual
+    COMMAND "${CMAKE_COMMAND}" -D OUTPUT=${manual} -D DOXYGEN=${DOXYGEN} -D SECTIONS=EVERY_NAME
+      -P "${PROJECT_SOURCE_DIR}/cmake/write_manual.cmake")
   set_tests_properties(manual PROPERTIES LABELS test TIMEOUT 300 FIXTURES_SETUP manual)
 else()
   message(STATUS "No test of the manual: it needs doxygen and dot")
@@ -90,8 +87,17 @@ if(Python3_FOUND)
   if(TEST manual)
     add_test(NAME built_manual
       COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/built_manual.py"
-        "${PROJECT_SOURCE_DIR}/doc/Dynamic_Delaunay_triangulation_2" "${CMAKE_CURRENT_BINARY_DIR}/manual/html")
+        "${PROJECT_SOURCE_DIR}/doc/Dynamic_Delaunay_triangulation_2" "${manual}/html")
     set_tests_properties(built_manual PROPERTIES LABELS test TIMEOUT 60 FIXTURES_REQUIRED manual)
+    find_program(CHROMIUM chromium)
+    if(CHROMIUM)
+      add_test(NAME manual_on_a_phone
+        COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/manual_on_a_phone.py"
+          "${CHROMIUM}" "${manual}/html")
+      set_tests_properties(manual_on_a_phone PROPERTIES LABELS test TIMEOUT 300 FIXTURES_REQUIRED manual)
+    else()
+      message(STATUS "No test of the manual on a narrow screen: it needs Chromium")
+    endif()
   endif()
   add_test(NAME shown_code
     COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/shown_code.py" "${PROJECT_SOURCE_DIR}")
