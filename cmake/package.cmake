@@ -4,7 +4,7 @@
 
 # The Debian package's name. Debian wants a package's documents in a folder of that name, so they go there everywhere.
 set(debian_name libcgal-dynamic-delaunay-triangulation-2-dev)
-set(CMAKE_INSTALL_DOCDIR "share/doc/${debian_name}" CACHE PATH "Where README, CHANGELOG and licence go")
+set(CMAKE_INSTALL_DOCDIR "share/doc/${debian_name}" CACHE PATH "Where README, CHANGELOG, licence, examples and manual go")
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -40,6 +40,18 @@ install(FILES "${PROJECT_BINARY_DIR}/${PROJECT_NAME}Config.cmake"
   "${PROJECT_BINARY_DIR}/${PROJECT_NAME}ConfigVersion.cmake" DESTINATION "${cmake_folder}")
 install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/CHANGELOG.md"
   "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_BINARY_DIR}/copyright" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+# Side by side as in the repository, so that examples find the scenarios.
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" "${PROJECT_SOURCE_DIR}/scenarios"
+  DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+
+# The manual is installed where it has been made: `cmake --build DIRECTORY --target manual`.
+find_program(DOXYGEN doxygen)
+find_program(DOT dot)
+if(DOXYGEN AND DOT)
+  add_custom_target(manual COMMAND "${CMAKE_COMMAND}" -D "OUTPUT=${PROJECT_BINARY_DIR}/manual" -D "DOXYGEN=${DOXYGEN}"
+    -P "${CMAKE_CURRENT_LIST_DIR}/write_manual.cmake" VERBATIM)
+endif()
+install(DIRECTORY "${PROJECT_BINARY_DIR}/manual/html" DESTINATION "${CMAKE_INSTALL_DOCDIR}" OPTIONAL)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME ${debian_name})
@@ -51,6 +63,7 @@ set(CPACK_DEBIAN_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libcgal-dev (>= 5.5)")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libtbb-dev")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libjs-mathjax, libtbb-dev")
+set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/link_mathjax.cmake")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "${long_description}")
 include(CPack)

@@ -2,14 +2,13 @@
 #
 # Writes the manual so that it can be read without a network:
 #
-#   cmake -D OUTPUT=DIRECTORY [-D DOXYGEN=PROGRAM] [-D SECTIONS=NAMES] [-D MATHJAX_LINK=TARGET] -P write_manual.cmake
+#   cmake -D OUTPUT=DIRECTORY [-D DOXYGEN=PROGRAM] [-D SECTIONS=NAMES] -P write_manual.cmake
 #
 # OUTPUT/html can be moved as a whole, and opened as files. SECTIONS are Doxygen's ENABLED_SECTIONS.
 #
 # Doxygen leaves formulas to MathJax or to LaTeX. Debian's MathJax is 8 MB to download and 46 MB on the disk, LaTeX with
 # what makes pictures of formulas 57 MB and 188 MB. The pages need 2 MB of MathJax, which are copied beside them. It
-# draws the outlines of letters itself: from files, browsers may refuse to load fonts. Where MATHJAX_LINK is given,
-# html/mathjax is a link to that instead, whether or not it is there.
+# draws the outlines of letters itself: from files, browsers may refuse to load fonts.
 
 cmake_minimum_required(VERSION 3.20)
 
@@ -27,10 +26,6 @@ file(WRITE "${OUTPUT}/Doxyfile"
   "ENABLED_SECTIONS += ${SECTIONS}\n")
 execute_process(COMMAND "${DOXYGEN}" "${OUTPUT}/Doxyfile" WORKING_DIRECTORY "${sources}" COMMAND_ERROR_IS_FATAL ANY)
 
-if(MATHJAX_LINK)
-  file(CREATE_LINK "${MATHJAX_LINK}" "${OUTPUT}/html/mathjax" SYMBOLIC)
-  return()
-endif()
 find_path(mathjax MathJax.js PATHS /usr/share/javascript/mathjax NO_DEFAULT_PATH)
 if(NOT mathjax)
   message(NOTICE "Formulas will be shown as TeX: there is no /usr/share/javascript/mathjax, from Debian's libjs-mathjax")

@@ -60,7 +60,9 @@ if(DPKG_DEB)
   add_test(NAME debian_package
     COMMAND "${CMAKE_COMMAND}" -D SOURCE=${PROJECT_SOURCE_DIR} -D BUILD=${PROJECT_BINARY_DIR} -D CONFIG=$<CONFIG>
       -D WORK=${CMAKE_CURRENT_BINARY_DIR}/debian_package -D CPACK=${CMAKE_CPACK_COMMAND} -D DPKG_DEB=${DPKG_DEB}
-      -D VERSION=${PROJECT_VERSION} -P "${CMAKE_CURRENT_SOURCE_DIR}/debian_package.cmake")
+      -D VERSION=${PROJECT_VERSION} -D MANUAL=$<TARGET_EXISTS:manual> -D GENERATOR=${CMAKE_GENERATOR}
+      -D COMPILER=${CMAKE_CXX_COMPILER} -D CGAL_DIR=${CGAL_DIR} -D CCACHE=${CCACHE}
+      -P "${CMAKE_CURRENT_SOURCE_DIR}/debian_package.cmake")
   list(APPEND package_tests debian_package)
 else()
   message(STATUS "No test of the Debian package: it needs dpkg-deb")
@@ -69,8 +71,6 @@ set_tests_properties(${package_tests} PROPERTIES LABELS test TIMEOUT 300 RESOURC
 
 # The manual. That every public name is documented, every reference leads somewhere, and every example that is shown is
 # there: a warning is an error. Its result is not the one of `./dev doc`.
-find_program(DOXYGEN doxygen)
-find_program(DOT dot)
 if(DOXYGEN AND DOT)
   set(manual "${CMAKE_CURRENT_BINARY_DIR}/manual")
   add_test(NAME manual
@@ -84,7 +84,10 @@ endif()
 # That the code in it, and in the README, is that of examples; and what a reader sees.
 find_package(Python3 COMPONENTS Interpreter QUIET)
 if(Python3_FOUND)
-  if(TEST manual)
+  find_path(MATHJAX MathJax.js PATHS /usr/share/javascript/mathjax NO_DEFAULT_PATH)
+  if(NOT MATHJAX)
+    message(STATUS "No test of what a reader of the manual sees: it needs MathJax, Debian's libjs-mathjax")
+  elseif(TEST manual)
     add_test(NAME built_manual
       COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/built_manual.py"
         "${PROJECT_SOURCE_DIR}/doc/Dynamic_Delaunay_triangulation_2" "${manual}/html")
