@@ -28,7 +28,7 @@ execute_process(COMMAND "${DOXYGEN}" "${OUTPUT}/Doxyfile" WORKING_DIRECTORY "${s
 
 find_path(mathjax MathJax.js PATHS /usr/share/javascript/mathjax NO_DEFAULT_PATH)
 if(NOT mathjax)
-  message(NOTICE "Formulas will be shown as TeX: there is no /usr/share/javascript/mathjax, from Debian's libjs-mathjax")
+  message(NOTICE "Formulas will be TeX: there is no /usr/share/javascript/mathjax, from Debian's libjs-mathjax")
   return()
 endif()
 foreach(part IN ITEMS MathJax.js extensions/tex2jax.js extensions/MathEvents.js extensions/TeX jax/element jax/input/TeX

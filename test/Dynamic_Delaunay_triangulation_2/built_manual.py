@@ -6,9 +6,9 @@
     built_manual.py SOURCES HTML
 
 Every page of the sources is a page of its own, with its first sentence, and is listed in the reference; every link
-within the manual leads somewhere, and one to the user manual and one to the reference stand on every page; what a page
-loads is beside it, and nothing comes from a network; no command of Doxygen, and no asterisk, is shown instead of what it
-stands for; and where the reference, a concept or a further page names a class of the package, that is a link, as are all
+within the manual leads somewhere, and one to the user manual and one to the reference stand on every page; what a
+page loads is beside it, and nothing comes from a network; no command of Doxygen, and no asterisk, is shown instead of
+what it stands for; and where the reference, a concept or a further page names a class of the package, that is a link, as are all
 concepts, classes and macros in the list of the reference.
 """
 
@@ -24,8 +24,9 @@ WORDS_OF_FILES = {("DynamicDelaunayTriangulation2Checkpoints.html", "Dynamic_pop
 REFERENCE = "group__PkgDynamicDelaunayTriangulation2Ref.html"
 COMMAND = re.compile(r"\\(?:ref|cgal\w+|ingroup|link|anchor|page|section|subsection|snippet)\b.{0,40}")
 CODE = re.compile(r"<pre.*?</pre>|<div class=\"fragment\">.*?</div><!-- fragment -->|<script.*?</script>", re.S)
-# What is no text: a script, a formula, and declarations, where an asterisk is a pointer
-NO_TEXT = re.compile(CODE.pattern + r"|<code>.*?</code>|\\\(.*?\\\)|\\\[.*?\\\]|<td class=\"(?:mem|param).*?</td>", re.S)
+# What is no text: code, formulas, and declarations, where an asterisk is a pointer
+NO_TEXT = re.compile(
+    CODE.pattern + r"|<code>.*?</code>|\\\(.*?\\\)|\\\[.*?\\\]|<td class=\"(?:mem|param).*?</td>", re.S)
 LOADED = re.compile(r"<(?:script|img|iframe|object|embed|link)\b[^>]*?\b(?:src|data|href)=\"([^\"]*)\"", re.S)
 LOADED_BY_STYLE = re.compile(r"(?:url\(|@import )\s*['\"]?([^'\")]+)")
 PAGE = re.compile(r"\\page (\w+) [^\n]*\n(?:\\ingroup[^\n]*\n)?\n([^.]*?\.)", re.S)

@@ -27,7 +27,8 @@ execute_process(COMMAND "${CPACK}" -G DEB -C "${CONFIG}" --config "${BUILD}/CPac
 set(package "${WORK}/${name}_${VERSION}_all.deb")
 execute_process(COMMAND "${DPKG_DEB}" --info "${package}" OUTPUT_VARIABLE info COMMAND_ERROR_IS_FATAL ANY)
 expect("${info}" "Package: ${name}" "Version: ${VERSION}" "Architecture: all" "Section: libdevel"
-  "Depends: libcgal-dev [^\n]*" "Recommends: libjs-mathjax, libtbb-dev" "Maintainer: [^\n]* <[^\n]*@[^\n]*>" "Description: [^\n]+")
+  "Depends: libcgal-dev [^\n]*" "Recommends: libjs-mathjax, libtbb-dev" "Suggests: libcgal-qt5-dev"
+  "Maintainer: [^\n]* <[^\n]*@[^\n]*>" "Description: [^\n]+")
 
 execute_process(COMMAND "${DPKG_DEB}" --contents "${package}" OUTPUT_VARIABLE contents COMMAND_ERROR_IS_FATAL ANY)
 file(GLOB_RECURSE files RELATIVE "${SOURCE}" "${SOURCE}/include/*.h")
@@ -45,7 +46,8 @@ if(MANUAL)
     message(FATAL_ERROR "No manual was made")
   endif()
   list(APPEND documents ${pages})
-  expect("${contents}" "lrwxrwxrwx root/root [^\n]* \\./usr/share/doc/${name}/html/mathjax -> ../../../javascript/mathjax")
+  expect("${contents}"
+    "lrwxrwxrwx root/root [^\n]* \\./usr/share/doc/${name}/html/mathjax -> ../../../javascript/mathjax")
 endif()
 list(TRANSFORM documents PREPEND "share/doc/${name}/")
 list(APPEND files ${documents})
