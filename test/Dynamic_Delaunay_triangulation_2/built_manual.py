@@ -8,8 +8,8 @@
 Every page of the sources is a page of its own, with its first sentence, and is listed in the reference; every link
 within the manual leads somewhere, and one to the user manual and one to the reference stand on every page; what a
 page loads is beside it, and nothing comes from a network; no command of Doxygen, and no asterisk, is shown instead of
-what it stands for; and where the reference, a concept or a further page names a class of the package, that is a link, as are all
-concepts, classes and macros in the list of the reference.
+what it stands for; and where the user manual, the reference, a concept or a further page names a class of the package,
+that is a link, as are all concepts, classes and macros in the list of the reference.
 """
 
 import html
