@@ -5,7 +5,8 @@
 
     manual_on_a_phone.py CHROMIUM HTML
 
-A page fits if it does not scroll to the side as a whole. Frames of that width show the pages, one after the other.
+A page fits if it does not scroll to the side as a whole, and shows the link to the user manual. Frames of that width
+show the pages, one after the other.
 """
 
 import json
@@ -25,7 +26,8 @@ async function look() {
   for (let page; (page = pages.pop());) {
     await new Promise(done => { frame.onload = done; frame.src = page; });
     const root = frame.contentDocument.documentElement;
-    found += `${root.clientWidth} ${root.scrollWidth} ${page}\\n`;
+    const link = root.querySelector('.tablist a[href="index.html"]');
+    found += `${root.clientWidth} ${root.scrollWidth} ${link ? link.offsetWidth : 0} ${page}\\n`;
   }
   return found;
 }
@@ -43,14 +45,15 @@ def main(chromium, directory):
             [chromium, "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
              "--allow-file-access-from-files", "--virtual-time-budget=3600000", f"--user-data-dir={folder}/profile",
              "--dump-dom", watcher.as_uri()], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=True)
-    widths = re.findall(r"^(\d+) (\d+) .*/(.*)$", re.search("<pre.*?</pre>", shown.stdout, re.S)[0].replace(
+    widths = re.findall(r"^(\d+) (\d+) (\d+) .*/(.*)$", re.search("<pre.*?</pre>", shown.stdout, re.S)[0].replace(
         '<pre id="widths">', ""), re.M)
     if not pages or len(widths) != len(pages):
         sys.exit(f"{directory}: {len(widths)} of {len(pages)} pages could be looked at")
-    wide = [f"{page}: {there} pixels on a screen of {screen}" for screen, there, page in widths
-            if int(screen) != WIDTH or int(there) > WIDTH]
-    print("\n".join(sorted(wide)) or f"{len(pages)} pages fit")
-    return 1 if wide else 0
+    found = [f"{page}: {there} pixels on a screen of {screen}" for screen, there, _, page in widths
+             if int(screen) != WIDTH or int(there) > WIDTH]
+    found += [f"{page}: no link to the user manual is seen" for _, _, link, page in widths if int(link) == 0]
+    print("\n".join(sorted(found)) or f"{len(pages)} pages fit")
+    return 1 if found else 0
 
 
 if __name__ == "__main__":
