@@ -40,7 +40,7 @@ def mutated(guard):
 
 
 def source_of(test):
-    """Of a program, or of some tests in it: `test_numbers:Predicates*`."""
+    """Of a program, or of some tests in it: `test_filters:Predicates*`."""
     test = test.partition(":")[0]
     if test == "robustness":
         return ROOT / "benchmark" / PACKAGE / "robustness.cpp"

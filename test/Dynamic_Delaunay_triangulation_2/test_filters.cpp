@@ -1,0 +1,323 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What every proof of an edge rests on: the filters, the kernel's predicates and the tolerances
+// claim nothing wrong for any finite doubles. Compiled for SSE4.1 or AVX all that is so below a
+// limit, and the larger numbers are left out here.
+
+#include "exact_signs.h"
+#include "quadruples.h"
+
+#include <CGAL/Nearly_delaunay_classifier_2.h>
+#include <CGAL/Point_distance_times_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace {
+
+namespace internal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
+using CGAL::Dynamic_Delaunay_triangulations_2::Edge_2;
+using CGAL::Dynamic_Delaunay_triangulations_2::Index;
+using internal::Edge_slack_2;
+
+constexpr double tiniest = std::numeric_limits<double>::denorm_min();
+
+// Vertices 1 to 4 are the quadruple, and the edge is the one from 2 to 3; a classifier that asks
+// whether it is Delaunay is told that it is not.
+struct One_edge
+{
+  using Index = ::Index;
+  using Edge = Edge_2;
+
+  explicit One_edge(const Quadruple& q)
+  {
+    m_edge.left = 1;
+    m_edge.source = 2;
+    m_edge.target = 3;
+    m_edge.right = 4;
+    m_positions.insert(m_positions.end(), q.begin(), q.end());
+  }
+
+  const std::vector<Position_2>& positions() const { return m_positions; }
+  const Position_2& position(Index v) const { return m_positions[v]; }
+  bool positions_are_exact() const { return true; }
+  const Edge_2& edge(Index) const { return m_edge; }
+  bool is_delaunay(Index) const { return false; }
+
+private:
+  std::vector<Position_2> m_positions{{NAN, NAN}};
+  Edge_2 m_edge{};
+};
+
+class Predicates : public testing::Test
+{
+};
+
+TEST_F(Predicates, in_integers_know_what_is_obvious)
+{
+  EXPECT_EQ(exact::orientation({0, 0}, {1, 0}, {0, tiniest}), 1);
+  EXPECT_EQ(exact::orientation({0, 0}, {0, tiniest}, {1, 0}), -1);
+  EXPECT_EQ(exact::orientation({-largest, -tiniest}, {0, 0}, {largest, tiniest}), 0);
+  EXPECT_EQ(exact::side_of_circle({0, 0}, {1, 0}, {1, 1}, {0, 1}), 0);
+  EXPECT_EQ(exact::side_of_circle({0, 0}, {1, 0}, {1, 1}, {tiniest, 0.5}), 1);
+  EXPECT_EQ(exact::side_of_circle({0, 0}, {1, 0}, {1, 1}, {-1, 1}), -1);
+  EXPECT_EQ(exact::compare_distance({0, 0}, {3e-320, 4e-320}, 5e-320), 0);
+  EXPECT_EQ(exact::compare_distance({-largest, 0}, {largest, 0}, largest), 1);
+}
+
+TEST_F(Predicates, of_the_kernel_are_right_for_all_coordinates)
+{
+  EXPECT_GT(expect_exact_kernel_predicates(1, 100000), 5000u);
+}
+
+TEST_F(Predicates, of_the_filters_claim_nothing_wrong_for_any_finite_doubles)
+{
+  Quadruples quadruples(2);
+  std::size_t proved = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const Quadruple q = quadruples.next();
+    const auto& [a, b, c, d] = q;
+    const Signs signs(q);
+    const auto is_no_contradiction = [](int filtered, int sign) {
+      return filtered == 0 || filtered == sign;
+    };
+    ASSERT_TRUE(is_no_contradiction(internal::filtered_orientation(a, b, c), signs.left))
+        << text(q);
+    ASSERT_TRUE(is_no_contradiction(internal::filtered_in_circle(a, b, c, d), signs.side))
+        << text(q);
+    const internal::Edge_filter_2 filter(a, b, c, d);
+    const bool is_ccw = signs.are_counterclockwise();
+    ASSERT_TRUE(!filter.proves_counterclockwise() || is_ccw) << text(q);
+    ASSERT_TRUE(!filter.proves_delaunay() || (is_ccw && signs.side < 0)) << text(q);
+    ASSERT_TRUE(!filter.proves_illegal() || (is_ccw && signs.side > 0)) << text(q);
+    ASSERT_TRUE(!filter.disproves_delaunay() || signs.left < 0 || signs.right < 0 || signs.side > 0)
+        << text(q);
+    proved += filter.proves_delaunay();
+  }
+  EXPECT_GT(proved, 1000u);
+}
+
+TEST_F(Predicates, of_four_edges_at_once_claim_nothing_wrong_for_any_finite_doubles)
+{
+  Quadruples quadruples(3);
+  std::size_t proved = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const Quadruple q = quadruples.next();
+    const One_edge one(q);
+    const Edge_2 edges[] = {one.edge(0), one.edge(0), one.edge(0), one.edge(0)};
+    std::vector<Index> unproved;
+    internal::append_unproved(edges, one.positions(), 0, 4, unproved);
+    ASSERT_TRUE(unproved.empty() || unproved.size() == 4) << text(q);
+    if (!unproved.empty())
+      continue;
+    ++proved;
+    const Signs signs(q);
+    ASSERT_TRUE(signs.are_counterclockwise() && signs.side < 0) << text(q);
+  }
+  EXPECT_GT(proved, 1000u);
+}
+
+// Whether d is not deeper in the circle of the face abc than eps times its radius:
+// 4 left in_circle <= eps (2 - eps) |ab|^2 |bc|^2 |ca|^2, with eps = digits / 2^shift.
+bool is_nearly_outside(const Quadruple& q, double eps)
+{
+  using exact::Integer;
+  const auto [a, b, c, d] = exact::as_integers<4>(q);
+  const exact::Vector u = a - d, v = b - d, w = c - d;
+  const Integer in_circle = exact::square(u) * exact::cross(v, w) +
+                            exact::square(v) * exact::cross(w, u) +
+                            exact::square(w) * exact::cross(u, v);
+  const Integer lengths = exact::square(a - b) * exact::square(b - c) * exact::square(c - a);
+  const auto shift = unsigned(eps == 0 ? 1 : -exact::exponent(eps));
+  const Integer digits(std::int64_t(std::ldexp(eps, int(shift))));
+  const Integer factor = digits * ((Integer(1) << (shift + 1)) - digits);
+  return Integer((4 * exact::cross(b - a, c - a) * in_circle) << (2 * shift)) <= factor * lengths;
+}
+
+TEST_F(Predicates, of_nearly_delaunay_leave_no_edge_alone_beyond_the_bound)
+{
+  Quadruples quadruples(4);
+  std::size_t left_alone = 0;
+  constexpr double all_eps[] = {0, tiniest, 1e-200, 1e-60, 1e-17, 1e-15, 1e-9, 0.05, 0.5, 1};
+  for (int i = 0; i < 100000; ++i) {
+    const Quadruple q = quadruples.next();
+    const double eps = all_eps[quadruples.random() % std::size(all_eps)];
+    if (CGAL::Nearly_delaunay_classifier_2(eps).names_edge(One_edge(q), 0))
+      continue;
+    ++left_alone;
+    const Signs signs(q);
+    ASSERT_TRUE(signs.are_counterclockwise()) << text(q);
+    if (signs.side > 0) {
+      ASSERT_TRUE(is_nearly_outside(q, eps)) << eps << ": " << text(q);
+      ASSERT_TRUE(is_nearly_outside({{q[3], q[2], q[1], q[0]}}, eps)) << eps << ": " << text(q);
+    }
+  }
+  EXPECT_GT(left_alone, 500u);
+}
+
+// TOLERANCES --------------------------------------------------------------------------------------
+
+// An edge between faces of any shape, near or far from the origin.
+Quadruple any_rhombus(Quadruples& any)
+{
+  Random& random = any.random;
+  const int exponent = any.any_exponent();
+  const double offset =
+      random() % 2 ? 0 : std::ldexp(between(random, -2, 2), exponent + whole(random, 0, 40));
+  const double width = between(random, 0.01, 3), jitter = std::pow(10, between(random, -18, 0));
+  const double angle = between(random, 0, 7), cosine = std::cos(angle), sine = std::sin(angle);
+  Quadruple q{{{-width, 0}, {0, -1}, {0, 1}, {width, 0}}};
+  for (Position_2& p : q) {
+    const double x = p.x + between(random, -jitter, jitter);
+    const double y = p.y + between(random, -jitter, jitter);
+    p = {within_range(offset + std::ldexp(cosine * x - sine * y, exponent)),
+         within_range(offset + std::ldexp(sine * x + cosine * y, exponent))};
+  }
+  return q;
+}
+
+// As far as t in a direction, or less, as doubles allow.
+Position_2 moved(const Position_2& p, double t, double dx, double dy)
+{
+  const double length = std::hypot(dx, dy);
+  if (!(length > 0) || !std::isfinite(length))
+    return p;
+  for (int i = 0; i < 60; ++i, t *= 1 - std::ldexp(1., i - 53)) {
+    const Position_2 q{p.x + dx / length * t, p.y + dy / length * t};
+    if (std::isfinite(q.x) && std::isfinite(q.y) && exact::compare_distance(p, q, t) <= 0)
+      return q;
+  }
+  return p;
+}
+
+// The ends of the edge outwards and the others inwards, or all anywhere.
+Quadruple moved(const Quadruple& q, double t, bool is_squeezed, Random& random)
+{
+  Position_2 center{0, 0};
+  for (const Position_2& p : q)
+    center = {center.x + p.x / 4, center.y + p.y / 4};
+  Quadruple result;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double sense = i == 1 || i == 2 ? 1 : -1;
+    result[i] = is_squeezed
+                    ? moved(q[i], t, sense * (q[i].x - center.x), sense * (q[i].y - center.y))
+                    : moved(q[i], t, between(random, -1, 1), between(random, -1, 1));
+  }
+  return result;
+}
+
+class Tolerances : public testing::Test
+{
+};
+
+TEST_F(Tolerances, are_kept_by_edges_of_any_length_anywhere)
+{
+  Quadruples any(5);
+  std::size_t safe = 0;
+  for (int i = 0; i < 50000; ++i) {
+    const Quadruple q = any.random() % 4 ? any_rhombus(any) : any.next();
+    const One_edge one(q);
+    const double t = Edge_slack_2(one.edge(0), one.positions()).tolerance();
+    if (!(t > 0))
+      continue;
+    ++safe;
+    for (int k = 0; k < 3; ++k) {
+      const Quadruple m = moved(q, t, k == 0, any.random);
+      const Signs signs(m);
+      ASSERT_TRUE(!signs.are_counterclockwise() || signs.side < 0) << t << ": " << text(q);
+    }
+  }
+  EXPECT_GT(safe, 2500u);
+}
+
+TEST_F(Tolerances, are_kept_by_hulls_of_any_extent_anywhere)
+{
+  Quadruples any(6);
+  std::size_t safe = 0;
+  for (int i = 0; i < 50000; ++i) {
+    const Quadruple q = any.random() % 4 ? any_rhombus(any) : any.next();
+    const One_edge one(q);
+    Edge_2 edge = one.edge(0);
+    edge.right = internal::infinite_index;
+    const double t = Edge_slack_2(edge, one.positions()).tolerance();
+    if (!(t > 0))
+      continue;
+    ++safe;
+    for (int k = 0; k < 3; ++k) {
+      const Quadruple m = moved(q, t, k == 0, any.random);
+      ASSERT_GT(exact::orientation(m[0], m[1], m[2]), 0) << t << ": " << text(q);
+    }
+  }
+  EXPECT_GT(safe, 2500u);
+}
+
+TEST_F(Tolerances, take_nobody_for_near_who_is_not)
+{
+  Quadruples any(7);
+  std::size_t near = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const Quadruple q = any.next();
+    const double distance = internal::distance(q[0], q[1]);
+    const double t = any.random() % 2 ? std::abs(any.any_double()) : std::min(distance, largest);
+    if (!(t > Edge_slack_2::smallest_tolerance) || !internal::is_within(t, q[0], q[1]))
+      continue;
+    ++near;
+    ASSERT_LE(exact::compare_distance(q[0], q[1], t), 0) << t << ": " << text(q);
+  }
+  EXPECT_GT(near, 10000u);
+}
+
+// Its square is infinite, and so was the bound.
+TEST_F(Tolerances, take_nobody_for_near_whose_squared_distance_overflows)
+{
+  EXPECT_FALSE(internal::is_within(2e154, {0, 0}, {1e200, 0}));
+  EXPECT_FALSE(internal::is_within(2e154, {-largest, 0}, {largest, 0}));
+  EXPECT_TRUE(internal::is_within(2e154, {0, 0}, {1e154, 0}));
+}
+
+using Points = std::vector<Epick::Point_2>;
+
+// Their slack is no number, which spoiled the choice of a tolerance for all.
+TEST_F(Tolerances, are_chosen_among_those_that_are_numbers)
+{
+  if (!internal::is_within_limit(1e200))
+    GTEST_SKIP() << "compiled for SSE4.1 or newer, which refuses points so far away";
+  for (unsigned seed = 0; seed < 36; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Points points = Cloud<Epick>(seed).uniform(500);
+    for (const double x : {-1e200, 1e200})
+      for (const double y : {-1e200, 1e200})
+        points.emplace_back(x, y);
+    const CGAL::Dynamic_Delaunay_triangulation_2<Epick> dt(points.begin(), points.end());
+    for (const std::size_t share : {16u, 32u}) {
+      internal::Safe_edges_2 safe_edges;
+      safe_edges.start(dt.frame(), share);
+      EXPECT_TRUE(safe_edges.holds()) << "one edge in " << share << " may be tight";
+    }
+  }
+}
+
+// Their squared products overflowed or underflowed, and the time was never, or late.
+TEST_F(Tolerances, of_lengths_are_used_up_in_the_same_frame_at_any_scale)
+{
+  Random random(8);
+  for (int i = 0; i < 20000; ++i) {
+    const double x = i % 10 == 0 ? 0 : between(random, 0, 1);
+    const double px = between(random, -1, 1), py = between(random, -1, 1);
+    const double vx = between(random, -0.1, 0.1), vy = between(random, -0.1, 0.1);
+    const double square = px * px + py * py;
+    const double first = CGAL::Point_distance_times_2(x, square, px, py, vx, vy).first_frame();
+    for (const double scale : {0x1p-480, 0x1p-400, 0x1p-260, 0x1p250, 0x1p300, 0x1p500}) {
+      const CGAL::Point_distance_times_2 times(x, square * scale * scale, px * scale, py * scale,
+                                               vx * scale, vy * scale);
+      ASSERT_EQ(times.first_frame(), first) << "scale " << scale;
+    }
+  }
+}
+
+} // namespace
