@@ -4,6 +4,8 @@
 #ifndef CGAL_ALWAYS_STATIC_POLICY_2_H
 #define CGAL_ALWAYS_STATIC_POLICY_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <CGAL/Update_report_2.h>
 
 namespace CGAL {

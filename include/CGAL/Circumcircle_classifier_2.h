@@ -4,6 +4,8 @@
 #ifndef CGAL_CIRCUMCIRCLE_CLASSIFIER_2_H
 #define CGAL_CIRCUMCIRCLE_CLASSIFIER_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_examination_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_proofs_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>

@@ -4,6 +4,8 @@
 #ifndef CGAL_DELAUNAY_NEIGHBOR_LISTS_2_H
 #define CGAL_DELAUNAY_NEIGHBOR_LISTS_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Finite_neighbors_2.h>
 #include <CGAL/Iterator_range.h>

@@ -4,6 +4,8 @@
 #ifndef CGAL_DELAUNAY_POINT_QUERIES_2_H
 #define CGAL_DELAUNAY_POINT_QUERIES_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distances_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Finite_neighbors_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>

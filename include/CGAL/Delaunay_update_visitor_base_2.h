@@ -4,6 +4,8 @@
 #ifndef CGAL_DELAUNAY_UPDATE_VISITOR_BASE_2_H
 #define CGAL_DELAUNAY_UPDATE_VISITOR_BASE_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <CGAL/Update_report_2.h>
 
 #include <cstddef>

@@ -4,6 +4,8 @@
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_H
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <CGAL/accepts_inexact_predicates_2.h>
 #include <CGAL/Always_dynamic_policy_2.h>
 #include <CGAL/Border_splice_repair_2.h>

@@ -4,6 +4,8 @@
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_VERTEX_BASE_2_H
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_VERTEX_BASE_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <CGAL/Triangulation_vertex_base_2.h>
 
 #include <cstdint>

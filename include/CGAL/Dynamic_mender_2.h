@@ -4,6 +4,8 @@
 #ifndef CGAL_DYNAMIC_MENDER_2_H
 #define CGAL_DYNAMIC_MENDER_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <CGAL/Dynamic_classification_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_tools_2.h>
 #include <CGAL/Update_report_2.h>

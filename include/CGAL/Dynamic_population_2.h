@@ -4,6 +4,8 @@
 #ifndef CGAL_DYNAMIC_POPULATION_2_H
 #define CGAL_DYNAMIC_POPULATION_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_operators_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distinct_numbers_2.h>

@@ -4,6 +4,8 @@
 #ifndef CGAL_EDGE_CHANGES_VISITOR_2_H
 #define CGAL_EDGE_CHANGES_VISITOR_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <CGAL/Delaunay_update_visitor_base_2.h>
 
 #include <algorithm>

@@ -4,6 +4,8 @@
 #ifndef CGAL_ESTIMATED_VORONOI_CIRCUMCENTER_CLASSIFIER_2_H
 #define CGAL_ESTIMATED_VORONOI_CIRCUMCENTER_CLASSIFIER_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 
 #include <vector>

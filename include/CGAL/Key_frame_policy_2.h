@@ -4,6 +4,8 @@
 #ifndef CGAL_KEY_FRAME_POLICY_2_H
 #define CGAL_KEY_FRAME_POLICY_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Update_report_2.h>
 

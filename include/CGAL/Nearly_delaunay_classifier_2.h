@@ -4,6 +4,8 @@
 #ifndef CGAL_NEARLY_DELAUNAY_CLASSIFIER_2_H
 #define CGAL_NEARLY_DELAUNAY_CLASSIFIER_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_examination_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_filter_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>

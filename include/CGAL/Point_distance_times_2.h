@@ -4,6 +4,8 @@
 #ifndef CGAL_POINT_DISTANCE_TIMES_2_H
 #define CGAL_POINT_DISTANCE_TIMES_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

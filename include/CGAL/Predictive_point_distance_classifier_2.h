@@ -4,6 +4,8 @@
 #ifndef CGAL_PREDICTIVE_POINT_DISTANCE_CLASSIFIER_2_H
 #define CGAL_PREDICTIVE_POINT_DISTANCE_CLASSIFIER_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <CGAL/Point_distance_classifier_2.h>
 
 #include <algorithm>

@@ -4,6 +4,8 @@
 #ifndef CGAL_RELOCATION_REPAIR_2_H
 #define CGAL_RELOCATION_REPAIR_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 namespace CGAL {
 
 /*!

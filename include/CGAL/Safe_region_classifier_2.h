@@ -4,6 +4,8 @@
 #ifndef CGAL_SAFE_REGION_CLASSIFIER_2_H
 #define CGAL_SAFE_REGION_CLASSIFIER_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Displacements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_examination_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_slack_2.h>

@@ -4,6 +4,8 @@
 #ifndef CGAL_UPDATE_REPORT_2_H
 #define CGAL_UPDATE_REPORT_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <cstddef>
 
 namespace CGAL {

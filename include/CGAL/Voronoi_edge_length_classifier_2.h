@@ -4,6 +4,8 @@
 #ifndef CGAL_VORONOI_EDGE_LENGTH_CLASSIFIER_2_H
 #define CGAL_VORONOI_EDGE_LENGTH_CLASSIFIER_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>

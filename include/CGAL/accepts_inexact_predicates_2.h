@@ -4,6 +4,8 @@
 #ifndef CGAL_ACCEPTS_INEXACT_PREDICATES_2_H
 #define CGAL_ACCEPTS_INEXACT_PREDICATES_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <type_traits>
 
 namespace CGAL {

@@ -4,6 +4,8 @@
 #ifndef CGAL_DELAUNAY_AGREEMENT_H
 #define CGAL_DELAUNAY_AGREEMENT_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
 #include <CGAL/enum.h>

@@ -4,6 +4,8 @@
 #ifndef CGAL_DRAW_DYNAMIC_DELAUNAY_TRIANGULATION_2_H
 #define CGAL_DRAW_DYNAMIC_DELAUNAY_TRIANGULATION_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 
 #ifdef DOXYGEN_RUNNING

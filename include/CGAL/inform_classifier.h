@@ -4,6 +4,8 @@
 #ifndef CGAL_INFORM_CLASSIFIER_H
 #define CGAL_INFORM_CLASSIFIER_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <type_traits>
 #include <utility>
 

@@ -45,6 +45,7 @@ if(NOT MSVC)
     endif()
   endif()
   add_refusal(rounded_predicates rounded_predicates "nothing could be certified")
+  add_refusal(gpl licensed_under_gpl "2D Dynamic Delaunay Triangulation would be used under the GPL" -DCGAL_LICENSE_ERROR)
 endif()
 
 # A program that finds the installed package, and one that has it as a subdirectory.

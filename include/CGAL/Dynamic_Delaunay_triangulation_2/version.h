@@ -4,6 +4,8 @@
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VERSION_H
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VERSION_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <CGAL/version_macros.h>
 
 /// \file CGAL/Dynamic_Delaunay_triangulation_2/version.h

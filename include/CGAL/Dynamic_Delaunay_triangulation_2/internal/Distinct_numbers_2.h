@@ -4,6 +4,8 @@
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTINCT_NUMBERS_2_H
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTINCT_NUMBERS_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 #include <boost/sort/spreadsort/integer_sort.hpp>

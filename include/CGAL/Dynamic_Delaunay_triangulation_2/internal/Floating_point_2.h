@@ -4,6 +4,8 @@
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_FLOATING_POINT_2_H
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_FLOATING_POINT_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #if defined(__SSE2_MATH__) || defined(_M_X64)
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_HAS_MXCSR
 #include <xmmintrin.h>

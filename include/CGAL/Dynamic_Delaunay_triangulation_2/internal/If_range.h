@@ -4,6 +4,8 @@
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_IF_RANGE_H
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_IF_RANGE_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <iterator>
 #include <utility>
 

@@ -4,6 +4,8 @@
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_NEIGHBORHOOD_MIRROR_2_H
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_NEIGHBORHOOD_MIRROR_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 #include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Prefetch_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Provided_memory_2.h>

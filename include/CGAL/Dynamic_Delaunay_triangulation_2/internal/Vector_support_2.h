@@ -4,6 +4,8 @@
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_VECTOR_SUPPORT_2_H
 #define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_VECTOR_SUPPORT_2_H
 
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
 // AVX2 is picked at run time, so that a plain build has it. CGAL_DYNAMIC_DELAUNAY_NO_SIMD leaves it
 // out.
 #if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__)) &&                            \
