@@ -1,3 +1,4 @@
+# Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Installs the package, and builds and runs README's first program, in the project that README shows, with what was

@@ -1,3 +1,4 @@
+# Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Makes the Debian package, and looks at what it says and holds. Unpacks it, and builds and runs an example with it.

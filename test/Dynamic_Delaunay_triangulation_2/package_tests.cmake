@@ -1,6 +1,8 @@
+# Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Tests of the package as a whole: each header by itself, the installed package, the Debian package, and the manual.
+# Tests of the package as a whole: each header by itself, the installed package, the Debian package, the manual, and
+# the licences.
 
 # Each header has to bring all that it needs, and to bear being included twice. That they compile is the test. A
 # precompiled header or a unity build would hide what is missing. The internal ones are many, and a user includes none
@@ -113,4 +115,22 @@ if(Python3_FOUND)
   endif()
 else()
   message(STATUS "No test of the code in the manual: it needs Python 3")
+endif()
+
+# That each file of the repository says who holds its copyright, and its licence. What Git ignores is no part of it, which
+# `reuse` knows in a clone alone.
+find_program(REUSE reuse)
+find_package(Git QUIET)
+set(no_clone TRUE)
+if(Git_FOUND)
+  execute_process(COMMAND "${GIT_EXECUTABLE}" rev-parse --git-dir WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
+    RESULT_VARIABLE no_clone OUTPUT_QUIET ERROR_QUIET)
+endif()
+if(REUSE AND NOT no_clone)
+  add_test(NAME reuse COMMAND "${REUSE}" --root "${PROJECT_SOURCE_DIR}" lint)
+  add_test(NAME licence_texts COMMAND "${CMAKE_COMMAND}" -E compare_files
+    "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/LICENSES/GPL-3.0-or-later.txt")
+  set_tests_properties(reuse licence_texts PROPERTIES LABELS test TIMEOUT 60)
+else()
+  message(STATUS "No test of the licences: it needs reuse, Git, and a clone")
 endif()
