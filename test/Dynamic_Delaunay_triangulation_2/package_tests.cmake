@@ -72,6 +72,27 @@ else()
 endif()
 set_tests_properties(${package_tests} PROPERTIES LABELS test TIMEOUT 300 RESOURCE_LOCK installation)
 
+# Each folder of programs by itself, as CGAL's testsuite has it, and there some programs.
+set(standalone_flags "")
+if(NOT MSVC)
+  set(standalone_flags "-Wall -Wextra -Wconversion -Wshadow $<$<BOOL:${WARNINGS_AS_ERRORS}>:-Werror>")
+endif()
+function(add_standalone_test name folder)
+  add_test(NAME standalone_${name}
+    COMMAND "${CMAKE_COMMAND}" -D FOLDER=${PROJECT_SOURCE_DIR}/${folder}/Dynamic_Delaunay_triangulation_2
+      -D WORK=${CMAKE_CURRENT_BINARY_DIR}/standalone/${name} -D GENERATOR=${CMAKE_GENERATOR}
+      -D COMPILER=${CMAKE_CXX_COMPILER} -D CCACHE=${CCACHE} -D FLAGS=${standalone_flags} -D CGAL_DIR=${CGAL_DIR}
+      -D CTEST=${CMAKE_CTEST_COMMAND} -D PROGRAM=${ARGN} -P "${CMAKE_CURRENT_SOURCE_DIR}/standalone_folder.cmake")
+  set_tests_properties(standalone_${name} PROPERTIES LABELS test TIMEOUT 300)
+endfunction()
+file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/dynamic_delaunay_*_2.cpp")
+foreach(source IN LISTS sources)
+  get_filename_component(name "${source}" NAME_WE)
+  add_standalone_test(${name} test ${name})
+endforeach()
+add_standalone_test(hello_world examples hello_world)
+add_standalone_test(benchmarks benchmark)
+
 # The manual. That every public name is documented, every reference leads somewhere, and every example that is shown is
 # there: a warning is an error. Its result is not the one of `./dev doc`.
 if(DOXYGEN AND DOT)
