@@ -64,7 +64,7 @@ public:
       m_first = mean;
       m_lowest = mean;
     }
-    m_lowest = std::min(m_lowest, mean);
+    m_lowest = (std::min)(m_lowest, mean);
     return mean <= m_lowest + 0.05 * *m_first;
   }
 

@@ -58,7 +58,7 @@ Results run(const Robustness_options& options)
 void write_findings(const Results& results)
 {
   constexpr std::size_t most = 20;
-  const std::size_t shown = std::min(most, results.findings.size());
+  const std::size_t shown = (std::min)(most, results.findings.size());
   for (std::size_t i = 0; i < shown; ++i) {
     const Found& found = results.findings[i];
     std::cout << fault_name(found.fault) << " after " << found.operation

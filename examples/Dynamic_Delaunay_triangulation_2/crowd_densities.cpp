@@ -50,7 +50,7 @@ int main()
       const std::size_t id = population.id(number);
       const double area = cells.areas()[id]; // in square meters
       whole_area += area;
-      largest_density = std::max(largest_density, 1 / area);
+      largest_density = (std::max)(largest_density, 1 / area);
 
       // nobody steps on somebody who is nearer to the door
       close.clear();
@@ -64,7 +64,7 @@ int main()
         p += 0.1 / std::sqrt(squared_distance) * (door - p);
       person = squared_distance < 0.25 ? people.erase(person) : std::next(person);
     }
-    largest_error = std::max(largest_error, std::abs(whole_area - 200));
+    largest_error = (std::max)(largest_error, std::abs(whole_area - 200));
   }
   std::cout << people.size() << " of 200 are still there; there were up to " << largest_density
             << " to a square meter\n";

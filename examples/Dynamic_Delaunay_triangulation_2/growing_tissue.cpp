@@ -25,7 +25,7 @@ struct Tissue
   void add(double at_x, double at_y, double its_radius)
   {
     const std::size_t id = neighbors.insert(at_x, at_y);
-    const std::size_t size = std::max(id + 1, x.size());
+    const std::size_t size = (std::max)(id + 1, x.size());
     x.resize(size);
     y.resize(size);
     radius.resize(size);

@@ -46,7 +46,7 @@ int main()
     dt.for_each_edge([&](std::size_t i, std::size_t j) {
       const Vector apart = points[j] - points[i];
       const double distance = std::sqrt(apart.squared_length());
-      nearest = std::min(nearest, distance);
+      nearest = (std::min)(nearest, distance);
       const double overlap = diameter - distance;
       if (overlap <= 0)
         return;
@@ -59,7 +59,7 @@ int main()
 
     if (frame == 0)
       first_energy = energy;
-    largest_error = std::max(largest_error, std::abs(energy / first_energy - 1));
+    largest_error = (std::max)(largest_error, std::abs(energy / first_energy - 1));
     if (frame % 1000 == 0)
       std::cout << "frame " << frame << ": " << contacts << " contacts, kinetic energy "
                 << kinetic_energy << ", with that of the contacts " << energy << '\n';

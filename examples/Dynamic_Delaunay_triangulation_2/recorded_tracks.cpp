@@ -41,7 +41,7 @@ double least_distance(const Dynamic& dt)
 {
   double least = std::numeric_limits<double>::infinity();
   dt.for_each_edge([&](std::size_t i, std::size_t j) {
-    least = std::min(least, std::sqrt(CGAL::squared_distance(dt.point(i), dt.point(j))));
+    least = (std::min)(least, std::sqrt(CGAL::squared_distance(dt.point(i), dt.point(j))));
   });
   return least;
 }
@@ -58,7 +58,7 @@ bool follow(const scenario::Recording& recording)
     came += report.inserted;
     went += report.removed;
     all_right = all_right && report.certified && population.size() == people.size();
-    least = std::min(least, least_distance(population.triangulation()));
+    least = (std::min)(least, least_distance(population.triangulation()));
     if (report.inserted + report.removed > 0)
       std::cout << "time " << frame.time << ": " << people.size() << " there, " << report.inserted
                 << " came, " << report.removed << " went\n";

@@ -199,7 +199,7 @@ int run_scenario(const run::Run_options& options)
   const run::Run_subject subject = run::run_subject(options, *motion, facts);
   std::size_t frames = options.frames.value_or(motion->frames());
   if (!facts.seed) {
-    frames = std::min(frames, motion->frames()); // a recording ends
+    frames = (std::min)(frames, motion->frames()); // a recording ends
   }
   run::Run_summary summary;
   {

@@ -33,16 +33,16 @@ struct Vector
 // A double is an integer of 53 bits times a power of two.
 inline int exponent(double x)
 {
-  return x == 0 ? std::numeric_limits<int>::max() : std::max(std::ilogb(x), -1022) - 52;
+  return x == 0 ? (std::numeric_limits<int>::max)() : (std::max)(std::ilogb(x), -1022) - 52;
 }
 
 // Doubles times one power of two, the least that makes integers of them all: it changes no sign.
 template <std::size_t n>
 std::array<Vector, n> as_integers(const std::array<Position, n>& positions)
 {
-  int lowest = std::numeric_limits<int>::max();
+  int lowest = (std::numeric_limits<int>::max)();
   for (const Position& p : positions)
-    lowest = std::min({lowest, exponent(p.x), exponent(p.y)});
+    lowest = (std::min)({lowest, exponent(p.x), exponent(p.y)});
   const auto integer = [&](double x) {
     if (x == 0)
       return Integer(0);

@@ -167,7 +167,7 @@ private:
     for (const auto& [id, p] : m_model)
       ids.push_back(id);
     std::shuffle(ids.begin(), ids.end(), m_random);
-    ids.resize(std::min(number, ids.size()));
+    ids.resize((std::min)(number, ids.size()));
     return ids;
   }
 

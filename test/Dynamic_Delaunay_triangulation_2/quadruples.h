@@ -25,7 +25,7 @@ using CGAL::Dynamic_Delaunay_triangulations_2::Position_2;
 using Random = std::mt19937_64;
 using Quadruple = std::array<Position_2, 4>;
 
-constexpr double largest = std::numeric_limits<double>::max();
+constexpr double largest = (std::numeric_limits<double>::max)();
 
 inline double between(Random& random, double low, double high)
 {
@@ -39,7 +39,7 @@ inline int whole(Random& random, int low, int high)
 
 inline double within_range(double x)
 {
-  return std::min(std::max(x, -largest), largest);
+  return (std::min)((std::max)(x, -largest), largest);
 }
 
 // Four points each, of all magnitudes, many of them on a line or on a circle, or nearly so.

@@ -32,7 +32,7 @@ public:
 inline void count(std::size_t size)
 {
   ++number_of_allocations;
-  largest_allocation = std::max(largest_allocation, size);
+  largest_allocation = (std::max)(largest_allocation, size);
 }
 
 inline bool runs_out()

@@ -820,7 +820,7 @@ public:
     std::size_t newcomers = 0;
     for (const auto& person : frame)
       newcomers += m_ids.count(person.first) == 0;
-    m_most = std::max(m_most, frame.size());
+    m_most = (std::max)(m_most, frame.size());
     const std::size_t removed = m_ids.size() + newcomers - frame.size();
     m_report = people.update(range.begin(), range.end());
     ASSERT_EQ(m_report.inserted, newcomers);
@@ -1183,7 +1183,7 @@ void expect_right_programs(unsigned programs, int frames, unsigned first_seed = 
   for (unsigned seed = first_seed; seed < first_seed + programs; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const std::size_t fewest = seed % 5 == 4 ? 0 : 4;
-    Program<Dynamic> program(seed, std::max(fewest, std::size_t(1)), 5 + seed % 7 * 9);
+    Program<Dynamic> program(seed, (std::max)(fewest, std::size_t(1)), 5 + seed % 7 * 9);
     for (int frame = 0; frame < frames; ++frame) {
       SCOPED_TRACE(testing::Message() << "frame " << frame);
       ASSERT_NO_FATAL_FAILURE(program.play());

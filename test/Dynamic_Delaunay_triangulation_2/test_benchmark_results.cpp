@@ -43,8 +43,8 @@ TEST(The_search_for_most_points, ends_close_below_the_limit_where_cost_is_propor
       return frames_of(points, 1e-6 * nanoseconds * static_cast<double>(points));
     });
     const double right = 40.0 / (1e-6 * nanoseconds);
-    EXPECT_LE(static_cast<double>(found.points), std::min(right, double(many))) << nanoseconds;
-    EXPECT_GE(static_cast<double>(found.points), 0.9 * std::min(right, double(many)))
+    EXPECT_LE(static_cast<double>(found.points), (std::min)(right, double(many))) << nanoseconds;
+    EXPECT_GE(static_cast<double>(found.points), 0.9 * (std::min)(right, double(many)))
         << nanoseconds;
     EXPECT_LE(tries, 6u) << nanoseconds;
   }

@@ -355,9 +355,9 @@ TEST(Checkpoints, any_finite_double_is_kept_to_the_bit)
 {
   using Limits = std::numeric_limits<double>;
   const Points points = {{-0., 0.1},
-                         {Limits::denorm_min(), -Limits::min()},
+                         {Limits::denorm_min(), -(Limits::min)()},
                          {1e300, -1e-300},
-                         {Limits::max() / 8, 1. / 3}};
+                         {(Limits::max)() / 8, 1. / 3}};
   const Exact dt(points.begin(), points.end());
   const Exact other = restored(dt);
   for (std::size_t id = 0; id < points.size(); ++id) {

@@ -263,7 +263,7 @@ TEST_F(Tolerances, take_nobody_for_near_who_is_not)
   for (int i = 0; i < 100000; ++i) {
     const Quadruple q = any.next();
     const double distance = internal::distance(q[0], q[1]);
-    const double t = any.random() % 2 ? std::abs(any.any_double()) : std::min(distance, largest);
+    const double t = any.random() % 2 ? std::abs(any.any_double()) : (std::min)(distance, largest);
     if (!(t > Edge_slack_2::smallest_tolerance) || !internal::is_within(t, q[0], q[1]))
       continue;
     ++near;

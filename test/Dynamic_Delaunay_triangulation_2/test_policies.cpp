@@ -315,7 +315,7 @@ TEST(Hybrid_policy, lengthens_its_rests_from_failure_to_failure_and_forgets_them
   for (int round = 0; round < 2; ++round) {
     EXPECT_EQ(rest(policy, Reason::STUCK), 0);
     for (int failures = 0; failures < 70; ++failures)
-      EXPECT_EQ(rest(policy, Reason::STUCK), std::min(failures, 63));
+      EXPECT_EQ(rest(policy, Reason::STUCK), (std::min)(failures, 63));
     EXPECT_EQ(rest(policy, Reason::NONE), 63);
   }
 }

@@ -749,9 +749,9 @@ protected:
   {
     switch (m_random() % 8) {
     case 0:
-      return std::numeric_limits<UserId>::min();
+      return (std::numeric_limits<UserId>::min)();
     case 1:
-      return std::numeric_limits<UserId>::max();
+      return (std::numeric_limits<UserId>::max)();
     default:
       return UserId(m_random() % 120);
     }

@@ -1111,7 +1111,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t nobody = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t nobody = (std::numeric_limits<std::size_t>::max)();
   using Point = typename Kernel::Point_2;
 
   // Beyond the next ones, far away among the others, or beyond them all.

@@ -116,8 +116,8 @@ double largest_rise(const std::vector<double>& energies)
   double lowest = std::numeric_limits<double>::infinity();
   double rise = 0.0;
   for (const double energy : energies) {
-    lowest = std::min(lowest, energy);
-    rise = std::max(rise, energy - lowest);
+    lowest = (std::min)(lowest, energy);
+    rise = (std::max)(rise, energy - lowest);
   }
   return rise;
 }
@@ -149,7 +149,7 @@ double largest_displacement(const std::vector<Point>& first, const std::vector<P
 {
   double largest = 0.0;
   for (std::size_t i = 0; i != first.size(); ++i) {
-    largest = std::max(largest, std::hypot(second[i].x - first[i].x, second[i].y - first[i].y));
+    largest = (std::max)(largest, std::hypot(second[i].x - first[i].x, second[i].y - first[i].y));
   }
   return largest;
 }
@@ -257,8 +257,8 @@ TEST(Scenarios, keep_their_shape_when_scaled)
   double right = 0.0;
   double top = 0.0;
   for (const Point& point : motion->points()) {
-    right = std::max(right, point.x);
-    top = std::max(top, point.y);
+    right = (std::max)(right, point.x);
+    top = (std::max)(top, point.y);
   }
   EXPECT_NEAR(right, 280.0, 1.0);
   EXPECT_NEAR(top, 360.0, 1.0);
@@ -371,7 +371,7 @@ TEST(Dam_break, settles_to_flat_and_calm_water)
   std::vector<double> top(7, 0.0);
   for (const Point& point : motion->points()) {
     double& highest = top[std::min<std::size_t>(6, static_cast<std::size_t>(point.x / 10.0))];
-    highest = std::max(highest, point.y);
+    highest = (std::max)(highest, point.y);
   }
   const auto [low, high] = std::minmax_element(top.begin(), top.end());
   EXPECT_GT(*low, 8.0);
@@ -385,7 +385,7 @@ TEST(Dam_break, moves_by_about_four_percent_of_the_spacing_where_it_is_fast)
   run(*motion, 1000);
   double fastest = 0.0;
   for (const Point& velocity : motion->system().velocities()) {
-    fastest = std::max(fastest, *motion->time_step() * std::hypot(velocity.x, velocity.y));
+    fastest = (std::max)(fastest, *motion->time_step() * std::hypot(velocity.x, velocity.y));
   }
   EXPECT_GT(fastest, 0.03);
   EXPECT_LT(fastest, 0.06);
@@ -431,7 +431,7 @@ TEST(Spinning, keeps_its_squares_apart)
       if ((a < 400) != (b < 400)) {
         const Point& p = motion->points()[a];
         const Point& q = motion->points()[b];
-        nearest = std::min(nearest, std::hypot(p.x - q.x, p.y - q.y));
+        nearest = (std::min)(nearest, std::hypot(p.x - q.x, p.y - q.y));
       }
     }
     motion->advance(edges);
@@ -467,7 +467,7 @@ TEST(Explosion, moves_by_about_a_quarter_of_the_spacing_where_it_is_fastest)
     for (int frame = 0; frame != 300; ++frame) {
       motion->advance(neighbors(motion->points()));
       for (const Point& velocity : motion->system().velocities()) {
-        fastest = std::max(fastest, *motion->time_step() * std::hypot(velocity.x, velocity.y));
+        fastest = (std::max)(fastest, *motion->time_step() * std::hypot(velocity.x, velocity.y));
       }
     }
     EXPECT_NEAR(fastest, 0.24, 0.03) << name;
@@ -483,7 +483,7 @@ TEST(Static, shivers_by_less_than_its_jitter)
     Static_neighbors neighbors;
     for (int frame = 0; frame != 300; ++frame) {
       motion->advance(neighbors(motion->points()));
-      farthest = std::max(farthest, largest_displacement(first, motion->points()));
+      farthest = (std::max)(farthest, largest_displacement(first, motion->points()));
     }
     EXPECT_GT(farthest, 0.00005) << name;
     EXPECT_LT(farthest, 0.0003) << name;
@@ -1157,8 +1157,8 @@ TEST(Recorded_data, parses_with_the_frames_and_points_its_description_states)
     std::size_t most = fewest;
     while (motion->advance({})) {
       EXPECT_EQ(motion->ids().size(), motion->points().size()) << file.name;
-      fewest = std::min(fewest, motion->points().size());
-      most = std::max(most, motion->points().size());
+      fewest = (std::min)(fewest, motion->points().size());
+      most = (std::max)(most, motion->points().size());
     }
     EXPECT_EQ(fewest, file.fewest) << file.name;
     EXPECT_EQ(most, file.most) << file.name;

@@ -324,7 +324,7 @@ void expect_close(double value, double expected, double tolerance, std::size_t i
   if (std::isinf(expected))
     ASSERT_EQ(value, expected) << "id " << id;
   else
-    ASSERT_NEAR(value, expected, tolerance * std::max(1.0, expected)) << "id " << id;
+    ASSERT_NEAR(value, expected, tolerance * (std::max)(1.0, expected)) << "id " << id;
 }
 
 // To the last digit, which CGAL::to_double() does not promise for numbers that it has not computed.

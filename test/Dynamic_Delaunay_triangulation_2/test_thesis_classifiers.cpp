@@ -213,7 +213,7 @@ TYPED_TEST(Exact_classifiers, miss_nothing_in_a_million_edges)
   // breathing in and out at the hull alone
   ASSERT_NO_FATAL_FAILURE(this->follow(cloud.uniform(300), 100, [&](Points& points, int frame) {
     for (auto& p : points)
-      if (std::max(std::abs(p.x() - 8.7), std::abs(p.y() - 8.7)) > 7)
+      if ((std::max)(std::abs(p.x() - 8.7), std::abs(p.y() - 8.7)) > 7)
         p = Epick::Point_2(p.x(), p.y() + (frame % 2 == 0 ? 0.02 : -0.02) * (p.x() - 5));
   }));
   const Audit& audit = this->audit();
@@ -426,7 +426,7 @@ void leap_and_step(const Repair& repair)
     const bool leaps = frame % 2 == 0;
     id = leaps ? cloud.random()() % points.size() : neighbor(neighbor(id));
     const Epick::Point_2 p = cloud.shifted(points[id], leaps ? 0.5 : 0.15);
-    if (std::min(p.x(), p.y()) > 0 && std::max(p.x(), p.y()) < 12)
+    if ((std::min)(p.x(), p.y()) > 0 && (std::max)(p.x(), p.y()) < 12)
       points[id] = p;
     try {
       dt.update(points.begin(), points.end());
@@ -696,7 +696,7 @@ TEST(Inflation_aware_classifier, picks_nobody_while_everything_grows_and_point_d
     const Points points = turned(scaled<Epick>(first, growth), 0.1 * frame);
     EXPECT_EQ(aware.update(points.begin(), points.end()).classified, 0u);
     const auto report = distance.update(points.begin(), points.end());
-    most = std::max(most, report.classified);
+    most = (std::max)(most, report.classified);
   }
   EXPECT_GT(growth, 7);
   EXPECT_GE(most, 495u);
@@ -825,7 +825,7 @@ TEST(Point_distance_times, give_the_first_frame_that_stepping_frame_by_frame_fin
         stepped = frame;
         break;
       }
-      margin = std::min({margin, now / reference - x, 2 - x - now / reference});
+      margin = (std::min)({margin, now / reference - x, 2 - x - now / reference});
     }
     ASSERT_LE(predicted, stepped) << "never late";
     if ((margin > 1e-9 || x == 1) && predicted < last_frame) {
@@ -952,7 +952,7 @@ TEST(Voronoi_circumcenter_classifier, agrees_with_the_in_circle_predicate_away_f
                                 CGAL::orientation(p[3], p[1], p[0]) == CGAL::LEFT_TURN;
     const CGAL::Dynamic_Delaunay_triangulations_2::internal::Edge_filter_2 filter(
         frame.m_positions[3], frame.m_positions[1], frame.m_positions[2], frame.m_positions[4]);
-    const double smallest = std::min({std::abs(filter.left), std::abs(filter.right), 1.});
+    const double smallest = (std::min)({std::abs(filter.left), std::abs(filter.right), 1.});
     if (std::abs(filter.in_circle) < 1e-12 || smallest < 1e-6)
       continue; // a tie, or nearly no triangle
     const bool is_broken = !are_left_turns || CGAL::side_of_oriented_circle(
@@ -1200,7 +1200,7 @@ struct Point_distance_model
       return 1;
     const double growth = length(frame.position(edge.source), frame.position(edge.target)) /
                           references.at(key(frame, edge));
-    return std::min(growth - 0.9, 1.1 - growth);
+    return (std::min)(growth - 0.9, 1.1 - growth);
   }
 
   template <class Frame>
@@ -1259,7 +1259,7 @@ struct Inflation_aware_model
     if (frame.is_infinite(frame.edge(e)))
       return 1;
     const double growth = growths.at(key(frame, frame.edge(e)));
-    return std::min(growth - 0.9, 1.1 - growth);
+    return (std::min)(growth - 0.9, 1.1 - growth);
   }
 
   template <class Frame>
@@ -1320,7 +1320,7 @@ struct Voronoi_edge_length_model
                     0.5 * gap(frame, edge,
                               CGAL::circumcenter(at(edge.right), at(edge.target), at(edge.source)),
                               CGAL::circumcenter(at(edge.left), at(edge.source), at(edge.target)))
-              : -std::numeric_limits<double>::max();
+              : -(std::numeric_limits<double>::max)();
     });
   }
 };
@@ -1423,7 +1423,7 @@ struct Modelled
     for (const Index v : classified.whole_vertices()) {
       double smallest = 1;
       frame.for_each_incident_edge(
-          v, [&](Index e) { smallest = std::min(smallest, model->slack(frame, e)); });
+          v, [&](Index e) { smallest = (std::min)(smallest, model->slack(frame, e)); });
       EXPECT_LT(smallest, 1e-7) << "vertex " << v;
     }
   }

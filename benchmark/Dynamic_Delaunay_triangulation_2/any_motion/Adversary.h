@@ -29,7 +29,7 @@ struct Slow_program
   {
     double worst = 0.0;
     for (const Frame_figures& frame : figures.frames) {
-      worst = 10 * frame.points < points ? worst : std::max(worst, frame.ratio());
+      worst = 10 * frame.points < points ? worst : (std::max)(worst, frame.ratio());
     }
     return worst;
   }
@@ -171,7 +171,7 @@ private:
     std::stable_sort(
         m_slowest.begin(), m_slowest.end(),
         [](const Slow_program& a, const Slow_program& b) { return a.ratio() > b.ratio(); });
-    m_slowest.resize(std::min(m_slowest.size(), most_kept));
+    m_slowest.resize((std::min)(m_slowest.size(), most_kept));
     if (is_record) {
       m_out << "after " << m_tried << " programs: ";
       write(found);
@@ -181,7 +181,7 @@ private:
   void write_slowest() const
   {
     m_out << '\n' << m_tried << " programs, the slowest of them by their worst frames\n";
-    for (std::size_t i = 0; i != std::min(m_slowest.size(), most_shown); ++i) {
+    for (std::size_t i = 0; i != (std::min)(m_slowest.size(), most_shown); ++i) {
       write(m_slowest[i]);
     }
   }

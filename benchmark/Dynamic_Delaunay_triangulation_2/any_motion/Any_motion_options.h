@@ -59,7 +59,7 @@ struct Any_motion_options
 // \throws CLI::Success for --help, another CLI::ParseError for a mistake.
 inline Any_motion_options parse_options(CLI::App& app, int argc, const char* const* argv)
 {
-  constexpr std::uint64_t any = std::numeric_limits<std::uint64_t>::max(), most_frames = 100'000;
+  constexpr std::uint64_t any = (std::numeric_limits<std::uint64_t>::max)(), most_frames = 100'000;
   constexpr int fewest_points = 10, most_points = 10'000'000;
   constexpr double longest = 1e6;
   using run::add_option;

@@ -27,7 +27,7 @@ using Places = std::vector<std::size_t>; // in a cloud
 inline std::size_t any_below(std::size_t count, Random& random)
 {
   const auto number = static_cast<std::size_t>(random.uniform() * static_cast<double>(count));
-  return std::min(number, count - 1);
+  return (std::min)(number, count - 1);
 }
 
 inline Point in_random_direction(const Point& point, double distance, Random& random)

@@ -24,7 +24,7 @@ struct Kind
   std::string program; // as in Program.h
   std::size_t fewest_points = 0;
   // Where all points are on a line, CGAL's insertion takes quadratic time.
-  std::size_t most_points = std::numeric_limits<std::size_t>::max();
+  std::size_t most_points = (std::numeric_limits<std::size_t>::max)();
 
   bool has(std::size_t points) const { return fewest_points <= points && points <= most_points; }
 };

@@ -329,7 +329,7 @@ inline void turn_inside_out(const Moving& moving)
   const double radius = 0.5 * moving.cloud.width();
   const double nearest = 1e-9 * radius;
   around_middle(moving, [&](const Point& point) {
-    const double distance = std::max(std::hypot(point.x, point.y), nearest);
+    const double distance = (std::max)(std::hypot(point.x, point.y), nearest);
     const double factor = radius / distance * (radius / distance);
     return Point{factor * point.x, factor * point.y};
   });
@@ -384,7 +384,7 @@ inline void come_and_leave(const Moving& moving)
     return;
   }
   Places places;
-  for (std::size_t i = 0; i != std::min(memory.number, moving.cloud.size()); ++i) {
+  for (std::size_t i = 0; i != (std::min)(memory.number, moving.cloud.size()); ++i) {
     places.push_back(i); // those who have been there for longest
   }
   leave({moving.cloud, places, moving.size, moving.random, memory});

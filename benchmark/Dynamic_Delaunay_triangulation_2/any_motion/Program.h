@@ -56,7 +56,7 @@ inline Amount amount_in(const std::string& text)
 {
   Amount amount;
   if (!text.empty() && text.front() == '#') {
-    amount.count = run::count_argument(text.substr(1), 1, std::numeric_limits<unsigned>::max());
+    amount.count = run::count_argument(text.substr(1), 1, (std::numeric_limits<unsigned>::max)());
     return amount;
   }
   amount.share = number_in(text);

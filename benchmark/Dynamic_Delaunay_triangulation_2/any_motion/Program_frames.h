@@ -75,7 +75,7 @@ private:
   static double kept(double value)
   {
     constexpr double limit = 1e153;
-    return std::isnan(value) ? 0.0 : std::max(-limit, std::min(limit, value));
+    return std::isnan(value) ? 0.0 : (std::max)(-limit, (std::min)(limit, value));
   }
 
   Program m_program;

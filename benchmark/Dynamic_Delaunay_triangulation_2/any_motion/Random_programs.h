@@ -163,7 +163,7 @@ private:
       const double count = static_cast<double>(amount.count) * any_magnitude(0.3, 3.0);
       amount.count = static_cast<std::size_t>(std::ceil(count));
     } else {
-      amount.share = std::min(1.0, rounded(amount.share * any_magnitude(0.3, 3.0)));
+      amount.share = (std::min)(1.0, rounded(amount.share * any_magnitude(0.3, 3.0)));
     }
   }
 

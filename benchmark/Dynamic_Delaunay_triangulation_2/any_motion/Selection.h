@@ -30,7 +30,7 @@ struct Amount
   std::size_t of(std::size_t points) const
   {
     const double wanted = std::round(share * static_cast<double>(points));
-    return std::min(points, count != 0 ? count : static_cast<std::size_t>(wanted));
+    return (std::min)(points, count != 0 ? count : static_cast<std::size_t>(wanted));
   }
 };
 

@@ -26,7 +26,7 @@ struct Frame_figures
   double sorted = 0.0;
   CGAL::Update_report_2 report{};
 
-  double fastest_static() const { return std::min({insert, ordered, sorted}); }
+  double fastest_static() const { return (std::min)({insert, ordered, sorted}); }
   double ratio() const { return dynamic / fastest_static(); }
 };
 
@@ -64,7 +64,7 @@ struct Sequence_figures
   {
     double worst = 0.0;
     for (const Frame_figures& frame : frames) {
-      worst = std::max(worst, frame.ratio());
+      worst = (std::max)(worst, frame.ratio());
     }
     return worst;
   }

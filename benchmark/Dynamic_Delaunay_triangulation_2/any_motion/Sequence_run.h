@@ -109,7 +109,7 @@ private:
 
   bool is_too_slow() const
   {
-    const double slowest = std::max(m_figures.dynamic, m_figures.insert);
+    const double slowest = (std::max)(m_figures.dynamic, m_figures.insert);
     return slowest > 1e9 * m_settings.patience;
   }
 
@@ -149,7 +149,7 @@ private:
 // Of each frame the repetition with the smallest ratio.
 inline void keep_the_best(Sequence_figures& best, const Sequence_figures& repeated)
 {
-  const std::size_t frames = std::min(best.frames.size(), repeated.frames.size());
+  const std::size_t frames = (std::min)(best.frames.size(), repeated.frames.size());
   for (std::size_t i = 0; i != frames; ++i) {
     if (repeated.frames[i].frame == best.frames[i].frame &&
         repeated.frames[i].ratio() < best.frames[i].ratio()) {

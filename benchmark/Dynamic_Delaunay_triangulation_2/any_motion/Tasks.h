@@ -39,7 +39,7 @@ inline Sequence_settings settings_of(const Any_motion_options& options)
   Sequence_settings settings;
   if (options.is_quick) {
     settings.repetitions = 0;
-    settings.most_checked_points = std::numeric_limits<std::size_t>::max();
+    settings.most_checked_points = (std::numeric_limits<std::size_t>::max)();
   }
   return settings;
 }
@@ -78,7 +78,7 @@ inline scenario::Recording middle_frames(const std::string& path, std::size_t fr
 {
   const auto motion = scenario::open_motion(path);
   const std::size_t all = motion->frames() + 1;
-  for (std::size_t i = 0; i < (all - std::min(all, frames)) / 2; ++i) {
+  for (std::size_t i = 0; i < (all - (std::min)(all, frames)) / 2; ++i) {
     motion->advance({});
   }
   scenario::Recording recording;

@@ -132,7 +132,7 @@ inline speed::Case_result policy_result(const Recorded_frames& recording,
     add(names[i], nanoseconds / frames / points, figures);
     result.seconds += 1e-9 * nanoseconds;
   }
-  const double best = std::min(figures.at("always_static"), figures.at("always_dynamic"));
+  const double best = (std::min)(figures.at("always_static"), figures.at("always_dynamic"));
   add("of_best", figures.at("hybrid") / best, figures);
   add("dyn_rebuilt", records[1].rebuilds / frames, figures);
   add("hyb_rebuilt", records[2].rebuilds / frames, figures);

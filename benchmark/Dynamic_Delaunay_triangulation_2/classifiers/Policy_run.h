@@ -51,7 +51,7 @@ inline void run_pass(const Recorded_frames& recording, const std::vector<std::st
       subject.update(recording[frame]);
       subject.check_certificate(frame);
       double& fastest = records[chosen].nanoseconds[frame - 1];
-      fastest = std::min(fastest, subject.observation().terms.total);
+      fastest = (std::min)(fastest, subject.observation().terms.total);
       records[chosen].rebuilds += subject.report().rebuilt() ? 1.0 : 0.0;
     }
   }

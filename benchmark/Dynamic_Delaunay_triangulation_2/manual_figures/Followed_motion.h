@@ -28,7 +28,7 @@ using Edges = std::set<Id_pair>;
 
 inline Id_pair in_order(std::size_t i, std::size_t j)
 {
-  return {std::min(i, j), std::max(i, j)};
+  return {(std::min)(i, j), (std::max)(i, j)};
 }
 
 // A scenario, and the triangulation that follows it and that it takes its neighbors from.

@@ -139,7 +139,7 @@ inline std::string svg_of(std::initializer_list<const Panel*> panels, double sca
   for (const Panel* panel : panels) {
     inside += panel->text(height);
     height += panel->height();
-    width = std::max(width, panel->width());
+    width = (std::max)(width, panel->width());
   }
   std::ostringstream out;
   out << std::fixed << std::setprecision(0);

@@ -44,8 +44,8 @@ public:
     const Point a = place(edge.left), b = place(edge.source), c = place(edge.target),
                 d = place(edge.right);
     const Point o = center(a, b, c, d);
-    const double inner = std::max(distance(o, b), distance(o, c));
-    const double outer = std::min(distance(o, a), distance(o, d));
+    const double inner = (std::max)(distance(o, b), distance(o, c));
+    const double outer = (std::min)(distance(o, a), distance(o, d));
     const double t = 0.5 * (outer - inner);
     const double reach = outer + 0.35;
     Panel panel({{o.x - reach, o.y - reach}, {o.x + reach, o.y + reach}}, "");
@@ -83,7 +83,7 @@ public:
     draw_edges(own, [](Index) { return false; });
     draw_edges(common, [this, t](Index e) { return m_tolerances[e] < t; });
     for (Index v = 1; v <= frame.number_of_vertices(); ++v) {
-      own.disk(place(v), std::max(0.0, tolerance_of(v)), disk_color);
+      own.disk(place(v), (std::max)(0.0, tolerance_of(v)), disk_color);
       own.dot(place(v), "#333333", 4.0);
       common.disk(place(v), t, disk_color);
     }
@@ -153,13 +153,13 @@ private:
   double tolerance_of(Index v) const
   {
     const Frame frame = m_motion.triangulation().frame();
-    double smallest = std::numeric_limits<double>::max();
+    double smallest = (std::numeric_limits<double>::max)();
     frame.for_each_incident_edge(v, [&](Index e) {
-      smallest = std::min(smallest, m_tolerances[e]);
+      smallest = (std::min)(smallest, m_tolerances[e]);
       frame.for_each_side(e, [&](Index side) {
         const Frame_edge& edge = frame.edge(side);
         for (const Index w : {edge.source, edge.target, edge.left, edge.right}) {
-          smallest = w == v ? std::min(smallest, m_tolerances[side]) : smallest;
+          smallest = w == v ? (std::min)(smallest, m_tolerances[side]) : smallest;
         }
       });
     });

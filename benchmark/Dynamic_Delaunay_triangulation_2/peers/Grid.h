@@ -31,10 +31,10 @@ public:
   {
     scenario::Point high = m_low;
     for (const scenario::Point& point : points) {
-      m_low = {std::min(m_low.x, point.x), std::min(m_low.y, point.y)};
-      high = {std::max(high.x, point.x), std::max(high.y, point.y)};
+      m_low = {(std::min)(m_low.x, point.x), (std::min)(m_low.y, point.y)};
+      high = {(std::max)(high.x, point.x), (std::max)(high.y, point.y)};
     }
-    m_scale = steps / std::max(high.x - m_low.x, high.y - m_low.y);
+    m_scale = steps / (std::max)(high.x - m_low.x, high.y - m_low.y);
   }
 
   void snap(const std::vector<scenario::Point>& points, Grid_points& snapped) const
@@ -54,7 +54,7 @@ private:
   std::int32_t snap(double distance) const
   {
     const double value = std::round(distance * m_scale);
-    if (!(std::abs(value) < std::numeric_limits<std::int32_t>::max())) {
+    if (!(std::abs(value) < (std::numeric_limits<std::int32_t>::max)())) {
       throw std::runtime_error("a point has left the grid");
     }
     return static_cast<std::int32_t>(value);

@@ -59,7 +59,7 @@ inline std::size_t usual_frames(std::size_t points, bool has_lasting_order, bool
                              : points <= 100'000 ? 16
                                                  : 4;
   const std::size_t share = (has_lasting_order ? 1 : 2) * (is_quick ? 4 : 1);
-  return std::max(frames / share, std::size_t(1));
+  return (std::max)(frames / share, std::size_t(1));
 }
 
 inline std::size_t usual_warm_up(std::size_t points)

@@ -73,7 +73,7 @@ public:
 private:
   void add_places(std::size_t i, std::size_t j)
   {
-    m_edges.emplace_back(std::min(i, j), std::max(i, j));
+    m_edges.emplace_back((std::min)(i, j), (std::max)(i, j));
   }
 
   const Frame_truth& m_truth;

@@ -61,7 +61,7 @@ public:
 private:
   static void add(std::size_t v, std::size_t w, Edges& edges)
   {
-    edges.emplace_back(std::min(v, w), std::max(v, w));
+    edges.emplace_back((std::min)(v, w), (std::max)(v, w));
   }
 
   Edges edges() const

@@ -46,7 +46,7 @@ struct Field
 private:
   double kept(double value) const
   {
-    return std::isnan(value) ? 0.0 : std::max(-limit, std::min(limit, value));
+    return std::isnan(value) ? 0.0 : (std::max)(-limit, (std::min)(limit, value));
   }
 };
 

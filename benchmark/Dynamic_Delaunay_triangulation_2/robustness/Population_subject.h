@@ -40,9 +40,9 @@ public:
   {
     using Limits = std::numeric_limits<Name>;
     if constexpr (sizeof(Name) < sizeof(Key)) {
-      return {Limits::min(), Limits::max()};
+      return {(Limits::min)(), (Limits::max)()};
     } else {
-      constexpr Key most = std::numeric_limits<std::int32_t>::max();
+      constexpr Key most = (std::numeric_limits<std::int32_t>::max)();
       return {-most, most};
     }
   }

@@ -27,7 +27,7 @@ struct Robustness_options
 {
   std::uint64_t operations = 10'000'000;
   std::uint64_t seed = 1;
-  unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+  unsigned threads = (std::max)(1u, std::thread::hardware_concurrency());
   double patience = 20.0; // seconds
   std::optional<std::uint64_t> trial{};
   std::optional<std::size_t> family{};
@@ -38,7 +38,7 @@ struct Robustness_options
 // \throws CLI::Success for --help, another CLI::ParseError for a mistake.
 inline Robustness_options parse_options(CLI::App& app, int argc, const char* const* argv)
 {
-  constexpr std::uint64_t any = std::numeric_limits<std::uint64_t>::max();
+  constexpr std::uint64_t any = (std::numeric_limits<std::uint64_t>::max)();
   constexpr std::uint64_t most_operations = 1'000'000'000'000, most_threads = 1024;
   constexpr double longest_patience = 1e6;
   using run::add_option;

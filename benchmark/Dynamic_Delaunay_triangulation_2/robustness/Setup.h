@@ -129,13 +129,13 @@ inline Setup any_setup(const Family& family, Decisions& decisions)
   setup.constructs_exactly = decisions.one_in(25);
   if (setup.constructs_exactly) {
     setup.divisor = decisions.one_in(2) ? 3 : 1;
-    setup.most_points = std::min(setup.most_points, most_points_constructed_exactly);
+    setup.most_points = (std::min)(setup.most_points, most_points_constructed_exactly);
   }
   if (family.has_names || decisions.one_in(8)) {
     setup.naming = static_cast<Naming>(1 + decisions.below(3));
   }
   if (setup.naming == Naming::UINT8) {
-    setup.most_points = std::min(setup.most_points, most_points_with_small_names);
+    setup.most_points = (std::min)(setup.most_points, most_points_with_small_names);
   }
   return setup;
 }

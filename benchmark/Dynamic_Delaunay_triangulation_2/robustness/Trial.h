@@ -204,7 +204,7 @@ private:
       next.erase(key);
     }
     const std::size_t room = m_setup.most_points - next.size();
-    for (std::size_t i = m_decisions.below(std::min(room, most) + 1); i > 0; --i) {
+    for (std::size_t i = m_decisions.below((std::min)(room, most) + 1); i > 0; --i) {
       next[m_operations.new_name(next)] = any_place(places_of(next));
     }
   }
@@ -239,7 +239,7 @@ private:
   Keys somebodies(std::size_t most)
   {
     Keys keys = keys_of(model());
-    const std::size_t number = m_decisions.below(std::min(most, keys.size()) + 1);
+    const std::size_t number = m_decisions.below((std::min)(most, keys.size()) + 1);
     for (std::size_t i = 0; i < number; ++i) {
       std::swap(keys[i], keys[i + m_decisions.below(keys.size() - i)]);
     }

@@ -79,7 +79,7 @@ inline Case_result teleport_case(std::size_t points)
   Case_result result = result_of(run_frames<Unprepared_opponents>(motion, {0, motion.frames()}));
   Figures& figures = result.figures;
   figures["sorted"] = figures["fastest"];
-  figures["fastest"] = std::min(figures["insert"], figures["sorted"]);
+  figures["fastest"] = (std::min)(figures["insert"], figures["sorted"]);
   figures["vs_fastest"] = figures["fastest"] / figures["dynamic"];
   figures["of_fastest"] = figures["dynamic"] / figures["fastest"];
   return result;

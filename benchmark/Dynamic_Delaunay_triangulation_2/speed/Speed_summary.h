@@ -56,7 +56,7 @@ inline void add_counts(const Speed_records& records, Figures& figures)
   double rebuilds = 0.0;
   for (const Speed_record& record : records) {
     const auto points_of_frame = static_cast<double>(record.frame.points);
-    points = std::max(points, record.frame.points);
+    points = (std::max)(points, record.frame.points);
     flips += static_cast<double>(record.frame.update.flips) / points_of_frame;
     rebuilds += record.frame.update.rebuilt() ? 1.0 : 0.0;
   }

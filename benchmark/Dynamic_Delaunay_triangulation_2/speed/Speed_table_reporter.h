@@ -44,7 +44,7 @@ public:
     , m_tables(tables)
   {
     for (const auto& [name, table] : tables) {
-      m_name_width = std::max(m_name_width, name.size());
+      m_name_width = (std::max)(m_name_width, name.size());
     }
   }
 

@@ -21,8 +21,8 @@ public:
   void add(double value)
   {
     m_sum += value;
-    m_low = std::min(m_low, value);
-    m_high = std::max(m_high, value);
+    m_low = (std::min)(m_low, value);
+    m_high = (std::max)(m_high, value);
     ++m_number;
   }
 

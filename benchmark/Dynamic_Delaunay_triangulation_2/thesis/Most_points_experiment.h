@@ -108,7 +108,7 @@ private:
     const auto motion = open(trial);
     const std::size_t points = motion->points().size();
     const std::size_t frames =
-        std::clamp(m_work / points, least_frames, std::max(least_frames, motion->frames()));
+        std::clamp(m_work / points, least_frames, (std::max)(least_frames, motion->frames()));
     std::vector<double> milliseconds;
     const auto counts = [&](std::size_t frame) {
       return frame * samples / frames != (frame - 1) * samples / frames;

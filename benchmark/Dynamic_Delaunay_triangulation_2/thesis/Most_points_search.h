@@ -74,7 +74,7 @@ private:
   {
     constexpr double aim = 0.97 * limit, most_growth = 20.0;
     if (m_best.points == 0 || m_worst.points == 0) {
-      const double factor = std::min(most_growth, aim / times.upper_quartile);
+      const double factor = (std::min)(most_growth, aim / times.upper_quartile);
       return factor * static_cast<double>(times.points);
     }
     const double growth = static_cast<double>(m_worst.points) / static_cast<double>(m_best.points);

@@ -44,7 +44,7 @@ inline Physics physics_of(scenario::Particle_motion& motion)
   for (const scenario::Point& point : points) {
     x += point.x;
     y += point.y;
-    front = std::max(front, point.x);
+    front = (std::max)(front, point.x);
   }
   const auto number = static_cast<double>(points.size());
   return {{energy.kinetic, energy.total(), x / number, y / number, front}};

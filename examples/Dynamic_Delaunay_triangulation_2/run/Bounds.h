@@ -27,7 +27,7 @@ struct Bounds
 private:
   static double length(double from, double to)
   {
-    return std::min(to - from, std::numeric_limits<double>::max());
+    return (std::min)(to - from, (std::numeric_limits<double>::max)());
   }
 };
 
@@ -39,8 +39,8 @@ inline Bounds bounds_of(const std::vector<scenario::Point>& points)
   }
   Bounds bounds{points.front(), points.front()};
   for (const scenario::Point& point : points) {
-    bounds.low = {std::min(bounds.low.x, point.x), std::min(bounds.low.y, point.y)};
-    bounds.high = {std::max(bounds.high.x, point.x), std::max(bounds.high.y, point.y)};
+    bounds.low = {(std::min)(bounds.low.x, point.x), (std::min)(bounds.low.y, point.y)};
+    bounds.high = {(std::max)(bounds.high.x, point.x), (std::max)(bounds.high.y, point.y)};
   }
   return bounds;
 }
@@ -57,8 +57,8 @@ inline Bounds frame_bounds(const std::optional<scenario::Box>& box,
 inline void widen(double& low, double& high)
 {
   if (low == high) {
-    low = std::min(low, 0.0);
-    high = low == 0.0 && high == 0.0 ? 1.0 : std::max(high, 0.0);
+    low = (std::min)(low, 0.0);
+    high = low == 0.0 && high == 0.0 ? 1.0 : (std::max)(high, 0.0);
   }
 }
 

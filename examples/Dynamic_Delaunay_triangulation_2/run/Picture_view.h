@@ -19,7 +19,7 @@ public:
     : m_low(bounds.low)
     , m_high(bounds.high)
   {
-    const double side = std::max(m_high.x - m_low.x, m_high.y - m_low.y);
+    const double side = (std::max)(m_high.x - m_low.x, m_high.y - m_low.y);
     m_scale = side > 0.0 ? longer_side / side : 1.0;
   }
 

@@ -117,7 +117,7 @@ inline void add_motion_options(CLI::App& app, Run_options& options)
   add_option(app, "--seed", "N", "seed of the scenario and of the random classifier",
              [&](const std::string& text) {
                options.overrides.seed =
-                   count_argument(text, 0, std::numeric_limits<std::uint64_t>::max());
+                   count_argument(text, 0, (std::numeric_limits<std::uint64_t>::max)());
              });
 }
 

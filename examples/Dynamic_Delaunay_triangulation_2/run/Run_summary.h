@@ -92,14 +92,14 @@ inline std::optional<double> speedup(const std::optional<Spread>& dynamic,
 inline void count(const Frame_record& record, Run_summary& summary)
 {
   ++summary.frames;
-  summary.points = std::max(summary.points, record.points);
+  summary.points = (std::max)(summary.points, record.points);
   summary.certified_frames += record.certified ? 1 : 0;
   summary.population_changes += record.population_changed ? 1 : 0;
   if (record.update.rebuilt()) {
     ++summary.rebuilds;
     ++summary.rebuild_reasons[rebuild_reason_name(record.update.rebuild_reason)];
   }
-  summary.validity_min = std::min(summary.validity_min.value_or(1.0), record.validity);
+  summary.validity_min = (std::min)(summary.validity_min.value_or(1.0), record.validity);
 }
 
 inline Run_summary summarize(std::size_t points_of_first_frame,

@@ -27,9 +27,9 @@ inline std::string readable(double value)
   const double size = std::abs(value);
   const int digits_before = size < 1.0 ? 1 : static_cast<int>(std::floor(std::log10(size))) + 1;
   const int digits_behind = 3 - digits_before;
-  const double unit = std::pow(10.0, -std::min(0, digits_behind));
+  const double unit = std::pow(10.0, -(std::min)(0, digits_behind));
   std::ostringstream text;
-  text << std::fixed << std::setprecision(std::max(0, digits_behind))
+  text << std::fixed << std::setprecision((std::max)(0, digits_behind))
        << (unit > 1.0 ? std::round(value / unit) * unit : value);
   return text.str();
 }

@@ -46,7 +46,7 @@ private:
 
   void write_edges(std::ostream& out) const
   {
-    out << "<path stroke=\"#888888\" stroke-width=\"" << std::min(0.8, 0.5 * radius())
+    out << "<path stroke=\"#888888\" stroke-width=\"" << (std::min)(0.8, 0.5 * radius())
         << "\" fill=\"none\" d=\"";
     m_triangulation.for_each_edge([&](std::size_t i, std::size_t j) {
       write_place(out << 'M', place(i));

@@ -54,7 +54,7 @@ public:
   template <class Visit>
   void for_each_later_near_place(std::size_t i, Visit visit) const
   {
-    const std::size_t end = std::min(m_number_of_points, i + m_columns + 2);
+    const std::size_t end = (std::min)(m_number_of_points, i + m_columns + 2);
     for (std::size_t j = i + 1; j < end; j = next_candidate(i, j)) {
       if (distance(i, j) < 1.6 * m_diameter) {
         visit(j);
@@ -66,7 +66,7 @@ private:
   // Near places follow i directly or are around the one above it.
   std::size_t next_candidate(std::size_t i, std::size_t j) const
   {
-    return j == i + 1 ? std::max(i + 2, i + m_columns - 1) : j + 1;
+    return j == i + 1 ? (std::max)(i + 2, i + m_columns - 1) : j + 1;
   }
 
   double distance(std::size_t i, std::size_t j) const

@@ -63,7 +63,7 @@ public:
   std::size_t number_of_broken() const { return m_number_of_broken; }
 
 private:
-  static constexpr std::uint32_t broken = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t broken = (std::numeric_limits<std::uint32_t>::max)();
 
   std::size_t end_of(std::uint32_t particle) const
   {

@@ -258,7 +258,7 @@ private:
 [[noreturn]] inline void fail_broken_json(const std::string& file, const std::string& text,
                                           std::size_t byte)
 {
-  const std::size_t offset = std::min(byte == 0 ? 0 : byte - 1, text.size());
+  const std::size_t offset = (std::min)(byte == 0 ? 0 : byte - 1, text.size());
   const std::string before = text.substr(0, offset);
   const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
   const std::size_t line_start = before.rfind('\n');
@@ -271,7 +271,7 @@ private:
 // The parser's own message has the number in single quotes, however long it is.
 inline std::string number_in_quotes(std::string_view message)
 {
-  const std::size_t begin = std::min(message.find('\''), message.size() - 1) + 1;
+  const std::size_t begin = (std::min)(message.find('\''), message.size() - 1) + 1;
   return in_quotes(message.substr(begin, message.rfind('\'') - begin));
 }
 

@@ -149,7 +149,7 @@ private:
     Recorded_frame frame;
     frame.time = m_time.value_or(static_cast<double>(m_timestep));
     frame.is_periodic = m_box && m_box_is_periodic;
-    const std::size_t plausible = std::min(*m_number_of_atoms, m_scanner.bytes_left() / 2);
+    const std::size_t plausible = (std::min)(*m_number_of_atoms, m_scanner.bytes_left() / 2);
     frame.ids.reserve(plausible);
     frame.points.reserve(plausible);
     m_lines.clear();

@@ -123,7 +123,7 @@ private:
       if (strain > bond.strain_limit) {
         return false;
       }
-      m_largest_strain = std::max(m_largest_strain, strain);
+      m_largest_strain = (std::max)(m_largest_strain, strain);
       const Point normal = direction(pair, length);
       push_apart(particle, bond.partner, normal,
                  -m_parameters.stiffness * stretch - damping_force(pair, normal));
@@ -143,7 +143,7 @@ private:
       const double overlap = m_parameters.diameter - distance;
       const Point normal = direction(pair, distance);
       const double force = m_parameters.stiffness * overlap - damping_force(pair, normal);
-      push_apart(a, b, normal, std::max(0.0, force));
+      push_apart(a, b, normal, (std::max)(0.0, force));
       potential += 0.5 * m_parameters.stiffness * overlap * overlap;
     }
     return potential;
@@ -157,7 +157,7 @@ private:
     m_contacts.clear();
     for (const auto& [a, b] : neighbors) {
       if (between(a, b).squared_distance < squared_diameter && !m_bonds.connects(a, b)) {
-        m_contacts.emplace_back(std::min(a, b), std::max(a, b));
+        m_contacts.emplace_back((std::min)(a, b), (std::max)(a, b));
       }
     }
     std::sort(m_contacts.begin(), m_contacts.end());
@@ -187,7 +187,7 @@ private:
     }
     const double push =
         m_parameters.stiffness * overlap - m_parameters.damping * inwards * velocity;
-    force += inwards * std::max(0.0, push);
+    force += inwards * (std::max)(0.0, push);
     return 0.5 * m_parameters.stiffness * overlap * overlap;
   }
 

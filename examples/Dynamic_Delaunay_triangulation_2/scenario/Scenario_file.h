@@ -139,7 +139,7 @@ inline Scenario_description parse_scenario(const std::string& file, const std::s
     description.kind = read_particles(reader);
   }
   description.name = reader.word("name");
-  description.seed = reader.integer("seed", 0, std::numeric_limits<std::uint64_t>::max());
+  description.seed = reader.integer("seed", 0, (std::numeric_limits<std::uint64_t>::max)());
   description.frames = reader.integer("frames", 1, 1'000'000'000);
   return description;
 }

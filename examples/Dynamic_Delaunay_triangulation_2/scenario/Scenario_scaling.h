@@ -38,7 +38,7 @@ inline std::size_t scaled_columns(const Body_description& body, std::size_t numb
   }
   const double shape = static_cast<double>(body.columns) / static_cast<double>(body.rows);
   const double columns = std::round(std::sqrt(static_cast<double>(number_of_points) * shape));
-  return static_cast<std::size_t>(std::max(1.0, columns));
+  return static_cast<std::size_t>((std::max)(1.0, columns));
 }
 
 inline Scaled_scenario scaled_to(const Particle_description& particles,

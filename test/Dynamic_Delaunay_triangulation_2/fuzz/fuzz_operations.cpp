@@ -20,7 +20,7 @@ void fuzz::examine(const std::string& input)
   Byte_decisions decisions(input);
   const Family& family = families()[any_family(decisions)];
   Setup setup = any_setup(family, decisions);
-  setup.most_points = std::min(setup.most_points, most_points);
+  setup.most_points = (std::min)(setup.most_points, most_points);
   const auto subject = make_subject(setup);
   Counts counts;
   Trial(family, setup, *subject, decisions, counts).run(most_operations, [] {});

@@ -89,7 +89,7 @@ private:
 
   static int rank(const Spatial_order_2& order, std::size_t i)
   {
-    return i > 0 && i < order.size() ? order.cut(i).rank : std::numeric_limits<int>::max();
+    return i > 0 && i < order.size() ? order.cut(i).rank : (std::numeric_limits<int>::max)();
   }
 
   // The part of the i-th point and of the one or two behind it, if these are parted from it, and

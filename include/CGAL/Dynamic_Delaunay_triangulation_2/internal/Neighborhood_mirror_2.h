@@ -39,7 +39,7 @@ struct Edge_2
 namespace internal {
 
 constexpr Index infinite_index = 0;
-constexpr Index no_index = std::numeric_limits<Index>::max();
+constexpr Index no_index = (std::numeric_limits<Index>::max)();
 
 // The topology of a two-dimensional CGAL triangulation in flat arrays.
 //
