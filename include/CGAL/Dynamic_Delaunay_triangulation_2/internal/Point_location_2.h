@@ -43,12 +43,12 @@ public:
   {
   }
 
-  // Of vertex v, which is in no face. `near` is a finite one that is in some; the vertices around v
-  // may be expected to have numbers that differ from its by no more than `spread`.
-  Place_2 locate(Index v, Index near, Index spread) const
+  // Of vertex v, which is in no face. `nearby` is a finite one that is in some; the vertices around
+  // v may be expected to have numbers that differ from its by no more than `spread`.
+  Place_2 locate(Index v, Index nearby, Index spread) const
   {
     const Mirror& mirror = m_maintained.mirror;
-    Index f = mirror.corner(nearest(v, near, spread)) / 3;
+    Index f = mirror.corner(nearest(v, nearby, spread)) / 3;
     Index entry = no_index;
     Index steps = 0;
     for (; steps < mirror.number_of_faces(); ++steps) {
@@ -65,15 +65,15 @@ public:
   }
 
 private:
-  // The nearest vertex to v that a search finds: first, if `near` says little, among about the cube
-  // root of n vertices, evenly spread over their numbers, then around the best one, at ever smaller
-  // steps, as the numbers follow a curve through the plane. At 100,000 points the second part takes
-  // as long as two steps of the walk, and saves some forty.
-  Index nearest(Index v, Index near, Index spread) const
+  // The nearest vertex to v that a search finds: first, if `nearby` says little, among about the
+  // cube root of n vertices, evenly spread over their numbers, then around the best one, at ever
+  // smaller steps, as the numbers follow a curve through the plane. At 100,000 points the second
+  // part takes as long as two steps of the walk, and saves some forty.
+  Index nearest(Index v, Index nearby, Index spread) const
   {
     const Index vertices = m_maintained.number_of_vertices();
     const Index samples = Index(std::cbrt(double(vertices)));
-    Nearest best{v, near, squared_distance(position(v), position(near))};
+    Nearest best{v, nearby, squared_distance(position(v), position(nearby))};
     if (samples > 0 && spread > vertices / samples) {
       for (Index i = 0; i < samples; ++i)
         consider(1 + Index(std::size_t(i) * vertices / samples), best);

@@ -203,12 +203,12 @@ public:
   // The vertices of these slots, which nobody is at, are no more; the last vertices, edges and
   // faces take the numbers that get free. No other slots may be there. If it throws, nothing has
   // changed.
-  void drop(const std::vector<Slot>& slots)
+  void drop(const std::vector<Slot>& empty_slots)
   {
-    collect_numbers(slots);
+    collect_numbers(empty_slots);
     const std::size_t kept_edges = m_maintained.mirror.number_of_edges() - m_empty_edges.size();
     std::vector<Index> number_of_edge(m_empty_edges.size(), no_index); // from `kept_edges` on
-    m_maintained.renumberings.provide_for_removals(slots.size());
+    m_maintained.renumberings.provide_for_removals(empty_slots.size());
     const auto note = [&](Index from, Index to) { number_of_edge[from - kept_edges] = to; };
     drop_collected(note); // nothing throws from here on
     auto& new_edges = m_maintained.new_edges;
@@ -221,19 +221,19 @@ public:
   }
 
   // The same where memory has run out: nothing throws, and everything is new.
-  void drop_in_need(const std::vector<Slot>& slots)
+  void drop_in_need(const std::vector<Slot>& empty_slots)
   {
     m_maintained.everything_is_new = true;
-    collect_numbers(slots);
+    collect_numbers(empty_slots);
     drop_collected([](Index, Index) {});
   }
 
   // Memory for drop_in_need() with so many slots.
-  void provide_for_drop(std::size_t slots)
+  void provide_for_drop(std::size_t number)
   {
-    m_empty_vertices.reserve(slots);
-    m_empty_faces.reserve(2 * slots);
-    m_empty_edges.reserve(3 * slots);
+    m_empty_vertices.reserve(number);
+    m_empty_faces.reserve(2 * number);
+    m_empty_edges.reserve(3 * number);
   }
 
 private:
@@ -312,12 +312,12 @@ private:
   }
 
   // In descending order: the last one is then never empty, unless it is the one that goes.
-  void collect_numbers(const std::vector<Slot>& slots)
+  void collect_numbers(const std::vector<Slot>& empty_slots)
   {
     m_empty_vertices.clear();
     m_empty_faces.clear();
     m_empty_edges.clear();
-    for (const Slot& slot : slots) {
+    for (const Slot& slot : empty_slots) {
       m_empty_vertices.push_back(slot.vertex);
       m_empty_faces.insert(m_empty_faces.end(), slot.faces.begin(), slot.faces.end());
       m_empty_edges.insert(m_empty_edges.end(), slot.edges.begin(), slot.edges.end());

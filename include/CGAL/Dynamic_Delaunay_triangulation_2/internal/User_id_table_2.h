@@ -61,10 +61,10 @@ public:
     int bits = 4;
     while ((std::size_t(1) << bits) < 2 * (m_size + number))
       ++bits;
-    std::vector<Slot> slots(std::size_t(1) << bits);
-    slots.swap(m_slots);
+    std::vector<Slot> old_slots(std::size_t(1) << bits);
+    old_slots.swap(m_slots);
     m_bits = bits;
-    for (const Slot& slot : slots)
+    for (const Slot& slot : old_slots)
       if (slot.id != no_id)
         m_slots[slot_of(slot.user_id)] = slot;
   }

@@ -67,10 +67,10 @@ public:
   // The steps to a vertex whose number is far away: it has to be fetched from memory.
   std::size_t number_of_far_steps() const
   {
-    constexpr Index far = 64;
+    constexpr Index far_away = 64;
     std::size_t steps = 0;
     for (std::size_t i = 1; i < m_order.size(); ++i)
-      steps += m_order[i - 1] + far < m_order[i] || m_order[i] + far < m_order[i - 1];
+      steps += m_order[i - 1] + far_away < m_order[i] || m_order[i] + far_away < m_order[i - 1];
     return steps;
   }
 

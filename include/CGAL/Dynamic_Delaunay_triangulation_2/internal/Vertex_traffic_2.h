@@ -194,10 +194,10 @@ private:
   // Everything that give_up() would need, for one slot more.
   void provide_for_slot()
   {
-    const std::size_t slots = m_waiting.size() + m_empty.size() + 1;
+    const std::size_t most_slots = m_waiting.size() + m_empty.size() + 1;
     provide(m_waiting, 1);
     provide(m_empty, 1 + m_waiting.size());
-    m_editor.provide_for_drop(2 * slots);
+    m_editor.provide_for_drop(2 * most_slots);
   }
 
   Position_2 previous_position(Index v) const
@@ -263,24 +263,24 @@ private:
   // Where to look for the next one.
   struct Hint
   {
-    Index near, spread;
+    Index nearby, spread;
   };
 
   // v itself has the number that belongs to where it was.
   Hint hint_at(Index v) const
   {
-    Index near = v;
-    m_maintained.mirror.for_each_neighbor(v,
-                                          [&](Index w) { near = w == infinite_index ? near : w; });
+    Index nearby = v;
+    m_maintained.mirror.for_each_neighbor(
+        v, [&](Index w) { nearby = w == infinite_index ? nearby : w; });
     const std::size_t spread = 4 * m_maintained.number_of_vertices() / m_order.size();
-    return {near, Index(spread)};
+    return {nearby, Index(spread)};
   }
 
   // Returns the vertex, or `no_index` if another one is there already, and has its points now.
   Index put_in_again(const Slot& slot, const Hint& hint, Counts& counts)
   {
     const Index v = slot.vertex;
-    const Place_2 place = m_location.locate(v, hint.near, hint.spread);
+    const Place_2 place = m_location.locate(v, hint.nearby, hint.spread);
     counts.steps += place.steps;
     if (place.vertex == no_index) {
       provide(m_maintained.relocated, 1);
@@ -308,7 +308,7 @@ private:
     counts.parted += parts;
     ids.provide_for_guests(1);
     const Slot slot = take_slot(p);
-    const Place_2 place = m_location.locate(slot.vertex, hint.near, hint.spread);
+    const Place_2 place = m_location.locate(slot.vertex, hint.nearby, hint.spread);
     counts.steps += place.steps;
     if (place.vertex != no_index) {
       ids.place_guest(id, place.vertex, p);
