@@ -26,6 +26,11 @@ if(NOT MSVC)
   target_compile_options(self_sufficient_headers PRIVATE -UNDEBUG -O0)
 endif()
 
+# Nothing in headers is defined twice where several files of a program include them. That it links is the test.
+file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/linked_headers.cpp" CONTENT "int main() {}\n" @ONLY)
+add_executable(linked_headers "${CMAKE_CURRENT_BINARY_DIR}/linked_headers.cpp")
+target_link_libraries(linked_headers PRIVATE program_settings self_sufficient_headers)
+
 # What must not compile: the message is the test.
 if(NOT MSVC)
   set(include_directories $<TARGET_PROPERTY:CGAL::CGAL,INTERFACE_INCLUDE_DIRECTORIES>)
@@ -105,7 +110,8 @@ else()
   message(STATUS "No test of the manual: it needs doxygen and dot")
 endif()
 
-# That the code in it, and in the README, is that of examples; and what a reader sees.
+# That the code in it, and in the README, is that of examples; what a reader sees; and what CGAL's checks of a branch look
+# for.
 find_package(Python3 COMPONENTS Interpreter QUIET)
 if(Python3_FOUND)
   find_path(MATHJAX MathJax.js PATHS /usr/share/javascript/mathjax NO_DEFAULT_PATH)
@@ -128,14 +134,16 @@ if(Python3_FOUND)
   endif()
   add_test(NAME shown_code
     COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/shown_code.py" "${PROJECT_SOURCE_DIR}")
-  set_tests_properties(shown_code PROPERTIES LABELS test TIMEOUT 60)
+  add_test(NAME cgal_rules
+    COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/cgal_rules.py" "${PROJECT_SOURCE_DIR}")
+  set_tests_properties(shown_code cgal_rules PROPERTIES LABELS test TIMEOUT 60)
   if(Python3_VERSION VERSION_GREATER_EQUAL 3.11) # which reads TOML
     add_test(NAME mutations_fit
       COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/mutations/run.py" --check)
     set_tests_properties(mutations_fit PROPERTIES LABELS test TIMEOUT 60)
   endif()
 else()
-  message(STATUS "No test of the code in the manual: it needs Python 3")
+  message(STATUS "No test of the code in the manual, and of CGAL's rules: they need Python 3")
 endif()
 
 # That each file of the repository says who holds its copyright, and its licence. What Git ignores is no part of it, which
