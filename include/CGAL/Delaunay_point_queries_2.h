@@ -32,8 +32,9 @@ Points that coincide are as near as each other; each of them counts. The ids are
 triangulation. In a `Dynamic_population_2` these are `population.id(user_id)`, and
 `population.user_id(id)` is the way back.
 
-An object refers to the triangulation, which has to stay where it is, and may change. It has memory
-of its own: threads that ask at the same time need one each.
+An object refers to the triangulation, which has to stay where it is, and may change. Queries change
+nothing that shows, but share memory of the object's own: an object, also a constant one, is not to
+be asked from several threads at once. Threads that ask at the same time need one each.
 
 <b>Why it is right.</b> The Voronoi cell of a point \f$v\f$ is the intersection of half-planes, one
 for each of its sides: those of the places that are no nearer to \f$w\f$ than to \f$v\f$, where
@@ -100,7 +101,7 @@ public:
   /// Cost: O(n<sup>1/3</sup>) expected for evenly spread points, less if the answer is near the
   /// last one. \throws Non_finite_coordinate_error_2 if a coordinate of `p` is NaN or infinite.
   /// \throws Coordinate_range_error_2 if a coordinate of `p` is too large for this program.
-  std::optional<size_type> nearest(const Point& p)
+  std::optional<size_type> nearest(const Point& p) const
   {
     const Distances distances(*m_dt, p);
     if (m_dt->number_of_vertices() == 0)
@@ -115,7 +116,7 @@ public:
   ///
   /// Cost: that of the number of its neighbors.
   /// \throws Unknown_id_error_2 if there is no such point.
-  std::optional<size_type> nearest_neighbor(size_type id)
+  std::optional<size_type> nearest_neighbor(size_type id) const
   {
     const Distances distances(*m_dt, m_dt->point(id));
     const Neighbors around(*m_dt);
@@ -148,7 +149,7 @@ public:
   /// \throws Non_finite_coordinate_error_2 if a coordinate of `p` is NaN or infinite.
   /// \throws Coordinate_range_error_2 if a coordinate of `p` is too large for this program.
   template <class OutputIterator>
-  OutputIterator within(const Point& p, const FT& squared_radius, OutputIterator ids)
+  OutputIterator within(const Point& p, const FT& squared_radius, OutputIterator ids) const
   {
     const Distances distances(*m_dt, p);
     check(squared_radius);
@@ -171,7 +172,7 @@ public:
   /// \throws Unknown_id_error_2 if there is no such point.
   /// \throws Parameter_error_2 if the squared radius is negative, or no finite number.
   template <class OutputIterator>
-  OutputIterator neighbors_within(size_type id, const FT& squared_radius, OutputIterator ids)
+  OutputIterator neighbors_within(size_type id, const FT& squared_radius, OutputIterator ids) const
   {
     const Distances distances(*m_dt, m_dt->point(id));
     check(squared_radius);
@@ -196,7 +197,7 @@ private:
 
   // A nearest vertex: from the nearest one of a few that are spread evenly, which are numbered
   // along the plane, and the last one that was found, to the nearest of all neighbors, and so on.
-  Index walk(const Distances& distances)
+  Index walk(const Distances& distances) const
   {
     const Neighbors around(*m_dt);
     const Index step = Index(std::cbrt(double(bound()) * bound())); // about n^(1/3) of them
@@ -217,7 +218,7 @@ private:
     return nearest;
   }
 
-  void start_with(Index v)
+  void start_with(Index v) const
   {
     m_found.clear(bound());
     m_found.insert(v);
@@ -225,7 +226,7 @@ private:
 
   // Finds all vertices that `belongs(w)` and that are connected with v by such.
   template <class Predicate>
-  void flood(Index v, const Predicate& belongs)
+  void flood(Index v, const Predicate& belongs) const
   {
     const Neighbors around(*m_dt);
     start_with(v);
@@ -265,7 +266,7 @@ private:
 
   template <class OutputIterator>
   OutputIterator write_within(Index v, const Distances& distances, const FT& squared_radius,
-                              size_type asking, OutputIterator ids)
+                              size_type asking, OutputIterator ids) const
   {
     flood(v, [&](Index w) { return distances.compare_square(w, squared_radius) != LARGER; });
     for_each_found(asking, [&](size_type id) { *ids++ = id; });
@@ -273,8 +274,8 @@ private:
   }
 
   const Dynamic* m_dt;
-  Index m_last = 1; // vertex that was nearest
-  Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_found;
+  mutable Index m_last = 1; // vertex that was nearest
+  mutable Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_found;
 };
 
 } // namespace CGAL

@@ -186,6 +186,8 @@ public:
   /// the triangulation, whose points have ids of their own.
   const Dynamic& triangulation() const { return m_triangulation; }
   /// the visitor of the triangulation. An update here is one there.
+  const auto& visitor() const { return m_triangulation.visitor(); }
+  /// the same, for whoever wants to take something from it, or to clear it.
   auto& visitor() { return m_triangulation.visitor(); }
   /// the number of points.
   size_type size() const { return m_ids.size(); }

@@ -26,7 +26,8 @@ edge that went and came back on the way is in neither list. So the edges of befo
 
 Cost: proportional to the flips, and to the faces that were created and removed, a rebuild counting
 as all faces; to ask for the lists, that times its logarithm. No allocation once there was as much
-to remember before.
+to remember before. The lists are made when they are asked for: that is not to be done from several
+threads at once.
 
 \cgalModels{DelaunayUpdateVisitor_2}
 */

@@ -10,6 +10,7 @@
 #include <CGAL/Delaunay_neighbor_lists_2.h>
 #include <CGAL/Delaunay_point_queries_2.h>
 #include <CGAL/Dynamic_population_2.h>
+#include <CGAL/Edge_changes_visitor_2.h>
 #include <CGAL/Random_classifier_2.h>
 #include <CGAL/Voronoi_cell_measures_2.h>
 
@@ -907,6 +908,28 @@ TEST(Simulation_helpers, a_population_has_all_that_by_the_ids_of_its_triangulati
   Queries<Dynamic> queries(dt);
   EXPECT_EQ(people.user_id(*queries.nearest({1.25, 1})), -7);
   EXPECT_EQ(people.user_id(*queries.nearest_neighbor(people.id(-7))), 1'000'000'000'000);
+}
+
+TEST(Simulation_helpers, whoever_may_only_look_can_ask)
+{
+  using Dynamic =
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default, CGAL::Default, CGAL::Default,
+                                             CGAL::Default, CGAL::Edge_changes_visitor_2>;
+  using Edges = std::vector<CGAL::Edge_changes_visitor_2::Edge>;
+  using Point = Epick::Point_2;
+  CGAL::Dynamic_population_2<Dynamic, int> changing;
+  changing.update(std::map<int, Point>{{10, {0, 0}}, {11, {4, 0}}, {12, {0, 3}}});
+
+  const auto& people = changing;
+  EXPECT_EQ(people.visitor().created_edges(), (Edges{{0, 1}, {0, 2}, {1, 2}}));
+
+  const Queries<Dynamic> queries(people.triangulation());
+  EXPECT_EQ(queries.nearest(Point(3, 1)), people.id(11));
+  EXPECT_EQ(queries.nearest_neighbor(people.id(11)), people.id(10));
+  EXPECT_EQ(found([&](auto ids) { queries.within(Point(0, 1), 4, ids); }),
+            (Ids{people.id(10), people.id(12)}));
+  EXPECT_EQ(found([&](auto ids) { queries.neighbors_within(people.id(10), 9, ids); }),
+            Ids{people.id(12)});
 }
 
 } // namespace
