@@ -1,3 +1,4 @@
+# Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # For cpack, before it packs what it has installed: a Debian package does not bring copies of others' scripts. Its

@@ -1,3 +1,4 @@
+# Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # The target of the scenarios, which use the package like any other program does.
