@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -257,6 +258,23 @@ TEST(Recordings, may_have_no_one_and_two_points)
   EXPECT_EQ(report["points"], 4);
   EXPECT_EQ(report["population_changes"], 4);
   expect_exact_report(report, 5);
+}
+
+TEST(Recordings, may_come_from_standard_input)
+{
+  const std::string path = temporary_path("piped.json");
+  const std::string command = "\"" RUN_SCENARIO "\" - --quiet --report \"" + path + "\" < \"" +
+                              write_file("piped", small_csv()) + "\"";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const Json report = Json::parse(content_of(path));
+  EXPECT_EQ(report["scenario"], "standard_input");
+  expect_exact_report(report, 7);
+  const std::string errors = temporary_path("errors");
+  const std::string wrong = "\"" RUN_SCENARIO "\" - < \"" + write_file("piped", "frame,id\n0,1\n") +
+                            "\" 2> \"" + errors + "\"";
+  EXPECT_NE(std::system(wrong.c_str()), 0);
+  EXPECT_TRUE(contains(content_of(errors), "standard input, line 1: columns 'x' and 'y'"))
+      << content_of(errors);
 }
 
 TEST(Recordings, end_where_they_end_and_seed_the_random_classifier)

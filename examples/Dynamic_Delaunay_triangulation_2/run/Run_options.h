@@ -190,7 +190,9 @@ inline Run_options parse_options(CLI::App& app, int argc, const char* const* arg
   app.description("Runs a scenario, keeps its Delaunay triangulation, checks every frame, and "
                   "compares the time with fresh triangulations.");
   app.add_option("SCENARIO", options.scenario,
-                 "a scenario, or a .json, .csv, .lammpstrj or .dump file; default dam_break")
+                 "a scenario; or a " + scenario::motion_extensions +
+                     " file, also followed by .gz; or - for CSV from standard input; default "
+                     "dam_break")
       ->type_name("");
   add_method_options(app, options);
   add_motion_options(app, options);

@@ -5,6 +5,7 @@
 #define RUN_SCENARIO_CHOICE_H
 
 #include "../scenario/Json_object_reader.h"
+#include "../scenario/Motion_file.h"
 #include "../scenario/Scenario_description.h"
 #include "../scenario/Scenario_directory.h"
 #include "../scenario/Scenario_file.h"
@@ -39,6 +40,9 @@ inline std::vector<std::string> scenario_names()
 // The file that a person means who names a scenario or a file.
 inline std::string scenario_path(const std::string& name)
 {
+  if (scenario::is_standard_input(name)) {
+    return name;
+  }
   std::error_code ignored;
   if (std::filesystem::exists(name, ignored) && !std::filesystem::is_directory(name, ignored)) {
     return name;
@@ -48,8 +52,8 @@ inline std::string scenario_path(const std::string& name)
     return scenario::scenario_file(name);
   }
   throw std::runtime_error("there is no scenario and no file '" + name + "'; scenarios are " +
-                           scenario::joined(names) +
-                           ", files end in .json, .csv, .lammpstrj or .dump");
+                           scenario::joined(names) + ", files end in " +
+                           scenario::motion_extensions + ", also followed by .gz");
 }
 
 // What a scenario file says and its motion does not; a recording says nothing of it.
@@ -63,7 +67,7 @@ struct Scenario_facts
 inline Scenario_facts scenario_facts(const std::string& path,
                                      const std::optional<std::size_t>& points)
 {
-  if (std::filesystem::path(path).extension() != ".json") {
+  if (scenario::motion_format(path) != scenario::Motion_format::scenario) {
     return {};
   }
   const scenario::Scenario_description description = scenario::read_scenario_file(path);

@@ -8,12 +8,12 @@
 #include "Csv_motion.h"
 #include "Lammps_dump.h"
 #include "Motion.h"
+#include "Motion_file.h"
 #include "Particle_motion.h"
 #include "Scenario_error.h"
 #include "Scenario_file.h"
 
 #include <cstddef>
-#include <filesystem>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -77,27 +77,23 @@ inline void refuse_overrides(const std::string& path, const Overrides& overrides
   }
 }
 
-inline bool is_recording(const std::filesystem::path& file)
-{
-  const std::string extension = file.extension().string();
-  return extension == ".csv" || extension == ".lammpstrj" || extension == ".dump";
-}
-
-// Opens a scenario (.json) or a recording (.csv, or LAMMPS dump .lammpstrj or .dump).
+// Opens a scenario or a recording, which the name of the file tells apart, compressed or not; or a
+// CSV recording from standard input, as "-".
 inline std::unique_ptr<Motion> open_motion(const std::string& path, const Overrides& overrides = {})
 {
-  const std::filesystem::path file(path);
-  const std::string extension = file.extension().string();
-  if (extension == ".json") {
+  const auto format = is_standard_input(path) ? Motion_format::csv : motion_format(path);
+  if (!format) {
+    throw Scenario_error(path, "has the unknown extension '" +
+                                   without_gz(path).extension().string() + "', allowed are " +
+                                   motion_extensions + ", also followed by .gz");
+  }
+  if (*format == Motion_format::scenario) {
     return open_scenario(path, overrides);
   }
-  if (!is_recording(file)) {
-    throw Scenario_error(path, "has the unknown extension '" + extension +
-                                   "', allowed are .json, .csv, .lammpstrj and .dump");
-  }
   refuse_overrides(path, overrides);
-  Recording recording = extension == ".csv" ? read_csv_motion(path) : read_lammps_dump(path);
-  return std::make_unique<Recorded_motion>(file.stem().string(), std::move(recording));
+  Recording recording =
+      *format == Motion_format::csv ? read_csv_motion(path) : read_lammps_dump(path);
+  return std::make_unique<Recorded_motion>(recording_name(path), std::move(recording));
 }
 
 } // namespace scenario

@@ -4,6 +4,7 @@
 #ifndef SCENARIO_RECORDINGS_H
 #define SCENARIO_RECORDINGS_H
 
+#include "Motion_file.h"
 #include "Open_motion.h"
 
 #include <algorithm>
@@ -34,6 +35,13 @@ inline bool recordings_are_expected()
 {
   return std::getenv("SHARED_DATA_DIR") != nullptr ||
          std::filesystem::is_directory(recordings_directory());
+}
+
+// A .txt beside recordings more often tells of them.
+inline bool is_recording(const std::filesystem::path& file)
+{
+  const auto format = motion_format(file);
+  return format && *format != Motion_format::scenario && without_gz(file).extension() != ".txt";
 }
 
 // The paths of all recordings in a directory, in the order of their names; none if there is none.

@@ -4,16 +4,36 @@
 #ifndef SCENARIO_TEXT_FILE_H
 #define SCENARIO_TEXT_FILE_H
 
+#include "Gzip.h"
 #include "Scenario_error.h"
 
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <string>
+#include <utility>
 
 namespace scenario {
 
+// `size` is what the stream is expected to have, and 0 if nobody knows.
+inline std::string read_text(std::istream& stream, const std::string& file, std::uintmax_t size)
+{
+  std::string text;
+  text.reserve(size);
+  char buffer[1 << 16];
+  while (stream.read(buffer, sizeof buffer), stream.gcount() > 0) {
+    text.append(buffer, static_cast<std::size_t>(stream.gcount()));
+  }
+  if (stream.bad()) {
+    throw Scenario_error(file, "cannot be read to its end");
+  }
+  return is_gzip(text) ? unzipped(file, text) : text;
+}
+
+// What is compressed by gzip, whatever its name, is unzipped.
 inline std::string read_text_file(const std::string& path)
 {
   std::error_code ignored;
@@ -25,19 +45,14 @@ inline std::string read_text_file(const std::string& path)
   if (!stream) {
     throw Scenario_error(path, std::string("cannot be opened: ") + std::strerror(errno));
   }
-  std::string text;
-  const auto size = std::filesystem::file_size(path, ignored);
-  if (!ignored) {
-    text.reserve(size);
-  }
-  char buffer[1 << 16];
-  while (stream.read(buffer, sizeof buffer), stream.gcount() > 0) {
-    text.append(buffer, static_cast<std::size_t>(stream.gcount()));
-  }
-  if (stream.bad()) {
-    throw Scenario_error(path, "cannot be read to its end");
-  }
-  return text;
+  std::error_code no_size;
+  const std::uintmax_t size = std::filesystem::file_size(path, no_size);
+  return read_text(stream, path, no_size ? 0 : size);
+}
+
+inline std::string read_standard_input(const std::string& name)
+{
+  return read_text(std::cin, name, 0);
 }
 
 } // namespace scenario

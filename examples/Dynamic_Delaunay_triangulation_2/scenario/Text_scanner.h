@@ -6,10 +6,12 @@
 
 #include "Scenario_error.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -18,14 +20,20 @@
 
 namespace scenario {
 
+inline bool is_blank(char c)
+{
+  return c == ' ' || c == '\t' || c == '\r';
+}
+
 inline std::string_view trimmed(std::string_view text)
 {
-  constexpr std::string_view blanks = " \t\r";
-  const std::size_t begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) {
-    return {};
+  while (!text.empty() && is_blank(text.front())) {
+    text.remove_prefix(1);
   }
-  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+  while (!text.empty() && is_blank(text.back())) {
+    text.remove_suffix(1);
+  }
+  return text;
 }
 
 // For messages, which a long line of foreign data must not drown.
@@ -33,17 +41,6 @@ inline std::string in_quotes(std::string_view text)
 {
   constexpr std::size_t longest = 40;
   return "'" + std::string(text.substr(0, longest)) + (text.size() > longest ? "...'" : "'");
-}
-
-inline void split_at_commas(std::string_view line, std::vector<std::string_view>& fields)
-{
-  fields.clear();
-  std::size_t comma = 0;
-  while ((comma = line.find(',')) != std::string_view::npos) {
-    fields.push_back(trimmed(line.substr(0, comma)));
-    line.remove_prefix(comma + 1);
-  }
-  fields.push_back(trimmed(line));
 }
 
 inline void split_at_blanks(std::string_view line, std::vector<std::string_view>& fields)
@@ -72,17 +69,29 @@ public:
     if (m_rest.substr(0, byte_order_mark.size()) == byte_order_mark) {
       m_rest.remove_prefix(byte_order_mark.size());
     }
+    const std::string_view start = m_rest.substr(0, 2);
+    if (start == "\xFF\xFE" || start == "\xFE\xFF") {
+      throw Scenario_error(m_file, "is UTF-16 text, expected UTF-8", 1);
+    }
   }
 
-  // The next line that is not blank, or false at the end.
+  // The next line that is not blank, without blanks around it, or false at the end.
   bool next_line(std::string_view& line)
+  {
+    const bool is_there = next_whole_line(line);
+    line = trimmed(line);
+    return is_there;
+  }
+
+  // The same with the blanks around it, of which a tab may separate fields.
+  bool next_whole_line(std::string_view& line)
   {
     while (!m_rest.empty()) {
       ++m_line_number;
       const std::size_t end = m_rest.find('\n');
-      line = trimmed(m_rest.substr(0, end));
+      line = m_rest.substr(0, end);
       m_rest.remove_prefix(end == std::string_view::npos ? m_rest.size() : end + 1);
-      if (!line.empty()) {
+      if (!std::all_of(line.begin(), line.end(), is_blank)) {
         return true;
       }
     }
@@ -99,6 +108,28 @@ public:
     return parsed<std::int64_t>(text, what, "an integer");
   }
 
+  // An integer that may be written as 3.0 or 3e2, as programs do that know floating point alone.
+  // Nothing if the text is no number at all.
+  std::optional<std::int64_t> whole_number(std::string_view text, std::string_view what) const
+  {
+    std::int64_t integer{};
+    if (is_parsed(text, what, integer)) {
+      return integer;
+    }
+    double value{};
+    if (!is_parsed(text, what, value)) {
+      return std::nullopt;
+    }
+    if (!(std::trunc(value) == value)) {
+      fail(std::string(what) + " " + in_quotes(text) + " is not an integer");
+    }
+    constexpr double most = 9007199254740992.0; // beyond it not all integers are doubles
+    if (std::abs(value) > most) {
+      fail(std::string(what) + " " + in_quotes(text) + " is out of range");
+    }
+    return static_cast<std::int64_t>(value);
+  }
+
   [[noreturn]] void fail(const std::string& message) const
   {
     throw Scenario_error(m_file, message, m_line_number);
@@ -112,17 +143,26 @@ private:
   template <class Number>
   Number parsed(std::string_view text, std::string_view what, const char* wanted) const
   {
-    const std::string_view digits =
-        text.size() > 1 && text[0] == '+' && text[1] != '-' ? text.substr(1) : text;
     Number value{};
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error == std::errc::result_out_of_range) {
-      fail(std::string(what) + " " + in_quotes(text) + " is out of range");
-    }
-    if (error != std::errc() || end != digits.data() + digits.size()) {
+    if (!is_parsed(text, what, value)) {
       fail(std::string(what) + " " + in_quotes(text) + " is not " + wanted);
     }
     return value;
+  }
+
+  template <class Number>
+  bool is_parsed(std::string_view text, std::string_view what, Number& value) const
+  {
+    const std::string_view digits =
+        text.size() > 1 && text[0] == '+' && text[1] != '-' ? text.substr(1) : text;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (end != digits.data() + digits.size()) {
+      return false;
+    }
+    if (error == std::errc::result_out_of_range) {
+      fail(std::string(what) + " " + in_quotes(text) + " is out of range");
+    }
+    return error == std::errc();
   }
 
   std::string m_file;
