@@ -46,7 +46,7 @@ namespace {
 class Outputs
 {
 public:
-  Outputs(const run::Run_options& options, std::size_t frames,
+  Outputs(const run::Run_options& options, const std::string& name, std::size_t frames,
           const std::optional<scenario::Box>& box)
     : m_progress(frames, !options.quiet)
   {
@@ -60,7 +60,7 @@ public:
         options.every ? run::Frame_choice(frames, *options.every) : run::about_thirty(frames);
     const run::Frame_choice recorded(frames, options.every.value_or(1));
     if (options.svg) {
-      m_pictures.emplace(*options.svg, seen, box);
+      m_pictures.emplace(*options.svg, name, seen, box);
     }
     if (options.vtk) {
       m_grids.emplace(*options.vtk, seen);
@@ -93,6 +93,9 @@ public:
   {
     if (m_log) {
       m_log->finish();
+    }
+    if (m_pictures) {
+      m_pictures->finish();
     }
     if (m_grids) {
       m_grids->finish();
@@ -203,7 +206,7 @@ int run_scenario(const run::Run_options& options)
   }
   run::Run_summary summary;
   {
-    Outputs outputs(options, frames, facts.box);
+    Outputs outputs(options, motion->name(), frames, facts.box);
     summary = run_frames(options, subject, *motion, frames, outputs);
     outputs.finish(subject, summary);
   }

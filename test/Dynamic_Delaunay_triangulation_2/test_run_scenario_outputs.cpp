@@ -531,7 +531,7 @@ TEST(Every, chooses_the_frames_of_all_formats)
     names.insert(file.path().filename().string());
   }
   EXPECT_EQ(names, (std::set<std::string>{"frame_00000.svg", "frame_00004.svg", "frame_00008.svg",
-                                          "frame_00010.svg"}));
+                                          "frame_00010.svg", "index.html"}));
 }
 
 TEST(Every, that_is_larger_than_the_run_chooses_its_first_and_last_frame)

@@ -6,48 +6,64 @@
 
 #include "Bounds.h"
 #include "Frame_choice.h"
+#include "Frame_record.h"
 #include "Output_directory.h"
 #include "Output_file.h"
+#include "Picture_page.h"
 #include "Picture_view.h"
 #include "Svg_picture.h"
 #include "Vertex_sets.h"
 
-#include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace run {
 
-// Pictures of some frames of a run, in a directory.
+// Pictures of some frames of a run, in a directory, and a page that shows them.
 class Picture_series
 {
 public:
-  Picture_series(const std::string& directory, const Frame_choice& choice,
+  // `name`: of what runs.
+  Picture_series(const std::string& directory, const std::string& name, const Frame_choice& choice,
                  const std::optional<scenario::Box>& box)
     : m_directory(directory)
+    , m_name(name)
     , m_choice(choice)
     , m_box(box)
+    , m_page(m_directory.path_of("index.html"))
   {
   }
 
   template <class Run>
-  void write(const Run& run) const
+  void write(const Run& run)
   {
-    const std::size_t frame = run.record().frame;
-    if (!m_choice.has(frame)) {
+    const Frame_record& record = run.record();
+    if (!m_choice.has(record.frame)) {
       return;
     }
     const Picture_view view(frame_bounds(m_box, run.motion().points()));
-    Output_file file(m_directory.path_of(frame_file_name(frame, ".svg")));
+    const std::string file_name = frame_file_name(record.frame, ".svg");
+    Output_file file(m_directory.path_of(file_name));
     const Svg_picture picture(run.triangulation(), view);
-    picture.write(file.stream(), sets_of_vertices(run));
+    picture.write(file.stream(), record, sets_of_vertices(run));
     file.finish();
+    m_pictures.push_back({file_name, record.frame, record.time});
+  }
+
+  void finish()
+  {
+    write_picture_page(m_page.stream(), m_name, m_pictures);
+    m_page.finish();
   }
 
 private:
   Output_directory m_directory;
+  std::string m_name;
   Frame_choice m_choice;
   std::optional<scenario::Box> m_box;
+  Output_file m_page;
+  std::vector<Listed_picture> m_pictures;
 };
 
 } // namespace run

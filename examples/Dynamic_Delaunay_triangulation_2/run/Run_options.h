@@ -130,7 +130,8 @@ inline void add_output_options(CLI::App& app, Run_options& options)
              take_into(options.report));
   add_option(app, "--csv", "FILE.csv", "write a row for each frame", take_into(options.csv));
   add_option(app, "--svg", "DIR",
-             "draw about 30 frames: classified vertices red, padded green, border cyan",
+             "draw about 30 frames: classified vertices red, padded green, border cyan; "
+             "index.html shows them one after another",
              take_into(options.svg));
   add_option(app, "--vtk", "DIR",
              "write about 30 frames for ParaView: triangles in .vtu files, all times in frames.pvd",
