@@ -199,7 +199,9 @@ inline Run_options parse_options(CLI::App& app, int argc, const char* const* arg
   add_motion_options(app, options);
   add_output_options(app, options);
   app.set_version_flag("--version", "run_scenario 1.0");
-  app.footer("Scenarios: " + scenario::joined(scenario_names()));
+  app.footer("Scenarios: " + scenario::joined(scenario_names()) +
+             "\nHow to write one, and which recordings are read: "
+             "doc/Dynamic_Delaunay_triangulation_2/Scenario_files.txt");
   app.parse(argc, argv);
   check_files(options);
   check_every(options);
