@@ -643,7 +643,8 @@ TEST(An_interrupted_run, finishes_what_it_has_written)
     SCOPED_TRACE(signal);
     std::filesystem::remove(log);
     std::filesystem::remove(dump);
-    const std::string command = std::string("timeout --signal=") + signal +
+    // In the foreground: else the program may get the signal a second time, with its group.
+    const std::string command = std::string("timeout --foreground --signal=") + signal +
                                 " 3 \"" RUN_SCENARIO "\" dam_break --points 60 --frames 100000000" +
                                 " --csv \"" + log + "\" --xyz \"" + dump + "\" > \"" + output +
                                 "\" 2> \"" + errors + "\"";
