@@ -255,7 +255,7 @@ TEST(Tables_on_the_page, say_what_values_may_be)
       if (value.is_string()) {
         const std::string allowed = allowed_instead_of(thing, key, "no such word");
         for (std::size_t begin = 0; key != "name" && begin < allowed.size();) {
-          const std::size_t end = std::min(allowed.find(", ", begin), allowed.size());
+          const std::size_t end = (std::min)(allowed.find(", ", begin), allowed.size());
           EXPECT_TRUE(contains(row.value, "`" + allowed.substr(begin, end - begin) + "`"));
           begin = end + 2;
         }

@@ -55,7 +55,7 @@ const element = id => document.getElementById(id);
 const links = [...document.querySelectorAll("#list a")];
 let shown = 0, timer = null;
 function show(number) {
-  shown = Math.max(0, Math.min(links.length - 1, number));
+  shown = number < 0 ? 0 : number < links.length ? number : links.length - 1;
   element("slider").value = shown;
   element("slider").setAttribute("aria-valuetext", links[shown].textContent);
   element("picture").src = links[shown].getAttribute("href");

@@ -56,7 +56,7 @@ private:
   static constexpr double line_height = 44.0;
   static constexpr double least_width = 1000.0; // that of the legend
 
-  double width() const { return std::max(m_view.width(), least_width); }
+  double width() const { return (std::max)(m_view.width(), least_width); }
   double height() const { return m_view.height() + 2.0 * line_height; }
 
   void write_caption(std::ostream& out, const Frame_record& record) const
@@ -91,8 +91,8 @@ private:
 
   void write_edges(std::ostream& out) const
   {
-    out << "<path stroke=\"" << edge_color << "\" stroke-width=\"" << std::min(0.8, 0.5 * radius())
-        << "\" fill=\"none\" d=\"";
+    out << "<path stroke=\"" << edge_color << "\" stroke-width=\""
+        << (std::min)(0.8, 0.5 * radius()) << "\" fill=\"none\" d=\"";
     m_triangulation.for_each_edge([&](std::size_t i, std::size_t j) {
       write_place(out << 'M', place(i));
       write_place(out << 'L', place(j));

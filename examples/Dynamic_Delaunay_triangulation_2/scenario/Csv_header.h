@@ -32,7 +32,7 @@ class Csv_title
 public:
   explicit Csv_title(std::string_view title)
     : m_name(lower_case(std::string(trimmed(title.substr(0, title.find_first_of("/[("))))))
-    , m_unit(title.substr(std::min(title.find_first_of("/[("), title.size())))
+    , m_unit(title.substr((std::min)(title.find_first_of("/[("), title.size())))
   {
     m_unit.erase(std::remove_if(m_unit.begin(), m_unit.end(),
                                 [](char c) { return is_blank(c) || is_one_of(c, "/[]()"); }),

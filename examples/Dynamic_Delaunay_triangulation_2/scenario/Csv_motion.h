@@ -90,7 +90,7 @@ private:
   {
     const Csv_header header(
         m_scanner.file(),
-        m_comment.substr(std::min(m_comment.find_first_not_of("# \t"), m_comment.size())),
+        m_comment.substr((std::min)(m_comment.find_first_not_of("# \t"), m_comment.size())),
         m_comment_line_number, {Separator::comma, Separator::semicolon, Separator::blanks});
     if (!header.names_any_column()) {
       m_scanner.fail("there is no header: this row has numbers, and no comment right before it "

@@ -134,7 +134,7 @@ private:
     const std::size_t place = m_separator == Separator::blanks
                                   ? line.find_first_of(" \t")
                                   : line.find(static_cast<char>(m_separator));
-    return std::min(place, line.size());
+    return (std::min)(place, line.size());
   }
 
   // Whether there is one, and a field behind it.

@@ -62,8 +62,8 @@ private:
   {
     char buffer[1 << 16];
     for (int state = Z_OK; state != Z_STREAM_END;) {
-      const auto given =
-          static_cast<uInt>(std::min<std::size_t>(m_rest.size(), std::numeric_limits<uInt>::max()));
+      const auto given = static_cast<uInt>(
+          (std::min<std::size_t>)(m_rest.size(), (std::numeric_limits<uInt>::max)()));
       m_stream.next_in = reinterpret_cast<const Bytef*>(m_rest.data());
       m_stream.avail_in = given;
       m_stream.next_out = reinterpret_cast<Bytef*>(buffer);
