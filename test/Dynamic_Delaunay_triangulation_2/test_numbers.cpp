@@ -36,6 +36,7 @@
 namespace {
 
 namespace internal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
+using CGAL::Dynamic_Delaunay_triangulations_2::Edge_2;
 using CGAL::Dynamic_Delaunay_triangulations_2::Index;
 
 constexpr double tiniest = std::numeric_limits<double>::denorm_min();

@@ -58,7 +58,7 @@ public:
   Adversary(const Any_motion_options& options, std::ostream& out)
     : m_options(options)
     , m_out(out)
-    , m_programs(options.seed)
+    , m_programs(options.seed, options.left_out)
     , m_settings(settings_of(options))
     , m_glance(m_settings)
   {

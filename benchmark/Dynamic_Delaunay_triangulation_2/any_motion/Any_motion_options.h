@@ -33,6 +33,7 @@ struct Any_motion_options
   std::optional<std::string> csv{};
   std::optional<Program> program{};
   std::optional<double> adversary{}; // seconds
+  std::vector<std::string> left_out{};
   bool is_quick = false;
   bool is_list = false;
 
@@ -89,6 +90,17 @@ inline Any_motion_options parse_options(CLI::App& app, int argc, const char* con
              [&](const std::string& text) {
                options.adversary = run::number_argument(text, scenario::positive_up_to(longest));
              });
+  app.add_option("--without", options.left_out,
+                 "a motion that the adversary leaves out; may be repeated")
+      ->type_name("MOTION")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->check([](const std::string& name) {
+        const auto& all = all_motions();
+        const bool is_one = std::any_of(all.begin(), all.end(),
+                                        [&](const Motion& motion) { return motion.name == name; });
+        return is_one ? std::string() : "there is no motion '" + name + "', see --list";
+      });
   app.add_flag("--quick", options.is_quick,
                "only check: every frame, nothing is repeated, and no recordings by default");
   app.add_flag("--list", options.is_list, "the kinds and the parts of programs");

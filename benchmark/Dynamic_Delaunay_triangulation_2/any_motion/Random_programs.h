@@ -16,14 +16,19 @@
 
 namespace any_motion {
 
-// Draws programs, and changes them a little. All numbers have two digits, so that a program is the
-// same when it is read from its text.
+// Draws programs, and changes them a little; some motions may be left out. All numbers have two
+// digits, so that a program is the same when it is read from its text.
 class Random_programs
 {
 public:
-  explicit Random_programs(std::uint64_t seed)
+  Random_programs(std::uint64_t seed, const std::vector<std::string>& left_out)
     : m_random(seed)
   {
+    for (const Motion& motion : all_motions()) {
+      if (std::find(left_out.begin(), left_out.end(), motion.name) == left_out.end()) {
+        m_motions.push_back(motion.name);
+      }
+    }
   }
 
   Random& random() { return m_random; }
@@ -105,7 +110,7 @@ private:
   Step any_step()
   {
     Step step;
-    step.motion = any_of(all_motions()).name;
+    step.motion = any_of(m_motions);
     step.amount = any_amount();
     step.size = any_size();
     step.choice = any_choice();
@@ -139,7 +144,7 @@ private:
   {
     switch (any_below(6, m_random)) {
     case 0:
-      step.motion = any_of(all_motions()).name;
+      step.motion = any_of(m_motions);
       break;
     case 1:
       step.choice = any_choice();
@@ -168,6 +173,7 @@ private:
   }
 
   Random m_random;
+  std::vector<std::string> m_motions; // names
 };
 
 } // namespace any_motion
