@@ -268,10 +268,10 @@ public:
   /// moves point i to the i-th position of the range, for all points, and mends the triangulation.
   /// There is a position for each id; those for ids of removed points are not looked at.
   ///
-  /// Cost: one pass over all points and one of the classifier, and the repair of what it
-  /// classified, for points that jump proportional to their number; never much more than that of a
-  /// rebuild. Nothing is allocated where nothing breaks,
-  /// but for the first time that the circumcircle classifier skips edges (16 bytes a vertex).
+  /// Cost: one pass over all ids, also those that are free, and one of the classifier, and the
+  /// repair of what it classified, for points that jump proportional to their number; never much
+  /// more than that of a rebuild. Nothing is allocated where nothing breaks, but for the first time
+  /// that the circumcircle classifier skips edges (16 bytes a vertex).
   /// \throws Point_count_error_2 if there are not `number_of_ids()` positions.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
   /// \throws Coordinate_range_error_2 if a coordinate is too large for this program.
