@@ -4,6 +4,7 @@
 // Points come from anything that C++ calls a range, whatever its iterators keep, make or refer to;
 // wrong uses are refused, and whatever object was moved from works.
 
+#include "../../benchmark/Dynamic_Delaunay_triangulation_2/robustness/Arithmetic.h"
 #include "oracle.h"
 
 #include <CGAL/accepts_inexact_predicates_2.h>
@@ -23,22 +24,17 @@
 #include <boost/range/irange.hpp>
 
 #include <array>
-#include <cfenv>
 #include <cmath>
 #include <cstddef>
 #include <deque>
 #include <iterator>
 #include <list>
 #include <memory>
-#include <ostream>
+#include <optional>
 #include <sstream>
 #include <type_traits>
 #include <utility>
 #include <vector>
-
-#ifdef __SSE2__
-#include <xmmintrin.h>
-#endif
 
 namespace {
 
@@ -534,78 +530,29 @@ TEST(Default, stands_for_every_parameter)
 
 // FLOATING POINT ----------------------------------------------------------------------------------
 
-// How a caller may have set up arithmetic.
-struct Set_up
-{
-  const char* name;
-  int rounding = FE_TONEAREST;
-  bool flushes_subnormals = false; // to zero, as operands and as results
-  bool traps = false;              // invalid operations, overflow and division by zero
-
-  friend std::ostream& operator<<(std::ostream& out, const Set_up& set_up)
-  {
-    return out << set_up.name;
-  }
-};
-
 // The test has the caller's arithmetic, and gives it back; the oracle has what CGAL asks for.
-class Floating_point : public testing::TestWithParam<Set_up>
+class Floating_point : public testing::TestWithParam<robustness::Arithmetic>
 {
 protected:
-  void SetUp() override
-  {
-    std::fegetenv(&m_ours);
-    ASSERT_EQ(std::fesetround(GetParam().rounding), 0);
-#ifdef __SSE2__
-    constexpr unsigned flush_subnormals = 0x8040, trapped = 0x0680;
-    unsigned state = _mm_getcsr();
-    if (GetParam().flushes_subnormals)
-      state |= flush_subnormals;
-    if (GetParam().traps)
-      state &= ~trapped;
-    _mm_setcsr(state);
-    m_state = state;
-#else
-    if (GetParam().flushes_subnormals || GetParam().traps)
-      GTEST_SKIP() << "set here on x86 only";
-#endif
-    std::fegetenv(&m_callers);
-  }
-  void TearDown() override
-  {
-    std::fesetenv(&m_ours);
-  }
+  void SetUp() override { m_in_use.emplace(GetParam()); }
+  void TearDown() override { m_in_use.reset(); }
 
-  void expect_that_it_was_given_back() const
-  {
-    EXPECT_EQ(std::fegetround(), GetParam().rounding);
-#ifdef __SSE2__
-    constexpr unsigned raised = 0x3f;
-    const unsigned state = _mm_getcsr();
-    EXPECT_EQ(state & ~raised, m_state & ~raised);
-#endif
-  }
+  void expect_that_it_was_given_back() const { EXPECT_TRUE(m_in_use->is_kept()); }
 
   template <class Call>
-  void check(const Call& call) const
+  void check(const Call& call)
   {
     expect_that_it_was_given_back();
-    std::fesetenv(&m_ours);
+    m_in_use.reset();
     call();
-    std::fesetenv(&m_callers);
+    m_in_use.emplace(GetParam());
   }
 
 private:
-  std::fenv_t m_ours, m_callers;
-  unsigned m_state = 0;
+  std::optional<robustness::Arithmetic_in_use> m_in_use;
 };
 
-INSTANTIATE_TEST_SUITE_P(All, Floating_point,
-                         testing::Values(Set_up{"to nearest"}, Set_up{"upward", FE_UPWARD},
-                                         Set_up{"downward", FE_DOWNWARD},
-                                         Set_up{"toward zero", FE_TOWARDZERO},
-                                         Set_up{"without subnormals", FE_TONEAREST, true},
-                                         Set_up{"with traps", FE_TONEAREST, false, true}));
+INSTANTIATE_TEST_SUITE_P(All, Floating_point, testing::ValuesIn(robustness::all_arithmetic()));
 
 TEST_P(Floating_point, of_the_caller_changes_nothing)
 {

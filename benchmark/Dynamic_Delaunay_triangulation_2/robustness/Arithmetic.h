@@ -5,6 +5,7 @@
 #define ROBUSTNESS_ARITHMETIC_H
 
 #include <cfenv>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -21,16 +22,24 @@ struct Arithmetic
   std::string name = "usual";
   int rounding = FE_TONEAREST;
   bool flushes_subnormals = false; // takes them for zero, as operands and as results
+  bool traps = false;              // invalid operations, overflow and division by zero
 };
 
+inline std::ostream& operator<<(std::ostream& out, const Arithmetic& arithmetic)
+{
+  return out << arithmetic.name;
+}
+
+// All that can be set up here.
 inline const std::vector<Arithmetic>& all_arithmetic()
 {
-  static const std::vector<Arithmetic> all = {{"usual", FE_TONEAREST, false},
-                                              {"upward", FE_UPWARD, false},
-                                              {"downward", FE_DOWNWARD, false},
-                                              {"toward_zero", FE_TOWARDZERO, false},
+  static const std::vector<Arithmetic> all = {{"usual", FE_TONEAREST},
+                                              {"upward", FE_UPWARD},
+                                              {"downward", FE_DOWNWARD},
+                                              {"toward_zero", FE_TOWARDZERO},
 #ifdef __SSE2__
-                                              {"without_subnormals", FE_TONEAREST, true}
+                                              {"without_subnormals", FE_TONEAREST, true},
+                                              {"trapping", FE_TONEAREST, false, true}
 #endif
   };
   return all;
@@ -56,39 +65,36 @@ public:
   {
     std::fegetenv(&m_ours);
     std::fesetround(arithmetic.rounding);
-    if (arithmetic.flushes_subnormals) {
-      flush_subnormals();
-    }
+#ifdef __SSE2__
+    constexpr unsigned flush_subnormals = 0x8040, masked_exceptions = 0x0680;
+    _mm_setcsr((_mm_getcsr() | (arithmetic.flushes_subnormals ? flush_subnormals : 0)) &
+               ~(arithmetic.traps ? masked_exceptions : 0));
+#endif
     m_state = state();
   }
   Arithmetic_in_use(const Arithmetic_in_use&) = delete;
   Arithmetic_in_use& operator=(const Arithmetic_in_use&) = delete;
-  ~Arithmetic_in_use() { std::fesetenv(&m_ours); }
+  ~Arithmetic_in_use()
+  {
+    std::fesetenv(&m_ours);
+  }
 
   // Whether it is still what was set.
-  bool is_kept() const { return state() == m_state; }
+  bool is_kept() const
+  {
+    return state() == m_state;
+  }
 
 private:
+  static unsigned state()
+  {
 #ifdef __SSE2__
-  static constexpr unsigned raised_exceptions = 0x3f, subnormals_are_zero = 0x8040;
-
-  static void flush_subnormals()
-  {
-    _mm_setcsr(_mm_getcsr() | subnormals_are_zero);
-  }
-  static unsigned state()
-  {
+    constexpr unsigned raised_exceptions = 0x3f;
     return _mm_getcsr() & ~raised_exceptions;
-  }
 #else
-  static void flush_subnormals()
-  {
-  }
-  static unsigned state()
-  {
     return static_cast<unsigned>(std::fegetround());
-  }
 #endif
+  }
 
   std::fenv_t m_ours;
   unsigned m_state = 0;

@@ -66,8 +66,8 @@ inline Robustness_options parse_options(CLI::App& app, int argc, const char* con
         options.patience = run::number_argument(text, scenario::positive_up_to(longest_patience));
       });
   add_option(app, "--arithmetic", "NAME",
-             "what the caller's is: usual (default), upward, downward, toward_zero, or "
-             "without_subnormals",
+             "what the caller's is: usual (default), upward, downward, toward_zero, "
+             "without_subnormals, or trapping",
              [&](const std::string& text) { options.arithmetic = arithmetic_named(text); });
   add_option(app, "--report", "FILE.json", "write what came out, as one JSON object",
              [&](const std::string& text) { options.report = text; });

@@ -126,6 +126,14 @@ public:
     for_each_corner(v, [&](Index h) { f(apex(next(h))); });
   }
 
+  // How many edges v has.
+  Index degree(Index v) const
+  {
+    Index degree = 0;
+    for_each_corner(v, [&](Index) { ++degree; });
+    return degree;
+  }
+
   // Whether the apexes of h and of its twin are neighbours, beyond the two faces. Looks around both
   // in step: one of them may have many neighbours, as the infinite vertex has.
   bool are_apexes_neighbors(Index h) const

@@ -299,7 +299,7 @@ private:
             m_maintained.number_of_vertices())
       return false;
     const std::size_t price = price_of_taking_out(vertices);
-    if (price > m_budget.left()) {
+    if (price > m_budget.left()) { // nor can anything else mend so many edges
       rebuild(Rebuild_reason_2::BUDGET_SPENT);
       return false;
     }
@@ -317,8 +317,7 @@ private:
     constexpr std::size_t usual_degree = 8;
     std::size_t price = 0;
     for (const Index v : vertices) {
-      std::size_t degree = 0;
-      m_maintained.mirror.for_each_corner(v, [&](Index) { ++degree; });
+      const std::size_t degree = m_maintained.mirror.degree(v);
       price += Repair_budget_2::relocation / 2 +
                Repair_budget_2::flip * (degree - (std::min)(degree, usual_degree));
     }

@@ -244,20 +244,13 @@ private:
   // from each other. Where the faces around v tell it, the new ones are counterclockwise.
   void flip_down(Index v, const Position_2& place)
   {
-    Index degree = degree_of(v);
+    Index degree = m_maintained.mirror.degree(v);
     provide(m_flipped, degree);
     provide(m_maintained.new_edges, degree);
     Flip_series series(*this);
     for (const Ear ear : {Ear::CONVEX, Ear::AT_INFINITY, Ear::ANY})
       degree -= cut_ears(v, place, degree, ear, series);
     CGAL_postcondition(degree == 3);
-  }
-
-  Index degree_of(Index v) const
-  {
-    Index degree = 0;
-    m_maintained.mirror.for_each_corner(v, [&](Index) { ++degree; });
-    return degree;
   }
 
   enum class Ear { CONVEX, AT_INFINITY, ANY };
