@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# What first programs cost a compiler, in seconds of its own time: with CGAL's triangulation, with the package, with its
+# headers precompiled, and with the one file of an example that knows of CGAL. CXX is the compiler, g++ if it is not set.
+
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd -P)
+examples=$root/examples/Dynamic_Delaunay_triangulation_2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+TIMEFORMAT=%U
+
+cat >"$work/cgal_alone.cpp" <<'TEXT'
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <vector>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+int main()
+{
+  const std::vector<Kernel::Point_2> points = {{0, 0}, {1, 0}, {0, 1}, {1, 2}};
+  const CGAL::Delaunay_triangulation_2<Kernel> triangulation(points.begin(), points.end());
+  return triangulation.is_valid() ? 0 : 1;
+}
+TEXT
+cat >"$work/all.h" <<'TEXT'
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+TEXT
+
+compile() {
+  "${CXX:-g++}" -std=c++17 -DNDEBUG -frounding-math "-I$root/include" "$@"
+}
+
+seconds() { # NAME, then what compile() takes
+  printf '%-34s' "$1"
+  { time compile "${@:2}"; } 2>&1
+}
+
+for level in -O0 -O2; do
+  echo "$level"
+  seconds "CGAL's triangulation alone" "$level" -c "$work/cgal_alone.cpp" -o "$work/object"
+  seconds hello_world "$level" -c "$examples/hello_world.cpp" -o "$work/object"
+  seconds "the headers, precompiled" "$level" -x c++-header "$work/all.h" -o "$work/all.h.gch"
+  seconds "hello_world with these" "$level" -include "$work/all.h" -c "$examples/hello_world.cpp" -o "$work/object"
+  seconds growing_tissue "$level" -c "$examples/growing_tissue.cpp" -o "$work/object"
+  seconds growing_tissue/Cell_neighbors "$level" -c "$examples/growing_tissue/Cell_neighbors.cpp" -o "$work/object"
+done
