@@ -100,7 +100,7 @@ const Table padding_table = {"A fast point through a cloud at rest, border splic
                               {"right", 7, 3},
                               {"wrong", 7, 2},
                               {"padded", 8, 1},
-                              {"growths", 8, 2},
+                              {"enlargements", 8, 2},
                               {"rebuilt", 8, 3}}};
 
 // Made when a row wants it, and kept for the next one: rows of one scenario follow each other.

@@ -90,7 +90,7 @@ const Table allocations = {"Heap allocations a frame without edge changes",
                            {{"points", 9, 0}, {"frames", 7, 0}, {"allocations", 13, 2}}};
 
 constexpr std::size_t many_points = 100'000;
-constexpr std::size_t most_points = 1'000'000;
+constexpr std::size_t max_points = 1'000'000;
 
 std::unique_ptr<scenario::Motion> open(const std::string& name,
                                        const scenario::Overrides& overrides)
@@ -148,9 +148,9 @@ void add_large(Case_list& cases)
     add_scenario(cases, own_step, joined("", name, many_points), name, overrides,
                  {0, 60, many_frames / 60});
   }
-  overrides.points = most_points;
+  overrides.points = max_points;
   for (const char* const name : {"dam_break", "explosion"}) {
-    add_scenario(cases, own_step, joined("", name, most_points), name, overrides, {0, 15, 16});
+    add_scenario(cases, own_step, joined("", name, max_points), name, overrides, {0, 15, 16});
   }
 }
 

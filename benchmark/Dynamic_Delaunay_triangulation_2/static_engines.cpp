@@ -297,7 +297,7 @@ Case_result splice_case(unsigned padding)
   for (std::size_t frame = 0; frame != frames; ++frame) {
     const Ids named = scattered_ids(points, distance, random);
     contest.measure(points, named, [&](const CGAL::Update_report_2& report) {
-      if (report.rebuilt() || report.growths != 0) {
+      if (report.rebuilt() || report.enlargements != 0) {
         throw std::runtime_error("a region has not come out as it was");
       }
       const auto size = static_cast<double>(report.classified + report.padded + report.border);

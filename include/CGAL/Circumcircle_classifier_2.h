@@ -54,8 +54,8 @@ public:
   explicit Circumcircle_classifier_2(unsigned threads = 1)
     : m_threads(threads)
   {
-    if (threads < 1 || threads > most_threads)
-      throw Parameter_error_2("the number of threads of circumcircle", threads, 1, most_threads);
+    if (threads < 1 || threads > max_threads)
+      throw Parameter_error_2("the number of threads of circumcircle", threads, 1, max_threads);
 #ifdef CGAL_LINKED_WITH_TBB
     if (threads > 1)
       m_arena = std::make_shared<tbb::task_arena>(int(threads));
@@ -66,7 +66,7 @@ public:
   /// with as many threads as the machine has, up to 1024. Needs TBB.
   explicit Circumcircle_classifier_2(Parallel_tag)
     : Circumcircle_classifier_2(
-          (std::min)((std::max)(std::thread::hardware_concurrency(), 1u), most_threads))
+          (std::min)((std::max)(std::thread::hardware_concurrency(), 1u), max_threads))
   {
   }
 #endif
@@ -84,7 +84,7 @@ public:
     m_was_asked = true;
     if (m_schedule.is_near() && !m_safe_edges.holds())
       m_safe_edges.measure_step(frame);
-    m_safe_edges.take_news(frame); // nothing is new, unless an exception ended the last update
+    m_safe_edges.take_changes(frame); // nothing is new, unless an exception ended the last update
     if (!frame.positions_are_exact()) {
       m_safe_edges.drop();
       for (Index e = 0; e < frame.number_of_edges(); ++e)
@@ -92,15 +92,15 @@ public:
       return;
     }
     // where one frame has broken nearly everything, the next one may
-    m_is_chaos = m_is_chaos && is_most_of_all_edges_broken(frame);
-    if (m_is_chaos) {
+    m_nearly_all_broken = m_nearly_all_broken && is_most_of_all_edges_broken(frame);
+    if (m_nearly_all_broken) {
       classified.add_everything();
       return;
     }
     // a pass without branches proves nearly all; the others are looked at one by one
     find_unproved(frame);
-    m_is_chaos = is_most_of_unproved_broken(frame);
-    if (m_is_chaos) {
+    m_nearly_all_broken = is_most_of_unproved_broken(frame);
+    if (m_nearly_all_broken) {
       classified.add_everything();
       return;
     }
@@ -133,9 +133,9 @@ public:
 
 private:
 #ifdef CGAL_LINKED_WITH_TBB
-  static constexpr unsigned most_threads = 1024;
+  static constexpr unsigned max_threads = 1024;
 #else
-  static constexpr unsigned most_threads = 1;
+  static constexpr unsigned max_threads = 1;
 #endif
 
   using Index = Dynamic_Delaunay_triangulations_2::Index;
@@ -153,8 +153,8 @@ private:
       if (m_safe_edges.append_unproved(frame, m_unproved.front()))
         return;
     }
-    constexpr Index fewest_edges = 1 << 14;
-    const unsigned parts = (std::min)(m_threads, 1 + frame.number_of_edges() / fewest_edges);
+    constexpr Index min_edges = 1 << 14;
+    const unsigned parts = (std::min)(m_threads, 1 + frame.number_of_edges() / min_edges);
     m_unproved.resize(parts);
 #ifdef CGAL_LINKED_WITH_TBB
     if (parts > 1) {
@@ -210,8 +210,8 @@ private:
 
   unsigned m_threads;
   Dynamic_Delaunay_triangulations_2::internal::Safe_edges_2 m_safe_edges;
-  bool m_was_asked = true; // since the last update
-  bool m_is_chaos = false; // in the last frame nearly all edges were broken
+  bool m_was_asked = true;          // since the last update
+  bool m_nearly_all_broken = false; // in the last frame nearly all edges were broken
   Dynamic_Delaunay_triangulations_2::internal::Safe_edges_schedule_2 m_schedule;
   std::vector<std::vector<Index>> m_unproved; // of each part
 #ifdef CGAL_LINKED_WITH_TBB

@@ -28,9 +28,9 @@ neighbors touches no triangulation, and the arrays can be handed on to other pro
 
 - The list of a point has the other ends of its finite edges, counterclockwise around it, beginning
   anywhere.
-- Points that coincide share the vertex of the one that was there first, the *host*; the others are
-  its *guests*. The list of a guest has its host and nobody else. The list of a host ends with its
-  guests, smaller ids first.
+- Points that coincide share the vertex of the one that was there first, the *representative*; the
+others are its *duplicates*. The list of a duplicate has its representative and nobody else. The
+list of a representative ends with its duplicates, smaller ids first.
 - The list of an id that was removed is empty.
 
 So the lists are symmetric, and there are at most six times as many entries as points. Their ids are
@@ -40,9 +40,9 @@ those of the triangulation. In a `Dynamic_population_2` these are
 The triangulation need not be certified: the lists are those of the edges that there are.
 
 An object keeps its memory. `compute()` allocates nothing if the triangulation had as many ids and
-vertices and guests before.
+vertices and duplicates before.
 
-\cgalExample{Dynamic_Delaunay_triangulation_2/neighbours_in_a_flock.cpp}
+\cgalExample{Dynamic_Delaunay_triangulation_2/neighbors_in_a_flock.cpp}
 
 \sa `Delaunay_point_queries_2`
 */
@@ -65,7 +65,7 @@ public:
 
   /// reads the lists from a triangulation, in place of those that are there.
   ///
-  /// Cost: linear, one pass over the edges and one walk around every vertex; with g guests,
+  /// Cost: linear, one pass over the edges and one walk around every vertex; with g duplicates,
   /// O(g log g) more. If memory runs out, there are no lists.
   /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`.
   /// \post `number_of_ids() == dt.number_of_ids()`
@@ -74,11 +74,11 @@ public:
   {
     provide(dt);
     const auto frame = dt.frame();
-    note_guests(frame);
+    note_duplicates(frame);
     find_offsets(dt);
     m_neighbors.resize(m_offsets.back());
     write_neighbors(dt);
-    write_guests();
+    write_duplicates();
   }
 
   /// @}
@@ -115,9 +115,9 @@ public:
   /// @}
 
 private:
-  struct Guest
+  struct Duplicate
   {
-    Id host, id;
+    Id representative, id;
   };
 
   // Room for all that will be appended: a triangulation with n vertices has less than 3n edges,
@@ -127,11 +127,11 @@ private:
   {
     m_offsets.resize(1);
     m_neighbors.clear();
-    m_guests.clear();
+    m_duplicates.clear();
     const size_type vertices = dt.number_of_vertices();
-    const size_type guests = dt.number_of_points() - vertices;
-    provide(m_neighbors, 6 * vertices + 2 * guests);
-    provide(m_guests, guests);
+    const size_type duplicates = dt.number_of_points() - vertices;
+    provide(m_neighbors, 6 * vertices + 2 * duplicates);
+    provide(m_duplicates, duplicates);
     provide(m_offsets, dt.number_of_ids() + 1);
   }
 
@@ -143,13 +143,16 @@ private:
       data.reserve(size + size / 8);
   }
 
-  // Guests by their hosts, each after the other.
+  // Duplicates by their representatives, each after the other.
   template <class Frame>
-  void note_guests(const Frame& frame)
+  void note_duplicates(const Frame& frame)
   {
-    frame.for_each_guest([&](Id id) { m_guests.push_back({frame.id(frame.vertex(id)), id}); });
-    std::sort(m_guests.begin(), m_guests.end(), [](const Guest& g, const Guest& h) {
-      return g.host != h.host ? g.host < h.host : g.id < h.id;
+    frame.for_each_duplicate([&](Id id) {
+      m_duplicates.push_back({frame.id(frame.vertex(id)), id});
+    });
+    std::sort(m_duplicates.begin(), m_duplicates.end(), [](const Duplicate& g, const Duplicate& h) {
+      return g.representative != h.representative ? g.representative < h.representative
+                                                  : g.id < h.id;
     });
   }
 
@@ -162,8 +165,8 @@ private:
       ++m_offsets[j + 1];
     };
     dt.for_each_edge(count);
-    for (const Guest& guest : m_guests)
-      count(guest.host, guest.id);
+    for (const Duplicate& duplicate : m_duplicates)
+      count(duplicate.representative, duplicate.id);
     std::partial_sum(m_offsets.begin(), m_offsets.end(), m_offsets.begin());
   }
 
@@ -180,20 +183,21 @@ private:
     }
   }
 
-  void write_guests()
+  void write_duplicates()
   {
     size_type place = 0;
-    for (auto guest = m_guests.rbegin(); guest != m_guests.rend(); ++guest) {
-      if (guest == m_guests.rbegin() || guest->host != std::prev(guest)->host)
-        place = m_offsets[guest->host + size_type(1)];
-      m_neighbors[--place] = guest->id;
-      m_neighbors[m_offsets[guest->id]] = guest->host;
+    for (auto duplicate = m_duplicates.rbegin(); duplicate != m_duplicates.rend(); ++duplicate) {
+      if (duplicate == m_duplicates.rbegin() ||
+          duplicate->representative != std::prev(duplicate)->representative)
+        place = m_offsets[duplicate->representative + size_type(1)];
+      m_neighbors[--place] = duplicate->id;
+      m_neighbors[m_offsets[duplicate->id]] = duplicate->representative;
     }
   }
 
   std::vector<size_type> m_offsets = {0};
   std::vector<Id> m_neighbors;
-  std::vector<Guest> m_guests;
+  std::vector<Duplicate> m_duplicates;
 };
 
 } // namespace CGAL

@@ -248,7 +248,7 @@ private:
     };
     for (const Index v : m_found)
       call_if_other(frame.id(v));
-    frame.for_each_guest([&](Index id) {
+    frame.for_each_duplicate([&](Index id) {
       if (m_found.contains(frame.vertex(id)))
         call_if_other(id);
     });

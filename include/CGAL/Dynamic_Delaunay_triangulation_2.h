@@ -542,15 +542,16 @@ public:
   /// \throws Unknown_id_error_2 if there is no such point.
   const Point& point(size_type id) const
   {
-    const Vertex_handle host = vertex(id);
+    const Vertex_handle representative = vertex(id);
     const auto& ids = m_core->maintained.ids;
-    return ids.is_host(Index(id)) ? host->point() : ids.guest(Index(id)).point;
+    return ids.is_representative(Index(id)) ? representative->point()
+                                            : ids.duplicate(Index(id)).point;
   }
 
   /// the id of a point at a finite vertex; of the one that was there first, if several are.
   size_type id(Vertex_handle vertex) const
   {
-    return m_core->maintained.ids.host(vertex->mirror_index());
+    return m_core->maintained.ids.representative(vertex->mirror_index());
   }
 
   /// calls `f(i, j)` with the ids of both ends of every finite edge. Points that share a vertex
@@ -814,7 +815,7 @@ private:
   {
     const auto& ids = m_core->maintained.ids;
     if (!Frame::is_infinite(v) && !Frame::is_infinite(w))
-      f(size_type(ids.host(v)), size_type(ids.host(w)));
+      f(size_type(ids.representative(v)), size_type(ids.representative(w)));
   }
 
   Delaunay_classifier m_classifier;

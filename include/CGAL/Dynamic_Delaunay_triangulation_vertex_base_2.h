@@ -16,7 +16,7 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2VertexFaceClasses
 
 The vertex base that `Dynamic_Delaunay_triangulation_2` needs: a vertex that knows its place in the
-flat arrays of the neighbourhood mirror. A data structure with vertices of your own derives them
+flat arrays of the neighborhood mirror. A data structure with vertices of your own derives them
 from this class, or passes its own base as `Vb`.
 
 \tparam Traits the geometric traits, as for `Delaunay_triangulation_2`.

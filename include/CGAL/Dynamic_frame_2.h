@@ -71,14 +71,14 @@ public:
   /// the vertex of the point `id`. \pre `has_id(id)`
   Index vertex(Index id) const { return m_maintained->ids.vertex(id); }
   /// the id of a point at the finite vertex `v`; of the one that was there first, if several are.
-  Index id(Index v) const { return m_maintained->ids.host(v); }
+  Index id(Index v) const { return m_maintained->ids.representative(v); }
   /// calls `f(i)` for the id `i` of every point that shares the vertex of one that was there first,
   /// smaller ids first. Cost: proportional to their number.
   template <class Function>
-  void for_each_guest(Function&& f) const
+  void for_each_duplicate(Function&& f) const
   {
-    for (const auto& guest : m_maintained->ids.guests())
-      f(guest.id);
+    for (const auto& duplicate : m_maintained->ids.duplicates())
+      f(duplicate.id);
   }
   /// whether `v` is the infinite vertex.
   static bool is_infinite(Index v)
@@ -210,7 +210,7 @@ public:
   }
   /// whether anything was. While classifying that is so only if an exception ended the last update
   /// before the classifier was told.
-  bool has_news() const
+  bool has_changes() const
   {
     return everything_is_new() || !new_edges().empty() || has_other_numbers();
   }

@@ -37,7 +37,7 @@ public:
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified)
   {
-    if (frame.has_news())
+    if (frame.has_changes())
       after_update(frame);
     for (Index f = 0; f < frame.number_of_faces(); ++f)
       m_centers[f] = center(frame, f);

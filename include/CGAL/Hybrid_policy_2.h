@@ -51,18 +51,18 @@ public:
     m_is_tried = false; // the next frame may be rebuilt without asking
     m_has_lost = report.rebuilt() || cost_of_mending(report) > cost_of_rebuilding * vertices(frame);
     if (!m_has_lost) {
-      m_patience = 0;
+      m_next_rest = 0;
       return;
     }
     m_lost_share = m_share;
-    m_rest = m_patience;
-    m_patience = (std::min)(m_patience + 1, longest_rest);
+    m_rest = m_next_rest;
+    m_next_rest = (std::min)(m_next_rest + 1, max_rest);
   }
 
 private:
   // From there on the usual repair of exact classifiers rebuilds.
   static constexpr double largest_share = 1. / 9;
-  static constexpr unsigned longest_rest = 63; // frames
+  static constexpr unsigned max_rest = 63; // frames
 
   // Nanoseconds, as measured on random clouds of 1,000 to 10,000 points; their ratios count. A flip
   // comes with what has to be looked at for it.
@@ -87,9 +87,9 @@ private:
   template <class Frame>
   static double share_of_broken_edges(const Frame& frame)
   {
-    constexpr std::size_t most_edges = 256, smallest_stride = 16;
+    constexpr std::size_t max_edges = 256, smallest_stride = 16;
     const std::size_t edges = frame.number_of_edges();
-    const std::size_t stride = smallest_stride + edges / most_edges;
+    const std::size_t stride = smallest_stride + edges / max_edges;
     std::size_t sampled = 0, broken = 0;
     for (std::size_t e = 0; e < edges; e += stride, ++sampled)
       broken += !frame.is_delaunay(typename Frame::Index(e));
@@ -106,12 +106,12 @@ private:
     return false;
   }
 
-  bool m_is_tried = false; // mending, in this frame
-  bool m_has_lost = false; // mending, when it was tried last
-  double m_share = 0;      // of edges that are broken in this frame
-  double m_lost_share = 0; // when mending was tried last and lost
-  unsigned m_rest = 0;     // frames until it is tried again
-  unsigned m_patience = 0; // the rest after the next failure
+  bool m_is_tried = false;  // mending, in this frame
+  bool m_has_lost = false;  // mending, when it was tried last
+  double m_share = 0;       // of edges that are broken in this frame
+  double m_lost_share = 0;  // when mending was tried last and lost
+  unsigned m_rest = 0;      // frames until it is tried again
+  unsigned m_next_rest = 0; // the rest after the next failure
 };
 
 } // namespace CGAL

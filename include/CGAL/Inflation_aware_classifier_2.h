@@ -54,7 +54,7 @@ public:
   void operator()(const Frame& frame, Classification& classified)
   {
     sum_up(frame);
-    if (frame.has_news())
+    if (frame.has_changes())
       after_update(frame);
     // everything is squared; at the infinite vertex it is NaN, and no comparison holds
     const double lowest = m_x * m_x, highest = (2 - m_x) * (2 - m_x);

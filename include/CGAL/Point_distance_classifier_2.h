@@ -50,7 +50,7 @@ public:
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified)
   {
-    if (frame.has_news())
+    if (frame.has_changes())
       after_update(frame);
     // lengths are compared squared; at the infinite vertex they are NaN, and no comparison holds
     const double lowest = m_x * m_x, highest = (2 - m_x) * (2 - m_x);

@@ -54,7 +54,7 @@ public:
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified)
   {
-    m_has_looked = frame.has_news() || m_quiet_frames == 0;
+    m_has_looked = frame.has_changes() || m_quiet_frames == 0;
     if (m_has_looked)
       m_classifier(frame, classified);
     else
@@ -66,12 +66,12 @@ public:
   void after_update(const Frame& frame)
   {
     m_classifier.after_update(frame);
-    if (!m_has_looked && !frame.has_news())
+    if (!m_has_looked && !frame.has_changes())
       return;
     m_has_looked = false;
-    constexpr double most_frames = 1e9;
+    constexpr double max_frames = 1e9;
     const double first = m_classifier.predict(frame, m_velocity);
-    m_quiet_frames = std::size_t((std::min)(first, most_frames)) - 1;
+    m_quiet_frames = std::size_t((std::min)(first, max_frames)) - 1;
   }
 
 private:

@@ -97,7 +97,7 @@ private:
   template <class Frame, class Classification>
   void ask_edge_by_edge(const Frame& frame, const Classification& first, Classification& classified)
   {
-    if (frame.has_news())
+    if (frame.has_changes())
       inform_classifier(m_second, frame); // its operator() would have to
     m_seen.clear(frame.number_of_edges());
     const std::size_t first_illegal = first.edges().size() - first.number_of_illegal_edges();

@@ -52,7 +52,7 @@ public:
   void operator()(const Frame& frame, Classification& classified)
   {
     // an exception may have ended the last update before this was told
-    m_holds = m_holds && !frame.has_news() && frame.positions_are_exact() && find_moved(frame);
+    m_holds = m_holds && !frame.has_changes() && frame.positions_are_exact() && find_moved(frame);
     if (m_holds)
       find_edges_of_moved(frame);
     else
@@ -73,7 +73,7 @@ public:
       return;
     }
     m_holds = false;
-    judge();
+    adapt_rest();
     if (m_rest > 0)
       --m_rest;
     else if (frame.positions_are_exact() && frame.number_of_edges() > 0)
@@ -84,7 +84,7 @@ private:
   using Index = Dynamic_Delaunay_triangulations_2::Index;
   using Position = Dynamic_Delaunay_triangulations_2::Position_2;
 
-  static constexpr unsigned frames_worth_it = 16, longest_rest = 64;
+  static constexpr unsigned frames_worth_it = 16, max_rest = 64;
 
   // False if they are too many: then looking at all edges costs less.
   template <class Frame>
@@ -109,13 +109,13 @@ private:
   }
 
   // Disks that did not last are not made again for a while.
-  void judge()
+  void adapt_rest()
   {
     if (!m_was_started)
       return;
     m_was_started = false;
-    m_patience = m_held >= frames_worth_it ? 1 : (std::min)(2 * m_patience, longest_rest);
-    m_rest = m_held >= frames_worth_it ? 0 : m_patience;
+    m_next_rest = m_held >= frames_worth_it ? 1 : (std::min)(2 * m_next_rest, max_rest);
+    m_rest = m_held >= frames_worth_it ? 0 : m_next_rest;
   }
 
   template <class Frame>
@@ -185,9 +185,9 @@ private:
   std::vector<Index> m_moved;           // out of their disks
   std::vector<Index> m_unproved;
   Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_edges, m_vertices;
-  unsigned m_held = 0;     // for so many frames
-  unsigned m_patience = 1; // frames
-  unsigned m_rest = 0;     // frames
+  unsigned m_held = 0;      // for so many frames
+  unsigned m_next_rest = 1; // frames
+  unsigned m_rest = 0;      // frames
   bool m_was_started = false;
 };
 

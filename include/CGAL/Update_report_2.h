@@ -47,7 +47,7 @@ struct Update_report_2
   /// vertices of these regions, with their borders; those of several regions more than once.
   std::size_t spliced = 0;
   /// times that a region grew because its boundary and that of its new triangulation disagreed.
-  std::size_t growths = 0;
+  std::size_t enlargements = 0;
   /// vertices that went far, and were taken out of their faces and put in again elsewhere; with
   /// `Relocation_repair_2` those that CGAL's `move_if_no_collision()` moved.
   std::size_t relocated = 0;
@@ -76,7 +76,7 @@ struct Update_report_2
     flips += next.flips;
     splices += next.splices;
     spliced += next.spliced;
-    growths += next.growths;
+    enlargements += next.enlargements;
     relocated += next.relocated;
     inserted += next.inserted;
     removed += next.removed;

@@ -187,7 +187,7 @@ private:
   template <class Frame>
   void settle(const Frame& frame)
   {
-    frame.for_each_guest([&](Index id) { ++m_cells[frame.vertex(id)].points; });
+    frame.for_each_duplicate([&](Index id) { ++m_cells[frame.vertex(id)].points; });
     for (Index id = 0; id < frame.number_of_ids(); ++id) {
       const Cell cell = frame.has_id(id) ? m_cells[frame.vertex(id)] : Cell();
       m_areas.push_back(cell.area / cell.points);

@@ -58,7 +58,7 @@ public:
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified)
   {
-    if (frame.has_news())
+    if (frame.has_changes())
       after_update(frame);
     for (Index e = 0; e < frame.number_of_edges(); ++e)
       if (names_edge(frame, e))

@@ -80,9 +80,9 @@ void expect_valid(const Dynamic& dt, const Model<Dynamic>& model)
   for (const auto& [id, p] : model) {
     ASSERT_TRUE(dt.has_id(id)) << "id " << id;
     ASSERT_EQ(dt.point(id), p) << "id " << id;
-    const std::size_t host = dt.id(dt.vertex(id));
-    ASSERT_EQ(dt.vertex(host), dt.vertex(id)) << "id " << id;
-    ASSERT_EQ(model.at(host), p) << "id " << id << ", a guest of " << host;
+    const std::size_t representative = dt.id(dt.vertex(id));
+    ASSERT_EQ(dt.vertex(representative), dt.vertex(id)) << "id " << id;
+    ASSERT_EQ(model.at(representative), p) << "id " << id << ", a duplicate of " << representative;
   }
 }
 

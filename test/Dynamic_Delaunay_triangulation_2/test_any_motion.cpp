@@ -3,7 +3,7 @@
 
 // Any motion: points jump, trade places, meet and part, come and go, all in one update.
 
-#include "news_ledger.h"
+#include "change_ledger.h"
 #include "oracle.h"
 
 #include <CGAL/Dynamic_population_2.h>
@@ -373,9 +373,9 @@ protected:
     shapes["lattice"] = Cloud<Kernel>::grid(15, 15);
     shapes["circle"] = Cloud<Kernel>::on_circle(36);
     Cloud<Kernel> cloud(2);
-    for (const Point& centre : cloud.uniform(8))
+    for (const Point& center : cloud.uniform(8))
       for (int i = 0; i < 25; ++i)
-        shapes["clusters"].push_back(cloud.shifted(centre, 1e-3));
+        shapes["clusters"].push_back(cloud.shifted(center, 1e-3));
     for (int i = -60; i < 60; ++i)
       shapes["parabola"].push_back(Point(i / 8., i * i / 64.));
     for (const Point& p : Cloud<Kernel>(3).uniform(150))
@@ -418,7 +418,7 @@ TYPED_TEST(Jumps, of_a_few_at_rest_relocate_just_these_frame_after_frame)
       ASSERT_FALSE(stage.report().rebuilt());
       ASSERT_EQ(stage.report().relocated, jumpers.size());
       ASSERT_EQ(stage.relocated(), jumpers);
-      ASSERT_EQ(stage.report().growths, 0u);
+      ASSERT_EQ(stage.report().enlargements, 0u);
     }
   }
 }
@@ -478,7 +478,7 @@ TYPED_TEST(Jumps, onto_others_merge)
   EXPECT_EQ(stage.report().merged, 0u);
 }
 
-TYPED_TEST(Jumps, of_shared_vertices_take_all_guests_along)
+TYPED_TEST(Jumps, of_shared_vertices_take_all_duplicates_along)
 {
   auto points = Cloud<TypeParam>(7).uniform(300);
   for (const std::size_t id : {11u, 12u, 13u})
@@ -505,7 +505,9 @@ TYPED_TEST(Jumps, of_shared_vertices_take_all_guests_along)
   EXPECT_EQ(stage.dt().number_of_vertices(), 295u);
 }
 
-TYPED_TEST(Jumps, of_guests_leave_the_host_and_of_a_host_the_guests_where_they_were)
+TYPED_TEST(
+    Jumps,
+    of_duplicates_leave_the_representative_and_of_a_representative_the_duplicates_where_they_were)
 {
   for (const bool moves : {false, true}) {
     SCOPED_TRACE(moves ? "move" : "update");
@@ -513,19 +515,19 @@ TYPED_TEST(Jumps, of_guests_leave_the_host_and_of_a_host_the_guests_where_they_w
     points[11] = points[12] = points[13] = points[10];
     Stage<TypeParam> stage(points);
     const auto go = [&] { moves ? stage.move() : stage.update(); };
-    const auto host = stage.dt().vertex(10);
+    const auto representative = stage.dt().vertex(10);
     stage.points[12] = typename TestFixture::Point(2.1, 3.2);
     ASSERT_NO_FATAL_FAILURE(go());
     EXPECT_FALSE(stage.report().rebuilt());
     EXPECT_EQ(stage.report().parted, 1u);
-    EXPECT_EQ(stage.dt().vertex(10), host);
-    EXPECT_EQ(stage.dt().vertex(13), host);
+    EXPECT_EQ(stage.dt().vertex(10), representative);
+    EXPECT_EQ(stage.dt().vertex(13), representative);
     stage.points[10] = typename TestFixture::Point(12.3, 9.4);
     ASSERT_NO_FATAL_FAILURE(go());
     EXPECT_FALSE(stage.report().rebuilt());
     EXPECT_EQ(stage.dt().vertex(11), stage.dt().vertex(13));
     EXPECT_EQ(stage.dt().number_of_vertices(), 299u);
-    // host and guest trade: one comes to where the other one is, which is leaving
+    // representative and duplicate trade: one comes to where the other one is, which is leaving
     stage.trade(11, 10);
     ASSERT_NO_FATAL_FAILURE(go());
     EXPECT_FALSE(stage.report().rebuilt());
@@ -732,7 +734,7 @@ TEST(Jumps_of_a_few_of_thousands, cost_little_and_move_nobody_else)
     ASSERT_NO_FATAL_FAILURE(stage.update());
     EXPECT_FALSE(stage.report().rebuilt());
     EXPECT_LT(stage.report().flips, 200u);
-    EXPECT_EQ(stage.report().growths, 0u);
+    EXPECT_EQ(stage.report().enlargements, 0u);
     EXPECT_EQ(stage.report().spliced, 0u);
     EXPECT_EQ(stage.relocated(), jumpers);
     EXPECT_EQ(stage.report().relocated, 5u);
@@ -864,8 +866,9 @@ public:
       ASSERT_EQ(id, m_ids.at(user_id)) << "user's id " << user_id;
       ASSERT_EQ(people.user_id(id), user_id);
       ASSERT_EQ(people.vertex(user_id), dt.vertex(id));
-      const int host = people.user_id(people.vertex(user_id));
-      ASSERT_EQ(frame.at(host), p) << "user's id " << user_id << ", a guest of " << host;
+      const int representative = people.user_id(people.vertex(user_id));
+      ASSERT_EQ(frame.at(representative), p)
+          << "user's id " << user_id << ", a duplicate of " << representative;
       ASSERT_TRUE(model.emplace(id, p).second);
     }
     if (is_exact)
@@ -984,7 +987,7 @@ TYPED_TEST(Populations, let_newcomers_take_the_places_of_those_who_went_and_sit_
   EXPECT_EQ(crowd.people.vertex(5), crowd.people.vertex(6));
 }
 
-TYPED_TEST(Populations, lose_hosts_whose_guests_stay_part_or_jump_in_the_same_frame)
+TYPED_TEST(Populations, lose_representatives_whose_duplicates_stay_part_or_jump_in_the_same_frame)
 {
   for (unsigned way = 0; way < 16; ++way) {
     SCOPED_TRACE(testing::Message() << "way " << way);
@@ -1298,9 +1301,9 @@ TYPED_TEST(Heuristic, populations_stay_valid_and_can_be_mended)
 
 auto numbers_of(const CGAL::Update_report_2& r)
 {
-  return std::make_tuple(r.classified, r.padded, r.border, r.flips, r.splices, r.spliced, r.growths,
-                         r.relocated, r.inserted, r.removed, r.merged, r.parted, r.rebuild_reason,
-                         r.certified);
+  return std::make_tuple(r.classified, r.padded, r.border, r.flips, r.splices, r.spliced,
+                         r.enlargements, r.relocated, r.inserted, r.removed, r.merged, r.parted,
+                         r.rebuild_reason, r.certified);
 }
 
 template <class Dynamic>
@@ -1385,7 +1388,7 @@ protected:
     ASSERT_NO_FATAL_FAILURE(m_crowd.update());
   }
 
-  // Some go, whose ids those get that come; a few jump, a host goes, some meet.
+  // Some go, whose ids those get that come; a few jump, a representative goes, some meet.
   Frame next_frame()
   {
     Frame next = m_crowd.frame;
@@ -1592,12 +1595,13 @@ Frame frame_of(const Cloud<Epick>::Points& points)
   Frame frame;
   for (const auto& p : points)
     frame.emplace(int(frame.size()), p);
-  for (const int guest : {20, 21})
-    frame[guest] = frame[22];
+  for (const int duplicate : {20, 21})
+    frame[duplicate] = frame[22];
   return frame;
 }
 
-// Some go, among them a host; others come, one of them onto another one; some jump and meet.
+// Some go, among them a representative; others come, one of them onto another one; some jump and
+// meet.
 Frame next_of(Frame frame, Cloud<Epick>& cloud)
 {
   for (auto& person : frame)

@@ -33,7 +33,7 @@ Frame_milliseconds frames_of(std::size_t points, double milliseconds)
   return {points, 1, milliseconds, milliseconds};
 }
 
-TEST(The_search_for_most_points, ends_close_below_the_limit_where_cost_is_proportional)
+TEST(The_search_for_max_points, ends_close_below_the_limit_where_cost_is_proportional)
 {
   for (const double nanoseconds : {3.0, 15.0, 60.0, 400.0, 100'000.0}) {
     std::size_t tries = 0;
@@ -50,7 +50,7 @@ TEST(The_search_for_most_points, ends_close_below_the_limit_where_cost_is_propor
   }
 }
 
-TEST(The_search_for_most_points, copes_with_cost_that_rises_faster_than_the_number)
+TEST(The_search_for_max_points, copes_with_cost_that_rises_faster_than_the_number)
 {
   Most_points_search search(1000, many);
   const Frame_milliseconds found = search.run([](std::size_t points) {
@@ -61,7 +61,7 @@ TEST(The_search_for_most_points, copes_with_cost_that_rises_faster_than_the_numb
   EXPECT_GE(found.upper_quartile, 35.0);
 }
 
-TEST(The_search_for_most_points, never_answers_with_a_number_that_was_too_slow)
+TEST(The_search_for_max_points, never_answers_with_a_number_that_was_too_slow)
 {
   double noise = 1.0;
   Most_points_search search(150'000, many);
@@ -73,7 +73,7 @@ TEST(The_search_for_most_points, never_answers_with_a_number_that_was_too_slow)
   EXPECT_LE(found.upper_quartile, 40.0);
 }
 
-TEST(The_search_for_most_points, ends_where_there_are_no_more)
+TEST(The_search_for_max_points, ends_where_there_are_no_more)
 {
   Most_points_search search(1000, 5000);
   const Frame_milliseconds found =

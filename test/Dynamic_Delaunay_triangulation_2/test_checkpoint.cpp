@@ -77,7 +77,7 @@ Checkpoint_error_2 refusal(Read& target, const std::string& text)
 
 auto all_of(const CGAL::Update_report_2& r)
 {
-  return std::tie(r.classified, r.padded, r.border, r.flips, r.splices, r.spliced, r.growths,
+  return std::tie(r.classified, r.padded, r.border, r.flips, r.splices, r.spliced, r.enlargements,
                   r.relocated, r.inserted, r.removed, r.merged, r.parted, r.rebuild_reason,
                   r.certified);
 }
@@ -263,7 +263,7 @@ TYPED_TEST(Checkpoints_of, ties_are_broken_as_they_would_have_been)
   expect_to_go_on(dt, 2, 0.02);
 }
 
-TYPED_TEST(Checkpoints_of, points_that_coincide_are_kept_with_their_host)
+TYPED_TEST(Checkpoints_of, points_that_coincide_are_kept_with_their_representative)
 {
   auto points = Cloud<TypeParam>(3).uniform(60);
   points[7] = points[3];
@@ -532,7 +532,7 @@ TEST(Checkpoints, the_example_in_the_manual_is_a_checkpoint)
                          "coordinates double\npositions exact\ncertified yes\n"
                          "hopeless_share 65536\ndimension 2\n"
                          "ids 6\nvertices 4\n0 0 0\n4 1 0.4\n1 2 0\n2 2 1\n"
-                         "guests 1\n5 4 2 1\nfree_ids 1\n3\n"
+                         "duplicates 1\n5 4 2 1\nfree_ids 1\n3\n"
                          "faces 6\n4 1 2\n3 2 1\n0 3 1\n0 1 4\n2 3 4\n0 4 3\n"
                          "corners 5\n15 5\n10 3\n12 4\n17 5\n16 5\n"
                          "edges 9\n3 3\n13 13\n9 9\n6 6\n14 14\n11 11\n16 16\n17 17\n15 15\n"
@@ -705,7 +705,7 @@ TEST(Checkpoints, what_is_announced_costs_no_memory)
   for (const char* announced : {"700000000", "4000000000", "1000000000000000000",
                                 "99999999999999999999999999", "-1", "715827882"})
     for (const char* name :
-         {"ids", "vertices", "guests", "free_ids", "faces", "corners", "edges"}) {
+         {"ids", "vertices", "duplicates", "free_ids", "faces", "corners", "edges"}) {
       const std::size_t place = text.find(std::string(1, '\n') + name + ' ') + 1;
       const std::size_t end = text.find('\n', place);
       std::string edited = text;
@@ -732,8 +732,8 @@ TEST(Checkpoints, inconsistent_files_with_the_right_checksum_are_refused)
   EXPECT_TRUE(is_refused("free_ids 1\n6\n", "free_ids 1\n5\n"));
   EXPECT_TRUE(is_refused("free_ids 1\n6\n", "free_ids 1\n6 6\n"));
   EXPECT_TRUE(is_refused("free_ids 1\n6\n", "free_ids 1\n\n"));
-  EXPECT_TRUE(is_refused("guests 1\n4", "guests 1\n3"));
-  EXPECT_TRUE(is_refused("guests 1", "guests 0"));
+  EXPECT_TRUE(is_refused("duplicates 1\n4", "duplicates 1\n3"));
+  EXPECT_TRUE(is_refused("duplicates 1", "duplicates 0"));
 }
 
 std::string line_below(const std::string& text, const std::string& name)

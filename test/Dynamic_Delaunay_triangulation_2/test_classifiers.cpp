@@ -161,7 +161,7 @@ TEST(Edge_filter, proves_the_same_edges_plain_and_vectorised)
   internal::append_unproved_plain(edges.data(), positions.data(), 0, Index(edges.size()), plain);
   internal::append_unproved(edges.data(), positions, 0, Index(edges.size()), chosen);
   EXPECT_EQ(plain, chosen);
-  positions.resize(internal::fewest_vertices_to_prefetch); // far apart in memory, on another path
+  positions.resize(internal::min_vertices_to_prefetch); // far apart in memory, on another path
   chosen.clear();
   internal::append_unproved(edges.data(), positions, 0, Index(edges.size()), chosen);
   EXPECT_EQ(plain, chosen);

@@ -4,7 +4,7 @@
 // Whatever throws, and whenever memory runs out: each point is where it was or where it should have
 // come to, and one call later everything is certified again.
 
-#include "news_ledger.h"
+#include "change_ledger.h"
 #include "oracle.h"
 #include "replaced_heap.h"
 
@@ -545,7 +545,7 @@ class Ranges : public testing::Test
 protected:
   Ranges()
   {
-    points[3] = points[4]; // a guest: all that reads a frame goes another way
+    points[3] = points[4]; // a duplicate: all that reads a frame goes another way
     dt.update(points.begin(), points.end());
     for (std::size_t id = 5; id < 20; ++id)
       movers.emplace_back(id, others[id]);
@@ -589,7 +589,7 @@ TEST_F(Ranges, may_be_read_by_property_maps_that_throw_and_nothing_changes)
   ASSERT_NO_FATAL_FAILURE(expect_nothing_changes(dt, [&](const Fuse& fuse) {
     dt.insert(points.begin(), points.end(), Fused_map<Point>{fuse}, std::back_inserter(new_ids));
   }));
-  points = others; // no guests
+  points = others; // no duplicates
   dt = Exact(points.begin(), points.end());
   ASSERT_NO_FATAL_FAILURE(expect_nothing_changes(dt, [&](const Fuse& fuse) {
     dt.update(points.begin(), points.end(), Fused_map<Point>{fuse});
@@ -682,7 +682,7 @@ struct Fused_policy
 };
 
 using Fused_triangulation = CGAL::Dynamic_Delaunay_triangulation_2<
-    Epick, News_ledger<Fused_classifier>, Fused_repair,
+    Epick, Change_ledger<Fused_classifier>, Fused_repair,
     CGAL::Triangulation_data_structure_2<Stamped_vertex_base<Epick>,
                                          CGAL::Triangulation_face_base_2<Epick>>,
     Fused_policy>;
@@ -741,7 +741,7 @@ protected:
 
   Cloud<Epick> cloud{6};
   Points points = cloud.uniform(120), moved = points;
-  News_ledger<Fused_classifier> classifier;
+  Change_ledger<Fused_classifier> classifier;
   Fused_repair repair;
   Fused_policy policy;
   Fused_triangulation dt{classifier, repair, {}, policy};

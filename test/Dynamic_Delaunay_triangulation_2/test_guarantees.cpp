@@ -339,7 +339,7 @@ TEST(Guarantees, equal_input_gives_equal_triangulations_and_reports)
       cloud.shake(points, 0.05);
       const auto report = dt.update(points.begin(), points.end());
       counts[run].insert(counts[run].end(), {report.classified, report.flips, report.splices,
-                                             report.padded, report.border, report.growths});
+                                             report.padded, report.border, report.enlargements});
     }
     dt.for_each_edge([&](std::size_t i, std::size_t j) { edges[run].push_back({i, j}); });
   }

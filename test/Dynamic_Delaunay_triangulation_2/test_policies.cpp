@@ -233,7 +233,7 @@ void expect_equal_reports()
     ASSERT_EQ(a.border, b.border);
     ASSERT_EQ(a.flips, b.flips);
     ASSERT_EQ(a.splices, b.splices);
-    ASSERT_EQ(a.growths, b.growths);
+    ASSERT_EQ(a.enlargements, b.enlargements);
     ASSERT_EQ(a.rebuild_reason, b.rebuild_reason);
     ASSERT_EQ(a.certified, b.certified);
   }

@@ -3,7 +3,7 @@
 
 // Points come, go, move without the others, meet and part; whoever stays keeps id and vertex.
 
-#include "news_ledger.h"
+#include "change_ledger.h"
 #include "oracle.h"
 #include "population_player.h"
 
@@ -80,7 +80,8 @@ protected:
     return handles;
   }
 
-  // By those who still share with nobody, whose own they are, and by the hosts of the others.
+  // By those who still share with nobody, whose own they are, and by the representatives of the
+  // others.
   static void expect_kept(const Dynamic& dt, const Handles& handles)
   {
     for (const auto& [id, vertex] : handles)
@@ -148,7 +149,7 @@ TYPED_TEST(Population, comes_and_goes_one_by_one_on_a_lattice)
   ASSERT_NO_FATAL_FAILURE(this->expect_exact_one_by_one(Cloud<TypeParam>::grid(8, 6), 4));
 }
 
-TYPED_TEST(Population, comes_and_goes_one_by_one_on_a_circle_with_and_without_its_centre)
+TYPED_TEST(Population, comes_and_goes_one_by_one_on_a_circle_with_and_without_its_center)
 {
   for (unsigned seed = 0; seed < 3; ++seed) {
     auto points = Cloud<TypeParam>::on_circle(36);
@@ -405,12 +406,12 @@ TYPED_TEST(Population, is_exact_whatever_happens_to_it)
 using Exact = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
 using Points = std::vector<Epick::Point_2>;
 
-Points around(const Epick::Point_2& centre, std::size_t number)
+Points around(const Epick::Point_2& center, std::size_t number)
 {
   Points points;
   for (std::size_t i = 0; i < number; ++i) {
     const double angle = 2 * CGAL_PI * double(i) / double(number);
-    points.emplace_back(centre.x() + std::cos(angle), centre.y() + std::sin(angle));
+    points.emplace_back(center.x() + std::cos(angle), center.y() + std::sin(angle));
   }
   return points;
 }
@@ -698,25 +699,26 @@ TYPED_TEST(Population, lets_four_points_at_one_place_part_in_every_order_and_by_
   }
 }
 
-TYPED_TEST(Population, lets_guests_stay_when_their_host_goes_and_newcomers_be_their_guests)
+TYPED_TEST(Population,
+           lets_duplicates_stay_when_their_representative_goes_and_newcomers_be_their_duplicates)
 {
   auto points = Cloud<TypeParam>::grid(6, 6);
   points[7] = points[8] = points[9];
   typename TestFixture::Dynamic dt(points.begin(), points.end());
   auto model = model_of(dt);
   for (int round = 0; round < 6; ++round) {
-    const std::size_t host = dt.id(dt.vertex(9)), other = host == 7 ? 8 : 7;
-    const auto vertex = dt.vertex(host);
-    const auto removed = dt.remove(host);
+    const std::size_t representative = dt.id(dt.vertex(9)), other = representative == 7 ? 8 : 7;
+    const auto vertex = dt.vertex(representative);
+    const auto removed = dt.remove(representative);
     EXPECT_FALSE(removed.rebuilt());
     EXPECT_EQ(removed.flips, 0u);
     EXPECT_EQ(dt.vertex(other), vertex);
-    model.erase(host);
+    model.erase(representative);
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model));
-    EXPECT_EQ(dt.insert(points[9]), host);
-    model.emplace(host, points[9]);
-    EXPECT_EQ(dt.vertex(host), vertex);
-    EXPECT_NE(dt.id(vertex), host);
+    EXPECT_EQ(dt.insert(points[9]), representative);
+    model.emplace(representative, points[9]);
+    EXPECT_EQ(dt.vertex(representative), vertex);
+    EXPECT_NE(dt.id(vertex), representative);
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model));
   }
 }
@@ -958,7 +960,7 @@ TEST(User_id_report, does_not_depend_on_the_order_of_frames)
 // What classifiers are told.
 
 template <class Dynamic>
-void expect_news_are_right(const Playground& ground, unsigned seed, bool is_exact)
+void expect_changes_are_right(const Playground& ground, unsigned seed, bool is_exact)
 {
   Dynamic dt;
   dt.classifier().watch(dt);
@@ -997,7 +999,7 @@ TYPED_TEST(News, tell_a_classifier_everything_that_has_changed_and_whose_the_num
   for (const Playground& ground : {Playground{7, false}, Playground{8, true}})
     for (unsigned seed = 0; seed < 4; ++seed) {
       SCOPED_TRACE(testing::Message() << "seed " << seed);
-      ASSERT_NO_FATAL_FAILURE((expect_news_are_right<Watched_triangulation<Epick, TypeParam>>(
+      ASSERT_NO_FATAL_FAILURE((expect_changes_are_right<Watched_triangulation<Epick, TypeParam>>(
           ground, seed, TypeParam::is_exact)));
     }
 }

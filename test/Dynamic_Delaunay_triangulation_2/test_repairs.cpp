@@ -226,7 +226,7 @@ TEST(Border_splice, catches_a_fast_point_by_growing)
   points[150] = Epick::Point_2(points[150].x() + 5.3, points[150].y() + 0.2);
   const auto report = dt.update(points.begin(), points.end());
   EXPECT_FALSE(report.rebuilt());
-  EXPECT_GT(report.growths, 0u);
+  EXPECT_GT(report.enlargements, 0u);
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
 }
 
@@ -245,7 +245,7 @@ struct Flier_classifier
 struct Flight
 {
   int right_frames = 0;
-  std::size_t growths = 0;
+  std::size_t enlargements = 0;
 };
 
 // Through a cloud at rest, by two spacings a frame. `check` sees every frame.
@@ -263,7 +263,7 @@ Flight flight(unsigned padding, const Check& check)
     points[0] = points[0] + Epick::Vector_2(1.8, 0.9);
     const auto report = dt.update(points.begin(), points.end());
     EXPECT_FALSE(report.rebuilt());
-    flight.growths += report.growths;
+    flight.enlargements += report.enlargements;
     check(dt, points);
     flight.right_frames += dt.certify();
   }
@@ -283,11 +283,11 @@ TEST(Border_splice, is_outrun_by_a_fast_point_under_a_heuristic_with_too_little_
 {
   const Flight outrun = flight<Flier_classifier>(0);
   EXPECT_LT(outrun.right_frames, 12);
-  EXPECT_GT(outrun.growths, 0u);
+  EXPECT_GT(outrun.enlargements, 0u);
   EXPECT_LT(flight<Flier_classifier>(1).right_frames, 12);
   const Flight kept_up = flight<Flier_classifier>(4);
   EXPECT_EQ(kept_up.right_frames, 12);
-  EXPECT_EQ(kept_up.growths, 0u);
+  EXPECT_EQ(kept_up.enlargements, 0u);
 }
 
 TEST(Border_splice, is_outrun_by_nobody_under_an_exact_classifier_with_any_padding)
@@ -297,7 +297,7 @@ TEST(Border_splice, is_outrun_by_nobody_under_an_exact_classifier_with_any_paddi
     const Flight kept_up = flight<CGAL::Circumcircle_classifier_2>(
         padding, [](const auto& dt, const Points& points) { expect_exact(dt, points); });
     EXPECT_EQ(kept_up.right_frames, 12);
-    EXPECT_TRUE(padding > 0 || kept_up.growths > 0);
+    EXPECT_TRUE(padding > 0 || kept_up.enlargements > 0);
   }
 }
 
@@ -342,7 +342,7 @@ TEST(Border_splice, doubles_no_edge_that_a_face_has_which_nobody_named)
   points[1] = Point(0, 1.1);
   points[4] = Point(0, -1.8);
   const auto report = dt.update(points.begin(), points.end());
-  EXPECT_GT(report.growths, 0u);
+  EXPECT_GT(report.enlargements, 0u);
   expect_valid(dt, points);
   dt.mend();
   expect_exact(dt, points);

@@ -33,7 +33,7 @@ TEST(Report, says_everything_about_a_run)
   EXPECT_TRUE(report["rebuild_reasons"].is_object());
   for (const char* key :
        {"rebuilds", "classified_mean", "padded_mean", "border_mean", "flips_mean", "splices_mean",
-        "growths_mean", "relocated_mean", "dynamic_ns_per_point", "static_insert_ns_per_point",
+        "enlargements_mean", "relocated_mean", "dynamic_ns_per_point", "static_insert_ns_per_point",
         "static_fastest_ns_per_point", "speedup_vs_insert", "speedup_vs_fastest",
         "speedup_vs_insert_last_half"}) {
     EXPECT_TRUE(report[key].is_number()) << key;

@@ -57,7 +57,7 @@ std::vector<std::string> texts_of(const Xml& svg)
   return texts;
 }
 
-// How many points are drawn in each colour; the legend is not among them.
+// How many points are drawn in each color; the legend is not among them.
 std::map<std::string, std::size_t> points_by_color(const Xml& svg)
 {
   std::map<std::string, std::size_t> numbers;

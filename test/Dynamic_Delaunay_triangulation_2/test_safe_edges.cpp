@@ -397,7 +397,7 @@ TEST(Edge_slack, sees_no_safety_in_ties_flat_or_inverted_faces_and_what_a_double
 }
 
 // -------------------------------------------------------------------------------------------------
-// Stars: a vertex, the ring of its neighbours, and what lies beyond each edge of that.
+// Stars: a vertex, the ring of its neighbors, and what lies beyond each edge of that.
 
 class Star
 {
@@ -420,7 +420,7 @@ public:
 
   Index degree() const { return m_degree; }
 
-  // The i-th face at the centre.
+  // The i-th face at the center.
   std::array<Position_2, 3> face(Index i) const
   {
     return {m_positions[center], m_positions[ring(i)], m_positions[ring(i + 1)]};
@@ -555,7 +555,7 @@ Turn any_turn(Generator& random)
   return turn;
 }
 
-// The corner is pushed inwards and its neighbours outwards, across the chord or across the edges;
+// The corner is pushed inwards and its neighbors outwards, across the chord or across the edges;
 // or it is pulled out of the circle over the chord, against which the turn is a right angle.
 std::vector<Turn> moved_adversarially(const Turn& turn, double t, Generator& random)
 {
@@ -804,7 +804,7 @@ struct Eager_classifier
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified)
   {
-    safe_edges.take_news(frame);
+    safe_edges.take_changes(frame);
     if (!frame.positions_are_exact())
       safe_edges.drop();
     unproved.clear();
@@ -1179,7 +1179,7 @@ TYPED_TEST(Skipping, follows_clouds_that_tremble_at_any_amplitude)
 }
 
 // So that the other tests are about something.
-TYPED_TEST(Skipping, happens_in_most_frames_of_calm_clouds)
+TYPED_TEST(Skipping, happens_in_max_frames_of_calm_clouds)
 {
   for (const auto& means : all_means<Epick>()) {
     if (means.name == "circle") // nothing but ties
@@ -1334,7 +1334,7 @@ TYPED_TEST(Skipping, follows_points_that_meet_and_part_in_a_calm_cloud)
 }
 
 // A point comes out of the hull next to a corner of that, and makes it a dent. The hull's edges to
-// infinity at its neighbours have changed what they see, though they do not meet the new one there.
+// infinity at its neighbors have changed what they see, though they do not meet the new one there.
 TYPED_TEST(Skipping, follows_a_point_that_comes_to_the_hull_next_to_a_corner_and_passes_it)
 {
   auto points = Cloud<Epick>(44).uniform(300);

@@ -837,7 +837,7 @@ TEST(Overrides, out_of_range_are_refused)
 {
   const std::string path = scenario_file("dam_break");
   expect_words(error_of(path, with_points(0)), {"0 points", "allowed are 1 to 10000000"});
-  expect_words(error_of(path, with_points(most_points + 1)), {"10000001 points"});
+  expect_words(error_of(path, with_points(max_points + 1)), {"10000001 points"});
   for (const double time_step : {0.0, -1.0, 11.0, std::nan("")}) {
     Overrides overrides;
     overrides.time_step = time_step;

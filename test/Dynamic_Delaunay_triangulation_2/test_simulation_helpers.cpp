@@ -99,7 +99,10 @@ protected:
     ASSERT_NO_FATAL_FAILURE(check(veteran()));
   }
 
-  static bool is_host(const Subject& dt, std::size_t id) { return dt.id(dt.vertex(id)) == id; }
+  static bool is_representative(const Subject& dt, std::size_t id)
+  {
+    return dt.id(dt.vertex(id)) == id;
+  }
 
   static Ids ids_of(const Subject& dt)
   {
@@ -151,21 +154,21 @@ TYPED_TEST(Simulation_helpers, lists_are_cgals_incident_vertices_counterclockwis
   TestFixture::for_each_triangulation([&](const Dynamic& dt) {
     lists.compute(dt);
     ASSERT_EQ(lists.number_of_ids(), dt.number_of_ids());
-    std::map<std::size_t, Ids> guests;
+    std::map<std::size_t, Ids> duplicates;
     for (const std::size_t id : TestFixture::ids_of(dt))
-      if (!TestFixture::is_host(dt, id)) {
-        guests[dt.id(dt.vertex(id))].push_back(id);
+      if (!TestFixture::is_representative(dt, id)) {
+        duplicates[dt.id(dt.vertex(id))].push_back(id);
         ASSERT_EQ(list_of(lists, id), Ids{dt.id(dt.vertex(id))});
       }
     for (const std::size_t id : TestFixture::ids_of(dt)) {
-      if (!TestFixture::is_host(dt, id))
+      if (!TestFixture::is_representative(dt, id))
         continue;
       Ids list = list_of(lists, id);
-      const Ids& its_guests = guests[id];
-      ASSERT_GE(list.size(), its_guests.size());
-      const auto first_guest = list.end() - Ids::difference_type(its_guests.size());
-      ASSERT_EQ(Ids(first_guest, list.end()), its_guests) << id;
-      list.erase(first_guest, list.end());
+      const Ids& its_duplicates = duplicates[id];
+      ASSERT_GE(list.size(), its_duplicates.size());
+      const auto first_duplicate = list.end() - Ids::difference_type(its_duplicates.size());
+      ASSERT_EQ(Ids(first_duplicate, list.end()), its_duplicates) << id;
+      list.erase(first_duplicate, list.end());
       ASSERT_EQ(rotated(list), rotated(finite_neighbors(dt, id))) << id;
     }
     for (std::size_t id = 0; id < dt.number_of_ids(); ++id)

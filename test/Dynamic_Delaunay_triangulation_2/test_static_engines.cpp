@@ -410,14 +410,14 @@ TEST_P(Static_engines, give_the_same_edges_in_whatever_order_the_points_come)
 
 // COINCIDENCE -------------------------------------------------------------------------------------
 
-// Whose place each point is at, by the hosts' ids.
+// Whose place each point is at, by the representatives' ids.
 template <class Dynamic>
-std::vector<std::size_t> hosts_of(const Dynamic& dt)
+std::vector<std::size_t> representatives_of(const Dynamic& dt)
 {
-  std::vector<std::size_t> hosts(dt.number_of_points());
-  for (std::size_t id = 0; id < hosts.size(); ++id)
-    hosts[id] = dt.id(dt.vertex(id));
-  return hosts;
+  std::vector<std::size_t> representatives(dt.number_of_points());
+  for (std::size_t id = 0; id < representatives.size(); ++id)
+    representatives[id] = dt.id(dt.vertex(id));
+  return representatives;
 }
 
 template <class Dynamic>
@@ -432,24 +432,27 @@ Vertices<Dynamic> vertices_of(const Dynamic& dt)
   return vertices;
 }
 
-// Whoever is a host was one, unless nobody at its place was; and then it has its vertex still.
+// Whoever is a representative was one, unless nobody at its place was; and then it has its vertex
+// still.
 template <class Dynamic>
-void expect_hosts_stay(const Dynamic& dt, const std::vector<std::size_t>& old_hosts,
-                       const Vertices<Dynamic>& old_vertices)
+void expect_representatives_stay(const Dynamic& dt,
+                                 const std::vector<std::size_t>& old_representatives,
+                                 const Vertices<Dynamic>& old_vertices)
 {
-  const auto hosts = hosts_of(dt);
-  for (std::size_t id = 0; id < hosts.size(); ++id) {
-    ASSERT_EQ(hosts[hosts[id]], hosts[id]);
-    ASSERT_EQ(dt.point(hosts[id]), dt.point(id));
-    const bool was_host = old_hosts[hosts[id]] == hosts[id];
-    ASSERT_TRUE(was_host || old_hosts[id] != id)
-        << "id " << id << " had to make way for " << hosts[id];
-    ASSERT_TRUE(!was_host || dt.vertex(hosts[id]) == old_vertices[hosts[id]])
-        << "id " << hosts[id] << " has lost its vertex";
+  const auto representatives = representatives_of(dt);
+  for (std::size_t id = 0; id < representatives.size(); ++id) {
+    ASSERT_EQ(representatives[representatives[id]], representatives[id]);
+    ASSERT_EQ(dt.point(representatives[id]), dt.point(id));
+    const bool was_representative = old_representatives[representatives[id]] == representatives[id];
+    ASSERT_TRUE(was_representative || old_representatives[id] != id)
+        << "id " << id << " had to make way for " << representatives[id];
+    ASSERT_TRUE(!was_representative ||
+                dt.vertex(representatives[id]) == old_vertices[representatives[id]])
+        << "id " << representatives[id] << " has lost its vertex";
   }
 }
 
-TEST_P(Static_engines, keep_the_hosts_of_coincident_points_through_rebuilds)
+TEST_P(Static_engines, keep_the_representatives_of_coincident_points_through_rebuilds)
 {
   using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Circumcircle_classifier_2,
                                                          CGAL::Rebuild_repair_2>;
@@ -461,7 +464,7 @@ TEST_P(Static_engines, keep_the_hosts_of_coincident_points_through_rebuilds)
                Static_engines_2{GetParam(), GetParam()});
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
     for (int frame = 0; frame < 20; ++frame) {
-      const auto hosts = hosts_of(dt);
+      const auto representatives = representatives_of(dt);
       const auto vertices = vertices_of(dt);
       const Points others = on_lattice(80, bound, 1, random);
       for (std::size_t id = 0; id < points.size(); ++id)
@@ -469,12 +472,12 @@ TEST_P(Static_engines, keep_the_hosts_of_coincident_points_through_rebuilds)
           points[id] = others[id];
       dt.update(points.begin(), points.end());
       ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
-      ASSERT_NO_FATAL_FAILURE(expect_hosts_stay(dt, hosts, vertices));
+      ASSERT_NO_FATAL_FAILURE(expect_representatives_stay(dt, representatives, vertices));
     }
   }
 }
 
-// The stretch that is left of an order without its guests has cuts of equal rank side by side.
+// The stretch that is left of an order without its duplicates has cuts of equal rank side by side.
 TEST_P(Static_engines, triangulate_points_most_of_which_coincide)
 {
   std::mt19937 random(8);
@@ -509,7 +512,7 @@ INSTANTIATE_TEST_SUITE_P(All, Engine_pairs, testing::ValuesIn(all_pairs()), [](c
 
 struct Work_done
 {
-  std::size_t splices = 0, growths = 0, rebuilds = 0;
+  std::size_t splices = 0, enlargements = 0, rebuilds = 0;
 };
 
 // Everybody takes a random step, and one in 50 jumps anywhere.
@@ -528,7 +531,7 @@ Work_done follow(const Static_engines_2& engines, double step, bool with_jumps)
       points[id] = others[id];
     const auto report = dt.update(points.begin(), points.end());
     done.splices += report.splices;
-    done.growths += report.growths;
+    done.enlargements += report.enlargements;
     done.rebuilds += report.rebuilt();
     expect_exact(dt, points);
   }

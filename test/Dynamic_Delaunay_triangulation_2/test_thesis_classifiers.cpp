@@ -1126,7 +1126,7 @@ struct News
   }
 };
 
-struct News_classifier
+struct Changes_classifier
 {
   static constexpr bool is_exact = false;
   CGAL::Point_distance_classifier_2 classifier{0.9};
@@ -1474,7 +1474,7 @@ void lead_through_everything_with_every_repair(const Classifier& classifier)
 
 TEST(Frames, announce_every_edge_and_face_that_flips_splices_and_rebuilds_have_changed)
 {
-  News_classifier classifier;
+  Changes_classifier classifier;
   lead_through_everything_with_every_repair(classifier);
   EXPECT_GT(classifier.news->changed_edges, 1000u);
   EXPECT_GT(classifier.news->changed_sides, 100u) << "not new, but another opposite vertex";

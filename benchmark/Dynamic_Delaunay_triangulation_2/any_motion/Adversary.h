@@ -78,7 +78,7 @@ private:
   using Clock = std::chrono::steady_clock;
 
   // More of them than are shown, each made of something else.
-  static constexpr std::size_t most_kept = 20, most_shown = 10;
+  static constexpr std::size_t max_kept = 20, max_shown = 10;
 
   void try_one()
   {
@@ -153,7 +153,7 @@ private:
 
   bool is_among_slowest(const Slow_program& found) const
   {
-    return m_slowest.size() < most_kept || found.ratio() > m_slowest.back().ratio();
+    return m_slowest.size() < max_kept || found.ratio() > m_slowest.back().ratio();
   }
 
   // The slowest of those that are made of the same.
@@ -171,7 +171,7 @@ private:
     std::stable_sort(
         m_slowest.begin(), m_slowest.end(),
         [](const Slow_program& a, const Slow_program& b) { return a.ratio() > b.ratio(); });
-    m_slowest.resize((std::min)(m_slowest.size(), most_kept));
+    m_slowest.resize((std::min)(m_slowest.size(), max_kept));
     if (is_record) {
       m_out << "after " << m_tried << " programs: ";
       write(found);
@@ -181,7 +181,7 @@ private:
   void write_slowest() const
   {
     m_out << '\n' << m_tried << " programs, the slowest of them by their worst frames\n";
-    for (std::size_t i = 0; i != (std::min)(m_slowest.size(), most_shown); ++i) {
+    for (std::size_t i = 0; i != (std::min)(m_slowest.size(), max_shown); ++i) {
       write(m_slowest[i]);
     }
   }

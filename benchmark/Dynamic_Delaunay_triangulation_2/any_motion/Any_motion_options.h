@@ -60,8 +60,8 @@ struct Any_motion_options
 // \throws CLI::Success for --help, another CLI::ParseError for a mistake.
 inline Any_motion_options parse_options(CLI::App& app, int argc, const char* const* argv)
 {
-  constexpr std::uint64_t any = (std::numeric_limits<std::uint64_t>::max)(), most_frames = 100'000;
-  constexpr int fewest_points = 10, most_points = 10'000'000;
+  constexpr std::uint64_t any = (std::numeric_limits<std::uint64_t>::max)(), max_frames = 100'000;
+  constexpr int min_points = 10, max_points = 10'000'000;
   constexpr double longest = 1e6;
   using run::add_option;
   Any_motion_options options;
@@ -69,10 +69,10 @@ inline Any_motion_options parse_options(CLI::App& app, int argc, const char* con
                   "all kinds, and compares what comes out.");
   app.add_option("--points", options.chosen_points, "how many; default 1000 10000 100000")
       ->type_name("N...")
-      ->check(CLI::Range(fewest_points, most_points));
+      ->check(CLI::Range(min_points, max_points));
   add_option(
       app, "--frames", "N", "measured ones of each kind; default 16 to 8, of recordings 200",
-      [&](const std::string& text) { options.frames = run::count_argument(text, 1, most_frames); });
+      [&](const std::string& text) { options.frames = run::count_argument(text, 1, max_frames); });
   add_option(app, "--seed", "N", "what is drawn by chance; default 1",
              [&](const std::string& text) { options.seed = run::count_argument(text, 0, any); });
   app.add_option("--kind", options.kinds, "only kinds with this in their names; may be repeated")

@@ -22,16 +22,16 @@ struct Kind
   std::string group;
   std::string is;      // one sentence
   std::string program; // as in Program.h
-  std::size_t fewest_points = 0;
+  std::size_t min_points = 0;
   // Where all points are on a line, CGAL's insertion takes quadratic time.
-  std::size_t most_points = (std::numeric_limits<std::size_t>::max)();
+  std::size_t max_points = (std::numeric_limits<std::size_t>::max)();
 
-  bool has(std::size_t points) const { return fewest_points <= points && points <= most_points; }
+  bool has(std::size_t points) const { return min_points <= points && points <= max_points; }
 };
 
 namespace kinds {
 
-constexpr std::size_t most_on_a_line = 10'000;
+constexpr std::size_t max_on_a_line = 10'000;
 
 inline std::string text(double number)
 {
@@ -41,7 +41,7 @@ inline std::string text(double number)
 }
 
 // Of whom so many percent are at least one.
-inline std::size_t fewest_for(double percent)
+inline std::size_t min_for(double percent)
 {
   return static_cast<std::size_t>(std::ceil(100.0 / percent));
 }
@@ -57,7 +57,7 @@ inline void add_jumps(std::vector<Kind>& all)
   for (const double percent : {0.01, 0.1, 1.0, 2.0, 4.0, 8.0, 16.0, 33.0, 50.0}) {
     all.push_back({"jump_anywhere_" + text(percent) + "_percent", "jumps",
                    text(percent) + " percent go anywhere, the others rest",
-                   "square; fresh " + text(0.01 * percent), fewest_for(percent)});
+                   "square; fresh " + text(0.01 * percent), min_for(percent)});
   }
   for (const double size : {1.0, 10.0}) {
     for (const double percent : {0.1, 1.0, 4.0, 10.0, 30.0, 50.0}) {
@@ -65,8 +65,7 @@ inline void add_jumps(std::vector<Kind>& all)
       all.push_back({"jump_" + spacings + "_" + text(percent) + "_percent", "jumps",
                      text(percent) + " percent jump by " + text(size) +
                          " spacings in random directions, the others rest",
-                     "square; jump " + text(0.01 * percent) + ' ' + text(size),
-                     fewest_for(percent)});
+                     "square; jump " + text(0.01 * percent) + ' ' + text(size), min_for(percent)});
     }
   }
   for (const double step : {0.003, 0.03}) {
@@ -75,7 +74,7 @@ inline void add_jumps(std::vector<Kind>& all)
                      text(percent) + " percent go anywhere, all are in Brownian motion of " +
                          text(step) + " spacings",
                      "square; brownian 1 " + text(step) + "; fresh " + text(0.01 * percent),
-                     fewest_for(percent)});
+                     min_for(percent)});
     }
   }
   all.push_back({"jump_of_a_patch", "jumps", "the 1 percent in a disc go anywhere",
@@ -158,9 +157,9 @@ inline void add_whole(std::vector<Kind>& all)
        {"turn_0.01", "whole", "all turn by 0.01 radians", "square; turn 1 0.01"},
        {"turn_0.5", "whole", "all turn by 0.5 radians", "square; turn 1 0.5"},
        {"tenth_of_a_line", "whole", "all go onto a tenth of a line, and back",
-        "square; flatten 1 0.1", 0, most_on_a_line},
+        "square; flatten 1 0.1", 0, max_on_a_line},
        {"onto_a_line", "whole", "all go onto a line, and back", "square; flatten 1 1", 0,
-        most_on_a_line},
+        max_on_a_line},
        {"half_onto_a_line", "whole", "half of them go onto a line, and back",
         "square; flatten 0.5 1"},
        {"onto_one_point", "whole", "all go to one place, and back", "square; collapse 1"},
@@ -191,12 +190,12 @@ inline void add_convex(std::vector<Kind>& all)
         "rings; fresh 0.01"},
        {"rings_swap", "convex", "1 percent swap places on integer circles", "rings; swap 0.01"},
        {"line_along", "lines", "on a line, along it by a tenth of their gap", "line; along 1 0.1",
-        0, most_on_a_line},
+        0, max_on_a_line},
        {"line_swap", "lines", "on a line, along it by half of their gap", "line; along 1 0.5", 0,
-        most_on_a_line},
+        max_on_a_line},
        {"line_leave", "lines", "from a line, off by a tenth of their gap", "line; brownian 1 0.1"},
        {"line_hop", "lines", "on a line, 3 per mille go next to others, eight spacings away",
-        "line; hop 0.003 8 fixed", 0, most_on_a_line},
+        "line; hop 0.003 8 fixed", 0, max_on_a_line},
        {"two_lines", "lines", "on two lines, along them by a tenth of their gap",
         "two_lines; along 1 0.1"},
        {"two_lines_swap", "lines", "on two lines, along them by up to their gap",
@@ -244,10 +243,10 @@ inline void add_populations(std::vector<Kind>& all)
     const std::string who = text(percent) + " percent are replaced";
     const std::string name = "replace_" + text(percent) + "_percent";
     all.push_back(
-        {name, "populations", who + ", the others rest", "square" + step, fewest_for(percent)});
+        {name, "populations", who + ", the others rest", "square" + step, min_for(percent)});
     all.push_back({name + "_in_motion", "populations",
                    who + ", all are in Brownian motion of 0.01 spacings",
-                   "square; brownian 1 0.01" + step, fewest_for(percent)});
+                   "square; brownian 1 0.01" + step, min_for(percent)});
   }
   all.insert(
       all.end(),

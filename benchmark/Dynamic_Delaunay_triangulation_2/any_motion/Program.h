@@ -74,7 +74,7 @@ inline std::vector<std::string> words_in(const std::string& text)
 
 inline Step step_in(const std::string& text)
 {
-  constexpr std::size_t least_words = 2, most_period = 1000;
+  constexpr std::size_t least_words = 2, max_period = 1000;
   const std::vector<std::string> words = words_in(text);
   if (words.size() < least_words) {
     throw std::invalid_argument("'" + text + "' is not MOTION AMOUNT SIZE");
@@ -91,7 +91,7 @@ inline Step step_in(const std::string& text)
     step.choice = words[i++] == "fixed" ? Choice::FIXED : Choice::DISC;
   }
   if (i + 1 < words.size() && words[i] == "every") {
-    step.every = run::count_argument(words[i + 1], 1, most_period);
+    step.every = run::count_argument(words[i + 1], 1, max_period);
     i += 2;
   }
   if (i != words.size()) {

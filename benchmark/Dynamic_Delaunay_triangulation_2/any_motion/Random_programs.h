@@ -43,7 +43,7 @@ public:
     }
     do {
       program.steps.push_back(any_step());
-    } while (program.steps.size() < most_steps && one_in(2));
+    } while (program.steps.size() < max_steps && one_in(2));
     return program;
   }
 
@@ -56,7 +56,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_steps = 4, rarely = 8;
+  static constexpr std::size_t max_steps = 4, rarely = 8;
 
   bool one_in(std::size_t number) { return any_below(number, m_random) == 0; }
 
@@ -84,10 +84,10 @@ private:
 
   Amount any_amount()
   {
-    constexpr double most_counted = 100.0;
+    constexpr double max_counted = 100.0;
     Amount amount;
     if (one_in(4)) {
-      amount.count = static_cast<std::size_t>(std::ceil(any_magnitude(1.0, most_counted)));
+      amount.count = static_cast<std::size_t>(std::ceil(any_magnitude(1.0, max_counted)));
     } else {
       amount.share = one_in(4) ? 1.0 : any_magnitude(1e-3, 1.0);
     }
@@ -125,7 +125,7 @@ private:
       program.base = any_of(all_base_clouds()).name;
       break;
     case 1:
-      if (program.steps.size() < most_steps) {
+      if (program.steps.size() < max_steps) {
         program.steps.push_back(any_step());
       }
       break;

@@ -22,10 +22,10 @@ namespace any_motion {
 
 struct Sequence_settings
 {
-  std::size_t warm_up = 2;                  // updates before the first one that is measured
-  std::size_t repetitions = 2;              // at most, of what seems slow
-  std::size_t most_checked_points = 10'000; // whose frames are compared with fresh ones
-  double patience = 2.0;                    // seconds: a longer frame is the last one
+  std::size_t warm_up = 2;                 // updates before the first one that is measured
+  std::size_t repetitions = 2;             // at most, of what seems slow
+  std::size_t max_checked_points = 10'000; // whose frames are compared with fresh ones
+  double time_limit = 2.0;                 // seconds: a longer frame is the last one
 };
 
 // Follows a sequence of frames from its start.
@@ -53,7 +53,7 @@ public:
       const bool is_warm = i > m_settings.warm_up;
       if (is_warm ? measure() : follow()) {
         figures.frames.push_back(m_figures);
-        if (is_checked && m_figures.points <= m_settings.most_checked_points) {
+        if (is_checked && m_figures.points <= m_settings.max_checked_points) {
           check_thoroughly();
         }
       }
@@ -110,7 +110,7 @@ private:
   bool is_too_slow() const
   {
     const double slowest = (std::max)(m_figures.dynamic, m_figures.insert);
-    return slowest > 1e9 * m_settings.patience;
+    return slowest > 1e9 * m_settings.time_limit;
   }
 
   const scenario::Recorded_frame& current() const { return m_recording[m_figures.frame]; }

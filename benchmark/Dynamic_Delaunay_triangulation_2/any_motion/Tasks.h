@@ -39,7 +39,7 @@ inline Sequence_settings settings_of(const Any_motion_options& options)
   Sequence_settings settings;
   if (options.is_quick) {
     settings.repetitions = 0;
-    settings.most_checked_points = (std::numeric_limits<std::size_t>::max)();
+    settings.max_checked_points = (std::numeric_limits<std::size_t>::max)();
   }
   return settings;
 }

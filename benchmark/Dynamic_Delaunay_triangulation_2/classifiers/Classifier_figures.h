@@ -111,7 +111,7 @@ inline speed::Case_result padding_result(const Classifier_record& record)
   add("right", static_cast<double>(record.right_frames) / frames, figures);
   add("wrong", record.wrong_edges / frames, figures);
   add("padded", record.padded / frames, figures);
-  add("growths", record.growths / frames, figures);
+  add("enlargements", record.enlargements / frames, figures);
   add("rebuilt", record.rebuilds / frames, figures);
   return result_of(record, figures);
 }

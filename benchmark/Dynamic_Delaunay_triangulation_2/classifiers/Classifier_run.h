@@ -122,7 +122,7 @@ struct Classifier_record
   double wrong_edges = 0.0;
   double classified = 0.0;
   double padded = 0.0;
-  double growths = 0.0;
+  double enlargements = 0.0;
   double rebuilds = 0.0;
 };
 
@@ -150,7 +150,7 @@ inline void count(const CGAL::Update_report_2& report, Classifier_record& record
   ++record.frames;
   record.classified += static_cast<double>(report.classified);
   record.padded += static_cast<double>(report.padded);
-  record.growths += static_cast<double>(report.growths);
+  record.enlargements += static_cast<double>(report.enlargements);
   record.rebuilds += report.rebuilt() ? 1.0 : 0.0;
 }
 

@@ -22,8 +22,8 @@ PANEL_HEIGHT = 2.7
 CAPTION_LETTERS = 78  # in a line
 CAPTION_SIZE = 7.5
 
-# Told apart by colour-blind people, too (Okabe and Ito 2008).
-COLOURS = ["#000000", "#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#8c8c8c",
+# Told apart by color-blind people, too (Okabe and Ito 2008).
+COLORS = ["#000000", "#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#8c8c8c",
            "#7a4f9a", "#a0522d", "#5f7f2f", "#b00040"]
 
 plt.rcParams.update({
@@ -69,7 +69,7 @@ def save(figure, path, caption, command):
 
 
 def save_small_png(figure, path):
-    """With a palette of colours, a third of the size: figures lie in the repository."""
+    """With a palette of colors, a third of the size: figures lie in the repository."""
     pixels = io.BytesIO()
     figure.savefig(pixels, format="png", dpi=150)
     Image.open(pixels).convert("RGB").quantize(256).save(path, optimize=True)

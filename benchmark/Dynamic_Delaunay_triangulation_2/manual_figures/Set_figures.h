@@ -178,7 +178,7 @@ public:
     for (;;) {
       motion.advance();
       const CGAL::Update_report_2& update = motion.record().update;
-      if (update.rebuilt() || update.splices != 1 || update.growths != 0) {
+      if (update.rebuilt() || update.splices != 1 || update.enlargements != 0) {
         continue;
       }
       const Sets sets = motion.sets();

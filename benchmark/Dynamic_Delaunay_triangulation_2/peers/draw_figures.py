@@ -17,7 +17,7 @@ CAPTION = (
     "Time to triangulate one frame: medians over the frames, bars from the lower to the upper "
     "quartile, on a logarithmic axis; lower is faster. All on the same frames, in turn. Numbers after "
     "'Brownian' are steps in mean spacings; teleport is a fresh random cloud in every frame. A red "
-    "ring marks whoever is faster than this package's exact update; a grey one, quartiles that "
+    "ring marks whoever is faster than this package's exact update; a gray one, quartiles that "
     "overlap with its own. The heuristic one is not exact.")
 
 
@@ -35,8 +35,8 @@ def draw_peer(axes, results, points, place, peer):
     medians, lows, highs = (numbers(rows, name) for name in ("ns_per_point", "q1", "q3"))
     spread = [[m - low for m, low in zip(medians, lows)],
               [high - m for m, high in zip(medians, highs)]]
-    colour = style.COLOURS[place]
-    axes.errorbar(xs, medians, yerr=spread, fmt=MARKERS[place], color=colour, markersize=4,
+    color = style.COLORS[place]
+    axes.errorbar(xs, medians, yerr=spread, fmt=MARKERS[place], color=color, markersize=4,
                   elinewidth=1, label=peer, zorder=3)
     for result, ring in (("loss", "#e00000"), ("even", "#909090")):
         chosen = [(x, y) for x, y, row in zip(xs, medians, rows) if row["result"] == result]
@@ -66,7 +66,7 @@ def draw_panel(axes, results, points):
     axes.set_xlim(-0.5, len(motions) - 0.5)
     axes.grid(axis="x", visible=False)
     for place in range(1, len(motions)):
-        axes.axvline(place - 0.5, color="grey", linewidth=0.4, alpha=0.5)
+        axes.axvline(place - 0.5, color="gray", linewidth=0.4, alpha=0.5)
 
 
 def main():

@@ -32,7 +32,7 @@ struct Family
   std::vector<Source> sources;
   std::vector<Motion> motions; // of whole frames
   std::vector<Motion> moves;   // of a few points
-  std::size_t most_points = 120;
+  std::size_t max_points = 120;
   bool has_names = false; // a population with names of the user's own
   std::vector<Numbers> numbers = {Numbers::ORDINARY};
 };

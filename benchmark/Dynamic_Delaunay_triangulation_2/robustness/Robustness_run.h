@@ -103,7 +103,7 @@ public:
   explicit Robustness_run(const Robustness_options& options)
     : m_options(options)
     , m_trials((options.operations + operations_of_trial - 1) / operations_of_trial)
-    , m_watchdog(options.patience)
+    , m_watchdog(options.time_limit)
   {
   }
 

@@ -39,7 +39,7 @@ struct Setup
   int divisor = 1;                 // of all coordinates; with 3 they are no doubles
   Naming naming = Naming::IDS;
   Field field;
-  std::size_t most_points = 0;
+  std::size_t max_points = 0;
   std::uint64_t seed = 0;
 
   std::string classifier_name() const
@@ -52,7 +52,7 @@ struct Setup
     return std::string(constructs_exactly ? "EPECK" : "EPICK") + ", " +
            (is_predictive ? "predictive_" : "") + classifier.text() + ", " + repair +
            " with padding " + std::to_string(padding) + ", " + policy.text() + ", " + engine +
-           ", up to " + std::to_string(most_points) + " points";
+           ", up to " + std::to_string(max_points) + " points";
   }
 };
 
@@ -80,14 +80,14 @@ inline std::string any_classifier(Decisions& decisions)
 
 inline void choose_method(Setup& setup, Decisions& decisions)
 {
-  constexpr unsigned most_padding = 3;
+  constexpr unsigned max_padding = 3;
   static const std::vector<std::string> policies = {"always_static", "hybrid", "key_frames:1",
                                                     "key_frames:3", "key_frames:10"};
   setup.classifier = run::classifier_choice(any_classifier(decisions));
   setup.is_predictive = setup.classifier.name == "point_distance" && decisions.one_in(3);
   setup.repair = decisions.one_in(2) ? run::usual_repair(setup.classifier)
                                      : decisions.any_of(run::repair_names());
-  setup.padding = decisions.one_in(2) ? 1 : unsigned(decisions.below(most_padding + 1));
+  setup.padding = decisions.one_in(2) ? 1 : unsigned(decisions.below(max_padding + 1));
   setup.policy =
       run::policy_choice(decisions.one_in(6) ? decisions.any_of(policies) : "always_dynamic");
   setup.engine =
@@ -111,31 +111,31 @@ inline Field any_field(Numbers numbers, Decisions& decisions)
 }
 
 // Often few: there the degenerate cases are. In small triangulations much is rebuilt, though.
-inline std::size_t any_size(std::size_t most_points, Decisions& decisions)
+inline std::size_t any_size(std::size_t max_points, Decisions& decisions)
 {
   const std::vector<std::size_t> parts = {15, 6, 3, 2, 1, 1};
-  const std::size_t most = std::max<std::size_t>(1, most_points / decisions.any_of(parts));
+  const std::size_t most = std::max<std::size_t>(1, max_points / decisions.any_of(parts));
   return most - decisions.below(most / 2 + 1);
 }
 
 inline Setup any_setup(const Family& family, Decisions& decisions)
 {
-  constexpr std::size_t most_points_constructed_exactly = 12, most_points_with_small_names = 200;
+  constexpr std::size_t max_points_constructed_exactly = 12, max_points_with_small_names = 200;
   Setup setup;
   choose_method(setup, decisions);
   setup.field = any_field(decisions.any_of(family.numbers), decisions);
-  setup.most_points = any_size(family.most_points, decisions);
+  setup.max_points = any_size(family.max_points, decisions);
   setup.seed = decisions.below(1000);
   setup.constructs_exactly = decisions.one_in(25);
   if (setup.constructs_exactly) {
     setup.divisor = decisions.one_in(2) ? 3 : 1;
-    setup.most_points = (std::min)(setup.most_points, most_points_constructed_exactly);
+    setup.max_points = (std::min)(setup.max_points, max_points_constructed_exactly);
   }
   if (family.has_names || decisions.one_in(8)) {
     setup.naming = static_cast<Naming>(1 + decisions.below(3));
   }
   if (setup.naming == Naming::UINT8) {
-    setup.most_points = (std::min)(setup.most_points, most_points_with_small_names);
+    setup.max_points = (std::min)(setup.max_points, max_points_with_small_names);
   }
   return setup;
 }

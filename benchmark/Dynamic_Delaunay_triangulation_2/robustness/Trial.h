@@ -67,7 +67,7 @@ private:
   void start()
   {
     const std::size_t points =
-        m_decisions.one_in(8) ? 0 : m_setup.most_points - m_decisions.below(m_setup.most_points);
+        m_decisions.one_in(8) ? 0 : m_setup.max_points - m_decisions.below(m_setup.max_points);
     Places places;
     while (places.size() < points) {
       places.push_back(any_place(places));
@@ -100,7 +100,7 @@ private:
 
   void do_one(std::size_t choice)
   {
-    const bool has_room = model().size() < m_setup.most_points;
+    const bool has_room = model().size() < m_setup.max_points;
     switch (choice) {
     case 0:
       return has_room ? insert() : remove();
@@ -144,7 +144,7 @@ private:
 
   void insert_range()
   {
-    const std::size_t room = m_setup.most_points - model().size();
+    const std::size_t room = m_setup.max_points - model().size();
     const std::size_t most = m_decisions.one_in(8) ? room : std::min<std::size_t>(room, 8);
     const std::size_t number = m_decisions.below(most + 1);
     Places others = places_of(model()), places;
@@ -203,7 +203,7 @@ private:
     for (const Key key : somebodies(most)) {
       next.erase(key);
     }
-    const std::size_t room = m_setup.most_points - next.size();
+    const std::size_t room = m_setup.max_points - next.size();
     for (std::size_t i = m_decisions.below((std::min)(room, most) + 1); i > 0; --i) {
       next[m_operations.new_name(next)] = any_place(places_of(next));
     }

@@ -110,8 +110,8 @@ inline void watch_signals()
 class Watchdog
 {
 public:
-  explicit Watchdog(double patience_in_seconds)
-    : m_patience(static_cast<std::int64_t>(1000.0 * patience_in_seconds))
+  explicit Watchdog(double time_limit_in_seconds)
+    : m_time_limit(static_cast<std::int64_t>(1000.0 * time_limit_in_seconds))
     , m_thread([this] { watch(); })
   {
   }
@@ -142,7 +142,7 @@ private:
     while (!m_end.wait_for(lock, std::chrono::milliseconds(200), [this] { return m_is_over; })) {
       for (const Watched_thread& thread : m_watched) {
         const std::int64_t since = thread.since;
-        if (since != 0 && Watched_thread::now() - since > m_patience) {
+        if (since != 0 && Watched_thread::now() - since > m_time_limit) {
           say_where(thread, "no end");
           std::_Exit(EXIT_FAILURE);
         }
@@ -150,7 +150,7 @@ private:
     }
   }
 
-  std::int64_t m_patience; // milliseconds
+  std::int64_t m_time_limit; // milliseconds
   std::mutex m_mutex;
   std::condition_variable m_end;
   bool m_is_over = false;

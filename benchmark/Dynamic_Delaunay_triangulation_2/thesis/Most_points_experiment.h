@@ -94,7 +94,7 @@ private:
     Trial trial = one.trial;
     trial.seed = seed;
     const std::size_t first = one.found.empty() ? first_try : one.found.front().points;
-    Most_points_search search(std::max<std::size_t>(first, least_first_try), scenario::most_points);
+    Most_points_search search(std::max<std::size_t>(first, least_first_try), scenario::max_points);
     one.found.push_back(search.run([&](std::size_t points) {
       trial.points = points;
       return measure(trial, one.contestant);

@@ -16,11 +16,11 @@ from statistics import median
 from matplotlib.colors import LogNorm, Normalize
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "figures"))
-from figure_style import COLOURS, new_figure, plain_logarithmic, save  # noqa: E402
+from figure_style import COLORS, new_figure, plain_logarithmic, save  # noqa: E402
 from names import EXACT, METHODS, SCENARIOS  # noqa: E402
 from results_file import Results, numbers  # noqa: E402
 
-SCENARIO_COLOURS = dict(zip(SCENARIOS, COLOURS[1:]))
+SCENARIO_COLORS = dict(zip(SCENARIOS, COLORS[1:]))
 OVER_TIME_FIGURES = {
     "fig_5_5_point_distance": ["point_distance:0.7"],
     "fig_5_7_random": ["random:0.0025", "random:0.1"],
@@ -36,22 +36,22 @@ OVER_TIME_FIGURES = {
 }
 
 
-def fill(axes, x, rows, low, high, colour, **options):
+def fill(axes, x, rows, low, high, color, **options):
     """A band from one column to another."""
-    axes.fill_between(x, numbers(rows, low), numbers(rows, high), color=colour, linewidth=0,
+    axes.fill_between(x, numbers(rows, low), numbers(rows, high), color=color, linewidth=0,
                       **options)
 
 
-def band(axes, x, rows, name, colour, **options):
+def band(axes, x, rows, name, color, **options):
     """A line with its quartiles."""
-    axes.plot(x, numbers(rows, name), color=colour, **options)
-    fill(axes, x, rows, name + "_q1", name + "_q3", colour, alpha=0.2)
+    axes.plot(x, numbers(rows, name), color=color, **options)
+    fill(axes, x, rows, name + "_q1", name + "_q3", color, alpha=0.2)
 
 
-def mean_and_extremes(axes, x, rows, name, colour, opacity=0.2, **options):
+def mean_and_extremes(axes, x, rows, name, color, opacity=0.2, **options):
     """A line with a band from the smallest to the largest."""
-    axes.plot(x, numbers(rows, name), color=colour, **options)
-    fill(axes, x, rows, name + "_min", name + "_max", colour, alpha=opacity)
+    axes.plot(x, numbers(rows, name), color=color, **options)
+    fill(axes, x, rows, name + "_min", name + "_max", color, alpha=opacity)
 
 
 def parameter_of(method):
@@ -97,13 +97,13 @@ class Drawing:
 
     @staticmethod
     def draw_validity_over_time(axes, results, methods):
-        for scenario, colour in SCENARIO_COLOURS.items():
+        for scenario, color in SCENARIO_COLORS.items():
             for method, dashes in zip(methods, ["-", ":"]):
                 rows = results.select(scenario=scenario, method=method)
                 last = float(rows[-1]["frame"])
                 x = [frame / last for frame in numbers(rows, "frame")]
                 label = SCENARIOS[scenario] if dashes == "-" else None
-                mean_and_extremes(axes, x, rows, "validity", colour, opacity=0.15,
+                mean_and_extremes(axes, x, rows, "validity", color, opacity=0.15,
                                   linestyle=dashes, label=label)
         if len(methods) > 1:
             axes.set_title(" (lines), ".join(METHODS[method] for method in methods) + " (dots)")
@@ -116,11 +116,11 @@ class Drawing:
 
     @staticmethod
     def draw_speedup_over_time(axes, results, scenario, methods):
-        for method, colour in zip([EXACT] + [one for one in methods if one != EXACT],
-                                  [COLOURS[0], COLOURS[1], COLOURS[2]]):
+        for method, color in zip([EXACT] + [one for one in methods if one != EXACT],
+                                  [COLORS[0], COLORS[1], COLORS[2]]):
             rows = results.select(scenario=scenario, method=method)
-            band(axes, numbers(rows, "frame"), rows, "over_fastest", colour, label=METHODS[method])
-        axes.axhline(1, color=COLOURS[7], linewidth=0.8)
+            band(axes, numbers(rows, "frame"), rows, "over_fastest", color, label=METHODS[method])
+        axes.axhline(1, color=COLORS[7], linewidth=0.8)
         plain_logarithmic(axes.yaxis)
         axes.set_title(SCENARIOS[scenario])
         axes.set_ylabel("speedup")
@@ -155,14 +155,14 @@ class Drawing:
     @staticmethod
     def draw_by_parameter(axes, summary, scenario, methods, parameters):
         rows = [summary.select(scenario=scenario, method=method)[0] for method in methods]
-        mean_and_extremes(axes, parameters, rows, "validity", COLOURS[2], label="validity")
-        axes.set_ylabel("validity", color=COLOURS[2])
+        mean_and_extremes(axes, parameters, rows, "validity", COLORS[2], label="validity")
+        axes.set_ylabel("validity", color=COLORS[2])
         right = axes.twinx()
-        band(right, parameters, rows, "over_fastest", COLOURS[1])
+        band(right, parameters, rows, "over_fastest", COLORS[1])
         right.plot(parameters, [float(row["fastest"]) / float(row["dynamic_mean"]) for row in rows],
-                   ":", color=COLOURS[1])
-        right.axhline(1, color=COLOURS[7], linewidth=0.8)
-        right.set_ylabel("speedup", color=COLOURS[1])
+                   ":", color=COLORS[1])
+        right.axhline(1, color=COLORS[7], linewidth=0.8)
+        right.set_ylabel("speedup", color=COLORS[1])
         plain_logarithmic(right.yaxis)
         right.grid(False)
 
@@ -200,10 +200,10 @@ class Drawing:
         for axes, scenario in zip(panels, scenarios):
             for place, method in enumerate(reversed(methods)):
                 found = sorted(numbers(results.select(scenario=scenario, method=method), "points"))
-                colour = COLOURS[2] if method.startswith("static") else \
-                    COLOURS[1] if method in (EXACT, "safe_region", "circumcircle/splice") else COLOURS[7]
-                axes.barh(place, median(found), color=colour, alpha=0.8)
-                axes.plot(found, [place] * len(found), "|", color=COLOURS[0], markersize=6)
+                color = COLORS[2] if method.startswith("static") else \
+                    COLORS[1] if method in (EXACT, "safe_region", "circumcircle/splice") else COLORS[7]
+                axes.barh(place, median(found), color=color, alpha=0.8)
+                axes.plot(found, [place] * len(found), "|", color=COLORS[0], markersize=6)
             axes.set_yticks(range(len(methods)), [METHODS[name] for name in reversed(methods)],
                             fontsize=7.5)
             axes.set_xscale("log")
@@ -214,23 +214,23 @@ class Drawing:
         self.save(figure, "fig_5_11_most_points",
                   "The largest number of points with which three of four frames took up to 40 ms, "
                   f"found by search; bars: median of {trials} trials, ticks: each trial. Red: exact "
-                  "classifiers, grey: heuristics, blue: static triangulation.", results)
+                  "classifiers, gray: heuristics, blue: static triangulation.", results)
 
     # Figure 6.1.
     def time_step(self):
         results = self.read("time_step_summary")
         figure, panels = new_figure(1 + len(results.values("scenario")), panel_height=2.0)
         for axes, scenario in zip(panels[1:], results.values("scenario")):
-            for method, colour in [(EXACT, COLOURS[0]), ("point_distance:0.7", COLOURS[1])]:
+            for method, color in [(EXACT, COLORS[0]), ("point_distance:0.7", COLORS[1])]:
                 rows = results.select(scenario=scenario, method=method)
                 steps = numbers(rows, "time_step")
-                band(axes, steps, rows, "over_fastest", colour, label=METHODS[method], marker=".")
+                band(axes, steps, rows, "over_fastest", color, label=METHODS[method], marker=".")
             plain_logarithmic(axes.xaxis)
             plain_logarithmic(axes.yaxis)
             axes.set_title(SCENARIOS[scenario])
             axes.set_ylabel("speedup")
             axes.legend(loc="best")
-            mean_and_extremes(panels[0], steps, rows, "validity", SCENARIO_COLOURS[scenario],
+            mean_and_extremes(panels[0], steps, rows, "validity", SCENARIO_COLORS[scenario],
                               opacity=0.15, marker=".", label=SCENARIOS[scenario])
         panels[0].set_title("point distance 0.7")
         panels[0].set_ylabel("validity")
@@ -246,18 +246,18 @@ class Drawing:
     def judge(self):
         results = self.read("point_distance_physics")
         trials = trials_of(self.read("point_distance_summary"))
-        units = {"kinetic": "kinetic energy", "energy": "energy", "center_x": "centre, x",
-                 "center_y": "centre, y", "front": "front, x"}
+        units = {"kinetic": "kinetic energy", "energy": "energy", "center_x": "center, x",
+                 "center_y": "center, y", "front": "front, x"}
         for scenario in results.values("scenario"):
             figure, panels = new_figure(len(units), panel_height=1.9)
             rows = results.select(scenario=scenario, method=EXACT)
             for axes, (column, label) in zip(panels, units.items()):
                 fill(axes, numbers(rows, "frame"), rows, column + "_min", column + "_max",
-                     COLOURS[7], alpha=0.5, label="exact")
-                for x, colour in [(0.2, COLOURS[1]), (0.4, COLOURS[5]), (0.6, COLOURS[3]),
-                                  (0.8, COLOURS[2])]:
+                     COLORS[7], alpha=0.5, label="exact")
+                for x, color in [(0.2, COLORS[1]), (0.4, COLORS[5]), (0.6, COLORS[3]),
+                                  (0.8, COLORS[2])]:
                     one = results.select(scenario=scenario, method=f"point_distance:{x}")
-                    axes.plot(numbers(one, "frame"), numbers(one, column), color=colour,
+                    axes.plot(numbers(one, "frame"), numbers(one, column), color=color,
                               label=f"x = {x}")
                 axes.set_ylabel(label)
             plain_logarithmic(panels[0].yaxis)
@@ -268,7 +268,7 @@ class Drawing:
             suffix = "_hexagonal" if packing == "hexagonal" else ""
             self.save(figure, "judge" + suffix,
                       "Simulations driven by the point distance classifier (means of "
-                      f"{trials} trials) and by the exact triangulation (grey: smallest to largest "
+                      f"{trials} trials) and by the exact triangulation (gray: smallest to largest "
                       f"of {trials} trials). Energies and lengths in units of particle mass, "
                       "stiffness and diameter.", results)
 
@@ -284,9 +284,9 @@ class Drawing:
                     if row[column] == "":
                         continue
                     axes.plot([float(row[column + "_min"]), float(row[column + "_max"])],
-                              [place + shift] * 2, color=SCENARIO_COLOURS[scenario], linewidth=1)
+                              [place + shift] * 2, color=SCENARIO_COLORS[scenario], linewidth=1)
                     axes.plot(float(row[column]), place + shift, "o", markersize=3.5,
-                              color=SCENARIO_COLOURS[scenario],
+                              color=SCENARIO_COLORS[scenario],
                               label=label if place == 0 else None)
             axes.set_yticks(range(len(methods)), [METHODS[name] for name in reversed(methods)],
                             fontsize=7.5)
@@ -320,9 +320,9 @@ class Drawing:
         panels[0].set_title("Brownian motion, 10,000 points")
         rows = results.select(method="point_distance:0.7")
         steps = numbers(rows, "time_step")
-        mean_and_extremes(panels[1], steps, rows, "validity", COLOURS[1], label="point distance 0.7")
+        mean_and_extremes(panels[1], steps, rows, "validity", COLORS[1], label="point distance 0.7")
         rows = results.select(method=EXACT)
-        panels[1].plot(steps, numbers(rows, "validity"), color=COLOURS[0], label=METHODS[EXACT])
+        panels[1].plot(steps, numbers(rows, "validity"), color=COLORS[0], label=METHODS[EXACT])
         panels[1].set_xscale("log")
         panels[1].set_ylabel("validity")
         panels[1].legend(loc="best")
@@ -335,15 +335,15 @@ class Drawing:
     def draw_costs(axes, results, x_column, **wanted):
         methods = [method for method in results.values("method")
                    if results.select(method=method, **wanted)]
-        colours = [COLOURS[0], COLOURS[1], COLOURS[5]]
-        for method, colour in zip(methods, colours):
+        colors = [COLORS[0], COLORS[1], COLORS[5]]
+        for method, color in zip(methods, colors):
             rows = results.select(method=method, **wanted)
-            band(axes, numbers(rows, x_column), rows, "dynamic", colour, label=METHODS[method],
+            band(axes, numbers(rows, x_column), rows, "dynamic", color, label=METHODS[method],
                  marker=".")
         rows = results.select(method=EXACT, **wanted)
-        for column, colour, label in [("insert", COLOURS[2], "CGAL's insertion"),
-                                      ("fastest", COLOURS[6], "fastest static")]:
-            axes.plot(numbers(rows, x_column), numbers(rows, column), "--", color=colour, label=label)
+        for column, color, label in [("insert", COLORS[2], "CGAL's insertion"),
+                                      ("fastest", COLORS[6], "fastest static")]:
+            axes.plot(numbers(rows, x_column), numbers(rows, column), "--", color=color, label=label)
         axes.set_xscale("log")
         plain_logarithmic(axes.yaxis)
         axes.set_ylabel("ns a point")

@@ -21,7 +21,7 @@ public:
     : m_file(path)
   {
     m_file.stream() << "frame,time,points,population_changed,certified,mcc,rebuild_reason,"
-                       "classified,padded,border,flips,splices,growths,relocated,"
+                       "classified,padded,border,flips,splices,enlargements,relocated,"
                        "dynamic_ns,static_insert_ns,static_fastest_ns\n";
   }
 
@@ -33,8 +33,8 @@ public:
                     << Exact_number{record.validity} << ','
                     << rebuild_reason_name(update.rebuild_reason) << ',' << update.classified << ','
                     << update.padded << ',' << update.border << ',' << update.flips << ','
-                    << update.splices << ',' << update.growths << ',' << update.relocated << ','
-                    << Exact_number{record.nanoseconds.dynamic} << ','
+                    << update.splices << ',' << update.enlargements << ',' << update.relocated
+                    << ',' << Exact_number{record.nanoseconds.dynamic} << ','
                     << Exact_number{record.nanoseconds.static_insert} << ','
                     << Exact_number{record.nanoseconds.static_fastest} << '\n';
     m_file.check();

@@ -20,7 +20,7 @@ struct Set_legend
   const char* meaning;
 };
 
-// In the colours of figure 4.1 of the thesis; a picture draws the later ones over the others.
+// In the colors of figure 4.1 of the thesis; a picture draws the later ones over the others.
 constexpr std::array<Set_legend, 4> set_legends = {
     {{Vertex_set::none, "#333333", "other", "all other points"},
      {Vertex_set::border, "cyan", "border", "the layer of neighbors beyond the padded points"},

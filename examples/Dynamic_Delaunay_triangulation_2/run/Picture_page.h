@@ -90,7 +90,7 @@ element("frames").open = false;
 show(0);
 )";
 
-// Of the colours.
+// Of the colors.
 inline void write_picture_legend(std::ostream& out)
 {
   for (auto entry = set_legends.rbegin(); entry != set_legends.rend(); ++entry) {

@@ -22,19 +22,19 @@ struct Policy_choice
 };
 
 inline constexpr unsigned usual_key_frame_distance = 10;
-inline constexpr unsigned longest_key_frame_distance = 1'000'000;
+inline constexpr unsigned max_key_frame_distance = 1'000'000;
 
 inline std::string policy_list()
 {
   return "always_dynamic, always_static, hybrid, key_frames:K (K from 1 to " +
-         std::to_string(longest_key_frame_distance) + ", default " +
+         std::to_string(max_key_frame_distance) + ", default " +
          std::to_string(usual_key_frame_distance) + ')';
 }
 
 inline unsigned key_frame_distance(const std::string& text)
 {
   try {
-    return static_cast<unsigned>(count_argument(text, 1, longest_key_frame_distance));
+    return static_cast<unsigned>(count_argument(text, 1, max_key_frame_distance));
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(std::string("the parameter of key_frames: ") + error.what());
   }

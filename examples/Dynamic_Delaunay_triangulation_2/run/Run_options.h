@@ -61,15 +61,14 @@ inline scenario::Packing packing_argument(const std::string& text)
 
 inline void add_method_options(CLI::App& app, Run_options& options)
 {
-  constexpr unsigned most_padding = 100;
-  constexpr unsigned most_threads = 1024;
+  constexpr unsigned max_padding = 100;
+  constexpr unsigned max_threads = 1024;
   add_option(app, "--classifier", "NAME[:PARAMETER]",
              "what finds the vertices to mend: " + classifier_list() + "; default circumcircle",
              [&](const std::string& text) { options.classifier = classifier_choice(text); });
-  add_option(app, "--padding", "N",
-             "layers of neighbours around the classified vertices; default 1",
+  add_option(app, "--padding", "N", "layers of neighbors around the classified vertices; default 1",
              [&](const std::string& text) {
-               options.padding = static_cast<unsigned>(count_argument(text, 0, most_padding));
+               options.padding = static_cast<unsigned>(count_argument(text, 0, max_padding));
              });
   add_option(
       app, "--repair", "NAME",
@@ -91,23 +90,23 @@ inline void add_method_options(CLI::App& app, Run_options& options)
              });
   add_option(app, "--threads", "N", "threads of the circumcircle classifier; default 1",
              [&](const std::string& text) {
-               options.threads = static_cast<unsigned>(count_argument(text, 1, most_threads));
+               options.threads = static_cast<unsigned>(count_argument(text, 1, max_threads));
              });
 }
 
-constexpr std::size_t most_frames = 1'000'000'000;
+constexpr std::size_t max_frames = 1'000'000'000;
 
 inline void add_motion_options(CLI::App& app, Run_options& options)
 {
   add_option(
       app, "--frames", "N", "frames after the first one; default what the scenario says",
-      [&](const std::string& text) { options.frames = count_argument(text, 0, most_frames); });
+      [&](const std::string& text) { options.frames = count_argument(text, 0, max_frames); });
   add_option(app, "--points", "N", "points that the scenario is scaled to",
              [&](const std::string& text) {
-               options.overrides.points = count_argument(text, 1, scenario::most_points);
+               options.overrides.points = count_argument(text, 1, scenario::max_points);
              });
   add_option(app, "--time-step", "F",
-             "motion between two frames; small ones are the favourable ones",
+             "motion between two frames; small ones are the favorable ones",
              [&](const std::string& text) {
                options.overrides.time_step =
                    number_argument(text, scenario::positive_up_to(scenario::largest_time_step));
@@ -141,9 +140,9 @@ inline void add_output_options(CLI::App& app, Run_options& options)
   add_option(app, "--lammps", "FILE.lammpstrj",
              "write the points of all frames as a LAMMPS dump, which can be run again",
              take_into(options.lammps));
-  add_option(
-      app, "--every", "N", "every N-th frame and the last one for --svg, --vtk, --xyz and --lammps",
-      [&](const std::string& text) { options.every = count_argument(text, 1, most_frames); });
+  add_option(app, "--every", "N",
+             "every N-th frame and the last one for --svg, --vtk, --xyz and --lammps",
+             [&](const std::string& text) { options.every = count_argument(text, 1, max_frames); });
   app.add_flag("--quiet", options.quiet, "no progress, no table");
 }
 

@@ -73,7 +73,7 @@ inline void add_results(Json& json, const Run_summary& summary)
   json["border_mean"] = json_of(summary.border_mean);
   json["flips_mean"] = json_of(summary.flips_mean);
   json["splices_mean"] = json_of(summary.splices_mean);
-  json["growths_mean"] = json_of(summary.growths_mean);
+  json["enlargements_mean"] = json_of(summary.enlargements_mean);
   json["relocated_mean"] = json_of(summary.relocated_mean);
 }
 

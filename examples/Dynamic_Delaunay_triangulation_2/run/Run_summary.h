@@ -41,7 +41,7 @@ struct Run_summary
   std::optional<double> border_mean;
   std::optional<double> flips_mean;
   std::optional<double> splices_mean;
-  std::optional<double> growths_mean;
+  std::optional<double> enlargements_mean;
   std::optional<double> relocated_mean;
   Time_summary times;
   Time_summary last_half_times;
@@ -119,7 +119,7 @@ inline Run_summary summarize(std::size_t points_of_first_frame,
   summary.border_mean = update_mean(&CGAL::Update_report_2::border);
   summary.flips_mean = update_mean(&CGAL::Update_report_2::flips);
   summary.splices_mean = update_mean(&CGAL::Update_report_2::splices);
-  summary.growths_mean = update_mean(&CGAL::Update_report_2::growths);
+  summary.enlargements_mean = update_mean(&CGAL::Update_report_2::enlargements);
   summary.relocated_mean = update_mean(&CGAL::Update_report_2::relocated);
   summary.times = time_summary(records, 0);
   summary.last_half_times = time_summary(records, records.size() / 2);

@@ -194,7 +194,7 @@ private:
   // As much of it as a message can hold.
   std::string what_it_has() const
   {
-    constexpr std::size_t most_characters = 80;
+    constexpr std::size_t max_characters = 80;
     const auto& titles = m_split.titles;
     if (titles.size() == 1) {
       return "one column, " + in_quotes(titles.front()) +
@@ -202,7 +202,7 @@ private:
     }
     std::string list;
     for (const std::string& title : titles) {
-      if (list.size() + title.size() > most_characters && !list.empty()) {
+      if (list.size() + title.size() > max_characters && !list.empty()) {
         list += ", ...";
         break;
       }

@@ -23,9 +23,9 @@ namespace scenario {
 
 inline void check_overrides(const std::string& path, const Overrides& overrides)
 {
-  if (overrides.points && (*overrides.points < 1 || *overrides.points > most_points)) {
+  if (overrides.points && (*overrides.points < 1 || *overrides.points > max_points)) {
     throw Scenario_error(path, "cannot be scaled to " + std::to_string(*overrides.points) +
-                                   " points, allowed are 1 to " + std::to_string(most_points));
+                                   " points, allowed are 1 to " + std::to_string(max_points));
   }
   if (overrides.time_step && !positive_up_to(largest_time_step).contains(*overrides.time_step)) {
     std::ostringstream message;

@@ -16,7 +16,7 @@
 
 namespace scenario {
 
-constexpr std::size_t most_points = 10'000'000;
+constexpr std::size_t max_points = 10'000'000;
 constexpr double largest_time_step = 10.0;
 
 enum class Packing { square, hexagonal };

@@ -32,7 +32,7 @@ inline Body_description read_body(const Json_object_reader& reader)
   constexpr Range any{-1e6, 1e6};
   const auto [x, y] = reader.pair("position", any);
   Body_description body{
-      reader.integer("rows", 1, most_points), reader.integer("columns", 1, most_points), {x, y}};
+      reader.integer("rows", 1, max_points), reader.integer("columns", 1, max_points), {x, y}};
   if (reader.has("velocity")) {
     const auto [vx, vy] = reader.pair("velocity", any);
     body.velocity = {vx, vy};
@@ -67,9 +67,9 @@ inline void check_number_of_points(const Json_object_reader& reader,
   for (const Body_description& body : particles.bodies) {
     sum += static_cast<double>(body.rows) * static_cast<double>(body.columns);
   }
-  if (sum > static_cast<double>(most_points)) {
+  if (sum > static_cast<double>(max_points)) {
     reader.fail("the bodies of key 'bodies' have too many points, allowed are " +
-                std::to_string(most_points));
+                std::to_string(max_points));
   }
 }
 
@@ -122,7 +122,7 @@ inline Particle_description read_particles(const Json_object_reader& reader)
 inline Brownian_description read_brownian(const Json_object_reader& reader)
 {
   reader.allow_only({"name", "kind", "seed", "frames", "time_step", "points", "box"});
-  return {reader.integer("points", 1, most_points), read_box(reader),
+  return {reader.integer("points", 1, max_points), read_box(reader),
           reader.number("time_step", positive_up_to(largest_time_step))};
 }
 

@@ -16,12 +16,12 @@
 void fuzz::examine(const std::string& input)
 {
   using namespace robustness;
-  constexpr std::size_t most_operations = 32, most_points = 40;
+  constexpr std::size_t max_operations = 32, max_points = 40;
   Byte_decisions decisions(input);
   const Family& family = families()[any_family(decisions)];
   Setup setup = any_setup(family, decisions);
-  setup.most_points = (std::min)(setup.most_points, most_points);
+  setup.max_points = (std::min)(setup.max_points, max_points);
   const auto subject = make_subject(setup);
   Counts counts;
-  Trial(family, setup, *subject, decisions, counts).run(most_operations, [] {});
+  Trial(family, setup, *subject, decisions, counts).run(max_operations, [] {});
 }

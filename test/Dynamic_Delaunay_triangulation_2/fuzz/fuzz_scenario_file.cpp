@@ -115,7 +115,7 @@ void fuzz::examine(const std::string& input)
   std::visit(
       [&](const auto& kind) {
         const std::size_t number_of_points = ::require_sound(kind);
-        require(number_of_points >= 1 && number_of_points <= scenario::most_points,
+        require(number_of_points >= 1 && number_of_points <= scenario::max_points,
                 "a scenario has an absurd number of points");
         run(*scenario, kind, number_of_points);
       },

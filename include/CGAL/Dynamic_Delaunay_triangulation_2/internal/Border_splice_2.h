@@ -48,9 +48,9 @@ public:
   // What a run may do, and what it has done.
   struct Limits
   {
-    std::size_t most_growths;  // of a cluster, which is left as it is if it would need more
-    std::size_t most_vertices; // that are triangulated in all; afterwards how many more could be
-    std::size_t growths = 0;   // of all clusters, afterwards
+    std::size_t max_enlargements; // of a cluster, which is left as it is if it would need more
+    std::size_t max_vertices;     // that are triangulated in all; afterwards how many more could be
+    std::size_t enlargements = 0; // of all clusters, afterwards
   };
 
   // Splices around `classified` with `padding` layers; those of these vertices that are in no face
@@ -125,16 +125,16 @@ private:
 
   Splice_result_2 splice_cluster(Topology_editor_2<Maintained>& editor, Limits& limits)
   {
-    constexpr std::size_t gentle_growths = 3;
+    constexpr std::size_t gentle_enlargements = 3;
     const std::size_t first_size = m_cluster.size();
-    for (std::size_t growths = 0;; ++growths) {
+    for (std::size_t enlargements = 0;; ++enlargements) {
       collect_old_faces();
       const std::size_t size = m_cluster.size() + m_cluster_border.size();
       if (is_too_large(size))
         return Splice_result_2::TOO_LARGE;
-      if (size > limits.most_vertices)
+      if (size > limits.max_vertices)
         return Splice_result_2::TOO_DEAR;
-      limits.most_vertices -= size;
+      limits.max_vertices -= size;
       if (!triangulate())
         return Splice_result_2::COINCIDENCE;
       collect_new_faces();
@@ -142,10 +142,10 @@ private:
         put_in(editor);
         return Splice_result_2::DONE;
       }
-      if (growths == limits.most_growths)
+      if (enlargements == limits.max_enlargements)
         break;
-      grow(growths >= gentle_growths);
-      ++limits.growths;
+      grow(enlargements >= gentle_enlargements);
+      ++limits.enlargements;
     }
     for (std::size_t i = 0; i < first_size; ++i)
       m_spliced.insert(m_cluster[i]);

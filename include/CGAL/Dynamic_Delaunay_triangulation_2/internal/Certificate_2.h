@@ -32,7 +32,7 @@ enum class Edge_state_2 {
 // By 1 and 3 the map from the triangulation to the plane is a covering of the hull's inside with as
 // many sheets as the hull has turns, branched at most at vertices; by 4 it has one sheet, so the
 // faces tile the convex hull, and 2 makes that tiling Delaunay (Delaunay's lemma). Without 4 a
-// vertex star that winds around its centre twice passes 1 to 3. All signs are exact: a
+// vertex star that winds around its center twice passes 1 to 3. All signs are exact: a
 // floating-point filter with a proved bound first, the kernel's exact predicates where it does not
 // decide.
 template <class Maintained>
@@ -74,7 +74,7 @@ public:
   }
 
   // Condition 4. A locally convex closed curve turns around as often as it has a summit: a vertex
-  // that is lexicographically larger than both its neighbours.
+  // that is lexicographically larger than both its neighbors.
   bool hull_turns_once() const
   {
     int summits = 0;

@@ -71,7 +71,7 @@ public:
 
 private:
   // Half-edges, of which Flat_faces_2 counts eight a vertex, and ids have to have numbers.
-  static constexpr Index most_ids = no_index - 1;
+  static constexpr Index max_ids = no_index - 1;
 
   // One of two words.
   bool flag(const char* name, std::string_view yes, std::string_view no)
@@ -100,7 +100,7 @@ private:
     m_dimension = m_file.number_entry("dimension", -1, 2);
     if (m_dimension < 2 && !m_is_certified)
       m_file.refuse("in this dimension the triangulation has to be certified");
-    m_number_of_ids = m_file.number_entry("ids", Index(0), most_ids);
+    m_number_of_ids = m_file.number_entry("ids", Index(0), max_ids);
   }
 
   // POINTS --------------------------------------------------------------------------------------
@@ -108,14 +108,14 @@ private:
   void read_points()
   {
     read_vertices();
-    read_guests();
+    read_duplicates();
     read_free_ids();
     check_ids();
     m_kept.ids.reset(m_number_of_ids);
     for (Index v = 1; v <= number_of_vertices(); ++v)
-      m_kept.ids.add_host(m_ids[v - 1]);
-    for (const Guest& guest : m_guests)
-      m_kept.ids.add_guest(guest.id, m_ids[guest.vertex - 1], guest.point);
+      m_kept.ids.add_representative(m_ids[v - 1]);
+    for (const Duplicate& duplicate : m_duplicates)
+      m_kept.ids.add_duplicate(duplicate.id, m_ids[duplicate.vertex - 1], duplicate.point);
     m_kept.ids.settle();
   }
 
@@ -123,7 +123,7 @@ private:
 
   void read_vertices()
   {
-    constexpr std::array<Index, 4> fewest{0, 1, 2, 3}, most{0, 1, most_vertices, most_vertices};
+    constexpr std::array<Index, 4> fewest{0, 1, 2, 3}, most{0, 1, max_vertices, max_vertices};
     const std::size_t i = std::size_t(m_dimension + 1);
     const Index number = m_file.number_entry("vertices", fewest[i], most[i]);
     for (Index v = 1; v <= number; ++v) {
@@ -187,32 +187,32 @@ private:
     return std::abs(rounded - x) <= error * std::abs(x) + (std::numeric_limits<double>::min)();
   }
 
-  struct Guest
+  struct Duplicate
   {
     Index id, vertex;
     Point point;
   };
 
-  void read_guests()
+  void read_duplicates()
   {
-    const Index number = m_file.number_entry("guests", Index(0), m_number_of_ids);
+    const Index number = m_file.number_entry("duplicates", Index(0), m_number_of_ids);
     if (number > 0 && number_of_vertices() == 0)
-      m_file.refuse("there are guests, and no vertices");
+      m_file.refuse("there are duplicates, and no vertices");
     for (Index i = 0; i < number; ++i) {
       const Index id = read_id();
       const Index vertex = m_file.number("the vertex", Index(1), number_of_vertices());
       const Point p = read_point();
       m_file.end_line();
       if (p != m_kept.points[vertex - 1])
-        m_file.refuse("the guest is not where its vertex is");
-      m_guests.push_back({id, vertex, p});
+        m_file.refuse("the duplicate is not where its vertex is");
+      m_duplicates.push_back({id, vertex, p});
     }
   }
 
   void read_free_ids()
   {
-    const std::size_t points = m_ids.size() + m_guests.size();
-    const auto number = m_file.number_entry("free_ids", std::size_t(0), std::size_t(most_ids));
+    const std::size_t points = m_ids.size() + m_duplicates.size();
+    const auto number = m_file.number_entry("free_ids", std::size_t(0), std::size_t(max_ids));
     if (points + number != m_number_of_ids)
       m_file.refuse("of " + std::to_string(m_number_of_ids) + " ids " + std::to_string(points) +
                     " are taken, and " + std::to_string(number) + " cannot be free");
@@ -232,8 +232,8 @@ private:
       is_there[id] = true;
     };
     std::for_each(m_ids.begin(), m_ids.end(), check);
-    for (const Guest& guest : m_guests)
-      check(guest.id);
+    for (const Duplicate& duplicate : m_duplicates)
+      check(duplicate.id);
     std::for_each(m_free_ids.begin(), m_free_ids.end(), check);
   }
 
@@ -337,8 +337,8 @@ private:
   Repair_experience_2 m_experience;
   std::size_t m_certified_line = 0;
   Index m_number_of_ids = 0;
-  std::vector<Index> m_ids; // of the hosts
-  std::vector<Guest> m_guests;
+  std::vector<Index> m_ids; // of the representatives
+  std::vector<Duplicate> m_duplicates;
   std::vector<Index> m_free_ids;
   Checkpoint_arrays_2<Point> m_kept;
 };

@@ -66,9 +66,9 @@ private:
   void check_completeness() const
   {
     bool is_complete = m_is_certified || m_maintained.is_mirrored();
-    for (const auto& guest : m_maintained.ids.guests())
-      is_complete =
-          is_complete && guest.point == m_maintained.point(m_maintained.ids.vertex(guest.id));
+    for (const auto& duplicate : m_maintained.ids.duplicates())
+      is_complete = is_complete &&
+                    duplicate.point == m_maintained.point(m_maintained.ids.vertex(duplicate.id));
     if (!is_complete)
       throw Checkpoint_error_2(0, "an exception has ended the last call before each point had its "
                                   "vertex: write after the next update()");
@@ -80,8 +80,8 @@ private:
     file.line("vertices", m_maintained.number_of_vertices());
     for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
       write_vertex(file, v);
-    file.line("guests", ids.guests().size());
-    for (const auto& [id, p] : ids.guests())
+    file.line("duplicates", ids.duplicates().size());
+    for (const auto& [id, p] : ids.duplicates())
       file.line(id, ids.vertex(id), Coordinate::text(p.x()), Coordinate::text(p.y()));
     file.line("free_ids", ids.number_of_ids() - ids.number_of_points());
     for (Index id = 0; id < ids.number_of_ids(); ++id)
@@ -93,7 +93,7 @@ private:
   void write_vertex(Checkpoint_output_2& file, Index v) const
   {
     const Point& p = m_maintained.vertices[v]->point();
-    const Index id = m_maintained.ids.host(v);
+    const Index id = m_maintained.ids.representative(v);
     const Position_2& position = m_maintained.positions[v];
     if constexpr (Maintained::coordinates_are_doubles)
       file.line(id, p.x(), p.y());

@@ -160,7 +160,7 @@ inline void append_unproved(const Edge_2* edges, const std::vector<Position_2>& 
 {
 #ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
   if (has_avx2()) {
-    if (positions.size() < fewest_vertices_to_prefetch)
+    if (positions.size() < min_vertices_to_prefetch)
       append_unproved_avx2<false>(edges, positions.data(), first, beyond, unproved);
     else
       append_unproved_avx2<true>(edges, positions.data(), first, beyond, unproved);

@@ -25,7 +25,7 @@ public:
   {
   }
 
-  // Calls f(w) for every finite neighbour w of the finite vertex v.
+  // Calls f(w) for every finite neighbor w of the finite vertex v.
   template <class Function>
   void for_each(Index v, Function&& f) const
   {

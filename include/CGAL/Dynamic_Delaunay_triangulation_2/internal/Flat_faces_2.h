@@ -16,7 +16,7 @@ namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
 // So many have half-edges whose numbers fit, here and in a mirror.
-constexpr Index most_vertices = no_index / 8;
+constexpr Index max_vertices = no_index / 8;
 
 // The faces of a fresh triangulation, infinite ones included, while it is made: three half-edges
 // each, opposite to its vertices. None at all if the points do not span the plane.

@@ -48,7 +48,7 @@ public:
   void stage(InputIterator first, InputIterator beyond, const PointMap& point_map,
              Maintained& maintained)
   {
-    maintained.next_guests = maintained.ids.guests();
+    maintained.next_duplicates = maintained.ids.duplicates();
     maintained.previous_positions_are_exact = maintained.positions_are_exact;
     try {
       stage_all(first, beyond, point_map, maintained);
@@ -57,14 +57,14 @@ public:
       throw;
     }
     maintained.points_are_written = false;
-    std::swap(maintained.ids.guests(), maintained.next_guests);
+    std::swap(maintained.ids.duplicates(), maintained.next_duplicates);
   }
 
   // Takes it back.
   void unstage(Maintained& maintained)
   {
     maintained.restore_positions();
-    std::swap(maintained.ids.guests(), maintained.next_guests);
+    std::swap(maintained.ids.duplicates(), maintained.next_duplicates);
   }
 
 private:
@@ -74,8 +74,8 @@ private:
   {
     using Category = typename std::iterator_traits<InputIterator>::iterator_category;
     if constexpr (std::is_convertible_v<Category, std::random_access_iterator_tag>)
-      if (maintained.ids.guests().empty())
-        return stage_all_hosts(first, beyond, point_map, maintained);
+      if (maintained.ids.duplicates().empty())
+        return stage_all_representatives(first, beyond, point_map, maintained);
     stage_one_by_one(first, beyond, point_map, maintained);
   }
 
@@ -83,20 +83,20 @@ private:
   // without a branch. A coordinate x is finite if 0x is 0, and within the limit if its product with
   // the factor is finite; two sums take turns, so that no addition waits for the one before.
   template <class RandomAccessIterator, class PointMap>
-  static void stage_all_hosts(RandomAccessIterator first, RandomAccessIterator beyond,
-                              const PointMap& point_map, Maintained& maintained)
+  static void stage_all_representatives(RandomAccessIterator first, RandomAccessIterator beyond,
+                                        const PointMap& point_map, Maintained& maintained)
   {
     const std::size_t ids = maintained.ids.number_of_ids();
     const std::size_t given = std::size_t(beyond - first);
     if (given != ids)
       throw Point_count_error_2(ids, (std::min)(given, ids + 1));
     using Difference = typename std::iterator_traits<RandomAccessIterator>::difference_type;
-    const Index points = maintained.ids.number_of_hosts();
-    const Index* const hosts = maintained.ids.hosts();
+    const Index points = maintained.ids.number_of_representatives();
+    const Index* const representatives = maintained.ids.representatives();
     bool are_exact = true;
     const auto stage = [&](std::size_t v, Position_2& zero) {
       // iterators may keep their values in themselves, or make them, and maps refer into these
-      const RandomAccessIterator iterator = first + Difference(hosts[v]);
+      const RandomAccessIterator iterator = first + Difference(representatives[v]);
       auto&& value = *iterator;
       const Point& p = get(point_map, value);
       const Position_2 position{CGAL::to_double(p.x()), CGAL::to_double(p.y())};
@@ -108,12 +108,12 @@ private:
     // one after the other in the plane, the points are anywhere in the range
     const auto prefetch_point = [&](std::size_t v) {
       if constexpr (is_in_memory<RandomAccessIterator>)
-        prefetch(&*(first + Difference(hosts[v])));
+        prefetch(&*(first + Difference(representatives[v])));
       prefetch(&maintained.positions[v]);
     };
     constexpr std::size_t ahead = 128;
     const std::size_t end_of_prefetching =
-        points < fewest_vertices_to_prefetch ? 0 : points - ahead - 1;
+        points < min_vertices_to_prefetch ? 0 : points - ahead - 1;
     Position_2 odd{0, 0}, even{0, 0};
     std::size_t v = 1;
     for (; v < points; v += 2) {
@@ -147,7 +147,7 @@ private:
   {
     const Index ids = maintained.ids.number_of_ids();
     bool are_exact = true;
-    auto guest = maintained.next_guests.begin(); // sorted by id
+    auto duplicate = maintained.next_duplicates.begin(); // sorted by id
     Index id = 0;
     for (; id < ids && first != beyond; ++id, ++first) {
       if (!maintained.ids.is_taken(id))
@@ -155,8 +155,8 @@ private:
       auto&& value = *first;
       const Point& p = get(point_map, value);
       const Position_2 position = checked_position(p, id, are_exact);
-      if (guest != maintained.next_guests.end() && guest->id == id)
-        (guest++)->point = p;
+      if (duplicate != maintained.next_duplicates.end() && duplicate->id == id)
+        (duplicate++)->point = p;
       else
         write(position, p, maintained.ids.vertex(id), maintained);
     }

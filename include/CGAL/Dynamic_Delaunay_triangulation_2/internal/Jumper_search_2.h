@@ -98,7 +98,7 @@ private:
   // cost a tenth of what taking it out and putting it in again does; but from about this length on
   // they get stuck. Below 1, as a vertex that comes back from far away has gone as far as it was
   // from all its neighbors.
-  static constexpr double longest_way = 0.9;
+  static constexpr double max_way = 0.9;
 
   // One that went another way than each of the others, and not just a little, is looked at closely.
   // At 100,000 points what is read here is anywhere in memory, and the most of the search.
@@ -134,7 +134,7 @@ private:
       return false;
     const Position_2 step = displacement(v);
     const Position_2 relative{farthest_from_median(step.x, m_x), farthest_from_median(step.y, m_y)};
-    return dot(relative, relative) > longest_way * longest_way * quantile(m_squared_lengths, 4);
+    return dot(relative, relative) > max_way * max_way * quantile(m_squared_lengths, 4);
   }
 
   // In steps, each of which reads what the one before has fetched.

@@ -26,12 +26,12 @@ class Lawson_flips_2
 {
 public:
   // Flips from the edges of `open`, and leaves those there that it could not prove. Returns the
-  // number of flips, at most `most`. If the faces tile the convex hull (`is_planar`), flips of
-  // illegal edges keep it so and need no search for a doubled edge, which takes a sixth of their
+  // number of flips, at most `most`. If the faces tile the convex hull (`faces_tile_hull`), flips
+  // of illegal edges keep it so and need no search for a doubled edge, which takes a sixth of their
   // time.
   template <class Maintained>
   std::size_t run(const Maintained& maintained, Topology_editor_2<Maintained>& editor,
-                  std::vector<Index>& open, bool is_planar, std::size_t most)
+                  std::vector<Index>& open, bool faces_tile_hull, std::size_t most)
   {
     // Lawson's proof of termination needs counterclockwise faces; with inverted ones flips can go
     // round in circles. Recorded motion took at most 3 flips an edge to begin with.
@@ -46,7 +46,8 @@ public:
       for (std::size_t i = 0; i < m_seeds.size(); ++i) {
         if (i % stretch == 0)
           prefetch_stretch(maintained, i);
-        flips += flip_from(maintained, editor, series, m_seeds[i], limit - flips, is_planar, open);
+        flips +=
+            flip_from(maintained, editor, series, m_seeds[i], limit - flips, faces_tile_hull, open);
       }
       keep_unproved(maintained, open);
     }
@@ -57,7 +58,7 @@ private:
   // What a flip has touched is looked at at once, while it is in the cache. At most `limit` flips.
   template <class Maintained, class Flip_series>
   std::size_t flip_from(const Maintained& maintained, const Topology_editor_2<Maintained>& editor,
-                        Flip_series& series, Index seed, std::size_t limit, bool is_planar,
+                        Flip_series& series, Index seed, std::size_t limit, bool faces_tile_hull,
                         std::vector<Index>& open)
   {
     std::size_t flips = 0;
@@ -65,7 +66,7 @@ private:
     while (!m_touched.empty() && flips < limit) {
       const Index e = m_touched.back();
       m_touched.pop_back();
-      flips += examine(maintained, editor, series, e, is_planar, open);
+      flips += examine(maintained, editor, series, e, faces_tile_hull, open);
     }
     open.insert(open.end(), m_touched.begin(), m_touched.end());
     m_touched.clear();
@@ -75,14 +76,14 @@ private:
   // Flips e if it is illegal and can be flipped; notes it as open if it is not Delaunay and cannot.
   template <class Maintained, class Flip_series>
   bool examine(const Maintained& maintained, const Topology_editor_2<Maintained>& editor,
-               Flip_series& series, Index e, bool is_planar, std::vector<Index>& open)
+               Flip_series& series, Index e, bool faces_tile_hull, std::vector<Index>& open)
   {
     const Edge_state_2 state = Certificate_2<Maintained>(maintained).state(e);
     if (state == Edge_state_2::DELAUNAY)
       return false;
     const auto& mirror = maintained.mirror;
     const Index h = mirror.halfedge(e);
-    if (state == Edge_state_2::TWISTED || !(is_planar || editor.can_flip(h))) {
+    if (state == Edge_state_2::TWISTED || !(faces_tile_hull || editor.can_flip(h))) {
       open.push_back(e);
       return false;
     }

@@ -71,7 +71,7 @@ struct Maintained_triangulation_2
   // Where a point is.
   Point point_of_id(Index id) const
   {
-    return ids.is_host(id) ? point(ids.vertex(id)) : ids.guest(id).point;
+    return ids.is_representative(id) ? point(ids.vertex(id)) : ids.duplicate(id).point;
   }
 
   const Traits& traits() const { return triangulation.geom_traits(); }
@@ -86,7 +86,7 @@ struct Maintained_triangulation_2
   void write_points()
   {
     if (!std::exchange(points_are_written, true)) {
-      if (vertices.size() < fewest_vertices_to_prefetch)
+      if (vertices.size() < min_vertices_to_prefetch)
         write_all_points<false>();
       else
         write_all_points<true>();
@@ -112,7 +112,7 @@ struct Maintained_triangulation_2
       stage_vertex(v, vertices[v]->point());
   }
 
-  void forget_news()
+  void forget_changes()
   {
     everything_is_new = false;
     new_edges.clear();
@@ -177,7 +177,7 @@ struct Maintained_triangulation_2
     faces.swap(other.faces);
     positions.swap(other.positions);
     next_points.swap(other.next_points);
-    next_guests.swap(other.next_guests);
+    next_duplicates.swap(other.next_duplicates);
     new_edges.swap(other.new_edges);
     relocated.swap(other.relocated);
     std::swap(mirror, other.mirror);
@@ -202,17 +202,18 @@ struct Maintained_triangulation_2
     stage_vertex(v, p);
   }
 
-  // Lets a guest at v be the host, so that v has its point, and the host a guest at p.
-  void hand_over(Index guest, Index v, const Point& p)
+  // Lets a duplicate at v be the representative, so that v has its point, and the representative a
+  // duplicate at p.
+  void hand_over(Index duplicate, Index v, const Point& p)
   {
-    const Index host = ids.host(v);
-    const Point point = ids.guest(guest).point;
-    ids.hand_over(guest, p);
+    const Index representative = ids.representative(v);
+    const Point point = ids.duplicate(duplicate).point;
+    ids.hand_over(duplicate, p);
     if (points_are_written)
       move_vertex(v, point);
     else
       stage_vertex(v, point);
-    visitor_calls.after_id_change(vertices[v], host);
+    visitor_calls.after_id_change(vertices[v], representative);
   }
 
   // Another vertex with this number, at p.
@@ -302,7 +303,7 @@ public:
 
   std::vector<Position_2> positions; // of each vertex index
   std::vector<Point> next_points; // the same, where points are more than two doubles, to be written
-  std::vector<typename Point_ids_2<Point>::Guest> next_guests;
+  std::vector<typename Point_ids_2<Point>::Duplicate> next_duplicates;
   bool points_are_written = true;  // into CGAL's vertices
   bool positions_are_exact = true; // no coordinate was rounded on its way into the flat arrays
   bool previous_positions_are_exact = true;

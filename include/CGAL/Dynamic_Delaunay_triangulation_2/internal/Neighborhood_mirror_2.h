@@ -119,7 +119,7 @@ public:
     } while (h != first);
   }
 
-  // Calls f(w) for every neighbour w of v, counterclockwise, the infinite vertex among them.
+  // Calls f(w) for every neighbor w of v, counterclockwise, the infinite vertex among them.
   template <class Function>
   void for_each_neighbor(Index v, Function&& f) const
   {
@@ -134,8 +134,8 @@ public:
     return degree;
   }
 
-  // Whether the apexes of h and of its twin are neighbours, beyond the two faces. Looks around both
-  // in step: one of them may have many neighbours, as the infinite vertex has.
+  // Whether the apexes of h and of its twin are neighbors, beyond the two faces. Looks around both
+  // in step: one of them may have many neighbors, as the infinite vertex has.
   bool are_apexes_neighbors(Index h) const
   {
     const Index g = twin(h);

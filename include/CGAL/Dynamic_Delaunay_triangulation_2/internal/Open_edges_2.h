@@ -37,14 +37,14 @@ public:
 
   // Whether the last tool has proved that the faces tile the convex hull; if no tool was used,
   // whether the classifier has.
-  bool is_planar() const { return m_is_planar; }
-  void set_planar(bool is_planar) { m_is_planar = is_planar; }
+  bool faces_tile_hull() const { return m_faces_tile_hull; }
+  void set_planar(bool faces_tile_hull) { m_faces_tile_hull = faces_tile_hull; }
 
   void clear()
   {
     m_uncertain.clear();
     m_illegal.clear();
-    m_is_planar = false;
+    m_faces_tile_hull = false;
   }
 
   // The edges that a classifier has named, and those of the vertices that it has named.
@@ -65,7 +65,7 @@ public:
     const auto illegal = edges.end() - std::ptrdiff_t(classification.number_of_illegal_edges());
     m_uncertain.insert(m_uncertain.end(), edges.begin(), illegal);
     m_illegal.assign(illegal, edges.end());
-    m_is_planar = empty() && classification.hull_turns_once();
+    m_faces_tile_hull = empty() && classification.hull_turns_once();
   }
 
   // The edges that were triangulated anew from the i-th of these on, and those around them, which
@@ -88,7 +88,7 @@ public:
     for (std::vector<Index>* edges : {&m_uncertain, &m_illegal})
       edges->erase(std::remove_if(edges->begin(), edges->end(), is_empty), edges->end());
     make_distinct(m_uncertain);
-    m_is_planar = false;
+    m_faces_tile_hull = false;
   }
 
   // By the last call of open_new_edges().
@@ -143,7 +143,7 @@ public:
 private:
   std::vector<Index> m_uncertain, m_illegal;
   std::vector<Index> m_opened_last;
-  bool m_is_planar = false;
+  bool m_faces_tile_hull = false;
 };
 
 } // namespace internal

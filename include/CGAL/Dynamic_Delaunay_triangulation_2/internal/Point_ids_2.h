@@ -19,13 +19,14 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// Which vertex each id has. Points that coincide share the vertex of one of them, its host; the
-// others are guests there. Ids of removed points are free, and given again, the smallest first.
+// Which vertex each id has. Points that coincide share the vertex of one of them, its
+// representative; the others are duplicates there. Ids of removed points are free, and given again,
+// the smallest first.
 template <class Point>
 class Point_ids_2
 {
 public:
-  struct Guest
+  struct Duplicate
   {
     Index id;
     Point point;
@@ -33,31 +34,34 @@ public:
 
   // Ids are smaller than this.
   Index number_of_ids() const { return Index(m_vertex_of_id.size()); }
-  Index number_of_points() const { return number_of_hosts() + Index(m_guests.size()); }
-  bool has_host(Index vertex) const { return m_host[vertex] != no_index; }
-  Index number_of_hosts() const { return Index(m_host.size()) - 1; }
+  Index number_of_points() const
+  {
+    return number_of_representatives() + Index(m_duplicates.size());
+  }
+  bool has_representative(Index vertex) const { return m_representative[vertex] != no_index; }
+  Index number_of_representatives() const { return Index(m_representative.size()) - 1; }
   bool is_taken(std::size_t id) const
   {
     return id < m_vertex_of_id.size() && m_vertex_of_id[id] != no_index;
   }
   Index vertex(Index id) const { return m_vertex_of_id[id]; }
-  Index host(Index vertex) const { return m_host[vertex]; }
+  Index representative(Index vertex) const { return m_representative[vertex]; }
   // Of each vertex.
-  const Index* hosts() const { return m_host.data(); }
+  const Index* representatives() const { return m_representative.data(); }
   // Of an id that is taken.
-  bool is_host(Index id) const { return m_host[m_vertex_of_id[id]] == id; }
-  const std::vector<Guest>& guests() const { return m_guests; }
-  std::vector<Guest>& guests() { return m_guests; }
+  bool is_representative(Index id) const { return m_representative[m_vertex_of_id[id]] == id; }
+  const std::vector<Duplicate>& duplicates() const { return m_duplicates; }
+  std::vector<Duplicate>& duplicates() { return m_duplicates; }
 
-  const Guest& guest(Index id) const { return *find_guest(m_guests, id); }
-  Guest& guest(Index id) { return *find_guest(m_guests, id); }
+  const Duplicate& duplicate(Index id) const { return *find_duplicate(m_duplicates, id); }
+  Duplicate& duplicate(Index id) { return *find_duplicate(m_duplicates, id); }
 
-  // All points: the hosts in the order of their vertices, then the guests.
-  std::vector<Index> hosts_and_guests() const
+  // All points: the representatives in the order of their vertices, then the duplicates.
+  std::vector<Index> representatives_and_duplicates() const
   {
-    std::vector<Index> order(m_host.begin() + 1, m_host.end());
-    for (const Guest& guest : m_guests)
-      order.push_back(guest.id);
+    std::vector<Index> order(m_representative.begin() + 1, m_representative.end());
+    for (const Duplicate& duplicate : m_duplicates)
+      order.push_back(duplicate.id);
     return order;
   }
 
@@ -108,31 +112,31 @@ public:
   void reset(Index ids)
   {
     m_vertex_of_id.assign(ids, no_index);
-    m_host.assign(1, no_index); // the infinite vertex has no point
-    m_guests.clear();
+    m_representative.assign(1, no_index); // the infinite vertex has no point
+    m_duplicates.clear();
     m_free_ids.clear();
   }
 
-  // Gives `id` the next vertex, of which it is the host.
-  Index add_host(Index id)
+  // Gives `id` the next vertex, of which it is the representative.
+  Index add_representative(Index id)
   {
-    m_vertex_of_id[id] = Index(m_host.size());
-    m_host.push_back(id);
+    m_vertex_of_id[id] = Index(m_representative.size());
+    m_representative.push_back(id);
     return m_vertex_of_id[id];
   }
 
-  void add_guest(Index id, Index host, const Point& point)
+  void add_duplicate(Index id, Index representative, const Point& point)
   {
-    m_vertex_of_id[id] = m_vertex_of_id[host];
-    m_guests.push_back(Guest{id, point});
+    m_vertex_of_id[id] = m_vertex_of_id[representative];
+    m_duplicates.push_back(Duplicate{id, point});
   }
 
   // After the last one was added.
   void settle()
   {
-    const auto comes_before = [](const Guest& g, const Guest& h) { return g.id < h.id; };
-    if (!std::is_sorted(m_guests.begin(), m_guests.end(), comes_before))
-      std::sort(m_guests.begin(), m_guests.end(), comes_before);
+    const auto comes_before = [](const Duplicate& g, const Duplicate& h) { return g.id < h.id; };
+    if (!std::is_sorted(m_duplicates.begin(), m_duplicates.end(), comes_before))
+      std::sort(m_duplicates.begin(), m_duplicates.end(), comes_before);
     for (Index id = 0; id < number_of_ids(); ++id)
       if (m_vertex_of_id[id] == no_index)
         m_free_ids.push_back(id); // ascending numbers are a heap
@@ -162,107 +166,110 @@ public:
     std::push_heap(m_free_ids.begin(), m_free_ids.end(), std::greater<Index>());
   }
 
-  // Memory for a vertex more, for so many guests more, and for so many ids to become free: then
+  // Memory for a vertex more, for so many duplicates more, and for so many ids to become free: then
   // nothing below throws.
-  void provide_for_vertex() { provide(m_host, 1); }
-  void provide_for_guests(std::size_t number) { provide(m_guests, number); }
+  void provide_for_vertex() { provide(m_representative, 1); }
+  void provide_for_duplicates(std::size_t number) { provide(m_duplicates, number); }
   void provide_for_removals(std::size_t number) { provide(m_free_ids, number); }
 
   // The next vertex, that nobody is at.
-  void append_vertex() { m_host.push_back(no_index); }
+  void append_vertex() { m_representative.push_back(no_index); }
 
-  // Makes `id` the host of a vertex that nobody is at, whether it was set aside or is that of a
-  // guest.
-  void place_host(Index id, Index vertex)
+  // Makes `id` the representative of a vertex that nobody is at, whether it was set aside or is
+  // that of a duplicate.
+  void place_representative(Index id, Index vertex)
   {
     leave(id);
     m_vertex_of_id[id] = vertex;
-    m_host[vertex] = id;
+    m_representative[vertex] = id;
   }
 
-  // Makes `id` a guest at `vertex`, in the same way.
-  void place_guest(Index id, Index vertex, const Point& point)
+  // Makes `id` a duplicate at `vertex`, in the same way.
+  void place_duplicate(Index id, Index vertex, const Point& point)
   {
     leave(id);
     m_vertex_of_id[id] = vertex;
-    m_guests.insert(find_guest(m_guests, id), Guest{id, point});
+    m_duplicates.insert(find_duplicate(m_duplicates, id), Duplicate{id, point});
   }
 
-  // Frees the id of a guest.
-  void remove_guest(Index id)
+  // Frees the id of a duplicate.
+  void remove_duplicate(Index id)
   {
-    m_guests.erase(find_guest(m_guests, id));
+    m_duplicates.erase(find_duplicate(m_duplicates, id));
     free(id);
   }
 
-  // Frees the id of a host that has no guests; its vertex then has nobody.
-  void remove_host(Index id)
+  // Frees the id of a representative that has no duplicates; its vertex then has nobody.
+  void remove_representative(Index id)
   {
-    m_host[m_vertex_of_id[id]] = no_index;
+    m_representative[m_vertex_of_id[id]] = no_index;
     free(id);
   }
 
-  // The guest with the smallest id among those at `vertex` that `pleases`; `no_index` if there is
-  // none.
+  // The duplicate with the smallest id among those at `vertex` that `pleases`; `no_index` if there
+  // is none.
   template <class Predicate>
-  Index find_guest_at(Index vertex, const Predicate& pleases) const
+  Index find_duplicate_at(Index vertex, const Predicate& pleases) const
   {
-    for (const Guest& guest : m_guests)
-      if (m_vertex_of_id[guest.id] == vertex && pleases(guest))
-        return guest.id;
+    for (const Duplicate& duplicate : m_duplicates)
+      if (m_vertex_of_id[duplicate.id] == vertex && pleases(duplicate))
+        return duplicate.id;
     return no_index;
   }
 
-  // Lets a guest be the host, and the host, who is at `point`, its guest.
-  void hand_over(Index guest, const Point& point)
+  // Lets a duplicate be the representative, and the representative, who is at `point`, its
+  // duplicate.
+  void hand_over(Index duplicate, const Point& point)
   {
-    const Index vertex = m_vertex_of_id[guest], host = m_host[vertex];
-    m_guests.erase(find_guest(m_guests, guest));
-    m_guests.insert(find_guest(m_guests, host), Guest{host, point});
-    m_host[vertex] = guest;
+    const Index vertex = m_vertex_of_id[duplicate], representative = m_representative[vertex];
+    m_duplicates.erase(find_duplicate(m_duplicates, duplicate));
+    m_duplicates.insert(find_duplicate(m_duplicates, representative),
+                        Duplicate{representative, point});
+    m_representative[vertex] = duplicate;
   }
 
-  // Makes guests at `vertex` of the host and the guests of another one, who are at `point`.
+  // Makes duplicates at `vertex` of the representative and the duplicates of another one, who are
+  // at `point`.
   void merge(Index other, Index vertex, const Point& point)
   {
-    for (const Guest& guest : m_guests)
-      if (m_vertex_of_id[guest.id] == other)
-        m_vertex_of_id[guest.id] = vertex;
-    const Index id = m_host[other];
+    for (const Duplicate& duplicate : m_duplicates)
+      if (m_vertex_of_id[duplicate.id] == other)
+        m_vertex_of_id[duplicate.id] = vertex;
+    const Index id = m_representative[other];
     m_vertex_of_id[id] = vertex;
-    m_guests.insert(find_guest(m_guests, id), Guest{id, point});
-    m_host[other] = no_index;
+    m_duplicates.insert(find_duplicate(m_duplicates, id), Duplicate{id, point});
+    m_representative[other] = no_index;
   }
 
   // The points of the last vertex go to one that has nobody.
   void move_last_vertex_to(Index vertex)
   {
-    const Index last = number_of_hosts();
-    CGAL_precondition(!has_host(vertex));
+    const Index last = number_of_representatives();
+    CGAL_precondition(!has_representative(vertex));
     if (vertex != last) {
-      m_host[vertex] = m_host[last];
-      m_vertex_of_id[m_host[vertex]] = vertex;
-      for (const Guest& guest : m_guests)
-        if (m_vertex_of_id[guest.id] == last)
-          m_vertex_of_id[guest.id] = vertex;
+      m_representative[vertex] = m_representative[last];
+      m_vertex_of_id[m_representative[vertex]] = vertex;
+      for (const Duplicate& duplicate : m_duplicates)
+        if (m_vertex_of_id[duplicate.id] == last)
+          m_vertex_of_id[duplicate.id] = vertex;
     }
-    m_host.pop_back();
+    m_representative.pop_back();
   }
 
 private:
-  // Where a guest is in the list, or would have to be.
-  template <class Guests>
-  static auto find_guest(Guests& guests, Index id)
+  // Where a duplicate is in the list, or would have to be.
+  template <class Duplicates>
+  static auto find_duplicate(Duplicates& duplicates, Index id)
   {
-    return std::lower_bound(guests.begin(), guests.end(), id,
-                            [](const Guest& guest, Index i) { return guest.id < i; });
+    return std::lower_bound(duplicates.begin(), duplicates.end(), id,
+                            [](const Duplicate& duplicate, Index i) { return duplicate.id < i; });
   }
 
-  // A guest leaves its vertex; an id that was set aside has none.
+  // A duplicate leaves its vertex; an id that was set aside has none.
   void leave(Index id)
   {
     if (is_taken(id))
-      m_guests.erase(find_guest(m_guests, id));
+      m_duplicates.erase(find_duplicate(m_duplicates, id));
   }
 
   void free(Index id)
@@ -272,9 +279,9 @@ private:
   }
 
   std::vector<Index> m_vertex_of_id; // no_index where an id is free
-  std::vector<Index> m_host;
-  std::vector<Guest> m_guests;   // by their ids
-  std::vector<Index> m_free_ids; // a heap, the smallest first
+  std::vector<Index> m_representative;
+  std::vector<Duplicate> m_duplicates; // by their ids
+  std::vector<Index> m_free_ids;       // a heap, the smallest first
 };
 
 } // namespace internal

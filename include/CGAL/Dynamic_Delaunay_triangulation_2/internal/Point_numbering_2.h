@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// Puts points into a spatial order, tells hosts from guests, and numbers the vertices in that
-// order. Whoever was a host stays one where points coincide.
+// Puts points into a spatial order, tells representatives from duplicates, and numbers the vertices
+// in that order. Whoever was a representative stays one where points coincide.
 template <class Maintained>
 class Point_numbering_2
 {
@@ -46,7 +46,7 @@ public:
   }
 
   // Takes the vertices of the maintained triangulation, where they are now, in this order. None
-  // coincide, and there are no guests.
+  // coincide, and there are no duplicates.
   void number(Spatial_order_2 order)
   {
     const Index vertices = m_maintained.number_of_vertices();
@@ -54,7 +54,7 @@ public:
     m_point_ids.resize(vertices + std::size_t(1)); // the infinite vertex has no point
     m_points.resize(vertices + std::size_t(1));
     for (Index v = 1; v <= vertices; ++v) {
-      m_point_ids[v] = m_maintained.ids.host(v);
+      m_point_ids[v] = m_maintained.ids.representative(v);
       m_points[v] = m_maintained.point(v);
     }
     number_points(m_maintained.ids.number_of_ids());
@@ -64,13 +64,13 @@ public:
   void number()
   {
     const Ids& ids = m_maintained.ids;
-    std::vector<Index> point_ids = ids.hosts_and_guests();
+    std::vector<Index> point_ids = ids.representatives_and_duplicates();
     std::vector<Point> points;
     points.reserve(point_ids.size());
     for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
       points.push_back(m_maintained.point(v));
-    for (const auto& guest : ids.guests())
-      points.push_back(guest.point);
+    for (const auto& duplicate : ids.duplicates())
+      points.push_back(duplicate.point);
     number(std::move(point_ids), std::move(points), ids.number_of_ids());
   }
 
@@ -122,31 +122,31 @@ private:
   // One for the points in these places of the order.
   Index add_vertex(std::size_t first, std::size_t beyond)
   {
-    std::size_t host = first;
-    while (host + 1 < beyond && !was_host(m_point_ids[m_order[host]]))
-      ++host;
-    if (!was_host(m_point_ids[m_order[host]]))
-      host = first;
-    const Index id = m_point_ids[m_order[host]];
-    const Index vertex = m_ids.add_host(id);
-    m_place_of_vertex.push_back(m_order[host]);
+    std::size_t representative = first;
+    while (representative + 1 < beyond && !was_representative(m_point_ids[m_order[representative]]))
+      ++representative;
+    if (!was_representative(m_point_ids[m_order[representative]]))
+      representative = first;
+    const Index id = m_point_ids[m_order[representative]];
+    const Index vertex = m_ids.add_representative(id);
+    m_place_of_vertex.push_back(m_order[representative]);
     for (std::size_t i = first; i < beyond; ++i)
-      if (i != host)
-        m_ids.add_guest(m_point_ids[m_order[i]], id, m_points[m_order[i]]);
+      if (i != representative)
+        m_ids.add_duplicate(m_point_ids[m_order[i]], id, m_points[m_order[i]]);
     return vertex;
   }
 
-  bool was_host(Index id) const
+  bool was_representative(Index id) const
   {
     const Ids& ids = m_maintained.ids;
-    return ids.is_taken(id) && ids.is_host(id);
+    return ids.is_taken(id) && ids.is_representative(id);
   }
 
   const Maintained& m_maintained;
   Spatial_order_2 m_order;
   std::vector<Point> m_points; // those that are numbered
   std::vector<Index> m_point_ids;
-  std::vector<Index> m_place_of_vertex; // of its host in m_points
+  std::vector<Index> m_place_of_vertex; // of its representative in m_points
   Ids m_ids;
 };
 

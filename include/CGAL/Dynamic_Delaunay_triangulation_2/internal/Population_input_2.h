@@ -38,8 +38,8 @@ public:
     std::vector<Point>& points = change.coming_points;
     for (; first != beyond; ++first)
       points.push_back(get(point_map, *first));
-    if (points.size() > most_vertices - maintained.ids.number_of_points())
-      throw std::length_error("a triangulation holds at most " + std::to_string(most_vertices) +
+    if (points.size() > max_vertices - maintained.ids.number_of_points())
+      throw std::length_error("a triangulation holds at most " + std::to_string(max_vertices) +
                               " points");
     change.coming = maintained.ids.next_ids(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)

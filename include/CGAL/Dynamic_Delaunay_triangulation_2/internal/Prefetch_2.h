@@ -15,7 +15,7 @@ namespace internal {
 // With more vertices, and other work between the frames, the flat arrays are not in the
 // second-level cache, and a pass over them fetches ahead: at 4,000 points that takes a fifth off
 // the pass over the edges, at 10^5 half. At 1,000 it would add a fifth.
-constexpr std::uint32_t fewest_vertices_to_prefetch = 3 << 10;
+constexpr std::uint32_t min_vertices_to_prefetch = 3 << 10;
 
 // Asks for memory that will be needed soon; without compiler support nothing happens. The empty
 // statement is an effect that cannot be left out: g++ takes a function that does nothing but

@@ -51,7 +51,7 @@ public:
   }
 
   // Others come, and get this number and the next ones.
-  void note_growth(Index first) { m_kept = (std::min)(m_kept, first); }
+  void note_appended(Index first) { m_kept = (std::min)(m_kept, first); }
 
   // Brings data of each in step. `make(i)` makes those of the one with the new number i.
   template <class T, class Make>

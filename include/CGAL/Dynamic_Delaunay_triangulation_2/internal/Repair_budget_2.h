@@ -50,8 +50,8 @@ public:
   static bool is_rebuild_cheaper(std::size_t vertices, std::size_t open_edges,
                                  std::size_t changes = 0)
   {
-    constexpr std::size_t most_vertices_in_cache = 4096;
-    const std::size_t price = vertices < most_vertices_in_cache ? 27 : 24; // halves
+    constexpr std::size_t max_vertices_in_cache = 4096;
+    const std::size_t price = vertices < max_vertices_in_cache ? 27 : 24; // halves
     return 2 * (open_edge * open_edges + relocation / 2 * changes) > price * vertices;
   }
 

@@ -101,14 +101,14 @@ public:
   }
 
   // Puts everybody in that is outside of all faces, or comes, or parts, and flips around each.
-  void put_in(const std::vector<Index>& parted_guests)
+  void put_in(const std::vector<Index>& parted_duplicates)
   {
     m_open.set_planar(false);
     m_may_take_out = false;
-    m_budget.allow((parted_guests.size() + m_traffic.number_to_put_in()) *
+    m_budget.allow((parted_duplicates.size() + m_traffic.number_to_put_in()) *
                    Repair_budget_2::relocation);
     std::size_t steps_before = 0;
-    const auto counts = m_traffic.put_in(parted_guests, [&](Index v, std::size_t steps) {
+    const auto counts = m_traffic.put_in(parted_duplicates, [&](Index v, std::size_t steps) {
       m_budget.spend(Repair_budget_2::relocation / 2 +
                      Repair_budget_2::step_of_a_walk * (steps - steps_before));
       steps_before = steps;
@@ -126,7 +126,7 @@ public:
   bool is_proved() const
   {
     return m_open.empty() && m_traffic.number_waiting() == 0 &&
-           (m_open.is_planar() || Certificate(m_maintained).hull_turns_once());
+           (m_open.faces_tile_hull() || Certificate(m_maintained).hull_turns_once());
   }
 
   // Gives the numbers of vertices that are no more to others.
@@ -176,8 +176,8 @@ public:
   void take_out_jumpers()
   {
     // where several neighbors jumped, some look as if they had stayed, until the others are out
-    constexpr unsigned most_rounds = 4;
-    for (unsigned round = 0; round < most_rounds && can_take_out(); ++round) {
+    constexpr unsigned max_rounds = 4;
+    for (unsigned round = 0; round < max_rounds && can_take_out(); ++round) {
       const std::vector<Index>& edges = round == 0 ? m_open.uncertain() : m_open.opened_last();
       m_budget.spend(edges.size() * Repair_budget_2::look_for_jumpers);
       const std::vector<Index>& jumpers = m_jumpers.find_jumpers(edges);
@@ -198,7 +198,7 @@ public:
 
   void flip()
   {
-    if (!m_open.is_planar())
+    if (!m_open.faces_tile_hull())
       flip_inverted();
     m_open.open_illegal();
     flip_uncertain();
@@ -238,8 +238,8 @@ public:
   {
     std::vector<Index> vertices;
     m_open.for_each_uncertain_vertex(m_maintained, [&](Index v) { vertices.push_back(v); });
-    constexpr std::size_t most_growths = 3; // then more padding, or a vertex less, does better
-    splice(vertices, padding, most_growths, true);
+    constexpr std::size_t max_enlargements = 3; // then more padding, or a vertex less, does better
+    splice(vertices, padding, max_enlargements, true);
   }
 
   void relocate()
@@ -293,9 +293,9 @@ private:
   // At least three stay. Whether any went.
   bool take_out(const std::vector<Index>& vertices)
   {
-    constexpr std::size_t fewest_vertices = 3;
+    constexpr std::size_t min_vertices = 3;
     if (vertices.empty() || vertices.size() * Repair_budget_2::relocation > m_budget.left() ||
-        m_traffic.number_outside() + vertices.size() + fewest_vertices >
+        m_traffic.number_outside() + vertices.size() + min_vertices >
             m_maintained.number_of_vertices())
       return false;
     const std::size_t price = price_of_taking_out(vertices);
@@ -336,7 +336,8 @@ private:
     if (!m_is_exact)
       new_edges.insert(new_edges.end(), edges.begin(), edges.end());
     const std::size_t most = m_budget.left() / Repair_budget_2::flip + 1;
-    const std::size_t flips = m_lawson.run(m_maintained, m_editor, edges, m_open.is_planar(), most);
+    const std::size_t flips =
+        m_lawson.run(m_maintained, m_editor, edges, m_open.faces_tile_hull(), most);
     m_report->flips += flips;
     m_budget.spend(flips * Repair_budget_2::flip);
     if (m_budget.is_spent())
@@ -364,20 +365,21 @@ private:
   // SPLICES -------------------------------------------------------------------------------------
 
   // False if it has rebuilt or merged instead.
-  bool splice(const std::vector<Index>& vertices, unsigned padding, std::size_t most_growths,
+  bool splice(const std::vector<Index>& vertices, unsigned padding, std::size_t max_enlargements,
               bool has_to_look)
   {
     if (has_rebuilt())
       return false;
     m_open.set_planar(false);
     const std::size_t most = m_budget.left() / Repair_budget_2::spliced_vertex;
-    typename Border_splice_2<Maintained>::Limits limits{most_growths, most};
+    typename Border_splice_2<Maintained>::Limits limits{max_enlargements, most};
     const Splice_result_2 result = m_splice.run(m_editor, vertices, padding, limits);
-    m_budget.spend((most - limits.most_vertices) * Repair_budget_2::spliced_vertex);
-    m_report->growths += limits.growths;
+    m_budget.spend((most - limits.max_vertices) * Repair_budget_2::spliced_vertex);
+    m_report->enlargements += limits.enlargements;
     switch (result) {
     case Splice_result_2::TOO_LARGE:
-      rebuild(limits.growths == 0 ? Rebuild_reason_2::TOO_MUCH_BROKEN : Rebuild_reason_2::STUCK);
+      rebuild(limits.enlargements == 0 ? Rebuild_reason_2::TOO_MUCH_BROKEN
+                                       : Rebuild_reason_2::STUCK);
       return false;
     case Splice_result_2::TOO_DEAR:
       rebuild(Rebuild_reason_2::BUDGET_SPENT);

@@ -71,7 +71,7 @@ public:
     m_holds = false;
     choose_tolerance(frame, share);
     if (!(m_tolerance > Edge_slack_2::smallest_tolerance) ||
-        m_typical_step * fewest_frames > m_tolerance)
+        m_typical_step * min_frames > m_tolerance)
       return;
     m_references = frame.positions();
     m_tight.clear(frame.number_of_edges());
@@ -85,14 +85,14 @@ public:
   template <class Frame>
   void learn(const Frame& frame)
   {
-    take_news(frame);
+    take_changes(frame);
     if (m_holds && !m_hull_is_checked)
       check_hull(frame);
   }
 
   // The same after an update that did not come to its end.
   template <class Frame>
-  void take_news(const Frame& frame)
+  void take_changes(const Frame& frame)
   {
     if (!m_holds)
       return;
@@ -123,8 +123,7 @@ public:
   bool append_unproved(const Frame& frame, std::vector<Index>& unproved)
   {
     m_moved.clear();
-    m_holds =
-        append_moved(frame.positions(), m_references, m_tolerance, most_moved(frame), m_moved);
+    m_holds = append_moved(frame.positions(), m_references, m_tolerance, max_moved(frame), m_moved);
     if (!m_holds)
       return false;
     m_hull_stays = m_hull_is_safe;
@@ -148,7 +147,7 @@ public:
   }
 
 private:
-  static constexpr double fewest_frames = 8;
+  static constexpr double min_frames = 8;
   static constexpr std::size_t sample_size = 256;
 
   template <class Frame>
@@ -158,7 +157,7 @@ private:
   }
 
   template <class Frame>
-  static std::size_t most_moved(const Frame& frame)
+  static std::size_t max_moved(const Frame& frame)
   {
     return frame.number_of_vertices() / 64;
   }

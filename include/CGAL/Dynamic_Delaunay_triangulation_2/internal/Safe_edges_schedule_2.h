@@ -31,7 +31,7 @@ public:
   {
     if (they_hold)
       return ++m_held >= m_long && refine();
-    judge();
+    adapt_rest();
     if (m_rest > 0) {
       --m_rest;
       return false;
@@ -42,7 +42,7 @@ public:
 
 private:
   static constexpr unsigned smallest_share = 16, largest_share = 64;
-  static constexpr unsigned shortest_rest = 8, longest_rest = 256;
+  static constexpr unsigned min_rest = 8, max_rest = 256;
   static constexpr unsigned frames_worth_it = 64;
 
   bool refine()
@@ -56,24 +56,24 @@ private:
   }
 
   // The last references, which do not hold any more, or never did.
-  void judge()
+  void adapt_rest()
   {
     if (!m_was_due)
       return;
     m_was_due = false;
     if (m_held >= frames_worth_it) {
-      m_rest = m_patience = shortest_rest;
+      m_rest = m_next_rest = min_rest;
     } else if (m_is_refined) {
       m_share /= 2;
       m_long *= 2;
       m_rest = 0;
     } else if (m_share > smallest_share) {
       m_share /= 2;
-      m_rest = shortest_rest;
+      m_rest = min_rest;
     } else {
       m_share = largest_share;
-      m_patience = (std::min)(2 * m_patience, longest_rest);
-      m_rest = m_patience;
+      m_next_rest = (std::min)(2 * m_next_rest, max_rest);
+      m_rest = m_next_rest;
     }
     m_is_refined = false;
     m_held = 0;
@@ -81,7 +81,7 @@ private:
 
   unsigned m_share = largest_share;
   unsigned m_rest = 4; // frames
-  unsigned m_patience = shortest_rest;
+  unsigned m_next_rest = min_rest;
   unsigned m_held = 0; // frames
   unsigned m_long = 512;
   bool m_was_due = false;

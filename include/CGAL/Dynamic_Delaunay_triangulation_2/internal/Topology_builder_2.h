@@ -149,10 +149,10 @@ public:
 private:
   // BUILDING ------------------------------------------------------------------------------------
 
-  // Hosts first.
+  // Representatives first.
   std::vector<Index> ids_without(const std::vector<Index>& gone)
   {
-    std::vector<Index> ids = m_maintained.ids.hosts_and_guests();
+    std::vector<Index> ids = m_maintained.ids.representatives_and_duplicates();
     if (gone.empty())
       return ids;
     m_goes.assign(m_maintained.ids.number_of_ids(), false);
@@ -169,7 +169,7 @@ private:
   // False if they may be others: points have come together, or may part.
   bool sort_vertices()
   {
-    if (!m_maintained.ids.guests().empty())
+    if (!m_maintained.ids.duplicates().empty())
       return false;
     const boost::counting_iterator<Index> first(1), beyond(Index(m_maintained.vertices.size()));
     m_vertex_order.sort(first, beyond);
@@ -182,8 +182,8 @@ private:
     return 8 * m_vertex_order.number_of_far_steps() > m_maintained.vertices.size();
   }
 
-  // The vertices as m_numbering numbers them. Each host keeps the vertex that it had, if it had one
-  // of its own. Nothing has changed if memory runs out.
+  // The vertices as m_numbering numbers them. Each representative keeps the vertex that it had, if
+  // it had one of its own. Nothing has changed if memory runs out.
   void triangulate_numbered()
   {
     typename Maintained::Vertex_arrays fresh;
@@ -210,23 +210,23 @@ private:
   void collect_vertices(typename Maintained::Vertex_arrays& fresh)
   {
     const Ids &ids = m_numbering.ids(), &old_ids = m_maintained.ids;
-    fresh.reserve(ids.number_of_hosts() + std::size_t(1));
+    fresh.reserve(ids.number_of_representatives() + std::size_t(1));
     fresh.append(m_maintained.triangulation.infinite_vertex());
-    for (Index v = 1; v <= ids.number_of_hosts(); ++v) {
-      const Index id = ids.host(v);
+    for (Index v = 1; v <= ids.number_of_representatives(); ++v) {
+      const Index id = ids.representative(v);
       fresh.append(keeps_vertex(id, old_ids) ? m_maintained.vertices[old_ids.vertex(id)]
                                              : m_maintained.triangulation.tds().create_vertex(),
                    m_numbering.point(v));
     }
   }
 
-  // With its host, if anybody listens.
+  // With its representative, if anybody listens.
   template <class Function>
   void for_each_vertex(const Function& f) const
   {
     if constexpr (decltype(m_maintained.visitor_calls)::is_heard)
       for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
-        f(m_maintained.vertices[v], m_maintained.ids.host(v));
+        f(m_maintained.vertices[v], m_maintained.ids.representative(v));
   }
 
   // Those that are new, and those of before that will be no more.
@@ -240,25 +240,31 @@ private:
           visitor_calls.after_vertex_creation(v, id);
       });
       for (Index v = 1; v < Index(vertices_before.size()); ++v) {
-        const Index id = ids_before.host(v);
+        const Index id = ids_before.representative(v);
         if (!ids.is_taken(id) || goes(id))
           visitor_calls.before_vertex_removal(vertices_before[v], id);
-        else if (!ids.is_host(id))
+        else if (!ids.is_representative(id))
           visitor_calls.before_vertex_merge(vertices_before[v], id,
                                             m_maintained.vertices[ids.vertex(id)]);
       }
     }
   }
 
-  static bool is_host(Index id, const Ids& ids) { return ids.is_taken(id) && ids.is_host(id); }
-  bool keeps_vertex(Index id, const Ids& ids) const { return is_host(id, ids) && !goes(id); }
+  static bool is_representative(Index id, const Ids& ids)
+  {
+    return ids.is_taken(id) && ids.is_representative(id);
+  }
+  bool keeps_vertex(Index id, const Ids& ids) const
+  {
+    return is_representative(id, ids) && !goes(id);
+  }
 
-  // Of those vertices that their hosts do not have elsewhere.
+  // Of those vertices that their representatives do not have elsewhere.
   void delete_vertices(const std::vector<Vertex_handle>& vertices, const Ids& ids,
                        const Ids& elsewhere)
   {
     for (Index v = 1; v < Index(vertices.size()); ++v) {
-      const Index id = ids.host(v);
+      const Index id = ids.representative(v);
       if (!keeps_vertex(id, elsewhere))
         m_maintained.triangulation.tds().delete_vertex(vertices[v]);
     }

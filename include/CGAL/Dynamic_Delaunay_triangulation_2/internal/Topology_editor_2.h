@@ -176,9 +176,9 @@ public:
     }
     const Slot slot = mirror.append_slot();
     m_maintained.ids.append_vertex();
-    m_maintained.renumberings.vertices.note_growth(slot.vertex);
-    m_maintained.renumberings.edges.note_growth(slot.edges[0]);
-    m_maintained.renumberings.faces.note_growth(slot.faces[0]);
+    m_maintained.renumberings.vertices.note_appended(slot.vertex);
+    m_maintained.renumberings.edges.note_appended(slot.edges[0]);
+    m_maintained.renumberings.faces.note_appended(slot.faces[0]);
     m_maintained.faces.push_back(faces[0]);
     m_maintained.faces.push_back(faces[1]);
     return slot;
@@ -263,8 +263,8 @@ private:
   Index cut_ears(Index v, const Position_2& place, Index degree, Ear kind, Flip_series& series)
   {
     const auto& mirror = m_maintained.mirror;
-    constexpr Index most_rounds = 4;
-    Index cut = 0, looks = kind == Ear::ANY ? no_index : most_rounds * degree;
+    constexpr Index max_rounds = 4;
+    Index cut = 0, looks = kind == Ear::ANY ? no_index : max_rounds * degree;
     Index corner = mirror.corner(v);
     for (Index left = degree; left > 0 && looks > 0 && degree - cut > 3; --left, --looks) {
       const Index h = Neighborhood_mirror_2::next(corner); // from the tip of the ear to v

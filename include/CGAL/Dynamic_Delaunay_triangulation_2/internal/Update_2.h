@@ -118,19 +118,19 @@ public:
   // Whether the triangulation is Delaunay; changes nothing else.
   bool certify()
   {
-    m_is_certified = m_is_certified || (m_maintained.is_mirrored() && parted_guests().empty() &&
+    m_is_certified = m_is_certified || (m_maintained.is_mirrored() && parted_duplicates().empty() &&
                                         Certificate_2<Maintained>(m_maintained).holds());
     return m_is_certified;
   }
 
-  // The guests that are no longer where their vertex is.
-  std::vector<Index> parted_guests() const
+  // The duplicates that are no longer where their vertex is.
+  std::vector<Index> parted_duplicates() const
   {
     std::vector<Index> parted;
     const auto& ids = m_maintained.ids;
-    for (const auto& guest : ids.guests())
-      if (!are_together(guest.point, m_maintained.point(ids.vertex(guest.id))))
-        parted.push_back(guest.id);
+    for (const auto& duplicate : ids.duplicates())
+      if (!are_together(duplicate.point, m_maintained.point(ids.vertex(duplicate.id))))
+        parted.push_back(duplicate.id);
     return parted;
   }
 
@@ -148,7 +148,7 @@ private:
     report.inserted = change.coming.size();
     report.removed = change.gone.size();
     if (is_informed)
-      m_maintained.forget_news();
+      m_maintained.forget_changes();
     else if (Frame(m_maintained).has_other_numbers()) // and there will be others again
       m_maintained.everything_is_new = true;
     if (m_maintained.everything_is_new)
@@ -158,39 +158,40 @@ private:
 
   // POINTS THAT MOVE ALONE ----------------------------------------------------------------------
 
-  // If none of a vertex's points stays, it goes with its host; else one that stays becomes the
-  // host.
+  // If none of a vertex's points stays, it goes with its representative; else one that stays
+  // becomes the representative.
   void stage_moved(const Change& change)
   {
     m_maintained.positions_are_exact &= change.are_exact;
     if (change.moved.empty())
       return;
     auto& ids = m_maintained.ids;
-    ids.provide_for_guests(change.moved.size());
+    ids.provide_for_duplicates(change.moved.size());
     m_maintained.points_are_written = false;
     for (std::size_t i = 0; i < change.moved.size(); ++i)
-      if (!ids.is_host(change.moved[i]))
-        ids.guest(change.moved[i]).point = change.moved_points[i];
+      if (!ids.is_representative(change.moved[i]))
+        ids.duplicate(change.moved[i]).point = change.moved_points[i];
     for (std::size_t i = 0; i < change.moved.size(); ++i)
-      if (ids.is_host(change.moved[i]))
-        stage_host(change.moved[i], change.moved_points[i]);
+      if (ids.is_representative(change.moved[i]))
+        stage_representative(change.moved[i], change.moved_points[i]);
   }
 
-  void stage_host(Index id, const Point& p)
+  void stage_representative(Index id, const Point& p)
   {
     auto& ids = m_maintained.ids;
     const Index v = ids.vertex(id);
     const Point place = m_maintained.point(v);
-    const Index heir = are_together(p, place) || ids.guests().empty()
-                           ? no_index
-                           : ids.find_guest_at(v, [&](const auto& guest) {
-                               return are_together(guest.point, place);
-                             });
-    if (heir == no_index)
+    const Index successor = are_together(p, place) || ids.duplicates().empty()
+                                ? no_index
+                                : ids.find_duplicate_at(v, [&](const auto& duplicate) {
+                                    return are_together(duplicate.point, place);
+                                  });
+    if (successor == no_index)
       return m_maintained.stage_vertex(v, p); // there may be more to p than where it is
-    const Point point_of_heir = ids.guest(heir).point;
-    m_maintained.hand_over(heir, v, p);
-    m_maintained.move_vertex(v, point_of_heir); // at the same place, but there may be more to it
+    const Point point_of_successor = ids.duplicate(successor).point;
+    m_maintained.hand_over(successor, v, p);
+    m_maintained.move_vertex(v,
+                             point_of_successor); // at the same place, but there may be more to it
   }
 
   bool are_together(const Point& p, const Point& q) const
@@ -206,7 +207,7 @@ private:
   {
     if (!m_maintained.is_mirrored() || leaves_too_few(change))
       return Rebuild_reason_2::DIMENSION;
-    const std::size_t parted = parted_guests().size();
+    const std::size_t parted = parted_duplicates().size();
     if (are_too_many(change.gone.size() + change.coming.size() + parted))
       return parted > change.gone.size() + change.coming.size() ? Rebuild_reason_2::COINCIDENCE
                                                                 : Rebuild_reason_2::POPULATION;
@@ -221,20 +222,21 @@ private:
 
   bool leaves_too_few(const Change& change) const
   {
-    constexpr std::size_t fewest_vertices = 3;
+    constexpr std::size_t min_vertices = 3;
     const auto& ids = m_maintained.ids;
-    const auto hosts = std::size_t(std::count_if(change.gone.begin(), change.gone.end(),
-                                                 [&](Index id) { return ids.is_host(id); }));
-    return m_maintained.number_of_vertices() < fewest_vertices + hosts;
+    const auto representatives =
+        std::size_t(std::count_if(change.gone.begin(), change.gone.end(),
+                                  [&](Index id) { return ids.is_representative(id); }));
+    return m_maintained.number_of_vertices() < min_vertices + representatives;
   }
 
-  // Each of them looks through all guests.
+  // Each of them looks through all duplicates.
   bool are_too_many(std::size_t changes) const
   {
-    const std::size_t guests = m_maintained.ids.guests().size();
+    const std::size_t duplicates = m_maintained.ids.duplicates().size();
     return changes > 0 &&
-           Repair_budget_2::is_rebuild_cheaper(m_maintained.number_of_vertices() + guests, 0,
-                                               changes + changes * guests / 512);
+           Repair_budget_2::is_rebuild_cheaper(m_maintained.number_of_vertices() + duplicates, 0,
+                                               changes + changes * duplicates / 512);
   }
 
   // Instead of a classification that would be in vain: a sample of the edges, where mending was in
@@ -351,7 +353,7 @@ private:
   {
     if (report.rebuilt() || (m_tools.has_to_prove() && !m_tools.open_edges().empty()))
       return;
-    const std::vector<Index> parted = parted_guests();
+    const std::vector<Index> parted = parted_duplicates();
     if (!parted.empty() || m_tools.traffic().is_under_way()) {
       m_tools.put_in(parted);
       Mender mender(m_tools);

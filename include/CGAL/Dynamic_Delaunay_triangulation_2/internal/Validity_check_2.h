@@ -57,7 +57,8 @@ private:
     }
   }
 
-  // A guest may be elsewhere than its vertex after an exception only, until something is certified.
+  // A duplicate may be elsewhere than its vertex after an exception only, until something is
+  // certified.
   bool is_nobody_lost(bool is_certified) const
   {
     const auto& ids = m_maintained.ids;
@@ -66,25 +67,25 @@ private:
     for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v)
       if (m_maintained.vertices[v]->mirror_index() != v)
         return false;
-    Index guests = 0;
+    Index duplicates = 0;
     for (Index id = 0; id < ids.number_of_ids(); ++id) {
       if (!ids.is_taken(id))
         continue;
       const Index v = ids.vertex(id);
       if (v == infinite_index || v > m_maintained.number_of_vertices())
         return false;
-      if (!ids.is_host(id)) {
-        ++guests;
+      if (!ids.is_representative(id)) {
+        ++duplicates;
         if (is_certified &&
-            !coincide(m_maintained.traits(), ids.guest(id).point, m_maintained.point(v)))
+            !coincide(m_maintained.traits(), ids.duplicate(id).point, m_maintained.point(v)))
           return false;
       }
     }
-    for (Index v = 1; v <= ids.number_of_hosts(); ++v)
-      if (!ids.is_taken(ids.host(v)) || ids.vertex(ids.host(v)) != v)
+    for (Index v = 1; v <= ids.number_of_representatives(); ++v)
+      if (!ids.is_taken(ids.representative(v)) || ids.vertex(ids.representative(v)) != v)
         return false;
-    return guests == ids.guests().size() &&
-           m_maintained.number_of_vertices() == ids.number_of_hosts();
+    return duplicates == ids.duplicates().size() &&
+           m_maintained.number_of_vertices() == ids.number_of_representatives();
   }
 
   // Handles let anybody set the point of a vertex.

@@ -88,12 +88,13 @@ public:
     provide_for_slot();
     m_waiting.push_back(m_editor.take_out(v, previous_position(v), [&] {
       m_maintained.visitor_calls.before_vertex_relocation(m_maintained.vertices[v],
-                                                          m_maintained.ids.host(v));
+                                                          m_maintained.ids.representative(v));
     }));
   }
 
-  // The points with these ids go. A host leaves its vertex to a guest, if there is one. Returns the
-  // vertices that did not stay where they were by that: some of these guests are about to part.
+  // The points with these ids go. A representative leaves its vertex to a duplicate, if there is
+  // one. Returns the vertices that did not stay where they were by that: some of these duplicates
+  // are about to part.
   std::vector<Index> remove(const std::vector<Index>& ids)
   {
     std::vector<Index> moved;
@@ -106,23 +107,24 @@ public:
   }
 
   // Of the vertices in the list that have come to the same place one stays, that of the smallest
-  // id, and the points of the others become guests there. Returns how many vertices went; none do
-  // if that would be more than `most`, or leave fewer than three.
+  // id, and the points of the others become duplicates there. Returns how many vertices went; none
+  // do if that would be more than `most`, or leave fewer than three.
   std::size_t merge(const std::vector<Index>& vertices, std::size_t most)
   {
     auto& ids = m_maintained.ids;
     m_meeting_order.sort(vertices.begin(), vertices.end());
     std::vector<std::pair<Index, Index>> pairs;
-    m_meeting_order.for_each_coincident_pair(
-        [&](Index v, Index w) { pairs.emplace_back(ids.host(v), ids.host(w)); });
-    constexpr std::size_t fewest_vertices = 3;
-    if (pairs.size() > most || pairs.size() + m_waiting.size() + m_empty.size() + fewest_vertices >
+    m_meeting_order.for_each_coincident_pair([&](Index v, Index w) {
+      pairs.emplace_back(ids.representative(v), ids.representative(w));
+    });
+    constexpr std::size_t min_vertices = 3;
+    if (pairs.size() > most || pairs.size() + m_waiting.size() + m_empty.size() + min_vertices >
                                    m_maintained.number_of_vertices())
       return 0;
-    ids.provide_for_guests(pairs.size());
+    ids.provide_for_duplicates(pairs.size());
     for (const auto& [i, j] : pairs) {
       Index stays = ids.vertex(i), goes = ids.vertex(j);
-      if (ids.host(goes) < ids.host(stays))
+      if (ids.representative(goes) < ids.representative(stays))
         std::swap(stays, goes);
       provide_for_slot();
       const Point p = m_maintained.point(goes);
@@ -139,21 +141,21 @@ public:
     std::size_t relocated = 0, parted = 0, merged = 0, steps = 0;
   };
 
-  // Puts everybody in: those that wait, the guests that are no longer where their vertex is, and
-  // the points that come. `settle(v, steps)` is called after each vertex, for flips around it, with
-  // the steps that all walks so far took; if it returns false, no more are put in.
+  // Puts everybody in: those that wait, the duplicates that are no longer where their vertex is,
+  // and the points that come. `settle(v, steps)` is called after each vertex, for flips around it,
+  // with the steps that all walks so far took; if it returns false, no more are put in.
   template <class Settle>
-  Counts put_in(const std::vector<Index>& parted_guests, const Settle& settle)
+  Counts put_in(const std::vector<Index>& parted_duplicates, const Settle& settle)
   {
     Counts counts;
-    collect_places(parted_guests);
+    collect_places(parted_duplicates);
     Hint hint{any_vertex(), m_maintained.number_of_vertices()};
     for (std::size_t k = 0; k < m_order.size(); ++k) {
       const std::size_t i = m_order[k];
       provide(m_maintained.new_edges, 6);
       const Index v = i < m_waiting.size()
                           ? put_in_again(m_waiting[i], hint, counts)
-                          : let_come(parted_guests, i - m_waiting.size(), hint, counts);
+                          : let_come(parted_duplicates, i - m_waiting.size(), hint, counts);
       if (v == no_index)
         continue;
       hint = hint_at(v);
@@ -182,7 +184,8 @@ public:
       return;
     m_maintained.everything_is_new = true;
     for (const Slot& slot : m_waiting)
-      if (m_maintained.mirror.is_outside(slot.vertex) && m_maintained.ids.has_host(slot.vertex))
+      if (m_maintained.mirror.is_outside(slot.vertex) &&
+          m_maintained.ids.has_representative(slot.vertex))
         m_editor.put_in(slot, m_maintained.mirror.corner(any_vertex()) / 3);
     m_editor.drop_in_need(m_empty);
     for_each_coming([this](Index id, const Point&) { m_maintained.ids.release(id); });
@@ -194,10 +197,10 @@ private:
   // Everything that give_up() would need, for one slot more.
   void provide_for_slot()
   {
-    const std::size_t most_slots = m_waiting.size() + m_empty.size() + 1;
+    const std::size_t max_slots = m_waiting.size() + m_empty.size() + 1;
     provide(m_waiting, 1);
     provide(m_empty, 1 + m_waiting.size());
-    m_editor.provide_for_drop(2 * most_slots);
+    m_editor.provide_for_drop(2 * max_slots);
   }
 
   Position_2 previous_position(Index v) const
@@ -209,42 +212,42 @@ private:
   {
     auto& ids = m_maintained.ids;
     const Index v = ids.vertex(id);
-    if (ids.is_host(id)) {
-      const Index heir = ids.find_guest_at(v, [](const auto&) { return true; });
-      if (heir == no_index) {
+    if (ids.is_representative(id)) {
+      const Index successor = ids.find_duplicate_at(v, [](const auto&) { return true; });
+      if (successor == no_index) {
         provide_for_slot();
         m_empty.push_back(m_editor.take_out(v, previous_position(v), [&] {
           m_maintained.visitor_calls.before_vertex_removal(m_maintained.vertices[v], id);
-          ids.remove_host(id);
+          ids.remove_representative(id);
         }));
         return;
       }
       const Point place = m_maintained.point(v);
-      if (!coincide(m_maintained.traits(), place, ids.guest(heir).point))
+      if (!coincide(m_maintained.traits(), place, ids.duplicate(successor).point))
         moved.push_back(v);
-      m_maintained.hand_over(heir, v, place);
+      m_maintained.hand_over(successor, v, place);
     }
-    ids.remove_guest(id);
+    ids.remove_duplicate(id);
   }
 
-  // All points of vertex `goes`, at p, become guests of the other one.
+  // All points of vertex `goes`, at p, become duplicates of the other one.
   void join(Index goes, Index stays, const Point& p)
   {
     auto& ids = m_maintained.ids;
-    m_maintained.visitor_calls.before_vertex_merge(m_maintained.vertices[goes], ids.host(goes),
-                                                   m_maintained.vertices[stays]);
+    m_maintained.visitor_calls.before_vertex_merge(
+        m_maintained.vertices[goes], ids.representative(goes), m_maintained.vertices[stays]);
     ids.merge(goes, stays, p);
   }
 
-  // Where all that are put in go: first those that wait, then the parted guests, then those that
-  // come.
-  void collect_places(const std::vector<Index>& parted_guests)
+  // Where all that are put in go: first those that wait, then the parted duplicates, then those
+  // that come.
+  void collect_places(const std::vector<Index>& parted_duplicates)
   {
     m_places.clear();
     for (const Slot& slot : m_waiting)
       m_places.push_back(m_maintained.positions[slot.vertex]);
-    for (const Index id : parted_guests)
-      m_places.push_back(Maintained::approximation(m_maintained.ids.guest(id).point));
+    for (const Index id : parted_duplicates)
+      m_places.push_back(Maintained::approximation(m_maintained.ids.duplicate(id).point));
     for (const Point& p : m_coming_points)
       m_places.push_back(Maintained::approximation(p));
     const boost::counting_iterator<Index> first(0), beyond(Index(m_places.size()));
@@ -289,33 +292,33 @@ private:
       ++counts.relocated;
       return v;
     }
-    m_maintained.ids.provide_for_guests(1);
+    m_maintained.ids.provide_for_duplicates(1);
     join(v, place.vertex, m_maintained.point(v));
     m_empty.push_back(slot);
     ++counts.merged;
     return no_index;
   }
 
-  // The same for a guest that parts, or a point that comes.
-  Index let_come(const std::vector<Index>& parted_guests, std::size_t i, const Hint& hint,
+  // The same for a duplicate that parts, or a point that comes.
+  Index let_come(const std::vector<Index>& parted_duplicates, std::size_t i, const Hint& hint,
                  Counts& counts)
   {
     auto& ids = m_maintained.ids;
-    const bool parts = i < parted_guests.size();
-    const std::size_t coming = i - parted_guests.size();
-    const Index id = parts ? parted_guests[i] : m_coming_ids[coming];
-    const Point p = parts ? ids.guest(id).point : m_coming_points[coming];
+    const bool parts = i < parted_duplicates.size();
+    const std::size_t coming = i - parted_duplicates.size();
+    const Index id = parts ? parted_duplicates[i] : m_coming_ids[coming];
+    const Point p = parts ? ids.duplicate(id).point : m_coming_points[coming];
     counts.parted += parts;
-    ids.provide_for_guests(1);
+    ids.provide_for_duplicates(1);
     const Slot slot = take_slot(p);
     const Place_2 place = m_location.locate(slot.vertex, hint.nearby, hint.spread);
     counts.steps += place.steps;
     if (place.vertex != no_index) {
-      ids.place_guest(id, place.vertex, p);
+      ids.place_duplicate(id, place.vertex, p);
       return no_index;
     }
     m_empty.pop_back();
-    ids.place_host(id, slot.vertex);
+    ids.place_representative(id, slot.vertex);
     m_maintained.visitor_calls.after_vertex_creation(m_maintained.vertices[slot.vertex], id);
     m_editor.put_in(slot, place.face);
     return slot.vertex;

@@ -4,8 +4,8 @@
 // A classifier that writes down whose each vertex, edge and face is, and compares after every
 // update: what is not new must still belong to the same vertices.
 
-#ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_NEWS_LEDGER_H
-#define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_NEWS_LEDGER_H
+#ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_CHANGE_LEDGER_H
+#define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_CHANGE_LEDGER_H
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_vertex_base_2.h>
@@ -51,12 +51,12 @@ private:
 
 // Classifies as the other one does.
 template <class Classifier>
-class News_ledger : public Classifier
+class Change_ledger : public Classifier
 {
 public:
   static constexpr bool is_exact = Classifier::is_exact;
 
-  explicit News_ledger(const Classifier& classifier = Classifier())
+  explicit Change_ledger(const Classifier& classifier = Classifier())
     : Classifier(classifier)
   {
   }
@@ -182,8 +182,8 @@ private:
 // A triangulation that is watched so.
 template <class Kernel, class Classifier, class Repair = CGAL::Default>
 using Watched_triangulation = CGAL::Dynamic_Delaunay_triangulation_2<
-    Kernel, News_ledger<Classifier>, Repair,
+    Kernel, Change_ledger<Classifier>, Repair,
     CGAL::Triangulation_data_structure_2<Stamped_vertex_base<Kernel>,
                                          CGAL::Triangulation_face_base_2<Kernel>>>;
 
-#endif // DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_NEWS_LEDGER_H
+#endif // DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_CHANGE_LEDGER_H
