@@ -299,7 +299,7 @@ public:
   Update_report_2 update(InputIterator first, InputIterator beyond, PointMap point_map)
   {
     const Floating_point floating_point;
-    m_core->input.stage(first, beyond, point_map, m_core->maintained);
+    m_core->input.stage(first, beyond, point_map);
     Change change;
     change.is_frame = true;
     return run(change);
@@ -453,9 +453,9 @@ public:
                                      m_core->maintained, change);
     change.is_frame = true;
     change.gone.assign(gone.begin(), gone.end());
-    change.coming = m_core->maintained.ids.next_ids(coming.size(), change.gone);
+    change.coming = m_core->maintained.ids().next_ids(coming.size(), change.gone);
     const std::vector<size_type> ids(change.coming.begin(), change.coming.end());
-    m_core->input.stage(first, beyond, Identity_map(), m_core->maintained);
+    m_core->input.stage(first, beyond, Identity_map());
     try {
       const Update_report_2 report = run(change);
       coming_ids = ids;
@@ -510,22 +510,25 @@ public:
   {
     if (!is_certified())
       throw Uncertified_triangulation_error_2();
-    return m_core->maintained.triangulation;
+    return m_core->maintained.triangulation();
   }
 
   /// the topology of the CGAL triangulation, which is a valid triangulated sphere also when it is
   /// not certified.
-  const Triangulation_data_structure& tds() const { return m_core->maintained.triangulation.tds(); }
+  const Triangulation_data_structure& tds() const
+  {
+    return m_core->maintained.triangulation().tds();
+  }
 
   /// the infinite vertex of `tds()`.
-  Vertex_handle infinite_vertex() const { return m_core->maintained.vertices.front(); }
+  Vertex_handle infinite_vertex() const { return m_core->maintained.vertices().front(); }
 
   /// the number of points.
-  size_type number_of_points() const { return m_core->maintained.ids.number_of_points(); }
+  size_type number_of_points() const { return m_core->maintained.ids().number_of_points(); }
   /// one more than the largest id ever in use. It never gets smaller.
-  size_type number_of_ids() const { return m_core->maintained.ids.number_of_ids(); }
+  size_type number_of_ids() const { return m_core->maintained.ids().number_of_ids(); }
   /// whether there is a point with this id.
-  bool has_id(size_type id) const { return m_core->maintained.ids.is_taken(id); }
+  bool has_id(size_type id) const { return m_core->maintained.ids().is_taken(id); }
   /// the number of finite vertices: fewer, if points coincide.
   size_type number_of_vertices() const { return m_core->maintained.number_of_vertices(); }
 
@@ -535,7 +538,7 @@ public:
   {
     if (!has_id(id))
       throw Unknown_id_error_2(id, number_of_ids());
-    return m_core->maintained.vertices[m_core->maintained.ids.vertex(Index(id))];
+    return m_core->maintained.vertices()[m_core->maintained.ids().vertex(Index(id))];
   }
 
   /// where a point is.
@@ -543,7 +546,7 @@ public:
   const Point& point(size_type id) const
   {
     const Vertex_handle representative = vertex(id);
-    const auto& ids = m_core->maintained.ids;
+    const auto& ids = m_core->maintained.ids();
     return ids.is_representative(Index(id)) ? representative->point()
                                             : ids.duplicate(Index(id)).point;
   }
@@ -551,7 +554,7 @@ public:
   /// the id of a point at a finite vertex; of the one that was there first, if several are.
   size_type id(Vertex_handle vertex) const
   {
-    return m_core->maintained.ids.representative(vertex->mirror_index());
+    return m_core->maintained.ids().representative(vertex->mirror_index());
   }
 
   /// calls `f(i, j)` with the ids of both ends of every finite edge. Points that share a vertex
@@ -726,8 +729,8 @@ private:
   struct Core
   {
     Maintained maintained;
+    Input input{maintained};
     Update update{maintained};
-    Input input;
   };
 
   // Takes everything; the other one gets an empty core, of which its classifier knows nothing. What
@@ -750,33 +753,30 @@ private:
     return std::as_const(m_core->update).tools();
   }
 
-  // Gives CGAL's vertices their points in the end, also if a repair throws.
-  struct Point_writer
-  {
-    Maintained& maintained;
-    const Change& change;
-
-    ~Point_writer() { write(); }
-    void write()
-    {
-      if (change.is_frame)
-        maintained.write_points();
-      else
-        maintained.write_points_of(change.moved);
-    }
-  };
-
-  // Everything that changes the triangulation comes here, when it was read and checked.
+  // Everything that changes the triangulation comes here, when it was read and checked. CGAL's
+  // vertices get their points in the end, also if a repair throws.
   Update_report_2 run(const Change& change)
   {
     const auto take_back = [&] {
       if (change.is_frame)
-        m_core->input.unstage(m_core->maintained);
+        m_core->input.take_back();
       return change.moved.empty();
     };
     m_core->update.enter();
     start_visit(take_back);
-    Point_writer writer{m_core->maintained, change};
+    try {
+      const Update_report_2 report = run_phases(change, take_back);
+      finish_visit(report);
+      return report;
+    } catch (...) {
+      write_points(change);
+      throw;
+    }
+  }
+
+  template <class Take_back>
+  Update_report_2 run_phases(const Change& change, const Take_back& take_back)
+  {
     const bool is_informed = std::exchange(m_is_classifier_informed, false);
     Update_report_2 report =
         m_core->update.run(change, m_classifier, m_repair, m_policy, is_informed, take_back);
@@ -785,9 +785,16 @@ private:
     report.certified = is_certified();
     if (change.is_frame)
       m_policy.after_update(frame(), report);
-    writer.write();
-    finish_visit(report);
+    write_points(change);
     return report;
+  }
+
+  void write_points(const Change& change)
+  {
+    if (change.is_frame)
+      m_core->input.write();
+    else
+      m_core->input.write(change.moved);
   }
 
   // If the visitor does not want to see it, nothing has changed.
@@ -800,20 +807,20 @@ private:
       take_back();
       throw;
     }
-    m_core->maintained.visitor_calls.start(m_visitor, *this);
+    m_core->update.tools().editor().start_visit(m_visitor, *this);
   }
 
   // When everything is done. What the visitor has thrown on the way, it throws now.
   void finish_visit(const Update_report_2& report)
   {
-    m_core->maintained.visitor_calls.finish();
+    m_core->update.tools().editor().finish_visit();
     m_visitor.after_update(std::as_const(*this), report);
   }
 
   template <class Function>
   void call_with_ids(Function& f, Index v, Index w) const
   {
-    const auto& ids = m_core->maintained.ids;
+    const auto& ids = m_core->maintained.ids();
     if (!Frame::is_infinite(v) && !Frame::is_infinite(w))
       f(size_type(ids.representative(v)), size_type(ids.representative(w)));
   }

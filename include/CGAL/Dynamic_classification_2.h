@@ -34,8 +34,8 @@ public:
   void clear(const Maintained& maintained)
   {
     m_maintained = &maintained;
-    m_vertices.clear(maintained.vertices.size());
-    m_whole_vertices.clear(maintained.vertices.size());
+    m_vertices.clear(maintained.vertices().size());
+    m_whole_vertices.clear(maintained.vertices().size());
     m_edges.clear();
     m_number_of_illegal = 0;
     m_hull_turns_once = false;
@@ -55,8 +55,8 @@ public:
   /// \throws Unknown_index_error_2 if there is no such vertex.
   void add_vertex(Index v)
   {
-    if (v >= m_maintained->vertices.size())
-      throw Unknown_index_error_2("vertex", v, m_maintained->vertices.size());
+    if (v >= m_maintained->vertices().size())
+      throw Unknown_index_error_2("vertex", v, m_maintained->vertices().size());
     if (v != Dynamic_Delaunay_triangulations_2::internal::infinite_index) {
       m_vertices.insert(v);
       m_whole_vertices.insert(v);
@@ -67,9 +67,9 @@ public:
   /// \throws Unknown_id_error_2 if there is no such point.
   void add_id(std::size_t id)
   {
-    if (!m_maintained->ids.is_taken(id))
-      throw Unknown_id_error_2(id, m_maintained->ids.number_of_ids());
-    add_vertex(m_maintained->ids.vertex(Index(id)));
+    if (!m_maintained->ids().is_taken(id))
+      throw Unknown_id_error_2(id, m_maintained->ids().number_of_ids());
+    add_vertex(m_maintained->ids().vertex(Index(id)));
   }
 
   /// classifies the four vertices of edge `e`, for the sake of that edge alone: repairs that work
@@ -77,8 +77,8 @@ public:
   /// \throws Unknown_index_error_2 if there is no such edge.
   void add_edge(Index e)
   {
-    if (e >= m_maintained->mirror.number_of_edges())
-      throw Unknown_index_error_2("edge", e, m_maintained->mirror.number_of_edges());
+    if (e >= m_maintained->mirror().number_of_edges())
+      throw Unknown_index_error_2("edge", e, m_maintained->mirror().number_of_edges());
     m_edges.push_back(e);
     std::swap(m_edges.back(), m_edges[m_edges.size() - 1 - m_number_of_illegal]);
     add_vertices_of(e);
@@ -88,7 +88,7 @@ public:
   /// than naming them.
   void add_everything()
   {
-    const Index bound = Index(m_maintained->vertices.size());
+    const Index bound = Index(m_maintained->vertices().size());
     m_vertices.fill(1, bound);
     m_whole_vertices.fill(1, bound);
   }
@@ -97,7 +97,7 @@ public:
   // Whether all vertices are classified for the sake of all their edges.
   bool is_everything() const
   {
-    return m_whole_vertices.size() + 1 == m_maintained->vertices.size();
+    return m_whole_vertices.size() + 1 == m_maintained->vertices().size();
   }
 
   // The same as add_edge() for an edge that is known to violate the in-circle condition between two
@@ -132,7 +132,7 @@ public:
 private:
   void add_vertices_of(Index e)
   {
-    const auto& edge = m_maintained->mirror.edge(e);
+    const auto& edge = m_maintained->mirror().edge(e);
     for (const Index v : {edge.source, edge.target, edge.left, edge.right})
       if (v != Dynamic_Delaunay_triangulations_2::internal::infinite_index)
         m_vertices.insert(v);

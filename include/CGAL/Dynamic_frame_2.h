@@ -52,32 +52,32 @@ public:
   /// @{
 
   /// the number of points.
-  Index number_of_points() const { return m_maintained->ids.number_of_points(); }
+  Index number_of_points() const { return m_maintained->ids().number_of_points(); }
   /// what all ids are smaller than: more than the number of points, if some were removed.
-  Index number_of_ids() const { return m_maintained->ids.number_of_ids(); }
+  Index number_of_ids() const { return m_maintained->ids().number_of_ids(); }
   /// the number of finite vertices: fewer than points, if some of these coincide.
   Index number_of_vertices() const { return m_maintained->number_of_vertices(); }
   /// the number of edges, those to the infinite vertex included.
-  Index number_of_edges() const { return m_maintained->mirror.number_of_edges(); }
+  Index number_of_edges() const { return m_maintained->mirror().number_of_edges(); }
   /// the number of faces, the infinite ones included.
-  Index number_of_faces() const { return m_maintained->mirror.number_of_faces(); }
+  Index number_of_faces() const { return m_maintained->mirror().number_of_faces(); }
 
   /// @}
   /// \name Points
   /// @{
 
   /// whether there is a point `id`.
-  bool has_id(Index id) const { return m_maintained->ids.is_taken(id); }
+  bool has_id(Index id) const { return m_maintained->ids().is_taken(id); }
   /// the vertex of the point `id`. \pre `has_id(id)`
-  Index vertex(Index id) const { return m_maintained->ids.vertex(id); }
+  Index vertex(Index id) const { return m_maintained->ids().vertex(id); }
   /// the id of a point at the finite vertex `v`; of the one that was there first, if several are.
-  Index id(Index v) const { return m_maintained->ids.representative(v); }
+  Index id(Index v) const { return m_maintained->ids().representative(v); }
   /// calls `f(i)` for the id `i` of every point that shares the vertex of one that was there first,
   /// smaller ids first. Cost: proportional to their number.
   template <class Function>
   void for_each_duplicate(Function&& f) const
   {
-    for (const auto& duplicate : m_maintained->ids.duplicates())
+    for (const auto& duplicate : m_maintained->ids().duplicates())
       f(duplicate.id);
   }
   /// whether `v` is the infinite vertex.
@@ -86,38 +86,39 @@ public:
     return v == Dynamic_Delaunay_triangulations_2::internal::infinite_index;
   }
   /// where vertex `v` is; NaNs for the infinite one.
-  const Position& position(Index v) const { return m_maintained->positions[v]; }
+  const Position& position(Index v) const { return m_maintained->positions()[v]; }
   /// where all vertices are, by their numbers.
-  const std::vector<Position>& positions() const { return m_maintained->positions; }
+  const std::vector<Position>& positions() const { return m_maintained->positions(); }
   /// where vertex `v` was one frame ago. Only while classifying.
   Position previous_position(Index v) const
   {
-    return Maintained::approximation(m_maintained->previous_point(v));
+    return Dynamic_Delaunay_triangulations_2::internal::approximation(
+        m_maintained->previous_point(v));
   }
   /// whether all positions are the very coordinates of the points, none of them rounded.
-  bool positions_are_exact() const { return m_maintained->positions_are_exact; }
+  bool positions_are_exact() const { return m_maintained->positions_are_exact(); }
 
   /// @}
   /// \name Edges and Faces
   /// @{
 
   /// edge `e` with its two opposite vertices.
-  const Edge& edge(Index e) const { return m_maintained->mirror.edge(e); }
+  const Edge& edge(Index e) const { return m_maintained->mirror().edge(e); }
   /// all edges, in their numbering.
-  const std::vector<Edge>& edges() const { return m_maintained->mirror.edges(); }
+  const std::vector<Edge>& edges() const { return m_maintained->mirror().edges(); }
   /// whether one end of `edge` is the infinite vertex.
   static bool is_infinite(const Edge& edge)
   {
     return is_infinite(edge.source) || is_infinite(edge.target);
   }
   /// the three vertices of face `f`, counterclockwise when the face was made.
-  std::array<Index, 3> face(Index f) const { return m_maintained->mirror.face(f); }
+  std::array<Index, 3> face(Index f) const { return m_maintained->mirror().face(f); }
 
   /// the two faces at edge `e`: the one with the vertex `left` of `edge(e)`, and the one with
   /// `right`.
   std::array<Index, 2> faces_at(Index e) const
   {
-    const auto& mirror = m_maintained->mirror;
+    const auto& mirror = m_maintained->mirror();
     const Index h = mirror.halfedge(e);
     const Index f = mirror.face_of(h), g = mirror.face_of(mirror.twin(h));
     if (mirror.source(h) == edge(e).source)
@@ -129,19 +130,19 @@ public:
   template <class Function>
   void for_each_neighbor(Index v, Function&& f) const
   {
-    m_maintained->mirror.for_each_neighbor(v, f);
+    m_maintained->mirror().for_each_neighbor(v, f);
   }
   /// calls `f(s)` for the four other edges `s` of the two faces at edge `e`.
   template <class Function>
   void for_each_side(Index e, Function&& f) const
   {
-    m_maintained->mirror.for_each_side(e, f);
+    m_maintained->mirror().for_each_side(e, f);
   }
   /// calls `f(e)` for every edge `e` at vertex `v`.
   template <class Function>
   void for_each_incident_edge(Index v, Function&& f) const
   {
-    const auto& mirror = m_maintained->mirror;
+    const auto& mirror = m_maintained->mirror();
     mirror.for_each_corner(v, [&](Index h) { f(mirror.edge_of(mirror.previous(h))); });
   }
 
@@ -161,7 +162,7 @@ public:
   template <class Function>
   void for_each_edge_that_sees(Index v, Function&& f) const
   {
-    const auto& mirror = m_maintained->mirror;
+    const auto& mirror = m_maintained->mirror();
     mirror.for_each_corner(v, [&](Index h) {
       f(mirror.edge_of(h));
       f(mirror.edge_of(mirror.previous(h)));
@@ -174,18 +175,18 @@ public:
   /// @{
 
   /// whether that was everything: at the start, after a rebuild, and after CGAL's relocations.
-  bool everything_is_new() const { return m_maintained->everything_is_new; }
+  bool everything_is_new() const { return m_maintained->changes().everything_is_new; }
   /// the edges in the regions that were triangulated anew, if not everything was; after an update
   /// each of them once.
-  const std::vector<Index>& new_edges() const { return m_maintained->new_edges; }
+  const std::vector<Index>& new_edges() const { return m_maintained->changes().new_edges; }
   /// the vertices that jumped, and were put into other faces, if not everything is new and numbers
   /// have stayed: all edges at them are among `new_edges()`.
-  const std::vector<Index>& relocated_vertices() const { return m_maintained->relocated; }
+  const std::vector<Index>& relocated_vertices() const { return m_maintained->changes().relocated; }
   /// whether vertices came or went, and everything else is not new: then some vertices, edges and
   /// faces have taken the numbers of others that went.
   bool has_other_numbers() const
   {
-    return !everything_is_new() && !m_maintained->renumberings.are_none();
+    return !everything_is_new() && !m_maintained->changes().renumberings.are_none();
   }
   /// brings data of each vertex, in the order of their numbers from 0 on, in step after vertices
   /// came or went, if not everything is new: moves those of vertices that have other numbers now,
@@ -193,20 +194,23 @@ public:
   template <class T, class Make>
   void follow_vertices(std::vector<T>& data, const Make& make) const
   {
-    m_maintained->renumberings.vertices.follow(data, number_of_vertices() + std::size_t(1), make);
+    m_maintained->changes().renumberings.vertices.follow(
+        data, number_of_vertices() + std::size_t(1), make);
   }
   /// the same for data of each edge, with `T()` for those that came: all of them are among
   /// `new_edges()`.
   template <class T>
   void follow_edges(std::vector<T>& data) const
   {
-    m_maintained->renumberings.edges.follow(data, number_of_edges(), [](Index) { return T(); });
+    m_maintained->changes().renumberings.edges.follow(data, number_of_edges(),
+                                                      [](Index) { return T(); });
   }
   /// the same for data of each face; all that came are visited by `for_each_changed_face()`.
   template <class T>
   void follow_faces(std::vector<T>& data) const
   {
-    m_maintained->renumberings.faces.follow(data, number_of_faces(), [](Index) { return T(); });
+    m_maintained->changes().renumberings.faces.follow(data, number_of_faces(),
+                                                      [](Index) { return T(); });
   }
   /// whether anything was. While classifying that is so only if an exception ended the last update
   /// before the classifier was told.

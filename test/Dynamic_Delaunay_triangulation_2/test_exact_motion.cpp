@@ -5,6 +5,9 @@
 
 #include "oracle.h"
 
+#include <random>
+#include <vector>
+
 namespace {
 
 template <class Kernel>
@@ -259,6 +262,33 @@ TEST(Exact_coordinates, that_are_no_doubles_leave_the_signs_to_the_kernel)
     dt.update(thirds.begin(), thirds.end());
     EXPECT_FALSE(dt.frame().positions_are_exact());
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, thirds));
+  }
+}
+
+// Their rounded positions are another cloud, on a lattice, of which every filter is sure.
+TEST(Exact_coordinates, that_differ_by_less_than_doubles_do_are_told_apart)
+{
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> sevenths(0, 7 * 16);
+  const auto coordinate = [&] { return Epeck::FT(1) + Epeck::FT(sevenths(random)) / 7 * 0x1p-52; };
+  const auto cloud = [&] {
+    std::vector<Epeck::Point_2> points;
+    for (int i = 0; i < 60; ++i) {
+      const Epeck::FT x = coordinate(), y = coordinate();
+      points.emplace_back(x, y);
+    }
+    return points;
+  };
+  const auto points = cloud();
+  CGAL::Dynamic_Delaunay_triangulation_2<Epeck> dt(points.begin(), points.end());
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  auto next = points;
+  for (int frame = 0; frame < 30; ++frame) {
+    const auto others = cloud();
+    for (std::size_t i = 0; i < next.size(); i += frame % 2 == 0 ? 13 : 1)
+      next[i] = others[i];
+    dt.update(next.begin(), next.end());
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, next));
   }
 }
 

@@ -102,6 +102,26 @@ TEST_F(Predicates, of_the_filters_claim_nothing_wrong_for_any_finite_doubles)
   EXPECT_GT(proved, 1000u);
 }
 
+// Products of some 2^-1026: differences are rounded as ever, and a bound of five units of them in
+// the last place is zero.
+TEST_F(Predicates, of_the_orientation_claim_nothing_where_their_bound_underflows)
+{
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int i = 0; i < 50000; ++i) {
+    const double scale = std::ldexp(1.0, -511 - int(random() % 3));
+    const auto point = [&](double size) {
+      const double x = size * number(random), y = size * number(random);
+      return Position_2{x, y};
+    };
+    const Position_2 c = point(1e-3 * scale), a = point(scale);
+    const double share = number(random);
+    const Position_2 b{c.x + share * (a.x - c.x), c.y + share * (a.y - c.y)};
+    const int sign = internal::filtered_orientation(a, b, c);
+    ASSERT_TRUE(sign == 0 || sign == exact::orientation(a, b, c)) << text({a, b, c, a});
+  }
+}
+
 TEST_F(Predicates, of_four_edges_at_once_claim_nothing_wrong_for_any_finite_doubles)
 {
   Quadruples quadruples(3);

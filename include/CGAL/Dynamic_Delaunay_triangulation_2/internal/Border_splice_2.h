@@ -58,13 +58,13 @@ public:
   Splice_result_2 run(Topology_editor_2<Maintained>& editor, const std::vector<Index>& classified,
                       unsigned padding, Limits& limits)
   {
-    const std::size_t bound = m_maintained.vertices.size();
+    const std::size_t bound = m_maintained.vertices().size();
     m_inner.clear(bound);
     m_border.clear(bound);
     m_spliced.clear(bound);
     m_boundary_edges.clear();
     for (const Index v : classified)
-      if (!m_maintained.mirror.is_outside(v))
+      if (!m_maintained.mirror().is_outside(v))
         m_inner.insert(v);
     m_number_of_classified = m_inner.size();
     for (unsigned layer = 0; layer < padding; ++layer)
@@ -105,7 +105,7 @@ private:
   {
     const std::size_t size = m_inner.size();
     for (std::size_t i = 0; i < size; ++i)
-      m_maintained.mirror.for_each_neighbor(m_inner[i], [&](Index w) {
+      m_maintained.mirror().for_each_neighbor(m_inner[i], [&](Index w) {
         if (w != infinite_index)
           m_inner.insert(w);
       });
@@ -114,10 +114,10 @@ private:
   // The inner vertices that hang together with v and wait to be spliced.
   void collect_cluster(Index v)
   {
-    m_cluster.clear(m_maintained.vertices.size());
+    m_cluster.clear(m_maintained.vertices().size());
     m_cluster.insert(v);
     for (std::size_t i = 0; i < m_cluster.size(); ++i)
-      m_maintained.mirror.for_each_neighbor(m_cluster[i], [&](Index w) {
+      m_maintained.mirror().for_each_neighbor(m_cluster[i], [&](Index w) {
         if (m_inner.contains(w) && !m_spliced.contains(w))
           m_cluster.insert(w);
       });
@@ -167,7 +167,7 @@ private:
     for (std::size_t first = 0; doubles && m_cluster.size() < 2 * size;) {
       const std::size_t beyond = m_cluster.size();
       for (; first < beyond; ++first)
-        m_maintained.mirror.for_each_neighbor(m_cluster[first], [&](Index w) {
+        m_maintained.mirror().for_each_neighbor(m_cluster[first], [&](Index w) {
           if (w != infinite_index)
             m_cluster.insert(w);
         });
@@ -180,8 +180,8 @@ private:
   {
     m_outside.clear();
     for (const Boundary_edge_2& edge : m_old_boundary) {
-      m_outside.push_back(m_maintained.mirror.twin(edge.halfedge));
-      m_boundary_edges.push_back(m_maintained.mirror.edge_of(edge.halfedge));
+      m_outside.push_back(m_maintained.mirror().twin(edge.halfedge));
+      m_boundary_edges.push_back(m_maintained.mirror().edge_of(edge.halfedge));
     }
     for (const Index v : m_cluster) {
       m_spliced.insert(v);
@@ -197,9 +197,9 @@ private:
   // Those around the cluster, with the vertices beyond it and their boundary.
   void collect_old_faces()
   {
-    const Mirror& mirror = m_maintained.mirror;
+    const Mirror& mirror = m_maintained.mirror();
     m_old_faces.clear(mirror.number_of_faces());
-    m_cluster_border.clear(m_maintained.vertices.size());
+    m_cluster_border.clear(m_maintained.vertices().size());
     m_has_infinite_faces = false;
     for (const Index v : m_cluster)
       mirror.for_each_corner(v, [&](Index h) {
@@ -281,7 +281,7 @@ private:
   // As Patch_2::other_end_of_fan().
   Index other_end_of_old_fan(const Boundary_edge_2& edge) const
   {
-    const Mirror& mirror = m_maintained.mirror;
+    const Mirror& mirror = m_maintained.mirror();
     Index h = Mirror::previous(edge.halfedge);
     while (m_old_faces.contains(mirror.twin(h) / 3))
       h = Mirror::previous(mirror.twin(h));
@@ -324,7 +324,7 @@ private:
   // Walks around v, which must be finite.
   bool is_edge_outside(Index v, Index w) const
   {
-    const Mirror& mirror = m_maintained.mirror;
+    const Mirror& mirror = m_maintained.mirror();
     bool is_outside = false;
     mirror.for_each_corner(v, [&](Index h) {
       const Index beyond = mirror.twin(Mirror::previous(h));

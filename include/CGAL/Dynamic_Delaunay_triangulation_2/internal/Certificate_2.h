@@ -48,7 +48,7 @@ public:
   // Conditions 1 to 3 at one edge.
   Edge_state_2 state(Index e) const
   {
-    const Edge_2& edge = m_maintained.mirror.edge(e);
+    const Edge_2& edge = m_maintained.mirror().edge(e);
     if (edge.left == infinite_index)
       return hull_edge_state(edge.right, edge.target, edge.source);
     if (edge.right == infinite_index)
@@ -64,11 +64,11 @@ public:
   // The same at less cost: what is twisted may be called crossed.
   Edge_state_2 rough_state(Index e) const
   {
-    const Edge_2& edge = m_maintained.mirror.edge(e);
-    const auto& positions = m_maintained.positions;
+    const Edge_2& edge = m_maintained.mirror().edge(e);
+    const auto& positions = m_maintained.positions();
     const Edge_filter_2 filter(positions[edge.left], positions[edge.source], positions[edge.target],
                                positions[edge.right]);
-    if (m_maintained.positions_are_exact && filter.disproves_delaunay())
+    if (m_maintained.positions_are_exact() && filter.disproves_delaunay())
       return filter.proves_illegal() ? Edge_state_2::ILLEGAL : Edge_state_2::CROSSED;
     return state(e);
   }
@@ -78,7 +78,7 @@ public:
   bool hull_turns_once() const
   {
     int summits = 0;
-    const auto& mirror = m_maintained.mirror;
+    const auto& mirror = m_maintained.mirror();
     mirror.for_each_corner(infinite_index, [&](Index corner) {
       const Index v = mirror.target(corner);
       const Index next = mirror.target(mirror.next_corner(corner));
@@ -89,7 +89,7 @@ public:
 
   bool holds() const
   {
-    for (Index e = 0; e < m_maintained.mirror.number_of_edges(); ++e)
+    for (Index e = 0; e < m_maintained.mirror().number_of_edges(); ++e)
       if (state(e) != Edge_state_2::DELAUNAY)
         return false;
     return hull_turns_once();
@@ -100,10 +100,10 @@ private:
   // edge that a vertex has crossed has a positive one, and flipping it rights both faces.
   Edge_state_2 inner_edge_state(const Edge_2& edge) const
   {
-    const auto& positions = m_maintained.positions;
+    const auto& positions = m_maintained.positions();
     const Edge_filter_2 filter(positions[edge.left], positions[edge.source], positions[edge.target],
                                positions[edge.right]);
-    if (m_maintained.positions_are_exact) {
+    if (m_maintained.positions_are_exact()) {
       if (filter.proves_delaunay())
         return Edge_state_2::DELAUNAY;
       if (filter.proves_illegal())

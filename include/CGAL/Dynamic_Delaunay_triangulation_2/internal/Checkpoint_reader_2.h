@@ -60,7 +60,6 @@ public:
       read_topology();
     else
       check_line(maintained);
-    maintained.positions_are_exact = m_kept.positions_are_exact;
     Topology_builder_2<Maintained>(maintained).restore(m_kept);
     if (m_is_certified && m_dimension == 2 && !Certificate_2<Maintained>(maintained).holds())
       m_file.refuse(m_certified_line, "the triangulation is not Delaunay, and cannot be certified");

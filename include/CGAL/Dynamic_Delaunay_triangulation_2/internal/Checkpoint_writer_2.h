@@ -48,11 +48,11 @@ public:
     check_completeness();
     Checkpoint_output_2 file(out, subject);
     file.line("coordinates", Coordinate::kind);
-    file.line("positions", m_maintained.positions_are_exact ? "exact" : "rounded");
+    file.line("positions", m_maintained.positions_are_exact() ? "exact" : "rounded");
     file.line("certified", m_is_certified ? "yes" : "no");
     file.line("hopeless_share", m_experience.hopeless_share());
-    file.line("dimension", m_maintained.triangulation.dimension());
-    file.line("ids", m_maintained.ids.number_of_ids());
+    file.line("dimension", m_maintained.triangulation().dimension());
+    file.line("ids", m_maintained.ids().number_of_ids());
     write_points(file);
     if (m_maintained.is_mirrored())
       write_topology(file);
@@ -66,9 +66,9 @@ private:
   void check_completeness() const
   {
     bool is_complete = m_is_certified || m_maintained.is_mirrored();
-    for (const auto& duplicate : m_maintained.ids.duplicates())
+    for (const auto& duplicate : m_maintained.ids().duplicates())
       is_complete = is_complete &&
-                    duplicate.point == m_maintained.point(m_maintained.ids.vertex(duplicate.id));
+                    duplicate.point == m_maintained.point(m_maintained.ids().vertex(duplicate.id));
     if (!is_complete)
       throw Checkpoint_error_2(0, "an exception has ended the last call before each point had its "
                                   "vertex: write after the next update()");
@@ -76,7 +76,7 @@ private:
 
   void write_points(Checkpoint_output_2& file) const
   {
-    const auto& ids = m_maintained.ids;
+    const auto& ids = m_maintained.ids();
     file.line("vertices", m_maintained.number_of_vertices());
     for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
       write_vertex(file, v);
@@ -92,9 +92,9 @@ private:
   // How a number was rounded depends on what it was computed from, of which nothing is kept.
   void write_vertex(Checkpoint_output_2& file, Index v) const
   {
-    const Point& p = m_maintained.vertices[v]->point();
-    const Index id = m_maintained.ids.representative(v);
-    const Position_2& position = m_maintained.positions[v];
+    const Point& p = m_maintained.vertices()[v]->point();
+    const Index id = m_maintained.ids().representative(v);
+    const Position_2& position = m_maintained.positions()[v];
     if constexpr (Maintained::coordinates_are_doubles)
       file.line(id, p.x(), p.y());
     else
@@ -103,12 +103,12 @@ private:
 
   void write_topology(Checkpoint_output_2& file) const
   {
-    const auto& mirror = m_maintained.mirror;
+    const auto& mirror = m_maintained.mirror();
     file.line("faces", mirror.number_of_faces());
     for (Index f = 0; f < mirror.number_of_faces(); ++f)
       file.line(mirror.apex(3 * f), mirror.apex(3 * f + 1), mirror.apex(3 * f + 2));
-    file.line("corners", m_maintained.vertices.size());
-    for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v)
+    file.line("corners", m_maintained.vertices().size());
+    for (Index v = 0; v < Index(m_maintained.vertices().size()); ++v)
       file.line(mirror.corner(v), face_of_vertex(v));
     file.line("edges", mirror.number_of_edges());
     for (Index e = 0; e < mirror.number_of_edges(); ++e) {
@@ -121,9 +121,9 @@ private:
   // corner's.
   Index face_of_vertex(Index v) const
   {
-    Index face = m_maintained.mirror.corner(v) / 3;
-    m_maintained.mirror.for_each_corner(v, [&](Index h) {
-      if (m_maintained.faces[h / 3] == m_maintained.vertices[v]->face())
+    Index face = m_maintained.mirror().corner(v) / 3;
+    m_maintained.mirror().for_each_corner(v, [&](Index h) {
+      if (m_maintained.faces()[h / 3] == m_maintained.vertices()[v]->face())
         face = h / 3;
     });
     return face;

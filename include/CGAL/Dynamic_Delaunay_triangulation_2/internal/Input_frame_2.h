@@ -35,64 +35,92 @@ constexpr bool is_in_memory = std::is_pointer_v<Iterator> ||
 template <class Iterator>
 constexpr bool is_in_memory<Iterator, bool> = false;
 
-// Reads and checks the positions of a frame, before anything changes.
+// Reads and checks the positions of a frame before anything changes, takes them back, or gives them
+// to CGAL's vertices in the end. It alone has the key to the points of duplicates.
 template <class Maintained>
 class Input_frame_2
 {
   using Point = typename Maintained::Point;
+  using Ids = typename Maintained::Ids;
 
 public:
+  class Key
+  {
+    friend class Input_frame_2;
+    Key() {}
+  };
+
+  explicit Input_frame_2(Maintained& maintained)
+    : m_maintained(maintained)
+    , m_positions(maintained.m_positions)
+  {
+  }
+
   // Reads a frame into the positions; CGAL's vertices keep the points of the last one until they
   // are written. If the frame is refused, or reading it throws, all is as it was.
   template <class InputIterator, class PointMap>
-  void stage(InputIterator first, InputIterator beyond, const PointMap& point_map,
-             Maintained& maintained)
+  void stage(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
-    maintained.next_duplicates = maintained.ids.duplicates();
-    maintained.previous_positions_are_exact = maintained.positions_are_exact;
+    m_next_duplicates = m_maintained.ids().duplicates();
+    m_were_exact = m_positions.m_are_exact;
     try {
-      stage_all(first, beyond, point_map, maintained);
+      stage_all(first, beyond, point_map);
     } catch (...) {
-      maintained.restore_positions();
+      m_positions.take_back(m_maintained.vertices(), m_were_exact);
       throw;
     }
-    maintained.points_are_written = false;
-    std::swap(maintained.ids.duplicates(), maintained.next_duplicates);
+    m_positions.m_are_written = false;
+    exchange_duplicates();
   }
 
   // Takes it back.
-  void unstage(Maintained& maintained)
+  void take_back()
   {
-    maintained.restore_positions();
-    std::swap(maintained.ids.duplicates(), maintained.next_duplicates);
+    m_positions.take_back(m_maintained.vertices(), m_were_exact);
+    exchange_duplicates();
+  }
+
+  // CGAL's vertices get the points of the frame.
+  void write() { m_positions.write(m_maintained.vertices()); }
+
+  // The same where only the points with these ids have moved. Some of them may be gone.
+  void write(const std::vector<Index>& moved_ids)
+  {
+    if (std::exchange(m_positions.m_are_written, true))
+      return;
+    const auto& ids = m_maintained.ids();
+    for (const Index id : moved_ids)
+      if (ids.is_taken(id)) {
+        const Index v = ids.vertex(id);
+        m_positions.write_one(v, m_maintained.vertices()[v]);
+      }
   }
 
 private:
   template <class InputIterator, class PointMap>
-  static void stage_all(InputIterator first, InputIterator beyond, const PointMap& point_map,
-                        Maintained& maintained)
+  void stage_all(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
     using Category = typename std::iterator_traits<InputIterator>::iterator_category;
     if constexpr (std::is_convertible_v<Category, std::random_access_iterator_tag>)
-      if (maintained.ids.duplicates().empty())
-        return stage_all_representatives(first, beyond, point_map, maintained);
-    stage_one_by_one(first, beyond, point_map, maintained);
+      if (m_maintained.ids().duplicates().empty())
+        return stage_all_representatives(first, beyond, point_map);
+    stage_one_by_one(first, beyond, point_map);
   }
 
   // Where each point has a vertex of its own, and all are at hand: in the order of the vertices,
   // without a branch. A coordinate x is finite if 0x is 0, and within the limit if its product with
   // the factor is finite; two sums take turns, so that no addition waits for the one before.
   template <class RandomAccessIterator, class PointMap>
-  static void stage_all_representatives(RandomAccessIterator first, RandomAccessIterator beyond,
-                                        const PointMap& point_map, Maintained& maintained)
+  void stage_all_representatives(RandomAccessIterator first, RandomAccessIterator beyond,
+                                 const PointMap& point_map)
   {
-    const std::size_t ids = maintained.ids.number_of_ids();
+    const std::size_t ids = m_maintained.ids().number_of_ids();
     const std::size_t given = std::size_t(beyond - first);
     if (given != ids)
       throw Point_count_error_2(ids, (std::min)(given, ids + 1));
     using Difference = typename std::iterator_traits<RandomAccessIterator>::difference_type;
-    const Index points = maintained.ids.number_of_representatives();
-    const Index* const representatives = maintained.ids.representatives();
+    const Index points = m_maintained.ids().number_of_representatives();
+    const Index* const representatives = m_maintained.ids().representatives();
     bool are_exact = true;
     const auto stage = [&](std::size_t v, Position_2& zero) {
       // iterators may keep their values in themselves, or make them, and maps refer into these
@@ -103,13 +131,13 @@ private:
       zero.x += 0 * (factor_beyond_limit * position.x);
       zero.y += 0 * (factor_beyond_limit * position.y);
       are_exact = are_exact && has_exact_position(p);
-      write(position, p, Index(v), maintained);
+      m_positions.stage(Index(v), position, p);
     };
     // one after the other in the plane, the points are anywhere in the range
     const auto prefetch_point = [&](std::size_t v) {
       if constexpr (is_in_memory<RandomAccessIterator>)
         prefetch(&*(first + Difference(representatives[v])));
-      prefetch(&maintained.positions[v]);
+      prefetch(&m_maintained.positions()[v]);
     };
     constexpr std::size_t ahead = 128;
     const std::size_t end_of_prefetching =
@@ -127,53 +155,53 @@ private:
     if (v == points)
       stage(v, odd);
     if (!(odd.x + odd.y + even.x + even.y == 0))
-      throw_refused(first, beyond, point_map, maintained);
-    maintained.positions_are_exact = are_exact;
+      throw_refused(first, beyond, point_map);
+    m_positions.m_are_exact = are_exact;
   }
 
   template <class InputIterator, class PointMap>
-  static void throw_refused(InputIterator first, InputIterator beyond, const PointMap& point_map,
-                            const Maintained& maintained)
+  void throw_refused(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
     bool are_exact = true;
     for (std::size_t id = 0; first != beyond; ++id, ++first)
-      if (maintained.ids.is_taken(id))
+      if (m_maintained.ids().is_taken(id))
         checked_position(get(point_map, *first), id, are_exact);
   }
 
   template <class InputIterator, class PointMap>
-  static void stage_one_by_one(InputIterator first, InputIterator beyond, const PointMap& point_map,
-                               Maintained& maintained)
+  void stage_one_by_one(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
-    const Index ids = maintained.ids.number_of_ids();
+    const Index ids = m_maintained.ids().number_of_ids();
     bool are_exact = true;
-    auto duplicate = maintained.next_duplicates.begin(); // sorted by id
+    auto duplicate = m_next_duplicates.begin(); // sorted by id
     Index id = 0;
     for (; id < ids && first != beyond; ++id, ++first) {
-      if (!maintained.ids.is_taken(id))
+      if (!m_maintained.ids().is_taken(id))
         continue;
       auto&& value = *first;
       const Point& p = get(point_map, value);
       const Position_2 position = checked_position(p, id, are_exact);
-      if (duplicate != maintained.next_duplicates.end() && duplicate->id == id)
+      if (duplicate != m_next_duplicates.end() && duplicate->id == id)
         (duplicate++)->point = p;
       else
-        write(position, p, maintained.ids.vertex(id), maintained);
+        m_positions.stage(m_maintained.ids().vertex(id), position, p);
     }
     if (first != beyond)
       throw Point_count_error_2(ids, ids + std::size_t(1));
     if (id < ids)
       throw Point_count_error_2(ids, id);
-    maintained.positions_are_exact = are_exact;
+    m_positions.m_are_exact = are_exact;
   }
 
-  static void write(const Position_2& position, const Point& p, Index vertex,
-                    Maintained& maintained)
+  void exchange_duplicates()
   {
-    maintained.positions[vertex] = position;
-    if constexpr (!Maintained::points_are_two_doubles)
-      maintained.next_points[vertex] = p;
+    m_maintained.m_topology.template exchange_duplicates<Maintained>(Key(), m_next_duplicates);
   }
+
+  Maintained& m_maintained;
+  typename Maintained::Positions& m_positions;
+  std::vector<typename Ids::Duplicate> m_next_duplicates;
+  bool m_were_exact = true;
 };
 
 } // namespace internal

@@ -40,10 +40,10 @@ public:
   const std::vector<Index>& find_jumpers(const std::vector<Index>& edges)
   {
     m_jumpers.clear();
-    m_seen.clear(m_maintained.vertices.size());
+    m_seen.clear(m_maintained.vertices().size());
     for (std::size_t i = 0; i < edges.size(); ++i) {
       prefetch_edges(edges, i);
-      look_at(m_maintained.mirror.edge(edges[i]));
+      look_at(m_maintained.mirror().edge(edges[i]));
     }
     return m_jumpers;
   }
@@ -53,9 +53,9 @@ public:
   const std::vector<Index>& find_farthest(const std::vector<Index>& edges)
   {
     m_jumpers.clear();
-    m_seen.clear(m_maintained.vertices.size());
+    m_seen.clear(m_maintained.vertices().size());
     for (const Index e : edges) {
-      const Edge_2& edge = m_maintained.mirror.edge(e);
+      const Edge_2& edge = m_maintained.mirror().edge(e);
       const std::array<Index, 4> vertices{edge.source, edge.target, edge.left, edge.right};
       const auto is_taken = [this](Index v) { return m_seen.contains(v); };
       if (std::any_of(vertices.begin(), vertices.end(), is_taken))
@@ -111,7 +111,7 @@ private:
       if (v != infinite_index) {
         vertices[size] = v;
         places[size] = previous_position(v);
-        steps[size] = m_maintained.positions[v] - places[size];
+        steps[size] = m_maintained.positions()[v] - places[size];
         ++size;
       }
     for (std::size_t i = 0; i < size; ++i) {
@@ -142,20 +142,21 @@ private:
   {
     constexpr std::size_t ahead = 4;
     if (i + 3 * ahead < edges.size())
-      prefetch(&m_maintained.mirror.edge(edges[i + 3 * ahead]));
+      prefetch(&m_maintained.mirror().edge(edges[i + 3 * ahead]));
     if (i + 2 * ahead < edges.size())
       for_each_vertex(edges[i + 2 * ahead], [this](Index v) {
-        prefetch(&m_maintained.vertices[v]);
-        prefetch(&m_maintained.positions[v]);
+        prefetch(&m_maintained.vertices()[v]);
+        prefetch(&m_maintained.positions()[v]);
       });
     if (i + ahead < edges.size())
-      for_each_vertex(edges[i + ahead], [this](Index v) { prefetch(&*m_maintained.vertices[v]); });
+      for_each_vertex(edges[i + ahead],
+                      [this](Index v) { prefetch(&*m_maintained.vertices()[v]); });
   }
 
   template <class Function>
   void for_each_vertex(Index e, const Function& f) const
   {
-    const Edge_2& edge = m_maintained.mirror.edge(e);
+    const Edge_2& edge = m_maintained.mirror().edge(e);
     for (const Index v : {edge.source, edge.target, edge.left, edge.right})
       f(v);
   }
@@ -167,7 +168,7 @@ private:
     m_y.clear();
     m_squared_lengths.clear();
     const Position_2 place = previous_position(v);
-    m_maintained.mirror.for_each_neighbor(v, [&](Index w) {
+    m_maintained.mirror().for_each_neighbor(v, [&](Index w) {
       if (w == infinite_index)
         return;
       const Position_2 step = displacement(w);
@@ -179,12 +180,12 @@ private:
 
   Position_2 previous_position(Index v) const
   {
-    return Maintained::approximation(m_maintained.previous_point(v));
+    return approximation(m_maintained.previous_point(v));
   }
 
   Position_2 displacement(Index v) const
   {
-    return m_maintained.positions[v] - previous_position(v);
+    return m_maintained.positions()[v] - previous_position(v);
   }
 
   // How far x is from the median; from the farther one of two. Half of a vertex's neighbors may

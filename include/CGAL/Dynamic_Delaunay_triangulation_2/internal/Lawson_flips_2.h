@@ -38,35 +38,40 @@ public:
     const std::size_t limit = (std::min)(100 + 20 * open.size(), most);
     std::size_t flips = 0;
     m_touched.clear(); // an exception may have ended the last run
-    typename Topology_editor_2<Maintained>::Flip_series series(editor);
-    for (std::size_t before = limit; !open.empty() && flips != before;) {
-      before = flips;
-      m_seeds.swap(open);
-      open.clear();
-      for (std::size_t i = 0; i < m_seeds.size(); ++i) {
-        if (i % stretch == 0)
-          prefetch_stretch(maintained, i);
-        flips +=
-            flip_from(maintained, editor, series, m_seeds[i], limit - flips, faces_tile_hull, open);
+    editor.flip_in_series([&](const auto& flip) {
+      const auto try_flip = [&](Index h) {
+        const bool is_right = faces_tile_hull || editor.can_flip(h);
+        if (is_right)
+          flip(h);
+        return is_right;
+      };
+      for (std::size_t before = limit; !open.empty() && flips != before;) {
+        before = flips;
+        m_seeds.swap(open);
+        open.clear();
+        for (std::size_t i = 0; i < m_seeds.size(); ++i) {
+          if (i % stretch == 0)
+            prefetch_stretch(maintained, i);
+          flips += flip_from(maintained, m_seeds[i], limit - flips, try_flip, open);
+        }
+        keep_unproved(maintained, open);
       }
-      keep_unproved(maintained, open);
-    }
+    });
     return flips;
   }
 
 private:
   // What a flip has touched is looked at at once, while it is in the cache. At most `limit` flips.
-  template <class Maintained, class Flip_series>
-  std::size_t flip_from(const Maintained& maintained, const Topology_editor_2<Maintained>& editor,
-                        Flip_series& series, Index seed, std::size_t limit, bool faces_tile_hull,
-                        std::vector<Index>& open)
+  template <class Maintained, class Try_flip>
+  std::size_t flip_from(const Maintained& maintained, Index seed, std::size_t limit,
+                        const Try_flip& try_flip, std::vector<Index>& open)
   {
     std::size_t flips = 0;
     m_touched.push_back(seed);
     while (!m_touched.empty() && flips < limit) {
       const Index e = m_touched.back();
       m_touched.pop_back();
-      flips += examine(maintained, editor, series, e, faces_tile_hull, open);
+      flips += examine(maintained, e, try_flip, open);
     }
     open.insert(open.end(), m_touched.begin(), m_touched.end());
     m_touched.clear();
@@ -74,20 +79,18 @@ private:
   }
 
   // Flips e if it is illegal and can be flipped; notes it as open if it is not Delaunay and cannot.
-  template <class Maintained, class Flip_series>
-  bool examine(const Maintained& maintained, const Topology_editor_2<Maintained>& editor,
-               Flip_series& series, Index e, bool faces_tile_hull, std::vector<Index>& open)
+  template <class Maintained, class Try_flip>
+  bool examine(const Maintained& maintained, Index e, const Try_flip& try_flip,
+               std::vector<Index>& open)
   {
     const Edge_state_2 state = Certificate_2<Maintained>(maintained).state(e);
     if (state == Edge_state_2::DELAUNAY)
       return false;
-    const auto& mirror = maintained.mirror;
-    const Index h = mirror.halfedge(e);
-    if (state == Edge_state_2::TWISTED || !(faces_tile_hull || editor.can_flip(h))) {
+    const auto& mirror = maintained.mirror();
+    if (state == Edge_state_2::TWISTED || !try_flip(mirror.halfedge(e))) {
       open.push_back(e);
       return false;
     }
-    series.flip(h);
     // between counterclockwise faces the quadrilateral is convex, and the new diagonal Delaunay
     if (state == Edge_state_2::CROSSED)
       m_touched.push_back(e);
@@ -101,8 +104,8 @@ private:
   template <class Maintained>
   void prefetch_stretch(const Maintained& maintained, std::size_t first) const
   {
-    const auto& mirror = maintained.mirror;
-    const Position_2* const positions = maintained.positions.data();
+    const auto& mirror = maintained.mirror();
+    const Position_2* const positions = maintained.positions().data();
     const auto for_each_seed = [&](const auto& f) {
       const std::size_t beyond = (std::min)(first + stretch, m_seeds.size());
       for (std::size_t i = first; i < beyond; ++i)

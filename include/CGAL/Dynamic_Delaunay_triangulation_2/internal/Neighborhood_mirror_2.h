@@ -38,6 +38,11 @@ struct Edge_2
 
 namespace internal {
 
+template <class Maintained>
+class Topology_builder_2;
+template <class Maintained>
+class Topology_editor_2;
+
 constexpr Index infinite_index = 0;
 constexpr Index no_index = (std::numeric_limits<Index>::max)();
 
@@ -146,7 +151,30 @@ public:
     return false;
   }
 
-  // The writing part, for Topology_editor_2 and Topology_builder_2 alone.
+  // VERTICES OUTSIDE OF ALL FACES -------------------------------------------------------------
+  //
+  // A vertex that is taken out of its faces keeps a *slot*: its number, and those of the two faces
+  // and three edges that are then too many. They mean nothing until a vertex is put in with them,
+  // or the last ones take the numbers.
+
+  struct Slot
+  {
+    Index vertex;
+    std::array<Index, 2> faces;
+    std::array<Index, 3> edges;
+  };
+
+  bool is_outside(Index v) const { return m_corner[v] == no_index; }
+  bool is_empty_face(Index f) const { return apex(3 * f) == no_index; }
+  bool is_empty_edge(Index e) const { return m_halfedge_of_edge[e] == no_index; }
+
+private:
+  template <class Maintained>
+  friend class Topology_builder_2;
+  template <class Maintained>
+  friend class Topology_editor_2;
+
+  // WRITING -------------------------------------------------------------------------------------
 
   void clear()
   {
@@ -249,23 +277,6 @@ public:
     exchange_opposite(dc, b, a);
     exchange_opposite(ca, b, d);
   }
-
-  // VERTICES OUTSIDE OF ALL FACES -------------------------------------------------------------
-  //
-  // A vertex that is taken out of its faces keeps a *slot*: its number, and those of the two faces
-  // and three edges that are then too many. They mean nothing until a vertex is put in with them,
-  // or the last ones take the numbers.
-
-  struct Slot
-  {
-    Index vertex;
-    std::array<Index, 2> faces;
-    std::array<Index, 3> edges;
-  };
-
-  bool is_outside(Index v) const { return m_corner[v] == no_index; }
-  bool is_empty_face(Index f) const { return apex(3 * f) == no_index; }
-  bool is_empty_edge(Index e) const { return m_halfedge_of_edge[e] == no_index; }
 
   // Memory for one slot more: then append_slot() throws nothing.
   void provide_for_slot()
@@ -378,7 +389,6 @@ public:
     m_corner.pop_back();
   }
 
-private:
   void empty(const Slot& slot)
   {
     m_corner[slot.vertex] = no_index;

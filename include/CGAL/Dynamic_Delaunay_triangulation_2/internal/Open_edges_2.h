@@ -54,7 +54,7 @@ public:
   {
     clear();
     if (classification.is_everything()) {
-      m_uncertain.resize(maintained.mirror.number_of_edges());
+      m_uncertain.resize(maintained.mirror().number_of_edges());
       std::iota(m_uncertain.begin(), m_uncertain.end(), Index(0));
       return;
     }
@@ -74,8 +74,8 @@ public:
   template <class Maintained>
   void open_new_edges(const Maintained& maintained, std::size_t i)
   {
-    const auto& mirror = maintained.mirror;
-    const auto& new_edges = maintained.new_edges;
+    const auto& mirror = maintained.mirror();
+    const auto& new_edges = maintained.changes().new_edges;
     m_opened_last.clear();
     for (; i < new_edges.size(); ++i)
       if (!mirror.is_empty_edge(new_edges[i])) {
@@ -133,7 +133,7 @@ public:
   void for_each_uncertain_vertex(const Maintained& maintained, const Function& f) const
   {
     for (const Index e : m_uncertain) {
-      const Edge_2& edge = maintained.mirror.edge(e);
+      const Edge_2& edge = maintained.mirror().edge(e);
       for (const Index v : {edge.source, edge.target, edge.left, edge.right})
         if (v != infinite_index)
           f(v);

@@ -47,7 +47,7 @@ public:
   // v may be expected to have numbers that differ from its by no more than `spread`.
   Place_2 locate(Index v, Index nearby, Index spread) const
   {
-    const Mirror& mirror = m_maintained.mirror;
+    const Mirror& mirror = m_maintained.mirror();
     Index f = mirror.corner(nearest(v, nearby, spread)) / 3;
     Index entry = no_index;
     Index steps = 0;
@@ -98,20 +98,20 @@ private:
   void consider(Index w, Nearest& best) const
   {
     const double square = squared_distance(position(best.of), position(w));
-    if (square < best.squared_distance && !m_maintained.mirror.is_outside(w)) {
+    if (square < best.squared_distance && !m_maintained.mirror().is_outside(w)) {
       best.squared_distance = square;
       best.vertex = w;
     }
   }
 
-  const Position_2& position(Index v) const { return m_maintained.positions[v]; }
+  const Position_2& position(Index v) const { return m_maintained.positions()[v]; }
 
   // The edge of face f, other than the one that the walk came in by, that v is beyond; `no_index`
   // if v is in the face. Which edge is looked at first depends on `turn`: a walk that always
   // prefers the same one can take detours.
   Index way_out(Index f, Index v, Index entry, Index turn) const
   {
-    const Mirror& mirror = m_maintained.mirror;
+    const Mirror& mirror = m_maintained.mirror();
     for (Index i = 0; i < 3; ++i) // an infinite face has one finite edge
       if (mirror.apex(3 * f + i) == infinite_index)
         return orientation(3 * f + i, v) == LEFT_TURN ? no_index : 3 * f + i;
@@ -125,7 +125,7 @@ private:
 
   Orientation orientation(Index h, Index v) const
   {
-    const Mirror& mirror = m_maintained.mirror;
+    const Mirror& mirror = m_maintained.mirror();
     return m_predicates.orientation(mirror.source(h), mirror.target(h), v);
   }
 
@@ -133,7 +133,7 @@ private:
   {
     Place_2 place;
     place.steps = steps;
-    for (const Index w : m_maintained.mirror.face(f))
+    for (const Index w : m_maintained.mirror().face(f))
       if (w != infinite_index && m_predicates.compare_xy(v, w) == EQUAL)
         place.vertex = w;
     place.face = f;

@@ -54,16 +54,16 @@ public:
     m_point_ids.resize(vertices + std::size_t(1)); // the infinite vertex has no point
     m_points.resize(vertices + std::size_t(1));
     for (Index v = 1; v <= vertices; ++v) {
-      m_point_ids[v] = m_maintained.ids.representative(v);
+      m_point_ids[v] = m_maintained.ids().representative(v);
       m_points[v] = m_maintained.point(v);
     }
-    number_points(m_maintained.ids.number_of_ids());
+    number_points(m_maintained.ids().number_of_ids());
   }
 
   // Takes the points of the maintained triangulation, where they are now.
   void number()
   {
-    const Ids& ids = m_maintained.ids;
+    const Ids& ids = m_maintained.ids();
     std::vector<Index> point_ids = ids.representatives_and_duplicates();
     std::vector<Point> points;
     points.reserve(point_ids.size());
@@ -107,11 +107,11 @@ private:
   void sort_points()
   {
     const boost::counting_iterator<Index> first(0), beyond(Index(m_points.size()));
-    if (m_maintained.positions_are_exact) {
+    if (m_maintained.positions_are_exact()) {
       std::vector<Position_2> positions;
       positions.reserve(m_points.size());
       for (const Point& p : m_points)
-        positions.push_back(Maintained::approximation(p));
+        positions.push_back(approximation(p));
       m_order.sort(positions, first, beyond);
     } else
       m_order.sort_by_comparisons(first, beyond, [this](Index i, Index j) {
@@ -138,7 +138,7 @@ private:
 
   bool was_representative(Index id) const
   {
-    const Ids& ids = m_maintained.ids;
+    const Ids& ids = m_maintained.ids();
     return ids.is_taken(id) && ids.is_representative(id);
   }
 

@@ -38,10 +38,10 @@ public:
     std::vector<Point>& points = change.coming_points;
     for (; first != beyond; ++first)
       points.push_back(get(point_map, *first));
-    if (points.size() > max_vertices - maintained.ids.number_of_points())
+    if (points.size() > max_vertices - maintained.ids().number_of_points())
       throw std::length_error("a triangulation holds at most " + std::to_string(max_vertices) +
                               " points");
-    change.coming = maintained.ids.next_ids(points.size());
+    change.coming = maintained.ids().next_ids(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
       checked_position(points[i], change.coming[i], change.are_exact);
   }
@@ -78,8 +78,8 @@ private:
   template <class Integer>
   static Index read_id(const Integer& id, const Maintained& maintained)
   {
-    if (!maintained.ids.is_taken(std::size_t(id)))
-      throw Unknown_id_error_2(std::size_t(id), maintained.ids.number_of_ids());
+    if (!maintained.ids().is_taken(std::size_t(id)))
+      throw Unknown_id_error_2(std::size_t(id), maintained.ids().number_of_ids());
     return Index(id);
   }
 };

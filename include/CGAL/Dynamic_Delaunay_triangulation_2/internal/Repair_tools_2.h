@@ -73,6 +73,7 @@ public:
     m_may_take_out = true;
   }
 
+  Editor& editor() { return m_editor; }
   Classification& classification() { return m_classification; }
   Traffic& traffic() { return m_traffic; }
   Topology_builder_2<Maintained>& builder() { return m_builder; }
@@ -91,7 +92,7 @@ public:
   // The points with these ids go.
   void remove(const std::vector<Index>& ids)
   {
-    const std::size_t first_new = m_maintained.new_edges.size();
+    const std::size_t first_new = m_maintained.changes().new_edges.size();
     const std::vector<Index> moved = m_traffic.remove(ids);
     m_open.open_new_edges(m_maintained, first_new);
     for (const Index v : moved)
@@ -151,7 +152,7 @@ public:
   const Open_edges_2& open_edges() const { return m_open; }
   bool has_to_prove() const { return m_has_to_prove; }
   bool has_rebuilt() const { return m_report->rebuilt(); }
-  std::size_t number_of_edges() const { return m_maintained.mirror.number_of_edges(); }
+  std::size_t number_of_edges() const { return m_maintained.mirror().number_of_edges(); }
   std::size_t number_of_classified_edges() const { return m_classified_edges; }
   const std::vector<Index>& padded() const { return m_padded; }
   const std::vector<Index>& border() const { return m_border; }
@@ -246,9 +247,9 @@ public:
   {
     if (m_traffic.is_under_way())
       return rebuild(Rebuild_reason_2::POPULATION);
-    if (!m_was_certified || m_maintained.points_are_written)
+    if (!m_was_certified || m_maintained.points_are_written())
       return rebuild(Rebuild_reason_2::STUCK);
-    const bool all_arrived = relocate_all();
+    const bool all_arrived = m_builder.relocate_all(m_report->relocated);
     m_open.clear();
     if (!all_arrived)
       rebuild(Rebuild_reason_2::COINCIDENCE);
@@ -287,7 +288,7 @@ private:
 
   bool can_take_out() const
   {
-    return m_may_take_out && m_has_to_prove && !m_maintained.points_are_written && !has_rebuilt();
+    return m_may_take_out && m_has_to_prove && !m_maintained.points_are_written() && !has_rebuilt();
   }
 
   // At least three stay. Whether any went.
@@ -303,7 +304,7 @@ private:
       rebuild(Rebuild_reason_2::BUDGET_SPENT);
       return false;
     }
-    const std::size_t first_new = m_maintained.new_edges.size();
+    const std::size_t first_new = m_maintained.changes().new_edges.size();
     for (const Index v : vertices)
       m_traffic.take_out(v);
     m_budget.spend(price);
@@ -317,7 +318,7 @@ private:
     constexpr std::size_t usual_degree = 8;
     std::size_t price = 0;
     for (const Index v : vertices) {
-      const std::size_t degree = m_maintained.mirror.degree(v);
+      const std::size_t degree = m_maintained.mirror().degree(v);
       price += Repair_budget_2::relocation / 2 +
                Repair_budget_2::flip * (degree - (std::min)(degree, usual_degree));
     }
@@ -332,9 +333,8 @@ private:
       return;
     std::vector<Index>& edges = m_open.uncertain();
     // for a heuristic classifier, what was looked at counts as triangulated anew
-    auto& new_edges = m_maintained.new_edges;
     if (!m_is_exact)
-      new_edges.insert(new_edges.end(), edges.begin(), edges.end());
+      m_editor.note_examined(edges);
     const std::size_t most = m_budget.left() / Repair_budget_2::flip + 1;
     const std::size_t flips =
         m_lawson.run(m_maintained, m_editor, edges, m_open.faces_tile_hull(), most);
@@ -347,7 +347,7 @@ private:
   // Flips around a vertex that was put in.
   void settle(Index v)
   {
-    const auto& mirror = m_maintained.mirror;
+    const auto& mirror = m_maintained.mirror();
     m_around.clear();
     mirror.for_each_corner(v, [&](Index h) {
       m_around.push_back(mirror.edge_of(h));
@@ -412,7 +412,7 @@ private:
     std::vector<Index> candidates = m_splice.region();
     m_open.for_each_uncertain_vertex(m_maintained, [&](Index v) { candidates.push_back(v); });
     make_distinct(candidates);
-    const std::size_t first_new = m_maintained.new_edges.size();
+    const std::size_t first_new = m_maintained.changes().new_edges.size();
     const std::size_t merged =
         m_traffic.merge(candidates, m_budget.left() / Repair_budget_2::relocation);
     m_report->merged += merged;
@@ -421,40 +421,6 @@ private:
     m_open.reopen(m_maintained, {});
     if (merged == 0 || m_budget.is_spent())
       rebuild(Rebuild_reason_2::COINCIDENCE);
-  }
-
-  // RELOCATION BY CGAL --------------------------------------------------------------------------
-
-  // Reads back what CGAL has made of the faces. False if some vertices could not go: others are, or
-  // stay, where they have to.
-  bool relocate_all()
-  {
-    const All_faces_anew_2<Maintained> anew(m_maintained);
-    const bool all_arrived = relocate_one_by_one();
-    m_maintained.write_points();
-    m_builder.read_back();
-    return all_arrived;
-  }
-
-  bool relocate_one_by_one()
-  {
-    std::vector<Index> waiting;
-    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
-      if (!coincide(m_maintained.traits(), m_maintained.point(v), m_maintained.previous_point(v)))
-        waiting.push_back(v);
-    // whoever finds its place taken tries again when the others have moved on
-    for (std::size_t before = waiting.size() + 1; !waiting.empty() && waiting.size() < before;) {
-      before = waiting.size();
-      waiting.erase(std::remove_if(waiting.begin(), waiting.end(),
-                                   [this](Index v) {
-                                     const bool arrived =
-                                         m_builder.relocate(v, m_maintained.point(v));
-                                     m_report->relocated += arrived;
-                                     return arrived;
-                                   }),
-                    waiting.end());
-    }
-    return waiting.empty();
   }
 
   // REBUILDING ----------------------------------------------------------------------------------
@@ -474,7 +440,7 @@ private:
       m_builder.build_with({}, ids, points);
   }
 
-  Maintained& m_maintained;
+  const Maintained& m_maintained;
   Editor m_editor;
   Topology_builder_2<Maintained> m_builder;
   Traffic m_traffic;

@@ -33,6 +33,8 @@ namespace internal {
 template <class Maintained>
 class Topology_builder_2
 {
+  using Topology = typename Maintained::Topology;
+  using Positions = typename Maintained::Positions;
   using Point = typename Maintained::Point;
   using Vertex_handle = typename Maintained::Vertex_handle;
   using Face_handle = typename Maintained::Face_handle;
@@ -42,6 +44,8 @@ class Topology_builder_2
 public:
   explicit Topology_builder_2(Maintained& maintained)
     : m_maintained(maintained)
+    , m_topology(maintained.m_topology)
+    , m_positions(maintained.m_positions)
     , m_vertex_order(maintained)
     , m_numbering(maintained)
     , m_triangulator(maintained)
@@ -54,10 +58,10 @@ public:
   // `number_of_ids`, in place of what is there. Whoever is there already keeps its vertex.
   void build(std::vector<Index> ids, std::vector<Point> points, Index number_of_ids)
   {
-    m_maintained.everything_is_new = true; // also if memory runs out on the way
-    const All_faces_anew_2<Maintained> anew(m_maintained);
-    m_numbering.number(std::move(ids), std::move(points), number_of_ids);
-    triangulate_numbered();
+    write_all_anew([&] {
+      m_numbering.number(std::move(ids), std::move(points), number_of_ids);
+      triangulate_numbered();
+    });
   }
 
   // The same of the points that are there, where they are now, but for those that are gone, and of
@@ -73,7 +77,7 @@ public:
         points.push_back(m_maintained.point_of_id(id));
       points.insert(points.end(), coming_points.begin(), coming_points.end());
       ids.insert(ids.end(), coming_ids.begin(), coming_ids.end());
-      Index number_of_ids = m_maintained.ids.number_of_ids();
+      Index number_of_ids = m_topology.m_ids.number_of_ids();
       for (const Index id : coming_ids)
         number_of_ids = (std::max)(number_of_ids, id + 1);
       build(std::move(ids), std::move(points), number_of_ids);
@@ -88,16 +92,16 @@ public:
   // these fit the plane.
   void rebuild()
   {
-    m_maintained.everything_is_new = true;
-    const All_faces_anew_2<Maintained> anew(m_maintained);
-    if (!sort_vertices()) {
-      m_numbering.number();
-      triangulate_numbered();
-    } else if (are_numbers_far_apart()) {
-      m_numbering.number(m_vertex_order.take_order());
-      triangulate_numbered();
-    } else
-      triangulate(m_vertex_order.order());
+    write_all_anew([&] {
+      if (!sort_vertices()) {
+        m_numbering.number();
+        triangulate_numbered();
+      } else if (are_numbers_far_apart()) {
+        m_numbering.number(m_vertex_order.take_order());
+        triangulate_numbered();
+      } else
+        triangulate(m_vertex_order.order());
+    });
   }
 
   // The triangulation that was kept, which must be right, in place of one without points. If memory
@@ -112,50 +116,127 @@ public:
     restore_numbers(kept);
   }
 
-  // Takes all that another one has, and gives it its own. Throws nothing.
+  // Takes all that another one has, and gives it its own. The user's visitor stays. Throws nothing.
   void exchange(Maintained& other)
   {
-    const All_faces_anew_2<Maintained> anew(m_maintained);
-    auto& visitor_calls = m_maintained.visitor_calls;
+    auto& visitor_calls = m_topology.m_visitor_calls;
+    tell_of_faces_before();
     for_each_vertex([&](Vertex_handle v, Index id) { visitor_calls.before_vertex_removal(v, id); });
-    m_maintained.swap(other);
+    exchange_topology(other.m_topology);
+    std::swap(m_positions, other.m_positions);
     for_each_vertex([&](Vertex_handle v, Index id) { visitor_calls.after_vertex_creation(v, id); });
+    tell_of_faces_after();
   }
 
-  // Moves vertex v to p by CGAL's own means, in a Delaunay triangulation: false if another vertex
-  // is there. The mirror is out of step until `read_back()`.
-  bool relocate(Index v, const Point& p)
+  // Moves each vertex that has moved to where it is now, by CGAL's own means, from where it was a
+  // frame ago, in a Delaunay triangulation; then reads back what CGAL has made of the faces. False
+  // if some vertices could not go, because others stay where they have to be: all points are
+  // written, but the triangulation is not Delaunay. `relocated` counts those that went.
+  bool relocate_all(std::size_t& relocated)
   {
-    const Vertex_handle vertex = m_maintained.vertices[v];
-    return m_maintained.triangulation.move_if_no_collision(vertex, p) == vertex;
+    bool all_arrived = false;
+    write_all_anew([&] {
+      all_arrived = relocate_one_by_one(relocated);
+      m_positions.write(m_topology.m_vertices);
+      read_back();
+    });
+    return all_arrived;
+  }
+
+private:
+  // TELLING THE VISITOR -------------------------------------------------------------------------
+
+  // Writes all faces anew by f(), and tells the visitor before and after it, also if it throws.
+  template <class Function>
+  void write_all_anew(const Function& f)
+  {
+    m_topology.m_changes.everything_is_new = true; // also if memory runs out on the way
+    tell_of_faces_before();
+    try {
+      f();
+    } catch (...) {
+      tell_of_faces_after();
+      throw;
+    }
+    tell_of_faces_after();
+  }
+
+  void tell_of_faces_before()
+  {
+    for_each_face([this](Face_handle f) { m_topology.m_visitor_calls.before_face_removal(f); });
+  }
+  void tell_of_faces_after()
+  {
+    for_each_face([this](Face_handle f) { m_topology.m_visitor_calls.after_face_creation(f); });
+  }
+
+  // If the visitor listens.
+  template <class Function>
+  void for_each_face(const Function& f) const
+  {
+    if constexpr (Maintained::Visitor_calls::is_heard)
+      if (m_maintained.is_mirrored())
+        for (const Face_handle face : m_topology.m_faces)
+          f(face);
+  }
+
+  // RELOCATING ----------------------------------------------------------------------------------
+
+  bool relocate_one_by_one(std::size_t& relocated)
+  {
+    std::vector<Index> waiting;
+    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
+      if (!coincide(m_maintained.traits(), m_maintained.point(v), m_maintained.previous_point(v)))
+        waiting.push_back(v);
+    const auto arrives = [&](Index v) {
+      const Vertex_handle vertex = m_topology.m_vertices[v];
+      const bool arrived =
+          m_topology.m_triangulation.move_if_no_collision(vertex, m_maintained.point(v)) == vertex;
+      relocated += arrived;
+      return arrived;
+    };
+    // a vertex that finds its place taken tries again when the others have moved on
+    for (std::size_t before = waiting.size() + 1; !waiting.empty() && waiting.size() < before;) {
+      before = waiting.size();
+      waiting.erase(std::remove_if(waiting.begin(), waiting.end(), arrives), waiting.end());
+    }
+    return waiting.empty();
   }
 
   // Reads the topology into the mirror after CGAL has changed it.
   void read_back()
   {
-    auto& faces = m_maintained.faces;
-    auto& triangulation = m_maintained.triangulation;
+    auto& faces = m_topology.m_faces;
     faces.clear();
-    auto& stored = triangulation.tds().faces();
+    auto& stored = m_topology.m_triangulation.tds().faces();
     for (auto f = stored.begin(); f != stored.end(); ++f)
       faces.push_back(f);
-    m_maintained.everything_is_new = true;
     if (m_maintained.is_mirrored())
       read_faces();
     else
-      m_maintained.mirror.clear();
+      m_topology.m_mirror.clear();
   }
 
-private:
   // BUILDING ------------------------------------------------------------------------------------
+
+  // Everything but the visitor, which belongs to the user's object.
+  void exchange_topology(Topology& other)
+  {
+    m_topology.m_triangulation.swap(other.m_triangulation);
+    std::swap(m_topology.m_mirror, other.m_mirror);
+    m_topology.m_vertices.swap(other.m_vertices);
+    m_topology.m_faces.swap(other.m_faces);
+    std::swap(m_topology.m_ids, other.m_ids);
+    std::swap(m_topology.m_changes, other.m_changes);
+  }
 
   // Representatives first.
   std::vector<Index> ids_without(const std::vector<Index>& gone)
   {
-    std::vector<Index> ids = m_maintained.ids.representatives_and_duplicates();
+    std::vector<Index> ids = m_topology.m_ids.representatives_and_duplicates();
     if (gone.empty())
       return ids;
-    m_goes.assign(m_maintained.ids.number_of_ids(), false);
+    m_goes.assign(m_topology.m_ids.number_of_ids(), false);
     for (const Index id : gone)
       m_goes[id] = true;
     ids.erase(std::remove_if(ids.begin(), ids.end(), [this](Index id) { return goes(id); }),
@@ -169,9 +250,9 @@ private:
   // False if they may be others: points have come together, or may part.
   bool sort_vertices()
   {
-    if (!m_maintained.ids.duplicates().empty())
+    if (!m_topology.m_ids.duplicates().empty())
       return false;
-    const boost::counting_iterator<Index> first(1), beyond(Index(m_maintained.vertices.size()));
+    const boost::counting_iterator<Index> first(1), beyond(Index(m_topology.m_vertices.size()));
     m_vertex_order.sort(first, beyond);
     return !m_vertex_order.has_coincident_vertices();
   }
@@ -179,43 +260,71 @@ private:
   // Where vertices that follow each other in space have numbers far apart, new numbers pay.
   bool are_numbers_far_apart() const
   {
-    return 8 * m_vertex_order.number_of_far_steps() > m_maintained.vertices.size();
+    return 8 * m_vertex_order.number_of_far_steps() > m_topology.m_vertices.size();
   }
 
   // The vertices as m_numbering numbers them. Each representative keeps the vertex that it had, if
   // it had one of its own. Nothing has changed if memory runs out.
   void triangulate_numbered()
   {
-    typename Maintained::Vertex_arrays fresh;
     Ids& ids = m_numbering.ids();
+    Vertices fresh(m_topology, ids.number_of_representatives(), m_positions.m_are_exact);
     try {
       collect_vertices(fresh);
-      m_maintained.exchange_vertices(fresh, ids);
+      exchange_vertices(fresh, ids);
       try {
         triangulate(m_numbering.order());
       } catch (...) {
-        m_maintained.exchange_vertices(fresh, ids);
+        exchange_vertices(fresh, ids);
         throw;
       }
     } catch (...) {
-      delete_vertices(fresh.vertices, ids, m_maintained.ids);
+      delete_vertices(fresh.handles, ids, m_topology.m_ids);
       throw;
     }
-    m_maintained.write_points();
-    tell_of_vertices(fresh.vertices, ids);
-    delete_vertices(fresh.vertices, ids, m_maintained.ids);
+    m_positions.write(m_topology.m_vertices);
+    tell_of_vertices(fresh.handles, ids);
+    delete_vertices(fresh.handles, ids, m_topology.m_ids);
     m_numbering.release();
   }
 
-  void collect_vertices(typename Maintained::Vertex_arrays& fresh)
+  // The handles of vertices, and where these are.
+  struct Vertices
   {
-    const Ids &ids = m_numbering.ids(), &old_ids = m_maintained.ids;
-    fresh.reserve(ids.number_of_representatives() + std::size_t(1));
-    fresh.append(m_maintained.triangulation.infinite_vertex());
+    std::vector<Vertex_handle> handles;
+    Positions positions;
+
+    // With the infinite one, and memory for so many more.
+    Vertices(const Topology& topology, std::size_t number, bool are_exact)
+    {
+      handles.reserve(number + 1);
+      positions.reserve(number + 1);
+      handles.push_back(topology.triangulation().infinite_vertex());
+      positions.m_are_written = false;
+      positions.m_are_exact = are_exact;
+    }
+
+    void append(Vertex_handle vertex, const Point& p)
+    {
+      handles.push_back(vertex);
+      positions.append(p);
+    }
+  };
+
+  void exchange_vertices(Vertices& others, Ids& other_ids)
+  {
+    m_topology.m_vertices.swap(others.handles);
+    std::swap(m_topology.m_ids, other_ids);
+    std::swap(m_positions, others.positions);
+  }
+
+  void collect_vertices(Vertices& fresh)
+  {
+    const Ids &ids = m_numbering.ids(), &old_ids = m_topology.m_ids;
     for (Index v = 1; v <= ids.number_of_representatives(); ++v) {
       const Index id = ids.representative(v);
-      fresh.append(keeps_vertex(id, old_ids) ? m_maintained.vertices[old_ids.vertex(id)]
-                                             : m_maintained.triangulation.tds().create_vertex(),
+      fresh.append(keeps_vertex(id, old_ids) ? m_topology.m_vertices[old_ids.vertex(id)]
+                                             : m_topology.m_triangulation.tds().create_vertex(),
                    m_numbering.point(v));
     }
   }
@@ -224,17 +333,17 @@ private:
   template <class Function>
   void for_each_vertex(const Function& f) const
   {
-    if constexpr (decltype(m_maintained.visitor_calls)::is_heard)
+    if constexpr (Maintained::Visitor_calls::is_heard)
       for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
-        f(m_maintained.vertices[v], m_maintained.ids.representative(v));
+        f(m_topology.m_vertices[v], m_topology.m_ids.representative(v));
   }
 
   // Those that are new, and those of before that will be no more.
   void tell_of_vertices(const std::vector<Vertex_handle>& vertices_before, const Ids& ids_before)
   {
-    if constexpr (decltype(m_maintained.visitor_calls)::is_heard) {
-      auto& visitor_calls = m_maintained.visitor_calls;
-      const Ids& ids = m_maintained.ids;
+    if constexpr (Maintained::Visitor_calls::is_heard) {
+      auto& visitor_calls = m_topology.m_visitor_calls;
+      const Ids& ids = m_topology.m_ids;
       for_each_vertex([&](Vertex_handle v, Index id) {
         if (!keeps_vertex(id, ids_before))
           visitor_calls.after_vertex_creation(v, id);
@@ -245,7 +354,7 @@ private:
           visitor_calls.before_vertex_removal(vertices_before[v], id);
         else if (!ids.is_representative(id))
           visitor_calls.before_vertex_merge(vertices_before[v], id,
-                                            m_maintained.vertices[ids.vertex(id)]);
+                                            m_topology.m_vertices[ids.vertex(id)]);
       }
     }
   }
@@ -266,7 +375,7 @@ private:
     for (Index v = 1; v < Index(vertices.size()); ++v) {
       const Index id = ids.representative(v);
       if (!keeps_vertex(id, elsewhere))
-        m_maintained.triangulation.tds().delete_vertex(vertices[v]);
+        m_topology.m_triangulation.tds().delete_vertex(vertices[v]);
     }
   }
 
@@ -287,7 +396,7 @@ private:
   void take_faces(const Flat_faces_2& faces)
   {
     const Index number = faces.number_of_faces();
-    auto& mirror = m_maintained.mirror;
+    auto& mirror = m_topology.m_mirror;
     mirror.reserve(m_maintained.number_of_vertices(), number);
     provide_faces(number); // nothing throws from here on
     drop_faces(number);
@@ -299,7 +408,7 @@ private:
         mirror.set_twin(3 * f + i, Flat_faces_2::number_in_mirror(faces.twin(h)));
       }
     mirror.number_edges();
-    m_maintained.triangulation.tds().set_dimension(2);
+    m_topology.m_triangulation.tds().set_dimension(2);
     write_all_faces();
   }
 
@@ -316,8 +425,8 @@ private:
     }
     provide_faces(faces.size()); // nothing throws from here on
     drop_faces(faces.size());
-    m_maintained.mirror.clear();
-    m_maintained.triangulation.tds().set_dimension(line.triangulation().dimension());
+    m_topology.m_mirror.clear();
+    m_topology.m_triangulation.tds().set_dimension(line.triangulation().dimension());
     copy_faces(faces);
   }
 
@@ -325,28 +434,27 @@ private:
 
   void restore_vertices(Checkpoint_arrays_2<Point>& kept)
   {
-    auto& triangulation = m_maintained.triangulation;
-    typename Maintained::Vertex_arrays fresh;
-    fresh.reserve(kept.points.size() + 1);
-    fresh.append(triangulation.infinite_vertex());
+    auto& triangulation = m_topology.m_triangulation;
+    Vertices fresh(m_topology, kept.points.size(), kept.positions_are_exact);
     for (const Point& p : kept.points)
       fresh.append(triangulation.tds().create_vertex(), p);
-    std::copy(kept.positions.begin(), kept.positions.end(), fresh.positions.begin() + 1);
-    m_maintained.exchange_vertices(fresh, kept.ids);
-    m_maintained.write_points();
+    std::copy(kept.positions.begin(), kept.positions.end(),
+              fresh.positions.m_positions.begin() + 1);
+    exchange_vertices(fresh, kept.ids);
+    m_positions.write(m_topology.m_vertices);
   }
 
   // Of edges, corners and the faces that vertices name.
   void restore_numbers(const Checkpoint_arrays_2<Point>& kept)
   {
-    auto& mirror = m_maintained.mirror;
+    auto& mirror = m_topology.m_mirror;
     for (Index e = 0; e < mirror.number_of_edges(); ++e) {
       mirror.set_edge(e, kept.edges[e].forward);
       mirror.set_halfedge(e, kept.edges[e].halfedge);
     }
-    for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v) {
+    for (Index v = 0; v < Index(m_topology.m_vertices.size()); ++v) {
       mirror.set_corner(v, kept.corners[v].halfedge);
-      m_maintained.vertices[v]->set_face(m_maintained.faces[kept.corners[v].face]);
+      m_topology.m_vertices[v]->set_face(m_topology.m_faces[kept.corners[v].face]);
     }
   }
 
@@ -354,12 +462,12 @@ private:
 
   void provide_faces(std::size_t number)
   {
-    auto& faces = m_maintained.faces;
+    auto& faces = m_topology.m_faces;
     const std::size_t before = faces.size();
     faces.reserve(number);
     try {
       while (faces.size() < number)
-        faces.push_back(m_maintained.triangulation.tds().create_face());
+        faces.push_back(m_topology.m_triangulation.tds().create_face());
     } catch (...) {
       drop_faces(before);
       throw;
@@ -368,9 +476,9 @@ private:
 
   void drop_faces(std::size_t number)
   {
-    auto& faces = m_maintained.faces;
+    auto& faces = m_topology.m_faces;
     while (faces.size() > number) {
-      m_maintained.triangulation.tds().delete_face(faces.back());
+      m_topology.m_triangulation.tds().delete_face(faces.back());
       faces.pop_back();
     }
   }
@@ -378,9 +486,9 @@ private:
   // From the mirror.
   void write_all_faces()
   {
-    const auto& mirror = m_maintained.mirror;
-    const auto& vertices = m_maintained.vertices;
-    const auto& faces = m_maintained.faces;
+    const auto& mirror = m_topology.m_mirror;
+    const auto& vertices = m_topology.m_vertices;
+    const auto& faces = m_topology.m_faces;
     for (Index f = 0; f < Index(faces.size()); ++f) {
       const Index h = 3 * f;
       faces[f]->set_vertices(vertices[mirror.apex(h)], vertices[mirror.apex(h + 1)],
@@ -401,16 +509,16 @@ private:
   template <class Static_face_handle>
   void copy_faces(const std::vector<Static_face_handle>& static_faces)
   {
-    for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v)
-      m_maintained.vertices[v]->set_mirror_index(v);
-    const auto& faces = m_maintained.faces;
+    for (Index v = 0; v < Index(m_topology.m_vertices.size()); ++v)
+      m_topology.m_vertices[v]->set_mirror_index(v);
+    const auto& faces = m_topology.m_faces;
     for (std::size_t f = 0; f < faces.size(); ++f)
       for (int i = 0; i < 3; ++i) {
         const auto v = static_faces[f]->vertex(i);
         const auto g = static_faces[f]->neighbor(i);
         const bool has_vertex = v != typename Static_triangulation::Vertex_handle();
         const bool has_neighbor = g != Static_face_handle();
-        faces[f]->set_vertex(i, has_vertex ? m_maintained.vertices[v->info()] : Vertex_handle());
+        faces[f]->set_vertex(i, has_vertex ? m_topology.m_vertices[v->info()] : Vertex_handle());
         faces[f]->set_neighbor(i, has_neighbor ? faces[g->info()] : Face_handle());
         if (has_vertex)
           faces[f]->vertex(i)->set_face(faces[f]);
@@ -419,11 +527,11 @@ private:
 
   void read_faces()
   {
-    const auto& faces = m_maintained.faces;
+    const auto& faces = m_topology.m_faces;
     Unique_hash_map<Face_handle, Index> number_of_face(no_index, faces.size());
     for (std::size_t f = 0; f < faces.size(); ++f)
       number_of_face[faces[f]] = Index(f);
-    auto& mirror = m_maintained.mirror;
+    auto& mirror = m_topology.m_mirror;
     mirror.resize(m_maintained.number_of_vertices(), Index(faces.size()));
     for (Index f = 0; f < Index(faces.size()); ++f)
       for (int i = 0; i < 3; ++i) {
@@ -432,11 +540,13 @@ private:
         mirror.set_twin(3 * f + Index(i), 3 * number_of_face[g] + Index(g->index(faces[f])));
       }
     mirror.number_edges();
-    for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v)
-      m_maintained.vertices[v]->set_face(faces[mirror.corner(v) / 3]);
+    for (Index v = 0; v < Index(m_topology.m_vertices.size()); ++v)
+      m_topology.m_vertices[v]->set_face(faces[mirror.corner(v) / 3]);
   }
 
-  Maintained& m_maintained;
+  const Maintained& m_maintained;
+  Topology& m_topology;
+  Positions& m_positions;
   Vertex_order_2<Maintained> m_vertex_order;
   Point_numbering_2<Maintained> m_numbering;
   std::vector<bool> m_goes; // each id, while others come

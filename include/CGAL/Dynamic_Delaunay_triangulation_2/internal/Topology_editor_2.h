@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distinct_numbers_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Patch_2.h>
@@ -17,18 +18,21 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// Writes topology piece by piece; `Topology_builder_2` does so for the whole, and nobody else does.
+// Writes topology piece by piece; `Topology_builder_2` does so for the whole, and nobody else can.
 // Each operation changes the CGAL triangulation and the mirror together, keeps every vertex handle,
-// and notes which edges are new.
+// notes which edges are new, and tells the user's visitor.
 template <class Maintained>
 class Topology_editor_2
 {
+  using Topology = typename Maintained::Topology;
+  using Positions = typename Maintained::Positions;
   using Point = typename Maintained::Point;
   using Vertex_handle = typename Maintained::Vertex_handle;
   using Face_handle = typename Maintained::Face_handle;
@@ -39,39 +43,74 @@ public:
 
   explicit Topology_editor_2(Maintained& maintained)
     : m_maintained(maintained)
+    , m_topology(maintained.m_topology)
+    , m_positions(maintained.m_positions)
   {
   }
+
+  // THE VISITOR AND THE LOG OF CHANGES ----------------------------------------------------------
+
+  // From here on the visitor is told what changes.
+  template <class Visitor, class Dynamic>
+  void start_visit(Visitor& visitor, const Dynamic& dynamic)
+  {
+    m_topology.m_visitor_calls.start(visitor, dynamic);
+  }
+
+  // Throws what the visitor has thrown on the way.
+  void finish_visit() { m_topology.m_visitor_calls.finish(); }
+
+  // An update begins. If the classifier has not been told yet what the last one changed, that stays
+  // in the log.
+  void begin_changes(bool is_classifier_informed)
+  {
+    Change_log_2& changes = m_topology.m_changes;
+    if (is_classifier_informed)
+      changes.clear();
+    else if (!changes.renumberings.are_none()) // there will be others again
+      changes.everything_is_new = true;
+    if (changes.everything_is_new)
+      changes.new_edges.clear();
+  }
+
+  // An update ends: each new edge is in the log once.
+  void end_changes() { make_distinct(m_topology.m_changes.new_edges); }
+
+  void note_everything_is_new() { m_topology.m_changes.everything_is_new = true; }
+
+  // A heuristic classifier is told of edges that were examined as if they were new.
+  void note_examined(const std::vector<Index>& edges)
+  {
+    auto& new_edges = m_topology.m_changes.new_edges;
+    new_edges.insert(new_edges.end(), edges.begin(), edges.end());
+  }
+
+  // FLIPS ---------------------------------------------------------------------------------------
 
   // A flip that doubles an edge would leave the simplicial complexes, where an edge is named by its
   // vertices; it is refused. Among these are all flips at vertices of degree 3. Two
   // counterclockwise faces at the edge do not rule it out: others may overlap them.
-  bool can_flip(Index h) const { return !m_maintained.mirror.are_apexes_neighbors(h); }
+  bool can_flip(Index h) const { return !m_topology.m_mirror.are_apexes_neighbors(h); }
 
-  // Flips, one after the other, in the mirror at once; when the series ends, CGAL's structure takes
-  // the same flips in the same order. What it touches is all over the memory: in a loop of its own
-  // it can be fetched ahead.
-  class Flip_series
+  // Calls f(flip), where flip(h) exchanges the diagonal at half-edge h. The mirror is flipped at
+  // once; when f ends, also by an exception, CGAL's structure takes the same flips in the same
+  // order. What they touch is all over the memory: in a loop of its own it can be fetched ahead.
+  template <class Function>
+  void flip_in_series(const Function& f)
   {
-  public:
-    explicit Flip_series(Topology_editor_2& editor)
-      : m_editor(editor)
-    {
+    const auto flip = [this](Index h) {
+      m_topology.m_changes.new_edges.push_back(m_topology.m_mirror.edge_of(h));
+      m_flipped.push_back(h); // nothing throws from here on
+      m_topology.m_mirror.flip(h);
+    };
+    try {
+      f(flip);
+    } catch (...) {
+      write_flips();
+      throw;
     }
-    Flip_series(const Flip_series&) = delete;
-    Flip_series& operator=(const Flip_series&) = delete;
-    ~Flip_series() { m_editor.write_flips(); }
-
-    void flip(Index h)
-    {
-      Maintained& maintained = m_editor.m_maintained;
-      maintained.new_edges.push_back(maintained.mirror.edge_of(h));
-      m_editor.m_flipped.push_back(h); // nothing throws from here on
-      maintained.mirror.flip(h);
-    }
-
-  private:
-    Topology_editor_2& m_editor;
-  };
+    write_flips();
+  }
 
   // Puts the faces of `patch` in place of `old_faces`, as many, with the same boundary: the
   // half-edge outside the i-th edge of the patch's boundary is `outside[i]`.
@@ -81,12 +120,12 @@ public:
     CGAL_precondition(old_faces.size() == patch.number_of_faces());
     CGAL_precondition(outside.size() == patch.boundary.size());
     collect_inner_edges(old_faces);
-    auto& new_edges = m_maintained.new_edges;
+    auto& new_edges = m_topology.m_changes.new_edges;
     new_edges.insert(new_edges.end(), m_inner_edges.begin(), m_inner_edges.end());
     for (const Index f : old_faces) // nothing throws from here on
-      m_maintained.visitor_calls.before_face_removal(m_maintained.faces[f]);
+      m_topology.m_visitor_calls.before_face_removal(m_topology.m_faces[f]);
     write_faces(old_faces, patch);
-    auto& mirror = m_maintained.mirror;
+    auto& mirror = m_topology.m_mirror;
     const auto global = [&](Index h) { return 3 * old_faces[h / 3] + h % 3; };
     for (Index h = 0; h < Index(patch.twins.size()); ++h)
       if (patch.twins[h] != no_index && h < patch.twins[h])
@@ -100,67 +139,71 @@ public:
     for (const Index h : outside)
       mirror.set_edge(mirror.edge_of(h), h);
     for (const Index f : old_faces)
-      m_maintained.visitor_calls.after_face_creation(m_maintained.faces[f]);
+      m_topology.m_visitor_calls.after_face_creation(m_topology.m_faces[f]);
   }
 
   // OUT OF FACES AND INTO FACES. To take a vertex out, edges are flipped until it has three, and
   // its faces become one; to put one in, a face is split. All of that is right for any positions.
   // What it changes is Delaunay only by chance.
 
-  // Takes v out of all faces. `place` is where the faces around v have it: that tells which flips
-  // are good ones. `vacate()`, which must not throw, is called before v goes, when the visitor has
-  // been told of its last faces. If this throws, the vertex is still there.
-  template <class Vacate>
-  Slot take_out(Index v, const Position_2& place, const Vacate& vacate)
+  // Takes v out of all faces, to be put in again. `place` is where the faces around v have it: that
+  // tells which flips are good ones. If this throws, the vertex is still there.
+  Slot take_out(Index v, const Position_2& place)
   {
-    CGAL_precondition(!m_maintained.mirror.is_outside(v));
-    flip_down(v, place);
-    provide(m_maintained.new_edges, 3);
-    auto& mirror = m_maintained.mirror;
-    mirror.for_each_corner(v, [&](Index h) { // nothing throws from here on
-      m_maintained.new_edges.push_back(mirror.edge_of(h));
-      m_maintained.visitor_calls.before_face_removal(m_maintained.faces[h / 3]);
+    return take_out(v, place, [&] {
+      m_topology.m_visitor_calls.before_vertex_relocation(m_topology.m_vertices[v],
+                                                          m_topology.m_ids.representative(v));
     });
-    vacate();
-    const Index face = mirror.corner(v) / 3;
-    const Slot slot = mirror.take_out(v);
-    write_face(face);
-    m_maintained.visitor_calls.after_face_creation(m_maintained.faces[face]);
-    return slot;
+  }
+
+  // The same for a vertex whose only point goes.
+  Slot remove(Index v, const Position_2& place)
+  {
+    return take_out(v, place, [&] {
+      const Index id = m_topology.m_ids.representative(v);
+      m_topology.m_visitor_calls.before_vertex_removal(m_topology.m_vertices[v], id);
+      m_topology.m_ids.remove_representative(id);
+    });
+  }
+
+  // The same for a vertex whose points, which are at p, become duplicates at another one.
+  Slot merge(Index goes, const Position_2& place, Index stays, const Point& p)
+  {
+    return take_out(goes, place, [&] { hand_points_to(stays, goes, p); });
   }
 
   // Puts the slot's vertex into a face. Nothing throws if everything is new, or if there is memory
   // for six new edges.
   void put_in(const Slot& slot, Index f)
   {
-    auto& mirror = m_maintained.mirror;
-    auto& new_edges = m_maintained.new_edges;
-    if (!m_maintained.everything_is_new)
+    auto& mirror = m_topology.m_mirror;
+    auto& new_edges = m_topology.m_changes.new_edges;
+    if (!m_topology.m_changes.everything_is_new)
       provide(new_edges, 6);
-    auto& visitor_calls = m_maintained.visitor_calls;
-    visitor_calls.before_face_removal(m_maintained.faces[f]);
+    auto& visitor_calls = m_topology.m_visitor_calls;
+    visitor_calls.before_face_removal(m_topology.m_faces[f]);
     mirror.put_in(slot, f);
     const std::array<Index, 3> faces{f, slot.faces[0], slot.faces[1]};
     for (const Index g : faces)
       write_face(g);
-    if (!m_maintained.everything_is_new) {
+    if (!m_topology.m_changes.everything_is_new) {
       new_edges.insert(new_edges.end(), slot.edges.begin(), slot.edges.end());
       mirror.for_each_corner(slot.vertex, [&](Index h) { new_edges.push_back(mirror.edge_of(h)); });
     }
     for (const Index g : faces)
-      visitor_calls.after_face_creation(m_maintained.faces[g]);
+      visitor_calls.after_face_creation(m_topology.m_faces[g]);
   }
 
   // A slot with the next numbers and a vertex at p that nobody is at. If it throws, nothing has
   // changed.
   Slot make_slot(const Point& p)
   {
-    auto& mirror = m_maintained.mirror;
-    auto& tds = m_maintained.triangulation.tds();
+    auto& mirror = m_topology.m_mirror;
+    auto& tds = m_topology.m_triangulation.tds();
     mirror.provide_for_slot();
-    m_maintained.ids.provide_for_vertex();
-    provide(m_maintained.faces, 2);
-    m_maintained.append_vertex(p);
+    m_topology.m_ids.provide_for_vertex();
+    provide(m_topology.m_faces, 2);
+    append_vertex(p);
     std::array<Face_handle, 2> faces;
     try {
       faces[0] = tds.create_face();
@@ -171,16 +214,16 @@ public:
         throw;
       }
     } catch (...) {
-      m_maintained.drop_last_vertex();
+      drop_last_vertex();
       throw;
     }
     const Slot slot = mirror.append_slot();
-    m_maintained.ids.append_vertex();
-    m_maintained.renumberings.vertices.note_appended(slot.vertex);
-    m_maintained.renumberings.edges.note_appended(slot.edges[0]);
-    m_maintained.renumberings.faces.note_appended(slot.faces[0]);
-    m_maintained.faces.push_back(faces[0]);
-    m_maintained.faces.push_back(faces[1]);
+    m_topology.m_ids.append_vertex();
+    m_topology.m_changes.renumberings.vertices.note_appended(slot.vertex);
+    m_topology.m_changes.renumberings.edges.note_appended(slot.edges[0]);
+    m_topology.m_changes.renumberings.faces.note_appended(slot.faces[0]);
+    m_topology.m_faces.push_back(faces[0]);
+    m_topology.m_faces.push_back(faces[1]);
     return slot;
   }
 
@@ -188,16 +231,19 @@ public:
   // changed.
   void renew_vertex(const Slot& slot, const Point& p)
   {
-    auto& tds = m_maintained.triangulation.tds();
-    m_maintained.renumberings.vertices.provide(1);
+    auto& tds = m_topology.m_triangulation.tds();
+    m_topology.m_changes.renumberings.vertices.provide(1);
     const Vertex_handle fresh = tds.create_vertex();
     try {
-      m_maintained.place_vertex(slot.vertex, fresh, p);
+      fresh->set_point(p);
+      m_positions.stage(slot.vertex, p);
     } catch (...) {
       tds.delete_vertex(fresh);
       throw;
     }
-    m_maintained.renumberings.vertices.note_replacement(slot.vertex);
+    fresh->set_mirror_index(slot.vertex);
+    tds.delete_vertex(std::exchange(m_topology.m_vertices[slot.vertex], fresh));
+    m_topology.m_changes.renumberings.vertices.note_replacement(slot.vertex);
   }
 
   // The vertices of these slots, which nobody is at, are no more; the last vertices, edges and
@@ -206,13 +252,13 @@ public:
   void drop(const std::vector<Slot>& empty_slots)
   {
     collect_numbers(empty_slots);
-    const std::size_t kept_edges = m_maintained.mirror.number_of_edges() - m_empty_edges.size();
+    const std::size_t kept_edges = m_topology.m_mirror.number_of_edges() - m_empty_edges.size();
     std::vector<Index> number_of_edge(m_empty_edges.size(), no_index); // from `kept_edges` on
-    m_maintained.renumberings.provide_for_removals(empty_slots.size());
+    m_topology.m_changes.renumberings.provide_for_removals(empty_slots.size());
     const auto note = [&](Index from, Index to) { number_of_edge[from - kept_edges] = to; };
     drop_collected(note); // nothing throws from here on
-    auto& new_edges = m_maintained.new_edges;
-    if (m_maintained.everything_is_new) // and nobody knows what some of these were called
+    auto& new_edges = m_topology.m_changes.new_edges;
+    if (m_topology.m_changes.everything_is_new) // and nobody knows what some of these were called
       return new_edges.clear();
     for (Index& e : new_edges)
       while (e != no_index && e >= kept_edges)
@@ -223,7 +269,7 @@ public:
   // The same where memory has run out: nothing throws, and everything is new.
   void drop_in_need(const std::vector<Slot>& empty_slots)
   {
-    m_maintained.everything_is_new = true;
+    m_topology.m_changes.everything_is_new = true;
     collect_numbers(empty_slots);
     drop_collected([](Index, Index) {});
   }
@@ -236,20 +282,168 @@ public:
     m_empty_edges.reserve(3 * number);
   }
 
+  // IDS AND POINTS ------------------------------------------------------------------------------
+
+  // The points with these ids are about to come: the next ids, as `Point_ids_2::next_ids()` says.
+  // If it throws, nothing has changed. `release_id()` gives one back that was not used.
+  void reserve_ids(const std::vector<Index>& ids) { m_topology.m_ids.reserve(ids); }
+  void release_id(Index id) { m_topology.m_ids.release(id); }
+
+  // Memory: with it the functions below throw nothing.
+  void provide_for_removals(std::size_t number) { m_topology.m_ids.provide_for_removals(number); }
+  void provide_for_duplicates(std::size_t number)
+  {
+    m_topology.m_ids.provide_for_duplicates(number);
+  }
+  void provide_for_new_vertex() { provide(m_topology.m_changes.new_edges, 6); }
+
+  void remove_duplicate(Index id) { m_topology.m_ids.remove_duplicate(id); }
+
+  void place_duplicate(Index id, Index vertex, const Point& p)
+  {
+    m_topology.m_ids.place_duplicate(id, vertex, p);
+  }
+
+  // Puts the slot's vertex into face f, for the point `id`, which is new or was a duplicate.
+  void put_in_new(const Slot& slot, Index f, Index id)
+  {
+    m_topology.m_ids.place_representative(id, slot.vertex);
+    m_topology.m_visitor_calls.after_vertex_creation(m_topology.m_vertices[slot.vertex], id);
+    put_in(slot, f);
+  }
+
+  // Puts a vertex in again that has been taken out.
+  void put_in_again(const Slot& slot, Index f)
+  {
+    provide(m_topology.m_changes.relocated, 1);
+    put_in(slot, f);
+    m_topology.m_changes.relocated.push_back(slot.vertex);
+  }
+
+  // The points of vertex `goes`, which are at p, become duplicates at `stays`.
+  void hand_points_to(Index stays, Index goes, const Point& p)
+  {
+    auto& ids = m_topology.m_ids;
+    m_topology.m_visitor_calls.before_vertex_merge(
+        m_topology.m_vertices[goes], ids.representative(goes), m_topology.m_vertices[stays]);
+    ids.merge(goes, stays, p);
+  }
+
+  // Makes a duplicate at v the representative, so that v has its point, and the representative a
+  // duplicate at p.
+  void hand_over(Index duplicate, Index v, const Point& p)
+  {
+    const Index representative = m_topology.m_ids.representative(v);
+    const Point point = m_topology.m_ids.duplicate(duplicate).point;
+    m_topology.m_ids.hand_over(duplicate, p);
+    m_positions.stage(v, point);
+    if (m_positions.m_are_written)
+      m_topology.m_vertices[v]->set_point(point);
+    m_topology.m_visitor_calls.after_id_change(m_topology.m_vertices[v], representative);
+  }
+
+  // Stages points that move alone. If none of a vertex's points stays, the vertex goes with its
+  // representative; else one that stays becomes the representative.
+  void stage_moved(const std::vector<Index>& ids, const std::vector<Point>& points, bool are_exact)
+  {
+    m_positions.m_are_exact &= are_exact;
+    if (ids.empty())
+      return;
+    provide_for_duplicates(ids.size());
+    m_positions.m_are_written = false;
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      if (!m_topology.m_ids.is_representative(ids[i]))
+        m_topology.m_ids.duplicate(ids[i]).point = points[i];
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      if (m_topology.m_ids.is_representative(ids[i]))
+        stage_representative(ids[i], points[i]);
+  }
+
 private:
+  void stage_representative(Index id, const Point& p)
+  {
+    const auto& ids = m_topology.m_ids;
+    const Index v = ids.vertex(id);
+    const Point place = m_maintained.point(v);
+    const auto is_at = [this](const Point& q, const Point& r) {
+      return coincide(m_maintained.traits(), q, r);
+    };
+    const Index successor = is_at(p, place) || ids.duplicates().empty()
+                                ? no_index
+                                : ids.find_duplicate_at(v, [&](const auto& duplicate) {
+                                    return is_at(duplicate.point, place);
+                                  });
+    if (successor == no_index)
+      return m_positions.stage(v, p); // a point may hold more than where it is
+    const Point point_of_successor = ids.duplicate(successor).point;
+    hand_over(successor, v, p);
+    m_topology.m_vertices[v]->set_point(point_of_successor);
+  }
+
+  // VERTICES ------------------------------------------------------------------------------------
+
+  // A vertex at p, with the next number, that is in no face and that no point has. If it throws,
+  // nothing has changed.
+  void append_vertex(const Point& p)
+  {
+    auto& vertices = m_topology.m_vertices;
+    provide(vertices, 1);
+    m_positions.provide_for_vertex();
+    const Vertex_handle vertex = m_topology.m_triangulation.tds().create_vertex();
+    vertex->set_mirror_index(Index(vertices.size()));
+    vertices.push_back(vertex);
+    try {
+      vertex->set_point(p);
+      m_positions.append(p);
+    } catch (...) {
+      drop_last_vertex();
+      throw;
+    }
+  }
+
+  // Takes that back.
+  void drop_last_vertex()
+  {
+    m_topology.m_triangulation.tds().delete_vertex(m_topology.m_vertices.back());
+    m_topology.m_vertices.pop_back();
+    m_positions.resize(m_topology.m_vertices.size());
+  }
+
   // OUT OF FACES AND INTO FACES -------------------------------------------------------------------
+
+  // `vacate()`, which must not throw, is called before v goes, when the visitor has been told of
+  // its last faces.
+  template <class Vacate>
+  Slot take_out(Index v, const Position_2& place, const Vacate& vacate)
+  {
+    CGAL_precondition(!m_topology.m_mirror.is_outside(v));
+    flip_down(v, place);
+    provide(m_topology.m_changes.new_edges, 3);
+    auto& mirror = m_topology.m_mirror;
+    mirror.for_each_corner(v, [&](Index h) { // nothing throws from here on
+      m_topology.m_changes.new_edges.push_back(mirror.edge_of(h));
+      m_topology.m_visitor_calls.before_face_removal(m_topology.m_faces[h / 3]);
+    });
+    vacate();
+    const Index face = mirror.corner(v) / 3;
+    const Slot slot = mirror.take_out(v);
+    write_face(face);
+    m_topology.m_visitor_calls.after_face_creation(m_topology.m_faces[face]);
+    return slot;
+  }
 
   // Flips edges at v until it has three. There always is one to flip: if one of the triangles of
   // neighbors that follow each other has its third edge elsewhere already, that parts the others
   // from each other. Where the faces around v tell it, the new ones are counterclockwise.
   void flip_down(Index v, const Position_2& place)
   {
-    Index degree = m_maintained.mirror.degree(v);
+    Index degree = m_topology.m_mirror.degree(v);
     provide(m_flipped, degree);
-    provide(m_maintained.new_edges, degree);
-    Flip_series series(*this);
-    for (const Ear ear : {Ear::CONVEX, Ear::AT_INFINITY, Ear::ANY})
-      degree -= cut_ears(v, place, degree, ear, series);
+    provide(m_topology.m_changes.new_edges, degree);
+    flip_in_series([&](const auto& flip) {
+      for (const Ear ear : {Ear::CONVEX, Ear::AT_INFINITY, Ear::ANY})
+        degree -= cut_ears(v, place, degree, ear, flip);
+    });
     CGAL_postcondition(degree == 3);
   }
 
@@ -260,16 +454,17 @@ private:
   // any case, and stand side by side. Where each round finds one ear that the one before has made,
   // as at a vertex beside a line of a thousand, it gives up, for any ears are right in the end.
   // Returns how many.
-  Index cut_ears(Index v, const Position_2& place, Index degree, Ear kind, Flip_series& series)
+  template <class Flip>
+  Index cut_ears(Index v, const Position_2& place, Index degree, Ear kind, const Flip& flip)
   {
-    const auto& mirror = m_maintained.mirror;
+    const auto& mirror = m_topology.m_mirror;
     constexpr Index max_rounds = 4;
     Index cut = 0, looks = kind == Ear::ANY ? no_index : max_rounds * degree;
     Index corner = mirror.corner(v);
     for (Index left = degree; left > 0 && looks > 0 && degree - cut > 3; --left, --looks) {
       const Index h = Neighborhood_mirror_2::next(corner); // from the tip of the ear to v
       if (is_ear(h, place, kind) && can_flip(h)) {
-        series.flip(h);
+        flip(h);
         ++cut;
         left = degree - cut + 1;
         corner = mirror.corner(v);
@@ -285,7 +480,7 @@ private:
   // floating point is good enough.
   bool is_ear(Index h, const Position_2& place, Ear kind) const
   {
-    const auto& mirror = m_maintained.mirror;
+    const auto& mirror = m_topology.m_mirror;
     const Index before = mirror.apex(h), tip = mirror.source(h);
     const Index after = mirror.apex(mirror.twin(h));
     const bool ends_at_infinity = before == infinite_index || after == infinite_index;
@@ -293,7 +488,7 @@ private:
     case Ear::CONVEX: {
       if (tip == infinite_index || ends_at_infinity)
         return false;
-      const auto& positions = m_maintained.positions;
+      const auto& positions = m_maintained.positions();
       const Position_2 &p = positions[before], &q = positions[tip], &r = positions[after];
       return cross(q - p, r - p) > 0 && cross(p - place, r - place) >= 0;
     }
@@ -323,15 +518,15 @@ private:
   template <class Note>
   void drop_collected(const Note& note)
   {
-    auto& mirror = m_maintained.mirror;
-    auto& renumberings = m_maintained.renumberings;
-    const bool are_noted = !m_maintained.everything_is_new;
+    auto& mirror = m_topology.m_mirror;
+    auto& renumberings = m_topology.m_changes.renumberings;
+    const bool are_noted = !m_topology.m_changes.everything_is_new;
     for (const Index f : m_empty_faces) {
       if (are_noted)
         renumberings.faces.note_move(mirror.number_of_faces() - 1, f);
-      m_maintained.triangulation.tds().delete_face(m_maintained.faces[f]);
-      m_maintained.faces[f] = m_maintained.faces.back();
-      m_maintained.faces.pop_back();
+      m_topology.m_triangulation.tds().delete_face(m_topology.m_faces[f]);
+      m_topology.m_faces[f] = m_topology.m_faces.back();
+      m_topology.m_faces.pop_back();
       mirror.move_last_face_to(f);
     }
     for (const Index e : m_empty_edges) {
@@ -345,11 +540,14 @@ private:
     for (const Index v : m_empty_vertices) {
       if (are_noted)
         renumberings.vertices.note_move(m_maintained.number_of_vertices(), v);
-      const Vertex_handle vertex = m_maintained.vertices[v];
+      const Vertex_handle vertex = m_topology.m_vertices[v];
       mirror.move_last_vertex_to(v);
-      m_maintained.ids.move_last_vertex_to(v);
-      m_maintained.move_last_vertex_to(v);
-      m_maintained.triangulation.tds().delete_vertex(vertex);
+      m_topology.m_ids.move_last_vertex_to(v);
+      m_topology.m_vertices[v] = m_topology.m_vertices.back();
+      m_topology.m_vertices[v]->set_mirror_index(v);
+      m_topology.m_vertices.pop_back();
+      m_positions.move_last_to(v);
+      m_topology.m_triangulation.tds().delete_vertex(vertex);
     }
   }
 
@@ -359,7 +557,7 @@ private:
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       write_vertex(h);
       write_neighbors(h);
-      m_maintained.vertices[m_maintained.mirror.apex(h)]->set_face(m_maintained.faces[f]);
+      m_topology.m_vertices[m_topology.m_mirror.apex(h)]->set_face(m_topology.m_faces[f]);
     }
   }
 
@@ -367,7 +565,7 @@ private:
 
   void collect_inner_edges(const Index_set_2& faces)
   {
-    const auto& mirror = m_maintained.mirror;
+    const auto& mirror = m_topology.m_mirror;
     m_inner_edges.clear();
     for (const Index f : faces)
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
@@ -381,16 +579,16 @@ private:
       const Index f = old_faces[k];
       for (Index i = 0; i < 3; ++i) {
         const Index v = patch.apexes[3 * k + i];
-        m_maintained.mirror.set_apex(3 * f + i, v);
+        m_topology.m_mirror.set_apex(3 * f + i, v);
         write_vertex(3 * f + i);
-        m_maintained.vertices[v]->set_face(m_maintained.faces[f]);
+        m_topology.m_vertices[v]->set_face(m_topology.m_faces[f]);
       }
     }
   }
 
   void link(Index h, Index g)
   {
-    m_maintained.mirror.link(h, g);
+    m_topology.m_mirror.link(h, g);
     write_neighbors(h);
   }
 
@@ -398,16 +596,16 @@ private:
 
   void write_flips()
   {
-    auto& tds = m_maintained.triangulation.tds();
-    const auto& faces = m_maintained.faces;
+    auto& tds = m_topology.m_triangulation.tds();
+    const auto& faces = m_topology.m_faces;
     for (std::size_t i = 0; i < m_flipped.size(); ++i) {
       if (i % stretch == 0)
         prefetch_stretch(i);
       const Face_handle f = faces[m_flipped[i] / 3];
       const int place = int(m_flipped[i] % 3);
-      m_maintained.visitor_calls.before_flip(Edge(f, place));
+      m_topology.m_visitor_calls.before_flip(Edge(f, place));
       tds.flip(f, place);
-      m_maintained.visitor_calls.after_flip(Edge(f, Triangulation_cw_ccw_2::ccw(place)));
+      m_topology.m_visitor_calls.after_flip(Edge(f, Triangulation_cw_ccw_2::ccw(place)));
     }
     m_flipped.clear();
   }
@@ -417,7 +615,7 @@ private:
   void prefetch_stretch(std::size_t first) const
   {
     using Place = Triangulation_cw_ccw_2;
-    const auto& faces = m_maintained.faces;
+    const auto& faces = m_topology.m_faces;
     const auto for_each_flip = [&](const auto& f) {
       const std::size_t beyond = (std::min)(first + stretch, m_flipped.size());
       for (std::size_t i = first; i < beyond; ++i)
@@ -447,21 +645,23 @@ private:
 
   void write_vertex(Index h)
   {
-    m_maintained.faces[h / 3]->set_vertex(int(h % 3),
-                                          m_maintained.vertices[m_maintained.mirror.apex(h)]);
+    m_topology.m_faces[h / 3]->set_vertex(int(h % 3),
+                                          m_topology.m_vertices[m_topology.m_mirror.apex(h)]);
   }
 
   // Both faces at h.
   void write_neighbors(Index h)
   {
-    const Index g = m_maintained.mirror.twin(h);
-    m_maintained.faces[h / 3]->set_neighbor(int(h % 3), m_maintained.faces[g / 3]);
-    m_maintained.faces[g / 3]->set_neighbor(int(g % 3), m_maintained.faces[h / 3]);
+    const Index g = m_topology.m_mirror.twin(h);
+    m_topology.m_faces[h / 3]->set_neighbor(int(h % 3), m_topology.m_faces[g / 3]);
+    m_topology.m_faces[g / 3]->set_neighbor(int(g % 3), m_topology.m_faces[h / 3]);
   }
 
   static constexpr std::size_t stretch = 16; // of flips that are fetched together
 
-  Maintained& m_maintained;
+  const Maintained& m_maintained;
+  Topology& m_topology;
+  Positions& m_positions;
   std::vector<Index> m_inner_edges;
   std::vector<Index> m_flipped; // half-edges, in the order of their flips
   std::vector<Index> m_empty_vertices, m_empty_faces, m_empty_edges; // that are dropped

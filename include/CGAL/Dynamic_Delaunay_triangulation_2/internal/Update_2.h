@@ -70,8 +70,49 @@ public:
   Update_report_2 run(const Change& change, Classifier& classifier, Repair& repair, Policy& policy,
                       bool is_informed, const Take_back& take_back)
   {
+    try {
+      const Update_report_2 report =
+          run_phases(change, classifier, repair, policy, is_informed, take_back);
+      m_tools.traffic().give_up();
+      return report;
+    } catch (...) {
+      m_tools.traffic().give_up(); // all vertices are in some face afterwards
+      throw;
+    }
+  }
+
+  // Before anything of a call is done.
+  void enter() { m_has_removed = false; }
+  // Whether all that have to go in this call, or had to in the last one, have gone.
+  bool has_removed() const { return m_has_removed; }
+
+  // Whether the triangulation is Delaunay; changes nothing else.
+  bool certify()
+  {
+    m_is_certified = m_is_certified || (m_maintained.is_mirrored() && parted_duplicates().empty() &&
+                                        Certificate_2<Maintained>(m_maintained).holds());
+    return m_is_certified;
+  }
+
+  // The duplicates that are no longer where their vertex is.
+  std::vector<Index> parted_duplicates() const
+  {
+    std::vector<Index> parted;
+    const auto& ids = m_maintained.ids();
+    for (const auto& duplicate : ids.duplicates())
+      if (!are_together(duplicate.point, m_maintained.point(ids.vertex(duplicate.id))))
+        parted.push_back(duplicate.id);
+    return parted;
+  }
+
+private:
+  // PHASES --------------------------------------------------------------------------------------
+
+  template <class Classifier, class Repair, class Policy, class Take_back>
+  Update_report_2 run_phases(const Change& change, Classifier& classifier, Repair& repair,
+                             Policy& policy, bool is_informed, const Take_back& take_back)
+  {
     Update_report_2 report;
-    const Give_up at_exit{m_tools};
     const bool was_certified = std::exchange(m_is_certified, false);
     if (change.is_empty() && !m_maintained.is_mirrored()) {
       m_is_certified = was_certified;
@@ -80,7 +121,7 @@ public:
     Rebuild_reason_2 reason;
     try {
       begin(change, is_informed, Classifier::is_exact, report);
-      stage_moved(change);
+      m_tools.editor().stage_moved(change.moved, change.moved_points, change.are_exact);
       constexpr bool may_sample =
           Classifier::is_exact && std::is_base_of_v<Flip_and_splice_repair_2, Repair>;
       reason = reason_to_rebuild(change, policy, may_sample);
@@ -110,88 +151,12 @@ public:
     return report;
   }
 
-  // Before anything of a call is done.
-  void enter() { m_has_removed = false; }
-  // Whether all that have to go in this call, or had to in the last one, have gone.
-  bool has_removed() const { return m_has_removed; }
-
-  // Whether the triangulation is Delaunay; changes nothing else.
-  bool certify()
-  {
-    m_is_certified = m_is_certified || (m_maintained.is_mirrored() && parted_duplicates().empty() &&
-                                        Certificate_2<Maintained>(m_maintained).holds());
-    return m_is_certified;
-  }
-
-  // The duplicates that are no longer where their vertex is.
-  std::vector<Index> parted_duplicates() const
-  {
-    std::vector<Index> parted;
-    const auto& ids = m_maintained.ids;
-    for (const auto& duplicate : ids.duplicates())
-      if (!are_together(duplicate.point, m_maintained.point(ids.vertex(duplicate.id))))
-        parted.push_back(duplicate.id);
-    return parted;
-  }
-
-private:
-  // However the call ends, all vertices are in some face afterwards.
-  struct Give_up
-  {
-    Tools& tools;
-    ~Give_up() { tools.traffic().give_up(); }
-  };
-
-  // What has changed from here on is news.
   void begin(const Change& change, bool is_informed, bool is_exact, Update_report_2& report)
   {
     report.inserted = change.coming.size();
     report.removed = change.gone.size();
-    if (is_informed)
-      m_maintained.forget_changes();
-    else if (Frame(m_maintained).has_other_numbers()) // and there will be others again
-      m_maintained.everything_is_new = true;
-    if (m_maintained.everything_is_new)
-      m_maintained.new_edges.clear();
+    m_tools.editor().begin_changes(is_informed);
     m_tools.start(report, is_exact);
-  }
-
-  // POINTS THAT MOVE ALONE ----------------------------------------------------------------------
-
-  // If none of a vertex's points stays, it goes with its representative; else one that stays
-  // becomes the representative.
-  void stage_moved(const Change& change)
-  {
-    m_maintained.positions_are_exact &= change.are_exact;
-    if (change.moved.empty())
-      return;
-    auto& ids = m_maintained.ids;
-    ids.provide_for_duplicates(change.moved.size());
-    m_maintained.points_are_written = false;
-    for (std::size_t i = 0; i < change.moved.size(); ++i)
-      if (!ids.is_representative(change.moved[i]))
-        ids.duplicate(change.moved[i]).point = change.moved_points[i];
-    for (std::size_t i = 0; i < change.moved.size(); ++i)
-      if (ids.is_representative(change.moved[i]))
-        stage_representative(change.moved[i], change.moved_points[i]);
-  }
-
-  void stage_representative(Index id, const Point& p)
-  {
-    auto& ids = m_maintained.ids;
-    const Index v = ids.vertex(id);
-    const Point place = m_maintained.point(v);
-    const Index successor = are_together(p, place) || ids.duplicates().empty()
-                                ? no_index
-                                : ids.find_duplicate_at(v, [&](const auto& duplicate) {
-                                    return are_together(duplicate.point, place);
-                                  });
-    if (successor == no_index)
-      return m_maintained.stage_vertex(v, p); // there may be more to p than where it is
-    const Point point_of_successor = ids.duplicate(successor).point;
-    m_maintained.hand_over(successor, v, p);
-    m_maintained.move_vertex(v,
-                             point_of_successor); // at the same place, but there may be more to it
   }
 
   bool are_together(const Point& p, const Point& q) const
@@ -223,7 +188,7 @@ private:
   bool leaves_too_few(const Change& change) const
   {
     constexpr std::size_t min_vertices = 3;
-    const auto& ids = m_maintained.ids;
+    const auto& ids = m_maintained.ids();
     const auto representatives =
         std::size_t(std::count_if(change.gone.begin(), change.gone.end(),
                                   [&](Index id) { return ids.is_representative(id); }));
@@ -233,7 +198,7 @@ private:
   // Each of them looks through all duplicates.
   bool are_too_many(std::size_t changes) const
   {
-    const std::size_t duplicates = m_maintained.ids.duplicates().size();
+    const std::size_t duplicates = m_maintained.ids().duplicates().size();
     return changes > 0 &&
            Repair_budget_2::is_rebuild_cheaper(m_maintained.number_of_vertices() + duplicates, 0,
                                                changes + changes * duplicates / 512);
@@ -282,8 +247,8 @@ private:
   // Not for an edge at infinity, where there is a NaN.
   bool is_unproved(Index e) const
   {
-    const Edge_2& edge = m_maintained.mirror.edge(e);
-    const auto& positions = m_maintained.positions;
+    const Edge_2& edge = m_maintained.mirror().edge(e);
+    const auto& positions = m_maintained.positions();
     return !is_at_infinity(edge) && !Edge_filter_2(positions[edge.left], positions[edge.source],
                                                    positions[edge.target], positions[edge.right])
                                          .proves_delaunay();
@@ -369,7 +334,7 @@ private:
       m_tools.rebuild(Rebuild_reason_2::STUCK);
     if (!report.rebuilt())
       m_tools.finish();
-    make_distinct(m_maintained.new_edges);
+    m_tools.editor().end_changes();
     m_is_certified = has_to || report.rebuilt();
     if (change.is_frame)
       learn(report.rebuild_reason);
@@ -386,7 +351,7 @@ private:
       m_experience.note_mended(open, edges);
   }
 
-  Maintained& m_maintained;
+  const Maintained& m_maintained;
   Tools m_tools;
   bool m_is_certified = true;
   bool m_has_removed = true;

@@ -51,7 +51,7 @@ private:
   bool is_data_structure_valid(int level) const
   {
     try {
-      return m_maintained.triangulation.tds().is_valid(m_verbose, level);
+      return m_maintained.triangulation().tds().is_valid(m_verbose, level);
     } catch (const Failure_exception&) {
       return false;
     }
@@ -61,11 +61,11 @@ private:
   // certified.
   bool is_nobody_lost(bool is_certified) const
   {
-    const auto& ids = m_maintained.ids;
-    if (m_maintained.triangulation.number_of_vertices() != m_maintained.number_of_vertices())
+    const auto& ids = m_maintained.ids();
+    if (m_maintained.triangulation().number_of_vertices() != m_maintained.number_of_vertices())
       return false;
-    for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v)
-      if (m_maintained.vertices[v]->mirror_index() != v)
+    for (Index v = 0; v < Index(m_maintained.vertices().size()); ++v)
+      if (m_maintained.vertices()[v]->mirror_index() != v)
         return false;
     Index duplicates = 0;
     for (Index id = 0; id < ids.number_of_ids(); ++id) {
@@ -92,11 +92,11 @@ private:
   bool is_nobody_moved() const
   {
     for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v) {
-      const auto& p = m_maintained.vertices[v]->point();
+      const auto& p = m_maintained.vertices()[v]->point();
       if constexpr (Maintained::coordinates_are_doubles) {
-        if (p.x() != m_maintained.positions[v].x || p.y() != m_maintained.positions[v].y)
+        if (p.x() != m_maintained.positions()[v].x || p.y() != m_maintained.positions()[v].y)
           return false;
-      } else if (!coincide(m_maintained.traits(), p, m_maintained.next_points[v]))
+      } else if (!coincide(m_maintained.traits(), p, m_maintained.points()[v]))
         return false;
     }
     return true;
@@ -104,16 +104,16 @@ private:
 
   bool is_mirror_in_step() const
   {
-    const auto& mirror = m_maintained.mirror;
-    const auto& faces = m_maintained.faces;
+    const auto& mirror = m_maintained.mirror();
+    const auto& faces = m_maintained.faces();
     if (!m_maintained.is_mirrored())
       return mirror.number_of_faces() == 0;
-    if (faces.size() != m_maintained.triangulation.tds().number_of_faces())
+    if (faces.size() != m_maintained.triangulation().tds().number_of_faces())
       return false;
     for (Index h = 0; h < 3 * Index(faces.size()); ++h)
       if (!is_halfedge_in_step(h))
         return false;
-    for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v)
+    for (Index v = 0; v < Index(m_maintained.vertices().size()); ++v)
       if (mirror.apex(mirror.corner(v)) != v)
         return false;
     return true;
@@ -123,10 +123,10 @@ private:
   {
     if (!m_maintained.is_mirrored())
       return true;
-    std::vector<Index> last_neighbor_of(m_maintained.vertices.size(), no_index);
+    std::vector<Index> last_neighbor_of(m_maintained.vertices().size(), no_index);
     bool is_simplicial = true;
-    for (Index v = 0; v < Index(m_maintained.vertices.size()); ++v)
-      m_maintained.mirror.for_each_neighbor(v, [&](Index w) {
+    for (Index v = 0; v < Index(m_maintained.vertices().size()); ++v)
+      m_maintained.mirror().for_each_neighbor(v, [&](Index w) {
         is_simplicial = is_simplicial && last_neighbor_of[w] != v;
         last_neighbor_of[w] = v;
       });
@@ -135,15 +135,15 @@ private:
 
   bool is_halfedge_in_step(Index h) const
   {
-    const auto& mirror = m_maintained.mirror;
-    const auto& face = m_maintained.faces[h / 3];
+    const auto& mirror = m_maintained.mirror();
+    const auto& face = m_maintained.faces()[h / 3];
     const Index g = mirror.twin(h);
     const Edge_2& edge = mirror.edge(mirror.edge_of(h));
     const bool is_forward = edge.source == mirror.source(h);
     const Index left = is_forward ? edge.left : edge.right;
     const Index right = is_forward ? edge.right : edge.left;
-    return face->vertex(int(h % 3)) == m_maintained.vertices[mirror.apex(h)] &&
-           face->neighbor(int(h % 3)) == m_maintained.faces[g / 3] && mirror.twin(g) == h &&
+    return face->vertex(int(h % 3)) == m_maintained.vertices()[mirror.apex(h)] &&
+           face->neighbor(int(h % 3)) == m_maintained.faces()[g / 3] && mirror.twin(g) == h &&
            mirror.edge_of(g) == mirror.edge_of(h) && left == mirror.apex(h) &&
            right == mirror.apex(g) && (is_forward ? edge.target : edge.source) == mirror.target(h);
   }
@@ -153,7 +153,7 @@ private:
     if (m_maintained.is_mirrored())
       return Certificate_2<Maintained>(m_maintained).holds();
     try { // without a mirror the triangulation is CGAL's own work
-      return m_maintained.triangulation.is_valid();
+      return m_maintained.triangulation().is_valid();
     } catch (const Failure_exception&) {
       return false;
     }

@@ -31,8 +31,8 @@ public:
   template <class Iterator>
   void sort(Iterator first, Iterator beyond)
   {
-    if (m_maintained.positions_are_exact)
-      m_order.sort(m_maintained.positions, first, beyond);
+    if (m_maintained.positions_are_exact())
+      m_order.sort(m_maintained.positions(), first, beyond);
     else
       m_order.sort_by_comparisons(first, beyond, [this](Index v, Index w) {
         return m_predicates.compare_xy(v, w) == SMALLER;

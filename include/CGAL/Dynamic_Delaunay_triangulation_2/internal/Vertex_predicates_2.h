@@ -30,8 +30,8 @@ public:
 
   Orientation orientation(Index a, Index b, Index c) const
   {
-    if (m_maintained.positions_are_exact) {
-      const auto& positions = m_maintained.positions;
+    if (m_maintained.positions_are_exact()) {
+      const auto& positions = m_maintained.positions();
       if (const int sign = filtered_orientation(positions[a], positions[b], positions[c]))
         return sign > 0 ? LEFT_TURN : RIGHT_TURN;
     }
@@ -41,8 +41,8 @@ public:
   // Of d, for a circle that is given counterclockwise.
   Oriented_side side_of_circle(Index a, Index b, Index c, Index d) const
   {
-    if (m_maintained.positions_are_exact) {
-      const auto& positions = m_maintained.positions;
+    if (m_maintained.positions_are_exact()) {
+      const auto& positions = m_maintained.positions();
       if (const int sign =
               filtered_in_circle(positions[a], positions[b], positions[c], positions[d]))
         return sign > 0 ? ON_POSITIVE_SIDE : ON_NEGATIVE_SIDE;
@@ -52,8 +52,8 @@ public:
 
   Comparison_result compare_xy(Index v, Index w) const
   {
-    if (m_maintained.positions_are_exact) {
-      const Position_2 &p = m_maintained.positions[v], &q = m_maintained.positions[w];
+    if (m_maintained.positions_are_exact()) {
+      const Position_2 &p = m_maintained.positions()[v], &q = m_maintained.positions()[w];
       return p.x != q.x ? CGAL::compare(p.x, q.x) : CGAL::compare(p.y, q.y);
     }
     const Comparison_result x = compare_x(v, w);
@@ -62,8 +62,8 @@ public:
 
   Comparison_result compare_yx(Index v, Index w) const
   {
-    if (m_maintained.positions_are_exact) {
-      const Position_2 &p = m_maintained.positions[v], &q = m_maintained.positions[w];
+    if (m_maintained.positions_are_exact()) {
+      const Position_2 &p = m_maintained.positions()[v], &q = m_maintained.positions()[w];
       return p.y != q.y ? CGAL::compare(p.y, q.y) : CGAL::compare(p.x, q.x);
     }
     const Comparison_result y = compare_y(v, w);

@@ -52,7 +52,7 @@ public:
   {
     m_coming_points = points;
     std::vector<Index> copy = ids;
-    m_maintained.ids.reserve(ids); // nothing throws from here on
+    m_editor.reserve_ids(ids); // nothing throws from here on
     m_coming_ids.swap(copy);
   }
 
@@ -61,7 +61,7 @@ public:
   void for_each_coming(const Function& f) const
   {
     for (std::size_t i = 0; i < m_coming_ids.size(); ++i)
-      if (!m_maintained.ids.is_taken(m_coming_ids[i]))
+      if (!m_maintained.ids().is_taken(m_coming_ids[i]))
         f(m_coming_ids[i], m_coming_points[i]);
   }
 
@@ -86,10 +86,7 @@ public:
   void take_out(Index v)
   {
     provide_for_slot();
-    m_waiting.push_back(m_editor.take_out(v, previous_position(v), [&] {
-      m_maintained.visitor_calls.before_vertex_relocation(m_maintained.vertices[v],
-                                                          m_maintained.ids.representative(v));
-    }));
+    m_waiting.push_back(m_editor.take_out(v, previous_position(v)));
   }
 
   // The points with these ids go. A representative leaves its vertex to a duplicate, if there is
@@ -98,10 +95,10 @@ public:
   std::vector<Index> remove(const std::vector<Index>& ids)
   {
     std::vector<Index> moved;
-    m_maintained.ids.provide_for_removals(ids.size());
+    m_editor.provide_for_removals(ids.size());
     for (const Index id : ids)
       remove(id, moved);
-    const auto is_outside = [this](Index v) { return m_maintained.mirror.is_outside(v); };
+    const auto is_outside = [this](Index v) { return m_maintained.mirror().is_outside(v); };
     moved.erase(std::remove_if(moved.begin(), moved.end(), is_outside), moved.end());
     return moved;
   }
@@ -111,7 +108,7 @@ public:
   // do if that would be more than `most`, or leave fewer than three.
   std::size_t merge(const std::vector<Index>& vertices, std::size_t most)
   {
-    auto& ids = m_maintained.ids;
+    const auto& ids = m_maintained.ids();
     m_meeting_order.sort(vertices.begin(), vertices.end());
     std::vector<std::pair<Index, Index>> pairs;
     m_meeting_order.for_each_coincident_pair([&](Index v, Index w) {
@@ -121,15 +118,14 @@ public:
     if (pairs.size() > most || pairs.size() + m_waiting.size() + m_empty.size() + min_vertices >
                                    m_maintained.number_of_vertices())
       return 0;
-    ids.provide_for_duplicates(pairs.size());
+    m_editor.provide_for_duplicates(pairs.size());
     for (const auto& [i, j] : pairs) {
       Index stays = ids.vertex(i), goes = ids.vertex(j);
       if (ids.representative(goes) < ids.representative(stays))
         std::swap(stays, goes);
       provide_for_slot();
       const Point p = m_maintained.point(goes);
-      m_empty.push_back(
-          m_editor.take_out(goes, previous_position(goes), [&] { join(goes, stays, p); }));
+      m_empty.push_back(m_editor.merge(goes, previous_position(goes), stays, p));
     }
     return pairs.size();
   }
@@ -152,7 +148,7 @@ public:
     Hint hint{any_vertex(), m_maintained.number_of_vertices()};
     for (std::size_t k = 0; k < m_order.size(); ++k) {
       const std::size_t i = m_order[k];
-      provide(m_maintained.new_edges, 6);
+      m_editor.provide_for_new_vertex();
       const Index v = i < m_waiting.size()
                           ? put_in_again(m_waiting[i], hint, counts)
                           : let_come(parted_duplicates, i - m_waiting.size(), hint, counts);
@@ -182,13 +178,13 @@ public:
   {
     if (!is_under_way())
       return;
-    m_maintained.everything_is_new = true;
+    m_editor.note_everything_is_new();
     for (const Slot& slot : m_waiting)
-      if (m_maintained.mirror.is_outside(slot.vertex) &&
-          m_maintained.ids.has_representative(slot.vertex))
-        m_editor.put_in(slot, m_maintained.mirror.corner(any_vertex()) / 3);
+      if (m_maintained.mirror().is_outside(slot.vertex) &&
+          m_maintained.ids().has_representative(slot.vertex))
+        m_editor.put_in(slot, m_maintained.mirror().corner(any_vertex()) / 3);
     m_editor.drop_in_need(m_empty);
-    for_each_coming([this](Index id, const Point&) { m_maintained.ids.release(id); });
+    for_each_coming([this](Index id, const Point&) { m_editor.release_id(id); });
     m_empty.clear();
     forget_all();
   }
@@ -205,38 +201,26 @@ private:
 
   Position_2 previous_position(Index v) const
   {
-    return Maintained::approximation(m_maintained.previous_point(v));
+    return approximation(m_maintained.previous_point(v));
   }
 
   void remove(Index id, std::vector<Index>& moved)
   {
-    auto& ids = m_maintained.ids;
+    const auto& ids = m_maintained.ids();
     const Index v = ids.vertex(id);
     if (ids.is_representative(id)) {
       const Index successor = ids.find_duplicate_at(v, [](const auto&) { return true; });
       if (successor == no_index) {
         provide_for_slot();
-        m_empty.push_back(m_editor.take_out(v, previous_position(v), [&] {
-          m_maintained.visitor_calls.before_vertex_removal(m_maintained.vertices[v], id);
-          ids.remove_representative(id);
-        }));
+        m_empty.push_back(m_editor.remove(v, previous_position(v)));
         return;
       }
       const Point place = m_maintained.point(v);
       if (!coincide(m_maintained.traits(), place, ids.duplicate(successor).point))
         moved.push_back(v);
-      m_maintained.hand_over(successor, v, place);
+      m_editor.hand_over(successor, v, place);
     }
-    ids.remove_duplicate(id);
-  }
-
-  // All points of vertex `goes`, at p, become duplicates of the other one.
-  void join(Index goes, Index stays, const Point& p)
-  {
-    auto& ids = m_maintained.ids;
-    m_maintained.visitor_calls.before_vertex_merge(
-        m_maintained.vertices[goes], ids.representative(goes), m_maintained.vertices[stays]);
-    ids.merge(goes, stays, p);
+    m_editor.remove_duplicate(id);
   }
 
   // Where all that are put in go: first those that wait, then the parted duplicates, then those
@@ -245,11 +229,11 @@ private:
   {
     m_places.clear();
     for (const Slot& slot : m_waiting)
-      m_places.push_back(m_maintained.positions[slot.vertex]);
+      m_places.push_back(m_maintained.positions()[slot.vertex]);
     for (const Index id : parted_duplicates)
-      m_places.push_back(Maintained::approximation(m_maintained.ids.duplicate(id).point));
+      m_places.push_back(approximation(m_maintained.ids().duplicate(id).point));
     for (const Point& p : m_coming_points)
-      m_places.push_back(Maintained::approximation(p));
+      m_places.push_back(approximation(p));
     const boost::counting_iterator<Index> first(0), beyond(Index(m_places.size()));
     m_order.sort(m_places, first, beyond);
   }
@@ -258,7 +242,7 @@ private:
   Index any_vertex() const
   {
     Index v = 1;
-    while (m_maintained.mirror.is_outside(v))
+    while (m_maintained.mirror().is_outside(v))
       ++v;
     return v;
   }
@@ -273,7 +257,7 @@ private:
   Hint hint_at(Index v) const
   {
     Index nearby = v;
-    m_maintained.mirror.for_each_neighbor(
+    m_maintained.mirror().for_each_neighbor(
         v, [&](Index w) { nearby = w == infinite_index ? nearby : w; });
     const std::size_t spread = 4 * m_maintained.number_of_vertices() / m_order.size();
     return {nearby, Index(spread)};
@@ -286,14 +270,12 @@ private:
     const Place_2 place = m_location.locate(v, hint.nearby, hint.spread);
     counts.steps += place.steps;
     if (place.vertex == no_index) {
-      provide(m_maintained.relocated, 1);
-      m_editor.put_in(slot, place.face);
-      m_maintained.relocated.push_back(v);
+      m_editor.put_in_again(slot, place.face);
       ++counts.relocated;
       return v;
     }
-    m_maintained.ids.provide_for_duplicates(1);
-    join(v, place.vertex, m_maintained.point(v));
+    m_editor.provide_for_duplicates(1);
+    m_editor.hand_points_to(place.vertex, v, m_maintained.point(v));
     m_empty.push_back(slot);
     ++counts.merged;
     return no_index;
@@ -303,24 +285,22 @@ private:
   Index let_come(const std::vector<Index>& parted_duplicates, std::size_t i, const Hint& hint,
                  Counts& counts)
   {
-    auto& ids = m_maintained.ids;
+    const auto& ids = m_maintained.ids();
     const bool parts = i < parted_duplicates.size();
     const std::size_t coming = i - parted_duplicates.size();
     const Index id = parts ? parted_duplicates[i] : m_coming_ids[coming];
     const Point p = parts ? ids.duplicate(id).point : m_coming_points[coming];
     counts.parted += parts;
-    ids.provide_for_duplicates(1);
+    m_editor.provide_for_duplicates(1);
     const Slot slot = take_slot(p);
     const Place_2 place = m_location.locate(slot.vertex, hint.nearby, hint.spread);
     counts.steps += place.steps;
     if (place.vertex != no_index) {
-      ids.place_duplicate(id, place.vertex, p);
+      m_editor.place_duplicate(id, place.vertex, p);
       return no_index;
     }
     m_empty.pop_back();
-    ids.place_representative(id, slot.vertex);
-    m_maintained.visitor_calls.after_vertex_creation(m_maintained.vertices[slot.vertex], id);
-    m_editor.put_in(slot, place.face);
+    m_editor.put_in_new(slot, place.face, id);
     return slot.vertex;
   }
 
@@ -342,7 +322,7 @@ private:
     m_coming_points.clear();
   }
 
-  Maintained& m_maintained;
+  const Maintained& m_maintained;
   Editor& m_editor;
   Point_location_2<Maintained> m_location;
   Vertex_order_2<Maintained> m_meeting_order;

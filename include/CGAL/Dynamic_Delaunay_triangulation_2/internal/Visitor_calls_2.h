@@ -116,37 +116,6 @@ private:
   std::exception_ptr m_failure;
 };
 
-// While one exists, all faces may be written anew: it tells the visitor that they go when it comes,
-// and that they are there when it goes, also by an exception.
-template <class Maintained>
-class All_faces_anew_2
-{
-public:
-  explicit All_faces_anew_2(Maintained& maintained)
-    : m_maintained(maintained)
-  {
-    for_each_face([this](auto f) { m_maintained.visitor_calls.before_face_removal(f); });
-  }
-  All_faces_anew_2(const All_faces_anew_2&) = delete;
-  All_faces_anew_2& operator=(const All_faces_anew_2&) = delete;
-  ~All_faces_anew_2()
-  {
-    for_each_face([this](auto f) { m_maintained.visitor_calls.after_face_creation(f); });
-  }
-
-private:
-  template <class Function>
-  void for_each_face(const Function& f) const
-  {
-    if constexpr (decltype(m_maintained.visitor_calls)::is_heard)
-      if (m_maintained.is_mirrored())
-        for (const auto& face : m_maintained.faces)
-          f(face);
-  }
-
-  Maintained& m_maintained;
-};
-
 } // namespace internal
 } // namespace Dynamic_Delaunay_triangulations_2
 } // namespace CGAL

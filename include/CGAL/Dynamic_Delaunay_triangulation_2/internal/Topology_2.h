@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_ids_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Renumbering_2.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+template <class Maintained>
+class Input_frame_2;
+template <class Maintained>
+class Topology_builder_2;
+template <class Maintained>
+class Topology_editor_2;
+
+// What has changed since the classifier was told last: everything, or the edges with these indices.
+struct Change_log_2
+{
+  bool everything_is_new = true;
+  std::vector<Index> new_edges;
+  std::vector<Index> relocated; // the vertices that were put into other faces
+  Renumberings_2 renumberings;  // of what is not new
+
+  void clear()
+  {
+    everything_is_new = false;
+    new_edges.clear();
+    relocated.clear();
+    renumberings.clear();
+  }
+};
+
+// The topology: CGAL's triangulation, its mirror, the handles of both, which vertex each id has,
+// and the log of what has changed. Everybody may read it. Only `Topology_editor_2`, which writes a
+// part of it, and `Topology_builder_2`, which writes all of it, can change it: they are its
+// friends, they keep its parts in step, and they tell the user's visitor.
+template <class Traits, class Tds, class Visitor_calls>
+class Topology_2
+{
+public:
+  using Triangulation = Delaunay_triangulation_2<Traits, Tds>;
+  using Vertex_handle = typename Triangulation::Vertex_handle;
+  using Face_handle = typename Triangulation::Face_handle;
+  using Point = typename Triangulation::Point;
+  using Ids = Point_ids_2<Point>;
+
+  Topology_2(const Topology_2&) = delete;
+  Topology_2& operator=(const Topology_2&) = delete;
+
+  explicit Topology_2(const Traits& traits)
+    : m_triangulation(traits)
+    , m_vertices(1, m_triangulation.infinite_vertex())
+  {
+    m_ids.reset(0);
+    auto& stored = m_triangulation.tds().faces(); // an empty triangulation has one face
+    for (auto f = stored.begin(); f != stored.end(); ++f)
+      m_faces.push_back(f);
+  }
+
+  const Triangulation& triangulation() const { return m_triangulation; }
+  const Neighborhood_mirror_2& mirror() const { return m_mirror; }
+  // By the index of the vertex, or of the face.
+  const std::vector<Vertex_handle>& vertices() const { return m_vertices; }
+  const std::vector<Face_handle>& faces() const { return m_faces; }
+  const Ids& ids() const { return m_ids; }
+  const Change_log_2& changes() const { return m_changes; }
+
+  // Only `Input_frame_2` has the key to this: the points of duplicates belong to a frame, as all
+  // positions do. The ids in the list must be those of the duplicates.
+  template <class Maintained>
+  void exchange_duplicates(const typename Input_frame_2<Maintained>::Key&,
+                           std::vector<typename Ids::Duplicate>& others)
+  {
+    m_ids.duplicates().swap(others);
+  }
+
+private:
+  template <class Maintained>
+  friend class Topology_builder_2;
+  template <class Maintained>
+  friend class Topology_editor_2;
+
+  Triangulation m_triangulation;
+  Neighborhood_mirror_2 m_mirror;
+  std::vector<Vertex_handle> m_vertices;
+  std::vector<Face_handle> m_faces;
+  Ids m_ids;
+  Change_log_2 m_changes;
+  Visitor_calls m_visitor_calls;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_2_H
