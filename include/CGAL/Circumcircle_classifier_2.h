@@ -6,11 +6,8 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_examination_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_proofs_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Safe_edges_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Safe_edges_schedule_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/tags.h>
 
@@ -88,7 +85,7 @@ public:
     if (!frame.positions_are_exact()) {
       m_safe_edges.drop();
       for (Index e = 0; e < frame.number_of_edges(); ++e)
-        Dynamic_Delaunay_triangulations_2::internal::examine(frame, e, classified);
+        classified.add_unless_delaunay(frame, e);
       return;
     }
     // where one frame has broken nearly everything, the next one may
@@ -105,7 +102,7 @@ public:
       return;
     }
     for (const std::vector<Index>& unproved : m_unproved)
-      Dynamic_Delaunay_triangulations_2::internal::examine_all(frame, unproved, classified);
+      classified.add_unless_delaunay(frame, unproved);
     if (m_safe_edges.holds() && m_safe_edges.hull_turns_once())
       classified.set_hull_turns_once();
   }
@@ -174,9 +171,8 @@ private:
     const Dynamic_Delaunay_triangulations_2::internal::Default_floating_point_2 floating_point;
     const std::size_t edges = frame.number_of_edges();
     m_unproved[part].clear();
-    Dynamic_Delaunay_triangulations_2::internal::append_unproved(
-        frame.edges().data(), frame.positions(), Index(edges * part / parts),
-        Index(edges * (part + 1) / parts), m_unproved[part]);
+    frame.append_unproved(Index(edges * part / parts), Index(edges * (part + 1) / parts),
+                          m_unproved[part]);
   }
 
   // By a sample.

@@ -7,7 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Finite_neighbors_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_geometry_2.h>
 #include <CGAL/Iterator_range.h>
 
 #include <algorithm>

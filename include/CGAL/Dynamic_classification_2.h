@@ -6,7 +6,8 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
@@ -93,28 +94,57 @@ public:
     m_whole_vertices.fill(1, bound);
   }
 
-  /// \cond
-  // Whether all vertices are classified for the sake of all their edges.
-  bool is_everything() const
-  {
-    return m_whole_vertices.size() + 1 == m_maintained->vertices().size();
-  }
-
-  // The same as add_edge() for an edge that is known to violate the in-circle condition between two
-  // counterclockwise faces.
+  /// the same as `add_edge()` for an edge in the state `ILLEGAL`: flips of such edges cost less.
+  /// \throws Unknown_index_error_2 if there is no such edge.
   void add_illegal_edge(Index e)
   {
+    if (e >= m_maintained->mirror().number_of_edges())
+      throw Unknown_index_error_2("edge", e, m_maintained->mirror().number_of_edges());
     m_edges.push_back(e);
     ++m_number_of_illegal;
     add_vertices_of(e);
   }
-  // These are at the end of edges().
-  std::size_t number_of_illegal_edges() const { return m_number_of_illegal; }
 
-  // The classifier has proved that the hull turns around once.
+  /// classifies edge `e` of `frame` unless it is Delaunay, decided exactly.
+  template <class Frame>
+  void add_unless_delaunay(const Frame& frame, Index e)
+  {
+    using Dynamic_Delaunay_triangulations_2::Edge_state_2;
+    const Edge_state_2 state = frame.edge_state(e);
+    if (state == Edge_state_2::ILLEGAL)
+      add_illegal_edge(e);
+    else if (state != Edge_state_2::DELAUNAY)
+      add_edge(e);
+  }
+
+  /// the same for all edges of a list, whose memory it fetches ahead.
+  template <class Frame>
+  void add_unless_delaunay(const Frame& frame, const std::vector<Index>& edges)
+  {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    constexpr std::size_t ahead = 8;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (i + 2 * ahead < edges.size())
+        prefetch(&frame.edge(edges[i + 2 * ahead]));
+      if (i + ahead < edges.size())
+        prefetch_corners(frame.edge(edges[i + ahead]), frame.positions().data());
+      add_unless_delaunay(frame, edges[i]);
+    }
+  }
+
+  /// says that the classifier has proved that the hull turns around once, so that this need not be
+  /// tested again.
   void set_hull_turns_once() { m_hull_turns_once = true; }
+
+  /// whether all vertices are classified for the sake of all their edges.
+  bool is_everything() const
+  {
+    return m_whole_vertices.size() + 1 == m_maintained->vertices().size();
+  }
+  /// how many of `edges()` were given to `add_illegal_edge()`: the last ones.
+  std::size_t number_of_illegal_edges() const { return m_number_of_illegal; }
+  /// whether `set_hull_turns_once()` was called.
   bool hull_turns_once() const { return m_hull_turns_once; }
-  /// \endcond
 
   /// whether nothing is classified.
   bool empty() const { return m_vertices.empty(); }

@@ -7,6 +7,8 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 
 #include <array>
@@ -40,6 +42,8 @@ public:
   /// four vertices, `source`, `target`, `left` and `right`: the ends of an edge, and the vertices
   /// opposite to it in its two faces.
   using Edge = Dynamic_Delaunay_triangulations_2::Edge_2;
+  /// four positions, `left`, `source`, `target` and `right`: where the vertices of an edge are.
+  using Corners = Dynamic_Delaunay_triangulations_2::Edge_corners_2;
 
   /// \cond
   explicit Dynamic_frame_2(const Maintained& maintained)
@@ -146,19 +150,8 @@ public:
     mirror.for_each_corner(v, [&](Index h) { f(mirror.edge_of(mirror.previous(h))); });
   }
 
-  /// whether edge `e` needs no repair: locally Delaunay, with counterclockwise faces, the hull
-  /// convex there. Decided exactly.
-  bool is_delaunay(Index e) const
-  {
-    using Dynamic_Delaunay_triangulations_2::internal::Edge_state_2;
-    return certificate().rough_state(e) == Edge_state_2::DELAUNAY;
-  }
-
-  /// \cond
-  auto rough_state(Index e) const { return certificate().rough_state(e); }
-  bool hull_turns_once() const { return certificate().hull_turns_once(); }
-
-  // Calls f(e) for every edge that has v for an end or on one of its sides.
+  /// calls `f(e)` for every edge `e` that changes if vertex `v` moves: those that end at `v`, and
+  /// those to which it is opposite.
   template <class Function>
   void for_each_edge_that_sees(Index v, Function&& f) const
   {
@@ -168,7 +161,79 @@ public:
       f(mirror.edge_of(mirror.previous(h)));
     });
   }
-  /// \endcond
+
+  /// @}
+  /// \name Testing Edges
+  /// @{
+
+  /// where the four vertices of edge `e` are, as seen from the edge; NaNs for an infinite vertex.
+  Corners corners(Index e) const { return m_maintained->corners(e); }
+  /// the same if the vertices were at other positions, given by their numbers.
+  Corners corners(Index e, const std::vector<Position>& positions) const
+  {
+    return m_maintained->corners(e, positions);
+  }
+
+  /// whether one of the four vertices of edge `e` is the infinite one.
+  bool is_at_infinity(Index e) const
+  {
+    return Dynamic_Delaunay_triangulations_2::internal::is_at_infinity(edge(e));
+  }
+  /// for an edge at infinity: whether its finite face is not counterclockwise, or the hull turns
+  /// right where it passes the edge's end, as computed in floating point. False for all other
+  /// edges.
+  bool breaks_hull(Index e) const
+  {
+    return Dynamic_Delaunay_triangulations_2::internal::breaks_hull(edge(e), positions());
+  }
+
+  /// whether edge `e` needs no repair: it is locally Delaunay, its faces are counterclockwise, and
+  /// the hull is convex there. Decided exactly.
+  bool is_delaunay(Index e) const
+  {
+    return edge_state(e) == Dynamic_Delaunay_triangulations_2::Edge_state_2::DELAUNAY;
+  }
+  /// what is wrong with edge `e`, if anything. Decided exactly, except that an edge that is twisted
+  /// may be called crossed.
+  Dynamic_Delaunay_triangulations_2::Edge_state_2 edge_state(Index e) const
+  {
+    return Dynamic_Delaunay_triangulations_2::internal::Edge_test_2<Maintained>(*m_maintained)
+        .rough_state(e);
+  }
+
+  /// appends to `unproved` edges from `first` to before `beyond` among which are all of those that
+  /// are not Delaunay, and few others. This is how an exact classifier looks at all edges: some two
+  /// nanoseconds an edge, in floating point with proved bounds, four edges at once where the
+  /// processor has AVX2. Where positions are rounded all edges are appended.
+  /// `Dynamic_classification_2::add_unless_delaunay()` decides about what it appended. \pre `first
+  /// <= beyond <= number_of_edges()`
+  void append_unproved(Index first, Index beyond, std::vector<Index>& unproved) const
+  {
+    if (positions_are_exact())
+      return Dynamic_Delaunay_triangulations_2::internal::append_unproved<
+          typename Maintained::Space>(edges().data(), positions(), first, beyond, unproved);
+    for (Index e = first; e < beyond; ++e)
+      unproved.push_back(e);
+  }
+  /// the same for the edges in a list.
+  void append_unproved(const std::vector<Index>& edges, std::vector<Index>& unproved) const
+  {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    if (positions_are_exact())
+      append_unproved_of<typename Maintained::Space>(this->edges().data(), positions(), edges,
+                                                     unproved);
+    else
+      unproved.insert(unproved.end(), edges.begin(), edges.end());
+  }
+
+  /// whether the hull turns around once, if it is convex at each of its vertices. Without that a
+  /// triangulation of which all edges are Delaunay can lie on top of itself. Cost: a walk around
+  /// the hull.
+  bool hull_turns_once() const
+  {
+    return Dynamic_Delaunay_triangulations_2::internal::Certificate_2<Maintained>(*m_maintained)
+        .hull_turns_once();
+  }
 
   /// @}
   /// \name What the last update triangulated anew
@@ -254,11 +319,6 @@ public:
   /// @}
 
 private:
-  auto certificate() const
-  {
-    return Dynamic_Delaunay_triangulations_2::internal::Certificate_2<Maintained>(*m_maintained);
-  }
-
   const Maintained* m_maintained;
 };
 

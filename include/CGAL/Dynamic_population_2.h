@@ -7,10 +7,10 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_operators_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distinct_numbers_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/If_range.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_position_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_writer_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/User_id_table_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/property_map.h>

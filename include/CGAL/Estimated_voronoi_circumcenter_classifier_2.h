@@ -92,11 +92,11 @@ private:
   static bool is_broken(const Frame& frame, Index e, const Center& center_of)
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
-    const auto& edge = frame.edge(e);
-    if (is_at_infinity(edge))
-      return breaks_hull(edge, frame.positions());
+    if (frame.is_at_infinity(e))
+      return frame.breaks_hull(e);
     const auto [left, right] = frame.faces_at(e);
-    const Position e2 = frame.position(edge.target) - frame.position(edge.source);
+    const auto corners = frame.corners(e);
+    const Position e2 = corners.target - corners.source;
     return !(cross(center_of(right) - center_of(left), e2) >= 0);
   }
 

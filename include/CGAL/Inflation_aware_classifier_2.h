@@ -7,7 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 #include <vector>

@@ -6,8 +6,8 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_examination_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_filter_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Flip_and_splice_repair_2.h>
 
@@ -69,18 +69,18 @@ public:
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified)
   {
-    using namespace Dynamic_Delaunay_triangulations_2::internal;
-    find_unproved(frame, m_unproved);
+    m_unproved.clear();
+    frame.append_unproved(0, frame.number_of_edges(), m_unproved);
     for (const Index e : m_unproved)
-      if (!frame.positions_are_exact() || !is_proved_near(frame, frame.edge(e)))
-        examine(frame, e, classified);
+      if (!frame.positions_are_exact() || !is_proved_near(frame.corners(e)))
+        classified.add_unless_delaunay(frame, e);
   }
 
   /// whether edge `e` is not even nearly Delaunay.
   template <class Frame>
   bool names_edge(const Frame& frame, typename Frame::Index e) const
   {
-    return !(frame.positions_are_exact() && is_proved_near(frame, frame.edge(e))) &&
+    return !(frame.positions_are_exact() && is_proved_near(frame.corners(e))) &&
            !frame.is_delaunay(e);
   }
 
@@ -94,13 +94,11 @@ private:
   // and with the other face's orientation and lengths in place of these. The errors of in_circle
   // and left are those of Edge_filter_2; the few roundings of the products, each within 2^-53, are
   // far below 1e-14.
-  template <class Frame>
-  bool is_proved_near(const Frame& frame, const typename Frame::Edge& edge) const
+  bool is_proved_near(const Dynamic_Delaunay_triangulations_2::Edge_corners_2& corners) const
   {
     using Dynamic_Delaunay_triangulations_2::internal::Edge_filter_2;
-    const Position &a = frame.position(edge.left), &b = frame.position(edge.source),
-                   &c = frame.position(edge.target), &d = frame.position(edge.right);
-    const Edge_filter_2 filter(a, b, c, d);
+    const auto& [a, b, c, d] = corners;
+    const Edge_filter_2 filter(corners);
     if (!filter.proves_counterclockwise())
       return false;
     const double in_circle =

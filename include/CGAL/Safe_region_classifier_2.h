@@ -6,10 +6,9 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Displacements_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_examination_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_slack_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 
 #include <algorithm>
 #include <limits>
@@ -56,8 +55,8 @@ public:
     if (m_holds)
       find_edges_of_moved(frame);
     else
-      Dynamic_Delaunay_triangulations_2::internal::find_unproved(frame, m_unproved);
-    Dynamic_Delaunay_triangulations_2::internal::examine_all(frame, m_unproved, classified);
+      find_unproved(frame);
+    classified.add_unless_delaunay(frame, m_unproved);
   }
 
   /// makes the disks of the vertices that have left theirs, and of those around what was
@@ -106,6 +105,13 @@ private:
       frame.for_each_edge_that_sees(v, [&](Index e) { m_edges.insert(e); });
     m_unproved.assign(m_edges.begin(), m_edges.end());
     std::sort(m_unproved.begin(), m_unproved.end());
+  }
+
+  template <class Frame>
+  void find_unproved(const Frame& frame)
+  {
+    m_unproved.clear();
+    frame.append_unproved(0, frame.number_of_edges(), m_unproved);
   }
 
   // Disks that did not last are not made again for a while.
@@ -165,7 +171,7 @@ private:
   void measure(const Frame& frame, Index e)
   {
     using Dynamic_Delaunay_triangulations_2::internal::Edge_slack_2;
-    m_tolerances[e] = Edge_slack_2(frame.edge(e), m_references).tolerance();
+    m_tolerances[e] = Edge_slack_2(frame.edge(e), frame.corners(e, m_references)).tolerance();
   }
 
   template <class Frame>

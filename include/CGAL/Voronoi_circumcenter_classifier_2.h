@@ -51,13 +51,12 @@ public:
   bool names_edge(const Frame& frame, typename Frame::Index e) const
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
-    const auto& edge = frame.edge(e);
-    if (is_at_infinity(edge))
-      return breaks_hull(edge, frame.positions());
-    const auto& source = frame.position(edge.source);
-    const auto e2 = frame.position(edge.target) - source;
-    const auto left = frame.position(edge.left) - source;
-    const auto right = frame.position(edge.right) - source;
+    if (frame.is_at_infinity(e))
+      return frame.breaks_hull(e);
+    const auto corners = frame.corners(e);
+    const auto e2 = corners.target - corners.source;
+    const auto left = corners.left - corners.source;
+    const auto right = corners.right - corners.source;
     if (!(cross(e2, left) > 0 && cross(right, e2) > 0))
       return true;
     // what is no number is broken

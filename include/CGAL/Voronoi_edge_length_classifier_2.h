@@ -7,7 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 #include <limits>
@@ -69,11 +69,9 @@ public:
   template <class Frame>
   bool names_edge(const Frame& frame, Dynamic_Delaunay_triangulations_2::Index e) const
   {
-    using namespace Dynamic_Delaunay_triangulations_2::internal;
-    const auto& edge = frame.edge(e);
-    if (is_at_infinity(edge))
-      return breaks_hull(edge, frame.positions());
-    return !(stretch(frame, edge) <= m_limits[e]); // what is no number is broken
+    if (frame.is_at_infinity(e))
+      return frame.breaks_hull(e);
+    return !(stretch(frame.corners(e)) <= m_limits[e]); // what is no number is broken
   }
 
   /// measures the Voronoi edges that were triangulated anew: also those of edges that only got
@@ -88,40 +86,37 @@ public:
     frame.for_each_changed_edge([&](Index e) {
       if (!m_measured.insert(e))
         return;
-      const auto& edge = frame.edge(e);
-      m_limits[e] = stretch(frame, edge) + m_x * voronoi_edge_length(frame, edge);
+      const Corners corners = frame.corners(e);
+      m_limits[e] = stretch(corners) + m_x * voronoi_edge_length(corners);
     });
   }
 
 private:
   using Index = Dynamic_Delaunay_triangulations_2::Index;
+  using Position = Dynamic_Delaunay_triangulations_2::Position_2;
+  using Corners = Dynamic_Delaunay_triangulations_2::Edge_corners_2;
 
-  template <class Frame>
-  static double stretch(const Frame& frame, const typename Frame::Edge& edge)
+  static double stretch(const Corners& corners)
   {
     using Dynamic_Delaunay_triangulations_2::internal::distance;
-    return distance(frame.position(edge.source), frame.position(edge.target)) -
-           distance(frame.position(edge.left), frame.position(edge.right));
+    return distance(corners.source, corners.target) - distance(corners.left, corners.right);
   }
 
   // Negative if the edge is not Delaunay; no number at a face that is not counterclockwise. As
   // the center of abc is above bc by half of |bc| times the cotangent of the angle at a, the length
   // takes no centers.
-  template <class Frame>
-  static double voronoi_edge_length(const Frame& frame, const typename Frame::Edge& edge)
+  static double voronoi_edge_length(const Corners& corners)
   {
     using Dynamic_Delaunay_triangulations_2::internal::distance;
-    return distance(frame.position(edge.source), frame.position(edge.target)) / 2 *
-           (cotangent(frame, edge.left, edge.source, edge.target) +
-            cotangent(frame, edge.right, edge.target, edge.source));
+    return distance(corners.source, corners.target) / 2 *
+           (cotangent(corners.left, corners.source, corners.target) +
+            cotangent(corners.right, corners.target, corners.source));
   }
 
-  template <class Frame>
-  static double cotangent(const Frame& frame, Index apex, Index first, Index second)
+  static double cotangent(const Position& apex, const Position& first, const Position& second)
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
-    const auto u = frame.position(first) - frame.position(apex);
-    const auto v = frame.position(second) - frame.position(apex);
+    const Position u = first - apex, v = second - apex;
     const double area = cross(u, v);
     return area > 0 ? dot(u, v) / area : std::numeric_limits<double>::quiet_NaN();
   }

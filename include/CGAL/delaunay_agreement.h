@@ -7,7 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/Union_find.h>
 #include <CGAL/Unique_hash_map.h>

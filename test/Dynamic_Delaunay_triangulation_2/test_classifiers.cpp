@@ -116,7 +116,7 @@ TEST(Edge_filter, never_proves_what_is_not_so)
       p[k] = {(base + digit(random)) * scale, (base + digit(random)) * scale};
       q[k] = Epick::Point_2(p[k].x, p[k].y);
     }
-    const Edge_filter_2 filter(p[0], p[1], p[2], p[3]);
+    const Edge_filter_2 filter({p[0], p[1], p[2], p[3]});
     const auto circle = CGAL::side_of_oriented_circle(q[0], q[1], q[2], q[3]);
     const auto left = CGAL::orientation(q[0], q[1], q[2]);
     const auto right = CGAL::orientation(q[3], q[2], q[1]);
@@ -158,12 +158,15 @@ TEST(Edge_filter, proves_the_same_edges_plain_and_vectorised)
     edges.push_back(edge);
   }
   std::vector<Index> plain, chosen;
-  internal::append_unproved_plain(edges.data(), positions.data(), 0, Index(edges.size()), plain);
-  internal::append_unproved(edges.data(), positions, 0, Index(edges.size()), chosen);
+  internal::append_unproved_plain<internal::Plane_2>(edges.data(), positions.data(), 0,
+                                                     Index(edges.size()), plain);
+  internal::append_unproved<internal::Plane_2>(edges.data(), positions, 0, Index(edges.size()),
+                                               chosen);
   EXPECT_EQ(plain, chosen);
   positions.resize(internal::min_vertices_to_prefetch); // far apart in memory, on another path
   chosen.clear();
-  internal::append_unproved(edges.data(), positions, 0, Index(edges.size()), chosen);
+  internal::append_unproved<internal::Plane_2>(edges.data(), positions, 0, Index(edges.size()),
+                                               chosen);
   EXPECT_EQ(plain, chosen);
   EXPECT_GT(edges.size() - plain.size(), 1000u); // both answers occur
   EXPECT_GT(plain.size(), 1000u);

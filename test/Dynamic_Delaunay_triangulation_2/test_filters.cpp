@@ -47,6 +47,10 @@ struct One_edge
   const Position_2& position(Index v) const { return m_positions[v]; }
   bool positions_are_exact() const { return true; }
   const Edge_2& edge(Index) const { return m_edge; }
+  CGAL::Dynamic_Delaunay_triangulations_2::Edge_corners_2 corners(Index) const
+  {
+    return internal::Plane_2::corners(m_edge, m_positions);
+  }
   bool is_delaunay(Index) const { return false; }
 
 private:
@@ -90,7 +94,7 @@ TEST_F(Predicates, of_the_filters_claim_nothing_wrong_for_any_finite_doubles)
         << text(q);
     ASSERT_TRUE(is_no_contradiction(internal::filtered_in_circle(a, b, c, d), signs.side))
         << text(q);
-    const internal::Edge_filter_2 filter(a, b, c, d);
+    const internal::Edge_filter_2 filter({a, b, c, d});
     const bool is_ccw = signs.are_counterclockwise();
     ASSERT_TRUE(!filter.proves_counterclockwise() || is_ccw) << text(q);
     ASSERT_TRUE(!filter.proves_delaunay() || (is_ccw && signs.side < 0)) << text(q);
@@ -131,7 +135,7 @@ TEST_F(Predicates, of_four_edges_at_once_claim_nothing_wrong_for_any_finite_doub
     const One_edge one(q);
     const Edge_2 edges[] = {one.edge(0), one.edge(0), one.edge(0), one.edge(0)};
     std::vector<Index> unproved;
-    internal::append_unproved(edges, one.positions(), 0, 4, unproved);
+    internal::append_unproved<internal::Plane_2>(edges, one.positions(), 0, 4, unproved);
     ASSERT_TRUE(unproved.empty() || unproved.size() == 4) << text(q);
     if (!unproved.empty())
       continue;
@@ -242,7 +246,7 @@ TEST_F(Tolerances, are_kept_by_edges_of_any_length_anywhere)
   for (int i = 0; i < 50000; ++i) {
     const Quadruple q = any.random() % 4 ? any_rhombus(any) : any.next();
     const One_edge one(q);
-    const double t = Edge_slack_2(one.edge(0), one.positions()).tolerance();
+    const double t = Edge_slack_2(one.edge(0), one.corners(0)).tolerance();
     if (!(t > 0))
       continue;
     ++safe;
@@ -264,7 +268,8 @@ TEST_F(Tolerances, are_kept_by_hulls_of_any_extent_anywhere)
     const One_edge one(q);
     Edge_2 edge = one.edge(0);
     edge.right = internal::infinite_index;
-    const double t = Edge_slack_2(edge, one.positions()).tolerance();
+    const double t =
+        Edge_slack_2(edge, internal::Plane_2::corners(edge, one.positions())).tolerance();
     if (!(t > 0))
       continue;
     ++safe;

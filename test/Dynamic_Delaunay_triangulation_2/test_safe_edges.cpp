@@ -178,7 +178,8 @@ std::ostream& operator<<(std::ostream& out, const Quadrilateral& q)
 Edge_slack_2 slack_of(const Quadrilateral& q)
 {
   const std::array<Position_2, 5> positions{q.a, q.a, q.b, q.c, q.d}; // 0 is at infinity
-  return Edge_slack_2(Edge_2{2, 3, 1, 4}, positions);
+  const Edge_2 edge{2, 3, 1, 4};
+  return Edge_slack_2(edge, internal::Plane_2::corners(edge, positions));
 }
 
 Quadrilateral on_its_two_sides(Quadrilateral q)
@@ -434,7 +435,7 @@ public:
     const Edge_2 rim{ring(i), ring(i + 1), center, beyond(i)};
     double largest = std::numeric_limits<double>::infinity();
     for (const Edge_2& edge : {spoke, next, rim}) {
-      const Edge_slack_2 slack(edge, m_positions);
+      const Edge_slack_2 slack(edge, internal::Plane_2::corners(edge, m_positions));
       largest = (std::min)(largest, largest_safe(slack, slack.value()));
     }
     return largest;
@@ -501,7 +502,8 @@ struct Turn
   // The edge from q to w with p opposite to it, or the one from q to infinity.
   Edge_slack_2 slack(const Edge_2& edge) const
   {
-    return Edge_slack_2(edge, std::array<Position_2, 4>{p, p, q, w}); // 0 is at infinity
+    const std::array<Position_2, 4> positions{p, p, q, w};
+    return Edge_slack_2(edge, internal::Plane_2::corners(edge, positions)); // 0 is at infinity
   }
   double length() const { return internal::distance(p, q) + internal::distance(q, w); }
 
@@ -775,7 +777,8 @@ TEST(Edge_proofs, of_a_list_are_those_of_the_whole)
     for (Index* v : {&edge.source, &edge.target, &edge.left, &edge.right})
       *v = Index(random() % positions.size());
   std::vector<Index> all;
-  internal::append_unproved(edges.data(), positions, 0, Index(edges.size()), all);
+  internal::append_unproved<internal::Plane_2>(edges.data(), positions, 0, Index(edges.size()),
+                                               all);
   ASSERT_LT(all.size(), edges.size());
   for (std::size_t size = 0; size < 300; ++size) {
     std::vector<Index> list(size), expected{7}, unproved{7}; // what is there stays
@@ -784,7 +787,7 @@ TEST(Edge_proofs, of_a_list_are_those_of_the_whole)
     for (const Index e : list)
       if (std::binary_search(all.begin(), all.end(), e))
         expected.push_back(e);
-    internal::append_unproved_of(edges.data(), positions, list, unproved);
+    internal::append_unproved_of<internal::Plane_2>(edges.data(), positions, list, unproved);
     EXPECT_EQ(unproved, expected);
   }
 }
@@ -831,10 +834,10 @@ struct Eager_classifier
   template <class Frame, class Classification>
   static void examine(const Frame& frame, Index e, Classification& classified)
   {
-    const auto state = frame.rough_state(e);
-    if (state == internal::Edge_state_2::ILLEGAL)
+    const auto state = frame.edge_state(e);
+    if (state == Edge_state_2::ILLEGAL)
       classified.add_illegal_edge(e);
-    else if (state != internal::Edge_state_2::DELAUNAY)
+    else if (state != Edge_state_2::DELAUNAY)
       classified.add_edge(e);
   }
 };
@@ -1201,7 +1204,8 @@ double tight_slack(const Dynamic& dt)
   std::vector<double> slacks;
   for (const Edge_2& edge : dt.frame().edges())
     if (edge.left != 0 && edge.right != 0 && !dt.frame().is_infinite(edge))
-      slacks.push_back(Edge_slack_2(edge, dt.frame().positions()).value());
+      slacks.push_back(
+          Edge_slack_2(edge, internal::Plane_2::corners(edge, dt.frame().positions())).value());
   const auto place = slacks.begin() + std::ptrdiff_t(slacks.size() / 20);
   std::nth_element(slacks.begin(), place, slacks.end());
   return *place;

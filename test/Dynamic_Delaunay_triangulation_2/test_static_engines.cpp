@@ -611,7 +611,7 @@ void expect_no_contradiction(const Quadruple& q)
   };
   ASSERT_TRUE(no_contradiction(internal::filtered_orientation(a, b, c), turn)) << text();
   ASSERT_TRUE(no_contradiction(internal::filtered_in_circle(a, b, c, d), side)) << text();
-  const internal::Edge_filter_2 filter(a, b, c, d);
+  const internal::Edge_filter_2 filter({a, b, c, d});
   const bool is_counterclockwise = turn > 0 && right_turn > 0;
   ASSERT_TRUE(!filter.proves_counterclockwise() || is_counterclockwise) << text();
   ASSERT_TRUE(!filter.proves_delaunay() || (is_counterclockwise && side < 0)) << text();

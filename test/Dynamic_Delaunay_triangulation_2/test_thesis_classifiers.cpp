@@ -341,10 +341,17 @@ struct Counting_frame : Frame
     return Frame::edges();
   }
 
-  auto rough_state(Index e) const
+  template <class... Arguments>
+  void append_unproved(Arguments&&... arguments) const
+  {
+    ++m_passes;
+    Frame::append_unproved(std::forward<Arguments>(arguments)...);
+  }
+
+  auto edge_state(Index e) const
   {
     ++m_looks;
-    return Frame::rough_state(e);
+    return Frame::edge_state(e);
   }
 
   std::size_t& m_passes;
@@ -460,7 +467,7 @@ TEST(Edge_slack, gives_the_largest_tolerance_that_is_safe)
   const Triangulation<CGAL::Circumcircle_classifier_2> dt(points.begin(), points.end());
   const auto frame = dt.frame();
   for (Index e = 0; e < frame.number_of_edges(); ++e) {
-    const Edge_slack_2 slack(frame.edge(e), frame.positions());
+    const Edge_slack_2 slack(frame.edge(e), frame.corners(e));
     const double t = slack.tolerance();
     ASSERT_GT(t, 0) << "edge " << e;
     ASSERT_TRUE(slack.is_safe(t));
@@ -470,7 +477,10 @@ TEST(Edge_slack, gives_the_largest_tolerance_that_is_safe)
   const Triangulation<CGAL::Circumcircle_classifier_2> tied(grid.begin(), grid.end());
   std::size_t without = 0;
   for (const Edge_2& edge : tied.frame().edges())
-    without += Edge_slack_2(edge, tied.frame().positions()).tolerance() < 0;
+    without +=
+        Edge_slack_2(edge, CGAL::Dynamic_Delaunay_triangulations_2::internal::Plane_2::corners(
+                               edge, tied.frame().positions()))
+            .tolerance() < 0;
   EXPECT_EQ(without, 16u + 16u - 4u) << "sixteen diagonals, and the way along the sides";
 }
 
@@ -923,6 +933,13 @@ struct Loose_edges
   const Edge_2& edge(Index e) const { return m_edges[e]; }
   const Position_2& position(Index v) const { return m_positions[v]; }
   const std::vector<Position_2>& positions() const { return m_positions; }
+  bool is_at_infinity(Index) const { return false; }
+  bool breaks_hull(Index) const { return false; }
+  CGAL::Dynamic_Delaunay_triangulations_2::Edge_corners_2 corners(Index e) const
+  {
+    using CGAL::Dynamic_Delaunay_triangulations_2::internal::Plane_2;
+    return Plane_2::corners(m_edges[e], m_positions);
+  }
 };
 
 struct Picked_edges
@@ -950,8 +967,7 @@ TEST(Voronoi_circumcenter_classifier, agrees_with_the_in_circle_predicate_away_f
     CGAL::Voronoi_circumcenter_classifier_2()(frame, picked);
     const bool are_left_turns = CGAL::orientation(p[2], p[0], p[1]) == CGAL::LEFT_TURN &&
                                 CGAL::orientation(p[3], p[1], p[0]) == CGAL::LEFT_TURN;
-    const CGAL::Dynamic_Delaunay_triangulations_2::internal::Edge_filter_2 filter(
-        frame.m_positions[3], frame.m_positions[1], frame.m_positions[2], frame.m_positions[4]);
+    const CGAL::Dynamic_Delaunay_triangulations_2::internal::Edge_filter_2 filter(frame.corners(0));
     const double smallest = (std::min)({std::abs(filter.left), std::abs(filter.right), 1.});
     if (std::abs(filter.in_circle) < 1e-12 || smallest < 1e-6)
       continue; // a tie, or nearly no triangle

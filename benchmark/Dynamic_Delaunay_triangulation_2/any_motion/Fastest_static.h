@@ -10,7 +10,7 @@
 #include "scenario/Spatial_order.h"
 #include "Thread_time.h"
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulator_2.h>
 #include <CGAL/hilbert_sort.h>
 
 #include <cstddef>

@@ -125,7 +125,7 @@ private:
     using CGAL::Dynamic_Delaunay_triangulations_2::internal::Edge_slack_2;
     const Frame frame = m_motion.triangulation().frame();
     for (Index e = 0; e != frame.number_of_edges(); ++e) {
-      m_tolerances.push_back(Edge_slack_2(frame.edge(e), frame.positions()).tolerance());
+      m_tolerances.push_back(Edge_slack_2(frame.edge(e), frame.corners(e)).tolerance());
     }
   }
 

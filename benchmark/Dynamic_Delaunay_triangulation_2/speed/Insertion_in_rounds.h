@@ -6,7 +6,7 @@
 
 #include "run/Kernel.h"
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulator_2.h>
 
 #include <cstddef>
 #include <vector>

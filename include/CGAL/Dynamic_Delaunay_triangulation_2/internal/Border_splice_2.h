@@ -6,11 +6,10 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Patch_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Spatial_order_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulator_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_order_2.h>
 
 #include <algorithm>
 #include <cstddef>

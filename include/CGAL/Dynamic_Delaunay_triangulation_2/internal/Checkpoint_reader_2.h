@@ -7,14 +7,12 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_coordinate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_file_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Coordinate_range_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Guibas_stolfi_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_experience_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Sphere_check_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_costs_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_builder_2.h>
 #include <CGAL/enum.h>
 
@@ -32,6 +30,143 @@
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
+
+// Finds out whether faces, of which only the vertices are known, are a triangulated sphere without
+// doubled edges, and who is next to whom. They are if each edge has two faces, which run along it
+// in opposite directions, the faces at each vertex are one cycle, all hang together, and there are
+// two faces fewer than twice as many as finite vertices (Euler's formula).
+class Sphere_check_2
+{
+public:
+  // What is wrong, and a face where; nothing if all is right.
+  struct Flaw
+  {
+    const char* what = nullptr;
+    Index face = 0;
+  };
+
+  // Of all vertices, the infinite one included.
+  Sphere_check_2(Flat_faces_2& faces, Index vertices)
+    : m_faces(faces)
+    , m_vertices(vertices)
+  {
+  }
+
+  // Links the faces.
+  Flaw run()
+  {
+    sort_halfedges();
+    Flaw flaw = link();
+    if (!flaw.what)
+      flaw = check_vertices();
+    if (!flaw.what)
+      flaw = check_connection();
+    return flaw;
+  }
+
+private:
+  static Flaw flaw_at(Index halfedge, const char* what)
+  {
+    return {what, Flat_faces_2::number_in_mirror(halfedge) / 3};
+  }
+
+  template <class Function>
+  void for_each_halfedge(const Function& f) const
+  {
+    for (Index face = 0; face < m_faces.number_of_faces(); ++face)
+      for (Index i = 0; i < 3; ++i)
+        f(Flat_faces_2::first_halfedge(face) + i);
+  }
+
+  // By their sources.
+  void sort_halfedges()
+  {
+    m_first.assign(m_vertices + std::size_t(1), 0);
+    for_each_halfedge([this](Index h) { ++m_first[m_faces.source(h)]; });
+    for (Index v = 0; v < m_vertices; ++v)
+      m_first[v + 1] += m_first[v];
+    m_sorted.resize(m_first[m_vertices]);
+    for_each_halfedge([this](Index h) { m_sorted[--m_first[m_faces.source(h)]] = h; });
+  }
+
+  template <class Function>
+  void for_each_halfedge_from(Index v, const Function& f) const
+  {
+    for (Index i = m_first[v]; i < m_first[v + 1]; ++i)
+      f(m_sorted[i]);
+  }
+
+  Flaw link()
+  {
+    Flaw flaw;
+    std::vector<Index> halfedge_to(m_vertices, no_index); // from v
+    for (Index v = 0; v < m_vertices; ++v) {
+      for_each_halfedge_from(v, [&](Index h) {
+        Index& there = halfedge_to[m_faces.target(h)];
+        if (m_faces.target(h) == v)
+          flaw = flaw_at(h, "the face has a vertex twice");
+        else if (there != no_index)
+          flaw = flaw_at(h, "an edge of the face is there twice");
+        there = h;
+      });
+      for_each_halfedge_from(v, [&](Index h) {
+        const Index arriving = Flat_faces_2::previous(h);
+        const Index back = halfedge_to[m_faces.source(arriving)];
+        if (back == no_index)
+          flaw = flaw_at(h, "an edge of the face has no other face");
+        m_faces.set_twin(arriving, back);
+      });
+      for_each_halfedge_from(v, [&](Index h) { halfedge_to[m_faces.target(h)] = no_index; });
+      if (flaw.what)
+        return flaw;
+    }
+    return flaw;
+  }
+
+  Flaw check_vertices() const
+  {
+    for (Index v = 0; v < m_vertices; ++v) {
+      const Index degree = m_first[v + 1] - m_first[v];
+      if (degree == 0)
+        return {"a vertex is in no face", m_faces.number_of_faces() - 1};
+      const Index start = m_sorted[m_first[v]];
+      Index around = 0, h = start;
+      do {
+        h = m_faces.twin(Flat_faces_2::previous(h));
+        ++around;
+      } while (h != start);
+      if (around != degree)
+        return flaw_at(start, "the faces at a vertex of the face are not one cycle");
+    }
+    return {};
+  }
+
+  Flaw check_connection() const
+  {
+    std::vector<bool> is_reached(m_faces.number_of_faces());
+    std::vector<Index> waiting(1, 0);
+    is_reached[0] = true;
+    while (!waiting.empty()) {
+      const Index h = Flat_faces_2::first_halfedge(waiting.back());
+      waiting.pop_back();
+      for (Index i = 0; i < 3; ++i) {
+        const Index f = Flat_faces_2::number_in_mirror(m_faces.twin(h + i)) / 3;
+        if (!is_reached[f])
+          waiting.push_back(f);
+        is_reached[f] = true;
+      }
+    }
+    for (Index f = 0; f < m_faces.number_of_faces(); ++f)
+      if (!is_reached[f])
+        return {"the face hangs together with the first one by no edges", f};
+    return {};
+  }
+
+  Flat_faces_2& m_faces;
+  Index m_vertices;
+  std::vector<Index> m_first;  // of the half-edges from each vertex, in m_sorted
+  std::vector<Index> m_sorted; // the half-edges by their sources
+};
 
 // Reads a triangulation as Checkpoint_writer_2 writes it. It takes nothing on trust: nothing that
 // the file says is used before it is checked, and memory is taken for what was read only, whatever

@@ -6,13 +6,14 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_coordinate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_experience_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_costs_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
+#include <ios>
+#include <istream>
 #include <ostream>
 #include <string_view>
 #include <type_traits>
@@ -133,6 +134,34 @@ private:
   bool m_is_certified;
   Repair_experience_2 m_experience;
 };
+
+// What << and >> do with all that has checkpoints. Who uses them asks the stream how it went, so
+// it fails where the functions throw.
+
+template <class Written>
+std::ostream& write_to_stream(std::ostream& out, const Written& written)
+{
+  try {
+    written.write_checkpoint(out);
+  } catch (const Checkpoint_error_2&) {
+    out.setstate(std::ios_base::failbit);
+  }
+  return out;
+}
+
+template <class Read>
+std::istream& read_from_stream(std::istream& in, Read& target)
+{
+  const std::istream::sentry has_text(in); // skips white space, as every >> does
+  if (!has_text)
+    return in;
+  try {
+    target.read_checkpoint(in);
+  } catch (const Checkpoint_error_2&) {
+    in.setstate(std::ios_base::failbit);
+  }
+  return in;
+}
 
 } // namespace internal
 } // namespace Dynamic_Delaunay_triangulations_2

@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 
 #include <cmath>
@@ -53,12 +54,6 @@ inline Position_2 circumcenter(const Position_2& u, const Position_2& v)
   return {(v.y * uu - u.y * vv) * scale, (u.x * vv - v.x * uu) * scale};
 }
 
-inline bool is_at_infinity(const Edge_2& edge)
-{
-  return edge.source == infinite_index || edge.target == infinite_index ||
-         edge.left == infinite_index || edge.right == infinite_index;
-}
-
 // For an edge at infinity: whether its finite face is not counterclockwise, or the hull turns right
 // where it passes the edge's end.
 inline bool breaks_hull(const Edge_2& edge, const std::vector<Position_2>& positions)
@@ -66,13 +61,10 @@ inline bool breaks_hull(const Edge_2& edge, const std::vector<Position_2>& posit
   const auto orientation = [&](Index p, Index q, Index r) {
     return cross(positions[q] - positions[p], positions[r] - positions[p]);
   };
-  if (edge.left == infinite_index)
-    return !(orientation(edge.right, edge.target, edge.source) > 0);
-  if (edge.right == infinite_index)
-    return !(orientation(edge.left, edge.source, edge.target) > 0);
-  if (edge.source == infinite_index)
-    return !(orientation(edge.left, edge.target, edge.right) >= 0);
-  return !(orientation(edge.right, edge.source, edge.left) >= 0);
+  return by_kind(
+      edge, [] { return false; },
+      [&](Index a, Index b, Index c) { return !(orientation(a, b, c) > 0); },
+      [&](Index p, Index q, Index r) { return !(orientation(p, q, r) >= 0); });
 }
 
 } // namespace internal

@@ -8,6 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 
 #include <cmath>
 
@@ -18,33 +19,38 @@ namespace internal {
 // The three signs that decide an edge, in floating point with proved error bounds.
 //
 // For an edge (b, c) with faces (a, b, c) and (d, c, b), all coordinates relative to d:
-//   ab, bc, ca       the 2x2 minors, e.g. bc = bx cy - cx by
-//   right            orientation(d, c, b)  = -bc
-//   left             orientation(a, b, c)  = ab + bc + ca
-//   in_circle        |a|^2 bc + |b|^2 ca + |c|^2 ab, positive if d is inside the circle of abc
 //
-// Bounds. Let u = 2^-53 and s = |a|^2 + |b|^2 + |c|^2. A difference, a product and a sum each round
-// once, by a factor within 1 +- u.
-//   A term of a minor is a product of two differences: 3 roundings; the minor's subtraction: 1
-//   more; at
-// most two additions in `left`: 2 more. So |error(left)| <= 6u T + O(u^2), T the sum of the terms'
-// absolute values, |bx cy| + |cx by| + ... By |bx cy| + |cx by| <= |b||c| <= (|b|^2 + |c|^2) / 2
-// and its like, T <= s. The same holds for `right`.
-//   A square |a|^2 takes two differences, a product and a sum: 4 roundings; its product with a
-//   minor (4)
-// is 9; two additions: 11. So |error(in_circle)| <= 11u P + O(u^2) with P = |a|^2 (|bx cy| + |cx
-// by|) +
-// ..., and P <= |a|^2 |b||c| + |b|^2 |c||a| + |c|^2 |a||b| <= s^2 / 3 (the sum of x^2 yz is at most
-// that of x^2 y^2, as xy yz <= (x^2 y^2 + y^2 z^2) / 2). That is 3.67u s^2.
-//   The computed s is within 6u of s, relatively. 8u s and 5u s^2, computed, cover all of this.
-//   Underflow: differences are exact then; a product that underflows errs by at most 2^-1075, times
-//   at
-// most 2s where it is multiplied further, some 30 s 2^-1075 altogether; with s >= 1e-120 that is
-// far below u s and u s^2, so smaller s are left to the kernel.
-//   Overflow: what is summed up is at most s, or s^2 / 3, so where it overflows the bound is
-// infinite (for that s^2 has to be computed before the factor is applied), and every comparison
-// below fails.
-//   Contraction to fused multiply-adds only leaves roundings out.
+//     ab, bc, ca    the 2x2 minors: bc = bx cy - cx by, and so on
+//     right         orientation(d, c, b) = -bc
+//     left          orientation(a, b, c) = ab + bc + ca
+//     in_circle     |a|^2 bc + |b|^2 ca + |c|^2 ab, positive if d is inside the circle of abc
+//
+// The bounds. Let u = 2^-53 and s = |a|^2 + |b|^2 + |c|^2. Each difference, product and sum is
+// rounded once, by a factor between 1 - u and 1 + u.
+//
+// Orientation. A term of a minor is a product of two differences: three roundings. The subtraction
+// in the minor is a fourth, and at most two additions in `left` make it six. So the error of `left`
+// is at most 6u T + O(u^2), where T = |bx cy| + |cx by| + ... is the sum of the absolute values of
+// all terms. As |bx cy| + |cx by| <= |b||c| <= (|b|^2 + |c|^2) / 2, and likewise for the others,
+// T <= s. The same bound holds for `right`.
+//
+// In-circle. A square |a|^2 takes two differences, a product and a sum: four roundings. With those
+// of the minor, which are four, and that of their product it has nine; two additions make it
+// eleven. So the error is at most 11u P + O(u^2), where P = |a|^2 (|bx cy| + |cx by|) + ... Now P
+// <= |a|^2 |b||c| + |b|^2 |c||a| + |c|^2 |a||b| <= s^2 / 3, because the sum of x^2 yz is at most
+// that of x^2 y^2, which follows from xy yz <= (x^2 y^2 + y^2 z^2) / 2. The error is thus at most
+// 3.67u s^2.
+//
+// The computed s is within 6u of s, relatively. The bounds 8u s and 5u s^2, computed, cover that.
+//
+// Underflow. Differences are exact then. A product that underflows is off by at most 2^-1075, times
+// at most 2s where it is multiplied again: altogether some 30 s 2^-1075. For s >= 1e-120 that is
+// far below u s and u s^2. Smaller s are left to the kernel.
+//
+// Overflow. What is summed up is at most s, or s^2 / 3. Where it overflows the bound is infinite,
+// as s^2 is computed before the factor is applied, and all comparisons below are false.
+//
+// Fused multiply-adds only leave roundings out.
 struct Edge_filter_2
 {
   static constexpr double orientation_factor = 8 * 0x1p-53;
@@ -53,8 +59,9 @@ struct Edge_filter_2
 
   double s, left, right, in_circle;
 
-  Edge_filter_2(const Position_2& a, const Position_2& b, const Position_2& c, const Position_2& d)
+  explicit Edge_filter_2(const Edge_corners_2& corners)
   {
+    const auto& [a, b, c, d] = corners;
     const double ax = a.x - d.x, ay = a.y - d.y;
     const double bx = b.x - d.x, by = b.y - d.y;
     const double cx = c.x - d.x, cy = c.y - d.y;
@@ -70,26 +77,26 @@ struct Edge_filter_2
     in_circle = aa * bc + bb * ca + cc * ab;
   }
 
-  // Both faces are counterclockwise: proved.
+  // True only if both faces are counterclockwise.
   bool proves_counterclockwise() const
   {
     const double bound = orientation_factor * s;
     return (left > bound) & (right > bound) & (s > smallest_s);
   }
 
-  // They are, and the edge is locally Delaunay, no tie: proved.
+  // True only if both faces are counterclockwise and the edge is strictly locally Delaunay.
   bool proves_delaunay() const
   {
     return proves_counterclockwise() & (in_circle < -(in_circle_factor * (s * s)));
   }
 
-  // They are, and the edge is not locally Delaunay: proved.
+  // True only if both faces are counterclockwise and the edge is not locally Delaunay.
   bool proves_illegal() const
   {
     return proves_counterclockwise() & (in_circle > in_circle_factor * (s * s));
   }
 
-  // A face is clockwise, or the edge is not locally Delaunay: proved.
+  // True only if a face is clockwise, or the edge is not locally Delaunay.
   bool disproves_delaunay() const
   {
     const double bound = orientation_factor * s;
@@ -98,10 +105,10 @@ struct Edge_filter_2
   }
 };
 
-// orientation(a, b, c): positive or negative if it is proved, 0 if not. The determinant is the
-// difference of two products with 3 roundings each, and its own: with T the sum of their absolute
-// values its error is at most 4u T + O(u^2), and the computed T is within 3u of T, relatively.
-// Underflow as above.
+// The sign of orientation(a, b, c) if it is proved, 0 if not. The determinant is the difference of
+// two products with three roundings each, and is rounded itself: if T is the sum of the products'
+// absolute values, its error is at most 4u T + O(u^2). The computed T is within 3u of T,
+// relatively. Where products or the bound itself could underflow, nothing is proved.
 inline int filtered_orientation(const Position_2& a, const Position_2& b, const Position_2& c)
 {
   constexpr double factor = 5 * 0x1p-53, smallest = 1e-280;
@@ -111,15 +118,80 @@ inline int filtered_orientation(const Position_2& a, const Position_2& b, const 
   return int((determinant > bound) & is_large) - int((determinant < -bound) & is_large);
 }
 
-// The side of d of the circle through a, b, c, which are given counterclockwise, in the same way.
+// The same for the side of d of the circle through a, b and c, which are given counterclockwise.
 inline int filtered_in_circle(const Position_2& a, const Position_2& b, const Position_2& c,
                               const Position_2& d)
 {
-  const Edge_filter_2 filter(a, b, c, d);
+  const Edge_filter_2 filter({a, b, c, d});
   const double bound = Edge_filter_2::in_circle_factor * (filter.s * filter.s);
   const bool is_large = filter.s > Edge_filter_2::smallest_s;
   return int((filter.in_circle > bound) & is_large) - int((filter.in_circle < -bound) & is_large);
 }
+
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+
+// The coordinates of four positions, and the corners of four edges.
+struct Four_positions_2
+{
+  __m256d x, y;
+};
+struct Four_corners_2
+{
+  Four_positions_2 left, source, target, right;
+};
+
+// Edge_filter_2 on four edges at once, operation for operation, so that both prove the same edges.
+class Edge_filter_avx2_2
+{
+  using Four = Four_positions_2;
+
+  CGAL_DYNAMIC_DELAUNAY_AVX2 Four minus(const Four& p, const Four& q)
+  {
+    return {_mm256_sub_pd(p.x, q.x), _mm256_sub_pd(p.y, q.y)};
+  }
+
+  CGAL_DYNAMIC_DELAUNAY_AVX2 __m256d times(__m256d a, __m256d b) { return _mm256_mul_pd(a, b); }
+  CGAL_DYNAMIC_DELAUNAY_AVX2 __m256d plus(__m256d a, __m256d b) { return _mm256_add_pd(a, b); }
+  CGAL_DYNAMIC_DELAUNAY_AVX2 __m256d cross(const Four& p, const Four& q)
+  {
+    return _mm256_sub_pd(times(p.x, q.y), times(q.x, p.y));
+  }
+  CGAL_DYNAMIC_DELAUNAY_AVX2 __m256d squared_length(const Four& p)
+  {
+    return plus(times(p.x, p.x), times(p.y, p.y));
+  }
+
+public:
+  // Bit i of the result says whether the i-th edge is proved Delaunay.
+  CGAL_DYNAMIC_DELAUNAY_AVX2 int prove(const Four_corners_2& corners)
+  {
+    const Four& d = corners.right;
+    const Four a = minus(corners.left, d);
+    const Four b = minus(corners.source, d);
+    const Four c = minus(corners.target, d);
+
+    const __m256d bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+    const __m256d aa = squared_length(a), bb = squared_length(b), cc = squared_length(c);
+    const __m256d s = plus(plus(aa, bb), cc);
+    const __m256d left = plus(plus(ab, bc), ca);
+    const __m256d in_circle = plus(plus(times(aa, bc), times(bb, ca)), times(cc, ab));
+
+    const __m256d bound = times(_mm256_set1_pd(Edge_filter_2::orientation_factor), s);
+    const __m256d in_circle_bound =
+        times(_mm256_set1_pd(Edge_filter_2::in_circle_factor), times(s, s));
+    const __m256d sign = _mm256_set1_pd(-0.0);
+    const __m256d is_left = _mm256_cmp_pd(left, bound, _CMP_GT_OQ);
+    const __m256d is_right = _mm256_cmp_pd(_mm256_xor_pd(sign, bc), bound, _CMP_GT_OQ);
+    const __m256d is_empty =
+        _mm256_cmp_pd(in_circle, _mm256_xor_pd(sign, in_circle_bound), _CMP_LT_OQ);
+    const __m256d is_large =
+        _mm256_cmp_pd(s, _mm256_set1_pd(Edge_filter_2::smallest_s), _CMP_GT_OQ);
+    return _mm256_movemask_pd(
+        _mm256_and_pd(_mm256_and_pd(is_empty, is_large), _mm256_and_pd(is_left, is_right)));
+  }
+};
+
+#endif // CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
 
 } // namespace internal
 } // namespace Dynamic_Delaunay_triangulations_2

@@ -6,9 +6,8 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distinct_numbers_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_proofs_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
 
 #include <algorithm>
@@ -83,7 +82,7 @@ private:
   bool examine(const Maintained& maintained, Index e, const Try_flip& try_flip,
                std::vector<Index>& open)
   {
-    const Edge_state_2 state = Certificate_2<Maintained>(maintained).state(e);
+    const Edge_state_2 state = Edge_test_2<Maintained>(maintained).state(e);
     if (state == Edge_state_2::DELAUNAY)
       return false;
     const auto& mirror = maintained.mirror();
@@ -131,11 +130,10 @@ private:
   static void keep_unproved(const Maintained& maintained, std::vector<Index>& open)
   {
     make_distinct(open);
-    const Certificate_2<Maintained> certificate(maintained);
-    open.erase(
-        std::remove_if(open.begin(), open.end(),
-                       [&](Index e) { return certificate.state(e) == Edge_state_2::DELAUNAY; }),
-        open.end());
+    const Edge_test_2<Maintained> test(maintained);
+    open.erase(std::remove_if(open.begin(), open.end(),
+                              [&](Index e) { return test.state(e) == Edge_state_2::DELAUNAY; }),
+               open.end());
   }
 
   static constexpr std::size_t stretch = 16; // of seeds that are fetched together

@@ -6,15 +6,181 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Positions_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_2.h>
+#include <CGAL/number_type_basic.h>
 
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
+
+template <class Maintained>
+class Input_frame_2;
+template <class Maintained>
+class Topology_builder_2;
+template <class Maintained>
+class Topology_editor_2;
+
+inline Position_2 nowhere()
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  return {nan, nan};
+}
+
+template <class Point>
+Position_2 approximation(const Point& p)
+{
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
+}
+
+// Where the vertices are. While a frame is on its way its points are here alone, *staged*: CGAL's
+// vertices keep those of the last frame, from which everything can be taken back, until the points
+// are written. Everybody may read; `Input_frame_2` stages, takes back and writes, and the editor
+// and the builder keep the arrays in step with the vertices.
+template <class Point>
+class Positions_2
+{
+public:
+  static constexpr bool points_are_two_doubles = is_two_doubles<Point>;
+
+  // By the index of the vertex: its point, rounded where the coordinates are no doubles.
+  const std::vector<Position_2>& positions() const { return m_positions; }
+  // The points themselves, where they are more than two doubles.
+  const std::vector<Point>& points() const { return m_points; }
+  // No coordinate was rounded on its way into the array.
+  bool are_exact() const { return m_are_exact; }
+  // CGAL's vertices have these points.
+  bool are_written() const { return m_are_written; }
+
+  // The point of vertex v, whose handle is `vertex`.
+  template <class Vertex_handle>
+  decltype(auto) point(Index v, Vertex_handle vertex) const
+  {
+    if constexpr (points_are_two_doubles)
+      return Point(m_positions[v].x, m_positions[v].y);
+    else
+      return (m_are_written ? vertex->point() : m_points[v]);
+  }
+
+private:
+  template <class Maintained>
+  friend class Input_frame_2;
+  template <class Maintained>
+  friend class Topology_builder_2;
+  template <class Maintained>
+  friend class Topology_editor_2;
+
+  // STAGING -------------------------------------------------------------------------------------
+
+  void stage(Index v, const Point& p) { stage(v, approximation(p), p); }
+
+  void stage(Index v, const Position_2& position, const Point& p)
+  {
+    m_positions[v] = position;
+    if constexpr (!points_are_two_doubles)
+      m_points[v] = p;
+  }
+
+  // Gives CGAL's vertices the staged points.
+  template <class Vertex_handle>
+  void write(const std::vector<Vertex_handle>& vertices)
+  {
+    if (!std::exchange(m_are_written, true)) {
+      if (vertices.size() < min_vertices_to_prefetch)
+        write_all<false>(vertices);
+      else
+        write_all<true>(vertices);
+    }
+  }
+
+  // The vertices stand in memory as the points came at first: after much motion, anywhere.
+  template <bool prefetches, class Vertex_handle>
+  void write_all(const std::vector<Vertex_handle>& vertices) const
+  {
+    constexpr Index ahead = 16;
+    const Index bound = Index(vertices.size());
+    for (Index v = 1; v < bound; ++v) {
+      if (prefetches && v + ahead < bound)
+        prefetch(&*vertices[v + ahead]);
+      write_one(v, vertices[v]);
+    }
+  }
+
+  template <class Vertex_handle>
+  void write_one(Index v, Vertex_handle vertex) const
+  {
+    if constexpr (points_are_two_doubles)
+      vertex->set_point(Point(m_positions[v].x, m_positions[v].y));
+    else
+      vertex->set_point(m_points[v]);
+  }
+
+  // Goes back to the points of CGAL's vertices.
+  template <class Vertex_handle>
+  void take_back(const std::vector<Vertex_handle>& vertices, bool were_exact)
+  {
+    m_are_written = true;
+    m_are_exact = were_exact;
+    for (Index v = 1; v < Index(vertices.size()); ++v)
+      stage(v, vertices[v]->point());
+  }
+
+  // IN STEP WITH THE VERTICES -------------------------------------------------------------------
+
+  void reserve(std::size_t number)
+  {
+    m_positions.reserve(number);
+    if constexpr (!points_are_two_doubles)
+      m_points.reserve(number);
+  }
+
+  // Then append() throws only what copying a point throws.
+  void provide_for_vertex()
+  {
+    provide(m_positions, 1);
+    if constexpr (!points_are_two_doubles)
+      provide(m_points, 1);
+  }
+
+  void append(const Point& p) { append(approximation(p), p); }
+
+  void append(const Position_2& position, const Point& p)
+  {
+    m_positions.push_back(position);
+    if constexpr (!points_are_two_doubles)
+      m_points.push_back(p);
+  }
+
+  void resize(std::size_t number)
+  {
+    m_positions.resize(number);
+    if constexpr (!points_are_two_doubles)
+      m_points.resize(number);
+  }
+
+  void move_last_to(Index v)
+  {
+    m_positions[v] = m_positions.back();
+    m_positions.pop_back();
+    if constexpr (!points_are_two_doubles) {
+      m_points[v] = m_points.back();
+      m_points.pop_back();
+    }
+  }
+
+  std::vector<Position_2> m_positions = {nowhere()};
+  std::vector<Point> m_points = std::vector<Point>(points_are_two_doubles ? 0 : 1);
+  bool m_are_written = true;
+  bool m_are_exact = true;
+};
 
 // What an update works on: the topology, and where its vertices are. Everybody reads both here. Who
 // writes which of them is decided by their classes.
@@ -32,6 +198,7 @@ public:
   using Point = typename Topology::Point;
   using Ids = typename Topology::Ids;
   using Positions = Positions_2<Point>;
+  using Space = Plane_2;
 
   static constexpr bool coordinates_are_doubles = has_double_coordinates<Point>;
 
@@ -63,6 +230,14 @@ public:
   const std::vector<Point>& points() const { return m_positions.points(); }
   bool positions_are_exact() const { return m_positions.are_exact(); }
   bool points_are_written() const { return m_positions.are_written(); }
+
+  // Where the corners of an edge are, as seen from it.
+  Edge_corners_2 corners(Index e) const { return corners(e, positions()); }
+  // The same for other positions of the vertices.
+  Edge_corners_2 corners(Index e, const std::vector<Position_2>& others) const
+  {
+    return Space::corners(mirror().edge(e), others);
+  }
 
   // Where a vertex is.
   decltype(auto) point(Index v) const { return m_positions.point(v, vertices()[v]); }

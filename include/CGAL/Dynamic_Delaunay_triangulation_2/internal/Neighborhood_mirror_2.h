@@ -7,8 +7,8 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Prefetch_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Provided_memory_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 
 #include <array>
 #include <cstdint>
@@ -19,32 +19,12 @@
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 
-/// Index of a vertex, a half-edge, an edge or a face in the flat arrays.
-using Index = std::uint32_t;
-
-/// The coordinates of a vertex in the flat arrays: exact where the kernel's coordinates are
-/// doubles, the nearest doubles elsewhere.
-struct Position_2
-{
-  double x, y;
-};
-
-/// An edge with its two opposite vertices: (left, source, target) and (right, target, source) are
-/// the two faces at the edge, both counterclockwise.
-struct Edge_2
-{
-  Index source, target, left, right;
-};
-
 namespace internal {
 
 template <class Maintained>
 class Topology_builder_2;
 template <class Maintained>
 class Topology_editor_2;
-
-constexpr Index infinite_index = 0;
-constexpr Index no_index = (std::numeric_limits<Index>::max)();
 
 // The topology of a two-dimensional CGAL triangulation in flat arrays.
 //

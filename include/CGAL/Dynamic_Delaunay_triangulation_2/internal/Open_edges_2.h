@@ -7,8 +7,8 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_classification_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distinct_numbers_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_frame_2.h>
 
 #include <algorithm>
@@ -119,12 +119,12 @@ public:
   template <class Maintained>
   void reopen(const Maintained& maintained, const std::vector<Index>& edges)
   {
-    const Certificate_2<Maintained> certificate(maintained);
+    const Edge_test_2<Maintained> test(maintained);
     m_uncertain.insert(m_uncertain.end(), edges.begin(), edges.end());
     make_distinct(m_uncertain);
     m_uncertain.erase(
         std::remove_if(m_uncertain.begin(), m_uncertain.end(),
-                       [&](Index e) { return certificate.state(e) == Edge_state_2::DELAUNAY; }),
+                       [&](Index e) { return test.state(e) == Edge_state_2::DELAUNAY; }),
         m_uncertain.end());
   }
 

@@ -9,12 +9,11 @@
 #include <CGAL/Dynamic_classification_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Border_splice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distinct_numbers_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Jumper_search_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Lawson_flips_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Open_edges_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_budget_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_costs_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_builder_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_traffic_2.h>

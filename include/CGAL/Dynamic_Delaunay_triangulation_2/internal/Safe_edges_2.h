@@ -7,11 +7,9 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Displacements_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distinct_numbers_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_proofs_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_slack_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Index_set_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -127,7 +125,7 @@ public:
     if (!m_holds)
       return false;
     m_hull_stays = m_hull_is_safe;
-    append_unproved_of(frame.edges().data(), frame.positions(), m_tight.members(), unproved);
+    frame.append_unproved(m_tight.members(), unproved);
     for (const Index v : m_moved)
       frame.for_each_edge_that_sees(v, [&](Index e) {
         m_hull_stays = m_hull_stays && !is_at_infinity(frame.edge(e));
@@ -165,10 +163,7 @@ private:
   template <class Frame>
   static bool proves_delaunay(const Frame& frame, Index e)
   {
-    const Edge_2& edge = frame.edge(e);
-    return Edge_filter_2(frame.position(edge.left), frame.position(edge.source),
-                         frame.position(edge.target), frame.position(edge.right))
-        .proves_delaunay();
+    return Edge_filter_2(frame.corners(e)).proves_delaunay();
   }
 
   template <class Frame>
@@ -177,10 +172,10 @@ private:
     m_sample.clear();
     const std::size_t edges = frame.number_of_edges();
     for (std::size_t i = 0; i < sample_size; ++i) {
-      const Edge_2& edge = frame.edge(Index(i * edges / sample_size));
-      if (is_at_infinity(edge))
+      const Index e = Index(i * edges / sample_size);
+      if (is_at_infinity(frame.edge(e)))
         continue;
-      const double slack = Edge_slack_2(edge, frame.positions()).value();
+      const double slack = Edge_slack_2(frame.edge(e), frame.corners(e)).value();
       if (!std::isnan(slack)) // it is one where squares overflow, and cannot be sorted
         m_sample.push_back(slack);
     }
@@ -198,9 +193,15 @@ private:
   }
 
   template <class Frame>
+  Edge_slack_2 slack_at_references(const Frame& frame, Index e) const
+  {
+    return Edge_slack_2(frame.edge(e), frame.corners(e, m_references));
+  }
+
+  template <class Frame>
   void consider(const Frame& frame, Index e)
   {
-    if (!Edge_slack_2(frame.edge(e), m_references).is_safe(m_tolerance))
+    if (!slack_at_references(frame, e).is_safe(m_tolerance))
       m_tight.insert(e);
   }
 
@@ -218,8 +219,8 @@ private:
     m_hull_is_safe = m_hull_is_checked && frame.hull_turns_once();
     if (m_hull_is_safe)
       frame.for_each_incident_edge(infinite_index, [&](Index e) {
-        m_hull_is_safe = m_hull_is_safe &&
-                         Edge_slack_2(frame.edge(e), m_references).keeps_turning_angle(m_tolerance);
+        m_hull_is_safe =
+            m_hull_is_safe && slack_at_references(frame, e).keeps_turning_angle(m_tolerance);
       });
   }
 
@@ -246,6 +247,82 @@ private:
   std::vector<Index> m_moved;
   std::vector<Index> m_changed; // edges with another opposite vertex
   std::vector<double> m_sample;
+};
+
+// When to take references for Safe_edges_2, and how many edges may be tight then. Taking them costs
+// as much as some ten frames. The first attempts allow for few tight edges; each that is left
+// behind too soon is followed by one with twice as many, and when even many do not help, by a rest,
+// the longer the more often this has happened. References that hold for long are taken anew with
+// half as many tight edges.
+class Safe_edges_schedule_2
+{
+public:
+  // One edge in so many may be tight.
+  unsigned share() const { return m_share; }
+
+  // Whether the next update may end with new references.
+  bool is_near() const { return m_rest == 0; }
+
+  // After each update: whether it is time, if the present references hold or do not.
+  bool is_due(bool they_hold)
+  {
+    if (they_hold)
+      return ++m_held >= m_long && refine();
+    adapt_rest();
+    if (m_rest > 0) {
+      --m_rest;
+      return false;
+    }
+    m_was_due = true;
+    return true;
+  }
+
+private:
+  static constexpr unsigned smallest_share = 16, largest_share = 64;
+  static constexpr unsigned min_rest = 8, max_rest = 256;
+  static constexpr unsigned frames_worth_it = 64;
+
+  bool refine()
+  {
+    if (m_share == largest_share)
+      return false;
+    m_share *= 2;
+    m_held = 0;
+    m_is_refined = true;
+    return true;
+  }
+
+  // The last references, which do not hold any more, or never did.
+  void adapt_rest()
+  {
+    if (!m_was_due)
+      return;
+    m_was_due = false;
+    if (m_held >= frames_worth_it) {
+      m_rest = m_next_rest = min_rest;
+    } else if (m_is_refined) {
+      m_share /= 2;
+      m_long *= 2;
+      m_rest = 0;
+    } else if (m_share > smallest_share) {
+      m_share /= 2;
+      m_rest = min_rest;
+    } else {
+      m_share = largest_share;
+      m_next_rest = (std::min)(2 * m_next_rest, max_rest);
+      m_rest = m_next_rest;
+    }
+    m_is_refined = false;
+    m_held = 0;
+  }
+
+  unsigned m_share = largest_share;
+  unsigned m_rest = 4; // frames
+  unsigned m_next_rest = min_rest;
+  unsigned m_held = 0; // frames
+  unsigned m_long = 512;
+  bool m_was_due = false;
+  bool m_is_refined = false;
 };
 
 } // namespace internal

@@ -8,14 +8,13 @@
 
 #include <CGAL/Circumcircle_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Change_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distinct_numbers_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_examination_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_filter_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_budget_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_experience_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_costs_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_tools_2.h>
 #include <CGAL/Dynamic_frame_2.h>
 #include <CGAL/Dynamic_mender_2.h>
@@ -214,10 +213,12 @@ private:
     const std::size_t edges = frame.number_of_edges();
     const auto is_half_broken = [](const Sample& few) { return 2 * few.broken >= few.size; };
     const auto is_not_delaunay = [&](Index e) { return !frame.is_delaunay(e); };
+    const auto is_unproved = [&](Index e) {
+      return !is_at_infinity(frame.edge(e)) && !Edge_filter_2(frame.corners(e)).proves_delaunay();
+    };
     // the filter alone first: every frame pays for it
-    if (!m_experience.is_wary() &&
-        !(is_half_broken(sample(frame, very_few, [&](Index e) { return is_unproved(e); })) &&
-          is_half_broken(sample(frame, very_few, is_not_delaunay))))
+    if (!m_experience.is_wary() && !(is_half_broken(sample(frame, very_few, is_unproved)) &&
+                                     is_half_broken(sample(frame, very_few, is_not_delaunay))))
       return false;
     const std::size_t size = (std::min)((std::max)(edges / 16, least), most);
     const Sample many = sample(frame, size, is_not_delaunay);
@@ -242,16 +243,6 @@ private:
     for (std::size_t e = 0; e < edges; e += stride, ++taken.size)
       taken.broken += is_broken(Index(e));
     return taken;
-  }
-
-  // Not for an edge at infinity, where there is a NaN.
-  bool is_unproved(Index e) const
-  {
-    const Edge_2& edge = m_maintained.mirror().edge(e);
-    const auto& positions = m_maintained.positions();
-    return !is_at_infinity(edge) && !Edge_filter_2(positions[edge.left], positions[edge.source],
-                                                   positions[edge.target], positions[edge.right])
-                                         .proves_delaunay();
   }
 
   void rebuild(const Change& change, Rebuild_reason_2 reason, Update_report_2& report)
@@ -296,7 +287,7 @@ private:
     for (const Index id : ids)
       frame.for_each_edge_that_sees(frame.vertex(id), [&](Index e) { edges.push_back(e); });
     make_distinct(edges);
-    examine_all(frame, edges, m_tools.classification());
+    m_tools.classification().add_unless_delaunay(frame, edges);
   }
 
   // MENDING -------------------------------------------------------------------------------------

@@ -7,7 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Prefetch_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -8,7 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Planar_points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
 #include <CGAL/exceptions.h>
 
 #include <iostream>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_REPAIR_BUDGET_2_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_REPAIR_BUDGET_2_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_REPAIR_COSTS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_REPAIR_COSTS_2_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
@@ -75,8 +75,69 @@ private:
   std::size_t m_left = 0, m_spent = 0;
 };
 
+// What the last frames have taught: from which share of broken edges on mending was in vain. What
+// an edge costs depends on how the points move, which a price for all motion cannot know; the next
+// frame mostly is like the last one. Shares are in 65536ths of all edges.
+class Repair_experience_2
+{
+public:
+  static constexpr std::size_t all = 65536;
+
+  // Whether mending was in vain lately: then it pays to sample before anything is done.
+  bool is_wary() const { return m_hopeless_share < all; }
+
+  // Of a sample, which may err by a quarter.
+  bool is_hopeless(std::size_t sampled, std::size_t broken) const
+  {
+    return is_wary() && broken > 0 && share(broken, sampled) * 4 >= m_hopeless_share * 3;
+  }
+
+  // So many edges were open, and mending was given up, or has cost as much as a rebuild. Where it
+  // is next to nothing, trying again costs next to nothing, too.
+  void note_in_vain(std::size_t open, std::size_t edges)
+  {
+    constexpr std::size_t next_to_nothing = all / 32;
+    m_hopeless_share =
+        (std::min)(m_hopeless_share, (std::max)(share(open, edges), next_to_nothing));
+  }
+
+  // Where a sample decides again and again, mending is tried once in a while, the sooner the more
+  // it could save: nothing where an eighth is broken, which takes as long to mend as to rebuild.
+  void note_not_tried()
+  {
+    constexpr std::size_t eighth = all / 8;
+    if (!is_wary())
+      return;
+    const std::size_t saved = m_hopeless_share < eighth ? (eighth - m_hopeless_share) / 7 : 0;
+    const std::size_t step = (std::max)(saved, m_hopeless_share / 64 + 1);
+    m_hopeless_share = (std::min)(m_hopeless_share + step, all - 1);
+  }
+
+  void note_mended(std::size_t open, std::size_t edges)
+  {
+    const std::size_t mended = share(open, edges);
+    if (2 * mended < m_hopeless_share)
+      m_hopeless_share = all;
+    else
+      m_hopeless_share = (std::max)(m_hopeless_share, (std::min)(mended + mended / 8, all - 1));
+  }
+
+  // For checkpoints; `all` if nothing was in vain.
+  std::size_t hopeless_share() const { return m_hopeless_share; }
+  void restore(std::size_t hopeless_share) { m_hopeless_share = hopeless_share; }
+
+private:
+  // From 1 to all - 1.
+  static std::size_t share(std::size_t part, std::size_t whole)
+  {
+    return part >= whole ? all - 1 : 1 + part * (all - 2) / whole;
+  }
+
+  std::size_t m_hopeless_share = all;
+};
+
 } // namespace internal
 } // namespace Dynamic_Delaunay_triangulations_2
 } // namespace CGAL
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_REPAIR_BUDGET_2_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_REPAIR_COSTS_2_H

@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTANCES_2_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTANCES_2_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_VERTEX_GEOMETRY_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_VERTEX_GEOMETRY_2_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_position_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_type_basic.h>
 
@@ -18,6 +18,77 @@
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
+
+// Who is around a vertex, counterclockwise, also where the points do not span the plane: there are
+// no flat arrays then, and CGAL's structure knows.
+template <class Dynamic>
+class Finite_neighbors_2
+{
+public:
+  explicit Finite_neighbors_2(const Dynamic& dt)
+    : m_dt(dt)
+    , m_frame(dt.frame())
+    , m_dimension(dt.tds().dimension())
+  {
+  }
+
+  // Calls f(w) for every finite neighbor w of the finite vertex v.
+  template <class Function>
+  void for_each(Index v, Function&& f) const
+  {
+    const auto call_if_finite = [&](Index w) {
+      if (!m_frame.is_infinite(w))
+        f(w);
+    };
+    if (m_dimension == 2)
+      m_frame.for_each_neighbor(v, call_if_finite);
+    else if (m_dimension == 1)
+      for_each_on_line(v, call_if_finite);
+  }
+
+private:
+  template <class Function>
+  void for_each_on_line(Index v, const Function& f) const
+  {
+    auto neighbor = m_dt.tds().incident_vertices(m_dt.vertex(m_frame.id(v)));
+    const auto first = neighbor;
+    do
+      f(neighbor->mirror_index());
+    while (++neighbor != first);
+  }
+
+  const Dynamic& m_dt;
+  const typename Dynamic::Frame m_frame;
+  const int m_dimension;
+};
+
+// The vector from one vertex to another, rounded once: points that an exact kernel tells apart may
+// well have the same doubles for coordinates.
+template <class Dynamic>
+class Vertex_differences_2
+{
+public:
+  explicit Vertex_differences_2(const Dynamic& dt)
+    : m_dt(dt)
+    , m_frame(dt.frame())
+    , m_positions_are_exact(m_frame.positions_are_exact())
+  {
+  }
+
+  Position_2 operator()(Index from, Index to) const
+  {
+    if (m_positions_are_exact)
+      return m_frame.position(to) - m_frame.position(from);
+    const auto& p = m_dt.point(m_frame.id(from));
+    const auto& q = m_dt.point(m_frame.id(to));
+    return {CGAL::to_double(q.x() - p.x()), CGAL::to_double(q.y() - p.y())};
+  }
+
+private:
+  const Dynamic& m_dt;
+  const typename Dynamic::Frame m_frame;
+  const bool m_positions_are_exact;
+};
 
 // Compares the distances of vertices from one point, exactly: floating point first, the kernel
 // where that cannot tell.
@@ -102,4 +173,4 @@ private:
 } // namespace Dynamic_Delaunay_triangulations_2
 } // namespace CGAL
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTANCES_2_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_VERTEX_GEOMETRY_2_H

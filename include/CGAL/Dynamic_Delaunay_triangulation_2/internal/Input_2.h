@@ -1,15 +1,17 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_INPUT_FRAME_2_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_INPUT_FRAME_2_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_INPUT_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_INPUT_2_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Coordinate_range_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_position_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Guibas_stolfi_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Prefetch_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/number_type_basic.h>
 
@@ -18,6 +20,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -25,6 +29,31 @@
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
+
+// A type, if Range has begin() and end().
+template <class Range>
+using If_range = decltype(std::begin(std::declval<const Range&>()));
+
+// What a call asks for, read and checked.
+template <class Point>
+struct Change_2
+{
+  bool is_frame = false; // every point that stays has a new position, which is staged
+  bool is_mending = false;
+  std::vector<Index> gone;  // ids of points that go, each once
+  std::vector<Index> moved; // ids of points that move alone, each once, and where to
+  std::vector<Point> moved_points;
+  std::vector<Index> coming; // the ids that points get that come, and where these are
+  std::vector<Point> coming_points;
+  bool are_exact = true; // none of these coordinates has to be rounded for the flat arrays
+
+  bool has_population() const { return !gone.empty() || !coming.empty(); }
+
+  bool is_empty() const
+  {
+    return !is_frame && !is_mending && gone.empty() && moved.empty() && coming.empty();
+  }
+};
 
 // Whether it is known to point to values that stand in memory: others may be costly to ask twice.
 template <class Iterator, class Value = typename std::iterator_traits<Iterator>::value_type>
@@ -204,8 +233,69 @@ private:
   bool m_were_exact = true;
 };
 
+// Reads and checks what comes, goes or moves alone, before anything changes.
+template <class Maintained>
+class Population_input_2
+{
+  using Point = typename Maintained::Point;
+
+public:
+  // Points that come.
+  template <class InputIterator, class PointMap>
+  static void read_newcomers(InputIterator first, InputIterator beyond, const PointMap& point_map,
+                             const Maintained& maintained, Change_2<Point>& change)
+  {
+    std::vector<Point>& points = change.coming_points;
+    for (; first != beyond; ++first)
+      points.push_back(get(point_map, *first));
+    if (points.size() > max_vertices - maintained.ids().number_of_points())
+      throw std::length_error("a triangulation holds at most " + std::to_string(max_vertices) +
+                              " points");
+    change.coming = maintained.ids().next_ids(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      checked_position(points[i], change.coming[i], change.are_exact);
+  }
+
+  // Ids of points that are there, each once, in the order of the range.
+  template <class InputIterator>
+  static std::vector<Index> read_ids(InputIterator first, InputIterator beyond,
+                                     const Maintained& maintained)
+  {
+    std::vector<Index> ids;
+    for (; first != beyond; ++first)
+      ids.push_back(read_id(*first, maintained));
+    check_distinct(ids);
+    return ids;
+  }
+
+  // Points with new positions.
+  template <class InputIterator, class IdMap, class PointMap>
+  static void read_movers(InputIterator first, InputIterator beyond, const IdMap& id_map,
+                          const PointMap& point_map, const Maintained& maintained,
+                          Change_2<Point>& change)
+  {
+    for (; first != beyond; ++first) {
+      auto&& value = *first;
+      change.moved.push_back(read_id(get(id_map, value), maintained));
+      change.moved_points.push_back(get(point_map, value));
+      checked_position(change.moved_points.back(), change.moved.back(), change.are_exact);
+    }
+    check_distinct(change.moved);
+  }
+
+private:
+  // Any integer, a negative one too.
+  template <class Integer>
+  static Index read_id(const Integer& id, const Maintained& maintained)
+  {
+    if (!maintained.ids().is_taken(std::size_t(id)))
+      throw Unknown_id_error_2(std::size_t(id), maintained.ids().number_of_ids());
+    return Index(id);
+  }
+};
+
 } // namespace internal
 } // namespace Dynamic_Delaunay_triangulations_2
 } // namespace CGAL
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_INPUT_FRAME_2_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_INPUT_2_H

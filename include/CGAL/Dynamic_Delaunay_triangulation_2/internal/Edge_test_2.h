@@ -1,0 +1,383 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_EDGE_TEST_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_EDGE_TEST_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_filter_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
+#include <CGAL/enum.h>
+#include <CGAL/number_type_basic.h>
+
+#include <boost/config.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+
+/// What an edge is, decided by exact predicates.
+enum class Edge_state_2 {
+  DELAUNAY, ///< locally Delaunay; its finite faces are counterclockwise, and the hull is convex
+            ///< there.
+  ILLEGAL,  ///< both faces are counterclockwise, and each circle holds the other's vertex: flip it.
+  CROSSED,  ///< a face is not counterclockwise, or the hull not convex; a flip may right that.
+  TWISTED   ///< the same, but a flip does not right it.
+};
+
+namespace internal {
+
+// The space in which the points move: the open plane. A space says where the corners of an edge are
+// as seen from that edge, and how far the vector between two of them may be off when it is
+// computed. Everything that looks at an edge asks it, so that another space changes nothing else.
+// In the plane a corner is where its vertex is, and a vector is a difference that is rounded once.
+class Plane_2
+{
+public:
+  // By so many units of 2^-53 of its own length may each coordinate of a computed vector be off:
+  // the bounds of `Edge_filter_2` and `Edge_slack_2` are derived for this.
+  static constexpr int rounding_of_vectors = 1;
+
+  // `positions` are those of all vertices by their indices.
+  template <class Positions>
+  static Edge_corners_2 corners(const Edge_2& edge, const Positions& positions)
+  {
+    return {positions[edge.left], positions[edge.source], positions[edge.target],
+            positions[edge.right]};
+  }
+
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+
+  // The corners of four edges.
+  CGAL_DYNAMIC_DELAUNAY_AVX2 Four_corners_2 corners_of_four(const Edge_2* edges,
+                                                            const Position_2* positions)
+  {
+    return {load(positions, edges[0].left, edges[1].left, edges[2].left, edges[3].left),
+            load(positions, edges[0].source, edges[1].source, edges[2].source, edges[3].source),
+            load(positions, edges[0].target, edges[1].target, edges[2].target, edges[3].target),
+            load(positions, edges[0].right, edges[1].right, edges[2].right, edges[3].right)};
+  }
+
+private:
+  CGAL_DYNAMIC_DELAUNAY_AVX2 Four_positions_2 load(const Position_2* positions, Index i, Index j,
+                                                   Index k, Index l)
+  {
+    const __m256d ik = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(&positions[i].x)),
+                                            _mm_loadu_pd(&positions[k].x), 1);
+    const __m256d jl = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(&positions[j].x)),
+                                            _mm_loadu_pd(&positions[l].x), 1);
+    return {_mm256_unpacklo_pd(ik, jl), _mm256_unpackhi_pd(ik, jl)};
+  }
+
+#endif // CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+};
+
+// What has to be true at an edge depends on which of its four vertices is infinite, if any. Calls
+// one of these:
+//   inner()               none is;
+//   hull_edge(a, b, c)    the finite face at the edge is (a, b, c), and the edge goes from b to c;
+//   hull_corner(p, q, r)  the edge goes from q to infinity, and the hull from p through q to r.
+template <class Inner, class Hull_edge, class Hull_corner>
+auto by_kind(const Edge_2& edge, const Inner& inner, const Hull_edge& hull_edge,
+             const Hull_corner& hull_corner)
+{
+  if (edge.left == infinite_index)
+    return hull_edge(edge.right, edge.target, edge.source);
+  if (edge.right == infinite_index)
+    return hull_edge(edge.left, edge.source, edge.target);
+  if (edge.source == infinite_index)
+    return hull_corner(edge.left, edge.target, edge.right);
+  if (edge.target == infinite_index)
+    return hull_corner(edge.right, edge.source, edge.left);
+  return inner();
+}
+
+inline bool is_at_infinity(const Edge_2& edge)
+{
+  return edge.source == infinite_index || edge.target == infinite_index ||
+         edge.left == infinite_index || edge.right == infinite_index;
+}
+
+// THE PASS OVER EDGES -----------------------------------------------------------------------------
+
+inline void prefetch_corners(const Edge_2& edge, const Position_2* positions)
+{
+  for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+    prefetch(positions + v);
+}
+
+// Appends those of the edges [first, beyond) that Edge_filter_2 does not prove Delaunay. Those at
+// infinity never are: their corners are NaN.
+template <class Space>
+void append_unproved_plain(const Edge_2* edges, const Position_2* positions, Index first,
+                           Index beyond, std::vector<Index>& unproved)
+{
+  for (Index e = first; e < beyond; ++e)
+    if (!Edge_filter_2(Space::corners(edges[e], positions)).proves_delaunay())
+      unproved.push_back(e);
+}
+
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+
+template <class Space, bool prefetches>
+__attribute__((target("avx2"))) void
+append_unproved_avx2(const Edge_2* edges, const Position_2* positions, Index first, Index beyond,
+                     std::vector<Index>& unproved)
+{
+  constexpr Index ahead = 128, far_ahead = 512;
+  Index e = first;
+  for (; e + 4 <= beyond; e += 4) {
+    if (prefetches && e + far_ahead < beyond) {
+      prefetch(edges + e + far_ahead);
+      for (Index i = e + ahead; i < e + ahead + 4; ++i)
+        prefetch_corners(edges[i], positions);
+    }
+    const int proved = Edge_filter_avx2_2::prove(Space::corners_of_four(edges + e, positions));
+    if (proved != 15)
+      for (Index i = 0; i < 4; ++i)
+        if (!(proved >> i & 1))
+          unproved.push_back(e + i);
+  }
+  append_unproved_plain<Space>(edges, positions, e, beyond, unproved);
+}
+
+// The same for the edges in a list.
+template <class Space>
+__attribute__((target("avx2"))) void
+append_unproved_of_avx2(const Edge_2* edges, const Position_2* positions,
+                        const std::vector<Index>& list, std::vector<Index>& unproved)
+{
+  std::size_t i = 0;
+  for (; i + 4 <= list.size(); i += 4) {
+    const Edge_2 four[4] = {edges[list[i]], edges[list[i + 1]], edges[list[i + 2]],
+                            edges[list[i + 3]]};
+    const int proved = Edge_filter_avx2_2::prove(Space::corners_of_four(four, positions));
+    if (proved != 15)
+      for (std::size_t k = 0; k < 4; ++k)
+        if (!(proved >> k & 1))
+          unproved.push_back(list[i + k]);
+  }
+  for (; i < list.size(); ++i)
+    append_unproved_plain<Space>(edges, positions, list[i], list[i] + 1, unproved);
+}
+
+#endif // CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+
+template <class Space>
+void append_unproved(const Edge_2* edges, const std::vector<Position_2>& positions, Index first,
+                     Index beyond, std::vector<Index>& unproved)
+{
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+  if (has_avx2()) {
+    if (positions.size() < min_vertices_to_prefetch)
+      append_unproved_avx2<Space, false>(edges, positions.data(), first, beyond, unproved);
+    else
+      append_unproved_avx2<Space, true>(edges, positions.data(), first, beyond, unproved);
+    return;
+  }
+#endif
+  append_unproved_plain<Space>(edges, positions.data(), first, beyond, unproved);
+}
+
+template <class Space>
+void append_unproved_of(const Edge_2* edges, const std::vector<Position_2>& positions,
+                        const std::vector<Index>& list, std::vector<Index>& unproved)
+{
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+  if (has_avx2())
+    return append_unproved_of_avx2<Space>(edges, positions.data(), list, unproved);
+#endif
+  for (const Index e : list)
+    append_unproved_plain<Space>(edges, positions.data(), e, e + 1, unproved);
+}
+
+// EXACT SIGNS -------------------------------------------------------------------------------------
+
+// The exact predicates over vertices by their indices: a floating-point filter with a proved bound
+// first, the kernel where it does not decide.
+template <class Maintained>
+class Vertex_predicates_2
+{
+public:
+  explicit Vertex_predicates_2(const Maintained& maintained)
+    : m_maintained(maintained)
+  {
+  }
+
+  Orientation orientation(Index a, Index b, Index c) const
+  {
+    if (m_maintained.positions_are_exact()) {
+      const auto& positions = m_maintained.positions();
+      if (const int sign = filtered_orientation(positions[a], positions[b], positions[c]))
+        return sign > 0 ? LEFT_TURN : RIGHT_TURN;
+    }
+    return kernel_orientation(a, b, c);
+  }
+
+  // Of d, for a circle that is given counterclockwise.
+  Oriented_side side_of_circle(Index a, Index b, Index c, Index d) const
+  {
+    if (m_maintained.positions_are_exact()) {
+      const auto& positions = m_maintained.positions();
+      if (const int sign =
+              filtered_in_circle(positions[a], positions[b], positions[c], positions[d]))
+        return sign > 0 ? ON_POSITIVE_SIDE : ON_NEGATIVE_SIDE;
+    }
+    return kernel_side_of_circle(a, b, c, d);
+  }
+
+  Comparison_result compare_xy(Index v, Index w) const
+  {
+    if (m_maintained.positions_are_exact()) {
+      const Position_2 &p = m_maintained.positions()[v], &q = m_maintained.positions()[w];
+      return p.x != q.x ? CGAL::compare(p.x, q.x) : CGAL::compare(p.y, q.y);
+    }
+    const Comparison_result x = compare_x(v, w);
+    return x != EQUAL ? x : compare_y(v, w);
+  }
+
+  Comparison_result compare_yx(Index v, Index w) const
+  {
+    if (m_maintained.positions_are_exact()) {
+      const Position_2 &p = m_maintained.positions()[v], &q = m_maintained.positions()[w];
+      return p.y != q.y ? CGAL::compare(p.y, q.y) : CGAL::compare(p.x, q.x);
+    }
+    const Comparison_result y = compare_y(v, w);
+    return y != EQUAL ? y : compare_x(v, w);
+  }
+
+private:
+  // Apart, so that compilers put the filters in line.
+
+  BOOST_NOINLINE Orientation kernel_orientation(Index a, Index b, Index c) const
+  {
+    return m_maintained.traits().orientation_2_object()(
+        m_maintained.point(a), m_maintained.point(b), m_maintained.point(c));
+  }
+
+  BOOST_NOINLINE Oriented_side kernel_side_of_circle(Index a, Index b, Index c, Index d) const
+  {
+    return m_maintained.traits().side_of_oriented_circle_2_object()(
+        m_maintained.point(a), m_maintained.point(b), m_maintained.point(c), m_maintained.point(d));
+  }
+
+  Comparison_result compare_x(Index v, Index w) const
+  {
+    return m_maintained.traits().compare_x_2_object()(m_maintained.point(v), m_maintained.point(w));
+  }
+  Comparison_result compare_y(Index v, Index w) const
+  {
+    return m_maintained.traits().compare_y_2_object()(m_maintained.point(v), m_maintained.point(w));
+  }
+
+  const Maintained& m_maintained;
+};
+
+// The one test of an edge, where the vertices are now. All signs are exact: the filter comes first,
+// the kernel's exact predicates where it does not decide.
+template <class Maintained>
+class Edge_test_2
+{
+public:
+  explicit Edge_test_2(const Maintained& maintained)
+    : m_maintained(maintained)
+    , m_predicates(maintained)
+  {
+  }
+
+  Edge_state_2 state(Index e) const
+  {
+    return by_kind(
+        m_maintained.mirror().edge(e), [&] { return inner_edge_state(e); },
+        [&](Index a, Index b, Index c) { return hull_edge_state(a, b, c); },
+        [&](Index p, Index q, Index r) { return hull_corner_state(p, q, r); });
+  }
+
+  // The same at less cost; but an edge that is twisted may be called crossed.
+  Edge_state_2 rough_state(Index e) const
+  {
+    const Edge_filter_2 filter(m_maintained.corners(e));
+    if (m_maintained.positions_are_exact() && filter.disproves_delaunay())
+      return filter.proves_illegal() ? Edge_state_2::ILLEGAL : Edge_state_2::CROSSED;
+    return state(e);
+  }
+
+  // Whether the filter alone proves the edge Delaunay. It proves nothing of an edge at infinity.
+  bool proves_delaunay(Index e) const
+  {
+    return m_maintained.positions_are_exact() &&
+           Edge_filter_2(m_maintained.corners(e)).proves_delaunay();
+  }
+
+private:
+  // Flips go by the sign of the in-circle determinant alone, also where a face is inverted: the
+  // edge that a vertex has crossed has a positive one, and flipping it rights both faces.
+  Edge_state_2 inner_edge_state(Index e) const
+  {
+    if (m_maintained.positions_are_exact()) {
+      const Edge_filter_2 filter(m_maintained.corners(e));
+      if (filter.proves_delaunay())
+        return Edge_state_2::DELAUNAY;
+      if (filter.proves_illegal())
+        return Edge_state_2::ILLEGAL;
+    }
+    const Edge_2& edge = m_maintained.mirror().edge(e);
+    const bool is_twisted = orientation(edge.left, edge.source, edge.target) != LEFT_TURN ||
+                            orientation(edge.right, edge.target, edge.source) != LEFT_TURN;
+    if (m_predicates.side_of_circle(edge.left, edge.source, edge.target, edge.right) ==
+        ON_POSITIVE_SIDE)
+      return is_twisted ? Edge_state_2::CROSSED : Edge_state_2::ILLEGAL;
+    return is_twisted ? Edge_state_2::TWISTED : Edge_state_2::DELAUNAY;
+  }
+
+  // The hull edge from b to c with the finite face (a, b, c): a must be on its left.
+  Edge_state_2 hull_edge_state(Index a, Index b, Index c) const
+  {
+    switch (orientation(a, b, c)) {
+    case LEFT_TURN:
+      return Edge_state_2::DELAUNAY;
+    case RIGHT_TURN:
+      return Edge_state_2::CROSSED;
+    default:
+      return is_strictly_between(b, a, c) ? Edge_state_2::CROSSED : Edge_state_2::TWISTED;
+    }
+  }
+
+  // The hull's way through v, counterclockwise.
+  Edge_state_2 hull_corner_state(Index before, Index v, Index after) const
+  {
+    switch (orientation(before, v, after)) {
+    case LEFT_TURN:
+      return Edge_state_2::DELAUNAY;
+    case RIGHT_TURN:
+      return Edge_state_2::CROSSED;
+    default: // the hull must not turn back on itself
+      return is_strictly_between(before, v, after) ? Edge_state_2::DELAUNAY : Edge_state_2::TWISTED;
+    }
+  }
+
+  Orientation orientation(Index a, Index b, Index c) const
+  {
+    return m_predicates.orientation(a, b, c);
+  }
+
+  // For three collinear points.
+  bool is_strictly_between(Index p, Index q, Index r) const
+  {
+    const Comparison_result pq = m_predicates.compare_xy(p, q);
+    return pq != EQUAL && pq == m_predicates.compare_xy(q, r);
+  }
+
+  const Maintained& m_maintained;
+  Vertex_predicates_2<Maintained> m_predicates;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_EDGE_TEST_2_H

@@ -1,0 +1,216 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_FLAT_ARRAYS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_FLAT_ARRAYS_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+/// Index of a vertex, a half-edge, an edge or a face in the flat arrays.
+using Index = std::uint32_t;
+
+/// The coordinates of a vertex in the flat arrays: exact where the kernel's coordinates are
+/// doubles, the nearest doubles elsewhere.
+struct Position_2
+{
+  double x, y;
+};
+
+/// An edge with its two opposite vertices: (left, source, target) and (right, target, source) are
+/// the two faces at the edge, both counterclockwise.
+struct Edge_2
+{
+  Index source, target, left, right;
+};
+
+/// Where the four vertices of an edge are, as seen from the edge: `left` and `right` are the
+/// vertices opposite to it.
+struct Edge_corners_2
+{
+  Position_2 left, source, target, right;
+};
+
+namespace internal {
+
+constexpr Index infinite_index = 0;
+constexpr Index no_index = (std::numeric_limits<Index>::max)();
+
+// Makes room for so many elements more: appending them then throws nothing. Grows by doubling,
+// which `reserve()` alone does not.
+template <class T>
+void provide(std::vector<T>& data, std::size_t more)
+{
+  if (data.capacity() < data.size() + more)
+    data.reserve(2 * data.size() + more);
+}
+
+// A set of indices below a bound, in the order of their insertion: a bit each, so that what is
+// asked for at random stays in the cache. Clearing costs as much as there are members, and after
+// the first frames nothing is allocated.
+class Index_set_2
+{
+public:
+  void clear(std::size_t bound)
+  {
+    for (const Index i : m_members)
+      m_words[i / bits] = 0;
+    m_members.clear();
+    m_words.resize((bound + bits - 1) / bits, 0);
+  }
+
+  bool contains(Index i) const { return m_words[i / bits] >> i % bits & 1; }
+
+  bool insert(Index i)
+  {
+    if (contains(i))
+      return false;
+    m_members.push_back(i); // may throw
+    m_words[i / bits] |= std::uint64_t(1) << i % bits;
+    return true;
+  }
+
+  // Inserts all from `first` to below `bound`, in place of what is there.
+  void fill(Index first, Index bound)
+  {
+    clear(bound);
+    m_members.resize(bound - first);
+    std::iota(m_members.begin(), m_members.end(), first);
+    for (const Index i : m_members)
+      m_words[i / bits] |= std::uint64_t(1) << i % bits;
+  }
+
+  std::size_t size() const { return m_members.size(); }
+  bool empty() const { return m_members.empty(); }
+  Index operator[](std::size_t i) const { return m_members[i]; }
+  const std::vector<Index>& members() const { return m_members; }
+  auto begin() const { return m_members.begin(); }
+  auto end() const { return m_members.end(); }
+
+private:
+  static constexpr Index bits = 64;
+
+  std::vector<Index> m_members;
+  std::vector<std::uint64_t> m_words;
+};
+
+// Each number once, in ascending order.
+template <class Number>
+void make_distinct(std::vector<Number>& numbers)
+{
+  boost::sort::spreadsort::integer_sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+// Refuses ids one of which is there more than once.
+template <class Id>
+void check_distinct(std::vector<Id> ids)
+{
+  std::sort(ids.begin(), ids.end());
+  const auto twice = std::adjacent_find(ids.begin(), ids.end());
+  if (twice != ids.end())
+    throw Repeated_id_error_2(*twice);
+}
+
+// How the numbers of vertices, edges or faces have changed in a call. Where some go, the last ones
+// take their numbers; where others come, they get these, or the next numbers.
+class Renumbering_2
+{
+public:
+  bool is_none() const { return m_kept == no_index && m_moves.empty(); }
+
+  // Memory for so many that go: then nothing here throws, but follow().
+  void provide(std::size_t number) { m_moves.reserve(m_moves.size() + number); }
+
+  void clear()
+  {
+    m_moves.clear();
+    m_kept = no_index;
+  }
+
+  // The last one takes the number of one that goes.
+  void note_move(Index last, Index to)
+  {
+    const bool has_come = last >= m_kept;
+    m_kept = (std::min)(m_kept, last);
+    if (to < m_kept)
+      m_moves.emplace_back(has_come ? no_index : last, to);
+  }
+
+  // One that comes takes the number of one that goes.
+  void note_replacement(Index i)
+  {
+    if (i < m_kept)
+      m_moves.emplace_back(no_index, i);
+  }
+
+  // Others come, and get this number and the next ones.
+  void note_appended(Index first) { m_kept = (std::min)(m_kept, first); }
+
+  // Brings data of each in step. `make(i)` makes those of the one with the new number i.
+  template <class T, class Make>
+  void follow(std::vector<T>& data, std::size_t size, const Make& make) const
+  {
+    std::unordered_set<Index> come; // who has come, and taken the number of another one
+    for (const auto& [from, to] : m_moves) {
+      come.erase(to);
+      if (from == no_index || come.erase(from) > 0)
+        come.insert(to);
+      else if (from < data.size())
+        data[to] = data[from];
+    }
+    if (m_kept < data.size())
+      data.erase(data.begin() + std::ptrdiff_t(m_kept), data.end());
+    while (data.size() < size)
+      data.push_back(make(Index(data.size())));
+    for (const Index i : come)
+      if (i < m_kept)
+        data[i] = make(i);
+  }
+
+private:
+  // In this order, from where to where; from nowhere, if it has come in this call.
+  std::vector<std::pair<Index, Index>> m_moves;
+  Index m_kept = no_index; // all of those that were there at first have smaller numbers now
+};
+
+struct Renumberings_2
+{
+  Renumbering_2 vertices, edges, faces;
+
+  bool are_none() const { return vertices.is_none() && edges.is_none() && faces.is_none(); }
+
+  void provide_for_removals(std::size_t number)
+  {
+    vertices.provide(number);
+    edges.provide(3 * number);
+    faces.provide(2 * number);
+  }
+
+  void clear()
+  {
+    vertices.clear();
+    edges.clear();
+    faces.clear();
+  }
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_FLAT_ARRAYS_2_H

@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_POINTS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_POINTS_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+#include <CGAL/enum.h>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/number_type_basic.h>
+#include <CGAL/Point_2.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// What the triangulation knows of points, whatever they are: where they are in the plane of their x
+// and y. They may hold more, such as a height, which has to come along.
+
+template <class Point>
+constexpr bool has_double_coordinates =
+    std::is_same_v<std::decay_t<decltype(std::declval<const Point&>().x())>, double>;
+
+// Whether a point can be made of its x and y again.
+template <class Point>
+constexpr bool is_made_of_x_and_y = false;
+template <class Kernel>
+constexpr bool is_made_of_x_and_y<CGAL::Point_2<Kernel>> = true;
+
+// Whether it is nothing but two doubles. A kernel may add data of its own to its points: then they
+// are larger.
+template <class Point>
+constexpr bool is_two_doubles = is_made_of_x_and_y<Point>&& has_double_coordinates<Point> &&
+                                sizeof(Point) == 2 * sizeof(double);
+
+template <class Traits, class Point>
+Comparison_result compare_xy(const Traits& traits, const Point& p, const Point& q)
+{
+  if constexpr (has_double_coordinates<Point>) {
+    return p.x() != q.x() ? CGAL::compare(p.x(), q.x()) : CGAL::compare(p.y(), q.y());
+  } else {
+    const Comparison_result x = traits.compare_x_2_object()(p, q);
+    return x != EQUAL ? x : traits.compare_y_2_object()(p, q);
+  }
+}
+
+// Points coincide if they are at the same place of the plane.
+template <class Traits, class Point>
+bool coincide(const Traits& traits, const Point& p, const Point& q)
+{
+  return compare_xy(traits, p, q) == EQUAL;
+}
+
+// Below which magnitude of the coordinates the kernel's predicates are exact.
+//
+// Compiled for SSE4.1 or AVX, CGAL's interval product loses a 0 that meets an infinity: [-1, 0]
+// times [1, inf] is [-inf, -1] (CGAL 5.5; cf. its issue 4312). Such an interval can exclude the
+// true sign, and no exact number is asked. It takes an operand of a product that overflows. In the
+// in-circle determinant, which has the largest ones, these are sums of two products of two
+// differences: with coordinates below 2^510 they are at most 2 * 2^511 * 2^511 = 2^1023.
+#if defined(CGAL_USE_SSE2) && (defined(__SSE4_1__) || defined(__AVX__))
+constexpr double coordinate_limit = 0x1p510;
+// What coordinates from the limit on overflow with.
+constexpr double factor_beyond_limit = 0x1p514;
+#else
+constexpr double coordinate_limit = std::numeric_limits<double>::infinity();
+constexpr double factor_beyond_limit = 1;
+#endif
+
+inline bool is_within_limit(double coordinate)
+{
+  return std::isfinite(factor_beyond_limit * coordinate);
+}
+
+// Where a point is, if it can be there.
+template <class Point>
+Position_2 checked_position(const Point& p, std::size_t id)
+{
+  const Position_2 position{CGAL::to_double(p.x()), CGAL::to_double(p.y())};
+  if (!std::isfinite(position.x) || !std::isfinite(position.y))
+    throw Non_finite_coordinate_error_2(id, position.x, position.y);
+  if (!is_within_limit(position.x) || !is_within_limit(position.y))
+    throw Coordinate_range_error_2(id, position.x, position.y, coordinate_limit);
+  return position;
+}
+
+// Whether none of its coordinates is rounded for that, as far as their intervals tell.
+template <class Point>
+bool has_exact_position(const Point& p)
+{
+  if constexpr (has_double_coordinates<Point>) {
+    return true;
+  } else {
+    const auto is_a_double = [](const auto& coordinate) {
+      const std::pair<double, double> interval = CGAL::to_interval(coordinate);
+      return interval.first == interval.second;
+    };
+    return is_a_double(p.x()) && is_a_double(p.y());
+  }
+}
+
+// Both: clears `are_exact` if a coordinate is rounded.
+template <class Point>
+Position_2 checked_position(const Point& p, std::size_t id, bool& are_exact)
+{
+  const Position_2 position = checked_position(p, id);
+  are_exact = are_exact && has_exact_position(p);
+  return position;
+}
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_POINTS_2_H
