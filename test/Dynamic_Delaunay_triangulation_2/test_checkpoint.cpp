@@ -536,7 +536,7 @@ TEST(Checkpoints, the_example_in_the_manual_is_a_checkpoint)
                          "faces 6\n4 1 2\n3 2 1\n0 3 1\n0 1 4\n2 3 4\n0 4 3\n"
                          "corners 5\n15 5\n10 3\n12 4\n17 5\n16 5\n"
                          "edges 9\n3 3\n13 13\n9 9\n6 6\n14 14\n11 11\n16 16\n17 17\n15 15\n"
-                         "checksum 5d68c243\n");
+                         "checksum abeaeb85\n");
 }
 
 // POPULATIONS -------------------------------------------------------------------------------------
