@@ -4,10 +4,9 @@
 """How figures of benchmark results look, and where their numbers come from.
 
 A figure is as wide as a phone: panels stand below each other, letters stay readable there. Each is
-written as SVG and as PNG, with a caption below it that ends in the command that made its numbers.
+written as SVG, with a caption below it that ends in the command that made its numbers.
 """
 
-import io
 import textwrap
 
 import matplotlib
@@ -15,7 +14,6 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
-from PIL import Image
 
 WIDTH = 4.8  # inches; 100 pixels an inch on most screens
 PANEL_HEIGHT = 2.7
@@ -54,7 +52,7 @@ def plain_logarithmic(axis):
 
 
 def save(figure, path, caption, command):
-    """Writes path.svg and path.png, the caption and the command below the panels."""
+    """Writes path.svg, the caption and the command below the panels."""
     lines = textwrap.wrap(caption, CAPTION_LETTERS)
     lines += textwrap.wrap("Command: " + command, CAPTION_LETTERS)
     width, height = figure.get_size_inches()
@@ -64,12 +62,4 @@ def save(figure, path, caption, command):
     figure.text(0.02, 0.5 * CAPTION_SIZE / 72 / (height + below), "\n".join(lines),
                 fontsize=CAPTION_SIZE, va="bottom", linespacing=1.25)
     figure.savefig(path.with_suffix(".svg"), metadata={"Date": None})
-    save_small_png(figure, path.with_suffix(".png"))
     plt.close(figure)
-
-
-def save_small_png(figure, path):
-    """With a palette of colors, a third of the size: figures lie in the repository."""
-    pixels = io.BytesIO()
-    figure.savefig(pixels, format="png", dpi=150)
-    Image.open(pixels).convert("RGB").quantize(256).save(path, optimize=True)
