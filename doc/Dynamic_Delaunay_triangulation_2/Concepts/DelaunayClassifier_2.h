@@ -5,11 +5,11 @@
 \ingroup PkgDynamicDelaunayTriangulation2Concepts
 \cgalConcept
 
-A classifier picks, frame by frame, the vertices whose neighborhoods may no longer be Delaunay. It
-sees the maintained triangulation through a `CGAL::Dynamic_frame_2`, with the topology of the last
+A classifier picks, in every frame, the vertices whose neighborhoods may no longer be Delaunay. It
+reads the maintained triangulation through a `CGAL::Dynamic_frame_2`, with the topology of the last
 frame and the positions of the current one.
 
-A classifier is copied into the triangulation when that is constructed, and may keep data of its own
+The constructor of the triangulation copies the classifier. A classifier may keep data of its own
 from frame to frame.
 
 \cgalHasModelsBegin
@@ -30,36 +30,37 @@ class DelaunayClassifier_2
 {
 public:
   /*!
-  whether the classifier is *exact*: of every edge that is not Delaunay at the current positions
-  (`CGAL::Dynamic_frame_2::is_delaunay()`), it classifies at least one end by
+  whether the classifier is *exact*. An exact classifier misses no edge that is not Delaunay at the
+  current positions (`CGAL::Dynamic_frame_2::is_delaunay()`): it classifies at least one end by
   `CGAL::Dynamic_classification_2::add_vertex()` or `CGAL::Dynamic_classification_2::add_id()`, or
-  it hands the edge to `CGAL::Dynamic_classification_2::add_edge()`. That has to hold whatever state
-  the last frame was left in.
+  passes the edge to `CGAL::Dynamic_classification_2::add_edge()`. That has to hold for any state
+  in which the last frame ended.
 
-  Updates with an exact classifier end with the certificate. The claim is not checked again: a
+  Updates with an exact classifier end with the certificate. The claim is not checked: a
   classifier that makes it wrongly breaks the promise of
   `CGAL::Dynamic_Delaunay_triangulation_2::is_certified()`.
   */
   static constexpr bool is_exact = false;
 
   /*!
-  (optional) the repair that an update uses if it is given none. Without it, that is
+  (optional) the repair that an update uses by default. Without this type it is
   `CGAL::Flip_and_splice_repair_2` if the classifier is exact, and `CGAL::Border_splice_repair_2` if
-  it is not.
+  it is heuristic.
   */
   using Usual_repair = unspecified_type;
 
   /*!
   classifies. It is called once in every frame in which the points span the plane, unless the
-  triangulation is rebuilt before: because many points come or go, or many coincident points part;
-  because the update policy wants it; or, if the classifier is exact and the repair is
-  `CGAL::Flip_and_splice_repair_2`, because a sample of the edges says that too much is broken. It
-  is not asked where points come, go, or move alone.
+  triangulation is rebuilt before. That happens if many points are inserted or removed, if many
+  coincident points separate, if the update policy wants it, or, with an exact classifier and
+  `CGAL::Flip_and_splice_repair_2` as the repair, if a sample of the edges shows that too much is
+  broken. It is not called by `insert()`, `remove()` and `move()`.
 
-  If it throws, the update changes nothing and hands the exception on.
+  If it throws, the update changes nothing and rethrows the exception.
 
   \param frame the points at the positions of the current frame, with the topology of the last one.
-  It is good until the call ends. \param classified is empty at first, and takes what is classified.
+  It is valid until the call ends.
+  \param classified is empty at first, and receives what is classified.
   \tparam Frame `CGAL::Dynamic_frame_2`
   \tparam Classification `CGAL::Dynamic_classification_2`
   */
@@ -67,35 +68,37 @@ public:
   void operator()(const Frame& frame, Classification& classified);
 
   /*!
-  (optional) is called at the end of every update, after construction, wherever points have come,
-  gone, or moved alone, and, of a copy that then takes the classifier's place, when a checkpoint is
-  read, with the new topology. Classifiers with data per edge bring it up to date here:
-  `CGAL::Dynamic_frame_2::everything_is_new()` tells whether the numbers of vertices and edges have
-  changed their meaning, `CGAL::Dynamic_frame_2::new_edges()` which edges were triangulated anew
-  otherwise. Where vertices came or went, `CGAL::Dynamic_frame_2::follow_edges()` first brings data
-  of each edge in step with the few numbers that have changed, and `follow_vertices()` and
-  `follow_faces()` do the same for others. A new edge also changes what is around it: what depends
-  on opposite vertices or faces is brought up to date at
-  `CGAL::Dynamic_frame_2::for_each_changed_edge()` and
+  (optional) is called with the new topology at the end of every update, after construction, and
+  whenever points were inserted, removed, or moved. When a checkpoint is read it is called on a copy
+  that then replaces the classifier.
+
+  Classifiers with data of edges update it here. `CGAL::Dynamic_frame_2::everything_is_new()` says
+  whether all numbers of vertices and edges have changed their meaning. Otherwise
+  `CGAL::Dynamic_frame_2::new_edges()` lists the edges that are new. If vertices were inserted or
+  removed, `CGAL::Dynamic_frame_2::follow_edges()` first renumbers the data of the few edges whose
+  numbers have changed; `follow_vertices()` and `follow_faces()` do the same for data of vertices
+  and faces. A new edge also changes its surroundings: data that depends on opposite vertices or
+  faces is updated at `CGAL::Dynamic_frame_2::for_each_changed_edge()` and
   `CGAL::Dynamic_frame_2::for_each_changed_face()`.
 
-  If it throws, what was done stays done, and the exception is handed on; in the next frame
-  `CGAL::Dynamic_frame_2::has_changes()` then says so to `operator()`. When a checkpoint is read,
-  nothing changes instead.
+  If it throws, the update has been done, and the exception is rethrown; in the next frame
+  `CGAL::Dynamic_frame_2::has_changes()` tells `operator()` that changes were missed. If it throws
+  when a checkpoint is read, nothing changes.
 
-  \param frame the points, with the topology that the call ends with.
+  \param frame the points, with the topology at the end of the call.
   \tparam Frame `CGAL::Dynamic_frame_2`
   */
   template <class Frame>
   void after_update(const Frame& frame);
 
   /*!
-  (optional) for classifiers that decide edge by edge, and name edges alone: whether `operator()`
-  would hand edge `e` of this frame to `CGAL::Dynamic_classification_2::add_edge()`. With it,
-  `CGAL::Refined_classifier_2` asks for the edges that it has to, instead of all.
+  (optional) whether `operator()` would pass edge `e` of this frame to
+  `CGAL::Dynamic_classification_2::add_edge()`. It is meant for classifiers that decide edge by
+  edge, and name edges only. With this function `CGAL::Refined_classifier_2` calls it for the edges
+  that matter, instead of classifying all edges.
 
-  \param frame that of the call of `operator()`.
-  \param e an edge of it, below `CGAL::Dynamic_frame_2::number_of_edges()`.
+  \param frame the frame of the call of `operator()`.
+  \param e one of its edges, below `CGAL::Dynamic_frame_2::number_of_edges()`.
   \tparam Frame `CGAL::Dynamic_frame_2`
   */
   template <class Frame>

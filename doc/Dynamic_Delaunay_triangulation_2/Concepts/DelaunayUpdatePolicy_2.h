@@ -5,12 +5,12 @@
 \ingroup PkgDynamicDelaunayTriangulation2Concepts
 \cgalConcept
 
-An update policy decides, frame by frame, whether the triangulation is rebuilt at once, or classified and
-repaired. A frame that it has rebuilt ends certified, also with a heuristic classifier, and its report has
+An update policy decides in every frame whether the triangulation is rebuilt at once, or classified and
+repaired. A frame that is rebuilt for a policy ends certified, also with a heuristic classifier, and its report has
 `CGAL::Rebuild_reason_2::POLICY`.
 
-A policy is copied into the triangulation when that is constructed, and may keep data of its own from frame
-to frame. To keep updates deterministic it goes by what it sees and counts, not by clocks.
+The constructor of the triangulation copies the policy. A policy may keep data of its own from frame
+to frame. Its decisions should depend on what it reads and counts, not on clocks; then updates stay deterministic.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Always_dynamic_policy_2}
@@ -23,12 +23,11 @@ class DelaunayUpdatePolicy_2
 {
 public:
   /*!
-  whether this frame is to be rebuilt, without asking the classifier. It is asked before the classifier, at
-  the positions of the current frame and with the topology of the last one, in every frame in which the points
-  span the plane, unless many points come or go, or many coincident points part (then the triangulation is rebuilt
-  anyway).
+  whether this frame is to be rebuilt without calling the classifier. It is called before the classifier in every frame
+  in which the points span the plane, unless many points are inserted or removed, or many coincident points separate
+  (then the triangulation is rebuilt anyway).
 
-  If it throws, the update changes nothing and hands the exception on.
+  If it throws, the update changes nothing and rethrows the exception.
 
   \param frame the points at the positions of the current frame, with the topology of the last one.
   \tparam Frame `CGAL::Dynamic_frame_2`
@@ -38,14 +37,14 @@ public:
   bool wants_rebuild(const Frame& frame);
 
   /*!
-  is called at the end of every update, also of one for which `wants_rebuild()` was not asked, with what it has done.
-  A frame of a `CGAL::Dynamic_population_2` is one update. Construction,
-  `CGAL::Dynamic_Delaunay_triangulation_2::mend()`, and points that come, go or move alone are none.
+  is called at the end of every update with its report, also if `wants_rebuild()` was not called for it.
+  A frame of a `CGAL::Dynamic_population_2` is one update. Construction, `insert()`, `remove()`, `move()` and
+  `CGAL::Dynamic_Delaunay_triangulation_2::mend()` are no updates.
 
-  If it throws, the update has been done, and the exception is handed on.
+  If it throws, the update has been done, and the exception is rethrown.
 
-  \param frame the points, with the topology that the update ends with.
-  \param report what the update has done.
+  \param frame the points, with the topology at the end of the update.
+  \param report what the update did.
   \tparam Frame `CGAL::Dynamic_frame_2`
   */
   template <class Frame>

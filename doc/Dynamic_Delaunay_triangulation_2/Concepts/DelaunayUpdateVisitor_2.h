@@ -5,41 +5,42 @@
 \ingroup PkgDynamicDelaunayTriangulation2Concepts
 \cgalConcept
 
-A visitor is told what changes, as by those of CGAL's kinetic data structures: so it can keep data of faces,
-edges and vertices in step with them. `CGAL::Delaunay_update_visitor_base_2` has all functions, and is a base for
-visitors that need some of them.
+A visitor is called for every change, as the visitors of CGAL's kinetic data structures are, so it can keep data of faces,
+edges and vertices correct. `CGAL::Delaunay_update_visitor_base_2` has all functions, and is a base for
+visitors that need only some of them.
 
-Each call of the triangulation that may change it, construction from points,
-`update()`, `move()`, `insert()`, `remove()`, `mend()` if there is something to mend, and `read_checkpoint()`,
-begins with `before_update()` and ends with `after_update()`. A frame of a `CGAL::Dynamic_population_2` is one such
-call, whoever comes and goes in it. Between these two
+The calls that may change the triangulation are construction from points, `update()`, `move()`, `insert()`, `remove()`,
+`mend()` if there is something to repair, and `read_checkpoint()`. Each of them begins with `before_update()` and ends with
+`after_update()`. A frame of a `CGAL::Dynamic_population_2` is one such call, whichever points are inserted and removed in
+it. Between these two
 
-- faces and vertices around those that are named can be looked at; not all of `tds()`, which may hold faces and
-  vertices that are about to be written or deleted;
-- vertices that move, in `update()` and in `move()`, still have the points that they had before, and get theirs right
-  before `after_update()`, or in a rebuild; new vertices have theirs at once. So face areas, circumcentres and the
+- a visitor may read faces and vertices around those that it is called for, but not all of `tds()`, which may contain faces
+  and vertices that are about to be written or deleted;
+- vertices that move, in `update()` and in `move()`, still have their previous points; they get the new ones right
+  before `after_update()`, or in a rebuild. New vertices have theirs at once. So face areas, circumcenters and the
   like are best computed in `after_update()`;
-- a vertex may be outside of all faces, from `before_vertex_relocation()` until the creation of its faces is told, and
-  `v->face()` then means nothing;
-- the triangulation is not certified, and may have inverted faces: `CGAL::Dynamic_Delaunay_triangulation_2::tds()`,
-  `infinite_vertex()` and `id()` may be asked for, but neither `triangulation()` nor `frame()`, and nothing may be
-  changed but what the user keeps in vertices and faces.
+- a vertex may be outside of all faces, from `before_vertex_relocation()` until the visitor is called for the creation of
+  its faces, and `v->face()` then has no meaning;
+- the triangulation is not certified, and may have inverted faces. `CGAL::Dynamic_Delaunay_triangulation_2::tds()`,
+  `infinite_vertex()` and `id()` may be called, but neither `triangulation()` nor `frame()`, and nothing may be
+  changed except the user's data in vertices and faces.
 
-Faces with the infinite vertex are told of like all others. While the points do not span the plane there are no
-faces to tell of, but vertices still come and go.
+Faces with the infinite vertex are treated like all others. While the points do not span the plane there are no
+faces, but vertices are still created and removed.
 
-What happens to a face is either a flip, which keeps the handles of both faces, or a removal or creation. A face that
-is created may have the handle of one that has just been removed, and then has what the user kept in that one. Of
-several faces that are written anew together all removals are told first, then what becomes of vertices, and then all
-creations; but a new vertex that is put into a face is told of before the removal of that face. In a rebuild that is
-all faces. An edge may be flipped more than once in an update, and a face be removed and created.
+A face is either flipped, which keeps the handles of both faces, or removed or created. A face
+that is created may have the handle of one that has just been removed, and then contains the user's data of that one. If
+several faces are rewritten together, the visitor is called first for all removals, then for the changes of vertices, and
+then for all creations. There is one exception: for a new vertex that is put into a face, it is called before the removal of
+that face. In a rebuild all faces are rewritten. An edge may be flipped more than once in an update, and a face may be
+removed and created.
 
 If a visitor throws in `before_update()`, nothing changes. If it throws in one of the functions between
-`before_update()` and `after_update()`, it is told nothing more, not even `after_update()`; the triangulation goes on
-to the end as if nobody had thrown, to the same result, and then throws that exception instead of returning its report.
+`before_update()` and `after_update()`, it is not called again in this call, not even `after_update()`. The triangulation
+continues to the same result as without the exception, and then throws that exception instead of returning its report.
 If the call ends by any other exception, `after_update()` is not called.
 
-A visitor is copied into the triangulation when that is constructed, and is never copied after that. The triangulation
+The constructor of the triangulation copies the visitor, and it is never copied after that. The triangulation
 may be moved between two calls: no visitor should keep its address. All functions are templates, as the type of the
 triangulation depends on that of the visitor.
 
@@ -52,76 +53,76 @@ class DelaunayUpdateVisitor_2
 {
 public:
   /*!
-  is called when the input of a call was read and accepted, before anything changes.
+  is called after the input of a call was read and accepted, before anything changes.
   \tparam Dynamic a `CGAL::Dynamic_Delaunay_triangulation_2`
   */
   template <class Dynamic>
   void before_update(const Dynamic& dt);
 
   /*!
-  is called when all is done; `report` is what the call returns, or would if it returned one. From here on `dt` may
-  be used like between two calls.
+  is called at the end of a call. `report` is the report of the call, also if the call does not return one. From here on
+  `dt` may be used as between two calls.
   */
   template <class Dynamic>
   void after_update(const Dynamic& dt, const Update_report_2& report);
 
   /*!
-  edge `e` will be flipped.
+  is called before edge `e` is flipped.
   */
   template <class Dynamic>
   void before_flip(const Dynamic& dt, const typename Dynamic::Edge& e);
 
   /*!
-  `e` is the edge that has come by a flip, between the same two faces.
+  is called after a flip. `e` is the new edge between the same two faces.
   */
   template <class Dynamic>
   void after_flip(const Dynamic& dt, const typename Dynamic::Edge& e);
 
   /*!
-  face `f` will be no more.
+  is called before face `f` is removed.
   */
   template <class Dynamic>
   void before_face_removal(const Dynamic& dt, typename Dynamic::Face_handle f);
 
   /*!
-  face `f` is new.
+  is called after face `f` was created.
   */
   template <class Dynamic>
   void after_face_creation(const Dynamic& dt, typename Dynamic::Face_handle f);
 
   /*!
-  vertex `v` is new, for the point with this id. It has its point, and its faces are going to be created.
+  is called after vertex `v` was created for the point with this id. It has its point; its faces will be created later.
   */
   template <class Dynamic>
   void after_vertex_creation(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id);
 
   /*!
-  vertex `v`, which was that of the point with this id, will be no more; the removal of its faces was told. The point
-  may still be there: if other points shared its vertex, these get a new one in a rebuild.
+  is called before vertex `v`, the vertex of the point with this id, is removed, and after `before_face_removal()` for its
+  faces. The point itself may stay: if other points shared its vertex, these get a new one in a rebuild.
   */
   template <class Dynamic>
   void before_vertex_removal(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id);
 
   /*!
-  vertex `v`, that of the point with this id, is taken out of its faces, because it went far; the removal of these was
-  told. It will be put in elsewhere, and keeps its handle, its id and what the user keeps in it: the creation of its
-  new faces is told later in the same call. If another vertex is where it has gone to, `before_vertex_merge()` is
-  called for it instead. Everything may be rebuilt in between, which writes all faces anew.
+  is called when vertex `v`, the vertex of the point with this id, is taken out of its faces because it jumped, and after
+  `before_face_removal()` for these faces. The vertex will be put in elsewhere, and keeps its handle, its id and the user's
+  data: `after_face_creation()` is called for its new faces later in the same call. If another vertex is at its new
+  position, `before_vertex_merge()` is called for it instead. A rebuild in between may rewrite all faces.
   */
   template <class Dynamic>
   void before_vertex_relocation(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id);
 
   /*!
-  vertex `v`, which was that of the point with this id, will be no more; the removal of its faces was told. The point
-  has come to where another one is, and shares the vertex `stays` from now on.
+  is called before vertex `v`, the vertex of the point with this id, is removed because the point has come to the position
+  of another one, and after `before_face_removal()` for its faces. The point shares the vertex `stays` from now on.
   */
   template <class Dynamic>
   void before_vertex_merge(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id,
                            typename Dynamic::Vertex_handle stays);
 
   /*!
-  vertex `v` is another point's: that of `dt.id(v)`, which shared it, instead of that with `id_before`, which goes
-  away.
+  is called when vertex `v` gets another representative: the point with the id `dt.id(v)`, which shared the vertex,
+  instead of the one with `id_before`, which leaves it.
   */
   template <class Dynamic>
   void after_id_change(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id_before);
