@@ -5,16 +5,17 @@
 \ingroup PkgDynamicDelaunayTriangulation2Concepts
 \cgalConcept
 
-A repair restores the neighborhoods that were classified. It uses the tools of a `CGAL::Dynamic_mender_2`. Each tool
-leaves the triangulation a valid triangulated sphere, so no repair can break it.
+A repair restores the neighborhoods that were classified. It uses the tools of a
+`CGAL::Dynamic_mender_2`. Each tool leaves the triangulation a valid triangulated sphere, so no
+repair can break it.
 
 The cost of all tools of an update is limited: by that of two rebuilds, or less if the repair calls
-`CGAL::Dynamic_mender_2::limit_cost()`. When it is spent, everything is rebuilt. If the classifier is exact and the
-repair leaves edges open, the triangulation is rebuilt after it.
+`CGAL::Dynamic_mender_2::limit_cost()`. When it is spent, everything is rebuilt. If the classifier
+is exact and the repair leaves edges open, the triangulation is rebuilt after it.
 
-After the repair the update inserts the vertices that the repair took out of their faces, coincident points that
-separate, and new points. `CGAL::Flip_and_splice_repair_2` repairs what that breaks, whatever the repair is, and also what
-`insert()`, `remove()` and `move()` break.
+After the repair the update inserts the vertices that the repair took out of their faces, coincident
+points that separate, and new points. `CGAL::Flip_and_splice_repair_2` repairs what that breaks,
+whatever the repair is, and also what `insert()`, `remove()` and `move()` break.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Flip_and_splice_repair_2}
@@ -28,13 +29,14 @@ class DelaunayRepair_2
 {
 public:
   /*!
-  repairs. It is called once in every frame in which something is classified or points are removed, unless everything
-  is rebuilt before.
+  repairs. It is called once in every frame in which something is classified or points are removed,
+  unless everything is rebuilt before.
 
-  If it throws, the positions are the new ones, the data structure is valid, and the triangulation is not certified; the
-  exception is rethrown.
+  If it throws, the positions are the new ones, the data structure is valid, and the triangulation
+  is not certified; the exception is rethrown.
 
-  \param mender what was classified, which edges are open, and the tools. It is valid until the call ends.
+  \param mender what was classified, which edges are open, and the tools. It is valid until the
+  call ends.
   \tparam Mender `CGAL::Dynamic_mender_2`
   */
   template <class Mender>

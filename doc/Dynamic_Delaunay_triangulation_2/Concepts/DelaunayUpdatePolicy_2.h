@@ -5,12 +5,13 @@
 \ingroup PkgDynamicDelaunayTriangulation2Concepts
 \cgalConcept
 
-An update policy decides in every frame whether the triangulation is rebuilt at once, or classified and
-repaired. A frame that is rebuilt for a policy ends certified, also with a heuristic classifier, and its report has
-`CGAL::Rebuild_reason_2::POLICY`.
+An update policy decides in every frame whether the triangulation is rebuilt at once, or classified
+and repaired. A frame that is rebuilt for a policy ends certified, also with a heuristic classifier,
+and its report has `CGAL::Rebuild_reason_2::POLICY`.
 
 The constructor of the triangulation copies the policy. A policy may keep data of its own from frame
-to frame. Its decisions should depend on what it reads and counts, not on clocks; then updates stay deterministic.
+to frame. Its decisions should depend on what it reads and counts, not on clocks; then updates stay
+deterministic.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Always_dynamic_policy_2}
@@ -23,9 +24,9 @@ class DelaunayUpdatePolicy_2
 {
 public:
   /*!
-  whether this frame is to be rebuilt without calling the classifier. It is called before the classifier in every frame
-  in which the points span the plane, unless many points are inserted or removed, or many coincident points separate
-  (then the triangulation is rebuilt anyway).
+  whether this frame is to be rebuilt without calling the classifier. It is called before the
+  classifier in every frame in which the points span the plane, unless many points are inserted or
+  removed, or many coincident points separate (then the triangulation is rebuilt anyway).
 
   If it throws, the update changes nothing and rethrows the exception.
 
@@ -37,9 +38,9 @@ public:
   bool wants_rebuild(const Frame& frame);
 
   /*!
-  is called at the end of every update with its report, also if `wants_rebuild()` was not called for it.
-  A frame of a `CGAL::Dynamic_population_2` is one update. Construction, `insert()`, `remove()`, `move()` and
-  `CGAL::Dynamic_Delaunay_triangulation_2::mend()` are no updates.
+  is called at the end of every update with its report, also if `wants_rebuild()` was not called for
+  it. A frame of a `CGAL::Dynamic_population_2` is one update. Construction, `insert()`, `remove()`,
+  `move()` and `CGAL::Dynamic_Delaunay_triangulation_2::mend()` are no updates.
 
   If it throws, the update has been done, and the exception is rethrown.
 

@@ -5,44 +5,48 @@
 \ingroup PkgDynamicDelaunayTriangulation2Concepts
 \cgalConcept
 
-A visitor is called for every change, as the visitors of CGAL's kinetic data structures are, so it can keep data of faces,
-edges and vertices correct. `CGAL::Delaunay_update_visitor_base_2` has all functions, and is a base for
-visitors that need only some of them.
+A visitor is called for every change, as the visitors of CGAL's kinetic data structures are, so it
+can keep data of faces, edges and vertices correct. `CGAL::Delaunay_update_visitor_base_2` has all
+functions, and is a base for visitors that need only some of them.
 
-The calls that may change the triangulation are construction from points, `update()`, `move()`, `insert()`, `remove()`,
-`mend()` if there is something to repair, and `read_checkpoint()`. Each of them begins with `before_update()` and ends with
-`after_update()`. A frame of a `CGAL::Dynamic_population_2` is one such call, whichever points are inserted and removed in
-it. Between these two
+The calls that may change the triangulation are construction from points, `update()`, `move()`,
+`insert()`, `remove()`, `mend()` if there is something to repair, and `read_checkpoint()`. Each of
+them begins with `before_update()` and ends with `after_update()`. A frame of a
+`CGAL::Dynamic_population_2` is one such call, whichever points are inserted and removed in it.
+Between these two
 
-- a visitor may read faces and vertices around those that it is called for, but not all of `tds()`, which may contain faces
-  and vertices that are about to be written or deleted;
-- vertices that move, in `update()` and in `move()`, still have their previous points; they get the new ones right
-  before `after_update()`, or in a rebuild. New vertices have theirs at once. So face areas, circumcenters and the
-  like are best computed in `after_update()`;
-- a vertex may be outside of all faces, from `before_vertex_relocation()` until the visitor is called for the creation of
-  its faces, and `v->face()` then has no meaning;
-- the triangulation is not certified, and may have inverted faces. `CGAL::Dynamic_Delaunay_triangulation_2::tds()`,
-  `infinite_vertex()` and `id()` may be called, but neither `triangulation()` nor `frame()`, and nothing may be
-  changed except the user's data in vertices and faces.
+- a visitor may read faces and vertices around those that it is called for, but not all of `tds()`,
+  which may contain faces and vertices that are about to be written or deleted;
+- vertices that move, in `update()` and in `move()`, still have their previous points; they get the
+  new ones right before `after_update()`, or in a rebuild. New vertices have theirs at once. So face
+  areas, circumcenters and the like are best computed in `after_update()`;
+- a vertex may be outside of all faces, from `before_vertex_relocation()` until the visitor is
+  called for the creation of its faces, and `v->face()` then has no meaning;
+- the triangulation is not certified, and may have inverted faces.
+  `CGAL::Dynamic_Delaunay_triangulation_2::tds()`, `infinite_vertex()` and `id()` may be called, but
+  neither `triangulation()` nor `frame()`, and nothing may be changed except the user's data in
+  vertices and faces.
 
-Faces with the infinite vertex are treated like all others. While the points do not span the plane there are no
-faces, but vertices are still created and removed.
+Faces with the infinite vertex are treated like all others. While the points do not span the plane
+there are no faces, but vertices are still created and removed.
 
-A face is either flipped, which keeps the handles of both faces, or removed or created. A face
-that is created may have the handle of one that has just been removed, and then contains the user's data of that one. If
-several faces are rewritten together, the visitor is called first for all removals, then for the changes of vertices, and
-then for all creations. There is one exception: for a new vertex that is put into a face, it is called before the removal of
-that face. In a rebuild all faces are rewritten. An edge may be flipped more than once in an update, and a face may be
-removed and created.
+A face is either flipped, which keeps the handles of both faces, or removed or created. A face that
+is created may have the handle of one that has just been removed, and then contains the user's data
+of that one. If several faces are rewritten together, the visitor is called first for all removals,
+then for the changes of vertices, and then for all creations. There is one exception: for a new
+vertex that is put into a face, it is called before the removal of that face. In a rebuild all faces
+are rewritten. An edge may be flipped more than once in an update, and a face may be removed and
+created.
 
-If a visitor throws in `before_update()`, nothing changes. If it throws in one of the functions between
-`before_update()` and `after_update()`, it is not called again in this call, not even `after_update()`. The triangulation
-continues to the same result as without the exception, and then throws that exception instead of returning its report.
-If the call ends by any other exception, `after_update()` is not called.
+If a visitor throws in `before_update()`, nothing changes. If it throws in one of the functions
+between `before_update()` and `after_update()`, it is not called again in this call, not even
+`after_update()`. The triangulation continues to the same result as without the exception, and then
+throws that exception instead of returning its report. If the call ends by any other exception,
+`after_update()` is not called.
 
-The constructor of the triangulation copies the visitor, and it is never copied after that. The triangulation
-may be moved between two calls: no visitor should keep its address. All functions are templates, as the type of the
-triangulation depends on that of the visitor.
+The constructor of the triangulation copies the visitor, and it is never copied after that. The
+triangulation may be moved between two calls: no visitor should keep its address. All functions are
+templates, as the type of the triangulation depends on that of the visitor.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Delaunay_update_visitor_base_2}
@@ -60,8 +64,8 @@ public:
   void before_update(const Dynamic& dt);
 
   /*!
-  is called at the end of a call. `report` is the report of the call, also if the call does not return one. From here on
-  `dt` may be used as between two calls.
+  is called at the end of a call. `report` is the report of the call, also if the call does not
+  return one. From here on `dt` may be used as between two calls.
   */
   template <class Dynamic>
   void after_update(const Dynamic& dt, const Update_report_2& report);
@@ -91,38 +95,43 @@ public:
   void after_face_creation(const Dynamic& dt, typename Dynamic::Face_handle f);
 
   /*!
-  is called after vertex `v` was created for the point with this id. It has its point; its faces will be created later.
+  is called after vertex `v` was created for the point with this id. It has its point; its faces
+  will be created later.
   */
   template <class Dynamic>
   void after_vertex_creation(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id);
 
   /*!
-  is called before vertex `v`, the vertex of the point with this id, is removed, and after `before_face_removal()` for its
-  faces. The point itself may stay: if other points shared its vertex, these get a new one in a rebuild.
+  is called before vertex `v`, the vertex of the point with this id, is removed, and after
+  `before_face_removal()` for its faces. The point itself may stay: if other points shared its
+  vertex, these get a new one in a rebuild.
   */
   template <class Dynamic>
   void before_vertex_removal(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id);
 
   /*!
-  is called when vertex `v`, the vertex of the point with this id, is taken out of its faces because it jumped, and after
-  `before_face_removal()` for these faces. The vertex will be put in elsewhere, and keeps its handle, its id and the user's
-  data: `after_face_creation()` is called for its new faces later in the same call. If another vertex is at its new
-  position, `before_vertex_merge()` is called for it instead. A rebuild in between may rewrite all faces.
+  is called when vertex `v`, the vertex of the point with this id, is taken out of its faces because
+  it jumped, and after `before_face_removal()` for these faces. The vertex will be put in elsewhere,
+  and keeps its handle, its id and the user's data: `after_face_creation()` is called for its new
+  faces later in the same call. If another vertex is at its new position, `before_vertex_merge()` is
+  called for it instead. A rebuild in between may rewrite all faces.
   */
   template <class Dynamic>
-  void before_vertex_relocation(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id);
+  void before_vertex_relocation(const Dynamic& dt, typename Dynamic::Vertex_handle v,
+                                std::size_t id);
 
   /*!
-  is called before vertex `v`, the vertex of the point with this id, is removed because the point has come to the position
-  of another one, and after `before_face_removal()` for its faces. The point shares the vertex `stays` from now on.
+  is called before vertex `v`, the vertex of the point with this id, is removed because the point
+  has come to the position of another one, and after `before_face_removal()` for its faces. The
+  point shares the vertex `stays` from now on.
   */
   template <class Dynamic>
   void before_vertex_merge(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id,
                            typename Dynamic::Vertex_handle stays);
 
   /*!
-  is called when vertex `v` gets another representative: the point with the id `dt.id(v)`, which shared the vertex,
-  instead of the one with `id_before`, which leaves it.
+  is called when vertex `v` gets another representative: the point with the id `dt.id(v)`, which
+  shared the vertex, instead of the one with `id_before`, which leaves it.
   */
   template <class Dynamic>
   void after_id_change(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id_before);

@@ -5,23 +5,26 @@
 \ingroup PkgDynamicDelaunayTriangulation2Concepts
 \cgalConcept
 
-The traits define the points of a `CGAL::Dynamic_Delaunay_triangulation_2`, and the predicates on them. The points are
-triangulated in the plane of their `x()` and `y()`: traits that project onto another plane, such as
-`Projection_traits_yz_3`, are no models.
+The traits define the points of a `CGAL::Dynamic_Delaunay_triangulation_2`, and the predicates on
+them. The points are triangulated in the plane of their `x()` and `y()`: traits that project onto
+another plane, such as `Projection_traits_yz_3`, are no models.
 
-A point may contain more than its position, such as a height or a name. The triangulation ignores this data, and keeps it
-with the point: `CGAL::Dynamic_Delaunay_triangulation_2::point()` returns the whole point that the user gave last, and a
-vertex has the point of its representative, whose id is `CGAL::Dynamic_Delaunay_triangulation_2::id()`. Points *coincide*
-if they are equal in `x()` and `y()`, whatever else they contain. A frame in which only heights change breaks nothing.
+A point may contain more than its position, such as a height or a name. The triangulation ignores
+this data, and keeps it with the point: `CGAL::Dynamic_Delaunay_triangulation_2::point()` returns
+the whole point that the user gave last, and a vertex has the point of its representative, whose id
+is `CGAL::Dynamic_Delaunay_triangulation_2::id()`. Points *coincide* if they are equal in `x()` and
+`y()`, whatever else they contain. A frame in which only heights change breaks nothing.
 
-The fastest points are a kernel's `Point_2` with doubles for coordinates: they can be made from the flat arrays, and need
-no memory of their own. Other points are stored beside these arrays. If their coordinates are doubles, the
-floating-point filters decide nearly all signs just the same.
+The fastest points are a kernel's `Point_2` with doubles for coordinates: they can be made from the
+flat arrays, and need no memory of their own. Other points are stored beside these arrays. If their
+coordinates are doubles, the floating-point filters decide nearly all signs just the same.
 
-Checkpoints keep `x()` and `y()` only. Therefore `CGAL::Dynamic_Delaunay_triangulation_2::write_checkpoint()` and
-`CGAL::Dynamic_Delaunay_triangulation_2::read_checkpoint()` compile for a kernel's `Point_2` alone. Other parts of the
-package say on their pages if they require more, such as `CGAL::Delaunay_point_queries_2`.
-`CGAL::Relocation_repair_2` compares points by `==`, as CGAL does when it moves them.
+Checkpoints keep `x()` and `y()` only. Therefore
+`CGAL::Dynamic_Delaunay_triangulation_2::write_checkpoint()` and
+`CGAL::Dynamic_Delaunay_triangulation_2::read_checkpoint()` compile for a kernel's `Point_2` alone.
+Other parts of the package say on their pages if they require more, such as
+`CGAL::Delaunay_point_queries_2`. `CGAL::Relocation_repair_2` compares points by `==`, as CGAL does
+when it moves them.
 
 \cgalRefines{DelaunayTriangulationTraits_2}
 
@@ -37,10 +40,11 @@ class DynamicDelaunayTraits_2
 {
 public:
   /*!
-  the point type. It is default constructible, can be copied and assigned, and has member functions `x()` and `y()`.
-  `CGAL::to_double()` of their values returns the nearest double or one of its neighbors. If the values are not of the
-  type `double`, they also have `CGAL::to_interval()`; where both bounds of the interval are equal they are the coordinate.
-  The type has an `operator<<`, which CGAL uses in its messages about invalid points.
+  the point type. It is default constructible, can be copied and assigned, and has member functions
+  `x()` and `y()`. `CGAL::to_double()` of their values returns the nearest double or one of its
+  neighbors. If the values are not of the type `double`, they also have `CGAL::to_interval()`; where
+  both bounds of the interval are equal they are the coordinate. The type has an `operator<<`, which
+  CGAL uses in its messages about invalid points.
   */
   using Point_2 = unspecified_type;
 
@@ -60,7 +64,8 @@ public:
   using Orientation_2 = unspecified_type;
 
   /*!
-  the side of the circle through three points on which a fourth one is, by their `x()` and `y()`, exactly.
+  the side of the circle through three points on which a fourth one is, by their `x()` and `y()`,
+  exactly.
   */
   using Side_of_oriented_circle_2 = unspecified_type;
 };
