@@ -18,9 +18,7 @@
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
 using Dynamic_triangulation =
-    CGAL::Dynamic_Delaunay_triangulation_2<Kernel, CGAL::Circumcircle_classifier_2, CGAL::Default,
-                                           CGAL::Default, CGAL::Default,
-                                           CGAL::Edge_changes_visitor_2>;
+    CGAL::Dynamic_Delaunay_triangulation_with_visitor_2<Kernel, CGAL::Edge_changes_visitor_2>;
 
 int main()
 {

@@ -172,9 +172,13 @@ bool choose_what_is_done()
   using Classifier = CGAL::Point_distance_classifier_2;
   using Repair = CGAL::Border_splice_repair_2;
   using Policy = CGAL::Key_frame_policy_2;
-  CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, Repair, CGAL::Default, Policy> dt(
-      points.begin(), points.end(), Classifier(0.7), Repair(1), CGAL::Static_engines_2(),
-      Policy(10)); // every tenth frame is triangulated anew, and so certified
+  using Triangulation =
+      CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, Repair, CGAL::Default, Policy>;
+  Triangulation::Settings settings;
+  settings.classifier = Classifier(0.7);
+  settings.repair = Repair(1);
+  settings.policy = Policy(10); // every tenth frame is triangulated anew, and so certified
+  Triangulation dt(points.begin(), points.end(), settings);
   //! [choices]
   for (int frame = 1; frame <= 10; ++frame)
     dt.update(points.begin(), points.end());

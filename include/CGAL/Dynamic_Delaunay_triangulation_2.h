@@ -14,18 +14,19 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_update_visitor_base_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_file_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_writer_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_reader_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_writer_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Update_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Validity_check_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_vertex_base_2.h>
 #include <CGAL/Dynamic_frame_2.h>
+#include <CGAL/Dynamic_triangulation_settings_2.h>
 #include <CGAL/Flip_and_splice_repair_2.h>
 #include <CGAL/inform_classifier.h>
 #include <CGAL/property_map.h>
@@ -139,6 +140,9 @@ public:
   using Delaunay_update_policy = Policy;
   /// the visitor.
   using Delaunay_update_visitor = Chosen_visitor;
+  /// what a triangulation works with, as one object.
+  using Settings = Dynamic_triangulation_settings_2<Chosen_classifier, Delaunay_repair, Policy,
+                                                    Chosen_visitor, ConcurrencyTag>;
   /// whether work is shared among threads.
   using Concurrency_tag = ConcurrencyTag;
   /// the CGAL triangulation that is maintained.
@@ -162,24 +166,27 @@ public:
   /// \name Creation
   /// @{
 
-  /// an empty triangulation, with a classifier and a repair by default.
+  /// an empty triangulation.
   Dynamic_Delaunay_triangulation_2()
-    : Dynamic_Delaunay_triangulation_2(default_classifier())
+    : Dynamic_Delaunay_triangulation_2(Settings())
   {
   }
 
-  /// an empty triangulation.
-  explicit Dynamic_Delaunay_triangulation_2(
-      const Delaunay_classifier& classifier, const Delaunay_repair& repair = Delaunay_repair(),
-      const Static_engines_2& engines = {}, const Policy& policy = Policy(),
-      const Delaunay_update_visitor& visitor = Delaunay_update_visitor())
-    : m_classifier(classifier)
-    , m_repair(repair)
-    , m_policy(policy)
-    , m_visitor(visitor)
+  /// an empty triangulation with a classifier.
+  explicit Dynamic_Delaunay_triangulation_2(const Delaunay_classifier& classifier)
+    : Dynamic_Delaunay_triangulation_2(Settings{classifier})
+  {
+  }
+
+  /// an empty triangulation with these settings.
+  explicit Dynamic_Delaunay_triangulation_2(const Settings& settings)
+    : m_classifier(settings.classifier)
+    , m_repair(settings.repair)
+    , m_policy(settings.policy)
+    , m_visitor(settings.visitor)
     , m_core(std::make_unique<Core>())
   {
-    m_core->update.tools().set_engines(engines);
+    m_core->update.tools().set_engines(settings.engines);
   }
 
   /// triangulates the points of the range; the i-th one has id i. Cost: O(n log n); about that of
@@ -188,27 +195,30 @@ public:
   /// \throws Coordinate_range_error_2 if a coordinate is too large for this program.
   template <class InputIterator>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond)
-    : Dynamic_Delaunay_triangulation_2(first, beyond, Identity_map(), default_classifier())
+    : Dynamic_Delaunay_triangulation_2(first, beyond, Identity_map(), Settings())
   {
   }
 
-  /// the same for a range as a whole: anything with `begin()` and `end()`.
+  /// the same with a classifier.
+  template <class InputIterator>
+  Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
+                                   const Delaunay_classifier& classifier)
+    : Dynamic_Delaunay_triangulation_2(first, beyond, Identity_map(), Settings{classifier})
+  {
+  }
+
+  /// the same with these settings. The visitor is copied, and told of all vertices and faces.
+  template <class InputIterator>
+  Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
+                                   const Settings& settings)
+    : Dynamic_Delaunay_triangulation_2(first, beyond, Identity_map(), settings)
+  {
+  }
+
+  /// triangulates the points of a range as a whole: anything with `begin()` and `end()`.
   template <class Range, class = If_range<Range>>
   explicit Dynamic_Delaunay_triangulation_2(const Range& points)
     : Dynamic_Delaunay_triangulation_2(std::begin(points), std::end(points))
-  {
-  }
-
-  /// the same, with a classifier, a repair, the engines that triangulate anew, a policy, and a
-  /// visitor. The visitor is copied, and told of all vertices and faces.
-  template <class InputIterator>
-  Dynamic_Delaunay_triangulation_2(
-      InputIterator first, InputIterator beyond, const Delaunay_classifier& classifier,
-      const Delaunay_repair& repair = Delaunay_repair(), const Static_engines_2& engines = {},
-      const Policy& policy = Policy(),
-      const Delaunay_update_visitor& visitor = Delaunay_update_visitor())
-    : Dynamic_Delaunay_triangulation_2(first, beyond, Identity_map(), classifier, repair, engines,
-                                       policy, visitor)
   {
   }
 
@@ -219,22 +229,49 @@ public:
   template <class InputIterator, class PointMap,
             class = typename boost::property_traits<PointMap>::key_type>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond, PointMap point_map)
-    : Dynamic_Delaunay_triangulation_2(first, beyond, point_map, default_classifier())
+    : Dynamic_Delaunay_triangulation_2(first, beyond, point_map, Settings())
   {
   }
 
-  /// the same, with a classifier, a repair, the engines that triangulate anew, a policy, and a
-  /// visitor.
+  /// the same with a classifier.
   template <class InputIterator, class PointMap,
             class = typename boost::property_traits<PointMap>::key_type>
-  Dynamic_Delaunay_triangulation_2(
-      InputIterator first, InputIterator beyond, PointMap point_map,
-      const Delaunay_classifier& classifier, const Delaunay_repair& repair = Delaunay_repair(),
-      const Static_engines_2& engines = {}, const Policy& policy = Policy(),
-      const Delaunay_update_visitor& visitor = Delaunay_update_visitor())
-    : Dynamic_Delaunay_triangulation_2(classifier, repair, engines, policy, visitor)
+  Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond, PointMap point_map,
+                                   const Delaunay_classifier& classifier)
+    : Dynamic_Delaunay_triangulation_2(first, beyond, point_map, Settings{classifier})
+  {
+  }
+
+  /// the same with these settings.
+  template <class InputIterator, class PointMap,
+            class = typename boost::property_traits<PointMap>::key_type>
+  Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond, PointMap point_map,
+                                   const Settings& settings)
+    : Dynamic_Delaunay_triangulation_2(settings)
   {
     insert(first, beyond, point_map, Emptyset_iterator());
+  }
+
+  /// copies everything: points, ids, topology, numbers, what the user keeps in vertices and faces,
+  /// and whether it is certified. The same calls then have the same results for both. Classifier,
+  /// repair, policy and visitor are copied; the visitor is told nothing of it. Vertices and faces
+  /// have handles of their own, and the sets of the last update are empty. Cost: linear.
+  Dynamic_Delaunay_triangulation_2(const Dynamic_Delaunay_triangulation_2& other)
+    : m_classifier(other.m_classifier)
+    , m_repair(other.m_repair)
+    , m_policy(other.m_policy)
+    , m_visitor(other.m_visitor)
+    , m_core(std::make_unique<Core>())
+    , m_is_classifier_informed(other.m_is_classifier_informed)
+  {
+    m_core->update.copy(other.m_core->maintained, other.m_core->update);
+  }
+  /// the same. If it throws, nothing has changed.
+  Dynamic_Delaunay_triangulation_2& operator=(const Dynamic_Delaunay_triangulation_2& other)
+  {
+    Dynamic_Delaunay_triangulation_2 copy(other);
+    swap(copy);
+    return *this;
   }
 
   /// takes everything from another one, which is an empty triangulation then, with the same
@@ -249,13 +286,25 @@ public:
   Dynamic_Delaunay_triangulation_2& operator=(Dynamic_Delaunay_triangulation_2&& other)
   {
     Dynamic_Delaunay_triangulation_2 taken(std::move(other));
-    m_classifier = std::move(taken.m_classifier);
-    m_repair = std::move(taken.m_repair);
-    m_policy = std::move(taken.m_policy);
-    m_visitor = std::move(taken.m_visitor);
-    m_core = std::move(taken.m_core);
-    m_is_classifier_informed = taken.m_is_classifier_informed;
+    swap(taken);
     return *this;
+  }
+
+  /// exchanges everything with another one. Vertices and faces stay where they are in memory.
+  void swap(Dynamic_Delaunay_triangulation_2& other)
+  {
+    using std::swap;
+    swap(m_classifier, other.m_classifier);
+    swap(m_repair, other.m_repair);
+    swap(m_policy, other.m_policy);
+    swap(m_visitor, other.m_visitor);
+    swap(m_core, other.m_core);
+    swap(m_is_classifier_informed, other.m_is_classifier_informed);
+  }
+  /// the same as `a.swap(b)`.
+  friend void swap(Dynamic_Delaunay_triangulation_2& a, Dynamic_Delaunay_triangulation_2& b)
+  {
+    a.swap(b);
   }
 
   /// @}
@@ -712,14 +761,6 @@ private:
   static_assert(!is_parallel, "Parallel_tag needs TBB: link with CGAL::TBB_support");
 #endif
 
-  static Delaunay_classifier default_classifier()
-  {
-    if constexpr (is_parallel && std::is_constructible_v<Delaunay_classifier, Parallel_tag>)
-      return Delaunay_classifier(Parallel_tag());
-    else
-      return Delaunay_classifier();
-  }
-
   static constexpr std::string_view checkpoint_subject = "Dynamic_Delaunay_triangulation_2";
 
   // What must not move in memory: its parts refer to each other.
@@ -829,6 +870,16 @@ private:
   std::unique_ptr<Core> m_core;
   bool m_is_classifier_informed = true;
 };
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Ref
+
+A `Dynamic_Delaunay_triangulation_2` with a visitor, a model of `DelaunayUpdateVisitor_2`, and
+everything else by default.
+*/
+template <class Traits, class Visitor, class Classifier = Circumcircle_classifier_2>
+using Dynamic_Delaunay_triangulation_with_visitor_2 =
+    Dynamic_Delaunay_triangulation_2<Traits, Classifier, Default, Default, Default, Visitor>;
 
 } // namespace CGAL
 

@@ -126,6 +126,31 @@ TEST_F(Predicates, of_the_orientation_claim_nothing_where_their_bound_underflows
   }
 }
 
+// Some terms of the in-circle determinant overflow and others do not, and the square of s does.
+TEST_F(Predicates, of_nearly_cocircular_points_claim_nothing_where_terms_overflow)
+{
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> number(0, 1);
+  std::size_t convex = 0;
+  for (int i = 0; i < 50000; ++i) {
+    const double radius = std::ldexp(1 + number(random), 254 + int(random() % 3));
+    Quadruple q;
+    for (Position_2& p : q) {
+      const double angle = 6.283185307179586 * number(random);
+      const double length = radius * (1 + 1e-3 * (number(random) - 0.5));
+      p = {length * std::cos(angle), length * std::sin(angle)};
+    }
+    const Signs signs(q);
+    if (!signs.are_counterclockwise())
+      continue;
+    ++convex;
+    const internal::Edge_filter_2 filter({q[0], q[1], q[2], q[3]});
+    ASSERT_TRUE(!filter.proves_delaunay() || signs.side < 0) << text(q);
+    ASSERT_TRUE(!filter.proves_illegal() || signs.side > 0) << text(q);
+  }
+  EXPECT_GT(convex, 1000u);
+}
+
 TEST_F(Predicates, of_four_edges_at_once_claim_nothing_wrong_for_any_finite_doubles)
 {
   Quadruples quadruples(3);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Points come from anything that C++ calls a range, whatever its iterators keep, make or refer to;
-// wrong uses are refused, and whatever object was moved from works.
+// wrong uses are refused.
 
 #include "../../benchmark/Dynamic_Delaunay_triangulation_2/robustness/Arithmetic.h"
 #include "oracle.h"
@@ -338,85 +338,6 @@ TEST(Ranges, are_taken_as_a_whole)
   EXPECT_TRUE(people.update(crowd).certified);
   people.move(std::vector<std::pair<int, Point>>{{9, {0.25, 0}}});
   EXPECT_EQ(people.point(9), Point(0.25, 0));
-}
-
-// OBJECTS THAT WERE MOVED FROM --------------------------------------------------------------------
-
-template <class Classifier>
-void expect_to_work_after_a_move(const Classifier& classifier, std::size_t size = number)
-{
-  using Moved = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier>;
-  Cloud<Epick> cloud(6);
-  Points points = cloud.uniform(size), others = cloud.uniform(size - 40);
-  Moved dt(points.begin(), points.end(), classifier);
-  for (int frame = 0; frame < 20; ++frame) { // until a classifier knows the points
-    cloud.shake(points, 1e-5);
-    dt.update(points);
-  }
-  const auto vertex = dt.vertex(3);
-  Moved target(std::move(dt));
-  EXPECT_EQ(target.vertex(3), vertex);
-  ASSERT_NO_FATAL_FAILURE(expect_valid(target, points));
-  EXPECT_EQ(dt.number_of_points(), 0u);
-  EXPECT_TRUE(dt.is_valid(true));
-  EXPECT_THROW(dt.update(points), CGAL::Point_count_error_2);
-  std::vector<std::size_t> ids;
-  dt.insert(others, std::back_inserter(ids));
-  for (int frame = 0; frame < 20; ++frame) {
-    cloud.shake(others, 1e-3);
-    dt.update(others);
-    cloud.shake(points, 1e-3);
-    target.update(points);
-  }
-  dt.mend();
-  target.mend();
-  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, others));
-  ASSERT_NO_FATAL_FAILURE(expect_exact(target, points));
-  dt = std::move(target);
-  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
-  EXPECT_EQ(target.number_of_points(), 0u);
-}
-
-TEST(Objects, that_were_moved_from_are_empty_and_work)
-{
-  ASSERT_NO_FATAL_FAILURE(expect_to_work_after_a_move(CGAL::Circumcircle_classifier_2()));
-  ASSERT_NO_FATAL_FAILURE(expect_to_work_after_a_move(CGAL::Point_distance_classifier_2(0.5)));
-#ifdef CGAL_LINKED_WITH_TBB
-  ASSERT_NO_FATAL_FAILURE(expect_to_work_after_a_move(CGAL::Circumcircle_classifier_2(2), 8000));
-#endif
-}
-
-TEST(Objects, that_are_moved_to_themselves_stay_as_they_are)
-{
-  Cloud<Epick> cloud(7);
-  Points points = cloud.uniform(number);
-  Dynamic dt(points);
-  Dynamic& same = dt;
-  for (int frame = 0; frame < 20; ++frame) {
-    cloud.shake(points, 1e-5);
-    dt.update(points);
-    dt = std::move(same);
-  }
-  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
-}
-
-TEST(Objects, that_are_populations_can_be_moved)
-{
-  Population people;
-  std::vector<std::pair<int, Point>> crowd = {{9, {0, 0}}, {4, {1, 0}}, {7, {0, 1}}, {1, {3, 3}}};
-  people.update(crowd);
-  Population target(std::move(people));
-  EXPECT_EQ(target.size(), 4u);
-  EXPECT_EQ(people.size(), 0u);
-  EXPECT_FALSE(people.has(9));
-  crowd.pop_back();
-  people.update(crowd);
-  target.update(crowd);
-  for (const Population* each : {&people, &target}) {
-    EXPECT_EQ(each->size(), 3u);
-    EXPECT_EQ(each->point(4), Point(1, 0));
-    EXPECT_TRUE(each->triangulation().is_valid(true));
-  }
 }
 
 // WRONG USES --------------------------------------------------------------------------------------

@@ -41,8 +41,9 @@ Triangulation<Policy, Classifier, Repair> triangulation(const Points& points, co
                                                         const Classifier& classifier = Classifier())
 {
   using Result = Triangulation<Policy, Classifier, Repair>;
-  return Result(points.begin(), points.end(), classifier, typename Result::Delaunay_repair(),
-                CGAL::Static_engines_2(), policy);
+  typename Result::Settings settings{classifier};
+  settings.policy = policy;
+  return Result(points.begin(), points.end(), settings);
 }
 
 template <class Dynamic>

@@ -216,8 +216,9 @@ template <class Kernel>
 Exact<Kernel> triangulated(const std::vector<typename Kernel::Point_2>& points,
                            const Static_engines_2& engines)
 {
-  return Exact<Kernel>(points.begin(), points.end(), Circumcircle_classifier_2(),
-                       CGAL::Flip_and_splice_repair_2(), engines);
+  typename Exact<Kernel>::Settings settings;
+  settings.engines = engines;
+  return Exact<Kernel>(points.begin(), points.end(), settings);
 }
 
 template <class Kernel>
@@ -234,9 +235,9 @@ std::size_t expect_exact_by_regions(Static_engine_2 engine,
                                     const std::vector<typename Kernel::Point_2>& points,
                                     double share = 0.01)
 {
-  Spliced<Kernel> dt(points.begin(), points.end(), Random_classifier_2(share, 3),
-                     Border_splice_repair_2(),
-                     Static_engines_2{Static_engine_2::INSERTION, engine});
+  typename Spliced<Kernel>::Settings settings{Random_classifier_2(share, 3)};
+  settings.engines = {Static_engine_2::INSERTION, engine};
+  Spliced<Kernel> dt(points.begin(), points.end(), settings);
   std::size_t splices = 0;
   for (int frame = 0; frame < 3; ++frame) {
     splices += dt.update(points.begin(), points.end()).splices;
@@ -251,8 +252,9 @@ void expect_exact_after_exchanges(Static_engine_2 engine, const Points& points)
 {
   using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Circumcircle_classifier_2,
                                                          Border_splice_repair_2>;
-  Dynamic dt(points.begin(), points.end(), Circumcircle_classifier_2(), Border_splice_repair_2(),
-             Static_engines_2{Static_engine_2::INSERTION, engine});
+  Dynamic::Settings settings;
+  settings.engines = {Static_engine_2::INSERTION, engine};
+  Dynamic dt(points.begin(), points.end(), settings);
   Points exchanged = points;
   std::size_t edges = 0;
   dt.for_each_edge([&](std::size_t i, std::size_t j) {
@@ -460,8 +462,9 @@ TEST_P(Static_engines, keep_the_representatives_of_coincident_points_through_reb
   for (const int bound : {0, 1, 2, 4, 12}) {
     SCOPED_TRACE(bound);
     Points points = on_lattice(80, bound, 1, random);
-    Dynamic dt(points.begin(), points.end(), Circumcircle_classifier_2(), CGAL::Rebuild_repair_2(),
-               Static_engines_2{GetParam(), GetParam()});
+    Dynamic::Settings settings;
+    settings.engines = {GetParam(), GetParam()};
+    Dynamic dt(points.begin(), points.end(), settings);
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
     for (int frame = 0; frame < 20; ++frame) {
       const auto representatives = representatives_of(dt);
@@ -521,8 +524,10 @@ Work_done follow(const Static_engines_2& engines, double step, bool with_jumps)
 {
   Cloud<Epick> cloud(9);
   Points points = cloud.uniform(500);
-  CGAL::Dynamic_Delaunay_triangulation_2<Epick, Circumcircle_classifier_2, Repair> dt(
-      points.begin(), points.end(), Circumcircle_classifier_2(), Repair(), engines);
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Circumcircle_classifier_2, Repair>;
+  typename Dynamic::Settings settings;
+  settings.engines = engines;
+  Dynamic dt(points.begin(), points.end(), settings);
   Work_done done;
   for (int frame = 0; frame < 8; ++frame) {
     cloud.shake(points, step);
@@ -559,9 +564,11 @@ TEST_P(Engine_pairs, stay_exact_when_points_jump)
 TEST_P(Engine_pairs, stay_exact_when_one_point_crosses_many_others)
 {
   Points points = Cloud<Epick>::grid(24, 24);
-  CGAL::Dynamic_Delaunay_triangulation_2<Epick, Circumcircle_classifier_2, Border_splice_repair_2>
-      dt(points.begin(), points.end(), Circumcircle_classifier_2(), Border_splice_repair_2(),
-         engines());
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Circumcircle_classifier_2,
+                                                         Border_splice_repair_2>;
+  Dynamic::Settings settings;
+  settings.engines = engines();
+  Dynamic dt(points.begin(), points.end(), settings);
   std::size_t splices = 0;
   for (int frame = 0; frame < 5; ++frame) { // onto lines of the grid, and between them
     points[250] = Epick::Point_2(3 + 2.5 * frame, 12 + 0.25 * frame);

@@ -418,7 +418,7 @@ void leap_and_step(const Repair& repair)
   Points points = cloud.uniform(150);
   const Audited<CGAL::Safe_region_classifier_2> classifier;
   Triangulation<Audited<CGAL::Safe_region_classifier_2>, Repair> dt(points.begin(), points.end(),
-                                                                    classifier, repair);
+                                                                    {classifier, repair});
   const auto neighbor = [&](std::size_t id) {
     std::vector<std::size_t> neighbors;
     const auto frame = dt.frame();

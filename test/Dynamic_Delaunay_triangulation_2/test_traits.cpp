@@ -58,8 +58,9 @@ struct Exact
   static Dynamic triangulation(const std::vector<typename Traits::Point_2>& points,
                                const CGAL::Static_engines_2& engines)
   {
-    return Dynamic(points.begin(), points.end(), CGAL::Circumcircle_classifier_2(),
-                   CGAL::Flip_and_splice_repair_2(), engines);
+    typename Dynamic::Settings settings;
+    settings.engines = engines;
+    return Dynamic(points.begin(), points.end(), settings);
   }
 };
 
@@ -72,9 +73,9 @@ struct Plain
   static Dynamic triangulation(const std::vector<Epick::Point_2>& points,
                                const CGAL::Static_engines_2& engines)
   {
-    return Dynamic(points.begin(), points.end(), Classifier_archetype::make(),
-                   Repair_archetype::make(), engines, Policy_archetype::make(),
-                   Visitor_archetype::make());
+    const Dynamic::Settings settings{Classifier_archetype::make(), Repair_archetype::make(),
+                                     engines, Policy_archetype::make(), Visitor_archetype::make()};
+    return Dynamic(points.begin(), points.end(), settings);
   }
   static Epick::Point_2 at(double x, double y, int) { return {x, y}; }
   static int mark(const Epick::Point_2&) { return 0; }

@@ -53,8 +53,10 @@ public:
   {
   }
 
+  const Static_engines_2& engines() const { return m_engines; }
   void set_engines(const Static_engines_2& engines)
   {
+    m_engines = engines;
     m_builder.set_engine(engines.whole);
     m_splice.set_engine(engines.region);
   }
@@ -440,6 +442,7 @@ private:
   }
 
   const Maintained& m_maintained;
+  Static_engines_2 m_engines;
   Editor m_editor;
   Topology_builder_2<Maintained> m_builder;
   Traffic m_traffic;

@@ -246,6 +246,44 @@ public:
     restore_numbers(kept);
   }
 
+  // Makes the triangulation, which must be empty, a copy of another one, with everything that users
+  // keep in vertices and faces; the visitor is told nothing. If it throws, the triangulation can
+  // only be thrown away.
+  void copy(const Maintained& other)
+  {
+    CGAL_precondition(m_maintained.number_of_vertices() == 0);
+    auto& tds = m_topology.m_triangulation.tds();
+    drop_faces(0);
+    m_topology.m_faces.reserve(other.faces().size());
+    m_topology.m_vertices.reserve(other.vertices().size());
+    Unique_hash_map<Face_handle, Index> number_of_face(no_index, other.faces().size());
+    for (std::size_t f = 0; f < other.faces().size(); ++f) {
+      number_of_face[other.faces()[f]] = Index(f);
+      m_topology.m_faces.push_back(tds.create_face(other.faces()[f]));
+    }
+    *m_topology.m_vertices.front() = *other.vertices().front();
+    for (Index v = 1; v < Index(other.vertices().size()); ++v)
+      m_topology.m_vertices.push_back(tds.create_vertex(other.vertices()[v]));
+    tds.set_dimension(other.triangulation().dimension());
+    const auto copy_of_face = [&](Face_handle f) {
+      return f == Face_handle() ? f : m_topology.m_faces[number_of_face[f]];
+    };
+    const auto copy_of_vertex = [&](Vertex_handle v) {
+      return v == Vertex_handle() ? v : m_topology.m_vertices[v->mirror_index()];
+    };
+    for (std::size_t f = 0; f < other.faces().size(); ++f)
+      for (int i = 0; i < 3; ++i) {
+        m_topology.m_faces[f]->set_vertex(i, copy_of_vertex(other.faces()[f]->vertex(i)));
+        m_topology.m_faces[f]->set_neighbor(i, copy_of_face(other.faces()[f]->neighbor(i)));
+      }
+    for (std::size_t v = 0; v < other.vertices().size(); ++v)
+      m_topology.m_vertices[v]->set_face(copy_of_face(other.vertices()[v]->face()));
+    m_topology.m_mirror = other.mirror();
+    m_topology.m_ids = other.ids();
+    m_topology.m_changes = other.changes();
+    m_positions = other.m_positions;
+  }
+
   // Takes all that another one has, and gives it its own. The user's visitor stays. Throws nothing.
   void exchange(Maintained& other)
   {

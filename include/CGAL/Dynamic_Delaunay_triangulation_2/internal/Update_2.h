@@ -53,6 +53,14 @@ public:
   bool is_certified() const { return m_is_certified; }
   const Repair_experience_2& experience() const { return m_experience; }
 
+  // Makes the empty triangulation a copy of another one, which is in the state of `update`.
+  void copy(const Maintained& other, const Update_2& update)
+  {
+    m_tools.builder().copy(other);
+    m_tools.set_engines(update.m_tools.engines());
+    restore(update.m_is_certified, update.m_experience);
+  }
+
   // After a checkpoint has been read.
   void restore(bool is_certified, const Repair_experience_2& experience)
   {

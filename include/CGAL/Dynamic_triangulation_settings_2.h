@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_TRIANGULATION_SETTINGS_2_H
+#define CGAL_DYNAMIC_TRIANGULATION_SETTINGS_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Static_engine_2.h>
+#include <CGAL/tags.h>
+
+#include <type_traits>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Ref
+
+What a triangulation works with: one object, in which a program sets what it wants and leaves the
+rest as it is. `Dynamic_Delaunay_triangulation_2::Settings` names it for a triangulation:
+
+\code
+Triangulation::Settings settings;
+settings.engines.whole = CGAL::Static_engine_2::INSERTION;
+settings.policy = CGAL::Key_frame_policy_2(100);
+Triangulation dt(points.begin(), points.end(), settings);
+\endcode
+
+\tparam Classifier, Repair, UpdatePolicy, Visitor as those of `Dynamic_Delaunay_triangulation_2`.
+  One that cannot be made by default has to be given when the settings are made, in the order of the
+  members: `Settings settings{classifier, repair, engines, policy, visitor}`.
+\tparam ConcurrencyTag with `Parallel_tag` the classifier is made so that it uses all threads of the
+  machine, if it can.
+*/
+template <class Classifier, class Repair, class UpdatePolicy, class Visitor, class ConcurrencyTag>
+struct Dynamic_triangulation_settings_2
+{
+  /// the classifier.
+  Classifier classifier = default_classifier();
+  /// the repair.
+  Repair repair = Repair();
+  /// which engines triangulate from scratch.
+  Static_engines_2 engines = Static_engines_2();
+  /// the update policy.
+  UpdatePolicy policy = UpdatePolicy();
+  /// the visitor.
+  Visitor visitor = Visitor();
+
+  /// the classifier that is used if none is given.
+  static Classifier default_classifier()
+  {
+    constexpr bool is_parallel = std::is_convertible_v<ConcurrencyTag, Parallel_tag>;
+    if constexpr (is_parallel && std::is_constructible_v<Classifier, Parallel_tag>)
+      return Classifier(Parallel_tag());
+    else
+      return Classifier();
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_TRIANGULATION_SETTINGS_2_H

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Not one of the statements below must compile: nobody but the editor and the builder writes
+// topology, and nobody but the input frame and these two writes positions.
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+namespace internal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Tds = CGAL::Triangulation_data_structure_2<
+    CGAL::Dynamic_Delaunay_triangulation_vertex_base_2<Kernel>,
+    CGAL::Triangulation_face_base_2<Kernel>>;
+struct Silent_calls
+{
+  static constexpr bool is_heard = false;
+};
+using Maintained = internal::Maintained_triangulation_2<Kernel, Tds, Silent_calls>;
+using Positions = Maintained::Positions;
+using Topology = Maintained::Topology;
+
+// Even with objects that it may change.
+void write(Maintained& maintained, Topology& topology, Positions& positions,
+           internal::Neighborhood_mirror_2& mirror)
+{
+  maintained.m_topology;
+  topology.m_triangulation.tds().create_vertex();
+  topology.m_vertices.clear();
+  topology.m_ids.reset(0);
+  topology.m_changes.new_edges.clear();
+  internal::Input_frame_2<Maintained>::Key();
+  mirror.flip(0);
+  positions.stage(1, Kernel::Point_2(0, 0));
+  maintained.triangulation().tds().create_vertex();
+}

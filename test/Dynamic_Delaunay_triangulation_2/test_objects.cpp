@@ -1,0 +1,229 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Objects can be moved, copied and swapped; whatever is left works.
+
+#include "oracle.h"
+
+#include <CGAL/Dynamic_population_2.h>
+#include <CGAL/Point_distance_classifier_2.h>
+#include <CGAL/Safe_region_classifier_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <cstddef>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Point = Epick::Point_2;
+using Points = std::vector<Point>;
+using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
+using Population = CGAL::Dynamic_population_2<Dynamic>;
+
+constexpr std::size_t number = 500;
+
+// All that makes a difference to what comes.
+template <class Triangulation>
+std::string checkpoint_of(const Triangulation& dt)
+{
+  std::ostringstream out;
+  dt.write_checkpoint(out);
+  return out.str();
+}
+
+// OBJECTS THAT WERE MOVED FROM --------------------------------------------------------------------
+
+template <class Classifier>
+void expect_to_work_after_a_move(const Classifier& classifier, std::size_t size = number)
+{
+  using Moved = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier>;
+  Cloud<Epick> cloud(6);
+  Points points = cloud.uniform(size), others = cloud.uniform(size - 40);
+  Moved dt(points.begin(), points.end(), classifier);
+  for (int frame = 0; frame < 20; ++frame) { // until a classifier knows the points
+    cloud.shake(points, 1e-5);
+    dt.update(points);
+  }
+  const auto vertex = dt.vertex(3);
+  Moved target(std::move(dt));
+  EXPECT_EQ(target.vertex(3), vertex);
+  ASSERT_NO_FATAL_FAILURE(expect_valid(target, points));
+  EXPECT_EQ(dt.number_of_points(), 0u);
+  EXPECT_TRUE(dt.is_valid(true));
+  EXPECT_THROW(dt.update(points), CGAL::Point_count_error_2);
+  std::vector<std::size_t> ids;
+  dt.insert(others, std::back_inserter(ids));
+  for (int frame = 0; frame < 20; ++frame) {
+    cloud.shake(others, 1e-3);
+    dt.update(others);
+    cloud.shake(points, 1e-3);
+    target.update(points);
+  }
+  dt.mend();
+  target.mend();
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, others));
+  ASSERT_NO_FATAL_FAILURE(expect_exact(target, points));
+  dt = std::move(target);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  EXPECT_EQ(target.number_of_points(), 0u);
+}
+
+TEST(Objects, that_were_moved_from_are_empty_and_work)
+{
+  ASSERT_NO_FATAL_FAILURE(expect_to_work_after_a_move(CGAL::Circumcircle_classifier_2()));
+  ASSERT_NO_FATAL_FAILURE(expect_to_work_after_a_move(CGAL::Point_distance_classifier_2(0.5)));
+#ifdef CGAL_LINKED_WITH_TBB
+  ASSERT_NO_FATAL_FAILURE(expect_to_work_after_a_move(CGAL::Circumcircle_classifier_2(2), 8000));
+#endif
+}
+
+TEST(Objects, that_are_moved_to_themselves_stay_as_they_are)
+{
+  Cloud<Epick> cloud(7);
+  Points points = cloud.uniform(number);
+  Dynamic dt(points);
+  Dynamic& same = dt;
+  for (int frame = 0; frame < 20; ++frame) {
+    cloud.shake(points, 1e-5);
+    dt.update(points);
+    dt = std::move(same);
+  }
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+}
+
+TEST(Objects, that_are_populations_can_be_moved)
+{
+  Population people;
+  std::vector<std::pair<int, Point>> crowd = {{9, {0, 0}}, {4, {1, 0}}, {7, {0, 1}}, {1, {3, 3}}};
+  people.update(crowd);
+  Population target(std::move(people));
+  EXPECT_EQ(target.size(), 4u);
+  EXPECT_EQ(people.size(), 0u);
+  EXPECT_FALSE(people.has(9));
+  crowd.pop_back();
+  people.update(crowd);
+  target.update(crowd);
+  for (const Population* each : {&people, &target}) {
+    EXPECT_EQ(each->size(), 3u);
+    EXPECT_EQ(each->point(4), Point(1, 0));
+    EXPECT_TRUE(each->triangulation().is_valid(true));
+  }
+}
+
+// COPIES ------------------------------------------------------------------------------------------
+
+// Both go on from the same state, alike if they are asked the same, and apart if not.
+template <class Classifier>
+void expect_copies_to_go_on(const Classifier& classifier)
+{
+  using Copied = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier>;
+  Cloud<Epick> cloud(8);
+  Points points = cloud.uniform(number);
+  points[5] = points[2]; // a duplicate
+  Copied dt(points.begin(), points.end(), classifier);
+  dt.remove(7);
+  for (int frame = 0; frame < 20; ++frame) {
+    cloud.shake(points, 1e-5);
+    points[5] = points[2];
+    dt.update(points);
+  }
+  const std::string state = checkpoint_of(dt);
+  Copied copy = dt;
+  EXPECT_EQ(checkpoint_of(copy), state);
+  EXPECT_TRUE(copy.is_valid(true));
+  EXPECT_NE(&*copy.vertex(3), &*dt.vertex(3));
+  for (int frame = 0; frame < 20; ++frame) {
+    cloud.shake(points, 1e-3);
+    const auto report = dt.update(points), report_of_copy = copy.update(points);
+    ASSERT_EQ(report.classified, report_of_copy.classified);
+    ASSERT_EQ(report.flips, report_of_copy.flips);
+    ASSERT_EQ(checkpoint_of(copy), checkpoint_of(dt));
+  }
+  const std::string before = checkpoint_of(dt);
+  copy.insert(Point(0.5, 0.5));
+  EXPECT_EQ(checkpoint_of(dt), before);
+  dt = copy;
+  EXPECT_EQ(checkpoint_of(dt), checkpoint_of(copy));
+  EXPECT_TRUE(dt.is_valid(true));
+}
+
+TEST(Objects, that_are_copied_go_on_like_the_original)
+{
+  ASSERT_NO_FATAL_FAILURE(expect_copies_to_go_on(CGAL::Circumcircle_classifier_2()));
+  ASSERT_NO_FATAL_FAILURE(expect_copies_to_go_on(CGAL::Safe_region_classifier_2()));
+  ASSERT_NO_FATAL_FAILURE(expect_copies_to_go_on(CGAL::Point_distance_classifier_2(0.5)));
+}
+
+TEST(Objects, that_do_not_span_the_plane_are_copied)
+{
+  const Points line = {{0, 0}, {1, 0}, {2, 0}, {3, 0}};
+  for (std::size_t size = 0; size <= line.size(); ++size) {
+    const Points points(line.begin(), line.begin() + std::ptrdiff_t(size));
+    const Dynamic dt(points);
+    Dynamic copy = dt;
+    EXPECT_TRUE(copy.is_valid(true));
+    EXPECT_EQ(checkpoint_of(copy), checkpoint_of(dt));
+    EXPECT_EQ(copy.insert(Point(1, 1)), size);
+    Points more = points;
+    more.push_back({1, 1});
+    ASSERT_NO_FATAL_FAILURE(expect_exact(copy, more));
+  }
+}
+
+TEST(Objects, that_are_copied_take_along_what_users_keep_in_vertices_and_faces)
+{
+  using Vb = CGAL::Triangulation_vertex_base_with_info_2<
+      int, Epick, CGAL::Dynamic_Delaunay_triangulation_vertex_base_2<Epick>>;
+  using Fb = CGAL::Triangulation_face_base_with_info_2<int, Epick>;
+  using Tds = CGAL::Triangulation_data_structure_2<Vb, Fb>;
+  using Informed = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default, CGAL::Default, Tds>;
+  Cloud<Epick> cloud(9);
+  const Points points = cloud.uniform(number);
+  Informed dt(points);
+  for (std::size_t id = 0; id < points.size(); ++id)
+    dt.vertex(id)->info() = int(id);
+  int sum = 0;
+  for (const auto f : dt.triangulation().finite_face_handles())
+    sum += f->info() = f->vertex(0)->info() + 1;
+  const Informed copy = dt;
+  for (std::size_t id = 0; id < points.size(); ++id)
+    EXPECT_EQ(copy.vertex(id)->info(), int(id));
+  for (const auto f : copy.triangulation().finite_face_handles()) {
+    EXPECT_EQ(f->info(), f->vertex(0)->info() + 1);
+    sum -= f->info();
+  }
+  EXPECT_EQ(sum, 0);
+}
+
+TEST(Objects, that_are_swapped_exchange_everything)
+{
+  Cloud<Epick> cloud(10);
+  const Points points = cloud.uniform(number), few = cloud.uniform(5);
+  Dynamic dt(points), other(few);
+  const auto vertex = dt.vertex(3);
+  swap(dt, other);
+  EXPECT_EQ(other.vertex(3), vertex);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, few));
+  ASSERT_NO_FATAL_FAILURE(expect_exact(other, points));
+}
+
+TEST(Objects, that_are_populations_can_be_copied)
+{
+  Population people;
+  const std::vector<std::pair<int, Point>> crowd = {{9, {0, 0}}, {4, {1, 0}}, {7, {0, 1}}};
+  people.update(crowd);
+  Population copy = people;
+  copy.remove(4);
+  EXPECT_EQ(copy.size(), 2u);
+  EXPECT_EQ(people.size(), 3u);
+  EXPECT_EQ(people.point(4), Point(1, 0));
+  EXPECT_TRUE(people.triangulation().is_valid(true));
+  EXPECT_TRUE(copy.triangulation().is_valid(true));
+}
+
+} // namespace
