@@ -177,7 +177,7 @@ bool choose_what_is_done()
   Triangulation::Settings settings;
   settings.classifier = Classifier(0.7);
   settings.repair = Repair(1);
-  settings.policy = Policy(10); // every tenth frame is triangulated anew, and so certified
+  settings.policy = Policy(10);
   Triangulation dt(points.begin(), points.end(), settings);
   //! [choices]
   for (int frame = 1; frame <= 10; ++frame)

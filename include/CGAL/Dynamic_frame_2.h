@@ -57,7 +57,7 @@ public:
 
   /// the number of points.
   Index number_of_points() const { return m_maintained->ids().number_of_points(); }
-  /// what all ids are smaller than: more than the number of points, if some were removed.
+  /// one more than the largest id ever in use.
   Index number_of_ids() const { return m_maintained->ids().number_of_ids(); }
   /// the number of finite vertices: fewer than points, if some of these coincide.
   Index number_of_vertices() const { return m_maintained->number_of_vertices(); }
@@ -71,9 +71,9 @@ public:
   /// @{
 
   /// whether there is a point `id`.
-  bool has_id(Index id) const { return m_maintained->ids().is_taken(id); }
+  bool has_id(std::size_t id) const { return m_maintained->ids().is_taken(id); }
   /// the vertex of the point `id`. \pre `has_id(id)`
-  Index vertex(Index id) const { return m_maintained->ids().vertex(id); }
+  Index vertex(std::size_t id) const { return m_maintained->ids().vertex(Index(id)); }
   /// the id of a point at the finite vertex `v`; of the one that was there first, if several are.
   Index id(Index v) const { return m_maintained->ids().representative(v); }
   /// calls `f(i)` for the id `i` of every point that shares the vertex of one that was there first,

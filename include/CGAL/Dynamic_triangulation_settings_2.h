@@ -19,12 +19,7 @@ namespace CGAL {
 What a triangulation works with: one object, in which a program sets what it wants and leaves the
 rest as it is. `Dynamic_Delaunay_triangulation_2::Settings` names it for a triangulation:
 
-\code
-Triangulation::Settings settings;
-settings.engines.whole = CGAL::Static_engine_2::INSERTION;
-settings.policy = CGAL::Key_frame_policy_2(100);
-Triangulation dt(points.begin(), points.end(), settings);
-\endcode
+\snippet Dynamic_Delaunay_triangulation_2/interface_tour.cpp choices
 
 \tparam Classifier, Repair, UpdatePolicy, Visitor as those of `Dynamic_Delaunay_triangulation_2`.
   One that cannot be made by default has to be given when the settings are made, in the order of the

@@ -9,8 +9,11 @@
 #include <CGAL/Random_classifier_2.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdint>
 #include <set>
 #include <thread>
+#include <vector>
 
 namespace {
 
@@ -313,6 +316,57 @@ TEST(Own_classifiers, plug_in_whether_heuristic_or_exact)
     exact.update(points.begin(), points.end());
     ASSERT_NO_FATAL_FAILURE(expect_exact(exact, points));
   }
+}
+
+// As in the example own_exact_classifier.cpp.
+struct All_edges_classifier
+{
+  static constexpr bool is_exact = true;
+
+  template <class Frame, class Classification>
+  void operator()(const Frame& frame, Classification& classified)
+  {
+    unproved.clear();
+    frame.append_unproved(0, frame.number_of_edges(), unproved);
+    classified.add_unless_delaunay(frame, unproved);
+  }
+
+  std::vector<CGAL::Dynamic_Delaunay_triangulations_2::Index> unproved{};
+};
+
+// The fastest of many frames, which other programs on the machine disturb least; both in turn.
+double time_over_that_of_the_built_in_classifier(std::uint64_t seed)
+{
+  using Clock = std::chrono::steady_clock;
+  Cloud<Epick> cloud(seed);
+  auto points = cloud.uniform(2000);
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick> built_in(points.begin(), points.end());
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, All_edges_classifier> own(points.begin(),
+                                                                          points.end());
+  const auto time_of = [&](auto& dt) {
+    const Clock::time_point start = Clock::now();
+    EXPECT_TRUE(dt.update(points.begin(), points.end()).certified);
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  double fastest_built_in = 1e9, fastest_own = 1e9;
+  for (int frame = 0; frame < 60; ++frame) {
+    cloud.shake(points, 1e-3);
+    fastest_built_in = (std::min)(fastest_built_in, time_of(built_in));
+    fastest_own = (std::min)(fastest_own, time_of(own));
+  }
+  expect_exact(own, points);
+  return fastest_own / fastest_built_in;
+}
+
+TEST(A_classifier_of_ones_own, of_a_few_lines_is_as_fast_as_the_built_in_one)
+{
+  double ratio = 0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    ratio = time_over_that_of_the_built_in_classifier(seed);
+    if (ratio < 1.15)
+      return;
+  }
+  ADD_FAILURE() << "it takes " << ratio << " times as long";
 }
 
 } // namespace

@@ -30,6 +30,8 @@ public:
   static constexpr std::size_t no_id = std::size_t(-1);
 
   User_id_table_2() = default;
+  User_id_table_2(const User_id_table_2&) = default;
+  User_id_table_2& operator=(const User_id_table_2&) = default;
   User_id_table_2(User_id_table_2&& other) noexcept { swap(other); }
   User_id_table_2& operator=(User_id_table_2&& other) noexcept
   {
