@@ -17,8 +17,8 @@
 // Near its bound stability is a matter of chance, so the printed value, in sqrt(mass / stiffness)
 // and rounded down to hundredths, is the largest one below which the bisection met no unstable one.
 
-#include "scenario/Open_motion.h"
-#include "scenario/Static_neighbors.h"
+#include "scenario_runner/Open_motion.h"
+#include "scenario_runner/Static_triangulation.h"
 
 #include <algorithm>
 #include <cmath>

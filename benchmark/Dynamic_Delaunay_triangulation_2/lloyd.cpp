@@ -26,12 +26,10 @@
 // a fresh triangulation in every edge, and the steps have to become shorter. A case that fails says
 // so in place of its figures, and the program ends with an error.
 
-#include "run/Kernel.h"
-#include "run/Spread.h"
-#include "run/Static_opponents.h"
-#include "run/Stopwatch.h"
-#include "scenario/Motion.h"
-#include "scenario/Random_source.h"
+#include "scenario_runner/Measurement.h"
+#include "scenario_runner/Motion.h"
+#include "scenario_runner/Simulated_motion.h"
+#include "scenario_runner/Static_triangulation.h"
 #include "speed/Case_list.h"
 #include "speed/Run_cases.h"
 

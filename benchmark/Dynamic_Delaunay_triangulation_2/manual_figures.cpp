@@ -14,8 +14,7 @@
 
 #include "manual_figures/Safety_figures.h"
 #include "manual_figures/Set_figures.h"
-#include "run/Output_directory.h"
-#include "run/Output_file.h"
+#include "scenario_runner/Output_file.h"
 
 #include <CLI/CLI.hpp>
 

@@ -26,7 +26,7 @@
 #include "peers/Peers_table.h"
 #include "peers/Qhull_peer.h"
 #include "results/Command.h"
-#include "run/Progress_display.h"
+#include "scenario_runner/Progress.h"
 
 #include <CGAL/version.h>
 #include <CLI/CLI.hpp>

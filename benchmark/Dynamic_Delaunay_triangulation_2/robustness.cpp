@@ -29,8 +29,8 @@
 #include "robustness/Robustness_run.h"
 #include "robustness/Robustness_table.h"
 #include "robustness/Watchdog.h"
-#include "run/Output_file.h"
-#include "run/Progress_display.h"
+#include "scenario_runner/Output_file.h"
+#include "scenario_runner/Progress.h"
 
 #include <CLI/CLI.hpp>
 

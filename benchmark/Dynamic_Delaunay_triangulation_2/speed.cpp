@@ -28,9 +28,8 @@
 // be valid and to agree with a fresh triangulation in every edge. A case that fails says so in
 // place of its figures, and the program ends with an error.
 
-#include "scenario/Open_motion.h"
-#include "scenario/Recordings.h"
-#include "scenario/Scenario_directory.h"
+#include "scenario_runner/Open_motion.h"
+#include "scenario_runner/Scenario_file.h"
 #include "speed/Case_list.h"
 #include "speed/Change_cases.h"
 #include "speed/Heap_cases.h"

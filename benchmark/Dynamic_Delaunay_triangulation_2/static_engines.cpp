@@ -22,11 +22,10 @@
 // has to be valid and to be proved Delaunay by exact predicates, edge by edge. A case that fails
 // says so in place of its figures, and the program ends with an error.
 
-#include "run/Engine_choice.h"
-#include "run/Kernel.h"
-#include "run/Spread.h"
-#include "run/Stopwatch.h"
-#include "scenario/Random_source.h"
+#include "scenario_runner/Measurement.h"
+#include "scenario_runner/Repairs_and_policies.h"
+#include "scenario_runner/Simulated_motion.h"
+#include "scenario_runner/Static_triangulation.h"
 #include "speed/Case_list.h"
 #include "speed/Run_cases.h"
 

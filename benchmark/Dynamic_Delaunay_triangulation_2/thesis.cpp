@@ -26,7 +26,7 @@
 // most_points.csv three of four timed frames took up to upper_quartile_ms; the last of them is
 // number `frames`.
 
-#include "run/Progress_display.h"
+#include "scenario_runner/Progress.h"
 #include "thesis/Experiments.h"
 #include "thesis/Thesis_options.h"
 

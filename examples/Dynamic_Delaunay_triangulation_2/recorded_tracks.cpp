@@ -4,9 +4,8 @@
 // Tracks from a file: in each frame some people are there, others have come or gone. The population
 // inserts, removes, and moves them.
 //
-// recorded_tracks [FILE.csv], whose first line names the columns: frame,time,id,x,y
-
-#include "scenario/Csv_motion.h"
+// recorded_tracks [FILE.csv], with the columns frame,time,id,x,y and the rows of a frame in
+// sequence
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_population_2.h>
@@ -17,8 +16,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <fstream>
 #include <iostream>
 #include <limits>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,12 +30,33 @@ using Point = Kernel::Point_2;
 using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Kernel>;
 using People = std::vector<std::pair<std::int64_t, Point>>;
 
-People people_of(const scenario::Recorded_frame& frame)
+struct Frame
 {
+  std::int64_t number;
+  double time;
   People people;
-  for (std::size_t i = 0; i < frame.ids.size(); ++i)
-    people.emplace_back(frame.ids[i], Point(frame.points[i].x, frame.points[i].y));
-  return people;
+};
+
+std::vector<Frame> read_frames(const std::string& file)
+{
+  std::ifstream stream(file);
+  std::string line;
+  if (!std::getline(stream, line) || line != "frame,time,id,x,y")
+    throw std::runtime_error(file + ": expected the header frame,time,id,x,y");
+  std::vector<Frame> frames;
+  for (int number = 2; std::getline(stream, line); ++number) {
+    std::istringstream row(line);
+    std::int64_t frame, id;
+    double time, x, y;
+    char comma;
+    if (!(row >> frame >> comma >> time >> comma >> id >> comma >> x >> comma >> y))
+      throw std::runtime_error(file + ", line " + std::to_string(number) +
+                               ": expected five numbers");
+    if (frames.empty() || frames.back().number != frame)
+      frames.push_back({frame, time, {}});
+    frames.back().people.emplace_back(id, Point(x, y));
+  }
+  return frames;
 }
 
 // Of any two: the nearest ones are neighbors in the triangulation.
@@ -46,14 +69,14 @@ double least_distance(const Dynamic& dt)
   return least;
 }
 
-bool follow(const scenario::Recording& recording)
+bool follow(const std::vector<Frame>& frames)
 {
   CGAL::Dynamic_population_2<Dynamic> population;
   std::size_t came = 0, went = 0;
   double least = std::numeric_limits<double>::infinity();
   bool all_right = true;
-  for (const scenario::Recorded_frame& frame : recording) {
-    const People people = people_of(frame);
+  for (const Frame& frame : frames) {
+    const People& people = frame.people;
     const auto report = population.update(people.begin(), people.end());
     came += report.inserted;
     went += report.removed;
@@ -63,7 +86,7 @@ bool follow(const scenario::Recording& recording)
       std::cout << "time " << frame.time << ": " << people.size() << " there, " << report.inserted
                 << " came, " << report.removed << " went\n";
   }
-  std::cout << recording.size() << " frames, " << came << " came, " << went << " went, "
+  std::cout << frames.size() << " frames, " << came << " came, " << went << " went, "
             << (all_right ? "all" : "not all") << " frames certified; the nearest two were "
             << least << " apart\n";
   return all_right && came - went == population.size();
@@ -73,7 +96,7 @@ int main(int argc, char** argv)
 {
   const std::string file = argc > 1 ? argv[1] : "data/corridor.csv";
   try {
-    return follow(scenario::read_csv_motion(file)) ? 0 : 1;
+    return follow(read_frames(file)) ? 0 : 1;
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n'; // says the line, and what is wrong with it
     return 1;

@@ -15,7 +15,6 @@ import sys
 import textwrap
 
 EXAMPLES = "examples/Dynamic_Delaunay_triangulation_2"
-NOT_RUN = {"run_scenario.cpp"}  # not by itself
 MARK = re.compile(r"\s*//! \[.*\]$")  # of a part that pages show
 
 
@@ -32,7 +31,7 @@ def occurs_in(block, example):
 
 def examples(root):
     paths = sorted((root / EXAMPLES).glob("*.cpp"))
-    return {path.name: path.read_text() for path in paths if path.name not in NOT_RUN}
+    return {path.name: path.read_text() for path in paths}
 
 
 def findings(root):

@@ -3,8 +3,8 @@
 
 // Tables of positions as other programs write them.
 
-#include "scenario/Csv_motion.h"
-#include "scenario/Open_motion.h"
+#include "scenario_runner/Open_motion.h"
+#include "scenario_runner/Recorded_motion.h"
 #include "temporary_files.h"
 
 #include <gtest/gtest.h>

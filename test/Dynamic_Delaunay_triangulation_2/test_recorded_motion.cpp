@@ -4,8 +4,7 @@
 // Motion that was recorded elsewhere, by people who knew nothing of this package.
 
 #include "oracle.h"
-#include "scenario/Open_motion.h"
-#include "scenario/Recordings.h"
+#include "scenario_runner/Open_motion.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_population_2.h>

@@ -3,8 +3,8 @@
 
 // The page of the manual on scenario files and recordings, held against what the program does.
 
-#include "scenario/Open_motion.h"
 #include "scenario_program.h"
+#include "scenario_runner/Open_motion.h"
 #include "temporary_files.h"
 
 #include <gtest/gtest.h>

@@ -3,12 +3,11 @@
 
 // What run_scenario writes for other programs, read back.
 
-#include "run/Scenario_run.h"
-#include "run/Vtk_grid.h"
-#include "scenario/Brownian_motion.h"
-#include "scenario/Csv_motion.h"
-#include "scenario/Lammps_dump.h"
 #include "scenario_program.h"
+#include "scenario_runner/Output_formats.h"
+#include "scenario_runner/Recorded_motion.h"
+#include "scenario_runner/Scenario_run.h"
+#include "scenario_runner/Simulated_motion.h"
 #include "temporary_files.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>

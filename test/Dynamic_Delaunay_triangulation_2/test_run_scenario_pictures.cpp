@@ -3,8 +3,8 @@
 
 // The pictures that run_scenario draws, and the page that shows them.
 
-#include "run/Picture_page.h"
 #include "scenario_program.h"
+#include "scenario_runner/Pictures.h"
 #include "temporary_files.h"
 
 #include <gtest/gtest.h>

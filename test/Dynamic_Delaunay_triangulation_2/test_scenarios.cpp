@@ -1,10 +1,9 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "scenario/Open_motion.h"
-#include "scenario/Recordings.h"
-#include "scenario/Scenario_directory.h"
-#include "scenario/Static_neighbors.h"
+#include "scenario_runner/Open_motion.h"
+#include "scenario_runner/Scenario_file.h"
+#include "scenario_runner/Static_triangulation.h"
 #include "temporary_files.h"
 
 #include <gtest/gtest.h>
@@ -99,7 +98,7 @@ bool same_places(const std::vector<Point>& a, const std::vector<Point>& b)
 }
 
 // The energy after every frame, the first included.
-std::vector<double> run(Particle_motion& motion, std::size_t frames)
+std::vector<double> run_motion(Particle_motion& motion, std::size_t frames)
 {
   Static_neighbors neighbors;
   std::vector<double> energies;
@@ -344,7 +343,7 @@ TEST(Dam_break, spills_reaches_the_far_wall_and_loses_energy)
 {
   for (const char* name : {"dam_break", "dam_break_hexagonal"}) {
     const auto motion = open_particles(name);
-    const std::vector<double> energies = run(*motion, 2000);
+    const std::vector<double> energies = run_motion(*motion, 2000);
     const auto at_far_wall =
         number_where(motion->points(), [](const Point& point) { return point.x > 66.0; });
     EXPECT_GT(at_far_wall, 20u) << name;
@@ -362,7 +361,7 @@ TEST(Dam_break, settles_to_flat_and_calm_water)
   Overrides overrides;
   overrides.time_step = 0.5;
   const auto motion = open_particles("dam_break", overrides);
-  const std::vector<double> energies = run(*motion, 4000);
+  const std::vector<double> energies = run_motion(*motion, 4000);
   double kinetic = 0.0;
   for (const Point& velocity : motion->system().velocities()) {
     kinetic += 0.5 * (velocity.x * velocity.x + velocity.y * velocity.y);
@@ -382,7 +381,7 @@ TEST(Dam_break, settles_to_flat_and_calm_water)
 TEST(Dam_break, moves_by_about_four_percent_of_the_spacing_where_it_is_fast)
 {
   const auto motion = open_particles("dam_break");
-  run(*motion, 1000);
+  run_motion(*motion, 1000);
   double fastest = 0.0;
   for (const Point& velocity : motion->system().velocities()) {
     fastest = (std::max)(fastest, *motion->time_step() * std::hypot(velocity.x, velocity.y));
@@ -395,7 +394,7 @@ TEST(Dam_break, stays_in_its_box_with_more_and_with_fewer_points)
 {
   for (const std::size_t points : {60u, 5000u}) {
     const auto motion = open_particles("dam_break", with_points(points));
-    const std::vector<double> energies = run(*motion, 500);
+    const std::vector<double> energies = run_motion(*motion, 500);
     const double side = 70.0 * std::sqrt(static_cast<double>(points) / 1008.0);
     for (const Point& point : motion->points()) {
       EXPECT_TRUE(inside(point, side, side)) << points;
@@ -409,7 +408,7 @@ TEST(Spinning, turns_both_squares_clockwise_and_holds_them_together)
   for (const char* name : {"spinning", "spinning_hexagonal"}) {
     const auto motion = open_particles(name);
     const std::vector<Point> first = motion->points();
-    const std::vector<double> energies = run(*motion, 1000);
+    const std::vector<double> energies = run_motion(*motion, 1000);
     const double expected = -0.007 * motion->time();
     EXPECT_NEAR(rotation(first, motion->points(), 0, 400), expected, 0.05) << name;
     EXPECT_NEAR(rotation(first, motion->points(), 400, 800), expected, 0.05) << name;
@@ -443,7 +442,7 @@ TEST(Explosion, shatters_both_squares_and_sprays_in_all_directions)
 {
   for (const char* name : {"explosion", "explosion_hexagonal"}) {
     const auto motion = open_particles(name);
-    const std::vector<double> energies = run(*motion, 500);
+    const std::vector<double> energies = run_motion(*motion, 500);
     const Bond_network& bonds = motion->system().bonds();
     EXPECT_GT(static_cast<double>(bonds.number_of_broken()),
               0.95 * static_cast<double>(bonds.number_of_bonds()))
@@ -496,7 +495,7 @@ TEST(Static, settles_within_half_of_its_frames)
   for (const char* name : {"static", "static_hexagonal"}) {
     const auto motion = open_particles(name);
     const std::vector<Point> first = motion->points();
-    const std::vector<double> energies = run(*motion, motion->frames() / 2);
+    const std::vector<double> energies = run_motion(*motion, motion->frames() / 2);
     EXPECT_GT(energies[10], 0.5 * energies.front()) << name;
     EXPECT_LT(energies.back(), 0.002 * energies.front()) << name;
     EXPECT_LT(largest_displacement(first, motion->points()), 0.0001) << name;
@@ -507,7 +506,7 @@ TEST(Static, keeps_nearly_all_edges_once_settled)
 {
   for (const char* name : {"static", "static_hexagonal"}) {
     const auto motion = open_particles(name);
-    run(*motion, motion->frames() / 2);
+    run_motion(*motion, motion->frames() / 2);
     Static_neighbors neighbors;
     std::size_t changes = 0;
     Neighbor_edges before = sorted(neighbors(motion->points()));
@@ -526,7 +525,7 @@ TEST(Static, neither_drifts_nor_turns)
   for (const char* name : {"static", "static_hexagonal"}) {
     const auto motion = open_particles(name);
     const std::vector<Point> first = motion->points();
-    run(*motion, 500);
+    run_motion(*motion, 500);
     Point drift{0.0, 0.0};
     for (std::size_t i = 0; i != first.size(); ++i) {
       drift.x += motion->points()[i].x - first[i].x;

@@ -5,9 +5,9 @@
 #define ANY_MOTION_ANY_MOTION_OPTIONS_H
 
 #include "Program.h"
-#include "run/Command_line_option.h"
-#include "run/Number_argument.h"
-#include "scenario/Recordings.h"
+#include "scenario_runner/Command_line.h"
+#include "scenario_runner/Number_text.h"
+#include "scenario_runner/Open_motion.h"
 
 #include <CLI/CLI.hpp>
 

@@ -4,8 +4,8 @@
 #ifndef ANY_MOTION_CLOUD_H
 #define ANY_MOTION_CLOUD_H
 
-#include "scenario/Motion.h"
-#include "scenario/Random_source.h"
+#include "scenario_runner/Motion.h"
+#include "scenario_runner/Simulated_motion.h"
 
 #include <algorithm>
 #include <cmath>

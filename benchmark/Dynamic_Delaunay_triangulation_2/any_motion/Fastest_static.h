@@ -5,9 +5,8 @@
 #define ANY_MOTION_FASTEST_STATIC_H
 
 #include "../speed/Insertion_in_rounds.h"
-#include "run/Kernel.h"
-#include "scenario/Recorded_motion.h"
-#include "scenario/Spatial_order.h"
+#include "scenario_runner/Recorded_motion.h"
+#include "scenario_runner/Static_triangulation.h"
 #include "Thread_time.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulator_2.h>

@@ -5,7 +5,7 @@
 #define ANY_MOTION_FRAMES_CSV_H
 
 #include "../results/Csv_file.h"
-#include "run/Rebuild_reason_name.h"
+#include "scenario_runner/Frame_record.h"
 #include "Sequence_figures.h"
 
 #include <string>

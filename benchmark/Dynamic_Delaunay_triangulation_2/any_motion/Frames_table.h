@@ -4,7 +4,7 @@
 #ifndef ANY_MOTION_FRAMES_TABLE_H
 #define ANY_MOTION_FRAMES_TABLE_H
 
-#include "run/Rebuild_reason_name.h"
+#include "scenario_runner/Frame_record.h"
 #include "Sequence_figures.h"
 
 #include <iomanip>

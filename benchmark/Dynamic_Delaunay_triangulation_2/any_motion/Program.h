@@ -6,7 +6,7 @@
 
 #include "Base_clouds.h"
 #include "Motions.h"
-#include "run/Number_argument.h"
+#include "scenario_runner/Number_text.h"
 #include "Selection.h"
 
 #include <cmath>

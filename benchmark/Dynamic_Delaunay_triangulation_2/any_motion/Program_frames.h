@@ -5,7 +5,7 @@
 #define ANY_MOTION_PROGRAM_FRAMES_H
 
 #include "Program.h"
-#include "scenario/Recorded_motion.h"
+#include "scenario_runner/Recorded_motion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #ifndef ANY_MOTION_SEQUENCE_FIGURES_H
 #define ANY_MOTION_SEQUENCE_FIGURES_H
 
-#include "run/Spread.h"
+#include "scenario_runner/Measurement.h"
 
 #include <CGAL/Update_report_2.h>
 

@@ -5,8 +5,8 @@
 #define ANY_MOTION_SEQUENCE_RUN_H
 
 #include "Fastest_static.h"
-#include "run/Kept_triangulation.h"
-#include "scenario/Recorded_motion.h"
+#include "scenario_runner/Recorded_motion.h"
+#include "scenario_runner/Scenario_run.h"
 #include "Sequence_figures.h"
 #include "Thread_time.h"
 

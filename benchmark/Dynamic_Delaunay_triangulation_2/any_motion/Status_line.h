@@ -4,7 +4,7 @@
 #ifndef ANY_MOTION_STATUS_LINE_H
 #define ANY_MOTION_STATUS_LINE_H
 
-#include "run/Progress_display.h"
+#include "scenario_runner/Progress.h"
 
 #include <iostream>
 #include <string>

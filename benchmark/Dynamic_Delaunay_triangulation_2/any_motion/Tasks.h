@@ -7,8 +7,7 @@
 #include "Any_motion_options.h"
 #include "Kinds.h"
 #include "Program_frames.h"
-#include "scenario/Open_motion.h"
-#include "scenario/Recordings.h"
+#include "scenario_runner/Open_motion.h"
 #include "Sequence_run.h"
 #include "Status_line.h"
 

@@ -4,7 +4,7 @@
 #ifndef ANY_MOTION_THREAD_TIME_H
 #define ANY_MOTION_THREAD_TIME_H
 
-#include "run/Stopwatch.h"
+#include "scenario_runner/Measurement.h"
 
 #include <ctime>
 

@@ -4,8 +4,8 @@
 #ifndef CLASSIFIERS_CLASSIFICATION_TRUTH_H
 #define CLASSIFIERS_CLASSIFICATION_TRUTH_H
 
-#include "run/Kernel.h"
-#include "scenario/Motion.h"
+#include "scenario_runner/Motion.h"
+#include "scenario_runner/Static_triangulation.h"
 
 #include <CGAL/enum.h>
 

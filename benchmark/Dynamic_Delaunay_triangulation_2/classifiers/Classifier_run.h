@@ -8,10 +8,9 @@
 #include "Confusion.h"
 #include "Observed_update.h"
 #include "Recorded_scenario.h"
-#include "run/Any_classifier.h"
-#include "run/Any_policy.h"
-#include "run/Any_repair.h"
-#include "run/Kernel.h"
+#include "scenario_runner/Classifiers.h"
+#include "scenario_runner/Repairs_and_policies.h"
+#include "scenario_runner/Static_triangulation.h"
 
 #include <CGAL/delaunay_agreement.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>

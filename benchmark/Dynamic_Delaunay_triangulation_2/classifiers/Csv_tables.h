@@ -6,7 +6,7 @@
 
 #include "../speed/Speed_summary.h"
 #include "../speed/Speed_table_reporter.h"
-#include "run/Output_file.h"
+#include "scenario_runner/Output_file.h"
 
 #include <limits>
 #include <map>

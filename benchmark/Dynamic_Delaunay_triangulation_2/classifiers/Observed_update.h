@@ -4,8 +4,8 @@
 #ifndef CLASSIFIERS_OBSERVED_UPDATE_H
 #define CLASSIFIERS_OBSERVED_UPDATE_H
 
-#include "run/Any_repair.h"
-#include "run/Stopwatch.h"
+#include "scenario_runner/Measurement.h"
+#include "scenario_runner/Repairs_and_policies.h"
 
 #include <cstddef>
 #include <utility>

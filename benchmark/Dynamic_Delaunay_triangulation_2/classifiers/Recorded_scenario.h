@@ -4,10 +4,10 @@
 #ifndef CLASSIFIERS_RECORDED_SCENARIO_H
 #define CLASSIFIERS_RECORDED_SCENARIO_H
 
-#include "run/Kernel.h"
-#include "run/Neighbor_reader.h"
-#include "scenario/Motion.h"
-#include "scenario/Random_source.h"
+#include "scenario_runner/Motion.h"
+#include "scenario_runner/Scenario_run.h"
+#include "scenario_runner/Simulated_motion.h"
+#include "scenario_runner/Static_triangulation.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 

@@ -4,10 +4,10 @@
 #ifndef MANUAL_FIGURES_FOLLOWED_MOTION_H
 #define MANUAL_FIGURES_FOLLOWED_MOTION_H
 
-#include "run/Kernel.h"
-#include "run/Vertex_sets.h"
-#include "scenario/Open_motion.h"
-#include "scenario/Scenario_directory.h"
+#include "scenario_runner/Open_motion.h"
+#include "scenario_runner/Pictures.h"
+#include "scenario_runner/Scenario_file.h"
+#include "scenario_runner/Static_triangulation.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 

@@ -4,9 +4,8 @@
 #ifndef MANUAL_FIGURES_PANEL_H
 #define MANUAL_FIGURES_PANEL_H
 
-#include "run/Bounds.h"
-#include "run/Picture_view.h"
-#include "scenario/Motion.h"
+#include "scenario_runner/Motion.h"
+#include "scenario_runner/Pictures.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include "Followed_motion.h"
 #include "Panel.h"
-#include "run/Bounds.h"
+#include "scenario_runner/Pictures.h"
 
 #include <CGAL/Circumcircle_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_slack_2.h>

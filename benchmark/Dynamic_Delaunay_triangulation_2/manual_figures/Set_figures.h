@@ -6,8 +6,7 @@
 
 #include "Followed_motion.h"
 #include "Panel.h"
-#include "run/Bounds.h"
-#include "run/Vertex_sets.h"
+#include "scenario_runner/Pictures.h"
 
 #include <CGAL/Border_splice_repair_2.h>
 #include <CGAL/Circumcircle_classifier_2.h>

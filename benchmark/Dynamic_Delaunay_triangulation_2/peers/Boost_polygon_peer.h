@@ -5,7 +5,7 @@
 #define PEERS_BOOST_POLYGON_PEER_H
 
 #include "Peer.h"
-#include "run/Stopwatch.h"
+#include "scenario_runner/Measurement.h"
 
 #include <boost/polygon/voronoi_builder.hpp>
 #include <boost/polygon/voronoi_diagram.hpp>

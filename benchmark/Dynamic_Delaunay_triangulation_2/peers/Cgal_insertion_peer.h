@@ -5,7 +5,7 @@
 #define PEERS_CGAL_INSERTION_PEER_H
 
 #include "Peer.h"
-#include "run/Stopwatch.h"
+#include "scenario_runner/Measurement.h"
 
 #include <optional>
 

@@ -7,9 +7,8 @@
 #include "Grid_points.h"
 #include "Peer.h"
 #include "Peer_output.h"
-#include "run/Kernel.h"
-#include "run/Stopwatch.h"
-#include "scenario/Spatial_order.h"
+#include "scenario_runner/Measurement.h"
+#include "scenario_runner/Static_triangulation.h"
 
 #include <CGAL/Unique_hash_map.h>
 

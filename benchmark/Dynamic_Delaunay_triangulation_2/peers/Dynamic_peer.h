@@ -5,7 +5,7 @@
 #define PEERS_DYNAMIC_PEER_H
 
 #include "Peer.h"
-#include "run/Stopwatch.h"
+#include "scenario_runner/Measurement.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Point_distance_classifier_2.h>

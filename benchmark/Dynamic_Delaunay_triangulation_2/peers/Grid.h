@@ -5,7 +5,7 @@
 #define PEERS_GRID_H
 
 #include "Grid_points.h"
-#include "scenario/Motion.h"
+#include "scenario_runner/Motion.h"
 
 #include <algorithm>
 #include <cmath>

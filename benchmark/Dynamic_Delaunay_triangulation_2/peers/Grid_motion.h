@@ -6,9 +6,9 @@
 
 #include "Grid.h"
 #include "Grid_points.h"
-#include "run/Kernel.h"
-#include "run/Neighbor_reader.h"
-#include "scenario/Motion.h"
+#include "scenario_runner/Motion.h"
+#include "scenario_runner/Scenario_run.h"
+#include "scenario_runner/Static_triangulation.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 

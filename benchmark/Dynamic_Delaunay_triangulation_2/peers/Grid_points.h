@@ -4,7 +4,7 @@
 #ifndef PEERS_GRID_POINTS_H
 #define PEERS_GRID_POINTS_H
 
-#include "run/Kernel.h"
+#include "scenario_runner/Static_triangulation.h"
 
 #include <cstdint>
 #include <vector>

@@ -7,8 +7,8 @@
 #include "../speed/Teleport_motion.h"
 #include "Grid_motion.h"
 #include "Peers_options.h"
-#include "scenario/Open_motion.h"
-#include "scenario/Scenario_directory.h"
+#include "scenario_runner/Open_motion.h"
+#include "scenario_runner/Scenario_file.h"
 
 #include <algorithm>
 #include <cmath>

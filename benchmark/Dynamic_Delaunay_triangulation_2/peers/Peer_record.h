@@ -6,7 +6,7 @@
 
 #include "Peer.h"
 #include "Peer_output.h"
-#include "run/Spread.h"
+#include "scenario_runner/Measurement.h"
 
 #include <algorithm>
 #include <cstddef>

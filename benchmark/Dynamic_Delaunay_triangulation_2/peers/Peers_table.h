@@ -5,7 +5,7 @@
 #define PEERS_PEERS_TABLE_H
 
 #include "Peer_record.h"
-#include "run/Run_table.h"
+#include "scenario_runner/Number_text.h"
 
 #include <cstddef>
 #include <iomanip>

@@ -5,7 +5,7 @@
 #define PEERS_QHULL_PEER_H
 
 #include "Peer.h"
-#include "run/Stopwatch.h"
+#include "scenario_runner/Measurement.h"
 
 extern "C" {
 #include <libqhull_r/libqhull_r.h>

@@ -4,7 +4,7 @@
 #ifndef RESULTS_CSV_FILE_H
 #define RESULTS_CSV_FILE_H
 
-#include "run/Output_file.h"
+#include "scenario_runner/Output_file.h"
 
 #include <cstddef>
 #include <filesystem>

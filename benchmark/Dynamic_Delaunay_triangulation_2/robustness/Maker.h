@@ -5,9 +5,7 @@
 #define ROBUSTNESS_MAKER_H
 
 #include "Model.h"
-#include "run/Any_policy.h"
-#include "run/Any_repair.h"
-#include "run/Engine_choice.h"
+#include "scenario_runner/Repairs_and_policies.h"
 #include "Setup.h"
 
 #include <CGAL/Default.h>

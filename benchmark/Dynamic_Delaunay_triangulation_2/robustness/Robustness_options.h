@@ -6,9 +6,9 @@
 
 #include "Arithmetic.h"
 #include "Families.h"
-#include "run/Command_line_option.h"
-#include "run/Number_argument.h"
-#include "scenario/Json_object_reader.h"
+#include "scenario_runner/Command_line.h"
+#include "scenario_runner/Number_text.h"
+#include "scenario_runner/Text_input.h"
 
 #include <CLI/CLI.hpp>
 

@@ -7,7 +7,7 @@
 #include "Counts.h"
 #include "Families.h"
 #include "Robustness_run.h"
-#include "run/Rebuild_reason_name.h"
+#include "scenario_runner/Frame_record.h"
 
 #include <nlohmann/json.hpp>
 

@@ -7,10 +7,8 @@
 #include "Decisions.h"
 #include "Families.h"
 #include "Place_sources.h"
-#include "run/Any_repair.h"
-#include "run/Classifier_choice.h"
-#include "run/Engine_choice.h"
-#include "run/Policy_choice.h"
+#include "scenario_runner/Classifiers.h"
+#include "scenario_runner/Repairs_and_policies.h"
 
 #include <CGAL/Static_engine_2.h>
 

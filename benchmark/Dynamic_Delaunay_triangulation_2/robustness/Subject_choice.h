@@ -6,7 +6,7 @@
 
 #include "Maker.h"
 #include "Population_subject.h"
-#include "run/Any_classifier.h"
+#include "scenario_runner/Classifiers.h"
 #include "Setup.h"
 #include "Subject.h"
 #include "Triangulation_subject.h"

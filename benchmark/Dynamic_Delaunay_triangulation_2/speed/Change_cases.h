@@ -4,9 +4,8 @@
 #ifndef SPEED_CHANGE_CASES_H
 #define SPEED_CHANGE_CASES_H
 
-#include "run/Kernel.h"
-#include "run/Spread.h"
-#include "run/Stopwatch.h"
+#include "scenario_runner/Measurement.h"
+#include "scenario_runner/Static_triangulation.h"
 #include "Speed_summary.h"
 
 #include <CGAL/delaunay_agreement.h>

@@ -5,8 +5,8 @@
 #define SPEED_HEAP_CASES_H
 
 #include "Counted_heap.h"
-#include "run/Kernel.h"
-#include "scenario/Motion.h"
+#include "scenario_runner/Motion.h"
+#include "scenario_runner/Static_triangulation.h"
 #include "Speed_summary.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>

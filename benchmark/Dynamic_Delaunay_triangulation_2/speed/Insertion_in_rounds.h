@@ -4,7 +4,7 @@
 #ifndef SPEED_INSERTION_IN_ROUNDS_H
 #define SPEED_INSERTION_IN_ROUNDS_H
 
-#include "run/Kernel.h"
+#include "scenario_runner/Static_triangulation.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulator_2.h>
 

@@ -5,9 +5,9 @@
 #define SPEED_MOTION_CASES_H
 
 #include "Case_list.h"
-#include "run/Progress_display.h"
-#include "run/Static_opponents.h"
-#include "scenario/Open_motion.h"
+#include "scenario_runner/Open_motion.h"
+#include "scenario_runner/Progress.h"
+#include "scenario_runner/Static_triangulation.h"
 #include "Speed_run.h"
 #include "Speed_summary.h"
 #include "Teleport_motion.h"

@@ -5,7 +5,7 @@
 #define SPEED_SPEED_RECORD_H
 
 #include "Phase_marks.h"
-#include "run/Frame_record.h"
+#include "scenario_runner/Frame_record.h"
 
 namespace speed {
 

@@ -5,10 +5,9 @@
 #define SPEED_SPEED_RUN_H
 
 #include "Phase_marks.h"
-#include "run/Kept_triangulation.h"
-#include "run/Neighbor_reader.h"
-#include "run/Stopwatch.h"
-#include "scenario/Motion.h"
+#include "scenario_runner/Measurement.h"
+#include "scenario_runner/Motion.h"
+#include "scenario_runner/Scenario_run.h"
 #include "Speed_record.h"
 #include "Timed_classifier.h"
 #include "Timed_repair.h"

@@ -4,7 +4,7 @@
 #ifndef SPEED_SPEED_SUMMARY_H
 #define SPEED_SPEED_SUMMARY_H
 
-#include "run/Spread.h"
+#include "scenario_runner/Measurement.h"
 #include "Speed_record.h"
 
 #include <algorithm>

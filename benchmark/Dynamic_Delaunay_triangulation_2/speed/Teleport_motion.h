@@ -4,8 +4,8 @@
 #ifndef SPEED_TELEPORT_MOTION_H
 #define SPEED_TELEPORT_MOTION_H
 
-#include "scenario/Motion.h"
-#include "scenario/Random_source.h"
+#include "scenario_runner/Motion.h"
+#include "scenario_runner/Simulated_motion.h"
 
 #include <cstddef>
 #include <cstdint>

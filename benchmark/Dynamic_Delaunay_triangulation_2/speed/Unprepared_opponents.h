@@ -5,10 +5,9 @@
 #define SPEED_UNPREPARED_OPPONENTS_H
 
 #include "Insertion_in_rounds.h"
-#include "run/Kernel.h"
-#include "run/Static_opponents.h"
-#include "run/Stopwatch.h"
-#include "scenario/Motion.h"
+#include "scenario_runner/Measurement.h"
+#include "scenario_runner/Motion.h"
+#include "scenario_runner/Static_triangulation.h"
 
 #include <CGAL/hilbert_sort.h>
 

@@ -8,8 +8,7 @@
 #include "Experiment.h"
 #include "Frame_experiment.h"
 #include "Most_points_experiment.h"
-#include "scenario/Scenario_directory.h"
-#include "scenario/Scenario_file.h"
+#include "scenario_runner/Scenario_file.h"
 #include "Settings.h"
 #include "Trial.h"
 

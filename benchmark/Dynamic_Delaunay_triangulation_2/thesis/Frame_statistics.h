@@ -6,8 +6,8 @@
 
 #include "../results/Csv_file.h"
 #include "Mean_and_extremes.h"
-#include "run/Frame_record.h"
-#include "run/Spread.h"
+#include "scenario_runner/Frame_record.h"
+#include "scenario_runner/Measurement.h"
 
 #include <cstddef>
 #include <string>

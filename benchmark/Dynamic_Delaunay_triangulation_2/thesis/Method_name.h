@@ -5,7 +5,7 @@
 #define THESIS_METHOD_NAME_H
 
 #include "../classifiers/Classifier_run.h"
-#include "run/Any_repair.h"
+#include "scenario_runner/Repairs_and_policies.h"
 
 #include <string>
 

@@ -8,9 +8,9 @@
 #include "Method_name.h"
 #include "Most_points_search.h"
 #include "Repeated_experiment.h"
-#include "run/Frame_record.h"
-#include "run/Spread.h"
-#include "scenario/Scenario_description.h"
+#include "scenario_runner/Frame_record.h"
+#include "scenario_runner/Measurement.h"
+#include "scenario_runner/Scenario_file.h"
 #include "Settings.h"
 #include "Trial.h"
 

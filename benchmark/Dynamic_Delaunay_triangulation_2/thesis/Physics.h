@@ -4,8 +4,8 @@
 #ifndef THESIS_PHYSICS_H
 #define THESIS_PHYSICS_H
 
-#include "scenario/Particle_motion.h"
-#include "scenario/Static_neighbors.h"
+#include "scenario_runner/Simulated_motion.h"
+#include "scenario_runner/Static_triangulation.h"
 
 #include <algorithm>
 #include <array>

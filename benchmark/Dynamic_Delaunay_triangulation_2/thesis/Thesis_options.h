@@ -6,7 +6,7 @@
 
 #include "../results/Command.h"
 #include "Experiments.h"
-#include "scenario/Json_object_reader.h"
+#include "scenario_runner/Text_input.h"
 #include "Settings.h"
 
 #include <CLI/CLI.hpp>

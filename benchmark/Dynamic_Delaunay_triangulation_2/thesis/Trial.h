@@ -5,9 +5,9 @@
 #define THESIS_TRIAL_H
 
 #include "../classifiers/Classifier_run.h"
-#include "run/Scenario_run.h"
-#include "scenario/Open_motion.h"
-#include "scenario/Scenario_directory.h"
+#include "scenario_runner/Open_motion.h"
+#include "scenario_runner/Scenario_file.h"
+#include "scenario_runner/Scenario_run.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "parser_checks.h"
-#include "scenario/Lammps_dump.h"
+#include "scenario_runner/Recorded_motion.h"
 
 #include <string>
 #include <utility>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "parser_checks.h"
-#include "scenario/Open_motion.h"
+#include "scenario_runner/Open_motion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,9 +7,9 @@
 #define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_FUZZ_PARSER_CHECKS_H
 
 #include "fuzz_target.h"
-#include "scenario/Motion.h"
-#include "scenario/Recorded_motion.h"
-#include "scenario/Scenario_error.h"
+#include "scenario_runner/Motion.h"
+#include "scenario_runner/Recorded_motion.h"
+#include "scenario_runner/Text_input.h"
 
 #include <algorithm>
 #include <cmath>

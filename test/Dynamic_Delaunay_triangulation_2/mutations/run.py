@@ -54,13 +54,13 @@ def arguments_of(test):
 
 
 def command_of(test, overlay, program):
-    folders = [overlay, ROOT / "include", ROOT / "examples" / PACKAGE, ROOT / "test" / PACKAGE,
+    folders = [overlay, ROOT / "include", ROOT, ROOT / "test" / PACKAGE,
                ROOT / "benchmark" / PACKAGE]
     libraries = ["-lgmpxx", "-lgmp", "-lmpfr", "-lpthread"]
     if test == "robustness":
-        options = ["-DNDEBUG", '-DRESULTS_DIR="."', '-DSCENARIOS_DIR="."', '-DSHARED_DATA_DIR="."']
+        options = ["-DNDEBUG", '-DRESULTS_DIR="."', '-DSCENARIOS_DIR="."', '-DRECORDINGS_DIR="."']
     else:
-        options = [f'-DSCENARIOS_DIR="{ROOT / "scenarios"}"', f'-DSHARED_DATA_DIR="{ROOT.parent / "shared" / "data"}"']
+        options = [f'-DSCENARIOS_DIR="{ROOT / "scenarios"}"', f'-DRECORDINGS_DIR="{ROOT / "recordings"}"']
         libraries = ["-lgtest_main", "-lgtest"] + libraries
     return ([os.environ.get("CXX", "g++")] + OPTIONS + options + [f"-I{folder}" for folder in folders]
             + [str(source_of(test)), "-o", str(program)] + libraries)

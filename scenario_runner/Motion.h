@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SCENARIO_RUNNER_MOTION_H
+#define SCENARIO_RUNNER_MOTION_H
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace scenario {
+
+struct Point
+{
+  double x;
+  double y;
+};
+
+// Edges of the maintained triangulation, as pairs of positions in Motion::points().
+using Neighbor_edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+// Points that move from frame to frame. A new motion shows its first frame.
+class Motion
+{
+public:
+  explicit Motion(std::string name)
+    : m_name(std::move(name))
+  {
+  }
+  Motion(const Motion&) = delete;
+  Motion& operator=(const Motion&) = delete;
+  virtual ~Motion() = default;
+
+  const std::string& name() const { return m_name; }
+
+  // Ids in ascending order, and the points in the same order.
+  virtual const std::vector<std::int64_t>& ids() const = 0;
+  virtual const std::vector<Point>& points() const = 0;
+  virtual double time() const = 0;
+
+  // Goes to the next frame. False, and nothing changes, when there is none.
+  virtual bool advance(const Neighbor_edges& neighbors) = 0;
+
+  // Whether all frames have the same ids.
+  virtual bool has_fixed_population() const { return true; }
+
+  // Whether the last advance() changed which ids there are.
+  virtual bool population_changed() const { return false; }
+
+  // How many frames follow the first one: the usual length of a simulation, all that a recording
+  // has.
+  virtual std::size_t frames() const = 0;
+
+  // Whether advance() looks at the edges; if not, it may be given none.
+  virtual bool uses_neighbors() const { return false; }
+
+  // In the unit in which a scenario file states it. A recording has none.
+  virtual std::optional<double> time_step() const { return std::nullopt; }
+  virtual std::optional<double> largest_stable_time_step() const { return std::nullopt; }
+
+  // What whoever runs it should know, as it is not followed; empty if there is nothing.
+  virtual std::string remark() const { return {}; }
+
+private:
+  std::string m_name;
+};
+
+} // namespace scenario
+
+#endif // SCENARIO_RUNNER_MOTION_H

@@ -1,0 +1,227 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Runs a scenario, checks the maintained triangulation on every frame, and compares its cost with
+// that of fresh triangulations: run_scenario --help.
+
+#include "scenario_runner/Classifiers.h"
+#include "scenario_runner/Open_motion.h"
+#include "scenario_runner/Output_file.h"
+#include "scenario_runner/Output_formats.h"
+#include "scenario_runner/Pictures.h"
+#include "scenario_runner/Progress.h"
+#include "scenario_runner/Repairs_and_policies.h"
+#include "scenario_runner/Run_options.h"
+#include "scenario_runner/Run_report.h"
+#include "scenario_runner/Scenario_run.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <cstring>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+// Where the frames go while they pass. Everything is opened before the first one, so that a wrong
+// path is no surprise at the end.
+class Outputs
+{
+public:
+  Outputs(const run::Run_options& options, const std::string& name, std::size_t frames,
+          const std::optional<scenario::Box>& box)
+    : m_progress(frames, !options.quiet)
+  {
+    if (options.report) {
+      m_report.emplace(*options.report);
+    }
+    if (options.csv) {
+      m_log.emplace(*options.csv);
+    }
+    const auto seen =
+        options.every ? run::Frame_choice(frames, *options.every) : run::about_thirty(frames);
+    const run::Frame_choice recorded(frames, options.every.value_or(1));
+    if (options.svg) {
+      m_pictures.emplace(*options.svg, name, seen, box);
+    }
+    if (options.vtk) {
+      m_grids.emplace(*options.vtk, seen);
+    }
+    if (options.xyz) {
+      m_xyz.emplace(*options.xyz, recorded, box);
+    }
+    if (options.lammps) {
+      m_lammps.emplace(*options.lammps, recorded, box);
+    }
+  }
+
+  template <class Run>
+  void take_first_frame(const Run& run)
+  {
+    write_points(run);
+  }
+
+  template <class Run>
+  void take_frame(const Run& run)
+  {
+    if (m_log) {
+      m_log->write(run.record());
+    }
+    write_points(run);
+    m_progress.show(run.record().frame);
+  }
+
+  void finish(const run::Run_subject& subject, const run::Run_summary& summary)
+  {
+    if (m_log) {
+      m_log->finish();
+    }
+    if (m_pictures) {
+      m_pictures->finish();
+    }
+    if (m_grids) {
+      m_grids->finish();
+    }
+    if (m_xyz) {
+      m_xyz->finish();
+    }
+    if (m_lammps) {
+      m_lammps->finish();
+    }
+    if (m_report) {
+      run::write_report(m_report->stream(), subject, summary);
+      m_report->finish();
+    }
+  }
+
+private:
+  template <class Run>
+  void write_points(const Run& run)
+  {
+    if (m_pictures) {
+      m_pictures->write(run);
+    }
+    if (m_grids) {
+      m_grids->write(run);
+    }
+    if (m_xyz) {
+      m_xyz->write(run);
+    }
+    if (m_lammps) {
+      m_lammps->write(run);
+    }
+  }
+
+  std::optional<run::Output_file> m_report;
+  std::optional<run::Frame_log> m_log;
+  std::optional<run::Picture_series> m_pictures;
+  std::optional<run::Vtk_series> m_grids;
+  std::optional<run::Point_log<run::Extended_xyz_format>> m_xyz;
+  std::optional<run::Point_log<run::Lammps_format>> m_lammps;
+  run::Progress_display m_progress;
+};
+
+template <class Classifier>
+run::Run_summary run_frames(scenario::Motion& motion, const Classifier& classifier,
+                            const run::Run_subject& subject, std::size_t frames, Outputs& outputs)
+{
+  run::Scenario_run<Classifier> run(
+      motion, classifier, run::make_repair(subject.repair, subject.padding),
+      run::engines_named(subject.engine), run::make_policy(subject.policy));
+  run.check_first_frame();
+  const std::size_t points_of_first_frame = motion.points().size();
+  std::vector<run::Frame_record> records;
+  outputs.take_first_frame(run);
+  while (records.size() != frames && !run::Interruption::has_come() && run.advance()) {
+    records.push_back(run.record());
+    outputs.take_frame(run);
+  }
+  return run::summarize(points_of_first_frame, records);
+}
+
+run::Run_summary run_frames(const run::Run_options& options, const run::Run_subject& subject,
+                            scenario::Motion& motion, std::size_t frames, Outputs& outputs)
+{
+  const run::Classifier_settings settings{options.threads, subject.seed.value_or(0)};
+  if (subject.classifier.is_exact) {
+    return run_frames(motion, run::Exact_classifiers::make(subject.classifier, settings), subject,
+                      frames, outputs);
+  }
+  return run_frames(motion, run::All_classifiers::make(subject.classifier, settings), subject,
+                    frames, outputs);
+}
+
+std::unique_ptr<scenario::Motion> open(const std::string& path, const run::Run_options& options,
+                                       bool is_recording)
+{
+  scenario::Overrides overrides = options.overrides;
+  if (is_recording) {
+    overrides.seed.reset(); // it is the random classifier's alone
+  }
+  return scenario::open_motion(path, overrides);
+}
+
+// What it prints, and whether that arrives.
+void print(const run::Run_subject& subject, const run::Run_summary& summary)
+{
+  errno = 0;
+  run::write_table(std::cout, subject, summary);
+  std::cout.flush();
+  if (!std::cout) {
+    throw std::runtime_error(std::string("standard output: cannot be written: ") +
+                             std::strerror(errno));
+  }
+}
+
+int run_scenario(const run::Run_options& options)
+{
+  const std::string path = scenario::scenario_path(options.scenario);
+  const scenario::Scenario_facts facts = scenario::scenario_facts(path, options.overrides.points);
+  const auto motion = open(path, options, !facts.seed);
+  if (!motion->remark().empty()) {
+    std::cerr << "run_scenario: " << path << ": " << motion->remark() << std::endl;
+  }
+  const run::Run_subject subject = run::run_subject(options, *motion, facts);
+  std::size_t frames = options.frames.value_or(motion->frames());
+  if (!facts.seed) {
+    frames = (std::min)(frames, motion->frames()); // a recording ends
+  }
+  run::Run_summary summary;
+  {
+    Outputs outputs(options, motion->name(), frames, facts.box);
+    summary = run_frames(options, subject, *motion, frames, outputs);
+    outputs.finish(subject, summary);
+  }
+  if (!options.quiet) {
+    print(subject, summary);
+  }
+  if (run::Interruption::has_come()) {
+    std::cerr << "run_scenario: interrupted: what was written is of the " << summary.frames
+              << " frames that were done, of " << frames << std::endl;
+    return run::Interruption::exit_code();
+  }
+  return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  CLI::App app("", "run_scenario");
+  try {
+    const run::Run_options options = run::parse_options(app, argc, argv);
+    run::Interruption::expect();
+    return run_scenario(options);
+  } catch (const CLI::Success& help_or_version) {
+    return app.exit(help_or_version);
+  } catch (const std::exception& error) {
+    std::cerr << "run_scenario: " << error.what() << std::endl;
+    return 1;
+  }
+}
