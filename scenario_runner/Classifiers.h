@@ -4,8 +4,7 @@
 #ifndef SCENARIO_RUNNER_CLASSIFIERS_H
 #define SCENARIO_RUNNER_CLASSIFIERS_H
 
-#include "scenario_runner/Number_text.h"
-#include "scenario_runner/Text_input.h"
+#include "scenario_runner/Method_choice.h"
 
 #include <CGAL/Circumcircle_classifier_2.h>
 #include <CGAL/Estimated_voronoi_circumcenter_classifier_2.h>
@@ -19,14 +18,12 @@
 #include <CGAL/Voronoi_circumcenter_classifier_2.h>
 #include <CGAL/Voronoi_edge_length_classifier_2.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -34,145 +31,33 @@
 
 namespace run {
 
-struct Classifier_parameter
+// A classifier and its name; and, if it has one, its parameter.
+template <class Classifier_>
+struct Named_classifier
 {
-  std::string letter;
-  double usual;
-  scenario::Range range;
+  using Classifier = Classifier_;
+
+  const char* name;
+  const char* letter = nullptr;
+  double (Classifier::*parameter)() const = nullptr;
 };
 
-struct Classifier_kind
-{
-  std::string name;
-  bool is_exact;
-  std::optional<Classifier_parameter> parameter;
-};
-
-struct Classifier_choice
-{
-  std::string name;
-  bool is_exact;
-  std::optional<double> parameter;
-  std::vector<Classifier_choice> parts{}; // FIRST and SECOND of a refined one
-
-  bool uses_chance() const
-  {
-    return name == "random" || std::any_of(parts.begin(), parts.end(),
-                                           [](const auto& part) { return part.uses_chance(); });
-  }
-
-  // What stands after the colon, if anything does.
-  std::string parameter_text() const
-  {
-    if (!parts.empty()) {
-      return parts.front().text() + '+' + parts.back().text();
-    }
-    std::ostringstream text;
-    if (parameter) {
-      text << *parameter;
-    }
-    return text.str();
-  }
-
-  std::string text() const
-  {
-    const std::string after_colon = parameter_text();
-    return after_colon.empty() ? name : name + ':' + after_colon;
-  }
-};
-
-inline const std::vector<Classifier_kind>& classifier_kinds()
-{
-  const auto from_0_to_1 = [](const char* letter, double usual) {
-    return Classifier_parameter{letter, usual, {0.0, 1.0}};
-  };
-  static const std::vector<Classifier_kind> kinds = {
-      {"circumcircle", true, std::nullopt},
-      {"safe_region", true, std::nullopt},
-      {"point_distance", false, from_0_to_1("X", 0.7)},
-      {"inflation_aware", false, from_0_to_1("X", 0.7)},
-      {"voronoi_circumcenter", false, std::nullopt},
-      {"voronoi_circumcenter_estimated", false, std::nullopt},
-      {"voronoi_edge_length", false, from_0_to_1("X", 1.0)},
-      {"nearly_delaunay", false, from_0_to_1("EPS", 0.05)},
-      {"random", false, from_0_to_1("P", 0.0025)}};
-  return kinds;
-}
-
-// "circumcircle, point_distance:X (X from 0 to 1, default 0.7), ..."
-inline std::string classifier_list()
-{
-  std::ostringstream list;
-  const char* separator = "";
-  for (const Classifier_kind& kind : classifier_kinds()) {
-    list << separator << kind.name;
-    if (const auto& parameter = kind.parameter) {
-      list << ':' << parameter->letter << " (" << parameter->letter << ' '
-           << parameter->range.text() << ", default " << parameter->usual << ')';
-    }
-    separator = ", ";
-  }
-  list << ", refined:FIRST+SECOND (two of these)";
-  return list.str();
-}
-
-inline std::optional<double> classifier_parameter(const Classifier_kind& kind,
-                                                  const std::optional<std::string>& text)
-{
-  if (!kind.parameter && text) {
-    throw std::invalid_argument(kind.name + " takes no parameter; there are " + classifier_list());
-  }
-  if (!kind.parameter) {
-    return std::nullopt;
-  }
-  try {
-    return text ? number_argument(*text, kind.parameter->range) : kind.parameter->usual;
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument("the parameter of " + kind.name + ": " + error.what());
-  }
-}
-
-inline Classifier_choice classifier_choice(const std::string& text);
-
-// From FIRST+SECOND. A number may hold a plus sign (1e+0), a name does not start with a digit.
-inline Classifier_choice refined_choice(const std::string& text)
-{
-  std::size_t plus = text.find('+');
-  while (plus != std::string::npos && plus + 1 < text.size() &&
-         std::isdigit(static_cast<unsigned char>(text[plus + 1]))) {
-    plus = text.find('+', plus + 1);
-  }
-  if (plus == std::string::npos) {
-    throw std::invalid_argument("refined takes two classifiers, refined:FIRST+SECOND; there are " +
-                                classifier_list());
-  }
-  const Classifier_choice first = classifier_choice(text.substr(0, plus));
-  const Classifier_choice second = classifier_choice(text.substr(plus + 1));
-  if (!first.parts.empty() || !second.parts.empty()) {
-    throw std::invalid_argument("refined takes no refined classifier; there are " +
-                                classifier_list());
-  }
-  return {"refined", first.is_exact && second.is_exact, std::nullopt, {first, second}};
-}
-
-// From NAME or NAME:PARAMETER.
-inline Classifier_choice classifier_choice(const std::string& text)
-{
-  const std::size_t colon = text.find(':');
-  const std::string name = text.substr(0, colon);
-  const auto parameter =
-      colon == std::string::npos ? std::nullopt : std::optional(text.substr(colon + 1));
-  if (name == "refined") {
-    return refined_choice(parameter.value_or(""));
-  }
-  for (const Classifier_kind& kind : classifier_kinds()) {
-    if (kind.name == name) {
-      return {name, kind.is_exact, classifier_parameter(kind, parameter)};
-    }
-  }
-  throw std::invalid_argument("there is no classifier '" + name + "'; there are " +
-                              classifier_list());
-}
+// All that can be chosen. Whether they are exact, and the usual parameters, they know themselves.
+inline constexpr std::tuple named_classifiers = {
+    Named_classifier<CGAL::Circumcircle_classifier_2>{"circumcircle"},
+    Named_classifier<CGAL::Safe_region_classifier_2>{"safe_region"},
+    Named_classifier<CGAL::Point_distance_classifier_2>{"point_distance", "X",
+                                                        &CGAL::Point_distance_classifier_2::x},
+    Named_classifier<CGAL::Inflation_aware_classifier_2>{"inflation_aware", "X",
+                                                         &CGAL::Inflation_aware_classifier_2::x},
+    Named_classifier<CGAL::Voronoi_circumcenter_classifier_2>{"voronoi_circumcenter"},
+    Named_classifier<CGAL::Estimated_voronoi_circumcenter_classifier_2>{
+        "voronoi_circumcenter_estimated"},
+    Named_classifier<CGAL::Voronoi_edge_length_classifier_2>{
+        "voronoi_edge_length", "X", &CGAL::Voronoi_edge_length_classifier_2::x},
+    Named_classifier<CGAL::Nearly_delaunay_classifier_2>{"nearly_delaunay", "EPS",
+                                                         &CGAL::Nearly_delaunay_classifier_2::eps},
+    Named_classifier<CGAL::Random_classifier_2>{"random", "P", &CGAL::Random_classifier_2::p}};
 
 // One of several classifiers, chosen while the program runs; exact if all of them are. The
 // triangulation is then compiled once for all of them; a program that knows its classifier names it
@@ -235,36 +120,32 @@ struct Classifier_settings
   std::uint64_t seed;
 };
 
+template <class Classifier>
+Classifier make_classifier(const Classifier_choice& choice, const Classifier_settings& settings)
+{
+  if constexpr (std::is_same_v<Classifier, CGAL::Circumcircle_classifier_2>) {
+    return Classifier(settings.threads);
+  } else if constexpr (std::is_same_v<Classifier, CGAL::Random_classifier_2>) {
+    return Classifier(*choice.parameter, settings.seed);
+  } else if constexpr (std::is_constructible_v<Classifier, double>) {
+    return Classifier(*choice.parameter);
+  } else {
+    return Classifier();
+  }
+}
+
 // Calls `use(classifier)` with the one that was chosen, which is no refined one.
-template <class Use>
+template <std::size_t i = 0, class Use>
 auto with_classifier(const Classifier_choice& choice, const Classifier_settings& settings, Use use)
 {
-  const std::string& name = choice.name;
-  if (name == "safe_region") {
-    return use(CGAL::Safe_region_classifier_2());
+  constexpr auto named = std::get<i>(named_classifiers);
+  constexpr bool is_last = i + 1 == std::tuple_size_v<decltype(named_classifiers)>;
+  if constexpr (!is_last) {
+    if (choice.name != named.name) {
+      return with_classifier<i + 1>(choice, settings, use);
+    }
   }
-  if (name == "point_distance") {
-    return use(CGAL::Point_distance_classifier_2(*choice.parameter));
-  }
-  if (name == "inflation_aware") {
-    return use(CGAL::Inflation_aware_classifier_2(*choice.parameter));
-  }
-  if (name == "voronoi_circumcenter") {
-    return use(CGAL::Voronoi_circumcenter_classifier_2());
-  }
-  if (name == "voronoi_circumcenter_estimated") {
-    return use(CGAL::Estimated_voronoi_circumcenter_classifier_2());
-  }
-  if (name == "voronoi_edge_length") {
-    return use(CGAL::Voronoi_edge_length_classifier_2(*choice.parameter));
-  }
-  if (name == "nearly_delaunay") {
-    return use(CGAL::Nearly_delaunay_classifier_2(*choice.parameter));
-  }
-  if (name == "random") {
-    return use(CGAL::Random_classifier_2(*choice.parameter, settings.seed));
-  }
-  return use(CGAL::Circumcircle_classifier_2(settings.threads));
+  return use(make_classifier<typename decltype(named)::Classifier>(choice, settings));
 }
 
 // Any of `Part`, or one of it refined by another one: by one of `Edge_part`, all of which decide
@@ -313,13 +194,11 @@ using Exact_classifiers = Classifier_family<
     Any_classifier<CGAL::Circumcircle_classifier_2, CGAL::Safe_region_classifier_2>,
     Any_edge_classifier<CGAL::Circumcircle_classifier_2>>;
 
+template <class... Named>
+Any_classifier<typename Named::Classifier...> any_of(const std::tuple<Named...>&);
+
 using All_classifiers = Classifier_family<
-    Any_classifier<CGAL::Circumcircle_classifier_2, CGAL::Safe_region_classifier_2,
-                   CGAL::Point_distance_classifier_2, CGAL::Inflation_aware_classifier_2,
-                   CGAL::Voronoi_circumcenter_classifier_2,
-                   CGAL::Estimated_voronoi_circumcenter_classifier_2,
-                   CGAL::Voronoi_edge_length_classifier_2, CGAL::Nearly_delaunay_classifier_2,
-                   CGAL::Random_classifier_2>,
+    decltype(any_of(named_classifiers)),
     Any_edge_classifier<CGAL::Circumcircle_classifier_2, CGAL::Voronoi_circumcenter_classifier_2,
                         CGAL::Estimated_voronoi_circumcenter_classifier_2,
                         CGAL::Voronoi_edge_length_classifier_2,

@@ -4,10 +4,15 @@
 #ifndef SCENARIO_RUNNER_FRAME_RECORD_H
 #define SCENARIO_RUNNER_FRAME_RECORD_H
 
+#include "scenario_runner/Motion.h"
+
 #include <CGAL/Update_report_2.h>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace run {
 
@@ -31,29 +36,51 @@ struct Frame_record
   Frame_times nanoseconds{};
 };
 
-inline std::string rebuild_reason_name(CGAL::Rebuild_reason_2 reason)
+std::string rebuild_reason_name(CGAL::Rebuild_reason_2 reason);
+
+// The sets of thesis 4.1.3, by the numbers that files have for them.
+enum class Vertex_set : std::uint8_t { none, border, padded, classified };
+
+struct Shown_triangle
 {
-  switch (reason) {
-  case CGAL::Rebuild_reason_2::NONE:
-    return "none";
-  case CGAL::Rebuild_reason_2::REPAIR:
-    return "repair";
-  case CGAL::Rebuild_reason_2::TOO_MUCH_BROKEN:
-    return "too_much_broken";
-  case CGAL::Rebuild_reason_2::STUCK:
-    return "stuck";
-  case CGAL::Rebuild_reason_2::COINCIDENCE:
-    return "coincidence";
-  case CGAL::Rebuild_reason_2::POPULATION:
-    return "population";
-  case CGAL::Rebuild_reason_2::DIMENSION:
-    return "dimension";
-  case CGAL::Rebuild_reason_2::POLICY:
-    return "policy";
-  case CGAL::Rebuild_reason_2::BUDGET_SPENT:
-    return "budget_spent";
+  std::array<std::size_t, 3> corners;
+  bool is_delaunay; // none of its edges needs repair
+};
+
+// A run as pictures and files show its frame. Points are known by their places in the motion;
+// those that coincide share the edges and triangles of the first of them.
+class Run_view
+{
+public:
+  virtual ~Run_view() = default;
+
+  virtual const scenario::Motion& motion() const = 0;
+  virtual const Frame_record& record() const = 0;
+  virtual std::vector<Vertex_set> sets() const = 0; // of each point
+  virtual scenario::Neighbor_edges edges() const = 0;
+  virtual std::vector<Shown_triangle> triangles() const = 0;
+};
+
+// Of each vertex of a run's frame. A rebuild gives vertices other numbers than those under which
+// they were classified; then all are in none.
+template <class Run>
+std::vector<Vertex_set> sets_of_vertices(const Run& run)
+{
+  const auto& triangulation = run.triangulation();
+  std::vector<Vertex_set> sets(triangulation.number_of_vertices() + 1, Vertex_set::none);
+  if (run.record().update.rebuilt()) {
+    return sets;
   }
-  return "unknown";
+  for (const auto v : triangulation.border_vertices()) {
+    sets[v] = Vertex_set::border;
+  }
+  for (const auto v : triangulation.padded_vertices()) {
+    sets[v] = Vertex_set::padded;
+  }
+  for (const auto v : triangulation.classified_vertices()) {
+    sets[v] = Vertex_set::classified;
+  }
+  return sets;
 }
 
 } // namespace run

@@ -4,10 +4,7 @@
 #ifndef SCENARIO_RUNNER_MEASUREMENT_H
 #define SCENARIO_RUNNER_MEASUREMENT_H
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -30,23 +27,10 @@ struct Spread
   double high_quartile;
 };
 
-inline double quantile(const std::vector<double>& sorted, double share)
-{
-  const double place = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(std::floor(place));
-  const std::size_t above = (std::min)(below + 1, sorted.size() - 1);
-  return sorted[below] + (place - std::floor(place)) * (sorted[above] - sorted[below]);
-}
+double quantile(const std::vector<double>& sorted, double share);
 
 // Nothing has no spread.
-inline std::optional<Spread> spread(std::vector<double> values)
-{
-  if (values.empty()) {
-    return std::nullopt;
-  }
-  std::sort(values.begin(), values.end());
-  return Spread{quantile(values, 0.25), quantile(values, 0.5), quantile(values, 0.75)};
-}
+std::optional<Spread> spread(std::vector<double> values);
 
 } // namespace run
 

@@ -8,178 +8,28 @@
 #include "scenario_runner/Recorded_motion.h"
 #include "scenario_runner/Scenario_file.h"
 #include "scenario_runner/Simulated_motion.h"
-#include "scenario_runner/Text_input.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <filesystem>
 #include <memory>
 #include <optional>
-#include <sstream>
-#include <stdexcept>
 #include <string>
-#include <system_error>
-#include <utility>
-#include <variant>
 #include <vector>
 
 namespace scenario {
 
-inline void check_overrides(const std::string& path, const Overrides& overrides)
-{
-  if (overrides.points && (*overrides.points < 1 || *overrides.points > max_points)) {
-    throw Scenario_error(path, "cannot be scaled to " + std::to_string(*overrides.points) +
-                                   " points, allowed are 1 to " + std::to_string(max_points));
-  }
-  if (overrides.time_step && !positive_up_to(largest_time_step).contains(*overrides.time_step)) {
-    std::ostringstream message;
-    message << "cannot run with time step " << *overrides.time_step << ", allowed are values "
-            << positive_up_to(largest_time_step).text();
-    throw Scenario_error(path, message.str());
-  }
-}
-
-inline std::unique_ptr<Particle_motion> make_motion(const Scenario_description& description,
-                                                    Particle_description particles,
-                                                    const Overrides& overrides)
-{
-  particles.packing = overrides.packing.value_or(particles.packing);
-  particles.time_step = overrides.time_step.value_or(particles.time_step);
-  return std::make_unique<Particle_motion>(
-      description.name, particles, overrides.seed.value_or(description.seed), description.frames,
-      overrides.points.value_or(particles.number_of_points()));
-}
-
-inline std::unique_ptr<Brownian_motion> make_motion(const Scenario_description& description,
-                                                    Brownian_description brownian,
-                                                    const Overrides& overrides)
-{
-  brownian.points = overrides.points.value_or(brownian.points);
-  brownian.time_step = overrides.time_step.value_or(brownian.time_step);
-  return std::make_unique<Brownian_motion>(
-      description.name, brownian, overrides.seed.value_or(description.seed), description.frames);
-}
-
-inline std::unique_ptr<Motion> open_scenario(const std::string& path, const Overrides& overrides)
-{
-  const Scenario_description description = read_scenario_file(path);
-  check_overrides(path, overrides);
-  if (const auto* particles = std::get_if<Particle_description>(&description.kind)) {
-    return make_motion(description, *particles, overrides);
-  }
-  if (overrides.packing) {
-    throw Scenario_error(path, "has no packing that could be chosen, it is a random cloud");
-  }
-  return make_motion(description, std::get<Brownian_description>(description.kind), overrides);
-}
-
-inline void refuse_overrides(const std::string& path, const Overrides& overrides)
-{
-  if (overrides.points || overrides.time_step || overrides.seed || overrides.packing) {
-    throw Scenario_error(path, "is a recording: its number of points, time step, seed and packing "
-                               "cannot be chosen");
-  }
-}
+inline const std::string motion_extensions = ".json, .csv, .tsv, .txt, .lammpstrj or .dump";
 
 // Opens a scenario or a recording, which the name of the file tells apart, compressed or not; or a
 // CSV recording from standard input, as "-".
-inline std::unique_ptr<Motion> open_motion(const std::string& path, const Overrides& overrides = {})
-{
-  const auto format = is_standard_input(path) ? Motion_format::csv : motion_format(path);
-  if (!format) {
-    throw Scenario_error(path, "has the unknown extension '" +
-                                   without_gz(path).extension().string() + "', allowed are " +
-                                   motion_extensions + ", also followed by .gz");
-  }
-  if (*format == Motion_format::scenario) {
-    return open_scenario(path, overrides);
-  }
-  refuse_overrides(path, overrides);
-  Recording recording =
-      *format == Motion_format::csv ? read_csv_motion(path) : read_lammps_dump(path);
-  return std::make_unique<Recorded_motion>(recording_name(path), std::move(recording));
-}
+std::unique_ptr<Motion> open_motion(const std::string& path, const Overrides& overrides = {});
 
-// Where recorded motion is, which is no part of the package: in the directory that the environment
-// names, or else in that which CMake was told of.
-inline std::string recordings_directory()
-{
-  const char* const variable = std::getenv("RECORDINGS_DIR");
-  return variable != nullptr ? variable : RECORDINGS_DIR;
-}
-
-inline std::string no_recordings_message()
-{
-  return "no recordings in " + recordings_directory() +
-         "; set RECORDINGS_DIR to the directory that holds them";
-}
-
-// Whether they have to be there: the environment names a directory, or the usual one exists.
-inline bool recordings_are_expected()
-{
-  return std::getenv("RECORDINGS_DIR") != nullptr ||
-         std::filesystem::is_directory(recordings_directory());
-}
-
-// A .txt beside recordings more often tells of them.
-inline bool is_recording(const std::filesystem::path& file)
-{
-  const auto format = motion_format(file);
-  return format && *format != Motion_format::scenario && without_gz(file).extension() != ".txt";
-}
-
-// The paths of all recordings in a directory, in the order of their names; none if there is none.
-inline std::vector<std::string> recordings_in(const std::string& directory)
-{
-  std::vector<std::string> paths;
-  std::error_code ignored;
-  for (const auto& file : std::filesystem::directory_iterator(directory, ignored)) {
-    if (is_recording(file.path())) {
-      paths.push_back(file.path().string());
-    }
-  }
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
-
-inline std::vector<std::string> recordings()
-{
-  return recordings_in(recordings_directory());
-}
-
-inline std::vector<std::string> known_scenarios()
-{
-  std::vector<std::string> names;
-  std::error_code ignored;
-  for (const auto& file : std::filesystem::directory_iterator(SCENARIOS_DIR, ignored)) {
-    if (file.path().extension() == ".json") {
-      names.push_back(file.path().stem().string());
-    }
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-// The file that a person means who names a scenario or a file.
-inline std::string scenario_path(const std::string& name)
-{
-  if (is_standard_input(name)) {
-    return name;
-  }
-  std::error_code ignored;
-  if (std::filesystem::exists(name, ignored) && !std::filesystem::is_directory(name, ignored)) {
-    return name;
-  }
-  const auto names = known_scenarios();
-  if (std::find(names.begin(), names.end(), name) != names.end()) {
-    return scenario_file(name);
-  }
-  throw std::runtime_error("there is no scenario and no file '" + name + "'; scenarios are " +
-                           joined(names) + ", files end in " + motion_extensions +
-                           ", also followed by .gz");
-}
+std::unique_ptr<Particle_motion> make_motion(const Scenario_description& description,
+                                             Particle_description particles,
+                                             const Overrides& overrides);
+std::unique_ptr<Brownian_motion> make_motion(const Scenario_description& description,
+                                             Brownian_description brownian,
+                                             const Overrides& overrides);
 
 // What a scenario file says and its motion does not; a recording says nothing of it.
 struct Scenario_facts
@@ -188,21 +38,26 @@ struct Scenario_facts
   std::optional<Packing> packing{};
   std::optional<Box> box{};
 };
+Scenario_facts scenario_facts(const std::string& path, const std::optional<std::size_t>& points);
 
-inline Scenario_facts scenario_facts(const std::string& path,
-                                     const std::optional<std::size_t>& points)
-{
-  if (motion_format(path) != Motion_format::scenario) {
-    return {};
-  }
-  const Scenario_description description = read_scenario_file(path);
-  if (const auto* particles = std::get_if<Particle_description>(&description.kind)) {
-    const Scaled_scenario scaled =
-        scaled_to(*particles, points.value_or(particles->number_of_points()));
-    return {description.seed, particles->packing, scaled.box};
-  }
-  return {description.seed, std::nullopt, std::get<Brownian_description>(description.kind).box};
-}
+// The scenarios that come with the package, and the file of one.
+std::vector<std::string> known_scenarios();
+std::string scenario_file(const std::string& name);
+
+// The file that a person means who names a scenario or a file.
+std::string scenario_path(const std::string& name);
+
+// Where recorded motion is, which is no part of the package: in the directory that the environment
+// names, or else in that which CMake was told of.
+std::string recordings_directory();
+std::string no_recordings_message();
+
+// Whether they have to be there: the environment names a directory, or the usual one exists.
+bool recordings_are_expected();
+
+// The paths of all recordings in a directory, in the order of their names; none if there is none.
+std::vector<std::string> recordings_in(const std::string& directory);
+std::vector<std::string> recordings();
 
 } // namespace scenario
 

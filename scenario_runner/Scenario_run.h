@@ -25,6 +25,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace run {
 
@@ -109,7 +110,7 @@ private:
 // Lets a motion run and keeps its triangulation: times every frame against the static opponents,
 // and checks the result outside of the timing.
 template <class Classifier>
-class Scenario_run
+class Scenario_run : public Run_view
 {
 public:
   using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, Any_repair,
@@ -166,18 +167,74 @@ public:
     });
   }
 
-  const scenario::Motion& motion() const { return m_motion; }
+  const scenario::Motion& motion() const override { return m_motion; }
+  const Frame_record& record() const override { return m_record; }
   const Dynamic& triangulation() const { return m_kept->triangulation(); }
-  const Frame_record& record() const { return m_record; }
 
-  // The vertex, in the frame of the triangulation, of the point in this place of the motion.
-  auto vertex(std::size_t place) const
+  std::vector<Vertex_set> sets() const override
   {
-    using Index = typename Dynamic::Frame::Index;
-    return triangulation().frame().vertex(static_cast<Index>(m_kept->id(m_motion, place)));
+    const std::vector<Vertex_set> sets_of_its_vertices = sets_of_vertices(*this);
+    std::vector<Vertex_set> sets;
+    for (std::size_t place = 0; place != m_motion.points().size(); ++place) {
+      sets.push_back(sets_of_its_vertices[vertex(place)]);
+    }
+    return sets;
+  }
+
+  scenario::Neighbor_edges edges() const override
+  {
+    const std::vector<std::uint32_t> places = places_of_vertices();
+    const auto frame = triangulation().frame();
+    scenario::Neighbor_edges edges;
+    triangulation().for_each_edge([&](std::size_t i, std::size_t j) {
+      edges.emplace_back(places[frame.vertex(static_cast<Index>(i))],
+                         places[frame.vertex(static_cast<Index>(j))]);
+    });
+    return edges;
+  }
+
+  std::vector<Shown_triangle> triangles() const override
+  {
+    const std::vector<std::uint32_t> places = places_of_vertices();
+    const auto frame = triangulation().frame();
+    std::vector<bool> are_delaunay(frame.number_of_faces(), true);
+    for (Index e = 0; e != frame.number_of_edges(); ++e) {
+      if (!frame.is_delaunay(e)) {
+        for (const Index f : frame.faces_at(e)) {
+          are_delaunay[f] = false;
+        }
+      }
+    }
+    std::vector<Shown_triangle> triangles;
+    for (Index f = 0; f != frame.number_of_faces(); ++f) {
+      const auto [a, b, c] = frame.face(f);
+      if (!Frame::is_infinite(a) && !Frame::is_infinite(b) && !Frame::is_infinite(c)) {
+        triangles.push_back({{places[a], places[b], places[c]}, are_delaunay[f]});
+      }
+    }
+    return triangles;
   }
 
 private:
+  using Frame = typename Dynamic::Frame;
+  using Index = typename Frame::Index;
+
+  // The vertex, in the frame of the triangulation, of the point in this place of the motion.
+  Index vertex(std::size_t place) const
+  {
+    return triangulation().frame().vertex(static_cast<Index>(m_kept->id(m_motion, place)));
+  }
+
+  // Of the first of the points that coincide there.
+  std::vector<std::uint32_t> places_of_vertices() const
+  {
+    std::vector<std::uint32_t> places(triangulation().number_of_vertices() + 1);
+    for (std::size_t place = m_motion.points().size(); place-- != 0;) {
+      places[vertex(place)] = static_cast<std::uint32_t>(place);
+    }
+    return places;
+  }
+
   template <class Work>
   void with_frame_in_message(Work work) const
   {

@@ -4,31 +4,13 @@
 #ifndef SCENARIO_RUNNER_TEXT_INPUT_H
 #define SCENARIO_RUNNER_TEXT_INPUT_H
 
-#include <algorithm>
-#include <cctype>
-#include <cerrno>
-#include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <limits>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <system_error>
-#include <utility>
 #include <vector>
-
-#ifdef SCENARIO_HAS_ZLIB
-#define ZLIB_CONST // input is not written
-#include <zlib.h>
-#endif
 
 namespace scenario {
 
@@ -37,70 +19,18 @@ namespace scenario {
 class Scenario_error : public std::runtime_error
 {
 public:
-  Scenario_error(std::string file, const std::string& message, std::size_t line = 0,
-                 std::size_t column = 0)
-    : std::runtime_error(with_place(file, message, line, column))
-    , m_file(std::move(file))
-    , m_line(line)
-    , m_column(column)
-  {
-  }
+  Scenario_error(const std::string& file, const std::string& message, std::size_t line = 0,
+                 std::size_t column = 0);
 
   const std::string& file() const { return m_file; }
   std::size_t line() const { return m_line; }
   std::size_t column() const { return m_column; }
 
 private:
-  static std::string with_place(const std::string& file, const std::string& message,
-                                std::size_t line, std::size_t column)
-  {
-    std::string place = file;
-    if (line != 0) {
-      place += ", line " + std::to_string(line);
-    }
-    if (column != 0) {
-      place += ", column " + std::to_string(column);
-    }
-    return place + ": " + printable(message);
-  }
-
-  // Messages quote foreign data, which must neither break the line nor steer a terminal.
-  static std::string printable(const std::string& message)
-  {
-    constexpr char digits[] = "0123456789ABCDEF";
-    std::string text;
-    for (const char c : message) {
-      const auto byte = static_cast<unsigned char>(c);
-      if (byte >= 0x20 && byte != 0x7F) {
-        text += c;
-      } else {
-        text += {'\\', 'x', digits[byte / 16], digits[byte % 16]};
-      }
-    }
-    return text;
-  }
-
   std::string m_file;
   std::size_t m_line;
   std::size_t m_column;
 };
-
-inline std::string joined(const std::vector<std::string>& words)
-{
-  std::string text;
-  for (const std::string& word : words) {
-    text += (text.empty() ? "" : ", ") + word;
-  }
-  return text;
-}
-
-inline std::string lower_case(std::string text)
-{
-  for (char& c : text) {
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  }
-  return text;
-}
 
 // positive_up_to() leaves its lower bound 0 out.
 struct Range
@@ -113,13 +43,7 @@ struct Range
   {
     return (low_is_allowed ? value >= low : value > low) && value <= high;
   }
-
-  std::string text() const
-  {
-    std::ostringstream stream;
-    stream << (low_is_allowed ? "from " : "above ") << low << " to " << high;
-    return stream.str();
-  }
+  std::string text() const;
 };
 
 inline Range positive_up_to(double high)
@@ -127,251 +51,48 @@ inline Range positive_up_to(double high)
   return {0.0, high, false};
 }
 
-inline bool is_gzip(std::string_view bytes)
-{
-  constexpr std::string_view magic = "\x1F\x8B";
-  return bytes.substr(0, magic.size()) == magic;
-}
+// A file as a whole; what is compressed by gzip, whatever its name, is unzipped.
+std::string read_text_file(const std::string& path);
+std::string read_standard_input(const std::string& name);
 
-#ifdef SCENARIO_HAS_ZLIB
-
-// Unzips a gzip file that is in memory; it may have several members, one after the other.
-class Gzip_reader
-{
-public:
-  Gzip_reader(std::string file, std::string_view zipped)
-    : m_file(std::move(file))
-    , m_rest(zipped)
-  {
-    constexpr int gzip_alone = 16;
-    if (inflateInit2(&m_stream, MAX_WBITS + gzip_alone) != Z_OK) {
-      throw Scenario_error(m_file, "cannot be unzipped: zlib does not start");
-    }
-  }
-  Gzip_reader(const Gzip_reader&) = delete;
-  Gzip_reader& operator=(const Gzip_reader&) = delete;
-  ~Gzip_reader() { inflateEnd(&m_stream); }
-
-  std::string text()
-  {
-    do {
-      inflateReset(&m_stream);
-      read_member();
-    } while (is_gzip(m_rest));
-    if (m_rest.find_first_not_of('\0') != std::string_view::npos) {
-      fail("something else follows the end of the gzip stream");
-    }
-    return std::move(m_text);
-  }
-
-private:
-  void read_member()
-  {
-    char buffer[1 << 16];
-    for (int state = Z_OK; state != Z_STREAM_END;) {
-      const auto given = static_cast<uInt>(
-          (std::min<std::size_t>)(m_rest.size(), (std::numeric_limits<uInt>::max)()));
-      m_stream.next_in = reinterpret_cast<const Bytef*>(m_rest.data());
-      m_stream.avail_in = given;
-      m_stream.next_out = reinterpret_cast<Bytef*>(buffer);
-      m_stream.avail_out = sizeof buffer;
-      state = inflate(&m_stream, Z_NO_FLUSH);
-      m_rest.remove_prefix(given - m_stream.avail_in);
-      m_text.append(buffer, sizeof buffer - m_stream.avail_out);
-      check(state);
-    }
-  }
-
-  void check(int state) const
-  {
-    if (state == Z_BUF_ERROR && m_rest.empty()) {
-      fail("the gzip stream ends too early");
-    }
-    if (state != Z_OK && state != Z_STREAM_END) {
-      fail(std::string("the gzip stream is damaged") +
-           (m_stream.msg != nullptr ? std::string(": ") + m_stream.msg : ""));
-    }
-  }
-
-  // In the line of the text up to which it could be unzipped.
-  [[noreturn]] void fail(const std::string& message) const
-  {
-    const auto ends = std::count(m_text.begin(), m_text.end(), '\n');
-    throw Scenario_error(m_file, message, static_cast<std::size_t>(ends) + 1);
-  }
-
-  std::string m_file;
-  std::string_view m_rest;
-  std::string m_text;
-  z_stream m_stream{};
-};
-
-inline std::string unzipped(const std::string& file, std::string_view zipped)
-{
-  return Gzip_reader(file, zipped).text();
-}
-
-#else
-
-inline std::string unzipped(const std::string& file, std::string_view)
-{
-  throw Scenario_error(file, "is compressed by gzip, and this program was built without zlib: "
-                             "unzip it first (gzip -d)");
-}
-
-#endif
-
-// `size` is what the stream is expected to have, and 0 if nobody knows.
-inline std::string read_text(std::istream& stream, const std::string& file, std::uintmax_t size)
-{
-  std::string text;
-  text.reserve(size);
-  char buffer[1 << 16];
-  while (stream.read(buffer, sizeof buffer), stream.gcount() > 0) {
-    text.append(buffer, static_cast<std::size_t>(stream.gcount()));
-  }
-  if (stream.bad()) {
-    throw Scenario_error(file, "cannot be read to its end");
-  }
-  return is_gzip(text) ? unzipped(file, text) : text;
-}
-
-// What is compressed by gzip, whatever its name, is unzipped.
-inline std::string read_text_file(const std::string& path)
-{
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    throw Scenario_error(path, "is a directory, not a file");
-  }
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
-    throw Scenario_error(path, std::string("cannot be opened: ") + std::strerror(errno));
-  }
-  std::error_code no_size;
-  const std::uintmax_t size = std::filesystem::file_size(path, no_size);
-  return read_text(stream, path, no_size ? 0 : size);
-}
-
-inline std::string read_standard_input(const std::string& name)
-{
-  return read_text(std::cin, name, 0);
-}
-
-inline bool is_blank(char c)
-{
-  return c == ' ' || c == '\t' || c == '\r';
-}
-
-inline std::string_view trimmed(std::string_view text)
-{
-  while (!text.empty() && is_blank(text.front())) {
-    text.remove_prefix(1);
-  }
-  while (!text.empty() && is_blank(text.back())) {
-    text.remove_suffix(1);
-  }
-  return text;
-}
+std::string joined(const std::vector<std::string>& words);
+std::string lower_case(std::string text);
+bool is_blank(char c);
+std::string_view trimmed(std::string_view text);
+void split_at_blanks(std::string_view line, std::vector<std::string_view>& fields);
 
 // For messages, which a long line of foreign data must not drown.
-inline std::string in_quotes(std::string_view text)
-{
-  constexpr std::size_t longest = 40;
-  return "'" + std::string(text.substr(0, longest)) + (text.size() > longest ? "...'" : "'");
-}
+std::string in_quotes(std::string_view text);
 
-inline void split_at_blanks(std::string_view line, std::vector<std::string_view>& fields)
-{
-  constexpr std::string_view blanks = " \t\r";
-  fields.clear();
-  std::size_t begin = 0;
-  while ((begin = line.find_first_not_of(blanks)) != std::string_view::npos) {
-    line.remove_prefix(begin);
-    const std::size_t end = line.find_first_of(blanks);
-    fields.push_back(line.substr(0, end));
-    line.remove_prefix(end == std::string_view::npos ? line.size() : end);
-  }
-}
+// Whether a text is a number as a whole. Strict, unlike strtoull(), to which "-1" is a large number
+// and "010" is 8.
+bool is_number(std::string_view text, double& value);
+bool is_number(std::string_view text, std::uint64_t& value);
 
 // Walks over the lines of a text that outlives it, and reads numbers with the current line as the
 // place of every error.
 class Text_scanner
 {
 public:
-  Text_scanner(std::string file, std::string_view text)
-    : m_file(std::move(file))
-    , m_rest(text)
-  {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (m_rest.substr(0, byte_order_mark.size()) == byte_order_mark) {
-      m_rest.remove_prefix(byte_order_mark.size());
-    }
-    const std::string_view start = m_rest.substr(0, 2);
-    if (start == "\xFF\xFE" || start == "\xFE\xFF") {
-      throw Scenario_error(m_file, "is UTF-16 text, expected UTF-8", 1);
-    }
-  }
+  Text_scanner(std::string file, std::string_view text);
 
   // The next line that is not blank, without blanks around it, or false at the end.
-  bool next_line(std::string_view& line)
-  {
-    const bool is_there = next_whole_line(line);
-    line = trimmed(line);
-    return is_there;
-  }
+  bool next_line(std::string_view& line);
 
   // The same with the blanks around it, of which a tab may separate fields.
-  bool next_whole_line(std::string_view& line)
-  {
-    while (!m_rest.empty()) {
-      ++m_line_number;
-      const std::size_t end = m_rest.find('\n');
-      line = m_rest.substr(0, end);
-      m_rest.remove_prefix(end == std::string_view::npos ? m_rest.size() : end + 1);
-      if (!std::all_of(line.begin(), line.end(), is_blank)) {
-        return true;
-      }
-    }
-    return false;
-  }
+  bool next_whole_line(std::string_view& line);
 
-  double number(std::string_view text, std::string_view what) const
-  {
-    return parsed<double>(text, what, "a number");
-  }
-
-  std::int64_t integer(std::string_view text, std::string_view what) const
-  {
-    return parsed<std::int64_t>(text, what, "an integer");
-  }
+  double number(std::string_view text, std::string_view what) const;
+  std::int64_t integer(std::string_view text, std::string_view what) const;
 
   // An integer that may be written as 3.0 or 3e2, as programs do that know floating point alone.
   // Nothing if the text is no number at all.
-  std::optional<std::int64_t> whole_number(std::string_view text, std::string_view what) const
-  {
-    std::int64_t integer{};
-    if (is_parsed(text, what, integer)) {
-      return integer;
-    }
-    double value{};
-    if (!is_parsed(text, what, value)) {
-      return std::nullopt;
-    }
-    if (!(std::trunc(value) == value)) {
-      fail(std::string(what) + " " + in_quotes(text) + " is not an integer");
-    }
-    constexpr double most = 9007199254740992.0; // beyond it not all integers are doubles
-    if (std::abs(value) > most) {
-      fail(std::string(what) + " " + in_quotes(text) + " is out of range");
-    }
-    return static_cast<std::int64_t>(value);
-  }
+  std::optional<std::int64_t> whole_number(std::string_view text, std::string_view what) const;
 
-  [[noreturn]] void fail(const std::string& message) const
-  {
-    throw Scenario_error(m_file, message, m_line_number);
-  }
+  // A coordinate of the point with this id.
+  double coordinate(std::string_view text, std::string_view name, const std::string& id) const;
+
+  [[noreturn]] void fail(const std::string& message) const;
 
   const std::string& file() const { return m_file; }
   std::size_t line_number() const { return m_line_number; }
@@ -379,46 +100,15 @@ public:
 
 private:
   template <class Number>
-  Number parsed(std::string_view text, std::string_view what, const char* wanted) const
-  {
-    Number value{};
-    if (!is_parsed(text, what, value)) {
-      fail(std::string(what) + " " + in_quotes(text) + " is not " + wanted);
-    }
-    return value;
-  }
+  bool is_parsed(std::string_view text, std::string_view what, Number& value) const;
 
   template <class Number>
-  bool is_parsed(std::string_view text, std::string_view what, Number& value) const
-  {
-    const std::string_view digits =
-        text.size() > 1 && text[0] == '+' && text[1] != '-' ? text.substr(1) : text;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (end != digits.data() + digits.size()) {
-      return false;
-    }
-    if (error == std::errc::result_out_of_range) {
-      fail(std::string(what) + " " + in_quotes(text) + " is out of range");
-    }
-    return error == std::errc();
-  }
+  Number parsed(std::string_view text, std::string_view what, const char* wanted) const;
 
   std::string m_file;
   std::string_view m_rest;
   std::size_t m_line_number = 0;
 };
-
-// A coordinate of the point with this id.
-inline double coordinate(const Text_scanner& scanner, std::string_view text, std::string_view name,
-                         std::int64_t id)
-{
-  const double value = scanner.number(text, name);
-  if (!std::isfinite(value)) {
-    scanner.fail(std::string(name) + " of id " + std::to_string(id) + " is " + in_quotes(text) +
-                 ", not a finite number");
-  }
-  return value;
-}
 
 } // namespace scenario
 

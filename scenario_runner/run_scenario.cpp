@@ -6,7 +6,6 @@
 
 #include "scenario_runner/Classifiers.h"
 #include "scenario_runner/Open_motion.h"
-#include "scenario_runner/Output_file.h"
 #include "scenario_runner/Output_formats.h"
 #include "scenario_runner/Pictures.h"
 #include "scenario_runner/Progress.h"
@@ -15,9 +14,12 @@
 #include "scenario_runner/Run_report.h"
 #include "scenario_runner/Scenario_run.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <exception>
 #include <iostream>
@@ -54,26 +56,34 @@ public:
       m_grids.emplace(*options.vtk, seen);
     }
     if (options.xyz) {
-      m_xyz.emplace(*options.xyz, recorded, box);
+      m_point_logs.push_back(std::make_unique<run::Point_log>(run::Point_log::Format::EXTENDED_XYZ,
+                                                              *options.xyz, recorded, box));
     }
     if (options.lammps) {
-      m_lammps.emplace(*options.lammps, recorded, box);
+      m_point_logs.push_back(std::make_unique<run::Point_log>(run::Point_log::Format::LAMMPS_DUMP,
+                                                              *options.lammps, recorded, box));
     }
   }
 
-  template <class Run>
-  void take_first_frame(const Run& run)
+  void take_first_frame(const run::Run_view& run)
   {
-    write_points(run);
+    if (m_pictures) {
+      m_pictures->write(run);
+    }
+    if (m_grids) {
+      m_grids->write(run);
+    }
+    for (const auto& log : m_point_logs) {
+      log->write(run);
+    }
   }
 
-  template <class Run>
-  void take_frame(const Run& run)
+  void take_frame(const run::Run_view& run)
   {
     if (m_log) {
       m_log->write(run.record());
     }
-    write_points(run);
+    take_first_frame(run);
     m_progress.show(run.record().frame);
   }
 
@@ -88,11 +98,8 @@ public:
     if (m_grids) {
       m_grids->finish();
     }
-    if (m_xyz) {
-      m_xyz->finish();
-    }
-    if (m_lammps) {
-      m_lammps->finish();
+    for (const auto& log : m_point_logs) {
+      log->finish();
     }
     if (m_report) {
       run::write_report(m_report->stream(), subject, summary);
@@ -101,31 +108,30 @@ public:
   }
 
 private:
-  template <class Run>
-  void write_points(const Run& run)
-  {
-    if (m_pictures) {
-      m_pictures->write(run);
-    }
-    if (m_grids) {
-      m_grids->write(run);
-    }
-    if (m_xyz) {
-      m_xyz->write(run);
-    }
-    if (m_lammps) {
-      m_lammps->write(run);
-    }
-  }
-
   std::optional<run::Output_file> m_report;
   std::optional<run::Frame_log> m_log;
   std::optional<run::Picture_series> m_pictures;
   std::optional<run::Vtk_series> m_grids;
-  std::optional<run::Point_log<run::Extended_xyz_format>> m_xyz;
-  std::optional<run::Point_log<run::Lammps_format>> m_lammps;
+  std::vector<std::unique_ptr<run::Point_log>> m_point_logs;
   run::Progress_display m_progress;
 };
+
+run::Run_subject run_subject(const run::Run_options& options, const scenario::Motion& motion,
+                             const scenario::Scenario_facts& facts)
+{
+  const bool is_random = facts.seed || options.classifier.uses_chance();
+  const std::uint64_t seed = options.overrides.seed.value_or(facts.seed.value_or(0));
+  return {motion.name(),
+          options.classifier,
+          options.repair_name(),
+          options.policy,
+          options.padding,
+          options.engine,
+          options.threads,
+          motion.time_step(),
+          is_random ? std::optional(seed) : std::nullopt,
+          options.overrides.packing ? options.overrides.packing : facts.packing};
+}
 
 template <class Classifier>
 run::Run_summary run_frames(scenario::Motion& motion, const Classifier& classifier,
@@ -138,7 +144,7 @@ run::Run_summary run_frames(scenario::Motion& motion, const Classifier& classifi
   const std::size_t points_of_first_frame = motion.points().size();
   std::vector<run::Frame_record> records;
   outputs.take_first_frame(run);
-  while (records.size() != frames && !run::Interruption::has_come() && run.advance()) {
+  while (records.size() != frames && !run::interruption::has_come() && run.advance()) {
     records.push_back(run.record());
     outputs.take_frame(run);
   }
@@ -187,7 +193,7 @@ int run_scenario(const run::Run_options& options)
   if (!motion->remark().empty()) {
     std::cerr << "run_scenario: " << path << ": " << motion->remark() << std::endl;
   }
-  const run::Run_subject subject = run::run_subject(options, *motion, facts);
+  const run::Run_subject subject = run_subject(options, *motion, facts);
   std::size_t frames = options.frames.value_or(motion->frames());
   if (!facts.seed) {
     frames = (std::min)(frames, motion->frames()); // a recording ends
@@ -201,10 +207,10 @@ int run_scenario(const run::Run_options& options)
   if (!options.quiet) {
     print(subject, summary);
   }
-  if (run::Interruption::has_come()) {
+  if (run::interruption::has_come()) {
     std::cerr << "run_scenario: interrupted: what was written is of the " << summary.frames
               << " frames that were done, of " << frames << std::endl;
-    return run::Interruption::exit_code();
+    return run::interruption::exit_code();
   }
   return 0;
 }
@@ -216,7 +222,7 @@ int main(int argc, char** argv)
   CLI::App app("", "run_scenario");
   try {
     const run::Run_options options = run::parse_options(app, argc, argv);
-    run::Interruption::expect();
+    run::interruption::expect();
     return run_scenario(options);
   } catch (const CLI::Success& help_or_version) {
     return app.exit(help_or_version);

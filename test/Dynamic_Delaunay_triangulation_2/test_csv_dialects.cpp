@@ -40,13 +40,13 @@ std::string content_of(const Recording& recording)
 
 std::string read(const std::string& text)
 {
-  return content_of(Csv_parser("file", text).parse());
+  return content_of(parse_csv("file", text));
 }
 
 Scenario_error error_of(const std::string& text)
 {
   try {
-    Csv_parser("file", text).parse();
+    parse_csv("file", text);
   } catch (const Scenario_error& error) {
     return error;
   }

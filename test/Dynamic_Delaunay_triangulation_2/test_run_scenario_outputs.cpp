@@ -374,7 +374,7 @@ template <class Classifier>
 Grid written_grid(const Cloud_run<Classifier>& run)
 {
   std::stringstream stream;
-  run::Vtk_grid<Cloud_run<Classifier>>(run).write(stream);
+  run::write_vtk_grid(stream, run);
   return read_grid(stream);
 }
 

@@ -9,9 +9,7 @@
 
 void fuzz::examine(const std::string& input)
 {
-  auto recording = parsed_or_refused(input, [](const std::string& file, const std::string& text) {
-    return scenario::Csv_parser(file, text).parse();
-  });
+  auto recording = parsed_or_refused(input, scenario::parse_csv);
   if (recording) {
     require_sound(std::move(*recording));
   }

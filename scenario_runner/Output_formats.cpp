@@ -1,0 +1,198 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "scenario_runner/Output_formats.h"
+
+#include "scenario_runner/Number_text.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace run {
+
+namespace {
+
+constexpr const char* const grid_ending = ".vtu";
+
+// Programs that look at a cell divide by its sides. One without a length reaches from the origin
+// then, and at the origin it is 1.
+void widen(double& low, double& high)
+{
+  if (low == high) {
+    low = (std::min)(low, 0.0);
+    high = low == 0.0 && high == 0.0 ? 1.0 : (std::max)(high, 0.0);
+  }
+}
+
+Bounds cell_bounds(const std::optional<scenario::Box>& box,
+                   const std::vector<scenario::Point>& points)
+{
+  Bounds bounds = frame_bounds(box, points);
+  widen(bounds.low.x, bounds.high.x);
+  widen(bounds.low.y, bounds.high.y);
+  return bounds;
+}
+
+void write_xyz_head(std::ostream& out, const Run_view& run, const Bounds& bounds)
+{
+  out << run.motion().points().size() << "\nLattice=\"" << number_text(bounds.width()) << " 0 0 0 "
+      << number_text(bounds.height()) << " 0 0 0 1\" Origin=\"" << number_text(bounds.low.x) << ' '
+      << number_text(bounds.low.y)
+      << " -0.5\" pbc=\"F F F\" Properties=id:I:1:species:S:1:pos:R:3:set:I:1 Time="
+      << number_text(run.motion().time()) << " Frame=" << run.record().frame << '\n';
+}
+
+// The time stands before the time step, as LAMMPS itself has it.
+void write_lammps_head(std::ostream& out, const Run_view& run, const Bounds& bounds)
+{
+  out << "ITEM: TIME\n"
+      << number_text(run.motion().time()) << "\nITEM: TIMESTEP\n"
+      << run.record().frame << "\nITEM: NUMBER OF ATOMS\n"
+      << run.motion().points().size() << "\nITEM: BOX BOUNDS ff ff ff\n"
+      << number_text(bounds.low.x) << ' ' << number_text(bounds.high.x) << '\n'
+      << number_text(bounds.low.y) << ' ' << number_text(bounds.high.y)
+      << "\n-0.5 0.5\nITEM: ATOMS id type x y z set\n";
+}
+
+// `text(i)` is what the array has for the i-th of `size` things.
+template <class Text>
+void write_array(std::ostream& out, const char* attributes, std::size_t size, const Text& text)
+{
+  out << "<DataArray " << attributes << " format=\"ascii\">\n";
+  for (std::size_t i = 0; i != size; ++i) {
+    out << text(i) << '\n';
+  }
+  out << "</DataArray>\n";
+}
+
+} // namespace
+
+Frame_log::Frame_log(const std::string& path)
+  : m_file(path,
+           {"frame", "time", "points", "population_changed", "certified", "mcc", "rebuild_reason",
+            "classified", "padded", "border", "flips", "splices", "enlargements", "relocated",
+            "dynamic_ns", "static_insert_ns", "static_fastest_ns"})
+{
+}
+
+void Frame_log::write(const Frame_record& record)
+{
+  const CGAL::Update_report_2& update = record.update;
+  m_file.write(record.frame, record.time, record.points, record.population_changed,
+               record.certified, record.validity, rebuild_reason_name(update.rebuild_reason),
+               update.classified, update.padded, update.border, update.flips, update.splices,
+               update.enlargements, update.relocated, record.nanoseconds.dynamic,
+               record.nanoseconds.static_insert, record.nanoseconds.static_fastest);
+}
+
+Point_log::Point_log(Format format, const std::string& path, const Frame_choice& choice,
+                     const std::optional<scenario::Box>& box)
+  : m_format(format)
+  , m_file(path)
+  , m_choice(choice)
+  , m_box(box)
+{
+}
+
+void Point_log::write(const Run_view& run)
+{
+  if (!m_choice.has(run.record().frame)) {
+    return;
+  }
+  std::ostream& out = m_file.stream();
+  const auto& points = run.motion().points();
+  const Bounds bounds = cell_bounds(m_box, points);
+  const bool is_xyz = m_format == Format::EXTENDED_XYZ;
+  is_xyz ? write_xyz_head(out, run, bounds) : write_lammps_head(out, run, bounds);
+  const char* const species = is_xyz ? " X " : " 1 "; // X is an unknown one
+  const std::vector<Vertex_set> sets = run.sets();
+  for (std::size_t i = 0; i != points.size(); ++i) {
+    out << run.motion().ids()[i] << species << number_text(points[i].x) << ' '
+        << number_text(points[i].y) << " 0 " << static_cast<unsigned>(sets[i]) << '\n';
+  }
+  m_file.check();
+}
+
+void write_vtk_grid(std::ostream& out, const Run_view& run)
+{
+  constexpr int triangle_type = 5; // VTK_TRIANGLE
+  const scenario::Motion& motion = run.motion();
+  const auto& points = motion.points();
+  const std::vector<Vertex_set> sets = run.sets();
+  const std::vector<Shown_triangle> triangles = run.triangles();
+  out << "<?xml version=\"1.0\"?>\n"
+         "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+         "<UnstructuredGrid>\n<FieldData>\n";
+  write_array(out, R"(type="Float64" Name="TimeValue" NumberOfTuples="1")", 1,
+              [&](std::size_t) { return number_text(motion.time()); });
+  out << "</FieldData>\n<Piece NumberOfPoints=\"" << points.size() << "\" NumberOfCells=\""
+      << triangles.size() << "\">\n<PointData Scalars=\"set\">\n";
+  write_array(out, R"(type="Int64" Name="id")", points.size(),
+              [&](std::size_t i) { return motion.ids()[i]; });
+  write_array(out, R"(type="UInt8" Name="set")", points.size(),
+              [&](std::size_t i) { return static_cast<unsigned>(sets[i]); });
+  out << "</PointData>\n<CellData>\n";
+  write_array(out, R"(type="UInt8" Name="delaunay")", triangles.size(),
+              [&](std::size_t i) { return triangles[i].is_delaunay ? 1 : 0; });
+  out << "</CellData>\n<Points>\n";
+  write_array(out, R"(type="Float64" Name="Points" NumberOfComponents="3")", points.size(),
+              [&](std::size_t i) {
+                return number_text(points[i].x) + ' ' + number_text(points[i].y) + " 0";
+              });
+  out << "</Points>\n<Cells>\n";
+  write_array(out, R"(type="Int64" Name="connectivity")", triangles.size(), [&](std::size_t i) {
+    const auto& [a, b, c] = triangles[i].corners;
+    return std::to_string(a) + ' ' + std::to_string(b) + ' ' + std::to_string(c);
+  });
+  write_array(out, R"(type="Int64" Name="offsets")", triangles.size(),
+              [](std::size_t i) { return 3 * (i + 1); });
+  write_array(out, R"(type="UInt8" Name="types")", triangles.size(),
+              [](std::size_t) { return triangle_type; });
+  out << "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+}
+
+Vtk_series::Vtk_series(const std::string& directory, const Frame_choice& choice)
+  : m_directory(directory)
+  , m_choice(choice)
+  , m_collection(m_directory.path_of("frames.pvd"))
+{
+}
+
+void Vtk_series::write(const Run_view& run)
+{
+  const std::size_t frame = run.record().frame;
+  if (!m_choice.has(frame)) {
+    return;
+  }
+  Output_file file(m_directory.path_of(frame_file_name(frame, grid_ending)));
+  write_vtk_grid(file.stream(), run);
+  file.finish();
+  m_frames.push_back(frame);
+  m_times.push_back(run.record().time);
+}
+
+void Vtk_series::finish()
+{
+  std::ostream& out = m_collection.stream();
+  out << "<?xml version=\"1.0\"?>\n"
+         "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+         "<Collection>\n";
+  const std::vector<double> times = distinct_times();
+  for (std::size_t i = 0; i != m_frames.size(); ++i) {
+    out << "<DataSet timestep=\"" << number_text(times[i]) << "\" part=\"0\" file=\""
+        << frame_file_name(m_frames[i], grid_ending) << "\"/>\n";
+  }
+  out << "</Collection>\n</VTKFile>\n";
+  m_collection.finish();
+}
+
+// A collection takes files of one time for parts of one picture, and a recording may have any
+// times: where they do not ascend, the numbers of the frames stand for them.
+std::vector<double> Vtk_series::distinct_times() const
+{
+  const bool ascend =
+      std::adjacent_find(m_times.begin(), m_times.end(), std::greater_equal<>()) == m_times.end();
+  return ascend ? m_times : std::vector<double>(m_frames.begin(), m_frames.end());
+}
+
+} // namespace run

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "scenario_runner/Recorded_motion.h"
+
+#include "scenario_runner/Text_input.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace scenario {
+
+Recorded_motion::Recorded_motion(std::string name, Recording recording)
+  : Motion(std::move(name))
+  , m_recording(std::move(recording))
+{
+  if (m_recording.empty()) {
+    throw std::invalid_argument("a recorded motion needs at least one frame");
+  }
+}
+
+bool Recorded_motion::has_fixed_population() const
+{
+  return std::all_of(m_recording.begin(), m_recording.end(), [this](const Recorded_frame& frame) {
+    return frame.ids == m_recording.front().ids;
+  });
+}
+
+std::string Recorded_motion::remark() const
+{
+  const bool is_periodic =
+      std::any_of(m_recording.begin(), m_recording.end(),
+                  [](const Recorded_frame& frame) { return frame.is_periodic; });
+  return is_periodic ? "the box is periodic, and is taken for an open one: points that leave it "
+                       "on one side jump to the other, and nobody has neighbors across its sides"
+                     : "";
+}
+
+bool Recorded_motion::advance(const Neighbor_edges&)
+{
+  if (m_current + 1 == m_recording.size()) {
+    return false;
+  }
+  m_population_changed = m_recording[m_current].ids != m_recording[m_current + 1].ids;
+  ++m_current;
+  return true;
+}
+
+bool is_standard_input(const std::string& path)
+{
+  return path == "-";
+}
+
+Recording read_csv_motion(const std::string& path)
+{
+  if (is_standard_input(path)) {
+    const std::string name = "standard input";
+    return parse_csv(name, read_standard_input(name));
+  }
+  return parse_csv(path, read_text_file(path));
+}
+
+Recording read_lammps_dump(const std::string& path)
+{
+  return parse_lammps_dump(path, read_text_file(path));
+}
+
+} // namespace scenario

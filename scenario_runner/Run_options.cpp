@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "scenario_runner/Run_options.h"
+
+#include "scenario_runner/Command_line.h"
+#include "scenario_runner/Open_motion.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace run {
+
+namespace {
+
+constexpr std::size_t max_frames = 1'000'000'000;
+
+void add_method_options(CLI::App& app, Run_options& options)
+{
+  constexpr unsigned max_padding = 100;
+  constexpr unsigned max_threads = 1024;
+  add_option(app, "--classifier", "NAME[:PARAMETER]",
+             "what finds the vertices to mend: " + classifier_list() + "; default circumcircle",
+             [&](const std::string& text) { options.classifier = classifier_choice(text); });
+  app.add_option("--padding", options.padding,
+                 "layers of neighbors around the classified vertices; default 1")
+      ->type_name("N")
+      ->transform(whole_number(0, max_padding));
+  app.add_option("--repair", options.repair,
+                 "what mends; default flip_and_splice, with a heuristic classifier but "
+                 "nearly_delaunay splice")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(repair_names()));
+  add_option(app, "--policy", "NAME[:PARAMETER]",
+             "which frames are rebuilt instead: " + policy_list() + "; default always_dynamic",
+             [&](const std::string& text) { options.policy = policy_choice(text); });
+  app.add_option("--engine", options.engine,
+                 "what triangulates anew, everything or a region; default " + options.engine)
+      ->type_name("NAME")
+      ->check(CLI::IsMember(engine_names()));
+  app.add_option("--threads", options.threads, "threads of the circumcircle classifier; default 1")
+      ->type_name("N")
+      ->transform(whole_number(1, max_threads));
+}
+
+void add_motion_options(CLI::App& app, Run_options& options)
+{
+  scenario::Overrides& overrides = options.overrides;
+  app.add_option("--frames", options.frames,
+                 "frames after the first one; default what the scenario says")
+      ->type_name("N")
+      ->transform(whole_number(0, max_frames));
+  app.add_option("--points", overrides.points, "points that the scenario is scaled to")
+      ->type_name("N")
+      ->transform(whole_number(1, scenario::max_points));
+  app.add_option("--time-step", overrides.time_step,
+                 "motion between two frames; small ones are the favorable ones")
+      ->type_name("F")
+      ->check(number(scenario::positive_up_to(scenario::largest_time_step)));
+  app.add_option_function<std::string>(
+         "--packing",
+         [&](const std::string& name) {
+           overrides.packing =
+               name == "square" ? scenario::Packing::square : scenario::Packing::hexagonal;
+         },
+         "first places of the points")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"square", "hexagonal"}));
+  app.add_option("--seed", overrides.seed, "seed of the scenario and of the random classifier")
+      ->type_name("N")
+      ->transform(whole_number(0, (std::numeric_limits<std::uint64_t>::max)()));
+}
+
+void add_output_options(CLI::App& app, Run_options& options)
+{
+  app.add_option("--report", options.report, "write what came out, as one JSON object")
+      ->type_name("FILE.json");
+  app.add_option("--csv", options.csv, "write a row for each frame")->type_name("FILE.csv");
+  app.add_option("--svg", options.svg,
+                 "draw about 30 frames: classified vertices red, padded green, border cyan; "
+                 "index.html shows them one after another")
+      ->type_name("DIR");
+  app.add_option("--vtk", options.vtk,
+                 "write about 30 frames for ParaView: triangles in .vtu files, all times in "
+                 "frames.pvd")
+      ->type_name("DIR");
+  app.add_option("--xyz", options.xyz, "write the points of all frames as extended XYZ")
+      ->type_name("FILE.xyz");
+  app.add_option("--lammps", options.lammps,
+                 "write the points of all frames as a LAMMPS dump, which can be run again")
+      ->type_name("FILE.lammpstrj");
+  app.add_option("--every", options.every,
+                 "every N-th frame and the last one for --svg, --vtk, --xyz and --lammps")
+      ->type_name("N")
+      ->transform(whole_number(1, max_frames));
+  app.add_flag("--quiet", options.quiet, "no progress, no table");
+}
+
+bool is_one_file(const std::filesystem::path& a, const std::filesystem::path& b)
+{
+  std::error_code ignored;
+  return a.lexically_normal() == b.lexically_normal() || std::filesystem::equivalent(a, b, ignored);
+}
+
+// A file that two outputs write would hold one of them; one that is the recording would replace it.
+void check_files(const Run_options& options)
+{
+  std::vector<std::pair<std::string, std::string>> files;
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(options.scenario, ignored)) {
+    files.emplace_back("SCENARIO", options.scenario);
+  }
+  for (const auto& [name, file] :
+       {std::pair("--report", options.report), std::pair("--csv", options.csv),
+        std::pair("--xyz", options.xyz), std::pair("--lammps", options.lammps)}) {
+    if (!file) {
+      continue;
+    }
+    for (const auto& [other_name, other_file] : files) {
+      if (is_one_file(*file, other_file)) {
+        throw CLI::ValidationError(name, "is the file of " + other_name + " too");
+      }
+    }
+    files.emplace_back(name, *file);
+  }
+}
+
+void check_every(const Run_options& options)
+{
+  if (options.every && !options.svg && !options.vtk && !options.xyz && !options.lammps) {
+    throw CLI::ValidationError("--every", "chooses frames for --svg, --vtk, --xyz or --lammps, "
+                                          "and none of them is there");
+  }
+}
+
+} // namespace
+
+Run_options parse_options(CLI::App& app, int argc, const char* const* argv)
+{
+  Run_options options;
+  app.description("Runs a scenario, keeps its Delaunay triangulation, checks every frame, and "
+                  "compares the time with fresh triangulations.");
+  app.add_option("SCENARIO", options.scenario,
+                 "a scenario; or a " + scenario::motion_extensions +
+                     " file, also followed by .gz; or - for CSV from standard input; default "
+                     "dam_break")
+      ->type_name("");
+  add_method_options(app, options);
+  add_motion_options(app, options);
+  add_output_options(app, options);
+  app.set_version_flag("--version", "run_scenario 1.0");
+  app.footer("Scenarios: " + scenario::joined(scenario::known_scenarios()) +
+             "\nHow to write one, and which recordings are read: "
+             "doc/Dynamic_Delaunay_triangulation_2/Scenario_files.txt");
+  app.parse(argc, argv);
+  check_files(options);
+  check_every(options);
+  return options;
+}
+
+} // namespace run

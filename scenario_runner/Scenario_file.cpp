@@ -1,0 +1,446 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "scenario_runner/Scenario_file.h"
+
+#include "scenario_runner/Text_input.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string_view>
+#include <utility>
+
+namespace scenario {
+
+namespace {
+
+// Reads the members of one JSON object and refuses everything it was not told to expect.
+class Json_object_reader
+{
+public:
+  using Json = nlohmann::json;
+
+  // `where` is the path of keys to the object, "" for the outermost.
+  Json_object_reader(const Json& object, std::string file, std::string where)
+    : m_object(object)
+    , m_file(std::move(file))
+    , m_where(std::move(where))
+  {
+    if (!object.is_object()) {
+      fail(m_where.empty()
+               ? "the scenario is " + kind_of(object) + ", expected an object"
+               : "key '" + m_where + "' is " + kind_of(object) + ", expected an object");
+    }
+  }
+
+  void allow_only(const std::vector<std::string>& keys) const
+  {
+    for (const auto& member : m_object.items()) {
+      if (std::find(keys.begin(), keys.end(), member.key()) == keys.end()) {
+        fail("unknown key " + in_quotes(path(member.key())) + ", allowed are " + joined(keys));
+      }
+    }
+  }
+
+  bool has(const std::string& key) const { return m_object.contains(key); }
+
+  double number(const std::string& key, const Range& range) const
+  {
+    return number_in(required(key), path(key), range);
+  }
+
+  std::uint64_t integer(const std::string& key, std::uint64_t low, std::uint64_t high) const
+  {
+    const Json& value = required(key);
+    if (!value.is_number_integer()) {
+      fail_type(value, path(key), "an integer");
+    }
+    if (!value.is_number_unsigned() || value.get<std::uint64_t>() < low ||
+        value.get<std::uint64_t>() > high) {
+      fail_range(value, path(key), "from " + std::to_string(low) + " to " + std::to_string(high));
+    }
+    return value.get<std::uint64_t>();
+  }
+
+  bool boolean(const std::string& key) const
+  {
+    const Json& value = required(key);
+    if (!value.is_boolean()) {
+      fail_type(value, path(key), "true or false");
+    }
+    return value.get<bool>();
+  }
+
+  std::string word(const std::string& key) const
+  {
+    const Json& value = required(key);
+    if (!value.is_string()) {
+      fail_type(value, path(key), "a string");
+    }
+    if (value.get<std::string>().empty()) {
+      fail("key '" + path(key) + "' is an empty string");
+    }
+    return value.get<std::string>();
+  }
+
+  std::string choice(const std::string& key, const std::vector<std::string>& choices) const
+  {
+    const std::string chosen = word(key);
+    if (std::find(choices.begin(), choices.end(), chosen) == choices.end()) {
+      fail("key '" + path(key) + "' is " + in_quotes(chosen) + ", allowed are " + joined(choices));
+    }
+    return chosen;
+  }
+
+  std::pair<double, double> pair(const std::string& key, const Range& range) const
+  {
+    const Json& value = required(key);
+    if (!value.is_array() || value.size() != 2) {
+      fail_type(value, path(key), "an array of two numbers");
+    }
+    return {number_in(value[0], path(key) + "[0]", range),
+            number_in(value[1], path(key) + "[1]", range)};
+  }
+
+  std::vector<Json_object_reader> objects(const std::string& key) const
+  {
+    const Json& value = required(key);
+    if (!value.is_array() || value.empty()) {
+      fail_type(value, path(key), "an array of at least one object");
+    }
+    std::vector<Json_object_reader> readers;
+    for (std::size_t i = 0; i != value.size(); ++i) {
+      readers.emplace_back(value[i], m_file, path(key) + "[" + std::to_string(i) + "]");
+    }
+    return readers;
+  }
+
+  std::string path(const std::string& key) const
+  {
+    return m_where.empty() ? key : m_where + "." + key;
+  }
+
+  const std::string& where() const { return m_where; }
+
+  [[noreturn]] void fail(const std::string& message) const
+  {
+    throw Scenario_error(m_file, message);
+  }
+
+private:
+  const Json& required(const std::string& key) const
+  {
+    if (!has(key)) {
+      fail("key '" + path(key) + "' is missing");
+    }
+    return m_object[key];
+  }
+
+  double number_in(const Json& value, const std::string& name, const Range& range) const
+  {
+    if (!value.is_number()) {
+      fail_type(value, name, "a number");
+    }
+    if (!range.contains(value.get<double>())) {
+      fail_range(value, name, range.text());
+    }
+    return value.get<double>();
+  }
+
+  static std::string kind_of(const Json& value)
+  {
+    return (value.is_array() || value.is_object() ? "an " : "a ") + std::string(value.type_name());
+  }
+
+  // Quotes foreign text, so it has to survive bytes that are no UTF-8, and stay short.
+  static std::string shown(const Json& value)
+  {
+    const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return text.size() > 40 ? text.substr(0, 40) + "..." : text;
+  }
+
+  [[noreturn]] void fail_type(const Json& value, const std::string& name, const char* wanted) const
+  {
+    fail("key '" + name + "' is " + shown(value) + ", expected " + wanted);
+  }
+
+  [[noreturn]] void fail_range(const Json& value, const std::string& name,
+                               const std::string& allowed) const
+  {
+    fail("key '" + name + "' is " + shown(value) + ", allowed are values " + allowed);
+  }
+
+  const Json& m_object;
+  std::string m_file;
+  std::string m_where;
+};
+
+// The parser alone would silently take the last of several members with the same key, and values in
+// values without end, which overflow the stack of whoever walks through them.
+class Structure_check
+{
+public:
+  using Json = nlohmann::json;
+
+  explicit Structure_check(std::string file)
+    : m_file(std::move(file))
+  {
+  }
+
+  bool operator()(int depth, Json::parse_event_t event, Json& value)
+  {
+    const bool goes_deeper =
+        event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
+    if (goes_deeper && depth >= deepest) {
+      throw Scenario_error(m_file, "is nested too deeply, allowed are " + std::to_string(deepest) +
+                                       " levels");
+    }
+    if (event == Json::parse_event_t::object_start) {
+      m_keys.emplace_back();
+    } else if (event == Json::parse_event_t::object_end) {
+      m_keys.pop_back();
+    } else if (event == Json::parse_event_t::key &&
+               !m_keys.back().insert(value.get<std::string>()).second) {
+      throw Scenario_error(m_file, "key " + in_quotes(value.get<std::string>()) +
+                                       " is twice in one object");
+    }
+    return true;
+  }
+
+private:
+  static constexpr int deepest = 16;
+
+  std::string m_file;
+  std::vector<std::set<std::string>> m_keys;
+};
+
+[[noreturn]] void fail_broken_json(const std::string& file, const std::string& text,
+                                   std::size_t byte)
+{
+  const std::size_t offset = (std::min)(byte == 0 ? 0 : byte - 1, text.size());
+  const std::string before = text.substr(0, offset);
+  const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
+  const std::size_t line_start = before.rfind('\n');
+  const std::size_t column = line_start == std::string::npos ? offset + 1 : offset - line_start;
+  const std::string found = offset == text.size() ? "the file ends too early"
+                                                  : "unexpected '" + text.substr(offset, 1) + "'";
+  throw Scenario_error(file, "is not valid JSON: " + found, line, column);
+}
+
+// The parser's own message has the number in single quotes, however long it is.
+std::string number_in_quotes(std::string_view message)
+{
+  const std::size_t begin = (std::min)(message.find('\''), message.size() - 1) + 1;
+  return in_quotes(message.substr(begin, message.rfind('\'') - begin));
+}
+
+nlohmann::json parse_json(const std::string& file, const std::string& text)
+{
+  try {
+    return nlohmann::json::parse(text, Structure_check(file));
+  } catch (const nlohmann::json::parse_error& error) {
+    fail_broken_json(file, text, error.byte);
+  } catch (const nlohmann::json::out_of_range& error) {
+    throw Scenario_error(file, "holds the number " + number_in_quotes(error.what()) +
+                                   " that is out of range, allowed are values up to 1.8e308");
+  }
+}
+
+// The extent of a body, the discs' radii included.
+Box extent(const Body_description& body, Packing packing, double diameter)
+{
+  const double shift = packing == Packing::hexagonal && body.rows > 1 ? 0.5 : 0.0;
+  return {diameter * (static_cast<double>(body.columns) + shift),
+          diameter * (1.0 + static_cast<double>(body.rows - 1) * row_distance(packing))};
+}
+
+void check_bonded(const Json_object_reader& reader, const Body_description& body,
+                  const std::string& key)
+{
+  if (!body.bonded) {
+    reader.fail("key '" + reader.path(key) + "' needs '" + reader.path("bonded") + "' to be true");
+  }
+}
+
+// Of lengths, masses and stiffnesses. Beyond it their quotients could leave the range of numbers.
+constexpr Range magnitude{1e-6, 1e6};
+
+Body_description read_body(const Json_object_reader& reader)
+{
+  reader.allow_only({"rows", "columns", "position", "velocity", "angular_velocity", "bonded",
+                     "strain_limit", "shiver"});
+  constexpr Range any{-1e6, 1e6};
+  const auto [x, y] = reader.pair("position", any);
+  Body_description body{
+      reader.integer("rows", 1, max_points), reader.integer("columns", 1, max_points), {x, y}};
+  if (reader.has("velocity")) {
+    const auto [vx, vy] = reader.pair("velocity", any);
+    body.velocity = {vx, vy};
+  }
+  if (reader.has("angular_velocity")) {
+    body.angular_velocity = reader.number("angular_velocity", any);
+  }
+  if (reader.has("bonded")) {
+    body.bonded = reader.boolean("bonded");
+  }
+  if (reader.has("strain_limit")) {
+    check_bonded(reader, body, "strain_limit");
+    body.strain_limit = reader.number("strain_limit", positive_up_to(1.0));
+  }
+  if (reader.has("shiver")) {
+    check_bonded(reader, body, "shiver");
+    body.shiver = reader.number("shiver", {0.0, 1.0});
+  }
+  return body;
+}
+
+Box read_box(const Json_object_reader& reader)
+{
+  const auto [width, height] = reader.pair("box", magnitude);
+  return {width, height};
+}
+
+void check_number_of_points(const Json_object_reader& reader, const Particle_description& particles)
+{
+  double sum = 0.0;
+  for (const Body_description& body : particles.bodies) {
+    sum += static_cast<double>(body.rows) * static_cast<double>(body.columns);
+  }
+  if (sum > static_cast<double>(max_points)) {
+    reader.fail("the bodies of key 'bodies' have too many points, allowed are " +
+                std::to_string(max_points));
+  }
+}
+
+void check_inside_box(const Json_object_reader& reader, const Particle_description& particles)
+{
+  for (std::size_t i = 0; particles.box && i != particles.bodies.size(); ++i) {
+    const Body_description& body = particles.bodies[i];
+    const Box size = extent(body, particles.packing, particles.diameter);
+    if (body.position.x < 0.0 || body.position.x + size.width > particles.box->width ||
+        body.position.y < 0.0 || body.position.y + size.height > particles.box->height) {
+      reader.fail("key 'bodies[" + std::to_string(i) + "]' describes a body of " +
+                  std::to_string(size.width) + " x " + std::to_string(size.height) +
+                  " that is not inside of the box of key 'box'");
+    }
+  }
+}
+
+Particle_description read_particles(const Json_object_reader& reader)
+{
+  reader.allow_only({"name", "kind", "seed", "frames", "time_step", "largest_stable_time_step",
+                     "packing", "jitter", "diameter", "mass", "stiffness", "damping", "gravity",
+                     "box", "bodies"});
+  Particle_description particles;
+  particles.packing = reader.choice("packing", {"square", "hexagonal"}) == "square"
+                          ? Packing::square
+                          : Packing::hexagonal;
+  particles.jitter = reader.number("jitter", {0.0, 0.5});
+  particles.diameter = reader.number("diameter", magnitude);
+  particles.mass = reader.number("mass", magnitude);
+  particles.stiffness = reader.number("stiffness", magnitude);
+  particles.damping = reader.number("damping", {0.0, 2.0});
+  particles.gravity = reader.number("gravity", {0.0, 1e6});
+  particles.time_step = reader.number("time_step", positive_up_to(largest_time_step));
+  if (reader.has("largest_stable_time_step")) {
+    particles.largest_stable_time_step =
+        reader.number("largest_stable_time_step", positive_up_to(largest_time_step));
+  }
+  if (reader.has("box")) {
+    particles.box = read_box(reader);
+  }
+  for (const Json_object_reader& body : reader.objects("bodies")) {
+    particles.bodies.push_back(read_body(body));
+  }
+  check_number_of_points(reader, particles);
+  check_inside_box(reader, particles);
+  return particles;
+}
+
+Brownian_description read_brownian(const Json_object_reader& reader)
+{
+  reader.allow_only({"name", "kind", "seed", "frames", "time_step", "points", "box"});
+  return {reader.integer("points", 1, max_points), read_box(reader),
+          reader.number("time_step", positive_up_to(largest_time_step))};
+}
+
+std::size_t scaled_columns(const Body_description& body, std::size_t number_of_points)
+{
+  if (number_of_points == body.number_of_points()) {
+    return body.columns;
+  }
+  const double shape = static_cast<double>(body.columns) / static_cast<double>(body.rows);
+  const double columns = std::round(std::sqrt(static_cast<double>(number_of_points) * shape));
+  return static_cast<std::size_t>((std::max)(1.0, columns));
+}
+
+} // namespace
+
+double row_distance(Packing packing)
+{
+  return packing == Packing::square ? 1.0 : std::sqrt(0.75);
+}
+
+std::size_t Particle_description::number_of_points() const
+{
+  std::size_t sum = 0;
+  for (const Body_description& body : bodies) {
+    sum += body.number_of_points();
+  }
+  return sum;
+}
+
+Scaled_scenario scaled_to(const Particle_description& particles, std::size_t number_of_points)
+{
+  const auto before = static_cast<double>(particles.number_of_points());
+  const auto after = static_cast<double>(number_of_points);
+  Scaled_scenario scaled{std::sqrt(after / before), 0.0, particles.box, {}};
+  scaled.gravity = particles.gravity / scaled.factor;
+  if (scaled.box) {
+    scaled.box->width *= scaled.factor;
+    scaled.box->height *= scaled.factor;
+  }
+  std::size_t sum = 0;
+  std::size_t scaled_sum = 0;
+  for (Body_description body : particles.bodies) {
+    sum += body.number_of_points();
+    const auto scaled_end =
+        static_cast<std::size_t>(std::llround(after * (static_cast<double>(sum) / before)));
+    const std::size_t number = scaled_end - scaled_sum;
+    scaled_sum = scaled_end;
+    const std::size_t columns = scaled_columns(body, number);
+    body.position.x *= scaled.factor;
+    body.position.y *= scaled.factor;
+    body.angular_velocity /= scaled.factor;
+    scaled.bodies.push_back({number, columns, body});
+  }
+  return scaled;
+}
+
+Scenario_description parse_scenario(const std::string& file, const std::string& text)
+{
+  const nlohmann::json json = parse_json(file, text);
+  const Json_object_reader reader(json, file, "");
+  const bool is_brownian = reader.choice("kind", {"particles", "brownian"}) == "brownian";
+  Scenario_description description;
+  if (is_brownian) {
+    description.kind = read_brownian(reader);
+  } else {
+    description.kind = read_particles(reader);
+  }
+  description.name = reader.word("name");
+  description.seed = reader.integer("seed", 0, (std::numeric_limits<std::uint64_t>::max)());
+  description.frames = reader.integer("frames", 1, 1'000'000'000);
+  return description;
+}
+
+Scenario_description read_scenario_file(const std::string& path)
+{
+  return parse_scenario(path, read_text_file(path));
+}
+
+} // namespace scenario
