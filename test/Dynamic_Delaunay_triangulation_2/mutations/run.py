@@ -9,9 +9,12 @@ take most of the time: one to three minutes a guard on one core.
 """
 
 import argparse
+import atexit
+import functools
 import os
 import pathlib
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -23,6 +26,8 @@ ROOT = HERE.parents[2]
 PACKAGE = "Dynamic_Delaunay_triangulation_2"
 INTERNAL = ROOT / "include" / "CGAL" / PACKAGE / "internal"
 OPTIONS = "-std=c++17 -O0 -frounding-math -D_GLIBCXX_ASSERTIONS -DNOMINMAX -DCGAL_USE_GMPXX=1".split()
+COMPILER = os.environ.get("CXX", "g++")
+RUNNER_SOURCES = ["Frame_record", "Method_choice", "Number_text", "Output_file", "Progress", "Table", "Text_input"]
 PATIENCE = 600  # seconds that a test may run
 
 
@@ -54,16 +59,29 @@ def arguments_of(test):
 
 
 def command_of(test, overlay, program):
-    folders = [overlay, ROOT / "include", ROOT, ROOT / "test" / PACKAGE,
-               ROOT / "benchmark" / PACKAGE]
+    folders = [overlay, ROOT / "include", ROOT, ROOT / "test" / PACKAGE, ROOT / "benchmark" / PACKAGE]
     libraries = ["-lgmpxx", "-lgmp", "-lmpfr", "-lpthread"]
     if test == "robustness":
-        options = ["-DNDEBUG", '-DRESULTS_DIR="."', '-DSCENARIOS_DIR="."', '-DRECORDINGS_DIR="."']
+        options = ["-DNDEBUG", '-DRESULTS_DIR="."']
+        libraries = runner_objects() + libraries
     else:
-        options = [f'-DSCENARIOS_DIR="{ROOT / "scenarios"}"', f'-DRECORDINGS_DIR="{ROOT / "recordings"}"']
+        options = []
         libraries = ["-lgtest_main", "-lgtest"] + libraries
-    return ([os.environ.get("CXX", "g++")] + OPTIONS + options + [f"-I{folder}" for folder in folders]
+    return ([COMPILER] + OPTIONS + options + [f"-I{folder}" for folder in folders]
             + [str(source_of(test)), "-o", str(program)] + libraries)
+
+
+@functools.lru_cache
+def runner_objects():
+    """What robustness links of the scenario runner, compiled once: what a guard breaks, robustness.cpp has first."""
+    folder = tempfile.mkdtemp()
+    atexit.register(shutil.rmtree, folder)
+    objects = []
+    for source in RUNNER_SOURCES:
+        objects.append(f"{folder}/{source}.o")
+        subprocess.run([COMPILER] + OPTIONS + ["-DNDEBUG", f"-I{ROOT}", f'-I{ROOT / "include"}', "-c",
+                        str(ROOT / "scenario_runner" / f"{source}.cpp"), "-o", objects[-1]], check=True)
+    return objects
 
 
 def first_failure(output):
