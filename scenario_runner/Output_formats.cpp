@@ -103,7 +103,11 @@ void Point_log::write(const Run_view& run)
   const auto& points = run.motion().points();
   const Bounds bounds = cell_bounds(m_box, points);
   const bool is_xyz = m_format == Format::EXTENDED_XYZ;
-  is_xyz ? write_xyz_head(out, run, bounds) : write_lammps_head(out, run, bounds);
+  if (is_xyz) {
+    write_xyz_head(out, run, bounds);
+  } else {
+    write_lammps_head(out, run, bounds);
+  }
   const char* const species = is_xyz ? " X " : " 1 "; // X is an unknown one
   const std::vector<Vertex_set> sets = run.sets();
   for (std::size_t i = 0; i != points.size(); ++i) {

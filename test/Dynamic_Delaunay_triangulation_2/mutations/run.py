@@ -27,7 +27,8 @@ PACKAGE = "Dynamic_Delaunay_triangulation_2"
 INTERNAL = ROOT / "include" / "CGAL" / PACKAGE / "internal"
 OPTIONS = "-std=c++17 -O0 -frounding-math -D_GLIBCXX_ASSERTIONS -DNOMINMAX -DCGAL_USE_GMPXX=1".split()
 COMPILER = os.environ.get("CXX", "g++")
-RUNNER_SOURCES = ["Frame_record", "Method_choice", "Number_text", "Output_file", "Progress", "Table", "Text_input"]
+RUNNER_SOURCES = ["Csv_writer", "Frame_record", "Method_choice", "Number_text", "Output_file", "Progress",
+                  "Table", "Text_input"]
 PATIENCE = 600  # seconds that a test may run
 
 
