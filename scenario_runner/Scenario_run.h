@@ -122,7 +122,8 @@ public:
   {
     with_frame_in_message([&] {
       begin_frame();
-      m_kept.emplace(motion, Dynamic(classifier, repair, engines, policy));
+      m_kept.emplace(motion,
+                     Dynamic(typename Dynamic::Settings{classifier, repair, engines, policy}));
     });
   }
 
