@@ -82,12 +82,6 @@ public:
     if (m_schedule.is_near() && !m_safe_edges.holds())
       m_safe_edges.measure_step(frame);
     m_safe_edges.take_changes(frame); // nothing is new, unless an exception ended the last update
-    if (!frame.positions_are_exact()) {
-      m_safe_edges.drop();
-      for (Index e = 0; e < frame.number_of_edges(); ++e)
-        classified.add_unless_delaunay(frame, e);
-      return;
-    }
     // where one frame has broken nearly everything, the next one may
     m_nearly_all_broken = m_nearly_all_broken && is_most_of_all_edges_broken(frame);
     if (m_nearly_all_broken) {

@@ -808,8 +808,6 @@ struct Eager_classifier
   void operator()(const Frame& frame, Classification& classified)
   {
     safe_edges.take_changes(frame);
-    if (!frame.positions_are_exact())
-      safe_edges.drop();
     unproved.clear();
     const bool skips = safe_edges.holds() && safe_edges.append_unproved(frame, unproved);
     frames_skipping += skips;

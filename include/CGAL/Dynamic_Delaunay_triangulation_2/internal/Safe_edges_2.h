@@ -45,8 +45,6 @@ public:
   // Whether the hull, as append_unproved() has last found it, turns around once.
   bool hull_turns_once() const { return m_hull_stays; }
 
-  void drop() { m_holds = false; }
-
   // How far vertices go from frame to frame, while the previous positions are at hand.
   template <class Frame>
   void measure_step(const Frame& frame)
