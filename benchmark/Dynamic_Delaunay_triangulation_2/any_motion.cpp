@@ -4,7 +4,7 @@
 // Is an update ever slower than triangulating anew? For motions of all kinds, calm ones and the
 // worst that we could think of, every frame is updated, and triangulated anew in three ways:
 // CGAL's insertion of the range, its insertion in the spatial order of the frame before, and in
-// that of this frame, found while the clock runs; any_motion/Fastest_static.h. The ratio of a
+// that of this frame, found while the clock runs; common/Fastest_static.h. The ratio of a
 // frame is the time of the update over that of the fastest of these three. Time is that of the
 // thread.
 //
@@ -21,24 +21,22 @@
 // Outside of the timing every frame has to be certified. Up to 10000 points each also has to be
 // valid, and to have the edges of a fresh triangulation. The first fault ends the program.
 //
-// A kind of frames is a program of one line, any_motion/Program.h, of a base cloud and motions.
+// A kind of frames is a program of one line, random_operations/Program.h, of a base cloud and
+// motions.
 // --program runs one, and --adversary puts them together by chance and goes on from the slowest.
 
 #include "any_motion/Adversary.h"
-#include "any_motion/Any_motion_options.h"
-#include "any_motion/Frames_csv.h"
-#include "any_motion/Frames_table.h"
 #include "any_motion/Kinds.h"
-#include "any_motion/Program.h"
-#include "any_motion/Sequence_table.h"
+#include "any_motion/Sequence_output.h"
 #include "any_motion/Tasks.h"
-#include "results/Command.h"
+#include "common/Program.h"
+#include "scenario_runner/Open_motion.h"
 
 #include <CLI/CLI.hpp>
 
 #include <cstddef>
-#include <exception>
 #include <iostream>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -46,6 +44,39 @@
 namespace {
 
 using namespace any_motion;
+
+void add_options(CLI::App& app, Any_motion_options& options)
+{
+  constexpr int min_points = 10, max_points = 10'000'000, max_frames = 100'000;
+  constexpr double shortest = (std::numeric_limits<double>::min)(), longest = 1e6;
+  app.description("Times updates against the fastest static way, frame by frame, for motions of "
+                  "all kinds, and compares what comes out.");
+  app.add_option("--points", options.chosen_points, "how many; default 1000 10000 100000")
+      ->type_name("N...")
+      ->check(CLI::Range(min_points, max_points));
+  app.add_option("--frames", options.frames,
+                 "measured ones of each kind; default 16 to 8, of recordings 200")
+      ->type_name("N")
+      ->check(CLI::Range(1, max_frames));
+  app.add_option("--seed", options.seed, "what is drawn by chance; default 1")->type_name("N");
+  common::add_repeated(app, "--kind", options.kinds, "TEXT",
+                       "only kinds with this in their names; may be repeated");
+  app.add_option("--only", options.only, "kinds or recorded; default both")
+      ->check(CLI::IsMember({"kinds", "recorded"}));
+  app.add_option("--recorded", options.recorded, "where recorded motion is")->type_name("DIR");
+  app.add_option("--csv", options.csv, "write every frame")->type_name("FILE");
+  app.add_option("--program", options.program, "run this one, and show its frames")
+      ->type_name("TEXT");
+  app.add_option("--adversary", options.adversary, "look for slow programs by chance for so long")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(shortest, longest));
+  common::add_repeated(app, "--without", options.left_out, "MOTION",
+                       "a motion that the adversary leaves out; may be repeated",
+                       CLI::IsMember(names_of(all_motions())));
+  app.add_flag("--quick", options.is_quick,
+               "only check: every frame, nothing is repeated, and no recordings by default");
+  app.add_flag("--list", options.is_list, "the kinds and the parts of programs");
+}
 
 std::vector<Task> chosen_tasks(const Any_motion_options& options)
 {
@@ -67,7 +98,6 @@ void run_tasks(const Any_motion_options& options, const std::string& command)
 {
   const std::vector<Task> tasks = chosen_tasks(options);
   Sequence_table table(std::cout);
-  table.write_head();
   std::vector<Sequence_figures> all;
   for (const Task& task : tasks) {
     all.push_back(run_task(task, settings_of(options)));
@@ -75,16 +105,16 @@ void run_tasks(const Any_motion_options& options, const std::string& command)
   }
   table.write_summary(all);
   std::cout << '\n' << command << std::endl;
-  if (options.csv) {
-    write_csv(*options.csv, command, all);
+  if (!options.csv.empty()) {
+    write_csv(options.csv, command, all);
   }
 }
 
 void run_program(const Any_motion_options& options)
 {
-  const std::string text = text_of(*options.program);
+  const Program program = program_in(options.program);
   for (const std::size_t points : options.points()) {
-    const Task task = program_task(text, "", *options.program, points,
+    const Task task = program_task(text_of(program), "", program, points,
                                    measured_frames(options, points), options.seed);
     write_frames(std::cout, run_task(task, settings_of(options)));
   }
@@ -105,31 +135,24 @@ void list_kinds()
   }
 }
 
-void run_any_motion(const Any_motion_options& options, const std::string& command)
+bool run_any_motion(const Any_motion_options& options, const std::string& command)
 {
   if (options.is_list) {
     list_kinds();
-  } else if (options.program) {
+  } else if (!options.program.empty()) {
     run_program(options);
-  } else if (options.adversary) {
-    Adversary(options, std::cout).run(*options.adversary);
+  } else if (options.adversary > 0.0) {
+    Adversary(options, std::cout).run(options.adversary);
   } else {
     run_tasks(options, command);
   }
+  return true;
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  CLI::App app("", "any_motion");
-  try {
-    run_any_motion(parse_options(app, argc, argv), results::command_of("any_motion", argc, argv));
-    return 0;
-  } catch (const CLI::ParseError& error) { // or help
-    return app.exit(error);
-  } catch (const std::exception& error) {
-    std::cerr << "any_motion: " << error.what() << std::endl;
-    return 1;
-  }
+  return common::run_program<Any_motion_options>("any_motion", argc, argv, add_options,
+                                                 run_any_motion);
 }

@@ -36,15 +36,11 @@
 
 #include "classifiers/Classifier_figures.h"
 #include "classifiers/Classifier_run.h"
-#include "classifiers/Csv_tables.h"
-#include "classifiers/Policy_run.h"
 #include "classifiers/Recorded_scenario.h"
-#include "scenario_runner/Number_text.h"
+#include "common/Cases.h"
+#include "common/Csv_file.h"
+#include "scenario_runner/Command_line.h"
 #include "scenario_runner/Open_motion.h"
-#include "scenario_runner/Scenario_file.h"
-#include "speed/Benchmark_options.h"
-#include "speed/Case_list.h"
-#include "speed/Speed_table_reporter.h"
 
 #include <benchmark/benchmark.h>
 
@@ -52,56 +48,58 @@
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
 
 using namespace classifiers;
-using speed::Table;
+using namespace common;
 
 constexpr std::size_t passes = 3;
 
-const Table classifier_table = {"Classifiers, each with its usual repair",
-                                {{"points", 7, 0},
-                                 {"frames", 7, 0},
-                                 {"TP", 7, 1},
-                                 {"FP", 7, 1},
-                                 {"FN", 7, 1},
-                                 {"TN", 7, 0},
-                                 {"precision", 10, 3},
-                                 {"recall", 7, 3},
-                                 {"FDR", 7, 3},
-                                 {"edges", 7, 3},
-                                 {"CC", 7, 1},
-                                 {"TC", 7, 1},
-                                 {"CC+TC", 7, 1},
-                                 {"rest", 7, 1},
-                                 {"TCC", 7, 1},
-                                 {"TC/PC", 7, 0},
-                                 {"MCC_min", 8, 3},
-                                 {"MCC_mean", 9, 3},
-                                 {"rebuilt", 8, 3}}};
-const Table policy_table = {"Policies with the exact classifier, ns a point",
-                            {{"points", 7, 0},
-                             {"frames", 7, 0},
-                             {"always_static", 15, 1},
-                             {"always_dynamic", 15, 1},
-                             {"hybrid", 8, 1},
-                             {"key_frames:10", 15, 1},
-                             {"of_best", 8, 2},
-                             {"dyn_rebuilt", 12, 3},
-                             {"hyb_rebuilt", 12, 3}}};
-const Table padding_table = {"A fast point through a cloud at rest, border splice",
-                             {{"frames", 7, 0},
-                              {"right", 7, 3},
-                              {"wrong", 7, 2},
-                              {"padded", 8, 1},
-                              {"enlargements", 8, 2},
-                              {"rebuilt", 8, 3}}};
+const Case_table classifier_table = {"Classifiers, each with its usual repair",
+                                     {{"points", 7, 0},
+                                      {"frames", 7, 0},
+                                      {"TP", 7, 1},
+                                      {"FP", 7, 1},
+                                      {"FN", 7, 1},
+                                      {"TN", 7, 0},
+                                      {"precision", 10, 3},
+                                      {"recall", 7, 3},
+                                      {"FDR", 7, 3},
+                                      {"edges", 7, 3},
+                                      {"CC", 7, 1},
+                                      {"TC", 7, 1},
+                                      {"CC+TC", 7, 1},
+                                      {"rest", 7, 1},
+                                      {"TCC", 7, 1},
+                                      {"TC/PC", 7, 0},
+                                      {"MCC_min", 8, 3},
+                                      {"MCC_mean", 9, 3},
+                                      {"rebuilt", 8, 3}}};
+const Case_table policy_table = {"Policies with the exact classifier, ns a point",
+                                 {{"points", 7, 0},
+                                  {"frames", 7, 0},
+                                  {"always_static", 15, 1},
+                                  {"always_dynamic", 15, 1},
+                                  {"hybrid", 8, 1},
+                                  {"key_frames:10", 15, 1},
+                                  {"of_best", 8, 2},
+                                  {"dyn_rebuilt", 12, 3},
+                                  {"hyb_rebuilt", 12, 3}}};
+const Case_table padding_table = {"A fast point through a cloud at rest, border splice",
+                                  {{"frames", 7, 0},
+                                   {"right", 7, 3},
+                                   {"wrong", 7, 2},
+                                   {"padded", 8, 1},
+                                   {"enlargements", 13, 2},
+                                   {"rebuilt", 8, 3}}};
 
 // Made when a row wants it, and kept for the next one: rows of one scenario follow each other.
 class Kept_recording
@@ -127,47 +125,57 @@ private:
 class Rows
 {
 public:
-  explicit Rows(std::size_t frames)
-    : m_frames(frames)
+  Rows(Case_list& cases, std::size_t frames)
+    : m_cases(cases)
+    , m_frames(frames)
   {
   }
 
   std::size_t frames() const { return m_frames; }
-  const speed::Case_list& cases() const { return m_cases; }
 
   // `work` makes a Case_result of a recording.
   template <class Work>
-  void add(const Table& table, const std::string& recording, const std::string& method,
+  void add(const Case_table& table, const std::string& recording, const std::string& method,
            const Kept_recording::Make& make, Work work)
   {
     const std::string name = recording + '/' + method;
     m_cases.add(table, name, [this, &table, name, recording, make, work] {
-      const speed::Case_result result = work(m_recording.get(recording, make));
-      m_csv.add(table, name, result.figures);
+      const Case_result result = work(m_recording.get(recording, make));
+      m_rows[&table].emplace_back(name, result.figures);
       return result;
     });
   }
 
-  void write_csv() const
+  // Those that were run, with all digits, and nothing where there is no figure.
+  void write_csv(const Case_table& table, const std::string& path) const
   {
-    write_csv(classifier_table, RESULTS_DIR "/classifiers.csv");
-    write_csv(policy_table, RESULTS_DIR "/policies.csv");
-    write_csv(padding_table, RESULTS_DIR "/padding.csv");
+    if (m_rows.count(&table) == 0) {
+      return;
+    }
+    std::vector<std::string> columns = {"name"};
+    for (const Column& column : table.columns) {
+      columns.push_back(column.name);
+    }
+    Csv_file file(path, {}, columns);
+    for (const auto& [name, figures] : m_rows.at(&table)) {
+      std::vector<std::string> cells = {name};
+      for (const Column& column : table.columns) {
+        const auto figure = figures.find(column.name);
+        cells.push_back(figure == figures.end()
+                            ? ""
+                            : csv_cell(figure->second, std::numeric_limits<double>::max_digits10));
+      }
+      file.write_line(cells);
+    }
+    file.finish();
+    std::cerr << "CSV: " << path << '\n';
   }
 
 private:
-  void write_csv(const Table& table, const std::string& path) const
-  {
-    if (m_csv.has(table)) {
-      m_csv.write(table, path);
-      std::cerr << "CSV: " << path << '\n';
-    }
-  }
-
+  Case_list& m_cases;
   std::size_t m_frames;
-  speed::Case_list m_cases;
   Kept_recording m_recording;
-  Csv_tables m_csv;
+  std::map<const Case_table*, std::vector<std::pair<std::string, Figures>>> m_rows;
 };
 
 const std::vector<std::string> scenarios = {"dam_break", "spinning", "explosion", "static"};
@@ -205,7 +213,7 @@ void add_classifiers(Rows& rows)
     }
     Method with_key_frames = method("point_distance:0.7");
     with_key_frames.policy = run::policy_choice("key_frames:10");
-    add_method(rows, scenario, "point_distance:0.7,key_frames:10", with_key_frames);
+    add_method(rows, scenario, "point_distance:0.7/key_frames:10", with_key_frames);
   }
 }
 
@@ -297,31 +305,19 @@ std::size_t take_frames(std::vector<char*>& arguments)
   return frames;
 }
 
-std::size_t run_rows(const Rows& rows, const speed::Benchmark_options& options)
-{
-  if (!options.wants_own_table()) {
-    return benchmark::RunSpecifiedBenchmarks();
-  }
-  speed::Speed_table_reporter table(rows.cases().tables());
-  return benchmark::RunSpecifiedBenchmarks(&table);
-}
-
 bool run_classifiers(std::vector<char*> arguments)
 {
-  Rows rows(take_frames(arguments));
+  Case_list cases;
+  Rows rows(cases, take_frames(arguments));
   add_classifiers(rows);
   add_policies(rows);
   add_padding(rows);
-  speed::Benchmark_options options(static_cast<int>(arguments.size()), arguments.data(),
-                                   RESULTS_DIR "/classifiers.json");
-  if (!options.initialize() || run_rows(rows, options) == 0) {
-    return false;
-  }
-  rows.write_csv();
-  if (!options.output_file().empty()) {
-    std::cerr << "JSON: " << options.output_file() << '\n';
-  }
-  return !rows.cases().has_failed();
+  const bool is_right = run_cases(cases, static_cast<int>(arguments.size()), arguments.data(),
+                                  RESULTS_DIR "/classifiers.json");
+  rows.write_csv(classifier_table, RESULTS_DIR "/classifiers.csv");
+  rows.write_csv(policy_table, RESULTS_DIR "/policies.csv");
+  rows.write_csv(padding_table, RESULTS_DIR "/padding.csv");
+  return is_right;
 }
 
 } // namespace

@@ -26,14 +26,13 @@
 // a fresh triangulation in every edge, and the steps have to become shorter. A case that fails says
 // so in place of its figures, and the program ends with an error.
 
+#include "common/Cases.h"
+#include "common/Contest.h"
 #include "scenario_runner/Measurement.h"
 #include "scenario_runner/Motion.h"
 #include "scenario_runner/Simulated_motion.h"
 #include "scenario_runner/Static_triangulation.h"
-#include "speed/Case_list.h"
-#include "speed/Run_cases.h"
 
-#include <CGAL/delaunay_agreement.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Voronoi_cell_measures_2.h>
 
@@ -41,13 +40,12 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace {
 
-using namespace speed;
+using namespace common;
 using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel>;
 
 constexpr std::size_t iterations = 100;
@@ -77,11 +75,8 @@ class Relaxation
 public:
   Relaxation(std::size_t points, scenario::Random_source& random)
     : m_side(std::sqrt(static_cast<double>(points)))
+    , m_points(random_cloud<scenario::Point>(points, random))
   {
-    for (std::size_t i = 0; i != points; ++i) {
-      const double x = random.uniform(0.0, m_side);
-      m_points.push_back({x, random.uniform(0.0, m_side)});
-    }
     m_dynamic = Dynamic(m_points.begin(), m_points.end(), run::Point_map());
     m_opponents.prepare(m_points, true); // for the order
   }
@@ -94,14 +89,11 @@ public:
       result.step = move();
       m_opponents.prepare(m_points, false);
       time_all(i, result);
-      check(result.report.certified, "an update is not certified");
+      require(result.report.certified, "an update is not certified");
       results.push_back(result);
     }
-    check(m_dynamic.is_valid(), "the triangulation is not valid");
-    check(CGAL::delaunay_agreement(m_dynamic, m_opponents.reference())
-                  .matthews_correlation_coefficient() == 1.0,
-          "the triangulation differs from a fresh one");
-    check(results.back().step < results.front().step, "the steps do not become shorter");
+    require_equal(m_dynamic, m_opponents.reference());
+    require(results.back().step < results.front().step, "the steps do not become shorter");
     return results;
   }
 
@@ -119,31 +111,19 @@ private:
     return way / static_cast<double>(m_points.size());
   }
 
-  // The order rotates: whoever comes first warms the caches for the others.
   void time_all(std::size_t iteration, Iteration& result)
   {
-    constexpr std::size_t contestants = 3;
-    for (std::size_t i = 0; i != contestants; ++i) {
-      switch ((iteration + i) % contestants) {
-      case 0:
+    in_turn(iteration, 3, [&](std::size_t contestant) {
+      if (contestant == 0) {
         result.times.update = run::nanoseconds_of([&] {
           result.report = m_dynamic.update(m_points.begin(), m_points.end(), run::Point_map());
         });
-        break;
-      case 1:
+      } else if (contestant == 1) {
         result.times.insert = m_opponents.time_insert();
-        break;
-      default:
+      } else {
         result.times.ordered = m_opponents.time_fastest();
       }
-    }
-  }
-
-  static void check(bool is_right, const char* what)
-  {
-    if (!is_right) {
-      throw std::runtime_error(what);
-    }
+    });
   }
 
   double m_side;
@@ -180,8 +160,8 @@ private:
 
 // FIGURES -----------------------------------------------------------------------------------------
 
-void add_spread(Figures& figures, const std::string& name, const std::vector<Times>& times,
-                double Times::*time, double unit)
+void add_contestant(Figures& figures, const std::string& name, const std::vector<Times>& times,
+                    double Times::*time, double unit)
 {
   std::vector<double> values, ratios;
   for (const Times& one : times) {
@@ -189,19 +169,16 @@ void add_spread(Figures& figures, const std::string& name, const std::vector<Tim
     ratios.push_back(one.*time / one.update);
   }
   const std::string letter = name.substr(0, 1);
-  const run::Spread spread = *run::spread(values);
-  figures[name] = spread.median;
-  figures[letter + "_q1"] = spread.low_quartile;
-  figures[letter + "_q3"] = spread.high_quartile;
+  add_spread(figures, name, letter + '_', values);
   figures[letter + "/u"] = run::spread(ratios)->median;
 }
 
 // `unit`: of the times, in nanoseconds.
 void add_times(Figures& figures, const std::vector<Times>& times, double unit)
 {
-  add_spread(figures, "update", times, &Times::update, unit);
-  add_spread(figures, "insert", times, &Times::insert, unit);
-  add_spread(figures, "ordered", times, &Times::ordered, unit);
+  add_contestant(figures, "update", times, &Times::update, unit);
+  add_contestant(figures, "insert", times, &Times::insert, unit);
+  add_contestant(figures, "ordered", times, &Times::ordered, unit);
 }
 
 double seconds_of(const std::vector<Times>& times)
@@ -271,10 +248,11 @@ std::vector<Column> columns(const Column& count, const std::vector<Column>& more
   return columns;
 }
 
-const Table by_iterations = {
+const Case_table by_iterations = {
     "Iterations by their numbers, ns a point",
     columns({"frames", 8, 0}, {{"flips", 9, 4}, {"rebuilds", 9, 0}, {"step", 8, 4}})};
-const Table whole = {"Whole relaxations, a hundred iterations, ms", columns({"runs", 8, 0}, {})};
+const Case_table whole = {"Whole relaxations, a hundred iterations, ms",
+                          columns({"runs", 8, 0}, {})};
 
 void add_all(Case_list& cases, Relaxations& relaxations)
 {
@@ -303,6 +281,6 @@ void add_all(Case_list& cases, Relaxations& relaxations)
 int main(int argc, char** argv)
 {
   Relaxations relaxations;
-  return run_program(
+  return run_case_program(
       "lloyd", [&relaxations](Case_list& cases) { add_all(cases, relaxations); }, argc, argv);
 }

@@ -12,13 +12,13 @@
 //   safe_edge.svg     an edge that is safe, and its annulus
 //   tolerances.svg    how far vertices may go before an edge has to be looked at
 
+#include "common/Program.h"
 #include "manual_figures/Safety_figures.h"
 #include "manual_figures/Set_figures.h"
 #include "scenario_runner/Output_file.h"
 
 #include <CLI/CLI.hpp>
 
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -50,17 +50,14 @@ void draw_all(const std::string& path)
 
 int main(int argc, char** argv)
 {
-  CLI::App app("Draws the figures of the user manual.");
-  std::string output = (std::filesystem::path(RESULTS_DIR) / "manual_figures").string();
-  app.add_option("--output", output, "The directory to write them to")->capture_default_str();
-  try {
-    app.parse(argc, argv);
+  const auto add_options = [](CLI::App& app, std::string& output) {
+    app.description("Draws the figures of the user manual.");
+    output = (std::filesystem::path(RESULTS_DIR) / "manual_figures").string();
+    app.add_option("--output", output, "The directory to write them to")->capture_default_str();
+  };
+  const auto draw = [](const std::string& output, const std::string&) {
     draw_all(output);
-    return 0;
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error);
-  } catch (const std::exception& error) {
-    std::cerr << "manual_figures: " << error.what() << '\n';
-    return 1;
-  }
+    return true;
+  };
+  return common::run_program<std::string>("manual_figures", argc, argv, add_options, draw);
 }

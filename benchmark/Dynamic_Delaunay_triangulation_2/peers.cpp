@@ -4,7 +4,7 @@
 // This package next to others who triangulate, on the same frames of the same motions, in one run
 // and in turn, the order rotating. Who is there, and what of each is timed and why, stands in
 // peers/..._peer.h; what is common to all in peers/Peer.h. All points are on a grid of integers,
-// peers/Grid.h.
+// peers/Grid_motion.h.
 //
 // Columns of the table:
 //   ns/point, q1, q3   median over the frames, and quartiles
@@ -17,21 +17,18 @@
 // A difference of those who promise to be exact, CGAL and this package, ends the program with an
 // error. All others' are counted.
 
+#include "common/Program.h"
 #include "peers/Delaunator_peer.h"
-#include "peers/Peer_case.h"
-#include "peers/Peer_record.h"
-#include "peers/Peers_csv.h"
-#include "peers/Peers_options.h"
+#include "peers/Peer_cases.h"
+#include "peers/Peers_output.h"
 #include "peers/Peers_run.h"
-#include "peers/Peers_table.h"
 #include "peers/Qhull_peer.h"
-#include "results/Command.h"
 #include "scenario_runner/Progress.h"
 
 #include <CGAL/version.h>
-#include <CLI/CLI.hpp>
 
 #include <boost/version.hpp>
+#include <CLI/CLI.hpp>
 
 #include <cstddef>
 #include <exception>
@@ -45,6 +42,25 @@
 namespace {
 
 using namespace peers;
+
+void add_options(CLI::App& app, Peers_options& options)
+{
+  constexpr int fewest_points = 10, most_points = 10'000'000, most_frames = 100'000;
+  app.description("Times this package and its peers on the same frames, in turn, and compares what "
+                  "comes out.");
+  app.add_option("--points", options.chosen_points, "how many; default 1000 10000 100000")
+      ->type_name("N...")
+      ->check(CLI::Range(fewest_points, most_points));
+  app.add_option("--frames", options.frames, "timed ones of each motion; default 96 to 4")
+      ->type_name("N")
+      ->check(CLI::Range(1, most_frames));
+  app.add_option("--filter", options.filter, "only motions with this in 'motion/points'")
+      ->type_name("TEXT");
+  app.add_option("--output", options.output, "where peers.csv goes; default build/dev/bench/peers")
+      ->type_name("DIR");
+  app.add_flag("--large", options.is_large, "a million points, too");
+  app.add_flag("--quick", options.is_quick, "a first look, in less than a minute");
+}
 
 // None if Node.js or the package is missing.
 std::shared_ptr<Delaunator_peer> find_delaunator()
@@ -86,7 +102,7 @@ std::vector<Case_record> run_cases(const std::vector<Peer_case>& cases,
   return records;
 }
 
-void run_peers(const Peers_options& options, const std::string& command)
+bool run_peers(const Peers_options& options, const std::string& command)
 {
   const std::vector<Peer_case> cases = Peer_cases(options).get();
   if (cases.empty()) {
@@ -95,25 +111,17 @@ void run_peers(const Peers_options& options, const std::string& command)
   std::filesystem::create_directories(options.output);
   const auto delaunator = find_delaunator();
   const std::vector<Case_record> records = run_cases(cases, delaunator);
-  Peers_table(std::cout).write(records);
+  write_tables(std::cout, records);
   const std::string path = (std::filesystem::path(options.output) / "peers.csv").string();
   write_csv(path, {"command: " + command, "versions: " + versions(delaunator.get())}, records);
   std::cout << '\n' << versions(delaunator.get()) << '\n' << command << std::endl;
   std::cerr << "CSV: " << path << '\n';
+  return true;
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  CLI::App app("", "peers");
-  try {
-    run_peers(parse_options(app, argc, argv), results::command_of("peers", argc, argv));
-    return 0;
-  } catch (const CLI::ParseError& error) { // or help
-    return app.exit(error);
-  } catch (const std::exception& error) {
-    std::cerr << "peers: " << error.what() << std::endl;
-    return 1;
-  }
+  return common::run_program<Peers_options>("peers", argc, argv, add_options, run_peers);
 }

@@ -8,7 +8,8 @@
 // A trial is a row of 200 operations on one triangulation, each of them one public call. Its seed
 // decides everything about it: the family, which says what kinds of points and motions it has; the
 // kernel, classifier with its parameter, repair, policy, engine, and who names the points; and all
-// operations. Families stand in robustness/Families.h, the oracle in robustness/Checked_subject.h.
+// operations. Families stand in random_operations/Families.h, the oracle in
+// random_operations/Checked_subject.h.
 //
 // Columns of the tables, all of them counts:
 //   operations   public calls that change something
@@ -24,50 +25,64 @@
 // A trial ends with its first fault. What kills the program, or takes it too long, is named with
 // the trial. The program ends with success only if there are no faults.
 
-#include "results/Command.h"
-#include "robustness/Robustness_options.h"
+#include "common/Program.h"
+#include "robustness/Robustness_report.h"
 #include "robustness/Robustness_run.h"
-#include "robustness/Robustness_table.h"
 #include "robustness/Watchdog.h"
 #include "scenario_runner/Output_file.h"
 #include "scenario_runner/Progress.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <chrono>
-#include <cstddef>
-#include <exception>
+#include <cstdint>
 #include <iostream>
+#include <limits>
 #include <string>
 
 namespace {
 
 using namespace robustness;
 
+void add_options(CLI::App& app, Robustness_options& options)
+{
+  constexpr double max_operations = 1e12, max_threads = 1024, max_time_limit = 1e6;
+  app.description("Does random things to triangulations, and compares them with fresh ones of "
+                  "CGAL's after each of them.");
+  app.add_option("--operations", options.operations, "how many, of all families; default 10000000")
+      ->type_name("N")
+      ->check(CLI::Range(1.0, max_operations));
+  app.add_option("--seed", options.seed, "what everything is drawn from; default 1")
+      ->type_name("N");
+  app.add_option("--threads", options.threads,
+                 "which nothing that is counted depends on; default as many as the machine has")
+      ->type_name("N")
+      ->check(CLI::Range(1.0, max_threads));
+  app.add_option("--family", options.family, "this one only")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(names_of(families())));
+  app.add_option("--trial", options.trial, "repeat one trial, with --family as it was reported")
+      ->type_name("SEED")
+      ->expected(1);
+  app.add_option("--time_limit", options.time_limit,
+                 "an operation that takes longer ends the program; default 20")
+      ->type_name("SECONDS")
+      ->check(CLI::Range((std::numeric_limits<double>::min)(), max_time_limit));
+  app.add_option("--arithmetic", options.arithmetic, "what the caller's is; default usual")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(names_of(all_arithmetic())));
+  app.add_option("--report", options.report, "write what came out, as one JSON object")
+      ->type_name("FILE.json");
+}
+
 Results run(const Robustness_options& options)
 {
   Robustness_run run(options);
-  if (options.trial) {
-    return run.repeat(*options.trial);
+  if (!options.trial.empty()) {
+    return run.repeat(options.trial.front());
   }
   run::Progress_display progress(options.operations, true, "operation");
   return run.run([&](std::uint64_t operations) { progress.show(operations); });
-}
-
-void write_findings(const Results& results)
-{
-  constexpr std::size_t most = 20;
-  const std::size_t shown = (std::min)(most, results.findings.size());
-  for (std::size_t i = 0; i < shown; ++i) {
-    const Found& found = results.findings[i];
-    std::cout << fault_name(found.fault) << " after " << found.operation
-              << " operations: " << found.what << "\n  " << found.setup << "\n  --family "
-              << found.family << " --trial " << found.seed << '\n';
-  }
-  if (shown < results.findings.size()) {
-    std::cout << "and " << results.findings.size() - shown << " more\n";
-  }
 }
 
 void write_report(const std::string& path, const nlohmann::ordered_json& report)
@@ -85,20 +100,20 @@ bool run_robustness(const Robustness_options& options, const std::string& comman
   const Clock::time_point start = Clock::now();
   const Results results = run(options);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  Robustness_table(std::cout).write(results);
+  write_tables(std::cout, results);
   std::cout << '\n';
-  write_findings(results);
+  write_findings(std::cout, results);
   const Counts total = results.total();
   std::cout << total.number_of_operations() << " operations, " << total[Fault::WRONG] << " wrong, "
             << total[Fault::LOST] << " lost, " << total[Fault::CRASHED] << " crashed; seed "
             << options.seed << ", " << seconds << " s\n"
             << command << '\n';
-  if (options.report) {
+  if (!options.report.empty()) {
     nlohmann::ordered_json report = json(results);
     report["seed"] = options.seed;
     report["command"] = command;
     report["seconds"] = seconds;
-    write_report(*options.report, report);
+    write_report(options.report, report);
   }
   return !total.has_faults();
 }
@@ -107,14 +122,6 @@ bool run_robustness(const Robustness_options& options, const std::string& comman
 
 int main(int argc, char** argv)
 {
-  CLI::App app("", "robustness");
-  try {
-    const std::string command = results::command_of("robustness", argc, argv);
-    return run_robustness(parse_options(app, argc, argv), command) ? 0 : 1;
-  } catch (const CLI::Success& help) {
-    return app.exit(help);
-  } catch (const std::exception& error) {
-    std::cerr << "robustness: " << error.what() << std::endl;
-    return 1;
-  }
+  return common::run_program<Robustness_options>("robustness", argc, argv, add_options,
+                                                 run_robustness);
 }

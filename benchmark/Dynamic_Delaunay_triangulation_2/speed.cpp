@@ -28,13 +28,11 @@
 // be valid and to agree with a fresh triangulation in every edge. A case that fails says so in
 // place of its figures, and the program ends with an error.
 
+#include "common/Cases.h"
 #include "scenario_runner/Open_motion.h"
-#include "scenario_runner/Scenario_file.h"
-#include "speed/Case_list.h"
 #include "speed/Change_cases.h"
 #include "speed/Heap_cases.h"
 #include "speed/Motion_cases.h"
-#include "speed/Run_cases.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -50,6 +48,7 @@
 namespace {
 
 using namespace speed;
+using namespace common;
 
 const std::vector<Column> time_columns = {
     {"points", 9, 0},      {"frames", 7, 0}, {"dynamic", 9, 1},  {"q1", 8, 1},
@@ -64,29 +63,30 @@ std::vector<Column> time_columns_and(std::initializer_list<Column> further)
   return columns;
 }
 
-const Table own_step = {"Scenarios at their own time step, ns a point", time_columns};
-const Table largest_step = {"Scenarios at their largest stable time step, ns a point",
-                            time_columns};
-const Table brownian = {"Brownian motion by its steps in spacings, ns a point", time_columns};
-const Table teleport = {"Every point at a fresh random place in every frame, ns a point; 'sorted' "
-                        "sorts along the curve while it is timed",
-                        time_columns_and({{"sorted", 9, 1}, {"of_fastest", 11, 2}})};
-const Table recorded = {"Recorded motion with its whole population, ns a point",
-                        time_columns_and({{"changes", 9, 0}})};
-const Table changes = {"Single points of a random cloud that come, go, move a hundredth of a "
-                       "spacing, or anywhere; ns a "
-                       "point, against CGAL's insert(), remove() and move_if_no_collision()",
-                       {{"points", 9, 0},
-                        {"dynamic", 9, 1},
-                        {"q1", 9, 1},
-                        {"q3", 9, 1},
-                        {"CGAL", 9, 1},
-                        {"vs_CGAL", 9, 2}}};
-const Table memory = {
+const Case_table own_step = {"Scenarios at their own time step, ns a point", time_columns};
+const Case_table largest_step = {"Scenarios at their largest stable time step, ns a point",
+                                 time_columns};
+const Case_table brownian = {"Brownian motion by its steps in spacings, ns a point", time_columns};
+const Case_table teleport = {
+    "Every point at a fresh random place in every frame, ns a point; 'sorted' "
+    "sorts along the curve while it is timed",
+    time_columns_and({{"sorted", 9, 1}, {"of_fastest", 11, 2}})};
+const Case_table recorded = {"Recorded motion with its whole population, ns a point",
+                             time_columns_and({{"changes", 9, 0}})};
+const Case_table changes = {"Single points of a random cloud that come, go, move a hundredth of a "
+                            "spacing, or anywhere; ns a "
+                            "point, against CGAL's insert(), remove() and move_if_no_collision()",
+                            {{"points", 9, 0},
+                             {"dynamic", 9, 1},
+                             {"q1", 9, 1},
+                             {"q3", 9, 1},
+                             {"CGAL", 9, 1},
+                             {"vs_CGAL", 9, 2}}};
+const Case_table memory = {
     "Memory, bytes a point",
     {{"points", 9, 0}, {"frames", 7, 0}, {"dynamic", 9, 1}, {"CGAL", 9, 1}, {"beyond", 9, 1}}};
-const Table allocations = {"Heap allocations a frame without edge changes",
-                           {{"points", 9, 0}, {"frames", 7, 0}, {"allocations", 13, 2}}};
+const Case_table allocations = {"Heap allocations a frame without edge changes",
+                                {{"points", 9, 0}, {"frames", 7, 0}, {"allocations", 13, 2}}};
 
 constexpr std::size_t many_points = 100'000;
 constexpr std::size_t max_points = 1'000'000;
@@ -97,7 +97,7 @@ std::unique_ptr<scenario::Motion> open(const std::string& name,
   return scenario::open_motion(scenario::scenario_file(name), overrides);
 }
 
-void add_scenario(Case_list& cases, const Table& table, const std::string& name,
+void add_scenario(Case_list& cases, const Case_table& table, const std::string& name,
                   const std::string& scenario_name, const scenario::Overrides& overrides,
                   const Frame_choice& frames)
 {
@@ -112,7 +112,7 @@ std::string joined(const std::string& prefix, const std::string& name, std::size
 constexpr std::size_t many_frames = 1000;
 
 // At its own size, and the first frames at a large one.
-void add_moving(Case_list& cases, const Table& table, const std::string& prefix,
+void add_moving(Case_list& cases, const Case_table& table, const std::string& prefix,
                 const std::string& name, scenario::Overrides overrides)
 {
   const std::size_t points = open(name, {})->points().size();
@@ -123,7 +123,7 @@ void add_moving(Case_list& cases, const Table& table, const std::string& prefix,
 }
 
 // Settled in the last half of its frames.
-void add_static(Case_list& cases, const Table& table, const std::string& prefix,
+void add_static(Case_list& cases, const Case_table& table, const std::string& prefix,
                 scenario::Overrides overrides)
 {
   const auto motion = open("static", {});
@@ -272,5 +272,5 @@ void add_all(Case_list& cases)
 
 int main(int argc, char** argv)
 {
-  return run_program("speed", add_all, argc, argv);
+  return run_case_program("speed", add_all, argc, argv);
 }

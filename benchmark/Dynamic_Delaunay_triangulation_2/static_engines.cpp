@@ -22,12 +22,12 @@
 // has to be valid and to be proved Delaunay by exact predicates, edge by edge. A case that fails
 // says so in place of its figures, and the program ends with an error.
 
+#include "common/Cases.h"
+#include "common/Contest.h"
 #include "scenario_runner/Measurement.h"
 #include "scenario_runner/Repairs_and_policies.h"
 #include "scenario_runner/Simulated_motion.h"
 #include "scenario_runner/Static_triangulation.h"
-#include "speed/Case_list.h"
-#include "speed/Run_cases.h"
 
 #include <CGAL/Border_splice_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
@@ -36,13 +36,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace {
 
-using namespace speed;
+using namespace common;
 using Point = run::Kernel::Point_2;
 using Points = std::vector<Point>;
 using Ids = std::vector<std::size_t>;
@@ -109,34 +108,32 @@ public:
     : m_times(run::engines().size())
   {
     for (const auto& [name, engine] : run::engines()) {
-      m_triangulations.emplace_back(points.begin(), points.end(), Noted_classifier(m_notes),
-                                    Noting_repair<Repair>(repair, m_notes),
-                                    CGAL::Static_engines_2{engine, engine});
+      const typename Dynamic::Settings settings{
+          Noted_classifier(m_notes), Noting_repair<Repair>(repair, m_notes), {engine, engine}};
+      m_triangulations.emplace_back(points.begin(), points.end(), settings);
     }
   }
   Contest(const Contest&) = delete;
   Contest& operator=(const Contest&) = delete;
 
   // Lets all of them repair a frame at these points. `divisor(report)` is what a time is divided
-  // by. The order rotates: whoever comes first warms the caches for the others.
+  // by.
   template <class Divisor>
   void measure(const Points& points, const Ids& named, Divisor divisor)
   {
     m_notes.named = named;
-    for (std::size_t i = 0; i != m_times.size(); ++i) {
-      const std::size_t engine = (m_frames + i) % m_times.size();
+    in_turn(m_frames, m_times.size(), [&](std::size_t engine) {
       const auto report = m_triangulations[engine].update(points.begin(), points.end());
       m_times[engine].push_back(m_notes.nanoseconds / divisor(report));
-    }
+    });
     ++m_frames;
   }
 
   void check()
   {
     for (auto& triangulation : m_triangulations) {
-      if (!triangulation.certify() || !triangulation.is_valid()) {
-        throw std::runtime_error("a triangulation is not Delaunay");
-      }
+      require(triangulation.certify() && triangulation.is_valid(),
+              "a triangulation is not Delaunay");
     }
   }
 
@@ -149,10 +146,7 @@ public:
     for (std::size_t engine = 0; engine != m_times.size(); ++engine) {
       const std::string& name = run::engines()[engine].first;
       const std::string letter = name.substr(0, 1);
-      const run::Spread spread = *run::spread(m_times[engine]);
-      figures[name] = spread.median;
-      figures[letter + "_q1"] = spread.low_quartile;
-      figures[letter + "_q3"] = spread.high_quartile;
+      add_spread(figures, name, letter + '_', m_times[engine]);
       figures[letter + "/g"] = ratio_to_first(engine);
     }
     return result;
@@ -179,18 +173,6 @@ private:
 };
 
 // REBUILDS ----------------------------------------------------------------------------------------
-
-// One point to a unit of area.
-Points random_cloud(std::size_t number, scenario::Random_source& random)
-{
-  const double side = std::sqrt(static_cast<double>(number));
-  Points points;
-  for (std::size_t i = 0; i != number; ++i) {
-    const double x = random.uniform(0.0, side);
-    points.emplace_back(x, random.uniform(0.0, side));
-  }
-  return points;
-}
 
 Points displaced_grid(std::size_t number, scenario::Random_source& random)
 {
@@ -226,7 +208,7 @@ template <class Move>
 Case_result rebuild_case(std::size_t number, Move move)
 {
   scenario::Random_source random(number);
-  Points points = random_cloud(number, random);
+  Points points = random_cloud<Point>(number, random);
   Contest<CGAL::Rebuild_repair_2> contest(points, CGAL::Rebuild_repair_2());
   for (std::size_t frame = 0; frame != frames_for(number); ++frame) {
     points = move(points, random);
@@ -239,7 +221,7 @@ Case_result rebuild_case(std::size_t number, Move move)
 Case_result jump_case(std::size_t number)
 {
   return rebuild_case(number, [](const Points& points, scenario::Random_source& random) {
-    return random_cloud(points.size(), random);
+    return random_cloud<Point>(points.size(), random);
   });
 }
 
@@ -290,15 +272,13 @@ Case_result splice_case(unsigned padding)
   constexpr std::size_t number = 20'000, frames = 100;
   const double distance = 3.0 * (padding + 2.0); // an edge is hardly ever longer than 1.5
   scenario::Random_source random(padding);
-  const Points points = random_cloud(number, random);
+  const Points points = random_cloud<Point>(number, random);
   Contest<CGAL::Border_splice_repair_2> contest(points, CGAL::Border_splice_repair_2(padding));
   double regions = 0.0, points_of_regions = 0.0;
   for (std::size_t frame = 0; frame != frames; ++frame) {
     const Ids named = scattered_ids(points, distance, random);
     contest.measure(points, named, [&](const CGAL::Update_report_2& report) {
-      if (report.rebuilt() || report.enlargements != 0) {
-        throw std::runtime_error("a region has not come out as it was");
-      }
+      require(!report.rebuilt() && report.enlargements == 0, "a region has not come out as it was");
       const auto size = static_cast<double>(report.classified + report.padded + report.border);
       regions += static_cast<double>(named.size());
       points_of_regions += size;
@@ -328,13 +308,16 @@ std::vector<Column> columns(int decimals_of_points)
           {"b/g", 7, 2}};
 }
 
-const Table jump = {"Rebuilds, every point at a fresh random place in every frame, ns a point",
-                    columns(0)};
-const Table step = {"Rebuilds, random steps of a fifth of the spacing, ns a point", columns(0)};
-const Table grid = {"Rebuilds of a square grid, displaced in every frame, ns a point", columns(0)};
-const Table splice = {"Splices by the size of their regions, ns a point of a region", columns(1)};
+const Case_table jump = {"Rebuilds, every point at a fresh random place in every frame, ns a point",
+                         columns(0)};
+const Case_table step = {"Rebuilds, random steps of a fifth of the spacing, ns a point",
+                         columns(0)};
+const Case_table grid = {"Rebuilds of a square grid, displaced in every frame, ns a point",
+                         columns(0)};
+const Case_table splice = {"Splices by the size of their regions, ns a point of a region",
+                           columns(1)};
 
-void add_rebuilds(Case_list& cases, const Table& table, const std::string& name,
+void add_rebuilds(Case_list& cases, const Case_table& table, const std::string& name,
                   Case_result (*rebuild)(std::size_t))
 {
   for (const std::size_t number :
@@ -358,5 +341,5 @@ void add_all(Case_list& cases)
 
 int main(int argc, char** argv)
 {
-  return run_program("static_engines", add_all, argc, argv);
+  return run_case_program("static_engines", add_all, argc, argv);
 }

@@ -26,9 +26,9 @@
 // most_points.csv three of four timed frames took up to upper_quartile_ms; the last of them is
 // number `frames`.
 
+#include "common/Program.h"
 #include "scenario_runner/Progress.h"
 #include "thesis/Experiments.h"
-#include "thesis/Thesis_options.h"
 
 #include <CLI/CLI.hpp>
 
@@ -47,6 +47,28 @@
 namespace {
 
 using namespace thesis;
+
+std::vector<std::string> experiment_names()
+{
+  std::vector<std::string> names;
+  for (const auto& experiment : all_experiments({})) {
+    names.push_back(experiment->name());
+  }
+  return names;
+}
+
+void add_options(CLI::App& app, Settings& settings)
+{
+  app.description("Runs the experiments of the thesis, and those that it lacks.");
+  app.add_flag("--quick", settings.is_quick, "fewer trials, scenarios and values: five minutes");
+  app.add_option("--trials", settings.trials, "each with a jitter of its own; default 10")
+      ->check(CLI::Range(1, 1000));
+  app.add_option("--seed", settings.seed, "of the first trial; default 1");
+  app.add_option("--only", settings.only, "these experiments; default all")
+      ->check(CLI::IsMember(experiment_names()));
+  app.add_option("--output", settings.output, "the directory that results are written to")
+      ->type_name("DIR");
+}
 
 struct Planned_experiment
 {
@@ -98,7 +120,7 @@ void run_jobs(const Planned_experiment& one, double& done, run::Progress_display
   }
 }
 
-void run_experiments(const Settings& settings)
+bool run_experiments(const Settings& settings, const std::string& command)
 {
   using Clock = std::chrono::steady_clock;
   const std::vector<Planned_experiment> planned = plan(settings);
@@ -114,27 +136,19 @@ void run_experiments(const Settings& settings)
                                      one.experiment->name().c_str());
       run_jobs(one, done, progress);
     }
-    one.experiment->write(settings.output, {"command: " + settings.command});
+    one.experiment->write(settings.output, {"command: " + command});
     std::cout << one.experiment->name() << ": "
               << std::round(std::chrono::duration<double>(Clock::now() - start).count()) << " s, "
               << one.jobs.size() << " jobs\n"
               << std::flush;
   }
   std::cout << "Results: " << settings.output.string() << '\n';
+  return true;
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  CLI::App app;
-  try {
-    run_experiments(parse_settings(app, argc, argv));
-    return 0;
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error);
-  } catch (const std::exception& error) {
-    std::cerr << "thesis: " << error.what() << '\n';
-    return 1;
-  }
+  return common::run_program<Settings>("thesis", argc, argv, add_options, run_experiments);
 }

@@ -1,21 +1,19 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Does anything that can be done with a population, at random, and knows what must come of it.
+// Does anything that can be done with a population, at random. The engine of random operations
+// compares the triangulation with what must have come of it after each call.
 
 #ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_POPULATION_PLAYER_H
 #define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_POPULATION_PLAYER_H
 
+#include "../../benchmark/Dynamic_Delaunay_triangulation_2/random_operations/Trial.h"
+#include "../../benchmark/Dynamic_Delaunay_triangulation_2/random_operations/Triangulation_subject.h"
 #include "oracle.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <iterator>
-#include <limits>
-#include <random>
+#include <functional>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 // Where points may be: on a lattice, where they often meet, or anywhere in the square around it.
 struct Playground
@@ -24,158 +22,75 @@ struct Playground
   bool is_lattice;
 };
 
+// Makes a triangulation as a test wants it.
+template <class Triangulation>
+struct Test_maker
+{
+  using Dynamic = Triangulation;
+  using Point = typename Dynamic::Point;
+
+  std::function<Dynamic()> empty;
+
+  Point point(const random_operations::Place& place) const { return Point(place.x, place.y); }
+
+  template <class Iterator>
+  Dynamic of(Iterator first, Iterator beyond) const
+  {
+    Dynamic dt = empty();
+    for (; first != beyond; ++first)
+      dt.insert(*first);
+    return dt;
+  }
+};
+
 template <class Dynamic>
 class Population_player
 {
 public:
-  using Point = typename Dynamic::Point;
-
-  Population_player(Dynamic& dt, const Playground& ground, unsigned seed)
-    : m_dt(dt)
-    , m_ground(ground)
-    , m_random(seed)
+  Population_player(
+      const Playground& ground, unsigned seed, std::size_t max_points = 80,
+      const std::function<Dynamic()>& empty = [] { return Dynamic(); })
+    : m_subject(Test_maker<Dynamic>{empty})
+    , m_surroundings{field_of(ground), max_points,
+                     !std::is_same_v<typename Dynamic::Geom_traits, Epick>, true}
+    , m_decisions(seed)
+    , m_trial(family_of(ground), m_surroundings, m_subject, m_decisions, m_counts)
   {
   }
 
-  const Model<Dynamic>& model() const { return m_model; }
+  Dynamic& triangulation() { return m_subject.triangulation(); }
 
-  void play()
-  {
-    switch (random(m_model.empty() ? 2 : 10)) {
-    case 0:
-      return insert(1);
-    case 1:
-      return insert(1 + random(6));
-    case 2:
-      return remove(1);
-    case 3:
-      return remove(1 + random(6));
-    case 4:
-      return move(1, true);
-    case 5:
-      return move(1 + random(4), true);
-    case 6:
-      return move(1 + random(m_model.size()), random(2) == 0);
-    case 7:
-      return meet();
-    default:
-      return update();
-    }
-  }
-
-  void insert(std::size_t number)
-  {
-    std::vector<Point> points;
-    for (std::size_t i = 0; i < number; ++i)
-      points.push_back(place());
-    std::vector<std::size_t> ids;
-    m_report = m_dt.insert(points.begin(), points.end(), std::back_inserter(ids));
-    for (std::size_t i = 0; i < number; ++i)
-      ASSERT_TRUE(m_model.emplace(ids[i], points[i]).second) << "id " << ids[i];
-    ASSERT_EQ(m_report.inserted, number);
-  }
-
-  void remove(std::size_t number)
-  {
-    const auto ids = some_ids(number);
-    m_report = m_dt.remove(ids.begin(), ids.end());
-    for (const std::size_t id : ids)
-      m_model.erase(id);
-    ASSERT_EQ(m_report.removed, ids.size());
-  }
-
-  void move(std::size_t number, bool is_far)
-  {
-    std::vector<std::pair<std::size_t, Point>> movers;
-    for (const std::size_t id : some_ids(number)) {
-      movers.emplace_back(id, is_far ? place() : near(m_model.at(id)));
-      m_model[id] = movers.back().second;
-    }
-    m_report = m_dt.move(movers.begin(), movers.end());
-  }
-
-  // Some points come to one place, by an update.
-  void meet()
-  {
-    const Point p = place();
-    for (const std::size_t id : some_ids(1 + random(4)))
-      m_model[id] = p;
-    update_to_model();
-  }
-
-  void update()
-  {
-    const bool is_far = random(8) == 0;
-    for (auto& [id, p] : m_model)
-      if (random(3) == 0)
-        p = is_far ? place() : near(p);
-    update_to_model();
-  }
-
-  // The ids of nobody are given what is no place, where the kernel has such.
-  void update_to_model()
-  {
-    std::vector<Point> points(m_dt.number_of_ids(), no_place());
-    for (const auto& [id, p] : m_model)
-      points[id] = p;
-    m_report = m_dt.update(points.begin(), points.end());
-  }
-
-  // Of the last call.
-  const CGAL::Update_report_2& report() const { return m_report; }
+  // Both throw what they find.
+  void start() { m_trial.start(); }
+  void play() { m_trial.step(); }
 
 private:
-  std::size_t random(std::size_t bound) { return m_random() % bound; }
-
-  double coordinate()
+  static random_operations::Field field_of(const Playground& ground)
   {
-    if (m_ground.is_lattice)
-      return double(random(std::size_t(m_ground.side)));
-    return std::uniform_real_distribution<double>(0, m_ground.side)(m_random);
+    random_operations::Field field;
+    field.extent = ground.side - (ground.is_lattice ? 1 : 0);
+    return field;
   }
 
-  Point place()
+  static const random_operations::Family& family_of(const Playground& ground)
   {
-    if (random(6) == 0 && !m_model.empty())
-      return std::next(m_model.begin(), std::ptrdiff_t(random(m_model.size())))->second;
-    const double x = coordinate();
-    return Point(x, coordinate());
+    using namespace random_operations;
+    static const Family lattice =
+        family("lattice", 1, {10, 10, 10, 10, 40, 20}, "grid grid grid grid grid at_another",
+               "grid_step grid_step disturb gather fresh rest",
+               "fresh fresh fresh grid_step gather onto_others trade");
+    static const Family anywhere =
+        family("anywhere", 1, {10, 10, 10, 10, 40, 20}, "square square square square at_another",
+               "step step disturb part fresh rest",
+               "fresh fresh fresh step gather part onto_others trade");
+    return ground.is_lattice ? lattice : anywhere;
   }
 
-  static Point no_place()
-  {
-    if constexpr (std::is_same_v<Point, Epick::Point_2>)
-      return Point(std::numeric_limits<double>::quiet_NaN(), 1);
-    else
-      return Point(1e300, 1);
-  }
-
-  Point near(const Point& p)
-  {
-    const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
-    if (m_ground.is_lattice)
-      return random(2) == 0 ? Point(x + double(random(3)) - 1, y) : p;
-    std::normal_distribution<double> step(0, 0.05);
-    const double dx = step(m_random);
-    return Point(x + dx, y + step(m_random));
-  }
-
-  // In any order.
-  std::vector<std::size_t> some_ids(std::size_t number)
-  {
-    std::vector<std::size_t> ids;
-    for (const auto& [id, p] : m_model)
-      ids.push_back(id);
-    std::shuffle(ids.begin(), ids.end(), m_random);
-    ids.resize((std::min)(number, ids.size()));
-    return ids;
-  }
-
-  Dynamic& m_dt;
-  Playground m_ground;
-  std::mt19937 m_random;
-  Model<Dynamic> m_model;
-  CGAL::Update_report_2 m_report;
+  random_operations::Triangulation_subject<Test_maker<Dynamic>> m_subject;
+  random_operations::Surroundings m_surroundings;
+  random_operations::Random_decisions m_decisions;
+  random_operations::Counts m_counts;
+  random_operations::Trial m_trial;
 };
 
 #endif // DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_POPULATION_PLAYER_H

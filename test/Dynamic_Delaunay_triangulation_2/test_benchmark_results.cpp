@@ -3,8 +3,8 @@
 
 // What benchmarks say is only as good as what counts, searches and writes it down.
 
+#include "../../benchmark/Dynamic_Delaunay_triangulation_2/common/Csv_file.h"
 #include "../../benchmark/Dynamic_Delaunay_triangulation_2/peers/Peer_output.h"
-#include "../../benchmark/Dynamic_Delaunay_triangulation_2/results/Csv_file.h"
 #include "../../benchmark/Dynamic_Delaunay_triangulation_2/thesis/Mean_and_extremes.h"
 #include "../../benchmark/Dynamic_Delaunay_triangulation_2/thesis/Most_points_search.h"
 #include "temporary_files.h"
@@ -105,7 +105,7 @@ TEST(A_file_of_results, has_remarks_columns_and_rows)
 {
   const Temporary_directory directory;
   const std::string path = directory.path("results.csv");
-  results::Csv_file file(path, {"command: none"}, {"name", "value"});
+  common::Csv_file file(path, {"command: none"}, {"name", "value"});
   file.write_row("one", 0.125);
   file.finish();
   EXPECT_EQ(text_of(path), "# command: none\nname,value\none,0.125\n");
@@ -114,7 +114,7 @@ TEST(A_file_of_results, has_remarks_columns_and_rows)
 TEST(A_file_of_results, refuses_rows_that_do_not_fit)
 {
   const Temporary_directory directory;
-  results::Csv_file file(directory.path("results.csv"), {}, {"name", "value"});
+  common::Csv_file file(directory.path("results.csv"), {}, {"name", "value"});
   EXPECT_THROW(file.write_row("one"), std::logic_error);
   EXPECT_THROW(file.write_row("one, two", 1), std::logic_error);
 }

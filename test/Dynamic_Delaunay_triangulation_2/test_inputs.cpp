@@ -4,7 +4,7 @@
 // Points come from anything that C++ calls a range, whatever its iterators keep, make or refer to;
 // wrong uses are refused.
 
-#include "../../benchmark/Dynamic_Delaunay_triangulation_2/robustness/Arithmetic.h"
+#include "../../benchmark/Dynamic_Delaunay_triangulation_2/random_operations/Arithmetic.h"
 #include "oracle.h"
 
 #include <CGAL/accepts_inexact_predicates_2.h>
@@ -452,7 +452,7 @@ TEST(Default, stands_for_every_parameter)
 // FLOATING POINT ----------------------------------------------------------------------------------
 
 // The test has the caller's arithmetic, and gives it back; the oracle has what CGAL asks for.
-class Floating_point : public testing::TestWithParam<robustness::Arithmetic>
+class Floating_point : public testing::TestWithParam<random_operations::Arithmetic>
 {
 protected:
   void SetUp() override { m_in_use.emplace(GetParam()); }
@@ -470,10 +470,11 @@ protected:
   }
 
 private:
-  std::optional<robustness::Arithmetic_in_use> m_in_use;
+  std::optional<random_operations::Arithmetic_in_use> m_in_use;
 };
 
-INSTANTIATE_TEST_SUITE_P(All, Floating_point, testing::ValuesIn(robustness::all_arithmetic()));
+INSTANTIATE_TEST_SUITE_P(All, Floating_point,
+                         testing::ValuesIn(random_operations::all_arithmetic()));
 
 TEST_P(Floating_point, of_the_caller_changes_nothing)
 {

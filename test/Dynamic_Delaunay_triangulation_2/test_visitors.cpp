@@ -247,15 +247,13 @@ TYPED_TEST(Listening, knows_who_comes_goes_meets_and_parts)
 {
   for (const bool is_lattice : {true, false})
     for (unsigned seed = 0; seed < 3; ++seed) {
-      auto dt = visited<TypeParam>({});
-      Population_player<TypeParam> player(dt, {is_lattice ? 6 : 5, is_lattice}, seed);
-      player.insert(30);
+      Population_player<TypeParam> player({is_lattice ? 6 : 5, is_lattice}, seed, 40);
+      ASSERT_NO_THROW(player.start());
       for (int i = 0; i < 150; ++i) {
-        player.play();
-        ASSERT_NO_FATAL_FAILURE(expect_valid(dt, player.model())) << seed << ", " << i;
+        ASSERT_NO_THROW(player.play()) << seed << ", " << i;
         ASSERT_FALSE(this->HasFailure()) << seed << ", " << i;
       }
-      const Hearsay& hearsay = dt.visitor().hearsay();
+      const Hearsay& hearsay = player.triangulation().visitor().hearsay();
       EXPECT_GT(hearsay.removals, 0);
       EXPECT_TRUE(hearsay.merges > 0 || !is_lattice);
       EXPECT_EQ(hearsay.updates, hearsay.finished_updates);
@@ -282,11 +280,11 @@ TEST(Visitor, is_told_of_flips_alone_where_flips_mend_all)
 
 TEST(Visitor, is_told_of_points_that_hand_their_vertex_over)
 {
-  auto dt = visited<Visited<Listener>>({});
-  Population_player<Visited<Listener>> player(dt, {4, true}, 7);
-  player.insert(40);
+  Population_player<Visited<Listener>> player({4, true}, 7, 60);
+  ASSERT_NO_THROW(player.start());
   for (int i = 0; i < 200; ++i)
-    player.play();
+    ASSERT_NO_THROW(player.play());
+  const auto& dt = player.triangulation();
   EXPECT_GT(dt.visitor().hearsay().id_changes, 0);
   EXPECT_GT(dt.visitor().hearsay().merges, 0);
 }
@@ -526,12 +524,13 @@ TEST_F(Edge_changes, are_the_difference_between_two_frames)
 TEST_F(Edge_changes, are_told_whatever_happens_to_a_population)
 {
   for (unsigned seed = 0; seed < 6; ++seed) {
-    auto dt = visited<Dynamic>({});
-    Population_player<Dynamic> player(dt, {5, seed % 2 == 0}, seed);
+    Population_player<Dynamic> player({5, seed % 2 == 0}, seed, 40);
+    Dynamic& dt = player.triangulation();
+    ASSERT_NO_THROW(player.start());
     for (int i = 0; i < 200; ++i) {
       dt.visitor().clear();
       const auto before = edges_of(dt);
-      player.play();
+      ASSERT_NO_THROW(player.play());
       ASSERT_NO_FATAL_FAILURE(expect_all_changes_listed(dt, before)) << seed << ", " << i;
     }
   }

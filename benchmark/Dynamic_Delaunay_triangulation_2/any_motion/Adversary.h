@@ -4,8 +4,7 @@
 #ifndef ANY_MOTION_ADVERSARY_H
 #define ANY_MOTION_ADVERSARY_H
 
-#include "Any_motion_options.h"
-#include "Random_programs.h"
+#include "../random_operations/Random_programs.h"
 #include "Tasks.h"
 
 #include <algorithm>
@@ -99,11 +98,11 @@ private:
   Slow_program next()
   {
     constexpr std::size_t beginning = 20, rarely = 4;
-    Random& random = m_programs.random();
-    if (m_tried <= beginning || m_slowest.empty() || any_below(rarely, random) == 0) {
+    Decisions& decisions = m_programs.decisions();
+    if (m_tried <= beginning || m_slowest.empty() || decisions.one_in(rarely)) {
       return {m_programs.any(), any_number_of_points()};
     }
-    const Slow_program& parent = m_slowest[any_below(m_slowest.size(), random)];
+    const Slow_program& parent = decisions.any_of(m_slowest);
     return {m_programs.changed(parent.program), any_number_of_points()};
   }
 
@@ -111,18 +110,17 @@ private:
   std::size_t any_number_of_points()
   {
     constexpr std::size_t many = 10'000, rarely = 20;
-    if (m_options.chosen_points.empty() && any_below(rarely, m_programs.random()) == 0) {
+    if (m_options.chosen_points.empty() && m_programs.decisions().one_in(rarely)) {
       return many;
     }
-    const std::vector<std::size_t> points = m_options.points();
-    return points[any_below(points.size(), m_programs.random())];
+    return m_programs.decisions().any_of(m_options.points());
   }
 
   void measure(Slow_program& found, const Sequence_settings& settings) const
   {
     constexpr std::size_t usual_frames = 6;
     found.figures = run_task(program_task(text_of(found.program), "", found.program, found.points,
-                                          m_options.frames.value_or(usual_frames), m_options.seed),
+                                          m_options.frames_or(usual_frames), m_options.seed),
                              settings);
   }
 

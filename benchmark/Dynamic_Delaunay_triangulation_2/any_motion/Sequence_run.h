@@ -4,21 +4,102 @@
 #ifndef ANY_MOTION_SEQUENCE_RUN_H
 #define ANY_MOTION_SEQUENCE_RUN_H
 
-#include "Fastest_static.h"
+#include "../common/Contest.h"
+#include "../common/Fastest_static.h"
+#include "scenario_runner/Measurement.h"
 #include "scenario_runner/Recorded_motion.h"
 #include "scenario_runner/Scenario_run.h"
-#include "Sequence_figures.h"
-#include "Thread_time.h"
 
-#include <CGAL/delaunay_agreement.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Update_report_2.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace any_motion {
+
+// Times in nanoseconds.
+struct Frame_figures
+{
+  std::size_t frame = 0;
+  std::size_t points = 0;
+  double dynamic = 0.0;
+  double insert = 0.0;
+  double ordered = 0.0;
+  double sorted = 0.0;
+  CGAL::Update_report_2 report{};
+
+  double fastest_static() const { return (std::min)({insert, ordered, sorted}); }
+  double ratio() const { return dynamic / fastest_static(); }
+};
+
+// Of all measured frames of a sequence, at least one.
+struct Sequence_figures
+{
+  std::string kind;
+  std::string group;
+  std::vector<Frame_figures> frames{};
+  bool was_cut_short = false;
+
+  template <class Figure>
+  double median(Figure figure) const
+  {
+    std::vector<double> values;
+    for (const Frame_figures& frame : frames) {
+      values.push_back(figure(frame));
+    }
+    return run::spread(values)->median;
+  }
+
+  // Of a changing population, what is usual.
+  std::size_t points() const
+  {
+    return static_cast<std::size_t>(
+        median([](const Frame_figures& frame) { return static_cast<double>(frame.points); }));
+  }
+
+  double median_ratio() const
+  {
+    return median([](const Frame_figures& frame) { return frame.ratio(); });
+  }
+
+  double worst_ratio() const
+  {
+    double worst = 0.0;
+    for (const Frame_figures& frame : frames) {
+      worst = (std::max)(worst, frame.ratio());
+    }
+    return worst;
+  }
+
+  // A count from the reports.
+  double mean(std::size_t CGAL::Update_report_2::*count) const
+  {
+    double sum = 0.0;
+    for (const Frame_figures& frame : frames) {
+      sum += static_cast<double>(frame.report.*count);
+    }
+    return sum / static_cast<double>(frames.size());
+  }
+
+  std::size_t rebuilds() const
+  {
+    return static_cast<std::size_t>(
+        std::count_if(frames.begin(), frames.end(),
+                      [](const Frame_figures& frame) { return frame.report.rebuilt(); }));
+  }
+};
+
+// From where on a median, or a single frame, is slower than it should be.
+constexpr double slow_median = 1.05, slow_frame = 1.3;
+
+inline bool is_slow(const Sequence_figures& figures)
+{
+  return figures.median_ratio() > slow_median || figures.worst_ratio() > slow_frame;
+}
 
 struct Sequence_settings
 {
@@ -54,7 +135,7 @@ public:
       if (is_warm ? measure() : follow()) {
         figures.frames.push_back(m_figures);
         if (is_checked && m_figures.points <= m_settings.max_checked_points) {
-          check_thoroughly();
+          common::require_equal(m_kept.triangulation(), m_static.reference(), common::in_frame(i));
         }
       }
       figures.was_cut_short = is_too_slow();
@@ -64,18 +145,12 @@ public:
 private:
   using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel>;
 
-  // The order alternates: whoever comes first warms the caches for the others.
   bool measure()
   {
     m_static.prepare(current());
-    const bool is_first = m_figures.frame % 2 == 0;
-    if (is_first) {
-      time_dynamic();
-    }
-    time_static();
-    if (!is_first) {
-      time_dynamic();
-    }
+    common::in_turn(m_figures.frame, 2, [this](std::size_t contestant) {
+      contestant == 0 ? time_dynamic() : time_static();
+    });
     check_certificate();
     return true;
   }
@@ -97,7 +172,7 @@ private:
   void time_dynamic()
   {
     m_figures.dynamic =
-        thread_nanoseconds_of([this] { m_figures.report = m_kept.update(m_motion); });
+        common::thread_nanoseconds_of([this] { m_figures.report = m_kept.update(m_motion); });
   }
 
   void time_static()
@@ -117,32 +192,15 @@ private:
 
   void check_certificate() const
   {
-    if (!m_figures.report.certified || !m_kept.triangulation().is_certified()) {
-      fail("the triangulation is not certified");
-    }
-  }
-
-  void check_thoroughly() const
-  {
-    if (!m_kept.triangulation().is_valid()) {
-      fail("the triangulation is not valid");
-    }
-    if (CGAL::delaunay_agreement(m_kept.triangulation(), m_static.reference())
-            .matthews_correlation_coefficient() != 1.0) {
-      fail("the triangulation differs from a fresh one");
-    }
-  }
-
-  [[noreturn]] void fail(const std::string& what) const
-  {
-    throw std::runtime_error("frame " + std::to_string(m_figures.frame) + ": " + what);
+    common::require(m_figures.report.certified && m_kept.triangulation().is_certified(),
+                    common::in_frame(m_figures.frame) + "the triangulation is not certified");
   }
 
   const scenario::Recording& m_recording;
   Sequence_settings m_settings;
   scenario::Recorded_motion m_motion;
   run::Kept_triangulation<Dynamic> m_kept;
-  Fastest_static m_static;
+  common::Fastest_static m_static;
   Frame_figures m_figures;
 };
 

@@ -4,12 +4,11 @@
 #ifndef ANY_MOTION_TASKS_H
 #define ANY_MOTION_TASKS_H
 
-#include "Any_motion_options.h"
+#include "../random_operations/Program_frames.h"
 #include "Kinds.h"
-#include "Program_frames.h"
 #include "scenario_runner/Open_motion.h"
+#include "scenario_runner/Progress.h"
 #include "Sequence_run.h"
-#include "Status_line.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -17,12 +16,74 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <iostream>
 #include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace any_motion {
+
+using namespace random_operations;
+
+// What a person asks for.
+struct Any_motion_options
+{
+  std::vector<std::size_t> chosen_points{};
+  std::size_t frames = 0; // 0: as many as are usual
+  std::uint64_t seed = 1;
+  std::vector<std::string> kinds{};
+  std::string only{};
+  std::string recorded = scenario::recordings_directory();
+  std::string csv{};      // empty: none
+  std::string program{};  // empty: all kinds
+  double adversary = 0.0; // seconds; 0: none
+  std::vector<std::string> left_out{};
+  bool is_quick = false;
+  bool is_list = false;
+
+  std::vector<std::size_t> points() const
+  {
+    if (!chosen_points.empty()) {
+      return chosen_points;
+    }
+    return !program.empty() || adversary > 0.0 ? std::vector<std::size_t>{1'000}
+                                               : std::vector<std::size_t>{1'000, 10'000, 100'000};
+  }
+
+  std::size_t frames_or(std::size_t usual) const { return frames == 0 ? usual : frames; }
+
+  bool has_kinds() const { return only != "recorded"; }
+  bool has_recordings() const { return only == "recorded" || (only.empty() && !is_quick); }
+
+  bool wants(const std::string& kind) const
+  {
+    return kinds.empty() || std::any_of(kinds.begin(), kinds.end(), [&](const auto& part) {
+             return kind.find(part) != std::string::npos;
+           });
+  }
+};
+
+// What is going on, for whoever waits at a terminal; gone when it is destroyed.
+class Status_line
+{
+public:
+  explicit Status_line(const std::string& text)
+  {
+    if (run::stderr_is_a_terminal()) {
+      std::cerr << "\r\033[K" << text << std::flush;
+    }
+  }
+  Status_line(const Status_line&) = delete;
+  Status_line& operator=(const Status_line&) = delete;
+
+  ~Status_line()
+  {
+    if (run::stderr_is_a_terminal()) {
+      std::cerr << "\r\033[K" << std::flush;
+    }
+  }
+};
 
 // A sequence of frames that is still to be made.
 struct Task
@@ -45,7 +106,7 @@ inline Sequence_settings settings_of(const Any_motion_options& options)
 
 inline std::size_t measured_frames(const Any_motion_options& options, std::size_t points)
 {
-  return options.frames.value_or(points < 100'000 ? 16 : 8);
+  return options.frames_or(points < 100'000 ? 16 : 8);
 }
 
 // `frames` are measured ones.
@@ -90,8 +151,7 @@ inline scenario::Recording middle_frames(const std::string& path, std::size_t fr
 inline std::vector<Task> recorded_tasks(const Any_motion_options& options)
 {
   constexpr std::size_t usual_frames = 200;
-  const std::size_t frames =
-      1 + Sequence_settings().warm_up + options.frames.value_or(usual_frames);
+  const std::size_t frames = 1 + Sequence_settings().warm_up + options.frames_or(usual_frames);
   std::vector<Task> tasks;
   for (const std::string& path : scenario::recordings_in(options.recorded)) {
     const std::string name = "recorded_" + std::filesystem::path(path).stem().string();

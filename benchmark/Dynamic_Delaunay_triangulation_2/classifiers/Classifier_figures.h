@@ -4,9 +4,8 @@
 #ifndef CLASSIFIERS_CLASSIFIER_FIGURES_H
 #define CLASSIFIERS_CLASSIFIER_FIGURES_H
 
-#include "../speed/Case_list.h"
+#include "../common/Cases.h"
 #include "Classifier_run.h"
-#include "Policy_run.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +15,7 @@
 
 namespace classifiers {
 
-using speed::Figures;
+using common::Figures;
 
 // What there is none of, as the precision of whoever classifies nobody, is left out.
 inline void add(const std::string& name, double value, Figures& figures)
@@ -84,13 +83,13 @@ inline void add_validity(const Classifier_record& record, Figures& figures)
   }
 }
 
-inline speed::Case_result result_of(const Classifier_record& record, const Figures& figures)
+inline common::Case_result result_of(const Classifier_record& record, const Figures& figures)
 {
-  return {figures, 1e-9 * sum(record.terms, &Cost_terms::total), ""};
+  return {figures, 1e-9 * sum(record.terms, &Cost_terms::total)};
 }
 
-inline speed::Case_result classifier_result(const Recorded_frames& recording,
-                                            const Classifier_record& record)
+inline common::Case_result classifier_result(const Recorded_frames& recording,
+                                             const Classifier_record& record)
 {
   const auto points = static_cast<double>(recording.front().size());
   Figures figures;
@@ -103,7 +102,7 @@ inline speed::Case_result classifier_result(const Recorded_frames& recording,
   return result_of(record, figures);
 }
 
-inline speed::Case_result padding_result(const Classifier_record& record)
+inline common::Case_result padding_result(const Classifier_record& record)
 {
   const auto frames = static_cast<double>(record.frames);
   Figures figures;
@@ -117,16 +116,16 @@ inline speed::Case_result padding_result(const Classifier_record& record)
 }
 
 // `records` of always_static, always_dynamic, hybrid and key_frames, in this order.
-inline speed::Case_result policy_result(const Recorded_frames& recording,
-                                        const std::vector<std::string>& names,
-                                        const std::vector<Policy_record>& records)
+inline common::Case_result policy_result(const Recorded_frames& recording,
+                                         const std::vector<std::string>& names,
+                                         const std::vector<Policy_record>& records)
 {
   const auto points = static_cast<double>(recording.front().size());
   const auto frames = static_cast<double>(recording.size() - 1);
   Figures figures;
   add("points", points, figures);
   add("frames", frames, figures);
-  speed::Case_result result;
+  common::Case_result result;
   for (std::size_t i = 0; i != names.size(); ++i) {
     const double nanoseconds = sum(records[i].nanoseconds);
     add(names[i], nanoseconds / frames / points, figures);

@@ -4,9 +4,8 @@
 #ifndef CLASSIFIERS_CLASSIFIER_RUN_H
 #define CLASSIFIERS_CLASSIFIER_RUN_H
 
-#include "Classification_truth.h"
+#include "../common/Contest.h"
 #include "Confusion.h"
-#include "Observed_update.h"
 #include "Recorded_scenario.h"
 #include "scenario_runner/Classifiers.h"
 #include "scenario_runner/Repairs_and_policies.h"
@@ -15,9 +14,13 @@
 #include <CGAL/delaunay_agreement.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -56,9 +59,9 @@ public:
   Observed_subject(const Points& points, const Classifier& classifier, const Method& method)
     : m_triangulation(
           points.begin(), points.end(), run::Point_map(),
-          Observed_classifier<Classifier>(classifier, m_observation),
-          Observed_repair(run::make_repair(method.repair, method.padding), m_observation),
-          CGAL::Static_engines_2(), run::make_policy(method.policy))
+          {Observed_classifier<Classifier>(classifier, m_observation),
+           Observed_repair(run::make_repair(method.repair, method.padding), m_observation),
+           CGAL::Static_engines_2(), run::make_policy(method.policy)})
   {
   }
   Observed_subject(const Observed_subject&) = delete;
@@ -84,26 +87,19 @@ public:
   void check_certificate(std::size_t frame) const
   {
     const bool is_promised = Classifier::is_exact || m_report.rebuilt();
-    if (is_promised && !m_triangulation.is_certified()) {
-      fail(frame, "the triangulation is not certified");
-    }
+    common::require(!is_promised || m_triangulation.is_certified(),
+                    common::in_frame(frame) + "the triangulation is not certified");
   }
 
   // By everything that tells a wrong triangulation from what the method promises.
   void check(std::size_t frame) const
   {
     check_certificate(frame);
-    if (!m_triangulation.is_valid()) {
-      fail(frame, "the triangulation is not valid");
-    }
+    common::require(m_triangulation.is_valid(),
+                    common::in_frame(frame) + "the triangulation is not valid");
   }
 
 private:
-  [[noreturn]] static void fail(std::size_t frame, const std::string& what)
-  {
-    throw std::runtime_error("frame " + std::to_string(frame) + ": " + what);
-  }
-
   Observation m_observation;
   Observed_triangulation<Classifier> m_triangulation;
   CGAL::Update_report_2 m_report;
@@ -125,20 +121,11 @@ struct Classifier_record
   double rebuilds = 0.0;
 };
 
-inline run::Static_triangulation fresh_triangulation(const Points& points)
-{
-  std::vector<run::Kernel::Point_2> places;
-  for (const scenario::Point& point : points) {
-    places.emplace_back(point.x, point.y);
-  }
-  return run::Static_triangulation(places.begin(), places.end());
-}
-
 template <class Triangulation>
 void compare(const Triangulation& triangulation, const Points& points, Classifier_record& record)
 {
   const CGAL::Delaunay_agreement agreement =
-      CGAL::delaunay_agreement(triangulation, fresh_triangulation(points));
+      CGAL::delaunay_agreement(triangulation, common::fresh_triangulation(points));
   record.validity.push_back(agreement.matthews_correlation_coefficient());
   record.right_frames += agreement.is_perfect() ? 1 : 0;
   record.wrong_edges += static_cast<double>(agreement.false_positives());
@@ -220,6 +207,61 @@ inline Classifier_record run_method(const Recorded_frames& recording, const Meth
     }
     return record;
   });
+}
+
+// What a policy took on a recording, with the default classifier and repair.
+struct Policy_record
+{
+  std::vector<double> nanoseconds{}; // of each frame, the fastest of all passes
+  double rebuilds = 0.0;
+};
+
+// All policies on the same frames, in an order that changes at random: whoever comes after a
+// rebuild finds the caches full of it. Every frame has to be certified.
+inline void run_pass(const Recorded_frames& recording, const std::vector<std::string>& policies,
+                     std::mt19937& random, std::vector<Policy_record>& records)
+{
+  using Classifier = run::Exact_classifiers::Classifier;
+  std::vector<std::unique_ptr<Observed_subject<Classifier>>> subjects;
+  for (const std::string& policy : policies) {
+    Method chosen = method("circumcircle");
+    chosen.policy = run::policy_choice(policy);
+    subjects.push_back(std::make_unique<Observed_subject<Classifier>>(
+        recording.front(), run::Exact_classifiers::make(chosen.classifier, {1, 1}), chosen));
+    subjects.back()->set_keeps_sets(false);
+  }
+  for (Policy_record& record : records) {
+    record.rebuilds = 0.0;
+  }
+  std::vector<std::size_t> order(policies.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  for (std::size_t frame = 1; frame < recording.size(); ++frame) {
+    std::shuffle(order.begin(), order.end(), random);
+    for (const std::size_t chosen : order) {
+      Observed_subject<Classifier>& subject = *subjects[chosen];
+      subject.update(recording[frame]);
+      subject.check_certificate(frame);
+      double& fastest = records[chosen].nanoseconds[frame - 1];
+      fastest = (std::min)(fastest, subject.observation().terms.total);
+      records[chosen].rebuilds += subject.report().rebuilt() ? 1.0 : 0.0;
+    }
+  }
+  for (const auto& subject : subjects) {
+    subject->check(recording.size() - 1);
+  }
+}
+
+inline std::vector<Policy_record> run_policies(const Recorded_frames& recording,
+                                               const std::vector<std::string>& policies,
+                                               std::size_t passes)
+{
+  const std::vector<double> none(recording.size() - 1, std::numeric_limits<double>::infinity());
+  std::vector<Policy_record> records(policies.size(), Policy_record{none});
+  std::mt19937 random;
+  for (std::size_t pass = 0; pass != passes; ++pass) {
+    run_pass(recording, policies, random, records);
+  }
+  return records;
 }
 
 } // namespace classifiers

@@ -4,6 +4,7 @@
 #ifndef CLASSIFIERS_RECORDED_SCENARIO_H
 #define CLASSIFIERS_RECORDED_SCENARIO_H
 
+#include "../common/Contest.h"
 #include "scenario_runner/Motion.h"
 #include "scenario_runner/Scenario_run.h"
 #include "scenario_runner/Simulated_motion.h"
@@ -39,24 +40,12 @@ inline Recorded_frames record(scenario::Motion& motion, std::size_t frames)
   return recording;
 }
 
-// One to a unit of area.
-inline Points random_cloud(std::size_t number, scenario::Random_source& random)
-{
-  const double side = std::sqrt(static_cast<double>(number));
-  Points points;
-  for (std::size_t i = 0; i != number; ++i) {
-    const double x = random.uniform(0.0, side);
-    points.push_back({x, random.uniform(0.0, side)});
-  }
-  return points;
-}
-
 // So many frames of hardly any motion, then as many of which each is a new cloud, and so on.
 inline Recorded_frames record_turns(std::size_t number, std::size_t frames, std::size_t turn)
 {
   constexpr double step = 0.001;
   scenario::Random_source random(1);
-  Recorded_frames recording = {random_cloud(number, random)};
+  Recorded_frames recording = {common::random_cloud<scenario::Point>(number, random)};
   while (recording.size() <= frames) {
     Points points = recording.back();
     if (recording.size() / turn % 2 == 0) {
@@ -65,7 +54,7 @@ inline Recorded_frames record_turns(std::size_t number, std::size_t frames, std:
         point.y += step * random.gaussian();
       }
     } else {
-      points = random_cloud(number, random);
+      points = common::random_cloud<scenario::Point>(number, random);
     }
     recording.push_back(points);
   }
@@ -79,7 +68,7 @@ inline Recorded_frames record_flight(double speed, std::size_t frames)
   constexpr std::size_t number = 2000;
   constexpr double margin = 3.0;
   scenario::Random_source random(1);
-  Points points = random_cloud(number, random);
+  Points points = common::random_cloud<scenario::Point>(number, random);
   const double side = std::sqrt(static_cast<double>(number));
   scenario::Point& flier = points.front();
   flier = {margin, 0.5 * side};

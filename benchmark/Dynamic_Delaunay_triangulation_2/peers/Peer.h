@@ -4,7 +4,6 @@
 #ifndef PEERS_PEER_H
 #define PEERS_PEER_H
 
-#include "Grid_points.h"
 #include "Peer_output.h"
 
 #include <string>

@@ -4,23 +4,23 @@
 #ifndef PEERS_PEERS_RUN_H
 #define PEERS_PEERS_RUN_H
 
+#include "../common/Contest.h"
 #include "Boost_polygon_peer.h"
-#include "Cgal_insertion_peer.h"
-#include "Cgal_move_peer.h"
-#include "Cgal_ordered_peer.h"
+#include "Cgal_peer.h"
 #include "Delaunator_peer.h"
 #include "Dynamic_peer.h"
-#include "Frame_truth.h"
 #include "Grid_motion.h"
 #include "Peer.h"
-#include "Peer_case.h"
+#include "Peer_cases.h"
 #include "Peer_output.h"
-#include "Peer_record.h"
 #include "Qhull_peer.h"
+#include "scenario_runner/Measurement.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -28,6 +28,62 @@
 #include <vector>
 
 namespace peers {
+
+// What a peer has done in the frames of a case.
+struct Peer_record
+{
+  std::string peer;
+  Promise promise;
+  std::vector<double> nanoseconds{}; // a point, of each frame
+  std::vector<double> validities{};  // Matthews correlation coefficients
+  std::size_t equal_frames = 0;
+  std::size_t wrong_edges = 0;
+  std::size_t missing_edges = 0;
+
+  void add(double time, const Peer_output::Verdict& verdict)
+  {
+    nanoseconds.push_back(time);
+    validities.push_back(verdict.agreement.matthews_correlation_coefficient());
+    equal_frames += verdict.is_equal ? 1 : 0;
+    wrong_edges += verdict.agreement.false_positives();
+    missing_edges += verdict.agreement.false_negatives();
+  }
+
+  std::size_t frames() const { return nanoseconds.size(); }
+  run::Spread spread() const { return *run::spread(nanoseconds); }
+  double smallest_validity() const
+  {
+    return *std::min_element(validities.begin(), validities.end());
+  }
+
+  double mean_validity() const
+  {
+    return std::accumulate(validities.begin(), validities.end(), 0.0) /
+           static_cast<double>(validities.size());
+  }
+};
+
+struct Case_record
+{
+  std::string motion;
+  std::size_t points;
+  std::vector<Peer_record> peers; // this package's exact one first
+
+  // How many times longer than this package's exact update a peer takes.
+  double ratio(const Peer_record& peer) const
+  {
+    return peer.spread().median / peers.front().spread().median;
+  }
+
+  // Where the middle halves of both overlap nobody wins.
+  const char* result(const Peer_record& peer) const
+  {
+    const run::Spread ours = peers.front().spread(), theirs = peer.spread();
+    return ours.high_quartile < theirs.low_quartile   ? "win"
+           : theirs.high_quartile < ours.low_quartile ? "loss"
+                                                      : "even";
+  }
+};
 
 // Lets all peers triangulate the frames of cases, in turn, and compares what comes out.
 class Peers_run
@@ -88,15 +144,14 @@ private:
     }
   }
 
-  // The order rotates: nobody always follows the same one. In ns a point.
+  // In ns a point.
   std::vector<double> time_all(const Grid_points& points, std::size_t frame)
   {
     std::vector<double> times(m_peers.size());
-    for (std::size_t i = 0; i != m_peers.size(); ++i) {
-      const std::size_t turn = (frame + i) % m_peers.size();
-      m_peers[turn]->prepare(points);
-      times[turn] = m_peers[turn]->triangulate() / static_cast<double>(points.points.size());
-    }
+    common::in_turn(frame, m_peers.size(), [&](std::size_t i) {
+      m_peers[i]->prepare(points);
+      times[i] = m_peers[i]->triangulate() / static_cast<double>(points.points.size());
+    });
     return times;
   }
 

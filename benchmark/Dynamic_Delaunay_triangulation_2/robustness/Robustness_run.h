@@ -4,16 +4,8 @@
 #ifndef ROBUSTNESS_ROBUSTNESS_RUN_H
 #define ROBUSTNESS_ROBUSTNESS_RUN_H
 
-#include "Arithmetic_subject.h"
-#include "Counts.h"
-#include "Decisions.h"
-#include "Families.h"
-#include "Finding.h"
-#include "Robustness_options.h"
-#include "Setup.h"
-#include "Subject_choice.h"
-#include "Told_subject.h"
-#include "Trial.h"
+#include "../random_operations/Make_subject.h"
+#include "../random_operations/Trial.h"
 #include "Watchdog.h"
 
 #include <algorithm>
@@ -23,7 +15,6 @@
 #include <iostream>
 #include <map>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -31,21 +22,36 @@
 
 namespace robustness {
 
+using namespace random_operations;
+
+// What a person asks for.
+struct Robustness_options
+{
+  std::uint64_t operations = 10'000'000;
+  std::uint64_t seed = 1;
+  unsigned threads = (std::max)(1u, std::thread::hardware_concurrency());
+  double time_limit = 20.0;         // seconds
+  std::vector<std::uint64_t> trial; // the one that is repeated, if there is one
+  std::string family, report;       // empty: all, none
+  std::string arithmetic = "usual";
+};
+
 inline constexpr std::size_t operations_of_trial = 200;
 
 // What one seed decides.
 struct Trial_start
 {
   Random_decisions decisions;
-  std::size_t family;
+  const Family* family;
   Setup setup;
 
-  Trial_start(std::uint64_t seed, const std::optional<std::size_t>& wanted_family)
+  // `family_name` is that of the only one that is wanted, or empty.
+  Trial_start(std::uint64_t seed, const std::string& family_name)
     : decisions(seed)
-    , family(any_family(decisions))
+    , family(&any_family(decisions))
   {
-    family = wanted_family.value_or(family);
-    setup = any_setup(families()[family], decisions);
+    family = family_name.empty() ? family : &named(families(), family_name, "family");
+    setup = any_setup(*family, decisions);
   }
 };
 
@@ -61,23 +67,23 @@ struct Found
 
 struct Results
 {
-  std::vector<Counts> families = std::vector<Counts>(robustness::families().size());
+  std::map<std::string, Counts> families;
   std::map<std::string, Counts> classifiers;
   std::vector<Found> findings;
 
   Counts total() const
   {
     Counts total;
-    for (const Counts& counts : families) {
+    for (const auto& [name, counts] : families) {
       total += counts;
     }
     return total;
   }
 
-  Results& operator+=(Results other)
+  Results& operator+=(const Results& other)
   {
-    for (std::size_t i = 0; i < families.size(); ++i) {
-      families[i] += other.families[i];
+    for (const auto& [name, counts] : other.families) {
+      families[name] += counts;
     }
     for (const auto& [name, counts] : other.classifiers) {
       classifiers[name] += counts;
@@ -102,6 +108,7 @@ class Robustness_run
 public:
   explicit Robustness_run(const Robustness_options& options)
     : m_options(options)
+    , m_arithmetic(named(all_arithmetic(), options.arithmetic, "arithmetic"))
     , m_trials((options.operations + operations_of_trial - 1) / operations_of_trial)
     , m_watchdog(options.time_limit)
   {
@@ -146,23 +153,21 @@ private:
       show(first);
     }
     const std::lock_guard<std::mutex> lock(m_mutex);
-    m_results += std::move(results);
+    m_results += results;
   }
 
   void run_trial(std::uint64_t number, std::uint64_t seed, std::size_t operations,
                  Watched_thread& watched, Results& results, bool is_told) const
   {
     Trial_start start(seed, m_options.family);
-    const Family& family = families()[start.family];
+    const Family& family = *start.family;
     const auto subject = make_subject(start.setup);
-    Arithmetic_subject called(*subject, arithmetic_of(start.setup));
-    Told_subject told(called, std::cout);
     if (is_told) {
       std::cout << family.name << ": " << start.setup.text() << std::endl;
     }
     Counts counts;
-    Trial trial(family, start.setup, is_told ? static_cast<Subject&>(told) : called,
-                start.decisions, counts);
+    Trial trial(family, start.setup, *subject, start.decisions, counts,
+                {arithmetic_of(start.setup), is_told ? &std::cout : nullptr});
     this_thread_watched = &watched;
     watched.seed = seed;
     watched.family = family.name.c_str();
@@ -176,21 +181,20 @@ private:
                                   trial.operations_done(), finding.fault(), finding.what()});
     }
     watched.since = 0;
-    results.families[start.family] += counts;
+    results.families[family.name] += counts;
     results.classifiers[start.setup.classifier_name()] += counts;
   }
 
   // Numbers of exact kernels are intervals first, which are wrong where subnormals are zero, before
   // any triangulation sees them.
-  const Arithmetic& arithmetic_of(const Setup& setup) const
+  Arithmetic arithmetic_of(const Setup& setup) const
   {
-    return setup.constructs_exactly && m_options.arithmetic.flushes_subnormals
-               ? m_usual_arithmetic
-               : m_options.arithmetic;
+    return setup.constructs_exactly && m_arithmetic.flushes_subnormals ? Arithmetic()
+                                                                       : m_arithmetic;
   }
 
   const Robustness_options& m_options;
-  Arithmetic m_usual_arithmetic;
+  Arithmetic m_arithmetic;
   std::uint64_t m_trials;
   Watchdog m_watchdog;
   std::atomic<std::uint64_t> m_next{0};

@@ -4,15 +4,15 @@
 #ifndef SPEED_HEAP_CASES_H
 #define SPEED_HEAP_CASES_H
 
+#include "../common/Cases.h"
+#include "../common/Contest.h"
 #include "Counted_heap.h"
 #include "scenario_runner/Motion.h"
 #include "scenario_runner/Static_triangulation.h"
-#include "Speed_summary.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 
 #include <cstddef>
-#include <stdexcept>
 #include <vector>
 
 namespace speed {
@@ -43,21 +43,12 @@ inline Exact_triangulation triangulation_after(std::size_t frames, scenario::Mot
   return triangulation;
 }
 
-inline run::Static_triangulation fresh_triangulation_of(const std::vector<scenario::Point>& points)
-{
-  std::vector<run::Kernel::Point_2> places;
-  for (const scenario::Point& point : points) {
-    places.emplace_back(point.x, point.y);
-  }
-  return run::Static_triangulation(places.begin(), places.end());
-}
-
 // Bytes a point, after some frames of a motion that needs no neighbors.
-inline Figures memory_figures(scenario::Motion& motion, std::size_t frames)
+inline common::Figures memory_figures(scenario::Motion& motion, std::size_t frames)
 {
   const auto points = static_cast<double>(motion.points().size());
   const double dynamic = heap_bytes_of([&] { return triangulation_after(frames, motion); });
-  const double fresh = heap_bytes_of([&] { return fresh_triangulation_of(motion.points()); });
+  const double fresh = heap_bytes_of([&] { return common::fresh_triangulation(motion.points()); });
   return {{"points", points},
           {"frames", static_cast<double>(frames)},
           {"dynamic", dynamic / points},
@@ -78,15 +69,14 @@ inline std::size_t allocations_of_update(Exact_triangulation& triangulation,
   const std::size_t before = number_of_allocations();
   const auto report = triangulation.update(points.begin(), points.end(), run::Point_map());
   const std::size_t allocations = number_of_allocations() - before;
-  if (report.flips != 0 || report.splices != 0 || report.rebuilt()) {
-    throw std::runtime_error("an edge changed where none should");
-  }
+  common::require(report.flips == 0 && report.splices == 0 && !report.rebuilt(),
+                  "an edge changed where none should");
   return allocations;
 }
 
 // Allocations a frame in which all points move by the same tiny vector and no edge changes, once
 // the first frames have made room for all that is needed again and again.
-inline Figures allocation_figures(std::vector<scenario::Point> points, double distance)
+inline common::Figures allocation_figures(std::vector<scenario::Point> points, double distance)
 {
   constexpr std::size_t first_frames = 20;
   constexpr std::size_t frames = 50;

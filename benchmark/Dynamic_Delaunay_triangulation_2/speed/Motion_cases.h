@@ -4,20 +4,57 @@
 #ifndef SPEED_MOTION_CASES_H
 #define SPEED_MOTION_CASES_H
 
-#include "Case_list.h"
+#include "../common/Cases.h"
+#include "../common/Fastest_static.h"
+#include "../common/Teleport_motion.h"
+#include "scenario_runner/Measurement.h"
+#include "scenario_runner/Motion.h"
 #include "scenario_runner/Open_motion.h"
 #include "scenario_runner/Progress.h"
 #include "scenario_runner/Static_triangulation.h"
 #include "Speed_run.h"
-#include "Speed_summary.h"
-#include "Teleport_motion.h"
-#include "Unprepared_opponents.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace speed {
+
+// The opponents where the last frame's order is worth nothing: whoever wants a spatial order has to
+// sort while the clock runs.
+class Unprepared_opponents
+{
+public:
+  void prepare(const std::vector<scenario::Point>& points, bool population_changed)
+  {
+    m_opponents.prepare(points, population_changed);
+    m_sorted.reset();
+    m_points.clear();
+    for (const scenario::Point& point : points) {
+      m_points.emplace_back(point.x, point.y);
+    }
+  }
+
+  double time_insert() { return m_opponents.time_insert(); }
+
+  // Sorts along a Hilbert curve, and inserts in rounds along it.
+  double time_fastest()
+  {
+    return run::nanoseconds_of([this] {
+      common::sort_along_curve(m_points);
+      common::insert_in_rounds(m_points, m_sorted.emplace());
+    });
+  }
+
+  const run::Static_triangulation& reference() const { return m_opponents.reference(); }
+
+private:
+  run::Static_opponents m_opponents;
+  common::Points m_points;
+  std::optional<run::Static_triangulation> m_sorted;
+};
 
 // Which frames of a motion are measured, after the first one: one in `stride`, up to so many,
 // behind those that are passed over. All others are followed without the opponents.
@@ -62,21 +99,22 @@ inline double seconds_of_updates(const Speed_records& records)
   return 1e-9 * nanoseconds;
 }
 
-inline Case_result result_of(const Speed_records& records)
+inline common::Case_result result_of(const Speed_records& records)
 {
-  return {speed_summary(records), seconds_of_updates(counted(records)), ""};
+  return {speed_summary(records), seconds_of_updates(counted(records))};
 }
 
-inline Case_result motion_case(scenario::Motion& motion, const Frame_choice& frames)
+inline common::Case_result motion_case(scenario::Motion& motion, const Frame_choice& frames)
 {
   return result_of(run_frames<run::Static_opponents>(motion, frames));
 }
 
 // The fastest of a fresh cloud is whichever of both is faster.
-inline Case_result teleport_case(std::size_t points)
+inline common::Case_result teleport_case(std::size_t points)
 {
-  Teleport_motion motion(points);
-  Case_result result = result_of(run_frames<Unprepared_opponents>(motion, {0, motion.frames()}));
+  common::Teleport_motion motion(points);
+  common::Case_result result =
+      result_of(run_frames<Unprepared_opponents>(motion, {0, motion.frames()}));
   Figures& figures = result.figures;
   figures["sorted"] = figures["fastest"];
   figures["fastest"] = (std::min)(figures["insert"], figures["sorted"]);
@@ -85,11 +123,11 @@ inline Case_result teleport_case(std::size_t points)
   return result;
 }
 
-inline Case_result recorded_case(const std::string& path)
+inline common::Case_result recorded_case(const std::string& path)
 {
   const auto motion = scenario::open_motion(path);
   const Speed_records records = run_frames<run::Static_opponents>(*motion, {0, motion->frames()});
-  Case_result result = result_of(records);
+  common::Case_result result = result_of(records);
   result.figures["changes"] = static_cast<double>(
       std::count_if(records.begin(), records.end(),
                     [](const Speed_record& record) { return record.frame.population_changed; }));

@@ -4,25 +4,110 @@
 #ifndef SPEED_SPEED_RUN_H
 #define SPEED_SPEED_RUN_H
 
-#include "Phase_marks.h"
+#include "../common/Cases.h"
+#include "../common/Contest.h"
 #include "scenario_runner/Measurement.h"
 #include "scenario_runner/Motion.h"
 #include "scenario_runner/Scenario_run.h"
-#include "Speed_record.h"
-#include "Timed_classifier.h"
-#include "Timed_repair.h"
+#include "Timed_phases.h"
 
-#include <CGAL/delaunay_agreement.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace speed {
+
+using common::Figures;
+using Speed_records = std::vector<Speed_record>;
+
+// Frames that can be compared: without points there is no time a point.
+inline Speed_records counted(const Speed_records& records)
+{
+  Speed_records counted;
+  for (const Speed_record& record : records) {
+    if (record.frame.points != 0) {
+      counted.push_back(record);
+    }
+  }
+  return counted;
+}
+
+template <class Value>
+std::vector<double> per_point(const Speed_records& records, Value value)
+{
+  std::vector<double> values;
+  for (const Speed_record& record : records) {
+    values.push_back(static_cast<double>(value(record)) / static_cast<double>(record.frame.points));
+  }
+  return values;
+}
+
+template <class Value>
+double median_per_point(const Speed_records& records, Value value)
+{
+  return run::spread(per_point(records, value))->median;
+}
+
+inline void add_counts(const Speed_records& records, Figures& figures)
+{
+  std::size_t points = 0;
+  double flips = 0.0;
+  double rebuilds = 0.0;
+  for (const Speed_record& record : records) {
+    const auto points_of_frame = static_cast<double>(record.frame.points);
+    points = (std::max)(points, record.frame.points);
+    flips += static_cast<double>(record.frame.update.flips) / points_of_frame;
+    rebuilds += record.frame.update.rebuilt() ? 1.0 : 0.0;
+  }
+  figures["points"] = static_cast<double>(points);
+  figures["frames"] = static_cast<double>(records.size());
+  figures["flips"] = flips / static_cast<double>(records.size());
+  figures["rebuilds"] = rebuilds;
+}
+
+// Medians, each of its own: they need not add up to the median of the whole.
+inline void add_phases(const Speed_records& records, Figures& figures)
+{
+  const auto median = [&](double Phase_times::*phase) {
+    return median_per_point(records,
+                            [&](const Speed_record& record) { return record.phases.*phase; });
+  };
+  figures["read"] = median(&Phase_times::read);
+  figures["classify"] = median(&Phase_times::classify);
+  figures["repair"] = median(&Phase_times::repair);
+  figures["certify"] = median(&Phase_times::certify);
+}
+
+inline void add_times(const Speed_records& records, Figures& figures)
+{
+  const auto of_points = [&](double run::Frame_times::*time) {
+    return per_point(records,
+                     [&](const Speed_record& record) { return record.frame.nanoseconds.*time; });
+  };
+  common::add_spread(figures, "dynamic", "", of_points(&run::Frame_times::dynamic));
+  figures["insert"] = run::spread(of_points(&run::Frame_times::static_insert))->median;
+  figures["fastest"] = run::spread(of_points(&run::Frame_times::static_fastest))->median;
+  figures["vs_insert"] = figures["insert"] / figures["dynamic"];
+  figures["vs_fastest"] = figures["fastest"] / figures["dynamic"];
+}
+
+inline Figures speed_summary(const Speed_records& all_records)
+{
+  Figures figures;
+  const Speed_records records = counted(all_records);
+  if (!records.empty()) {
+    add_counts(records, figures);
+    add_times(records, figures);
+    add_phases(records, figures);
+  }
+  return figures;
+}
 
 // Lets a motion run and keeps its triangulation: times every frame, phase by phase, against
 // opponents that triangulate it anew, and checks the result outside of the timing.
@@ -34,7 +119,8 @@ public:
     : m_motion(motion)
   {
     check_coordinates();
-    m_kept.emplace(motion, Dynamic(Timed_classifier(m_marks), Timed_repair(m_marks)));
+    m_kept.emplace(motion,
+                   Dynamic(Dynamic::Settings{Timed_classifier(m_marks), Timed_repair(m_marks)}));
   }
   Speed_run(const Speed_run&) = delete;
   Speed_run& operator=(const Speed_run&) = delete;
@@ -65,16 +151,11 @@ public:
 
   const Speed_record& record() const { return m_record; }
 
-  // Of a measured frame, by everything that tells a right triangulation from a wrong one.
+  // Of a measured frame.
   void check_thoroughly() const
   {
-    if (!m_kept->triangulation().is_valid()) {
-      fail("the triangulation is not valid");
-    }
-    if (CGAL::delaunay_agreement(m_kept->triangulation(), m_opponents.reference())
-            .matthews_correlation_coefficient() != 1.0) {
-      fail("the triangulation differs from a fresh one");
-    }
+    common::require_equal(m_kept->triangulation(), m_opponents.reference(),
+                          common::in_frame(m_record.frame.frame));
   }
 
 private:
@@ -96,22 +177,18 @@ private:
     return true;
   }
 
-  // The order rotates: whoever comes first warms the caches for the others.
   void time_all()
   {
-    constexpr std::size_t contestants = 3;
-    for (std::size_t i = 0; i != contestants; ++i) {
-      switch ((m_record.frame.frame + i) % contestants) {
-      case 0:
+    run::Frame_times& times = m_record.frame.nanoseconds;
+    common::in_turn(m_record.frame.frame, 3, [&](std::size_t contestant) {
+      if (contestant == 0) {
         time_dynamic();
-        break;
-      case 1:
-        m_record.frame.nanoseconds.static_insert = m_opponents.time_insert();
-        break;
-      default:
-        m_record.frame.nanoseconds.static_fastest = m_opponents.time_fastest();
+      } else if (contestant == 1) {
+        times.static_insert = m_opponents.time_insert();
+      } else {
+        times.static_fastest = m_opponents.time_fastest();
       }
-    }
+    });
   }
 
   void time_dynamic()
@@ -128,23 +205,21 @@ private:
   void check_coordinates() const
   {
     const auto& points = m_motion.points();
-    if (!std::all_of(points.begin(), points.end(), [](const scenario::Point& point) {
+    const bool are_finite =
+        std::all_of(points.begin(), points.end(), [](const scenario::Point& point) {
           return std::isfinite(point.x) && std::isfinite(point.y);
-        })) {
-      fail("a point has left all bounds");
-    }
+        });
+    require(are_finite, "a point has left all bounds");
   }
 
   void check_certificate() const
   {
-    if (!m_kept->triangulation().is_certified()) {
-      fail("the triangulation is not certified");
-    }
+    require(m_kept->triangulation().is_certified(), "the triangulation is not certified");
   }
 
-  [[noreturn]] void fail(const std::string& what) const
+  void require(bool is_right, const char* what) const
   {
-    throw std::runtime_error("frame " + std::to_string(m_record.frame.frame) + ": " + what);
+    common::require(is_right, common::in_frame(m_record.frame.frame) + what);
   }
 
   scenario::Motion& m_motion;

@@ -7,11 +7,9 @@
 #include "../classifiers/Classifier_figures.h"
 #include "../classifiers/Classifier_run.h"
 #include "../classifiers/Recorded_scenario.h"
-#include "../results/Csv_file.h"
+#include "../common/Csv_file.h"
+#include "Experiment.h"
 #include "Mean_and_extremes.h"
-#include "Method_name.h"
-#include "Repeated_experiment.h"
-#include "Settings.h"
 #include "Trial.h"
 
 #include <cstddef>
@@ -73,12 +71,12 @@ public:
     for (const std::string& name : classification_columns()) {
       Mean_and_extremes::append_columns(name, columns);
     }
-    results::Csv_file file(directory / (name() + ".csv"), remarks, columns);
+    common::Csv_file file(directory / (name() + ".csv"), remarks, columns);
     for (const Scenario_rows& one : cases()) {
       for (const Scenario_rows::Row& row : one.rows) {
         std::vector<std::string> cells = {one.scenario, method_name(row.method),
-                                          results::csv_cell(number_of_trials()),
-                                          results::csv_cell(m_frames)};
+                                          common::csv_cell(number_of_trials()),
+                                          common::csv_cell(m_frames)};
         for (const Mean_and_extremes& value : row.values) {
           value.append_cells(cells);
         }
@@ -105,7 +103,7 @@ private:
       method.seed = seed;
       const classifiers::Classifier_record record =
           classifiers::run_method(recording, method, 1, stride);
-      const speed::Figures figures = classifiers::classifier_result(recording, record).figures;
+      const common::Figures figures = classifiers::classifier_result(recording, record).figures;
       for (std::size_t i = 0; i != row.values.size(); ++i) {
         const auto figure = figures.find(classification_columns()[i]);
         if (figure != figures.end()) {

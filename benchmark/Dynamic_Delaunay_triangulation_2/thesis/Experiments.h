@@ -8,8 +8,8 @@
 #include "Experiment.h"
 #include "Frame_experiment.h"
 #include "Most_points_experiment.h"
+#include "scenario_runner/Open_motion.h"
 #include "scenario_runner/Scenario_file.h"
-#include "Settings.h"
 #include "Trial.h"
 
 #include <algorithm>
@@ -121,7 +121,7 @@ inline void add_surface(const std::string& scenario, const std::string& classifi
 {
   constexpr std::size_t bins = 25;
   for (const double parameter : parameters) {
-    const Method method = classifiers::method(classifier + ':' + results::csv_cell(parameter));
+    const Method method = classifiers::method(classifier + ':' + common::csv_cell(parameter));
     experiment.add({scenario, method}, {frames_of(scenario), samples, bins});
   }
 }

@@ -4,19 +4,111 @@
 #ifndef THESIS_FRAME_CASE_H
 #define THESIS_FRAME_CASE_H
 
-#include "Frame_statistics.h"
+#include "../common/Csv_file.h"
 #include "Mean_and_extremes.h"
-#include "Physics.h"
+#include "scenario_runner/Frame_record.h"
+#include "scenario_runner/Measurement.h"
+#include "scenario_runner/Simulated_motion.h"
+#include "scenario_runner/Static_triangulation.h"
 #include "Trial.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace thesis {
+
+// What tells whether a simulation went as it should: numbers that belong to all particles, not to
+// one of them.
+struct Physics
+{
+  static constexpr std::size_t size = 5;
+
+  static std::vector<std::string> names()
+  {
+    return {"kinetic", "energy", "center_x", "center_y", "front"};
+  }
+
+  // Energies in units of mass, stiffness and diameter; the front is the largest x coordinate.
+  std::array<double, size> values;
+};
+
+// The energy is that of all contacts there are, whether the simulation has noticed them or not: its
+// neighbors come from a fresh Delaunay triangulation.
+inline Physics physics_of(scenario::Particle_motion& motion)
+{
+  const auto& points = motion.points();
+  scenario::Static_neighbors neighbors;
+  const scenario::Energy energy = motion.energy(neighbors(points));
+  double x = 0.0;
+  double y = 0.0;
+  double front = std::numeric_limits<double>::lowest();
+  for (const scenario::Point& point : points) {
+    x += point.x;
+    y += point.y;
+    front = (std::max)(front, point.x);
+  }
+  const auto number = static_cast<double>(points.size());
+  return {{energy.kinetic, energy.total(), x / number, y / number, front}};
+}
+
+// Of frames of several trials that belong together, all of them timed against the static opponents.
+class Frame_statistics
+{
+public:
+  void add(const run::Frame_record& frame, bool was_compared)
+  {
+    const auto points = static_cast<double>(frame.points);
+    const run::Frame_times& times = frame.nanoseconds;
+    m_dynamic.push_back(times.dynamic / points);
+    m_insert.push_back(times.static_insert / points);
+    m_fastest.push_back(times.static_fastest / points);
+    m_over_insert.push_back(times.static_insert / times.dynamic);
+    m_over_fastest.push_back(times.static_fastest / times.dynamic);
+    if (was_compared) {
+      m_validity.add(frame.validity);
+    }
+  }
+
+  // The validity with its mean and its extremes; times in nanoseconds a point and speedups with
+  // their median and quartiles, those of the opponents with their median.
+  static std::vector<std::string> columns()
+  {
+    std::vector<std::string> columns = {"samples"};
+    Mean_and_extremes::append_columns("validity", columns);
+    for (const char* const name : {"dynamic", "over_insert", "over_fastest"}) {
+      columns.insert(columns.end(), {name, std::string(name) + "_q1", std::string(name) + "_q3"});
+    }
+    columns.insert(columns.end(), {"insert", "fastest"});
+    return columns;
+  }
+
+  std::vector<std::string> cells() const
+  {
+    std::vector<std::string> cells = {common::csv_cell(m_dynamic.size())};
+    m_validity.append_cells(cells);
+    for (const auto* const values : {&m_dynamic, &m_over_insert, &m_over_fastest}) {
+      const run::Spread spread = *run::spread(*values);
+      for (const double value : {spread.median, spread.low_quartile, spread.high_quartile}) {
+        cells.push_back(common::csv_cell(value));
+      }
+    }
+    for (const auto* const values : {&m_insert, &m_fastest}) {
+      cells.push_back(common::csv_cell(run::spread(*values)->median));
+    }
+    return cells;
+  }
+
+private:
+  Mean_and_extremes m_validity;
+  std::vector<double> m_dynamic, m_insert, m_fastest; // nanoseconds a point
+  std::vector<double> m_over_insert, m_over_fastest;
+};
 
 // Which frames of a trial are looked at.
 struct Frame_plan

@@ -4,13 +4,10 @@
 #ifndef THESIS_FRAME_EXPERIMENT_H
 #define THESIS_FRAME_EXPERIMENT_H
 
-#include "../results/Csv_file.h"
+#include "../common/Csv_file.h"
+#include "Experiment.h"
 #include "Frame_case.h"
-#include "Frame_statistics.h"
 #include "Mean_and_extremes.h"
-#include "Method_name.h"
-#include "Physics.h"
-#include "Repeated_experiment.h"
 #include "Trial.h"
 
 #include <cstddef>
@@ -62,8 +59,8 @@ private:
 
   static std::vector<std::string> cells_of(const Frame_case& one)
   {
-    return {one.trial().scenario, method_name(one.trial().method), results::csv_cell(one.points()),
-            results::csv_cell(one.time_step())};
+    return {one.trial().scenario, method_name(one.trial().method), common::csv_cell(one.points()),
+            common::csv_cell(one.time_step())};
   }
 
   static void append(std::vector<std::string>& target, const std::vector<std::string>& more)
@@ -78,15 +75,15 @@ private:
     append(columns, {"trials", "frames"});
     append(columns, Frame_statistics::columns());
     append(columns, {"dynamic_mean", "classified", "flips", "rebuilt"});
-    results::Csv_file file(path, remarks, columns);
+    common::Csv_file file(path, remarks, columns);
     for (const Frame_case& one : cases()) {
       std::vector<std::string> cells = cells_of(one);
       append(cells,
-             {results::csv_cell(one.number_of_trials()), results::csv_cell(one.plan().frames)});
+             {common::csv_cell(one.number_of_trials()), common::csv_cell(one.plan().frames)});
       append(cells, one.whole().cells());
       for (const Mean_and_extremes* const value :
            {&one.dynamic(), &one.classified(), &one.flips(), &one.rebuilt()}) {
-        cells.push_back(results::csv_cell(value->mean()));
+        cells.push_back(common::csv_cell(value->mean()));
       }
       file.write_line(cells);
     }
@@ -98,7 +95,7 @@ private:
     std::vector<std::string> columns = columns_of_case();
     append(columns, {"frame", "time"});
     append(columns, Frame_statistics::columns());
-    results::Csv_file file(path, remarks, columns);
+    common::Csv_file file(path, remarks, columns);
     for_each_bin([&](const Frame_bin& bin, std::vector<std::string> cells) {
       append(cells, bin.statistics.cells());
       file.write_line(cells);
@@ -114,7 +111,7 @@ private:
     for (const std::string& name : Physics::names()) {
       Mean_and_extremes::append_columns(name, columns);
     }
-    results::Csv_file file(path, remarks, columns);
+    common::Csv_file file(path, remarks, columns);
     for_each_bin([&](const Frame_bin& bin, std::vector<std::string> cells) {
       for (const Mean_and_extremes& value : bin.physics) {
         value.append_cells(cells);
@@ -131,8 +128,8 @@ private:
     for (const Frame_case& one : cases()) {
       for (std::size_t bin = 0; bin != one.bins().size(); ++bin) {
         std::vector<std::string> cells = cells_of(one);
-        append(cells, {results::csv_cell(one.frame_of_bin(bin)),
-                       results::csv_cell(one.bins()[bin].last_time)});
+        append(cells, {common::csv_cell(one.frame_of_bin(bin)),
+                       common::csv_cell(one.bins()[bin].last_time)});
         use(one.bins()[bin], std::move(cells));
       }
     }

@@ -4,7 +4,7 @@
 #ifndef THESIS_MEAN_AND_EXTREMES_H
 #define THESIS_MEAN_AND_EXTREMES_H
 
-#include "../results/Csv_file.h"
+#include "../common/Csv_file.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -37,7 +37,7 @@ public:
   void append_cells(std::vector<std::string>& cells) const
   {
     for (const double value : {mean(), m_low, m_high}) {
-      cells.push_back(m_number == 0 ? "" : results::csv_cell(value));
+      cells.push_back(m_number == 0 ? "" : common::csv_cell(value));
     }
   }
 

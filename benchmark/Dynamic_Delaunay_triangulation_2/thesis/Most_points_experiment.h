@@ -4,14 +4,12 @@
 #ifndef THESIS_MOST_POINTS_EXPERIMENT_H
 #define THESIS_MOST_POINTS_EXPERIMENT_H
 
-#include "../results/Csv_file.h"
-#include "Method_name.h"
+#include "../common/Csv_file.h"
+#include "Experiment.h"
 #include "Most_points_search.h"
-#include "Repeated_experiment.h"
 #include "scenario_runner/Frame_record.h"
 #include "scenario_runner/Measurement.h"
 #include "scenario_runner/Scenario_file.h"
-#include "Settings.h"
 #include "Trial.h"
 
 #include <algorithm>
@@ -68,7 +66,7 @@ public:
   void write(const std::filesystem::path& directory,
              const std::vector<std::string>& remarks) const override
   {
-    results::Csv_file file(
+    common::Csv_file file(
         directory / (name() + ".csv"), remarks,
         {"scenario", "method", "trial", "points", "upper_quartile_ms", "median_ms", "frames"});
     for (const Most_points_case& one : cases()) {

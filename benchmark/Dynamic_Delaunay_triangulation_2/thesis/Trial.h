@@ -6,7 +6,7 @@
 
 #include "../classifiers/Classifier_run.h"
 #include "scenario_runner/Open_motion.h"
-#include "scenario_runner/Scenario_file.h"
+#include "scenario_runner/Repairs_and_policies.h"
 #include "scenario_runner/Scenario_run.h"
 
 #include <cstddef>
@@ -52,6 +52,17 @@ void with_run(const Trial& trial, scenario::Motion& motion, Use use)
                                       CGAL::Static_engines_2(), run::make_policy(method.policy));
     use(run);
   });
+}
+
+// "circumcircle", "circumcircle/splice", "circumcircle/hybrid": with repair and policy where they
+// are not the usual ones.
+inline std::string method_name(const classifiers::Method& method)
+{
+  std::string name = method.classifier.text();
+  if (method.repair != run::usual_repair(method.classifier)) {
+    name += '/' + method.repair;
+  }
+  return method.policy.name == "always_dynamic" ? name : name + '/' + method.policy.name;
 }
 
 } // namespace thesis

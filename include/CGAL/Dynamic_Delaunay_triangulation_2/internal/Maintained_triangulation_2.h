@@ -29,18 +29,6 @@ class Topology_builder_2;
 template <class Maintained>
 class Topology_editor_2;
 
-inline Position_2 nowhere()
-{
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  return {nan, nan};
-}
-
-template <class Point>
-Position_2 approximation(const Point& p)
-{
-  return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
-}
-
 // Where the vertices are. While a frame is on its way its points are here alone, *staged*: CGAL's
 // vertices keep those of the last frame, from which everything can be taken back, until the points
 // are written. Everybody may read; `Input_frame_2` stages, takes back and writes, and the editor

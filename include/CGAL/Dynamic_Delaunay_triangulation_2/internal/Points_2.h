@@ -6,7 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/Interval_nt.h>
@@ -41,6 +41,18 @@ constexpr bool is_made_of_x_and_y<CGAL::Point_2<Kernel>> = true;
 template <class Point>
 constexpr bool is_two_doubles = is_made_of_x_and_y<Point>&& has_double_coordinates<Point> &&
                                 sizeof(Point) == 2 * sizeof(double);
+
+inline Position_2 nowhere()
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  return {nan, nan};
+}
+
+template <class Point>
+Position_2 approximation(const Point& p)
+{
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
+}
 
 template <class Traits, class Point>
 Comparison_result compare_xy(const Traits& traits, const Point& p, const Point& q)

@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef COMMON_CSV_FILE_H
+#define COMMON_CSV_FILE_H
+
+#include "scenario_runner/Output_file.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace common {
+
+// Five digits: more than any timing has, and small files.
+template <class Value>
+std::string csv_cell(const Value& value, int digits = 5)
+{
+  std::ostringstream text;
+  text.precision(digits);
+  text << value;
+  return text.str();
+}
+
+// Results of a benchmark, for people, plots and version control. Lines that start with `#` say what
+// made them.
+class Csv_file
+{
+public:
+  // `remarks` are lines of their own at the top, such as the command that wrote the file.
+  Csv_file(const std::filesystem::path& path, const std::vector<std::string>& remarks,
+           const std::vector<std::string>& columns)
+    : m_path(path.string())
+    , m_number_of_columns(columns.size())
+    , m_file(m_path)
+  {
+    for (const std::string& remark : remarks) {
+      m_file.stream() << "# " << remark << '\n';
+    }
+    write_line(columns);
+  }
+
+  // Numbers and texts, one for each column.
+  template <class... Values>
+  void write_row(const Values&... values)
+  {
+    write_line({csv_cell(values)...});
+  }
+
+  void write_line(const std::vector<std::string>& cells)
+  {
+    if (cells.size() != m_number_of_columns) {
+      throw std::logic_error(m_path + ": a row of " + std::to_string(cells.size()) +
+                             " cells, allowed are " + std::to_string(m_number_of_columns));
+    }
+    const char* separator = "";
+    for (const std::string& cell : cells) {
+      if (cell.find_first_of(",\"\n") != std::string::npos) {
+        throw std::logic_error(m_path + ": the cell '" + cell + "' would need quotation marks");
+      }
+      m_file.stream() << separator << cell;
+      separator = ",";
+    }
+    m_file.stream() << '\n';
+  }
+
+  const std::string& path() const { return m_path; }
+
+  void finish() { m_file.finish(); }
+
+private:
+  std::string m_path;
+  std::size_t m_number_of_columns;
+  run::Output_file m_file;
+};
+
+} // namespace common
+
+#endif // COMMON_CSV_FILE_H

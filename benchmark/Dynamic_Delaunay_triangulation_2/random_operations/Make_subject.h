@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef RANDOM_OPERATIONS_MAKE_SUBJECT_H
+#define RANDOM_OPERATIONS_MAKE_SUBJECT_H
+
+#include "Population_subject.h"
+#include "scenario_runner/Classifiers.h"
+#include "scenario_runner/Repairs_and_policies.h"
+#include "Setup.h"
+#include "Subject.h"
+#include "Triangulation_subject.h"
+
+#include <CGAL/Default.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Predictive_point_distance_classifier_2.h>
+#include <CGAL/Static_engine_2.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace random_operations {
+
+// What a triangulation is made with.
+template <class Kernel, class Classifier>
+struct Maker
+{
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, run::Any_repair,
+                                                         CGAL::Default, run::Any_policy>;
+  using Point = typename Dynamic::Point;
+
+  typename Dynamic::Settings settings;
+  int divisor;
+
+  Maker(const Classifier& classifier, const Setup& setup)
+    : settings{classifier, run::make_repair(setup.repair, setup.padding),
+               run::engines_named(setup.engine), run::make_policy(setup.policy)}
+    , divisor(setup.divisor)
+  {
+  }
+
+  Point point(const Place& place) const
+  {
+    using Number = typename Kernel::FT;
+    return divisor == 1 ? Point(place.x, place.y)
+                        : Point(Number(place.x) / divisor, Number(place.y) / divisor);
+  }
+
+  Dynamic empty() const { return Dynamic(settings); }
+  template <class Iterator>
+  Dynamic of(Iterator first, Iterator beyond) const
+  {
+    return Dynamic(first, beyond, settings);
+  }
+};
+
+// Mostly wrong about where points go.
+struct Steady_velocity
+{
+  struct Vector
+  {
+    double x, y;
+  };
+
+  Vector operator()(std::size_t id) const { return {0.001 * static_cast<double>(id % 7), 0.01}; }
+};
+
+using Exact_classifier = run::Exact_classifiers::Classifier;
+using Predictive_classifier = CGAL::Predictive_point_distance_classifier_2<Steady_velocity>;
+using Heuristic_classifier =
+    run::Any_classifier<run::All_classifiers::Classifier, Predictive_classifier>;
+
+inline Heuristic_classifier make_heuristic(const Setup& setup)
+{
+  if (setup.is_predictive) {
+    return Heuristic_classifier(
+        Predictive_classifier(Steady_velocity(), *setup.classifier.parameter));
+  }
+  return Heuristic_classifier(run::All_classifiers::make(setup.classifier, {1, setup.seed}));
+}
+
+template <class Kernel, class Classifier>
+std::unique_ptr<Subject> make_subject(const Setup& setup, const Classifier& classifier)
+{
+  using Its_maker = Maker<Kernel, Classifier>;
+  const Its_maker maker(classifier, setup);
+  switch (setup.naming) {
+  case Naming::IDS:
+    return std::make_unique<Triangulation_subject<Its_maker>>(maker);
+  case Naming::INT64:
+    return std::make_unique<Population_subject<Its_maker, std::int64_t>>(maker);
+  case Naming::UINT64:
+    return std::make_unique<Population_subject<Its_maker, std::uint64_t>>(maker);
+  default:
+    return std::make_unique<Population_subject<Its_maker, std::uint8_t>>(maker);
+  }
+}
+
+template <class Kernel>
+std::unique_ptr<Subject> make_subject(const Setup& setup)
+{
+  if (setup.classifier.is_exact) {
+    return make_subject<Kernel>(setup, run::Exact_classifiers::make(setup.classifier, {1, 0}));
+  }
+  return make_subject<Kernel>(setup, make_heuristic(setup));
+}
+
+inline std::unique_ptr<Subject> make_subject(const Setup& setup)
+{
+  return setup.constructs_exactly
+             ? make_subject<CGAL::Exact_predicates_exact_constructions_kernel>(setup)
+             : make_subject<CGAL::Exact_predicates_inexact_constructions_kernel>(setup);
+}
+
+} // namespace random_operations
+
+#endif // RANDOM_OPERATIONS_MAKE_SUBJECT_H
