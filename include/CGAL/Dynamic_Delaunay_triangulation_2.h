@@ -52,37 +52,39 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-Keeps a Delaunay triangulation right while its points move. Every `update()` takes the new positions
-of all points, finds what the motion broke, mends that, and reports what it did.
+Maintains the Delaunay triangulation of moving points. Every `update()` takes the new positions of
+all points, finds what the motion broke, repairs it, and reports what it did.
 
-Points have ids: 0, 1, 2, ... in the order in which they were given. An id keeps its vertex through
-all updates. Points that coincide share a vertex while they do. Points come by `insert()` and go by
-`remove()`; the id of one that went is free, and the next point that comes gets the smallest free
-id. `Dynamic_population_2` keeps points by ids of the user's own.
+Points have ids: 0, 1, 2, ... in the order in which they are given. An id keeps its vertex through
+all updates, unless its point coincides with another one: points that coincide share a vertex as
+long as they do. `insert()` adds points, and `remove()` removes them. The id of a removed point is
+free, and the next point that is inserted gets the smallest free id. `Dynamic_population_2` is for
+ids that the user chooses.
 
 After construction, and after every update with an exact classifier, the triangulation is
-<em>certified</em>: its faces are counterclockwise, its hull is convex and turns around once, and
-each of its edges is locally Delaunay, all by exact predicates. After an update with a heuristic
-classifier it is not, unless it was rebuilt; it is then still a valid triangulated sphere with all
-its vertices.
+<em>certified</em>: exact predicates have proved that its faces are counterclockwise, that its hull
+is convex and turns around once, and that each of its edges is locally Delaunay. After an update
+with a heuristic classifier it is not certified, unless that update rebuilt it. It is then still a
+valid triangulated sphere with all its vertices.
 
 \tparam Traits a model of `DynamicDelaunayTraits_2`: a CGAL kernel with exact predicates, such as
   `Exact_predicates_inexact_constructions_kernel`, or `Projection_traits_xy_3` of one.
-\tparam Classifier a model of `DelaunayClassifier_2`, what may be broken; `Default` for
+\tparam Classifier a model of `DelaunayClassifier_2`, which finds what may be broken; `Default` for
   `Circumcircle_classifier_2`.
-\tparam Repair a model of `DelaunayRepair_2`, what mends it. `Default` stands for the classifier's
-  `Usual_repair` if it has one; else for `Flip_and_splice_repair_2` if the classifier is exact, and
-  for `Border_splice_repair_2` if it is not.
+\tparam Repair a model of `DelaunayRepair_2`, which repairs it. `Default` stands for the
+  classifier's `Usual_repair` if it has one; else for `Flip_and_splice_repair_2` if the classifier
+  is exact, and for `Border_splice_repair_2` if it is not.
 \tparam Tds a triangulation data structure whose vertex base is
-  `Dynamic_Delaunay_triangulation_vertex_base_2` or derives from it; `Default` for a plain one.
-  What a user keeps in a vertex stays in it; faces change their vertices, of which a visitor hears.
-\tparam UpdatePolicy a model of `DelaunayUpdatePolicy_2`, which frames are rebuilt instead;
-  `Default` for `Always_dynamic_policy_2`.
+  `Dynamic_Delaunay_triangulation_vertex_base_2` or derives from it; `Default` for a plain one. Data
+  that the user stores in a vertex stay in it. The vertices of a face change; a visitor is told
+  when.
+\tparam UpdatePolicy a model of `DelaunayUpdatePolicy_2`, which decides which frames are rebuilt
+  instead; `Default` for `Always_dynamic_policy_2`.
 \tparam Visitor a model of `DelaunayUpdateVisitor_2`, which is told what changes; `Default` for
-  `Delaunay_update_visitor_base_2`, which does nothing with it.
-\tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag`, which needs TBB (`CGAL::TBB_support`):
-  a classifier that is not given but made here then shares its work among all threads of the
-  machine, if it can. No result depends on it.
+  `Delaunay_update_visitor_base_2`, which ignores it.
+\tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag`, which needs TBB (`CGAL::TBB_support`).
+  With `Parallel_tag` a classifier that is constructed by default uses all threads of the machine,
+  if it can. No result depends on it.
 */
 template <class Traits, class Classifier = Circumcircle_classifier_2, class Repair = Default,
           class Tds = Default, class UpdatePolicy = Always_dynamic_policy_2,
@@ -140,14 +142,14 @@ public:
   using Delaunay_update_policy = Policy;
   /// the visitor.
   using Delaunay_update_visitor = Chosen_visitor;
-  /// what a triangulation works with, as one object.
+  /// classifier, repair, engines, policy and visitor, as one object.
   using Settings = Dynamic_triangulation_settings_2<Chosen_classifier, Delaunay_repair, Policy,
                                                     Chosen_visitor, ConcurrencyTag>;
   /// whether work is shared among threads.
   using Concurrency_tag = ConcurrencyTag;
   /// the CGAL triangulation that is maintained.
   using Triangulation = typename Maintained::Triangulation;
-  /// its data structure.
+  /// the data structure of that triangulation.
   using Triangulation_data_structure = Data_structure;
   /// a point.
   using Point = typename Triangulation::Point;
@@ -155,30 +157,30 @@ public:
   using Vertex_handle = typename Triangulation::Vertex_handle;
   /// a face.
   using Face_handle = typename Triangulation::Face_handle;
-  /// an edge, as CGAL has it: a face, and which of its vertices is opposite.
+  /// an edge as CGAL represents it: a face, and the index of the vertex opposite to the edge.
   using Edge = typename Triangulation::Edge;
   /// the type of ids and counts.
   using size_type = std::size_t;
-  /// the view that classifiers get.
+  /// the read-only view that classifiers get.
   using Frame = Dynamic_frame_2<Maintained>;
 
   /// @}
   /// \name Creation
   /// @{
 
-  /// an empty triangulation.
+  /// creates an empty triangulation.
   Dynamic_Delaunay_triangulation_2()
     : Dynamic_Delaunay_triangulation_2(Settings())
   {
   }
 
-  /// an empty triangulation with a classifier.
+  /// creates an empty triangulation with a classifier.
   explicit Dynamic_Delaunay_triangulation_2(const Delaunay_classifier& classifier)
     : Dynamic_Delaunay_triangulation_2(Settings{classifier})
   {
   }
 
-  /// an empty triangulation with these settings.
+  /// creates an empty triangulation with these settings.
   explicit Dynamic_Delaunay_triangulation_2(const Settings& settings)
     : m_classifier(settings.classifier)
     , m_repair(settings.repair)
@@ -189,9 +191,10 @@ public:
     m_core->update.tools().set_engines(settings.engines);
   }
 
-  /// triangulates the points of the range; the i-th one has id i. Cost: O(n log n); about that of
-  /// CGAL's insertion of a range of points. \tparam InputIterator its values are convertible to
-  /// `Point`. \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
+  /// triangulates the points of the range; the i-th one has id i. Cost: O(n log n), about as much
+  /// as CGAL's insertion of a range of points. \tparam InputIterator its values are convertible to
+  /// `Point`.
+  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
   /// \throws Coordinate_range_error_2 if a coordinate is too large for this program.
   template <class InputIterator>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond)
@@ -199,7 +202,7 @@ public:
   {
   }
 
-  /// the same with a classifier.
+  /// the same, but with a classifier.
   template <class InputIterator>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
                                    const Delaunay_classifier& classifier)
@@ -207,7 +210,8 @@ public:
   {
   }
 
-  /// the same with these settings. The visitor is copied, and told of all vertices and faces.
+  /// the same, but with these settings. The visitor is copied, and the copy is told of all vertices
+  /// and faces.
   template <class InputIterator>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
                                    const Settings& settings)
@@ -215,7 +219,7 @@ public:
   {
   }
 
-  /// triangulates the points of a range as a whole: anything with `begin()` and `end()`.
+  /// the same, but takes the range as a whole: anything with `begin()` and `end()`.
   template <class Range, class = If_range<Range>>
   explicit Dynamic_Delaunay_triangulation_2(const Range& points)
     : Dynamic_Delaunay_triangulation_2(std::begin(points), std::end(points))
@@ -233,7 +237,7 @@ public:
   {
   }
 
-  /// the same with a classifier.
+  /// the same, but with a classifier.
   template <class InputIterator, class PointMap,
             class = typename boost::property_traits<PointMap>::key_type>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond, PointMap point_map,
@@ -242,7 +246,7 @@ public:
   {
   }
 
-  /// the same with these settings.
+  /// the same, but with these settings.
   template <class InputIterator, class PointMap,
             class = typename boost::property_traits<PointMap>::key_type>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond, PointMap point_map,
@@ -252,10 +256,11 @@ public:
     insert(first, beyond, point_map, Emptyset_iterator());
   }
 
-  /// copies everything: points, ids, topology, numbers, what the user keeps in vertices and faces,
-  /// and whether it is certified. The same calls then have the same results for both. Classifier,
-  /// repair, policy and visitor are copied; the visitor is told nothing of it. Vertices and faces
-  /// have handles of their own, and the sets of the last update are empty. Cost: linear.
+  /// copies everything: points, ids, topology, numbers, the user's data in vertices and faces, and
+  /// whether it is certified. From then on the same calls have the same results for both.
+  /// Classifier, repair, policy and visitor are copied too, but the visitor is not told of
+  /// anything. The copy has its own vertex and face handles, and its sets of the last update are
+  /// empty. Cost: linear.
   Dynamic_Delaunay_triangulation_2(const Dynamic_Delaunay_triangulation_2& other)
     : m_classifier(other.m_classifier)
     , m_repair(other.m_repair)
@@ -266,7 +271,7 @@ public:
   {
     m_core->update.copy(other.m_core->maintained, other.m_core->update);
   }
-  /// the same. If it throws, nothing has changed.
+  /// the same, but replaces this triangulation. If it throws, nothing has changed.
   Dynamic_Delaunay_triangulation_2& operator=(const Dynamic_Delaunay_triangulation_2& other)
   {
     Dynamic_Delaunay_triangulation_2 copy(other);
@@ -274,15 +279,15 @@ public:
     return *this;
   }
 
-  /// takes everything from another one, which is an empty triangulation then, with the same
-  /// classifier, repair and policy, and what is left of its visitor. Vertices and faces stay where
-  /// they are in memory. Takes memory for the empty triangulation, and for what classifier, repair
-  /// and policy remember.
+  /// takes everything from the other triangulation. That one is then empty, with the same
+  /// classifier, repair and policy, and with a visitor that was moved from. Vertices and faces stay
+  /// where they are in memory. Allocates memory for the empty triangulation and for copies of the
+  /// classifier, the repair and the policy.
   Dynamic_Delaunay_triangulation_2(Dynamic_Delaunay_triangulation_2&& other)
     : Dynamic_Delaunay_triangulation_2(other, std::make_unique<Core>())
   {
   }
-  /// the same. Nothing happens to an object that is moved to itself.
+  /// the same, but replaces this triangulation. Moving an object to itself changes nothing.
   Dynamic_Delaunay_triangulation_2& operator=(Dynamic_Delaunay_triangulation_2&& other)
   {
     Dynamic_Delaunay_triangulation_2 taken(std::move(other));
@@ -290,7 +295,8 @@ public:
     return *this;
   }
 
-  /// exchanges everything with another one. Vertices and faces stay where they are in memory.
+  /// exchanges everything with the other triangulation. Vertices and faces stay where they are in
+  /// memory.
   void swap(Dynamic_Delaunay_triangulation_2& other)
   {
     using std::swap;
@@ -301,7 +307,7 @@ public:
     swap(m_core, other.m_core);
     swap(m_is_classifier_informed, other.m_is_classifier_informed);
   }
-  /// the same as `a.swap(b)`.
+  /// calls `a.swap(b)`.
   friend void swap(Dynamic_Delaunay_triangulation_2& a, Dynamic_Delaunay_triangulation_2& b)
   {
     a.swap(b);
@@ -311,36 +317,37 @@ public:
   /// \name Motion
   /// @{
 
-  /// moves point i to the i-th position of the range, for all points, and mends the triangulation.
-  /// There is a position for each id; those for ids of removed points are not looked at.
+  /// moves point i to the i-th position of the range, for all points, and repairs the
+  /// triangulation. The range has one position for each id; positions for ids of removed points are
+  /// ignored.
   ///
-  /// Cost: one pass over all ids, also those that are free, and one of the classifier, and the
-  /// repair of what it classified, for points that jump proportional to their number; never much
-  /// more than that of a rebuild. Nothing is allocated where nothing breaks, but for the first time
-  /// that the circumcircle classifier skips edges (16 bytes a vertex).
-  /// \throws Point_count_error_2 if there are not `number_of_ids()` positions.
+  /// Cost: one pass over all ids, free ones included; the classifier's pass; and the repair of what
+  /// it classified, which for points that jump is proportional to their number. The total is never
+  /// much more than the cost of a rebuild. Where nothing breaks nothing is allocated, except when
+  /// the circumcircle classifier skips edges for the first time (16 bytes a vertex).
+  /// \throws Point_count_error_2 if the number of positions is not `number_of_ids()`.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
   /// \throws Coordinate_range_error_2 if a coordinate is too large for this program.
   ///
-  /// Nothing changes if it throws one of these, or if the range throws, or the policy or the
-  /// classifier when it is asked. If one of the latter throws in `after_update()`, the update has
-  /// been done. After any other exception the positions are the new ones and the triangulation is
-  /// not certified; the next update, or `mend()`, certifies it again. \post `is_certified()`, if
-  /// the classifier is exact.
+  /// Nothing changes if it throws one of these, or if the range throws, or if the policy or the
+  /// classifier throws when it is asked. If the policy or the classifier throws in
+  /// `after_update()`, the update itself is complete. After any other exception the points have
+  /// their new positions and the triangulation is not certified; the next update, or `mend()`,
+  /// certifies it again. \post `is_certified()`, if the classifier is exact.
   template <class InputIterator>
   Update_report_2 update(InputIterator first, InputIterator beyond)
   {
     return update(first, beyond, Identity_map());
   }
 
-  /// the same for a range as a whole: anything with `begin()` and `end()`.
+  /// the same, but takes the range as a whole: anything with `begin()` and `end()`.
   template <class Range, class = If_range<Range>>
   Update_report_2 update(const Range& points)
   {
     return update(std::begin(points), std::end(points));
   }
 
-  /// moves point i to what `point_map` reads from the i-th value of the range.
+  /// the same, but `point_map` reads the positions from the values of the range.
   template <class InputIterator, class PointMap>
   Update_report_2 update(InputIterator first, InputIterator beyond, PointMap point_map)
   {
@@ -351,7 +358,7 @@ public:
     return run(change);
   }
 
-  /// the same for a range as a whole.
+  /// the same, but takes the range as a whole.
   template <class Range, class PointMap, class = If_range<Range>,
             class = typename boost::property_traits<PointMap>::key_type>
   Update_report_2 update(const Range& range, PointMap point_map)
@@ -359,15 +366,15 @@ public:
     return update(std::begin(range), std::end(range), point_map);
   }
 
-  /// moves some points, and mends what that breaks, by exact predicates whatever the classifier is;
-  /// the policy is not asked. All other points stay where they are.
+  /// moves some points, and repairs what that breaks. All other points stay where they are. The
+  /// repair uses exact predicates, whatever the classifier is; the policy is not asked.
   ///
-  /// Cost: proportional to the number of points in the range, and what they break, and a walk
-  /// around the hull; with points that coincide, to the number of those as well.
+  /// Cost: proportional to the number of points in the range and to what they break, plus a walk
+  /// around the hull; if points coincide, also proportional to the number of those.
   ///
   /// \tparam InputIterator its values are pairs of an id, which is an integer, and a `Point`.
-  /// \throws Unknown_id_error_2 if there is no such point.
-  /// \throws Repeated_id_error_2 if an id is there more than once.
+  /// \throws Unknown_id_error_2 if an id belongs to no point.
+  /// \throws Repeated_id_error_2 if an id is given more than once.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
   /// \throws Coordinate_range_error_2 if a coordinate is too large for this program.
   ///
@@ -382,14 +389,14 @@ public:
                 Second_of_pair_property_map<Value>());
   }
 
-  /// the same for a range as a whole.
+  /// the same, but takes the range as a whole.
   template <class Range, class = If_range<Range>>
   Update_report_2 move(const Range& movers)
   {
     return move(std::begin(movers), std::end(movers));
   }
 
-  /// the same for ids and points that the property maps read from the values of the range.
+  /// the same, but property maps read the ids and points from the values of the range.
   template <class InputIterator, class IdMap, class PointMap>
   Update_report_2 move(InputIterator first, InputIterator beyond, IdMap id_map, PointMap point_map)
   {
@@ -399,7 +406,7 @@ public:
     return run(change);
   }
 
-  /// moves one point, in the same way.
+  /// the same, but for one point.
   Update_report_2 move(size_type id, const Point& p)
   {
     const std::pair<size_type, Point> mover(id, p);
@@ -408,18 +415,18 @@ public:
 
   /// @}
   /// \name Population
-  /// Points that come and go. What that breaks is mended by exact predicates, whatever the
-  /// classifier is. If memory runs out, each point has either come or gone, or it has not, and the
-  /// triangulation is not certified; `mend()` certifies it again.
+  /// Inserts and removes points. What that breaks is repaired by exact predicates, whatever the
+  /// classifier is. If memory runs out, each point is either inserted (or removed) completely or
+  /// not at all, and the triangulation is not certified; `mend()` certifies it again.
   /// @{
 
-  /// adds a point, and returns its id: the smallest free one. Where another point is already, it
-  /// shares its vertex. Cost: O(n<sup>1/3</sup>) expected for evenly spread points to find its
-  /// place, what it breaks, and a walk around the hull; that of a rebuild while the points do not
-  /// span the plane.
+  /// adds a point, and returns its id: the smallest free one. If it coincides with another point,
+  /// it shares that one's vertex. Cost: O(n<sup>1/3</sup>) expected for evenly spread points to
+  /// find its place, plus the repair of what it breaks, plus a walk around the hull; a rebuild
+  /// while the points do not span the plane.
   ///
   /// \throws Non_finite_coordinate_error_2 or Coordinate_range_error_2 if a coordinate cannot be
-  /// taken; nothing changes.
+  /// used; nothing changes.
   /// \post `is_certified()`, if it was, or if the classifier is exact.
   size_type insert(const Point& p)
   {
@@ -428,22 +435,22 @@ public:
     return id;
   }
 
-  /// adds the points of the range, and before that writes the ids that they get to `ids`. Where
-  /// they are more than about one to nine vertices, everything is triangulated anew.
+  /// adds the points of the range. Their ids are written to `ids` first. If there are more than
+  /// about one of them for nine vertices, everything is triangulated anew.
   template <class InputIterator, class OutputIterator>
   Update_report_2 insert(InputIterator first, InputIterator beyond, OutputIterator ids)
   {
     return insert(first, beyond, Identity_map(), ids);
   }
 
-  /// the same for a range as a whole.
+  /// the same, but takes the range as a whole.
   template <class Range, class OutputIterator, class = If_range<Range>>
   Update_report_2 insert(const Range& points, OutputIterator ids)
   {
     return insert(std::begin(points), std::end(points), ids);
   }
 
-  /// adds the points that `point_map` reads from the values of the range.
+  /// the same, but `point_map` reads the points from the values of the range.
   template <class InputIterator, class PointMap, class OutputIterator>
   Update_report_2 insert(InputIterator first, InputIterator beyond, PointMap point_map,
                          OutputIterator ids)
@@ -456,18 +463,19 @@ public:
     return run(change);
   }
 
-  /// takes a point away; its id is free from then on. Cost: proportional to the number of its
-  /// neighbors, what that breaks, and a walk around the hull; that of a rebuild if the points do
-  /// not span the plane before or after; with points that coincide, to the number of those as well.
+  /// removes a point; its id is free from then on. Cost: proportional to the number of its
+  /// neighbors and to what that breaks, plus a walk around the hull; if points coincide, also
+  /// proportional to the number of those; a rebuild if the points do not span the plane before or
+  /// after.
   ///
-  /// \throws Unknown_id_error_2 if there is no such point; nothing changes.
+  /// \throws Unknown_id_error_2 if no point has this id; nothing changes.
   /// \post `is_certified()`, if it was, or if the classifier is exact.
   Update_report_2 remove(size_type id) { return remove(&id, &id + 1); }
 
-  /// takes the points with these ids away. Where they are more than about one in nine vertices,
+  /// removes the points with these ids. If they are more than about one in nine vertices,
   /// everything is triangulated anew. \tparam InputIterator its values are integers.
-  /// \throws Unknown_id_error_2 if there is no such point; nothing changes.
-  /// \throws Repeated_id_error_2 if an id is there more than once; nothing changes.
+  /// \throws Unknown_id_error_2 if an id belongs to no point; nothing changes.
+  /// \throws Repeated_id_error_2 if an id is given more than once; nothing changes.
   template <class InputIterator>
   Update_report_2 remove(InputIterator first, InputIterator beyond)
   {
@@ -477,7 +485,7 @@ public:
     return run(change);
   }
 
-  /// the same for a range as a whole.
+  /// the same, but takes the range as a whole.
   template <class Range, class = If_range<Range>>
   Update_report_2 remove(const Range& ids)
   {
@@ -485,9 +493,10 @@ public:
   }
 
   /// \cond
-  // A whole frame of Dynamic_population_2: a position for every id, also for those that go, then
-  // the ids that go, each of which is there, and the points that come. `coming_ids` gets their ids,
-  // ascending; none, if an exception ends this before all that go have gone.
+  // Updates a whole frame of Dynamic_population_2. The range has a position for every id, also for
+  // those that are removed; `gone` has the ids to remove, all of which exist; `coming` has the
+  // points to insert. Their ids are written to `coming_ids`, ascending; nothing is written if an
+  // exception ends this before all removals are done.
   template <class InputIterator>
   Update_report_2
   update_population(InputIterator first, InputIterator beyond, const std::vector<size_type>& gone,
@@ -519,8 +528,8 @@ public:
   /// @{
 
   /// makes the triangulation Delaunay and certified, whatever the classifier is: the circumcircle
-  /// classifier finds what is broken, and `Flip_and_splice_repair_2` mends it. Does nothing if it
-  /// is certified already. \post `is_certified()`
+  /// classifier finds what is broken, and `Flip_and_splice_repair_2` repairs it. Does nothing if
+  /// the triangulation is certified already. \post `is_certified()`
   Update_report_2 mend()
   {
     const Floating_point floating_point;
@@ -533,9 +542,10 @@ public:
     return report;
   }
 
-  /// finds out whether the triangulation is Delaunay, by exact predicates at every edge; changes
-  /// nothing else. It is not, as long as an exception has left points without vertices of their own
-  /// or the plane not spanned. Cost: one pass over all edges, none if it is certified already.
+  /// tests whether the triangulation is Delaunay, by exact predicates at every edge, and certifies
+  /// it if so. Changes nothing else. The result is false as long as an exception has left points
+  /// without their own vertices, or a triangulation that does not span the plane. Cost: one pass
+  /// over all edges; none if it is certified already.
   bool certify()
   {
     const Floating_point floating_point;
@@ -559,8 +569,8 @@ public:
     return m_core->maintained.triangulation();
   }
 
-  /// the topology of the CGAL triangulation, which is a valid triangulated sphere also when it is
-  /// not certified.
+  /// the data structure of the CGAL triangulation. It is a valid triangulated sphere even when the
+  /// triangulation is not certified.
   const Triangulation_data_structure& tds() const
   {
     return m_core->maintained.triangulation().tds();
@@ -571,15 +581,15 @@ public:
 
   /// the number of points.
   size_type number_of_points() const { return m_core->maintained.ids().number_of_points(); }
-  /// one more than the largest id ever in use. It never gets smaller.
+  /// one more than the largest id ever in use. It never decreases.
   size_type number_of_ids() const { return m_core->maintained.ids().number_of_ids(); }
-  /// whether there is a point with this id.
+  /// whether a point has this id.
   bool has_id(size_type id) const { return m_core->maintained.ids().is_taken(id); }
-  /// the number of finite vertices: fewer, if points coincide.
+  /// the number of finite vertices: less than the number of points if points coincide.
   size_type number_of_vertices() const { return m_core->maintained.number_of_vertices(); }
 
   /// the vertex of a point. It stays the same as long as the point does not coincide with others.
-  /// \throws Unknown_id_error_2 if there is no such point.
+  /// \throws Unknown_id_error_2 if no point has this id.
   Vertex_handle vertex(size_type id) const
   {
     if (!has_id(id))
@@ -587,8 +597,8 @@ public:
     return m_core->maintained.vertices()[m_core->maintained.ids().vertex(Index(id))];
   }
 
-  /// where a point is.
-  /// \throws Unknown_id_error_2 if there is no such point.
+  /// the position of a point.
+  /// \throws Unknown_id_error_2 if no point has this id.
   const Point& point(size_type id) const
   {
     const Vertex_handle representative = vertex(id);
@@ -597,14 +607,15 @@ public:
                                             : ids.duplicate(Index(id)).point;
   }
 
-  /// the id of a point at a finite vertex; of the one that was there first, if several are.
+  /// the id of the point at a finite vertex. If several points share the vertex: the id of their
+  /// representative, which was there first.
   size_type id(Vertex_handle vertex) const
   {
     return m_core->maintained.ids().representative(vertex->mirror_index());
   }
 
-  /// calls `f(i, j)` with the ids of both ends of every finite edge. Points that share a vertex
-  /// with another have no edges of their own. Cost: one pass over the edges; no allocation.
+  /// calls `f(i, j)` with the ids of both ends of every finite edge. Where points share a vertex,
+  /// only their representative has edges. Cost: one pass over the edges; no allocation.
   template <class Function>
   void for_each_edge(Function&& f) const
   {
@@ -630,55 +641,45 @@ public:
   const Policy& policy() const { return m_policy; }
   /// the visitor.
   const Delaunay_update_visitor& visitor() const { return m_visitor; }
-  /// the visitor, for whoever wants to take something from it, or to clear it.
+  /// the visitor, in order to read and clear what it has recorded.
   Delaunay_update_visitor& visitor() { return m_visitor; }
 
   /// the Classified set of the last update, as vertices of `frame()`. Empty after a rebuild that
-  /// came before classification.
+  /// preceded classification.
   const std::vector<Index>& classified_vertices() const
   {
     return tools().classification().vertices();
   }
-  /// the Padded set of the last update with a border splice around the Classified set.
+  /// the Padded set of the last update that spliced around the Classified set.
   const std::vector<Index>& padded_vertices() const { return tools().padded(); }
   /// the Border set of the same splice.
   const std::vector<Index>& border_vertices() const { return tools().border(); }
 
   /// @}
   /// \name Checkpoints
-  /// The triangulation as a file, \ref DynamicDelaunayTriangulation2Checkpoints, from which a run
-  /// goes on as if it had not been interrupted. Points have to be a kernel's `Point_2`, and their
-  /// coordinates doubles, or fractions of integers as those of
-  /// `Exact_predicates_exact_constructions_kernel`. It does not compile for others, which may hold
+  /// Writes and reads the triangulation as a file, \ref DynamicDelaunayTriangulation2Checkpoints. A
+  /// run continues from a checkpoint as if it had not been interrupted. `Point` has to be the
+  /// `Point_2` of a kernel. Coordinates have to be doubles, or fractions of integers as those of
+  /// `Exact_predicates_exact_constructions_kernel`. Other types do not compile, since they may hold
   /// more than a checkpoint would keep.
   /// @{
 
-  /// writes the triangulation, with the ids of its points, all numbers in `frame()`, and whether it
-  /// is certified. What the classifier, the repair and the policy remember is not written, nor is
-  /// what the user keeps in vertices and faces. Cost: linear, about 150 bytes a point.
-  /// \throws Checkpoint_error_2 if the stream fails, and what was written is of no use; or, before
-  /// anything is written, if an exception ended the last update before each point had its vertex.
+  /// writes the triangulation, the ids of its points, all numbers in `frame()`, and whether it is
+  /// certified. Not written are the state of the classifier, the repair and the policy, and the
+  /// user's data in vertices and faces. Cost: linear, about 150 bytes a point.
+  /// \throws Checkpoint_error_2 if the stream fails; what was written is then unusable. It is also
+  /// thrown, before anything is written, if an exception ended the last update before each point
+  /// had its vertex.
   void write_checkpoint(std::ostream& out) const
   {
     write_checkpoint(out, checkpoint_subject, [](auto&) {});
   }
 
-  /// reads a triangulation in place of this one; the classifier, the repair, the engines and the
-  /// policy stay. The classifier is told that everything is new, as after construction.
-  ///
-  /// From here on the same calls have the same results as for the triangulation that was written:
-  /// the same ids, edges and numbers, ties included, and equal reports, provided that neither of
-  /// them depends on what classifiers, repairs and policies remember from frame to frame, or on
-  /// `Relocation_repair_2`. Exact classifiers find the same edges, whatever they remember; but
-  /// where nearly all edges break frame after frame, `Circumcircle_classifier_2` may count fewer
-  /// vertices as classified. The order in which CGAL's own structure lists vertices and faces may
-  /// be another one. Vertex handles are new; `triangulation()` stays where it is.
-  ///
-  /// What the file says is checked, not believed: that the faces are a triangulated sphere with
-  /// all points, that all numbers and ids are there once, and, by exact predicates, that a
-  /// triangulation that is said to be certified is Delaunay. Reads exactly what was written; what
-  /// follows in the stream stays there. Cost: linear; memory in proportion to what was read, on top
-  /// of what is there already.
+  /// The file is validated: its faces must be a triangulated sphere with all points, each number
+  /// and id must occur exactly once, and a triangulation that is marked as certified must be
+  /// Delaunay by exact predicates. Reads exactly what was written, and leaves the rest of the
+  /// stream unread. Cost: linear; memory in proportion to what is read, in addition to what this
+  /// triangulation uses.
   /// \throws Checkpoint_error_2 if the file is refused. Whatever is thrown, nothing changes, unless
   /// the visitor throws it while it is told what changes.
   void read_checkpoint(std::istream& in)
@@ -687,21 +688,21 @@ public:
   }
 
   /// writes a checkpoint, whatever mode CGAL's `set_mode()` has given to the stream. Where
-  /// `write_checkpoint()` throws `Checkpoint_error_2`, the stream fails (`failbit`).
+  /// `write_checkpoint()` would throw `Checkpoint_error_2`, the stream fails (`failbit`).
   friend std::ostream& operator<<(std::ostream& out, const Dynamic_Delaunay_triangulation_2& dt)
   {
     return Dynamic_Delaunay_triangulations_2::internal::write_to_stream(out, dt);
   }
 
-  /// reads a checkpoint, after white space. Where `read_checkpoint()` throws `Checkpoint_error_2`,
-  /// the stream fails (`failbit`), and the triangulation is what it was.
+  /// skips white space, then reads a checkpoint. Where `read_checkpoint()` would throw
+  /// `Checkpoint_error_2`, the stream fails (`failbit`), and the triangulation does not change.
   friend std::istream& operator>>(std::istream& in, Dynamic_Delaunay_triangulation_2& dt)
   {
     return Dynamic_Delaunay_triangulations_2::internal::read_from_stream(in, dt);
   }
 
   /// \cond
-  // The same with something more in the file.
+  // The same, but `append` writes, and `read_more` reads, additional lines of the file.
   template <class Append>
   void write_checkpoint(std::ostream& out, std::string_view subject, const Append& append) const
   {
@@ -739,9 +740,9 @@ public:
   /// \name Checking
   /// @{
 
-  /// whether everything is as it should be: a valid data structure, the flat arrays in step with
-  /// it, no point lost, and the certificate if `is_certified()`. Cost: linear. \param verbose
-  /// whether to say on `std::cerr` what is wrong. \param level handed on to the data structure's
+  /// whether the object is valid: the data structure is, the flat arrays agree with it, no point is
+  /// lost, and the certificate holds if `is_certified()`. Cost: linear. \param verbose whether to
+  /// print to `std::cerr` what is wrong. \param level is passed to the data structure's
   /// `is_valid()`.
   bool is_valid(bool verbose = false, int level = 0) const
   {
@@ -763,7 +764,7 @@ private:
 
   static constexpr std::string_view checkpoint_subject = "Dynamic_Delaunay_triangulation_2";
 
-  // What must not move in memory: its parts refer to each other.
+  // Must not move in memory: its parts refer to each other.
   struct Core
   {
     Maintained maintained;
@@ -771,8 +772,8 @@ private:
     Update update{maintained};
   };
 
-  // Takes everything; the other one gets an empty core, of which its classifier knows nothing. What
-  // is copied has to work on in both: an object that was moved from may be good for nothing.
+  // Takes everything from the other one, which gets an empty core that its classifier knows nothing
+  // of. Classifier, repair and policy are copied, not moved, since both objects go on using them.
   Dynamic_Delaunay_triangulation_2(Dynamic_Delaunay_triangulation_2& other,
                                    std::unique_ptr<Core> empty)
     : m_classifier(other.m_classifier)
@@ -791,8 +792,8 @@ private:
     return std::as_const(m_core->update).tools();
   }
 
-  // Everything that changes the triangulation comes here, when it was read and checked. CGAL's
-  // vertices get their points in the end, also if a repair throws.
+  // Every change of the triangulation runs through here, after its input was read and checked.
+  // CGAL's vertices get their points at the end, even if a repair throws.
   Update_report_2 run(const Change& change)
   {
     const auto take_back = [&] {
@@ -835,7 +836,7 @@ private:
       m_core->input.write(change.moved);
   }
 
-  // If the visitor does not want to see it, nothing has changed.
+  // Calls `before_update()`; if that throws, nothing has changed yet.
   template <class Take_back>
   void start_visit(const Take_back& take_back)
   {
@@ -848,7 +849,7 @@ private:
     m_core->update.tools().editor().start_visit(m_visitor, *this);
   }
 
-  // When everything is done. What the visitor has thrown on the way, it throws now.
+  // Ends the visit when everything is done. Rethrows now what the visitor has thrown in between.
   void finish_visit(const Update_report_2& report)
   {
     m_core->update.tools().editor().finish_visit();
@@ -875,7 +876,7 @@ private:
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
 A `Dynamic_Delaunay_triangulation_2` with a visitor, a model of `DelaunayUpdateVisitor_2`, and
-everything else by default.
+defaults for everything else.
 */
 template <class Traits, class Visitor, class Classifier = Circumcircle_classifier_2>
 using Dynamic_Delaunay_triangulation_with_visitor_2 =

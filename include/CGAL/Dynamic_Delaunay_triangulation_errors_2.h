@@ -16,8 +16,8 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
-The base of every exception that the package throws for bad input or bad use. Each is thrown before
-anything changes.
+The base of every exception that the package throws for bad input or wrong use. Each is thrown
+before anything changes.
 */
 class Dynamic_Delaunay_triangulation_error_2 : public std::runtime_error
 {
@@ -28,8 +28,8 @@ public:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
-A coordinate is NaN or infinite, or too large for a double. A number of an exact kernel that is no
-double itself may count as too large from half of the largest double on.
+A coordinate is NaN or infinite, or too large for a double. A number of an exact kernel that is not
+a double itself may count as too large from half of the largest double on.
 */
 class Non_finite_coordinate_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
@@ -69,7 +69,8 @@ private:
 
 A coordinate is so large that the kernel's predicates are not exact. Only programs that are compiled
 for SSE4.1 or AVX (`-march=native`) have such a limit, 2^510 or 3.35e153: CGAL's interval arithmetic
-is unsound there when it overflows. Without these instructions all finite doubles are coordinates.
+gives wrong results there when it overflows. Without these instructions all finite doubles are
+allowed.
 */
 class Coordinate_range_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
@@ -91,7 +92,7 @@ public:
   double x() const { return m_x; }
   /// its second coordinate, as a double.
   double y() const { return m_y; }
-  /// what the absolute values of coordinates must be smaller than.
+  /// the limit: absolute values of coordinates must be smaller.
   double limit() const { return m_limit; }
 
 private:
@@ -127,7 +128,7 @@ public:
 
   /// the number of ids.
   std::size_t expected() const { return m_expected; }
-  /// the number of points in the frame; `expected() + 1` stands for "or more".
+  /// the number of points in the frame; `expected() + 1` means that many or more.
   std::size_t given() const { return m_given; }
 
 private:
@@ -147,7 +148,7 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
-An id that no point has.
+No point has this id.
 */
 class Unknown_id_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
@@ -163,7 +164,7 @@ public:
 
   /// the id that was asked for.
   std::size_t id() const { return m_id; }
-  /// all ids are smaller.
+  /// one more than the largest id ever in use.
   std::size_t number_of_ids() const { return m_number_of_ids; }
 
 private:
@@ -186,7 +187,7 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
-A classifier has named a vertex or an edge that is not there.
+A classifier has named a vertex or an edge that does not exist.
 */
 class Unknown_index_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
@@ -202,7 +203,7 @@ public:
 
   /// the index.
   std::size_t index() const { return m_index; }
-  /// all indices are smaller.
+  /// one more than the largest valid index.
   std::size_t bound() const { return m_bound; }
 
 private:
@@ -219,7 +220,7 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
-An id that no point of a `Dynamic_population_2` has.
+No point of a `Dynamic_population_2` has this id.
 */
 class Unknown_user_id_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
@@ -234,7 +235,7 @@ public:
   }
   /// \endcond
 
-  /// the id that was asked for, in decimal digits: these ids may be integers of any type.
+  /// the id that was asked for, in decimal digits, since user ids may be integers of any type.
   const std::string& id() const { return m_id; }
 
 private:
@@ -244,7 +245,7 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
-An id that is given more than once in one call, or is there already.
+An id is given more than once in one call, or belongs to a point already.
 */
 class Repeated_id_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
@@ -258,7 +259,7 @@ public:
   }
   /// \endcond
 
-  /// the id, in decimal digits: those of a population may be integers of any type.
+  /// the id, in decimal digits, since user ids may be integers of any type.
   const std::string& id() const { return m_id; }
 
 private:
@@ -273,8 +274,8 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
-The CGAL triangulation was asked for while nothing proves that it is Delaunay. CGAL's point location
-and insertion may loop or abort on inverted faces, so it is not handed out then.
+The CGAL triangulation was asked for while it is not proved Delaunay. It is withheld then, because
+CGAL's point location and insertion may loop or abort on inverted faces.
 */
 class Uncertified_triangulation_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
@@ -293,7 +294,7 @@ public:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
-A parameter of a classifier or a repair is out of its range.
+A parameter of a classifier or a repair is out of range.
 */
 class Parameter_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
@@ -323,8 +324,8 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
-A checkpoint cannot be written, or is refused: it is not complete, was changed or damaged, or is not
-one at all.
+A checkpoint cannot be written, or is refused because it is incomplete, was changed or damaged, or
+is not a checkpoint.
 */
 class Checkpoint_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
@@ -337,7 +338,7 @@ public:
   }
   /// \endcond
 
-  /// the line, from 1 on, counted from the beginning of the checkpoint; 0 if it is about none.
+  /// the line, counted from 1 at the beginning of the checkpoint; 0 if the error concerns no line.
   std::size_t line() const { return m_line; }
 
 private:

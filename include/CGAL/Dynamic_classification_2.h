@@ -20,7 +20,7 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-What a classifier fills: the Classified set of a frame (thesis 4.1.3).
+The Classified set of a frame (thesis 4.1.3), which a classifier fills.
 
 \tparam Maintained an internal type.
 */
@@ -43,7 +43,7 @@ public:
   }
   /// \endcond
 
-  /// an empty classification of the same frame, for classifiers that ask others.
+  /// returns an empty classification of the same frame, for classifiers that ask others.
   Dynamic_classification_2 empty_copy() const
   {
     Dynamic_classification_2 copy;
@@ -51,8 +51,9 @@ public:
     return copy;
   }
 
-  /// classifies vertex `v`; nothing happens if it is the infinite one. Of every edge that is not
-  /// Delaunay, an exact classifier classifies an end so, or it gives the edge to `add_edge()`.
+  /// classifies vertex `v`; does nothing if it is the infinite vertex. For every edge that is not
+  /// Delaunay, an exact classifier must either classify one of its ends in this way, or pass the
+  /// edge to `add_edge()`.
   /// \throws Unknown_index_error_2 if there is no such vertex.
   void add_vertex(Index v)
   {
@@ -65,7 +66,7 @@ public:
   }
 
   /// classifies the vertex of the point `id`.
-  /// \throws Unknown_id_error_2 if there is no such point.
+  /// \throws Unknown_id_error_2 if no point has this id.
   void add_id(std::size_t id)
   {
     if (!m_maintained->ids().is_taken(id))
@@ -73,8 +74,8 @@ public:
     add_vertex(m_maintained->ids().vertex(Index(id)));
   }
 
-  /// classifies the four vertices of edge `e`, for the sake of that edge alone: repairs that work
-  /// on edges start there, and need not look at all the edges of its vertices.
+  /// classifies the four vertices of edge `e` because of that edge alone: repairs that work on
+  /// edges start at `e`, and need not test the other edges of its vertices.
   /// \throws Unknown_index_error_2 if there is no such edge.
   void add_edge(Index e)
   {
@@ -85,8 +86,8 @@ public:
     add_vertices_of(e);
   }
 
-  /// classifies all vertices, for the sake of all edges. Cost: a few nanoseconds a vertex, less
-  /// than naming them.
+  /// classifies all vertices, because of all edges. Cost: a few nanoseconds a vertex, less than
+  /// adding them one by one.
   void add_everything()
   {
     const Index bound = Index(m_maintained->vertices().size());
@@ -94,7 +95,7 @@ public:
     m_whole_vertices.fill(1, bound);
   }
 
-  /// the same as `add_edge()` for an edge in the state `ILLEGAL`: flips of such edges cost less.
+  /// the same as `add_edge()`, but for an edge in the state `ILLEGAL`: flipping it costs less.
   /// \throws Unknown_index_error_2 if there is no such edge.
   void add_illegal_edge(Index e)
   {
@@ -105,7 +106,7 @@ public:
     add_vertices_of(e);
   }
 
-  /// classifies edge `e` of `frame` unless it is Delaunay, decided exactly.
+  /// classifies edge `e` of `frame` unless it is Delaunay. Decided exactly.
   template <class Frame>
   void add_unless_delaunay(const Frame& frame, Index e)
   {
@@ -117,7 +118,7 @@ public:
       add_edge(e);
   }
 
-  /// the same for all edges of a list, whose memory it fetches ahead.
+  /// the same, but for all edges of a list, whose data it prefetches.
   template <class Frame>
   void add_unless_delaunay(const Frame& frame, const std::vector<Index>& edges)
   {
@@ -132,16 +133,16 @@ public:
     }
   }
 
-  /// says that the classifier has proved that the hull turns around once, so that this need not be
+  /// records that the classifier has proved that the hull turns around once, so that this is not
   /// tested again.
   void set_hull_turns_once() { m_hull_turns_once = true; }
 
-  /// whether all vertices are classified for the sake of all their edges.
+  /// whether all vertices are classified because of all their edges.
   bool is_everything() const
   {
     return m_whole_vertices.size() + 1 == m_maintained->vertices().size();
   }
-  /// how many of `edges()` were given to `add_illegal_edge()`: the last ones.
+  /// how many of `edges()` were given to `add_illegal_edge()`; they are the last ones.
   std::size_t number_of_illegal_edges() const { return m_number_of_illegal; }
   /// whether `set_hull_turns_once()` was called.
   bool hull_turns_once() const { return m_hull_turns_once; }
@@ -156,7 +157,8 @@ public:
   const std::vector<Index>& whole_vertices() const { return m_whole_vertices.members(); }
   /// whether vertex `v` was given to `add_vertex()` or `add_id()`.
   bool is_whole_vertex(Index v) const { return m_whole_vertices.contains(v); }
-  /// the edges given to `add_edge()`, in some order.
+  /// the edges given to `add_edge()` or `add_illegal_edge()`; see `number_of_illegal_edges()` for
+  /// their order.
   const std::vector<Index>& edges() const { return m_edges; }
 
 private:

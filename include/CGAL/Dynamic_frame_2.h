@@ -22,13 +22,13 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
 What a classifier sees: the points, edges and faces of the maintained triangulation as flat arrays,
-at the positions of the current frame and with the topology of the last one. It is a view: it copies
-nothing, and is good until the next update.
+with the positions of the current frame and the topology of the last one. It is a view: it copies
+nothing, and is valid until the next update.
 
-Vertices are numbered from 1 to `number_of_vertices()` along the plane, 0 is the infinite vertex;
-edges and faces are numbered from 0. These numbers may change when the triangulation is rebuilt, and
-a few of them when points come or go; the ids of the points never do. A frame has edges and faces
-only while the points span the plane; otherwise classifiers are not asked.
+Vertices are numbered from 1 to `number_of_vertices()`, in a spatial order; 0 is the infinite
+vertex. Edges and faces are numbered from 0. A rebuild may change all of these numbers, and an
+insertion or a removal a few of them; the ids of points never change. A frame has edges and faces
+only while the points span the plane; otherwise no classifier is asked.
 
 \tparam Maintained an internal type.
 */
@@ -38,12 +38,13 @@ class Dynamic_frame_2
 public:
   /// the type of all numbers: an unsigned integer of 32 bits.
   using Index = Dynamic_Delaunay_triangulations_2::Index;
-  /// two doubles, `x` and `y`. Where the kernel's coordinates are not doubles, the nearest ones.
+  /// two doubles, `x` and `y`. If the kernel's coordinates are not doubles, these are the nearest
+  /// ones.
   using Position = Dynamic_Delaunay_triangulations_2::Position_2;
   /// four vertices, `source`, `target`, `left` and `right`: the ends of an edge, and the vertices
   /// opposite to it in its two faces.
   using Edge = Dynamic_Delaunay_triangulations_2::Edge_2;
-  /// four positions, `left`, `source`, `target` and `right`: where the vertices of an edge are.
+  /// four positions, `left`, `source`, `target` and `right`: those of the vertices of an edge.
   using Corners = Dynamic_Delaunay_triangulations_2::Edge_corners_2;
 
   /// \cond
@@ -60,25 +61,26 @@ public:
   Index number_of_points() const { return m_maintained->ids().number_of_points(); }
   /// one more than the largest id ever in use.
   Index number_of_ids() const { return m_maintained->ids().number_of_ids(); }
-  /// the number of finite vertices: fewer than points, if some of these coincide.
+  /// the number of finite vertices: less than the number of points if points coincide.
   Index number_of_vertices() const { return m_maintained->number_of_vertices(); }
-  /// the number of edges, those to the infinite vertex included.
+  /// the number of edges, including those to the infinite vertex.
   Index number_of_edges() const { return m_maintained->mirror().number_of_edges(); }
-  /// the number of faces, the infinite ones included.
+  /// the number of faces, including the infinite ones.
   Index number_of_faces() const { return m_maintained->mirror().number_of_faces(); }
 
   /// @}
   /// \name Points
   /// @{
 
-  /// whether there is a point `id`.
+  /// whether a point has the id `id`.
   bool has_id(std::size_t id) const { return m_maintained->ids().is_taken(id); }
   /// the vertex of the point `id`. \pre `has_id(id)`
   Index vertex(std::size_t id) const { return m_maintained->ids().vertex(Index(id)); }
-  /// the id of a point at the finite vertex `v`; of the one that was there first, if several are.
+  /// the id of the point at the finite vertex `v`. If several points share it: the id of their
+  /// representative, which was there first.
   Index id(Index v) const { return m_maintained->ids().representative(v); }
-  /// calls `f(i)` for the id `i` of every point that shares the vertex of one that was there first,
-  /// smaller ids first. Cost: proportional to their number.
+  /// calls `f(i)` for the id `i` of every duplicate, that is, every point that shares the vertex of
+  /// a representative, smaller ids first. Cost: proportional to their number.
   template <class Function>
   void for_each_duplicate(Function&& f) const
   {
@@ -90,17 +92,17 @@ public:
   {
     return v == Dynamic_Delaunay_triangulations_2::internal::infinite_index;
   }
-  /// where vertex `v` is; NaNs for the infinite one.
+  /// the position of vertex `v`; NaNs for the infinite vertex.
   const Position& position(Index v) const { return m_maintained->positions()[v]; }
-  /// where all vertices are, by their numbers.
+  /// the positions of all vertices, indexed by their numbers.
   const std::vector<Position>& positions() const { return m_maintained->positions(); }
-  /// where vertex `v` was one frame ago. Only while classifying.
+  /// the position of vertex `v` one frame ago. Valid only while classifying.
   Position previous_position(Index v) const
   {
     return Dynamic_Delaunay_triangulations_2::internal::approximation(
         m_maintained->previous_point(v));
   }
-  /// whether all positions are the very coordinates of the points, none of them rounded.
+  /// whether all positions equal the coordinates of the points, with none of them rounded.
   bool positions_are_exact() const { return m_maintained->positions_are_exact(); }
 
   /// @}
@@ -109,18 +111,18 @@ public:
 
   /// edge `e` with its two opposite vertices.
   const Edge& edge(Index e) const { return m_maintained->mirror().edge(e); }
-  /// all edges, in their numbering.
+  /// all edges, indexed by their numbers.
   const std::vector<Edge>& edges() const { return m_maintained->mirror().edges(); }
   /// whether one end of `edge` is the infinite vertex.
   static bool is_infinite(const Edge& edge)
   {
     return is_infinite(edge.source) || is_infinite(edge.target);
   }
-  /// the three vertices of face `f`, counterclockwise when the face was made.
+  /// the three vertices of face `f`. They were counterclockwise when the face was made.
   std::array<Index, 3> face(Index f) const { return m_maintained->mirror().face(f); }
 
-  /// the two faces at edge `e`: the one with the vertex `left` of `edge(e)`, and the one with
-  /// `right`.
+  /// the two faces at edge `e`: first the one with the vertex `left` of `edge(e)`, then the one
+  /// with `right`.
   std::array<Index, 2> faces_at(Index e) const
   {
     const auto& mirror = m_maintained->mirror();
@@ -131,7 +133,7 @@ public:
     return {g, f};
   }
 
-  /// calls `f(w)` for every neighbor `w` of vertex `v`, the infinite vertex included.
+  /// calls `f(w)` for every neighbor `w` of vertex `v`, including the infinite vertex.
   template <class Function>
   void for_each_neighbor(Index v, Function&& f) const
   {
@@ -151,8 +153,8 @@ public:
     mirror.for_each_corner(v, [&](Index h) { f(mirror.edge_of(mirror.previous(h))); });
   }
 
-  /// calls `f(e)` for every edge `e` that changes if vertex `v` moves: those that end at `v`, and
-  /// those to which it is opposite.
+  /// calls `f(e)` for every edge `e` whose test depends on the position of vertex `v`: the edges
+  /// that end at `v`, and those to which `v` is opposite.
   template <class Function>
   void for_each_edge_that_sees(Index v, Function&& f) const
   {
@@ -167,9 +169,10 @@ public:
   /// \name Testing Edges
   /// @{
 
-  /// where the four vertices of edge `e` are, as seen from the edge; NaNs for an infinite vertex.
+  /// the positions of the four vertices of edge `e`, as seen from the edge; NaNs for an infinite
+  /// vertex.
   Corners corners(Index e) const { return m_maintained->corners(e); }
-  /// the same if the vertices were at other positions, given by their numbers.
+  /// the same, but with the given positions, indexed by vertex numbers.
   Corners corners(Index e, const std::vector<Position>& positions) const
   {
     return m_maintained->corners(e, positions);
@@ -181,8 +184,7 @@ public:
     return Dynamic_Delaunay_triangulations_2::internal::is_at_infinity(edge(e));
   }
   /// for an edge at infinity: whether its finite face is not counterclockwise, or the hull turns
-  /// right where it passes the edge's end, as computed in floating point. False for all other
-  /// edges.
+  /// right at the edge's end, as computed in floating point. False for all other edges.
   bool breaks_hull(Index e) const
   {
     return Dynamic_Delaunay_triangulations_2::internal::breaks_hull(edge(e), positions());
@@ -194,19 +196,19 @@ public:
   {
     return edge_state(e) == Dynamic_Delaunay_triangulations_2::Edge_state_2::DELAUNAY;
   }
-  /// what is wrong with edge `e`, if anything. Decided exactly, except that an edge that is twisted
-  /// may be called crossed.
+  /// what is wrong with edge `e`, if anything. Decided exactly, except that a twisted edge may be
+  /// reported as crossed.
   Dynamic_Delaunay_triangulations_2::Edge_state_2 edge_state(Index e) const
   {
     return Dynamic_Delaunay_triangulations_2::internal::Edge_test_2<Maintained>(*m_maintained)
         .rough_state(e);
   }
 
-  /// appends to `unproved` edges from `first` to before `beyond` among which are all of those that
-  /// are not Delaunay, and few others. This is how an exact classifier looks at all edges: some two
-  /// nanoseconds an edge, in floating point with proved bounds, four edges at once where the
-  /// processor has AVX2. Where positions are rounded all edges are appended.
-  /// `Dynamic_classification_2::add_unless_delaunay()` decides about what it appended. \pre `first
+  /// appends to `unproved` all edges from `first` to before `beyond` that are not Delaunay, and a
+  /// few others. An exact classifier tests all edges this way. Cost: some two nanoseconds an edge,
+  /// in floating point with proved bounds, four edges at once if the processor has AVX2. If
+  /// positions are rounded, it appends all edges. Let
+  /// `Dynamic_classification_2::add_unless_delaunay()` decide about the appended edges. \pre `first
   /// <= beyond <= number_of_edges()`
   void append_unproved(Index first, Index beyond, std::vector<Index>& unproved) const
   {
@@ -216,7 +218,7 @@ public:
     for (Index e = first; e < beyond; ++e)
       unproved.push_back(e);
   }
-  /// the same for the edges in a list.
+  /// the same, but tests the edges in a list.
   void append_unproved(const std::vector<Index>& edges, std::vector<Index>& unproved) const
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
@@ -227,8 +229,8 @@ public:
       unproved.insert(unproved.end(), edges.begin(), edges.end());
   }
 
-  /// whether the hull turns around once, if it is convex at each of its vertices. Without that a
-  /// triangulation of which all edges are Delaunay can lie on top of itself. Cost: a walk around
+  /// whether the hull turns around once, given that it is convex at each of its vertices. Otherwise
+  /// a triangulation could overlap itself although all its edges are Delaunay. Cost: a walk around
   /// the hull.
   bool hull_turns_once() const
   {
@@ -240,30 +242,31 @@ public:
   /// \name What the last update triangulated anew
   /// @{
 
-  /// whether that was everything: at the start, after a rebuild, and after CGAL's relocations.
+  /// whether everything was triangulated anew: at the start, after a rebuild, and after CGAL's
+  /// relocations.
   bool everything_is_new() const { return m_maintained->changes().everything_is_new; }
-  /// the edges in the regions that were triangulated anew, if not everything was; after an update
-  /// each of them once.
+  /// if not everything is new: the edges in the regions that were triangulated anew. After an
+  /// update each of them is listed once.
   const std::vector<Index>& new_edges() const { return m_maintained->changes().new_edges; }
-  /// the vertices that jumped, and were put into other faces, if not everything is new and numbers
-  /// have stayed: all edges at them are among `new_edges()`.
+  /// the vertices that jumped and were moved to other faces, if not everything is new and no
+  /// numbers changed. All their edges are among `new_edges()`.
   const std::vector<Index>& relocated_vertices() const { return m_maintained->changes().relocated; }
-  /// whether vertices came or went, and everything else is not new: then some vertices, edges and
-  /// faces have taken the numbers of others that went.
+  /// whether vertices were inserted or removed while not everything is new. Then some vertices,
+  /// edges and faces have taken the numbers of removed ones.
   bool has_other_numbers() const
   {
     return !everything_is_new() && !m_maintained->changes().renumberings.are_none();
   }
-  /// brings data of each vertex, in the order of their numbers from 0 on, in step after vertices
-  /// came or went, if not everything is new: moves those of vertices that have other numbers now,
-  /// and appends `make(v)` for every vertex `v` that came. Cost: proportional to those.
+  /// updates per-vertex data, indexed by vertex numbers from 0 on, after vertices were inserted or
+  /// removed, if not everything is new. Moves the data of vertices whose numbers changed, and
+  /// appends `make(v)` for every inserted vertex `v`. Cost: proportional to the number of those.
   template <class T, class Make>
   void follow_vertices(std::vector<T>& data, const Make& make) const
   {
     m_maintained->changes().renumberings.vertices.follow(
         data, number_of_vertices() + std::size_t(1), make);
   }
-  /// the same for data of each edge, with `T()` for those that came: all of them are among
+  /// the same, but for per-edge data, with `T()` for new edges; all of them are among
   /// `new_edges()`.
   template <class T>
   void follow_edges(std::vector<T>& data) const
@@ -271,23 +274,23 @@ public:
     m_maintained->changes().renumberings.edges.follow(data, number_of_edges(),
                                                       [](Index) { return T(); });
   }
-  /// the same for data of each face; all that came are visited by `for_each_changed_face()`.
+  /// the same, but for per-face data; `for_each_changed_face()` visits all new faces.
   template <class T>
   void follow_faces(std::vector<T>& data) const
   {
     m_maintained->changes().renumberings.faces.follow(data, number_of_faces(),
                                                       [](Index) { return T(); });
   }
-  /// whether anything was. While classifying that is so only if an exception ended the last update
-  /// before the classifier was told.
+  /// whether anything was triangulated anew. While classifying, this is true only if an exception
+  /// ended the last update before the classifier was told.
   bool has_changes() const
   {
     return everything_is_new() || !new_edges().empty() || has_other_numbers();
   }
 
-  /// calls `f(e)` for every edge `e` that was triangulated anew or may have got another opposite
-  /// vertex by that; for some of them more than once. Every face that has changed has a new edge,
-  /// so these are the new edges and the other edges of their faces.
+  /// calls `f(e)` for every edge `e` that was triangulated anew or whose opposite vertices may have
+  /// changed by that; for some of them more than once. Every changed face has a new edge, so these
+  /// are the new edges and the other edges of their faces.
   template <class Function>
   void for_each_changed_edge(Function&& f) const
   {

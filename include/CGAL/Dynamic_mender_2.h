@@ -17,15 +17,15 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-The tools of a repair, which calls them in the order that it likes. A mender knows what was
-classified and which edges are still *open*, that is, not yet proved Delaunay; each tool works on
-these, and leaves open what it could not prove. At the start the open edges are those that the
-classifier named, and all edges of the vertices that it named; where points go in the same update,
-also those that this has changed. Points that come are put in after the repair.
+The tools of a repair, which calls them in any order. A mender knows what was classified and which
+edges are *open*, that is, not yet proved Delaunay. Each tool works on the open edges, and leaves
+open what it could not prove. The edges that are open at the start are those that the classifier
+named, and all edges of the vertices that it named. If the same update removes points, the edges
+that this changed are open, too. Points are inserted after the repair.
 
-What all tools of an update may cost together is limited. When that is spent, the next tool rebuilds
-the triangulation, for the reason `Rebuild_reason_2::BUDGET_SPENT`. After a rebuild no edge is open,
-and tools do nothing.
+The total cost of all tools in an update is limited. When the limit is reached, the next tool
+rebuilds the triangulation, for the reason `Rebuild_reason_2::BUDGET_SPENT`. After a rebuild no edge
+is open, and tools do nothing.
 
 \tparam Maintained an internal type.
 */
@@ -45,7 +45,7 @@ public:
   }
   /// \endcond
 
-  /// \name What There Is to Do
+  /// \name Remaining Work
   /// @{
 
   /// what the classifier picked.
@@ -53,17 +53,17 @@ public:
   {
     return static_cast<const Repair_tools&>(m_tools).classification();
   }
-  /// whether the update has to end with a proof: the classifier is exact. If it has, and edges are
-  /// left open, the triangulation is rebuilt after the repair.
+  /// whether the update has to end with a proof, that is, the classifier is exact. If so, and if
+  /// the repair leaves edges open, the triangulation is rebuilt after the repair.
   bool has_to_prove() const { return m_tools.has_to_prove(); }
   /// the number of open edges.
   std::size_t number_of_open_edges() const { return m_tools.open_edges().size(); }
-  /// whether there are open edges other than those between faces that are known to be
+  /// whether any open edge may have inverted faces, that is, its faces are not known to be
   /// counterclockwise.
   bool has_inverted_edges() const { return !m_tools.open_edges().uncertain().empty(); }
   /// the number of all edges.
   std::size_t number_of_edges() const { return m_tools.number_of_edges(); }
-  /// whether there is nothing left to do.
+  /// whether no work is left: no edge is open, or the triangulation was rebuilt.
   bool is_done() const { return number_of_open_edges() == 0 || m_tools.has_rebuilt(); }
   /// whether a rebuild is expected to cost less than mending all that was classified.
   bool is_rebuild_cheaper() const { return m_tools.is_rebuild_cheaper(); }
@@ -72,52 +72,54 @@ public:
   /// \name Tools
   /// @{
 
-  /// lets the tools spend from now on a quarter more than mending the open edges is expected to
-  /// cost, and an eighth of what a rebuild does. Without it they may spend two rebuilds.
+  /// limits what the tools may spend from now on: the expected cost of mending the open edges and a
+  /// quarter more, plus an eighth of the cost of a rebuild. Without this call the limit is the cost
+  /// of two rebuilds.
   void limit_cost() { m_tools.limit_cost(); }
 
-  /// takes those vertices out of their faces that went farther than their neighborhoods reach, of
-  /// the vertices at open edges that may have inverted faces. After the repair they are put in
-  /// again where they are now. Cost: proportional to their number; rebuilds if they are so many
-  /// that this costs less. Does nothing if the classifier is heuristic.
+  /// takes a vertex out of its faces if it is at an open edge that may have inverted faces, and
+  /// went farther than its neighborhood reaches. After the repair these vertices are inserted again
+  /// at their new positions. Cost: proportional to their number; rebuilds if they are so many that
+  /// this costs less. Does nothing if the classifier is heuristic.
   void take_out_jumpers() { m_tools.take_out_jumpers(); }
 
-  /// takes a vertex out for each open edge that may have inverted faces: of its four vertices the
-  /// one that went farthest as seen from the others. For what flips have left. Otherwise the same.
+  /// the same, but for what flips have left: for each open edge that may have inverted faces, takes
+  /// out the one of its four vertices that went farthest relative to the others.
   void take_out_farthest() { m_tools.take_out_farthest(); }
 
-  /// flips edges from the open ones on until none that can be flipped violates the in-circle
-  /// condition (Lawson). Expected cost: proportional to the number of flips. Leaves open what it
-  /// cannot right: at inverted faces flips can get stuck.
+  /// flips edges (Lawson), starting at the open ones, until no flippable edge violates the
+  /// in-circle condition. Expected cost: proportional to the number of flips. Edges that it cannot
+  /// repair stay open: flips can get stuck at inverted faces.
   void flip() { m_tools.flip(); }
 
-  /// the same for those open edges only that may have inverted faces, and what is around them; the
-  /// others stay open. If none is left, the faces tile the convex hull, which makes other flips
-  /// cheaper: they cannot double an edge, so that need not be looked for.
+  /// the same, but works only on open edges that may have inverted faces, and on the edges around
+  /// them; the others stay open. If none of the former is left, the faces tile the convex hull.
+  /// Later flips are then cheaper: they cannot double an edge, so this is not tested.
   void flip_inverted() { m_tools.flip_inverted(); }
 
-  /// splices around the classified vertices with `padding` layers; with a heuristic classifier all
-  /// edges count as closed after it, looked at or not. Rebuilds if a region holds more than half of
-  /// the vertices, also after it had to grow, or, with a heuristic classifier, if points in it
-  /// coincide; with an exact one they become one vertex, and what that changes is open.
+  /// splices around the classified vertices with `padding` layers. With a heuristic classifier all
+  /// edges count as closed afterwards, whether they were tested or not. Rebuilds if a region holds
+  /// more than half of the vertices, also after it was enlarged. With a heuristic classifier it
+  /// also rebuilds if points in a region coincide; with an exact one they become one vertex, and
+  /// the edges that this changes are open.
   void splice_classified(unsigned padding) { m_tools.splice_classified(padding); }
 
-  /// splices around the vertices of the open edges with `padding` layers, and leaves those edges
-  /// open that it could not prove, also around a region that would have to grow too often. Rebuilds
-  /// as `splice_classified()` does.
+  /// splices around the vertices of the open edges with `padding` layers. Edges that it could not
+  /// prove stay open, also around a region that would have to be enlarged too often. Rebuilds in
+  /// the same cases as `splice_classified()`.
   void splice_open(unsigned padding) { m_tools.splice_open(padding); }
 
-  /// the same around those open edges only that may have inverted faces.
+  /// the same, but only around open edges that may have inverted faces.
   void splice_inverted(unsigned padding) { m_tools.splice_inverted(padding); }
 
-  /// lets CGAL's `move_if_no_collision()` bring one vertex after the other from where it was a
-  /// frame ago to where it is now. Rebuilds if the triangulation was not certified a frame ago, if
-  /// it was rebuilt since, if points coincide, or if points come or go in the same update.
+  /// lets CGAL's `move_if_no_collision()` move one vertex after the other from its position one
+  /// frame ago to the current one. Rebuilds if the triangulation was not certified a frame ago, if
+  /// it was rebuilt since, if points coincide, or if the same update inserts or removes points.
   void relocate() { m_tools.relocate(); }
 
   /// triangulates everything anew, in the order of the last triangulation, and closes all edges.
-  /// That may number the vertices anew, so the sets of classified, padded and border vertices are
-  /// empty then.
+  /// This may renumber the vertices, so it empties the sets of classified, padded and border
+  /// vertices.
   void rebuild(Rebuild_reason_2 reason) { m_tools.rebuild(reason); }
 
   /// @}

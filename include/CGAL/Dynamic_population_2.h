@@ -33,9 +33,9 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-Keeps the Delaunay triangulation of a population that changes while it moves, as tracking data and
-crowds have it: every frame names the points that are there by ids of the user's own. Those that are
-new are inserted, those that are missing are removed, and the others move.
+Maintains the Delaunay triangulation of a population that changes while it moves, as in tracking
+data and crowds. Every frame lists the points that exist, by ids that the user chooses. Points with
+new ids are inserted, points whose ids are missing are removed, and the others move.
 
 \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`.
 \tparam UserId any integer type.
@@ -66,14 +66,14 @@ public:
   /// \name Creation
   /// @{
 
-  /// a population without points, in a triangulation by default.
+  /// creates a population without points, with a triangulation constructed by default.
   Dynamic_population_2()
     : Dynamic_population_2(Dynamic())
   {
   }
 
-  /// a population without points. \param triangulation with the classifier, repair, engines and
-  /// policy to be used. \pre it has no points.
+  /// creates a population without points. \param triangulation has the classifier, repair, engines
+  /// and policy to be used. \pre it has no points.
   explicit Dynamic_population_2(Dynamic triangulation)
     : m_triangulation(std::move(triangulation))
   {
@@ -82,22 +82,23 @@ public:
 
   /// @}
   /// \name Change
-  /// If one of these throws what is named there, or the range throws, nothing changes. After
-  /// any other exception each point has either come or gone, or it has not, and the triangulation
-  /// may not be certified; the next update certifies it again, if the classifier is exact.
+  /// If one of these functions throws an exception that its documentation names, or if the range
+  /// throws, nothing changes. After any other exception each point is either inserted (or removed)
+  /// completely or not at all, and the triangulation may not be certified; the next update
+  /// certifies it again, if the classifier is exact.
   /// @{
 
   /// takes a whole frame: inserts the points whose ids are new, removes those whose ids are
   /// missing, and moves the others. The order of the range does not matter.
   ///
   /// This is one update, as by `Dynamic_Delaunay_triangulation_2::update()`: one classification,
-  /// one repair, one certificate, and at most one rebuild. Points that are missing go before the
-  /// others are mended, new ones come after that. Cost: that of the update, and of the look-ups of
-  /// the ids, which is next to nothing for points that follow each other as in the last frame; then
-  /// proportional to the points that come and go. Never much more than that of a rebuild.
+  /// one repair, one certificate, and at most one rebuild. Missing points are removed before the
+  /// repair, new ones are inserted after it. Cost: that of the update, and of looking up the ids,
+  /// which is almost free for points that follow each other as in the last frame; for inserted and
+  /// removed points, proportional to their number. Never much more than a rebuild.
   ///
   /// \tparam InputIterator its values are pairs of a `User_id` and a `Point`.
-  /// \throws Repeated_id_error_2 if an id is there more than once.
+  /// \throws Repeated_id_error_2 if an id is given more than once.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite, or
   /// Coordinate_range_error_2 if it is too large; the `id()` of these is the place in the range.
   template <class InputIterator>
@@ -108,14 +109,14 @@ public:
                   Second_of_pair_property_map<Value>());
   }
 
-  /// the same for a range as a whole: anything with `begin()` and `end()`.
+  /// the same, but takes the range as a whole: anything with `begin()` and `end()`.
   template <class Range, class = If_range<Range>>
   Update_report_2 update(const Range& frame)
   {
     return update(std::begin(frame), std::end(frame));
   }
 
-  /// the same for ids and points that the property maps read from the values of the range.
+  /// the same, but property maps read the ids and points from the values of the range.
   template <class InputIterator, class IdMap, class PointMap>
   Update_report_2 update(InputIterator first, InputIterator beyond, IdMap id_map,
                          PointMap point_map)
@@ -132,9 +133,9 @@ public:
                                              m_new_points, m_new_ids);
   }
 
-  /// adds a point. \throws Repeated_id_error_2 if there is one with this id.
-  /// \throws Non_finite_coordinate_error_2 or Coordinate_range_error_2 if a coordinate cannot
-  /// be taken.
+  /// adds a point. \throws Repeated_id_error_2 if a point has this id already.
+  /// \throws Non_finite_coordinate_error_2 or Coordinate_range_error_2 if a coordinate cannot be
+  /// used.
   Update_report_2 insert(UserId user_id, const Point& p)
   {
     if (has(user_id))
@@ -146,16 +147,16 @@ public:
     return insert_newcomers();
   }
 
-  /// takes a point away. \throws Unknown_user_id_error_2 if there is none with this id.
+  /// removes a point. \throws Unknown_user_id_error_2 if no point has this id.
   Update_report_2 remove(UserId user_id) { return remove_all({id(user_id)}); }
 
-  /// moves some of the points, as `Dynamic_Delaunay_triangulation_2::move()` does. \tparam
-  /// InputIterator its values are pairs of a `User_id` and a `Point`.
-  /// \throws Unknown_user_id_error_2 if there is no point with an id.
-  /// \throws Repeated_id_error_2 if an id is there more than once; it names the point by its id in
+  /// moves some of the points, as `Dynamic_Delaunay_triangulation_2::move()` does.
+  /// \tparam InputIterator its values are pairs of a `User_id` and a `Point`.
+  /// \throws Unknown_user_id_error_2 if an id belongs to no point.
+  /// \throws Repeated_id_error_2 if an id is given more than once; it names the point by its id in
   /// `triangulation()`.
-  /// \throws Non_finite_coordinate_error_2 or Coordinate_range_error_2 if a coordinate cannot
-  /// be taken.
+  /// \throws Non_finite_coordinate_error_2 or Coordinate_range_error_2 if a coordinate cannot be
+  /// used.
   template <class InputIterator>
   Update_report_2 move(InputIterator first, InputIterator beyond)
   {
@@ -167,35 +168,36 @@ public:
     return m_triangulation.move(movers.begin(), movers.end());
   }
 
-  /// the same for a range as a whole.
+  /// the same, but takes the range as a whole.
   template <class Range, class = If_range<Range>>
   Update_report_2 move(const Range& movers)
   {
     return move(std::begin(movers), std::end(movers));
   }
 
-  /// as `Dynamic_Delaunay_triangulation_2::mend()`.
+  /// calls `Dynamic_Delaunay_triangulation_2::mend()`.
   Update_report_2 mend() { return m_triangulation.mend(); }
-  /// as `Dynamic_Delaunay_triangulation_2::certify()`.
+  /// calls `Dynamic_Delaunay_triangulation_2::certify()`.
   bool certify() { return m_triangulation.certify(); }
 
   /// @}
   /// \name Access
   /// @{
 
-  /// the triangulation, whose points have ids of their own.
+  /// the triangulation. Its ids are not those of the user.
   const Dynamic& triangulation() const { return m_triangulation; }
-  /// the visitor of the triangulation. An update here is one there.
+  /// the visitor of the triangulation. An update of the population is one update of the
+  /// triangulation.
   const auto& visitor() const { return m_triangulation.visitor(); }
-  /// the same, for whoever wants to take something from it, or to clear it.
+  /// the same, but in order to read and clear what it has recorded.
   auto& visitor() { return m_triangulation.visitor(); }
   /// the number of points.
   size_type size() const { return m_ids.size(); }
-  /// whether there is a point with this id.
+  /// whether a point has this id.
   bool has(UserId user_id) const { return m_ids.find(user_id) != no_id; }
 
-  /// the id of a point in `triangulation()`. It stays the same as long as the point is there.
-  /// \throws Unknown_user_id_error_2 if there is none with this id.
+  /// the id of a point in `triangulation()`. It stays the same until the point is removed.
+  /// \throws Unknown_user_id_error_2 if no point has this id.
   size_type id(UserId user_id) const
   {
     const size_type found = m_ids.find(user_id);
@@ -204,13 +206,14 @@ public:
     return found;
   }
 
-  /// the user's id of the point `id` of `triangulation()`, which has to be there.
+  /// the user's id of the point `id` of `triangulation()`. \pre that point exists.
   UserId user_id(size_type id) const { return m_user_ids[id]; }
-  /// the vertex of a point. \throws Unknown_user_id_error_2 if there is none with this id.
+  /// the vertex of a point. \throws Unknown_user_id_error_2 if no point has this id.
   Vertex_handle vertex(UserId user_id) const { return m_triangulation.vertex(id(user_id)); }
-  /// where a point is. \throws Unknown_user_id_error_2 if there is none with this id.
+  /// the position of a point. \throws Unknown_user_id_error_2 if no point has this id.
   const Point& point(UserId user_id) const { return m_triangulation.point(id(user_id)); }
-  /// the user's id of a point at a finite vertex; of the one that was there first, if several are.
+  /// the user's id of the point at a finite vertex. If several points share the vertex: the id of
+  /// their representative, which was there first.
   UserId user_id(Vertex_handle vertex) const { return m_user_ids[m_triangulation.id(vertex)]; }
 
   /// @}
@@ -218,7 +221,7 @@ public:
   /// @{
 
   /// writes the triangulation, as `Dynamic_Delaunay_triangulation_2::write_checkpoint()` does, and
-  /// the user's ids. \throws Checkpoint_error_2 as that does.
+  /// the user's ids. \throws Checkpoint_error_2 as that function does.
   void write_checkpoint(std::ostream& out) const
   {
     m_triangulation.write_checkpoint(out, checkpoint_subject, [this](auto& file) {
@@ -229,7 +232,7 @@ public:
     });
   }
 
-  /// reads a population in place of this one, as
+  /// replaces this population by one that it reads, as
   /// `Dynamic_Delaunay_triangulation_2::read_checkpoint()` does.
   /// \throws Checkpoint_error_2 if the file is refused, also if a user's id does not fit into
   /// `User_id`. Whatever is thrown, nothing changes.
@@ -244,14 +247,15 @@ public:
     m_user_ids.swap(user_ids);
   }
 
-  /// writes a checkpoint. Where `write_checkpoint()` throws `Checkpoint_error_2`, the stream fails.
+  /// writes a checkpoint. Where `write_checkpoint()` would throw `Checkpoint_error_2`, the stream
+  /// fails.
   friend std::ostream& operator<<(std::ostream& out, const Dynamic_population_2& population)
   {
     return Dynamic_Delaunay_triangulations_2::internal::write_to_stream(out, population);
   }
 
-  /// reads a checkpoint, after white space. Where `read_checkpoint()` throws `Checkpoint_error_2`,
-  /// the stream fails, and the population is what it was.
+  /// skips white space, then reads a checkpoint. Where `read_checkpoint()` would throw
+  /// `Checkpoint_error_2`, the stream fails, and the population does not change.
   friend std::istream& operator>>(std::istream& in, Dynamic_population_2& population)
   {
     return Dynamic_Delaunay_triangulations_2::internal::read_from_stream(in, population);
@@ -263,13 +267,13 @@ private:
   using Table = Dynamic_Delaunay_triangulations_2::internal::User_id_table_2<UserId>;
 
   static constexpr size_type no_id = Table::no_id;
-  static constexpr size_type ahead = 8; // of what is done, the table is fetched from memory
+  static constexpr size_type ahead = 8; // ids: how early the table is prefetched
   static constexpr std::string_view checkpoint_subject = "Dynamic_population_2";
 
-  // For files: ids may be single characters or bits.
+  // For files: user ids may be of a character type or bool.
   using Widest = std::conditional_t<std::is_signed_v<UserId>, long long, unsigned long long>;
 
-  // Does what must be done also if what comes before it throws.
+  // Runs `work` at the end of the scope, even after an exception.
   template <class Work>
   struct At_exit
   {
@@ -279,7 +283,7 @@ private:
   template <class Work>
   At_exit(Work) -> At_exit<Work>;
 
-  // One for each point.
+  // Reads one user id for each point.
   template <class File, class Frame>
   static void read_user_ids(File& file, const Frame& frame, Table& ids,
                             std::vector<UserId>& user_ids)
@@ -304,7 +308,7 @@ private:
     }
   }
 
-  // Sorts a frame into those who are there and those who are new. Nothing else changes.
+  // Separates the points of a frame into existing and new ones. Nothing else changes.
   template <class InputIterator, class IdMap, class PointMap>
   void read(InputIterator first, InputIterator beyond, const IdMap& id_map,
             const PointMap& point_map)
@@ -335,8 +339,8 @@ private:
     Dynamic_Delaunay_triangulations_2::internal::check_distinct(m_newcomers);
   }
 
-  // Most points follow the one that they followed in the last frame, or one soon after it: then
-  // there is no need for the table.
+  // Most points directly follow the point that they followed in the last frame, or come soon after
+  // it. For those no look-up in the table is needed.
   size_type find(UserId user_id) const
   {
     constexpr int soon = 3;
@@ -357,7 +361,7 @@ private:
     m_last = id;
   }
 
-  // Their positions do not matter, but have to be some.
+  // Missing points get their last positions, since every id needs one; the values do not matter.
   void find_missing()
   {
     m_missing.clear();
@@ -375,10 +379,11 @@ private:
     return m_triangulation.remove(missing.begin(), missing.end());
   }
 
-  // Their ids are ascending, if others have come meanwhile.
+  // Removes the user ids of points that are gone. `missing` must be ascending if new points were
+  // inserted meanwhile.
   void forget_gone(const std::vector<size_type>& missing)
   {
-    auto next_new = m_new_ids.begin(); // who has come may have the id of one that is gone
+    auto next_new = m_new_ids.begin(); // a new point may have the id of a removed one
     for (size_type i = 0; i < missing.size(); ++i) {
       if (i + ahead < missing.size())
         m_ids.prefetch(m_user_ids[missing[i + ahead]]);
@@ -390,7 +395,7 @@ private:
     }
   }
 
-  // There is memory for all of them before one is in the triangulation.
+  // Allocates memory for all new points before the first one is inserted.
   void expect_newcomers()
   {
     m_new_ids.clear();
@@ -408,8 +413,8 @@ private:
                                   std::back_inserter(m_new_ids));
   }
 
-  // Those that have come; all, but if memory runs out. The last one first, as several may follow
-  // the same point.
+  // Records the new points that were inserted: all, unless memory ran out. The last one comes
+  // first, as several may follow the same point.
   void settle_newcomers()
   {
     for (size_type i = m_new_ids.size(); i-- > 0;) {
@@ -435,13 +440,13 @@ private:
   Table m_ids;
   std::vector<UserId> m_user_ids; // of each id
 
-  // of the frame that is read
-  std::vector<size_type> m_next_of; // each id, in this frame as far as it is read, or the last one
+  // about the frame that is being read:
+  std::vector<size_type> m_next_of; // the next id, in this frame or else in the last
   size_type m_last = no_id;
-  std::vector<bool> m_is_there;   // each id
+  std::vector<bool> m_is_there;   // by id: whether the frame has it
   std::vector<Point> m_positions; // of each id
   std::vector<UserId> m_newcomers;
-  std::vector<size_type> m_newcomers_follow; // the last point before each that was there already
+  std::vector<size_type> m_newcomers_follow; // the last existing point before each
   std::vector<Point> m_new_points;
   std::vector<size_type> m_new_ids; // ascending
   std::vector<size_type> m_missing; // ascending

@@ -16,15 +16,15 @@ namespace CGAL {
 Why an update rebuilt the triangulation instead of mending it.
 */
 enum class Rebuild_reason_2 {
-  NONE,            ///< it did not
+  NONE,            ///< the update did not rebuild
   REPAIR,          ///< the repair is `Rebuild_repair_2`, and something was classified
   TOO_MUCH_BROKEN, ///< so much was broken, or jumped, that mending would have cost more
-  STUCK,           ///< what the repair left broken
-  COINCIDENCE,     ///< many points came to coincide, or coincident points parted
-  POPULATION,      ///< many points came or went
+  STUCK,           ///< the repair left something broken
+  COINCIDENCE,     ///< many points came to coincide, or coincident points separated
+  POPULATION,      ///< many points were inserted or removed
   DIMENSION,       ///< fewer than three points, or all points on a line, before or after the frame
   POLICY,          ///< the update policy wanted it
-  BUDGET_SPENT     ///< mending cost more than was expected, and was given up
+  BUDGET_SPENT     ///< mending exceeded its expected cost, and was given up
 };
 
 /*!
@@ -44,30 +44,32 @@ struct Update_report_2
   std::size_t flips = 0;
   /// border splices: regions triangulated anew and put in place of the old ones.
   std::size_t splices = 0;
-  /// vertices of these regions, with their borders; those of several regions more than once.
+  /// vertices of these regions, borders included; a vertex of several regions is counted in each.
   std::size_t spliced = 0;
-  /// times that a region grew because its boundary and that of its new triangulation disagreed.
+  /// how often a region was enlarged because its boundary and that of its new triangulation
+  /// disagreed.
   std::size_t enlargements = 0;
-  /// vertices that went far, and were taken out of their faces and put in again elsewhere; with
+  /// vertices that went far, were taken out of their faces and inserted elsewhere; with
   /// `Relocation_repair_2` those that CGAL's `move_if_no_collision()` moved.
   std::size_t relocated = 0;
-  /// points that came.
+  /// points inserted.
   std::size_t inserted = 0;
-  /// points that went.
+  /// points removed.
   std::size_t removed = 0;
-  /// vertices that went because others came to be in the same place, but for rebuilds.
+  /// vertices removed because they came to coincide with others; rebuilds do not count them.
   std::size_t merged = 0;
-  /// points that left a vertex which they had shared, but for rebuilds.
+  /// points that left a vertex that they had shared; rebuilds do not count them.
   std::size_t parted = 0;
-  /// whether the triangulation was rebuilt, and why.
+  /// why the triangulation was rebuilt; `NONE` if it was not.
   Rebuild_reason_2 rebuild_reason = Rebuild_reason_2::NONE;
-  /// whether the certificate holds at the end: the triangulation is proved Delaunay.
+  /// whether the triangulation is certified, that is, proved Delaunay, at the end.
   bool certified = false;
 
   /// whether the triangulation was rebuilt.
   bool rebuilt() const { return rebuild_reason != Rebuild_reason_2::NONE; }
 
-  /// adds what was done after this: counts are added, the first reason for a rebuild stays.
+  /// adds the report of a later step: adds the counts, keeps the first reason for a rebuild, and
+  /// takes over `certified`.
   Update_report_2& operator+=(const Update_report_2& next)
   {
     classified += next.classified;
