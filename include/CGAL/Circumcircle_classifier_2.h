@@ -28,14 +28,18 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Classifiers
 
-Classifies the vertices of every edge that is not Delaunay (thesis 4.2.5): one whose circumcircle
-holds the vertex beyond it, one at a face that is not counterclockwise, one where the hull is not
-convex. It is *exact*: it misses none. The signs come from floating-point evaluations with proved
-error bounds over the flat arrays, and from the kernel's exact predicates where these do not decide.
+Classifies the vertices of every edge that is not Delaunay (thesis 4.2.5), that is, of every edge
+- with the vertex beyond it inside the circumcircle of its face,
+- at a face that is not counterclockwise, or
+- where the hull is not convex.
 
-Cost: one pass over all edges; while vertices hardly move, one over all vertices and a few edges: it
-finds out which edges are proved to stay Delaunay (\ref DynamicDelaunayTriangulation2SafeEdges). A
-classifier that wraps it hands on `after_update()` always, or never.
+It is *exact*: it misses none. The signs come from floating-point evaluations over the flat arrays,
+with proved error bounds, and from the kernel's exact predicates where these do not decide.
+
+Cost: one pass over all edges. While vertices hardly move: one pass over all vertices and a few
+edges, since it finds out which edges are proved to stay Delaunay
+(\ref DynamicDelaunayTriangulation2SafeEdges). A classifier that wraps this one must forward
+`after_update()` always, or never.
 
 \cgalModels{DelaunayClassifier_2}
 */
@@ -60,7 +64,7 @@ public:
   }
 
 #if defined CGAL_LINKED_WITH_TBB || defined DOXYGEN_RUNNING
-  /// with as many threads as the machine has, up to 1024. Needs TBB.
+  /// uses as many threads as the machine has, up to 1024. Needs TBB.
   explicit Circumcircle_classifier_2(Parallel_tag)
     : Circumcircle_classifier_2(
           (std::min)((std::max)(std::thread::hardware_concurrency(), 1u), max_threads))
@@ -74,21 +78,22 @@ public:
     return m_threads;
   }
 
-  /// classifies; all vertices, where nearly all edges are broken.
+  /// classifies the vertices of broken edges; if nearly all edges are broken, classifies every
+  /// vertex.
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified)
   {
     m_was_asked = true;
     if (m_schedule.is_near() && !m_safe_edges.holds())
       m_safe_edges.measure_step(frame);
-    m_safe_edges.take_changes(frame); // nothing is new, unless an exception ended the last update
-    // where one frame has broken nearly everything, the next one may
+    m_safe_edges.take_changes(frame); // no change, unless an exception ended the last update
+    // after a frame in which nearly everything broke, the next one may do so, too
     m_nearly_all_broken = m_nearly_all_broken && is_most_of_all_edges_broken(frame);
     if (m_nearly_all_broken) {
       classified.add_everything();
       return;
     }
-    // a pass without branches proves nearly all; the others are looked at one by one
+    // a pass without branches proves nearly all edges; the others are tested one by one
     find_unproved(frame);
     m_nearly_all_broken = is_most_of_unproved_broken(frame);
     if (m_nearly_all_broken) {
@@ -108,13 +113,13 @@ public:
     return !frame.is_delaunay(e);
   }
 
-  /// sees what was triangulated anew, and finds out from time to time which edges need no look for
-  /// a while, since their vertices hardly move.
+  /// takes note of what was triangulated anew. From time to time it also finds edges that need no
+  /// test for a while, since their vertices hardly move.
   template <class Frame>
   void after_update(const Frame& frame)
   {
     m_safe_edges.learn(frame);
-    // whoever asks edge by edge has no use for them
+    // callers that ask edge by edge do not use them
     if (!std::exchange(m_was_asked, false))
       return;
     if (m_schedule.is_due(m_safe_edges.holds()) && frame.positions_are_exact() &&
@@ -133,8 +138,9 @@ private:
 
   static constexpr std::size_t sample_size = 64;
 
-  // The edges are shared out in equal parts, each with a list of its own, so that their order is
-  // the same on any number of threads. A part of fewer edges costs more to hand out than to do.
+  // The edges are divided into equal parts, each with its own list, so that their order is the same
+  // for any number of threads. A part of fewer than `min_edges` edges costs more to hand out than
+  // to process.
   template <class Frame>
   void find_unproved(const Frame& frame)
   {
@@ -161,7 +167,7 @@ private:
   template <class Frame>
   void find_unproved(const Frame& frame, unsigned part, unsigned parts)
   {
-    // each thread has a mode of its own
+    // each thread has its own floating-point mode
     const Dynamic_Delaunay_triangulations_2::internal::Default_floating_point_2 floating_point;
     const std::size_t edges = frame.number_of_edges();
     m_unproved[part].clear();
@@ -169,7 +175,7 @@ private:
                           m_unproved[part]);
   }
 
-  // By a sample.
+  // Estimated from a sample.
   template <class Frame>
   static bool is_most_of_all_edges_broken(const Frame& frame)
   {
@@ -180,8 +186,8 @@ private:
     return 4 * broken > 3 * sampled;
   }
 
-  // Whether more than two thirds of the edges are unproved, and most of a sample of these broken:
-  // then naming each of them, which costs three times as much as the pass, has no use.
+  // Whether more than two thirds of the edges are unproved, and most edges of a sample of these are
+  // broken. Then naming each of them, which costs three times as much as the pass, is useless.
   template <class Frame>
   bool is_most_of_unproved_broken(const Frame& frame) const
   {
@@ -201,7 +207,7 @@ private:
   unsigned m_threads;
   Dynamic_Delaunay_triangulations_2::internal::Safe_edges_2 m_safe_edges;
   bool m_was_asked = true;          // since the last update
-  bool m_nearly_all_broken = false; // in the last frame nearly all edges were broken
+  bool m_nearly_all_broken = false; // in the last frame
   Dynamic_Delaunay_triangulations_2::internal::Safe_edges_schedule_2 m_schedule;
   std::vector<std::vector<Index>> m_unproved; // of each part
 #ifdef CGAL_LINKED_WITH_TBB

@@ -15,15 +15,15 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Classifiers
 
-The same as `Voronoi_circumcenter_classifier_2`, with circumcenters that are estimated instead of
-computed (thesis 7.2.4): that of a face is computed when the face is triangulated, and then moves
-along with the mean of the face's three vertices.
+The same as `Voronoi_circumcenter_classifier_2`, but estimates the circumcenters (thesis 7.2.4): it
+computes that of a face when the face is triangulated, and then moves it along with the mean of the
+face's three vertices.
 
-It is *heuristic*: translations are followed exactly, but for rounding; turning, stretching and
-inverted faces only when a face is triangulated anew. At the hull it does what the computed one
-does.
+It is *heuristic*: it follows translations exactly, except for rounding. It notices turning,
+stretching and inverted faces only when a face is triangulated anew. At the hull it does the same as
+`Voronoi_circumcenter_classifier_2`.
 
-Cost: one pass over all faces, one over all edges; two positions a face of memory.
+Cost: one pass over all faces, and one over all edges; memory for two positions a face.
 
 \cgalModels{DelaunayClassifier_2}
 */
@@ -77,7 +77,7 @@ private:
     return {(p.x + q.x + r.x) / 3 + m_offsets[f].x, (p.y + q.y + r.y) / 3 + m_offsets[f].y};
   }
 
-  // From the mean of the vertices to the circumcenter.
+  // The vector from the mean of the vertices to the circumcenter.
   template <class Frame>
   static Position offset(const Frame& frame, Index f)
   {

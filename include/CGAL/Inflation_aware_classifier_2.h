@@ -17,16 +17,18 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Classifiers
 
-Classifies both ends of an edge that has grown otherwise than the edges around it (thesis 4.2.4).
-Where everything expands, shrinks or turns as one, nobody is classified. With `L` the length of the
-edge and `M` the root mean square of the lengths of all other edges at its ends, its *relative
-growth* in a frame is that of `L / M`. Both ends are classified when the product of these, over the
-frames since the edge was last triangulated, has left the range from `x` to `2 - x`.
+Classifies both ends of an edge that has grown differently from the edges around it (thesis 4.2.4).
+Where everything expands, shrinks or turns as one, no vertex is classified. With `L` the length of
+the edge and `M` the root mean square of the lengths of all other edges at its ends, the *relative
+growth* of the edge in a frame is the growth of `L / M`. Both ends are classified when the product
+of its relative growths, over all frames since the edge was last triangulated, has left the range
+from `x` to `2 - x`.
 
-The edges around an edge change when the triangulation does; as the growth is taken frame by frame,
-between equal edges, such a change is none. It is *heuristic*.
+The edges around an edge change with the triangulation. Such a change does not count as growth,
+since the growth in a frame is measured with the same edges before and after it. The classifier is
+*heuristic*.
 
-Cost: two passes over all edges; two doubles an edge, and one a vertex, of memory.
+Cost: two passes over all edges; memory for two doubles an edge and one a vertex.
 
 \cgalModels{DelaunayClassifier_2}
 */
@@ -36,8 +38,8 @@ public:
   /// it may miss edges.
   static constexpr bool is_exact = false;
 
-  /// \param x the relative growth that an edge may shrink to, from 0 to 1: 1 is at its most
-  ///   sensitive, and then rounding alone is enough to be classified.
+  /// \param x the relative growth that an edge may shrink to, from 0 to 1. With 1 it is most
+  ///   sensitive: rounding alone is then enough to classify an edge.
   /// \throws Parameter_error_2 if `x` is out of this range.
   explicit Inflation_aware_classifier_2(double x = 0.7)
     : m_x(x)
@@ -56,7 +58,7 @@ public:
     sum_up(frame);
     if (frame.has_changes())
       after_update(frame);
-    // everything is squared; at the infinite vertex it is NaN, and no comparison holds
+    // all values are squared; at the infinite vertex they are NaN, and no comparison holds
     const double lowest = m_x * m_x, highest = (2 - m_x) * (2 - m_x);
     for (Index e = 0; e < frame.number_of_edges(); ++e) {
       const double growth = relative_square(frame, e) / m_references[e];
@@ -68,8 +70,8 @@ public:
     }
   }
 
-  /// starts anew with the edges that were triangulated anew, and goes on with those around them
-  /// from where they were.
+  /// starts anew with the edges that were triangulated anew. The growth of the edges around them
+  /// continues from its current value.
   template <class Frame>
   void after_update(const Frame& frame)
   {
@@ -87,7 +89,7 @@ public:
     m_changed.clear(frame.positions().size());
     for (const Index e : frame.new_edges()) {
       m_growths[e] = 1;
-      // whoever has got or lost an edge is a vertex of a new edge's faces
+      // every vertex that gained or lost an edge is a vertex of a new edge's faces
       const auto& edge = frame.edge(e);
       for (const Index v : {edge.source, edge.target, edge.left, edge.right})
         if (!frame.is_infinite(v))
@@ -110,7 +112,7 @@ private:
         frame.position(frame.edge(e).source), frame.position(frame.edge(e).target));
   }
 
-  // Of the squared lengths of the edges at each vertex.
+  // Sums up the squared lengths of the edges at each vertex.
   template <class Frame>
   void sum_up(const Frame& frame)
   {
@@ -133,8 +135,8 @@ private:
     });
   }
 
-  // The square of L / M, but for the number of the edges around, which is the same wherever two of
-  // these are compared.
+  // The square of L / M, except for the factor of the number of surrounding edges, which is equal
+  // for any two values that are compared.
   template <class Frame>
   double relative_square(const Frame& frame, Index e) const
   {
@@ -143,7 +145,7 @@ private:
   }
 
   double m_x;
-  std::vector<double> m_growths;    // of each edge, squared, in the frame that was classified last
+  std::vector<double> m_growths;    // of each edge, squared, in the last classified frame
   std::vector<double> m_references; // what relative_square() is compared with
   std::vector<double> m_sums;       // of each vertex
   Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_changed;

@@ -19,38 +19,36 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Classifiers
 
-Leaves an edge alone that is not Delaunay, but nearly (thesis 7.2.5). An edge `bc` between the
-counterclockwise faces `abc` and `dcb` is *nearly Delaunay* if `d` is not deeper in the circumcircle
-of `abc` than `eps` times its radius, nor `a` in that of `dcb`: with `o` and `R` the center and the
-radius of the first one,
+Classifies the vertices of every edge that is not even nearly Delaunay (thesis 7.2.5). An edge `bc`
+between the counterclockwise faces `abc` and `dcb` is *nearly Delaunay* if `d` is not deeper in the
+circumcircle of `abc` than `eps` times its radius, nor `a` in that of `dcb`. With `o` and `R` the
+center and the radius of the first one, that is
 
 \f[ |od| \ge (1 - \mathit{eps})\, R , \f]
 
-and so for the second one. The vertices of all other edges that are not Delaunay are classified,
-whatever `eps` is also where a face is not counterclockwise or the hull not convex.
+and likewise for the second one. Edges at a face that is not counterclockwise, or where the hull is
+not convex, are classified whatever `eps` is.
 
-<b>The bound.</b> With `Flip_and_splice_repair_2`, which is what an update with this classifier uses
-if it is not told otherwise, every update ends with all finite faces counterclockwise, the hull
-turning left or going straight on at each vertex, and all edges between finite faces nearly
-Delaunay.
-For flips and splices leave no edge that has got another vertex before it is proved Delaunay, and
-that repair rebuilds where they cannot. Rounding is on the safe side. With other repairs the bound
-is not promised: flips alone get stuck at inverted faces, and a border splice looks neither at its
-own boundary nor beyond.
+<b>The bound.</b> With `Flip_and_splice_repair_2`, which is the default repair for this classifier,
+every update ends with all finite faces counterclockwise, the hull turning left or going straight on
+at each vertex, and all edges between finite faces nearly Delaunay. The reason: flips and splices
+prove every edge Delaunay whose vertices they change, and that repair rebuilds where they cannot.
+Rounding is on the safe side. With other repairs the bound is not guaranteed: flips alone get stuck
+at inverted faces, and a border splice tests neither its own boundary nor what is beyond.
 
-It is *heuristic*: the result is no Delaunay triangulation, and not certified. With `eps = 0` it
-classifies what the circumcircle classifier does.
+It is *heuristic*: the result is not a Delaunay triangulation, and not certified. With `eps = 0` it
+classifies the same as `Circumcircle_classifier_2`.
 
-Cost: one pass over all edges; it keeps nothing.
+Cost: one pass over all edges; no memory between frames.
 
 \cgalModels{DelaunayClassifier_2}
 */
 class Nearly_delaunay_classifier_2
 {
 public:
-  /// it leaves edges alone that are not Delaunay.
+  /// it does not classify all edges that are not Delaunay.
   static constexpr bool is_exact = false;
-  /// the repair that keeps the bound.
+  /// the repair that guarantees the bound.
   using Usual_repair = Flip_and_splice_repair_2;
 
   /// \param eps how deep a vertex may be in a circumcircle, in radii, from 0 to 1.
@@ -91,9 +89,9 @@ private:
   // With the power R^2 - |od|^2 of d, which is in_circle / left, and R^2 = |ab|^2 |bc|^2 |ca|^2 /
   // (4 left^2), the edge is nearly Delaunay if
   //     4 left in_circle <= eps (2 - eps) |ab|^2 |bc|^2 |ca|^2,
-  // and with the other face's orientation and lengths in place of these. The errors of in_circle
-  // and left are those of Edge_filter_2; the few roundings of the products, each within 2^-53, are
-  // far below 1e-14.
+  // and likewise with the other face's orientation and lengths. The errors of in_circle and left
+  // are those of Edge_filter_2; the few roundings of the products, each within 2^-53, are far below
+  // 1e-14.
   bool is_proved_near(const Dynamic_Delaunay_triangulations_2::Edge_corners_2& corners) const
   {
     using Dynamic_Delaunay_triangulations_2::internal::Edge_filter_2;

@@ -18,19 +18,18 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Classifiers
 
-Lets a second classifier thin out what a first one picks (thesis 7.2.1): only what both pick stays.
-A classifier *picks* the vertices and edges that it names, and all edges of the vertices. So there
-stay
+Reduces what a first classifier picks to what a second one picks, too (thesis 7.2.1). A classifier
+*picks* the vertices and edges that it names, and all edges of these vertices. The result has
 - the vertices that both name,
-- the edges that one of both names and the other one picks,
-- if both are exact, also the edges that one picks for one end, and the other one for the other.
+- the edges that one names and the other one picks,
+- if both are exact, also the edges that one picks for one end, and the other one for the other end.
 
-It is *exact* if both are: each edge that is not Delaunay is picked by both then, and every such
-edge is among the above.
+It is *exact* if both are: then both pick each edge that is not Delaunay, and every such edge is in
+the above list.
 
-Cost: the first classifier, and the second one's at the edges that the first one picks, if the
-second one has `names_edge()`; else all of both. One or two sets of vertices are allocated in every
-frame.
+Cost: that of the first classifier, and that of the second one at the edges that the first one
+picks, if the second one has `names_edge()`; otherwise that of both in full. One or two sets of
+vertices are allocated in every frame.
 
 \tparam First a model of `DelaunayClassifier_2`
 \tparam Second a model of `DelaunayClassifier_2`
@@ -44,8 +43,8 @@ public:
   /// it misses no edge if neither does.
   static constexpr bool is_exact = First::is_exact && Second::is_exact;
 
-  /// \param first what picks.
-  /// \param second what thins out.
+  /// \param first the classifier that picks.
+  /// \param second the classifier that reduces this.
   explicit Refined_classifier_2(const First& first = First(), const Second& second = Second())
     : m_first(first)
     , m_second(second)
@@ -54,7 +53,7 @@ public:
 
   /// the classifier that picks.
   const First& first() const { return m_first; }
-  /// the classifier that thins out.
+  /// the classifier that reduces this.
   const Second& second() const { return m_second; }
 
   /// classifies.
@@ -71,7 +70,7 @@ public:
       ask(frame, first, classified);
   }
 
-  /// tells both.
+  /// informs both classifiers.
   template <class Frame>
   void after_update(const Frame& frame)
   {
@@ -98,7 +97,7 @@ private:
   void ask_edge_by_edge(const Frame& frame, const Classification& first, Classification& classified)
   {
     if (frame.has_changes())
-      inform_classifier(m_second, frame); // its operator() would have to
+      inform_classifier(m_second, frame); // as its operator() would do
     m_seen.clear(frame.number_of_edges());
     const std::size_t first_illegal = first.edges().size() - first.number_of_illegal_edges();
     for (std::size_t i = 0; i < first.edges().size(); ++i) {
@@ -129,14 +128,14 @@ private:
         frame, first, second, [this](Index e) { return m_named.contains(e); }, classified);
     keep_named(
         frame, second, first, [](Index) { return false; },
-        classified); // those that it names stay already
+        classified); // those that it names are in already
     if constexpr (is_exact)
       keep_of_opposite_ends(frame, first, second, classified);
     if (second.hull_turns_once())
       classified.set_hull_turns_once();
   }
 
-  // The edges that `namer` names, if the other one names them too, or an end of them.
+  // Keeps the edges that `namer` names, if the other one names them too, or names an end of them.
   template <class Frame, class Classification, class Is_named>
   void keep_named(const Frame& frame, const Classification& namer, const Classification& other,
                   Is_named is_named, Classification& classified)

@@ -19,24 +19,23 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Classifiers
 
-Gives every vertex a *safe region*, a disk around where it was: as long as all vertices stay in
-theirs, the triangulation stays Delaunay (thesis 4.2.2, Proposition 1 of its [CD08]: de Castro and
-Devillers, *Delaunay triangulations for moving points*, INRIA RR-6750, 2008). For an edge `bc` with
-the opposite vertices `a` and `d`, let `r` be the larger one of `|ob|` and `|oc|`, and `R` the
-smaller one of `|oa|` and
-`|od|`, with `o` where the bisectors of `bc` and `ad` meet. The radius of a vertex's disk is the
-smallest `(R - r) / 2` of all edges that it is an end of or opposite to; at the hull about half of a
-distance takes its place. Of the vertices that have left their disks, all such edges are looked at,
-by exact predicates, and the vertices of those that are not Delaunay are classified: nobody, if
-nothing has broken.
+Gives every vertex a *safe region*, a disk around an earlier position: as long as all vertices stay
+in their disks, the triangulation stays Delaunay (thesis 4.2.2, Proposition 1 of its [CD08]: de
+Castro and Devillers, *Delaunay triangulations for moving points*, INRIA RR-6750, 2008). For an edge
+`bc` with the opposite vertices `a` and `d`, let `o` be where the bisectors of `bc` and `ad` meet,
+`r` the larger one of `|ob|` and `|oc|`, and `R` the smaller one of `|oa|` and `|od|`. The radius of
+a vertex's disk is the minimum of `(R - r) / 2` over all edges that it is an end of or opposite to;
+at the hull about half of a distance takes the place of this. If vertices have left their disks,
+exact predicates test all these edges of theirs, and the vertices of the edges that are not Delaunay
+are classified: none, if nothing has broken.
 
-It is *exact*: it misses no edge (\ref SafeEdgesVertices). So it classifies what
-`Circumcircle_classifier_2` does. That one keeps its slack by edges instead of vertices, with one
-tolerance for all, and is faster: here one edge near a tie spoils the disks of four vertices.
+It is *exact*: it misses no edge (\ref SafeEdgesVertices). So it classifies the same as
+`Circumcircle_classifier_2`. That one keeps its slack for edges instead of vertices, with one
+tolerance for all, and is faster: here one edge near a tie shrinks the disks of four vertices.
 
-Cost: one pass over all vertices, where few have left their disks; these take about half a
-microsecond each, as their disks are made anew. Else one pass over all edges, now and then another
-one to make all disks anew. Three doubles a vertex and one an edge of memory.
+Cost: one pass over all vertices if few have left their disks; these take about half a microsecond
+each, as their disks are computed anew. Otherwise one pass over all edges, and now and then another
+one to compute all disks anew. Memory for three doubles a vertex and one an edge.
 
 \cgalModels{DelaunayClassifier_2}
 */
@@ -50,7 +49,7 @@ public:
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified)
   {
-    // an exception may have ended the last update before this was told
+    // an exception may have ended the last update before this classifier was told
     m_holds = m_holds && !frame.has_changes() && frame.positions_are_exact() && find_moved(frame);
     if (m_holds)
       find_edges_of_moved(frame);
@@ -59,12 +58,12 @@ public:
     classified.add_unless_delaunay(frame, m_unproved);
   }
 
-  /// makes the disks of the vertices that have left theirs, and of those around what was
+  /// computes new disks for the vertices that have left theirs, and for those around what was
   /// triangulated anew.
   template <class Frame>
   void after_update(const Frame& frame)
   {
-    // who has moved is known by numbers of vertices
+    // m_moved holds numbers of vertices
     if (m_holds && !frame.everything_is_new() && frame.positions_are_exact() &&
         !(frame.has_other_numbers() && !m_moved.empty())) {
       ++m_held;
@@ -85,7 +84,7 @@ private:
 
   static constexpr unsigned frames_worth_it = 16, max_rest = 64;
 
-  // False if they are too many: then looking at all edges costs less.
+  // False if too many vertices moved: then testing all edges costs less.
   template <class Frame>
   bool find_moved(const Frame& frame)
   {
@@ -114,7 +113,7 @@ private:
     frame.append_unproved(0, frame.number_of_edges(), m_unproved);
   }
 
-  // Disks that did not last are not made again for a while.
+  // If the disks did not last long, they are not computed again for a while.
   void adapt_rest()
   {
     if (!m_was_started)
@@ -188,10 +187,10 @@ private:
   std::vector<Position> m_references;   // the centers of the disks
   std::vector<double> m_squared_bounds; // of the disks' radii; negative where there is no disk
   std::vector<double> m_tolerances;     // of each edge
-  std::vector<Index> m_moved;           // out of their disks
+  std::vector<Index> m_moved;           // vertices that left their disks
   std::vector<Index> m_unproved;
   Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_edges, m_vertices;
-  unsigned m_held = 0;      // for so many frames
+  unsigned m_held = 0;      // the number of frames for which the disks have held
   unsigned m_next_rest = 1; // frames
   unsigned m_rest = 0;      // frames
   bool m_was_started = false;

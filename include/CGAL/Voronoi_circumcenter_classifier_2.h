@@ -13,21 +13,21 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Classifiers
 
-Classifies the vertices of an edge whose Voronoi edge has turned around: the circumcenters of its
-two faces have passed each other (thesis 4.2.6). With `c1` the circumcenter of the face to the right
-of the edge, `c2` that of the face to its left, and `e2` the vector from its source to its target,
-that is so when
+Classifies the vertices of an edge whose Voronoi edge has reversed its direction, that is, the
+circumcenters of its two faces have passed each other (thesis 4.2.6). With `c1` the circumcenter of
+the face to the right of the edge, `c2` that of the face to its left, and `e2` the vector from its
+source to its target, this is so when
 
 \f[ (c1_x - c2_x)\, e2_y - (c1_y - c2_y)\, e2_x < 0 . \f]
 
-Edges at a face that is not counterclockwise are classified whatever the circumcenters say. At the
-hull, where there is one circumcenter only, an edge is classified if its finite face is not
+Edges at a face that is not counterclockwise are classified regardless of the circumcenters. At the
+hull, where there is only one circumcenter, an edge is classified if its finite face is not
 counterclockwise, and an edge to the infinite vertex if the hull turns right at its end.
 
-In exact arithmetic this picks what the circumcircle classifier picks. The circumcenters are
-rounded, though, so it is *heuristic*: near a tie it may take the wrong side.
+In exact arithmetic this classifies the same as `Circumcircle_classifier_2`. But the circumcenters
+are rounded, so it is *heuristic*: near a tie it may decide wrongly.
 
-Cost: one pass over all edges with two circumcenters each; it keeps nothing.
+Cost: one pass over all edges with two circumcenters each; no memory between frames.
 
 \cgalModels{DelaunayClassifier_2}
 */
@@ -59,7 +59,7 @@ public:
     const auto right = corners.right - corners.source;
     if (!(cross(e2, left) > 0 && cross(right, e2) > 0))
       return true;
-    // what is no number is broken
+    // an edge with a NaN is broken
     return !(cross(circumcenter(e2, right) - circumcenter(e2, left), e2) >= 0);
   }
 };

@@ -18,21 +18,21 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Classifiers
 
-Lets Voronoi edges bound how far vertices may go (thesis 7.2.3). The Voronoi edge of an edge `bc`
-with the opposite vertices `a` and `d` gets shorter when `b` and `c` move apart, away from it, and
-when `a` and `d` approach each other, towards its ends. So each Voronoi edge bounds the ways of four
-vertices, and those of a vertex with six neighbors are bounded in twelve directions. With `Vt` the
-length of the Voronoi edge when the neighborhood was last triangulated, and `bct` and `adt` the
+Uses Voronoi edges to bound how far vertices may move (thesis 7.2.3). The Voronoi edge of an edge
+`bc` with the opposite vertices `a` and `d` gets shorter when `b` and `c` move apart, away from it,
+and when `a` and `d` approach each other, towards its ends. So each Voronoi edge bounds the motion
+of four vertices, and that of a vertex with six neighbors is bounded in twelve directions. With `Vt`
+the length of the Voronoi edge when the neighborhood was last triangulated, and `bct` and `adt` the
 distances at that time, the four are classified when
 
 \f[ (|bc| - bc_t) + (ad_t - |ad|) > x\, V_t . \f]
 
-Between equilateral faces 0.6 of what `b` and `c` move apart and 0.7 of what `a` and `d` approach
-each other is lost to the Voronoi edge, so `x = 1` is cautious there; at flat faces it is not. At
-the hull, where Voronoi edges do not end, edges are classified as by
-`Voronoi_circumcenter_classifier_2`. It is *heuristic*: what moves along the edge goes unnoticed.
+Between equilateral faces the Voronoi edge loses 0.6 of the length by which `b` and `c` move apart
+and 0.7 of that by which `a` and `d` approach each other. So `x = 1` is cautious there; at flat
+faces it is not. At the hull, where Voronoi edges do not end, edges are classified as by
+`Voronoi_circumcenter_classifier_2`. It is *heuristic*: motion along the edge goes unnoticed.
 
-Cost: one pass over all edges with two distances each; one double an edge of memory.
+Cost: one pass over all edges with two distances each; memory for one double an edge.
 
 \cgalModels{DelaunayClassifier_2}
 */
@@ -71,11 +71,11 @@ public:
   {
     if (frame.is_at_infinity(e))
       return frame.breaks_hull(e);
-    return !(stretch(frame.corners(e)) <= m_limits[e]); // what is no number is broken
+    return !(stretch(frame.corners(e)) <= m_limits[e]); // a NaN is broken
   }
 
-  /// measures the Voronoi edges that were triangulated anew: also those of edges that only got
-  /// another opposite vertex.
+  /// measures the Voronoi edges that were triangulated anew, also those of edges of which only an
+  /// opposite vertex changed.
   template <class Frame>
   void after_update(const Frame& frame)
   {
@@ -102,9 +102,9 @@ private:
     return distance(corners.source, corners.target) - distance(corners.left, corners.right);
   }
 
-  // Negative if the edge is not Delaunay; no number at a face that is not counterclockwise. As
-  // the center of abc is above bc by half of |bc| times the cotangent of the angle at a, the length
-  // takes no centers.
+  // Negative if the edge is not Delaunay; NaN at a face that is not counterclockwise. The center of
+  // abc is above bc by half of |bc| times the cotangent of the angle at a, so the length is
+  // computed without centers.
   static double voronoi_edge_length(const Corners& corners)
   {
     using Dynamic_Delaunay_triangulations_2::internal::distance;
