@@ -22,14 +22,14 @@ Cost: none.
 class Always_dynamic_policy_2
 {
 public:
-  /// never.
+  /// returns false.
   template <class Frame>
   bool wants_rebuild(const Frame&) const
   {
     return false;
   }
 
-  /// nothing to learn.
+  /// does nothing.
   template <class Frame>
   void after_update(const Frame&, const Update_report_2&) const
   {

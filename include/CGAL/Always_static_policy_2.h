@@ -13,8 +13,8 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Policies
 
-Every frame is rebuilt, and so certified, whatever the classifier is: what the dynamic way is held
-against.
+Rebuilds every frame, and so certifies it, whatever the classifier is. Serves as the baseline for
+dynamic updates.
 
 Cost: none of its own.
 
@@ -23,14 +23,14 @@ Cost: none of its own.
 class Always_static_policy_2
 {
 public:
-  /// always.
+  /// returns true.
   template <class Frame>
   bool wants_rebuild(const Frame&) const
   {
     return true;
   }
 
-  /// nothing to learn.
+  /// does nothing.
   template <class Frame>
   void after_update(const Frame&, const Update_report_2&) const
   {

@@ -17,16 +17,16 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2Policies
 
 Chooses for every frame between mending and rebuilding, from an estimate of both costs (thesis
-7.2.1). It mends until a frame has cost more than a rebuild. From then on it looks at a sample of
-the edges before it decides: a frame in which more than a ninth of them are not Delaunay is
-rebuilt, any other one is mended. If that cost more again, which happens with classifiers that name
-more than is broken, it tries again when half as many edges are broken, or after a rest that grows
-by a frame from one failure to the next, up to 63 frames.
+7.2.1). It mends until a frame has cost more than a rebuild. From then on it first tests a sample of
+the edges: it rebuilds a frame in which more than a ninth of them are not Delaunay, and mends any
+other. Mending may cost more again, which happens with classifiers that name more than is broken.
+Then it tries again when half as many edges are broken, or after a pause. The pause grows by one
+frame with each failure, up to 63 frames.
 
-Costs are counted, not clocked: in flips, and in vertices that were spliced or relocated, each with
-the time that it was measured to take. So equal input gives equal choices.
+Costs are counted, not clocked: in flips, and in spliced and relocated vertices, each weighted with
+a time that was measured once. So equal input gives equal choices.
 
-Cost: none while mending wins; else a look at some hundred edges.
+Cost: none while mending wins; otherwise a test of some hundred edges.
 
 \cgalModels{DelaunayUpdatePolicy_2}
 */
@@ -42,7 +42,7 @@ public:
     return !m_is_tried;
   }
 
-  /// compares what was done with a rebuild.
+  /// compares the cost of the update with that of a rebuild.
   template <class Frame>
   void after_update(const Frame& frame, const Update_report_2& report)
   {
@@ -60,12 +60,12 @@ public:
   }
 
 private:
-  // From there on the usual repair of exact classifiers rebuilds.
+  // The usual repair of exact classifiers rebuilds from this share on.
   static constexpr double largest_share = 1. / 9;
   static constexpr unsigned max_rest = 63; // frames
 
-  // Nanoseconds, as measured on random clouds of 1,000 to 10,000 points; their ratios count. A flip
-  // comes with what has to be looked at for it.
+  // Nanoseconds, measured on random clouds of 1,000 to 10,000 points; only their ratios matter. The
+  // cost of a flip includes the tests that it needs.
   static constexpr double cost_of_rebuilding = 250; // a vertex
   static constexpr double cost_of_flip = 300;
   static constexpr double cost_of_splicing = 300; // a vertex of the Triangulation set
@@ -83,7 +83,7 @@ private:
            cost_of_relocation * double(report.relocated);
   }
 
-  // Estimated from edges all over the plane, few enough to be cheap next to a rebuild.
+  // Estimated from edges all over the plane, few enough to be cheap compared with a rebuild.
   template <class Frame>
   static double share_of_broken_edges(const Frame& frame)
   {
@@ -106,12 +106,12 @@ private:
     return false;
   }
 
-  bool m_is_tried = false;  // mending, in this frame
-  bool m_has_lost = false;  // mending, when it was tried last
-  double m_share = 0;       // of edges that are broken in this frame
-  double m_lost_share = 0;  // when mending was tried last and lost
-  unsigned m_rest = 0;      // frames until it is tried again
-  unsigned m_next_rest = 0; // the rest after the next failure
+  bool m_is_tried = false;  // whether this frame is mended
+  bool m_has_lost = false;  // whether mending cost more when last tried
+  double m_share = 0;       // of broken edges in this frame
+  double m_lost_share = 0;  // m_share when mending last lost
+  unsigned m_rest = 0;      // frames until mending is tried again
+  unsigned m_next_rest = 0; // value of m_rest after the next failure
 };
 
 } // namespace CGAL

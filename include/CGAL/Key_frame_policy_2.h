@@ -14,10 +14,10 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Policies
 
-Rebuilds every `k`-th frame after construction, the *key frames* (thesis 7.2.6); those in between
-are classified and repaired. So what a heuristic classifier has missed lasts for less than `k`
-frames, and the triangulation is certified at every key frame. With an exact classifier there is
-nothing to win.
+Rebuilds every `k`-th frame after construction, the *key frames* (thesis 7.2.6). The frames in
+between are classified and repaired. So an edge that a heuristic classifier has missed stays wrong
+for less than `k` frames, and the triangulation is certified at every key frame. With an exact
+classifier this policy has no advantage.
 
 Cost: none of its own.
 
@@ -46,7 +46,7 @@ public:
     return m_frames_since + 1 == m_k;
   }
 
-  /// counts, also the frames that were rebuilt without asking.
+  /// counts frames, also those that were rebuilt without asking.
   template <class Frame>
   void after_update(const Frame&, const Update_report_2&)
   {

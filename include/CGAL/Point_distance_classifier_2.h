@@ -24,7 +24,7 @@ figure 4.2). With `x = 1` every change of length counts; a small `x` tolerates m
 <em>heuristic</em>: an edge can lose the Delaunay property while all lengths stay within their
 ranges.
 
-Cost: one pass over all edges; one double an edge of memory.
+Cost: one pass over all edges; memory for one double an edge.
 
 \cgalModels{DelaunayClassifier_2}
 */
@@ -80,14 +80,14 @@ public:
     }
   }
 
-  /// predicts, after an update, in which frame the classifier will classify somebody: the first one
-  /// after `frame`, a whole number from 1 on, if all vertices move at constant velocities;
-  /// infinity if that frame never comes (thesis 4.2.2, see `Point_distance_times_2`). Until then
-  /// it need not be asked. Cost: one pass over all edges with a few square roots each.
+  /// predicts, after an update, the first frame after `frame` in which the classifier will classify
+  /// a vertex, if all vertices move at constant velocities: a whole number from 1 on, or infinity
+  /// if that frame never comes (thesis 4.2.2, see `Point_distance_times_2`). Until then the
+  /// classifier need not be asked. Cost: one pass over all edges with a few square roots each.
   ///
   /// \param frame the frame of the last update, `Dynamic_Delaunay_triangulation_2::frame()`.
-  /// \param velocity a function from ids to velocities with `x` and `y`, in lengths a frame. Of
-  ///   points that coincide, the one that was there first is asked for.
+  /// \param velocity a function from ids to velocities with `x` and `y`, in lengths a frame. If
+  ///   points coincide, it is called only for their representative.
   template <class Frame, class Velocity>
   double predict(const Frame& frame, const Velocity& velocity) const
   {

@@ -16,14 +16,14 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Classifiers
 
-`Point_distance_classifier_2` where velocities are known: it predicts the first frame in which it
-can classify somebody (thesis 4.2.2), and looks at no edge until then. It classifies the same
-vertices while the velocities stay what they were when it was last asked for its prediction: after
-each frame in which it looked, or in which something was triangulated anew. It is *heuristic*.
+`Point_distance_classifier_2` for known velocities: it predicts the first frame in which it can
+classify a vertex (thesis 4.2.2), and tests no edge until then. It predicts after each frame in
+which it tested edges, or in which something was triangulated anew. It classifies the same vertices
+as `Point_distance_classifier_2` while velocities stay as they were at the last prediction. It is
+*heuristic*.
 
-Cost: none in the frames in between; else that of `Point_distance_classifier_2`, and of
-`Point_distance_classifier_2::predict()`. So it pays where frames in which somebody is classified
-are rare.
+Cost: none in the frames in between; in the others that of `Point_distance_classifier_2` and of
+`Point_distance_classifier_2::predict()`. So it pays if few frames classify any vertex.
 
 \tparam Velocity a function from ids to velocities with `x` and `y`, in lengths a frame.
 
@@ -36,7 +36,7 @@ public:
   /// it may miss edges.
   static constexpr bool is_exact = false;
 
-  /// \param velocity tells how fast points move; a copy is kept.
+  /// \param velocity the velocities of the points; it is copied.
   /// \param x as in `Point_distance_classifier_2`.
   /// \throws Parameter_error_2 if `x` is out of its range.
   explicit Predictive_point_distance_classifier_2(const Velocity& velocity, double x = 0.7)
@@ -47,7 +47,7 @@ public:
 
   /// the parameter.
   double x() const { return m_classifier.x(); }
-  /// in how many of the next frames it will not look.
+  /// the number of next frames in which it will test no edge.
   std::size_t number_of_quiet_frames() const { return m_quiet_frames; }
 
   /// classifies.
@@ -61,7 +61,7 @@ public:
       --m_quiet_frames;
   }
 
-  /// takes references as `Point_distance_classifier_2` does, and predicts anew if need be.
+  /// updates references as `Point_distance_classifier_2` does, and predicts anew if necessary.
   template <class Frame>
   void after_update(const Frame& frame)
   {

@@ -16,8 +16,9 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Classifiers
 
-Classifies each point with probability `p`, whatever it does (thesis 4.2.3). It is *heuristic*. The
-points are drawn by their ids, so equal seeds classify equal points on every machine.
+Classifies each point with probability `p`, regardless of its motion (thesis 4.2.3). It is
+*heuristic*. Points are drawn in the order of their ids, so equal seeds classify equal points on
+every machine.
 
 Cost: one random number a point.
 
@@ -30,7 +31,7 @@ public:
   static constexpr bool is_exact = false;
 
   /// \param p the probability, from 0 to 1.
-  /// \param seed where the random numbers start.
+  /// \param seed the seed of the random numbers.
   /// \throws Parameter_error_2 if `p` is out of its range.
   explicit Random_classifier_2(double p = 0.0025, std::uint64_t seed = 0)
     : m_p(p)

@@ -35,7 +35,7 @@ struct Wants_to_be_informed<
 \ingroup PkgDynamicDelaunayTriangulation2Classifiers
 
 calls the classifier's `after_update(frame)`, which is optional in `DelaunayClassifier_2`, if it has
-one. For classifiers that ask others.
+one. For classifiers that ask other classifiers.
 */
 template <class Classifier, class Frame>
 void inform_classifier(Classifier& classifier, const Frame& frame)
