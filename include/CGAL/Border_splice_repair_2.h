@@ -11,21 +11,21 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Repairs
 
-The border splice of the thesis (4.1.3 and 4.1.4): the classified vertices, `padding` layers of
-neighbors around them and one layer of border are triangulated alone, and the new faces around the
-classified and padded vertices are put in place of the old ones. Where the boundaries of old and new
-faces disagree, the region grows there until they agree, in the end to a rebuild: no edge can be
+The border splice of the thesis (4.1.3 and 4.1.4): it triangulates only the classified vertices,
+`padding` layers of neighbors around them and one layer of border. The new faces around the
+classified and padded vertices replace the old ones. Where the boundaries of old and new faces
+disagree, the region is enlarged until they agree, if necessary up to a rebuild: no edge can be
 missing.
 
-With an exact classifier the splice is repeated around what is still open, with more padding each
-time.
+With an exact classifier the splice is repeated around the edges that are still open, with more
+padding each time.
 
 \cgalModels{DelaunayRepair_2}
 */
 class Border_splice_repair_2
 {
 public:
-  /// \param padding the number of layers, 1 in the thesis. 0 is allowed.
+  /// \param padding the number of layers, 1 in the thesis; may be 0.
   explicit Border_splice_repair_2(unsigned padding = 1)
     : m_padding(padding)
   {

@@ -15,8 +15,8 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Visitors
 
-A visitor that takes notice of nothing: the default, which costs nothing, and a base for visitors
-of one's own, which then need only the functions that they care for.
+A visitor that ignores everything. It is the default, which costs nothing, and a base for your own
+visitors, which then define only the functions that they need.
 
 \cgalModels{DelaunayUpdateVisitor_2}
 */

@@ -16,16 +16,17 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-What a triangulation works with: one object, in which a program sets what it wants and leaves the
-rest as it is. `Dynamic_Delaunay_triangulation_2::Settings` names it for a triangulation:
+The parts that a triangulation works with, in one object. A program sets those that it wants, and
+leaves the others at their defaults. `Dynamic_Delaunay_triangulation_2::Settings` is this type for a
+triangulation:
 
 \snippet Dynamic_Delaunay_triangulation_2/interface_tour.cpp choices
 
 \tparam Classifier, Repair, UpdatePolicy, Visitor as those of `Dynamic_Delaunay_triangulation_2`.
-  One that cannot be made by default has to be given when the settings are made, in the order of the
-  members: `Settings settings{classifier, repair, engines, policy, visitor}`.
-\tparam ConcurrencyTag with `Parallel_tag` the classifier is made so that it uses all threads of the
-  machine, if it can.
+  One without a default constructor has to be given when the settings are created, in the order of
+  the members: `Settings settings{classifier, repair, engines, policy, visitor}`.
+\tparam ConcurrencyTag with `Parallel_tag` the default classifier uses all threads of the machine,
+  if it can.
 */
 template <class Classifier, class Repair, class UpdatePolicy, class Visitor, class ConcurrencyTag>
 struct Dynamic_triangulation_settings_2
@@ -34,7 +35,7 @@ struct Dynamic_triangulation_settings_2
   Classifier classifier = default_classifier();
   /// the repair.
   Repair repair = Repair();
-  /// which engines triangulate from scratch.
+  /// the engines that triangulate from scratch.
   Static_engines_2 engines = Static_engines_2();
   /// the update policy.
   UpdatePolicy policy = UpdatePolicy();

@@ -18,16 +18,15 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Visitors
 
-Lists the edges that have come and gone: the finite ones of the triangulation as it is now that were
-not there when `clear()` was called last, or when the visitor was made, and the other way round. An
-edge that went and came back on the way is in neither list. So the edges of before, less
-`removed_edges()`, and `created_edges()` are those of now, as
-`Dynamic_Delaunay_triangulation_2::for_each_edge()` names them.
+Lists the finite edges that were created and removed since `clear()` was last called, or since the
+visitor was constructed. An edge that was removed and created again in between is in neither list.
+So the edges at that time, without `removed_edges()` and with `created_edges()`, are the current
+edges, as `Dynamic_Delaunay_triangulation_2::for_each_edge()` lists them.
 
-Cost: proportional to the flips, and to the faces that were created and removed, a rebuild counting
-as all faces; to ask for the lists, that times its logarithm. No allocation once there was as much
-to remember before. The lists are made when they are asked for: that is not to be done from several
-threads at once.
+Cost: proportional to the number of flips and of created and removed faces; a rebuild counts as all
+faces. Asking for the lists costs that number times its logarithm. Nothing is allocated if there was
+as much to record before. The lists are computed when they are asked for, so several threads must
+not ask at once.
 
 \cgalModels{DelaunayUpdateVisitor_2}
 */
@@ -37,22 +36,22 @@ public:
   /// the ids of the two ends of an edge, the smaller one first.
   using Edge = std::pair<std::size_t, std::size_t>;
 
-  /// the edges that have come, in ascending order.
+  /// the created edges, in ascending order.
   const std::vector<Edge>& created_edges() const
   {
     sum_up();
     return m_created;
   }
 
-  /// the edges that have gone, in ascending order. Their ids may be those of points that are no
-  /// more, or that have come since and have the same ids.
+  /// the removed edges, in ascending order. Their ids may belong to points that no longer exist, or
+  /// to new points that got the same ids.
   const std::vector<Edge>& removed_edges() const
   {
     sum_up();
     return m_removed;
   }
 
-  /// forgets all changes: from here on new ones are listed.
+  /// forgets all recorded changes, and starts to record anew.
   void clear()
   {
     m_changes.clear();
@@ -118,7 +117,7 @@ public:
   /// \endcond
 
 private:
-  // An edge has two faces: each of them is half of what makes it be there.
+  // An edge has two faces, and each face contributes half of it.
   static constexpr int half = 1;
   static constexpr int whole = 2;
 
@@ -128,7 +127,7 @@ private:
     int sign;
   };
 
-  // Without faces, all edges go before an update, and come after it.
+  // While there are no faces, all edges are removed before an update and created after it.
   template <class Dynamic>
   void note_line(const Dynamic& dt, int sign)
   {

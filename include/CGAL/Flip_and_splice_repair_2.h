@@ -15,18 +15,18 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Repairs
 
-The default for exact use. If so much is classified that mending would cost more than a rebuild, it
-rebuilds at once. Else it takes out the vertices that went far, flips edges, and splices around what
-flips cannot right. If edges are open after that, or this has cost more than it should, it rebuilds.
-So no edge is left open, with heuristic classifiers neither.
+The default for exact classifiers. If so much is classified that mending would cost more than a
+rebuild, it rebuilds at once. Otherwise it takes out the vertices that went far, flips edges, and
+splices around what flips cannot repair. If edges are still open after that, or if this has cost
+more than it should, it rebuilds. So no edge stays open, not even with a heuristic classifier.
 
 \cgalModels{DelaunayRepair_2}
 */
 class Flip_and_splice_repair_2
 {
 public:
-  /// \param padding the number of layers that the second splice is padded with, if the first one,
-  /// without any, has left edges open; each further one takes one more.
+  /// \param padding the number of padding layers of the second splice, which follows if the first
+  ///   one, without padding, leaves edges open. Each further splice has one more layer.
   explicit Flip_and_splice_repair_2(unsigned padding = 1)
     : m_padding(padding)
   {
@@ -46,7 +46,7 @@ public:
     mend(mender);
   }
 
-  /// flips and splices, however much is classified, and rebuilds if edges are open in the end.
+  /// flips and splices, however much is classified; rebuilds if edges are open in the end.
   template <class Mender>
   void mend(Mender& mender) const
   {

@@ -11,8 +11,8 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Repairs
 
-Flips edges (Lawson), and nothing else. Where flips get stuck at inverted faces, an update with an
-exact classifier rebuilds; one with a heuristic classifier leaves them.
+Flips edges (Lawson), and does nothing else. Where flips get stuck at inverted faces, an update with
+an exact classifier rebuilds; one with a heuristic classifier leaves these faces.
 
 \cgalModels{DelaunayRepair_2}
 */

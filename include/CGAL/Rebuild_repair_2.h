@@ -13,7 +13,7 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Repairs
 
-Rebuilds the triangulation whenever anything is classified: a static triangulation, but for the
+Rebuilds the triangulation whenever anything is classified: like a static triangulation, except in
 frames in which nothing broke.
 
 \cgalModels{DelaunayRepair_2}

@@ -11,10 +11,10 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Repairs
 
-Lets CGAL's `Delaunay_triangulation_2::move_if_no_collision()` move every vertex that has moved, one
-after the other, whenever anything is classified. CGAL's function needs a Delaunay triangulation
-before and after each single move, so the vertices are taken back to their last positions first, and
-it is not enough to move the classified ones.
+Whenever anything is classified, lets CGAL's `Delaunay_triangulation_2::move_if_no_collision()` move
+every vertex that has moved, one after the other. CGAL's function needs a Delaunay triangulation
+before and after each single move. So the vertices are first taken back to their last positions, and
+moving only the classified ones is not enough.
 
 If memory runs out while CGAL moves a vertex, the triangulation can only be assigned to or
 destroyed.

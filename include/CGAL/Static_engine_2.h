@@ -11,24 +11,25 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-Ways to triangulate points that have no triangulation yet (thesis chapter 3). All give a Delaunay
-triangulation by exact predicates; where points are cocircular, not always the same one.
+The algorithms that triangulate points from scratch (thesis chapter 3). Each yields a Delaunay
+triangulation, by exact predicates. Where points are cocircular, the results may differ.
 */
 enum class Static_engine_2 {
-  /// divide and conquer on flat arrays (thesis 3.2; Guibas and Stolfi 1985), cut across both axes
-  /// in turn (Dwyer 1987), from which CGAL's structure is written at the end. O(n log n).
+  /// divide and conquer on flat arrays (thesis 3.2; Guibas and Stolfi 1985), with cuts across both
+  /// axes in turn (Dwyer 1987). CGAL's data structure is written at the end. O(n log n).
   GUIBAS_STOLFI,
-  /// CGAL's insertion, point after point in a spatial order, by flips. Expected cost with it: O(n).
+  /// CGAL's insertion of one point after the other, in a spatial order, by flips. Expected cost in
+  /// that order: O(n).
   INSERTION,
-  /// the same with CGAL's cavities: the faces in conflict with a point make way for a star around
-  /// it (thesis 3.1; Bowyer 1981, Watson 1981).
+  /// the same, but with CGAL's cavities: the faces in conflict with a point are replaced by a star
+  /// around it (thesis 3.1; Bowyer 1981, Watson 1981).
   BOWYER_WATSON
 };
 
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-Which engine is used for what.
+The engines for whole triangulations and for regions.
 */
 struct Static_engines_2
 {
