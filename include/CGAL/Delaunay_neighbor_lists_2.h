@@ -22,24 +22,25 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-Who is whose neighbor, as two plain arrays (compressed rows): `neighbors()` has the neighbors of all
-points, one list after the other, and `offsets()` says where each list begins. So a loop over all
-neighbors touches no triangulation, and the arrays can be handed on to other programs as they are.
+Neighbor lists of all points, as two plain arrays (compressed sparse rows): `neighbors()` holds the
+neighbors of all points, one list after the other, and `offsets()` tells where each list begins. A
+loop over all neighbors touches no triangulation, and the arrays can be passed to other programs as
+they are.
 
-- The list of a point has the other ends of its finite edges, counterclockwise around it, beginning
-  anywhere.
+- The list of a point holds the other ends of its finite edges, counterclockwise around it,
+  beginning anywhere.
 - Points that coincide share the vertex of the one that was there first, the *representative*; the
-others are its *duplicates*. The list of a duplicate has its representative and nobody else. The
-list of a representative ends with its duplicates, smaller ids first.
-- The list of an id that was removed is empty.
+  others are its *duplicates*. The list of a duplicate holds only its representative. The list of a
+  representative ends with its duplicates, smaller ids first.
+- The list of a removed id is empty.
 
 So the lists are symmetric, and there are at most six times as many entries as points. Their ids are
-those of the triangulation. In a `Dynamic_population_2` these are
-`population.id(user_id)`, and `population.user_id(id)` is the way back.
+those of the triangulation. For a `Dynamic_population_2`, `population.id(user_id)` and
+`population.user_id(id)` convert between these and the user's ids.
 
-The triangulation need not be certified: the lists are those of the edges that there are.
+The triangulation need not be certified: the lists follow its current edges.
 
-An object keeps its memory. `compute()` allocates nothing if the triangulation had as many ids and
+An object keeps its memory. `compute()` allocates nothing if the triangulation had as many ids,
 vertices and duplicates before.
 
 \cgalExample{Dynamic_Delaunay_triangulation_2/neighbors_in_a_flock.cpp}
@@ -52,18 +53,18 @@ public:
   /// \name Types
   /// @{
 
-  /// an id in the arrays: 32 bits, as the triangulation has them inside.
+  /// an id in the arrays: 32 bits, as inside the triangulation.
   using Id = std::uint32_t;
   /// the type of ids and counts.
   using size_type = std::size_t;
-  /// a list.
+  /// the list of one point.
   using Neighbors = Iterator_range<std::vector<Id>::const_iterator>;
 
   /// @}
   /// \name Computation
   /// @{
 
-  /// reads the lists from a triangulation, in place of those that are there.
+  /// replaces the lists by those of a triangulation.
   ///
   /// Cost: linear, one pass over the edges and one walk around every vertex; with g duplicates,
   /// O(g log g) more. If memory runs out, there are no lists.
@@ -85,17 +86,17 @@ public:
   /// \name Access
   /// @{
 
-  /// what all ids are smaller than.
+  /// one more than the largest id ever in use.
   size_type number_of_ids() const { return m_offsets.size() - 1; }
 
-  /// where the list of each id begins in `neighbors()`, and, for the last one, ends:
+  /// where the list of each id begins in `neighbors()`, and where the last list ends:
   /// `number_of_ids() + 1` numbers.
   const std::vector<size_type>& offsets() const { return m_offsets; }
 
-  /// all lists. The one of `id` is from `offsets()[id]` to below `offsets()[id + 1]`.
+  /// all lists. The list of `id` is from `offsets()[id]` to before `offsets()[id + 1]`.
   const std::vector<Id>& neighbors() const { return m_neighbors; }
 
-  /// the list of a point. It is good until the next `compute()`. \pre `id < number_of_ids()`
+  /// the list of a point. It is valid until the next `compute()`. \pre `id < number_of_ids()`
   Neighbors neighbors(size_type id) const
   {
     CGAL_precondition(id < number_of_ids());
@@ -120,8 +121,8 @@ private:
     Id representative, id;
   };
 
-  // Room for all that will be appended: a triangulation with n vertices has less than 3n edges,
-  // however many of them are on its hull.
+  // Reserves memory for all that will be appended: a triangulation with n vertices has fewer than
+  // 3n edges, however many of them are on its hull.
   template <class Dynamic>
   void provide(const Dynamic& dt)
   {
@@ -135,7 +136,7 @@ private:
     provide(m_offsets, dt.number_of_ids() + 1);
   }
 
-  // A bit more than needed, so that a population that grows steadily seldom asks for memory.
+  // Reserves slightly more than needed, so that a steadily growing population seldom allocates.
   template <class T>
   static void provide(std::vector<T>& data, size_type size)
   {
@@ -143,7 +144,7 @@ private:
       data.reserve(size + size / 8);
   }
 
-  // Duplicates by their representatives, each after the other.
+  // Sorts the duplicates by their representatives, then by their ids.
   template <class Frame>
   void note_duplicates(const Frame& frame)
   {
@@ -170,8 +171,8 @@ private:
     std::partial_sum(m_offsets.begin(), m_offsets.end(), m_offsets.begin());
   }
 
-  // In the order of the vertices, who are close in memory where they are close in the plane: ids
-  // may be anywhere.
+  // In the order of the vertices, since close vertices are close in memory, too; ids may be
+  // anywhere.
   template <class Dynamic>
   void write_neighbors(const Dynamic& dt)
   {

@@ -23,38 +23,38 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-Who is nearest to a place, or to a point, and who is within a radius of it: answered by the
+Finds the points that are nearest to a place or to a point, or within a radius of it. It uses the
 triangulation as it is, without another search structure and without a copy. The answers are exact,
 and do not depend on which diagonals the triangulation has where points are cocircular.
 
-Points that coincide are as near as each other; each of them counts. The ids are those of the
-triangulation. In a `Dynamic_population_2` these are `population.id(user_id)`, and
-`population.user_id(id)` is the way back.
+Points that coincide have the same distance, and each of them counts. The ids are those of the
+triangulation. For a `Dynamic_population_2`, `population.id(user_id)` and `population.user_id(id)`
+convert between these and the user's ids.
 
-An object refers to the triangulation, which has to stay where it is, and may change. Queries change
-nothing that shows, but share memory of the object's own: an object, also a constant one, is not to
-be asked from several threads at once. Threads that ask at the same time need one each.
+An object refers to the triangulation, which must keep its address, but may change. Queries change
+nothing visible, but they share memory of the object: several threads must not use the same object
+at once, even if it is constant. Threads that query at the same time need one object each.
 
-<b>Why it is right.</b> The Voronoi cell of a point \f$v\f$ is the intersection of half-planes, one
-for each of its sides: those of the places that are no nearer to \f$w\f$ than to \f$v\f$, where
-\f$w\f$ is the point beyond that side. Such a \f$w\f$ is a neighbor of \f$v\f$ in every Delaunay
-triangulation, because circles around the inner places of the side pass through \f$v\f$ and \f$w\f$
-and neither through nor around anybody else. So, if \f$v\f$ is not among the nearest to a place
-\f$q\f$, then \f$q\f$ is not in its cell, one of the half-planes does not have it, and
-<em>a neighbor of \f$v\f$ is nearer to \f$q\f$</em>.
+<b>Correctness.</b> The Voronoi cell of a point \f$v\f$ is the intersection of half-planes, one for
+each of its sides: the places that are no nearer to \f$w\f$ than to \f$v\f$, where \f$w\f$ is the
+point beyond that side. Such a \f$w\f$ is a neighbor of \f$v\f$ in every Delaunay triangulation,
+because circles around inner places of the side pass through \f$v\f$ and \f$w\f$, and no other point
+is on or in them. So if \f$v\f$ is not among the points nearest to a place \f$q\f$, then \f$q\f$ is
+not in its cell, one of the half-planes does not contain \f$q\f$, and <em>a neighbor of \f$v\f$ is
+nearer to \f$q\f$</em>.
 
-Going on to a nearer neighbor therefore ends at a nearest point, from everywhere. Seen from there,
-the same ways back lead to all points within any radius of \f$q\f$, and no way leaves the disc, as
-its distances only decrease towards \f$q\f$. There may be several nearest points; they are on a
-circle around \f$q\f$ with nobody inside, and the sides of the convex polygon that they are the
-corners of are edges of every Delaunay triangulation. Hence *the points in a disc are connected by
-edges between them*, and a search from a nearest one that does not go on from points outside finds
-them all (Dickerson, Drysdale: *Fixed-radius near neighbors search algorithms for points and
-segments*, Information Processing Letters 35, 1990). The nearest to a point is one of its neighbors:
-the disc around the middle between both, with both on its boundary, has nobody else.
+Moving on to a nearer neighbor therefore ends at a nearest point, from every start. In reverse, the
+same paths lead from the nearest points to all points within any radius of \f$q\f$. No path leaves
+the disk, as distances to \f$q\f$ only decrease along it. There may be several nearest points. They
+are on a circle around \f$q\f$ with no point inside, and the sides of the convex polygon that they
+span are edges of every Delaunay triangulation. Hence *the points in a disk are connected by edges
+between them*. A search from a nearest point that does not continue from points outside finds them
+all (Dickerson, Drysdale: *Fixed-radius near neighbors search algorithms for points and segments*,
+Information Processing Letters 35, 1990). The point nearest to a given point is one of its
+neighbors: the disk around their midpoint with both on its boundary contains no other point.
 
-\tparam Dynamic a `Dynamic_Delaunay_triangulation_2`, whose `Geom_traits` have
-`Compare_distance_2` and `Compare_squared_distance_2`, as CGAL's kernels do.
+\tparam Dynamic a `Dynamic_Delaunay_triangulation_2`, whose `Geom_traits` have `Compare_distance_2`
+  and `Compare_squared_distance_2`, as CGAL's kernels do.
 
 \sa `Delaunay_neighbor_lists_2`
 */
@@ -82,7 +82,7 @@ public:
   /// \name Creation
   /// @{
 
-  /// asks a triangulation, which need not have any points yet.
+  /// creates queries for a triangulation, which need not have any points yet.
   explicit Delaunay_point_queries_2(const Dynamic& dt)
     : m_dt(&dt)
   {
@@ -91,10 +91,10 @@ public:
   /// @}
   /// \name Queries
   /// All of them throw `Uncertified_triangulation_error_2` unless the triangulation is certified.
-  /// Where points coincide, each takes time for all of those besides.
+  /// If points coincide, each query also takes time proportional to the number of those.
   /// @{
 
-  /// the id of the point that is nearest to `p`; of several, the smallest id. Nobody, if there are
+  /// the id of the point that is nearest to `p`; of several, the smallest id. No value if there are
   /// no points.
   ///
   /// Cost: O(n<sup>1/3</sup>) expected for evenly spread points, less if the answer is near the
@@ -111,10 +111,10 @@ public:
   }
 
   /// the id of the point that is nearest to the point `id`, other than itself; of several, the
-  /// smallest id. Nobody, if there is no other point.
+  /// smallest id. No value if there is no other point.
   ///
-  /// Cost: that of the number of its neighbors.
-  /// \throws Unknown_id_error_2 if there is no such point.
+  /// Cost: proportional to the number of its neighbors.
+  /// \throws Unknown_id_error_2 if no point has this id.
   std::optional<size_type> nearest_neighbor(size_type id) const
   {
     const Distances distances(*m_dt, m_dt->point(id));
@@ -134,17 +134,17 @@ public:
     return smallest_id(id);
   }
 
-  /// writes the ids of all points within a radius of `p`, those on the circle among them, to `ids`,
+  /// writes the ids of all points within a radius of `p`, including those on the circle, to `ids`,
   /// in no particular order.
   ///
-  /// Cost: that of `nearest()`, and that of the number of points that are found and of their
+  /// Cost: that of `nearest()`, plus time proportional to the number of points found and of their
   /// neighbors.
   /// \param p the center of the circle.
-  /// \param squared_radius the square of its radius: so it is a number that is known exactly.
+  /// \param squared_radius the square of its radius, which makes it an exact number.
   /// \param ids where to write.
   /// \tparam OutputIterator takes values of `size_type`.
   /// \return where the next id would be written.
-  /// \throws Parameter_error_2 if the squared radius is negative, or no finite number.
+  /// \throws Parameter_error_2 if the squared radius is negative or not a finite number.
   /// \throws Non_finite_coordinate_error_2 if a coordinate of `p` is NaN or infinite.
   /// \throws Coordinate_range_error_2 if a coordinate of `p` is too large for this program.
   template <class OutputIterator>
@@ -160,16 +160,16 @@ public:
     return write_within(v, distances, squared_radius, no_id, ids);
   }
 
-  /// the same around the point `id`, which is not written itself.
+  /// the same, but around the point `id`, which is not written itself.
   ///
-  /// Cost: that of the number of points that are found and of their neighbors.
-  /// \param id whose place is the center.
+  /// Cost: proportional to the number of points found and of their neighbors.
+  /// \param id the id of the point at the center.
   /// \param squared_radius the square of the radius.
   /// \param ids where to write.
   /// \tparam OutputIterator takes values of `size_type`.
   /// \return where the next id would be written.
-  /// \throws Unknown_id_error_2 if there is no such point.
-  /// \throws Parameter_error_2 if the squared radius is negative, or no finite number.
+  /// \throws Unknown_id_error_2 if no point has this id.
+  /// \throws Parameter_error_2 if the squared radius is negative or not a finite number.
   template <class OutputIterator>
   OutputIterator neighbors_within(size_type id, const FT& squared_radius, OutputIterator ids) const
   {
@@ -194,12 +194,13 @@ private:
   Index vertex(size_type id) const { return m_dt->frame().vertex(Index(id)); }
   Index bound() const { return m_dt->frame().number_of_vertices() + 1; }
 
-  // A nearest vertex: from the nearest one of a few that are spread evenly, which are numbered
-  // along the plane, and the last one that was found, to the nearest of all neighbors, and so on.
+  // Returns a nearest vertex. Starts at the nearest of the last answer and a few evenly spread
+  // vertices (their numbers follow a spatial order), and moves to the nearest neighbor until none
+  // is nearer.
   Index walk(const Distances& distances) const
   {
     const Neighbors around(*m_dt);
-    const Index step = Index(std::cbrt(double(bound()) * bound())); // about n^(1/3) of them
+    const Index step = Index(std::cbrt(double(bound()) * bound())); // visits about n^(1/3)
     Index nearest = m_last < bound() ? m_last : 1;
     double square = distances.approximate_square(nearest);
     for (Index v = 1; v < bound(); v += step)
@@ -223,7 +224,7 @@ private:
     m_found.insert(v);
   }
 
-  // Finds all vertices that `belongs(w)` and that are connected with v by such.
+  // Finds all vertices w with `belongs(w)` that are connected with v by such vertices.
   template <class Predicate>
   void flood(Index v, const Predicate& belongs) const
   {
@@ -236,7 +237,7 @@ private:
       });
   }
 
-  // Calls f(id) for every point at the vertices that were found, but for the one that asks.
+  // Calls f(id) for every point at the vertices that were found, except the one that asks.
   template <class Function>
   void for_each_found(size_type asking, const Function& f) const
   {
@@ -273,7 +274,7 @@ private:
   }
 
   const Dynamic* m_dt;
-  mutable Index m_last = 1; // vertex that was nearest
+  mutable Index m_last = 1; // the vertex found by the last walk
   mutable Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_found;
 };
 

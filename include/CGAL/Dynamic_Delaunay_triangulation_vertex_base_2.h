@@ -15,9 +15,9 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2VertexFaceClasses
 
-The vertex base that `Dynamic_Delaunay_triangulation_2` needs: a vertex that knows its place in the
-flat arrays of the neighborhood mirror. A data structure with vertices of your own derives them
-from this class, or passes its own base as `Vb`.
+The vertex base that `Dynamic_Delaunay_triangulation_2` needs: a vertex that knows its index in the
+flat arrays of the neighborhood mirror. To use your own vertices in a data structure, derive them
+from this class, or pass their base as `Vb`.
 
 \tparam Traits the geometric traits, as for `Delaunay_triangulation_2`.
 \tparam Vb a vertex base of `Triangulation_2`, `Triangulation_vertex_base_2<Traits>` by default.
@@ -42,8 +42,8 @@ public:
   Dynamic_Delaunay_triangulation_vertex_base_2() = default;
   /// \endcond
 
-  /// the vertex's index in the flat arrays: 0 for the infinite vertex, 1 to n for the others.
-  /// The package writes it; it may change with every update.
+  /// the vertex's index in the flat arrays: 0 for the infinite vertex, 1 to n for the others. The
+  /// package sets it; every update may change it.
   std::uint32_t mirror_index() const { return m_mirror_index; }
 
   /// \cond

@@ -28,7 +28,7 @@ template <class Maintained>
 class Dynamic_classification_2
 {
 public:
-  /// as in `Dynamic_frame_2`.
+  /// the type of all numbers, as in `Dynamic_frame_2`.
   using Index = Dynamic_Delaunay_triangulations_2::Index;
 
   /// \cond

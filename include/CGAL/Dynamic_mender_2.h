@@ -35,7 +35,7 @@ class Dynamic_mender_2
   using Repair_tools = Dynamic_Delaunay_triangulations_2::internal::Repair_tools_2<Maintained>;
 
 public:
-  /// as in `Dynamic_frame_2`.
+  /// the type of all numbers, as in `Dynamic_frame_2`.
   using Index = Dynamic_Delaunay_triangulations_2::Index;
 
   /// \cond

@@ -27,48 +27,49 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-The areas and perimeters of the points' Voronoi cells: whole, or clipped to a box. What a point has
-for itself, and so one over its local density. Of clipped cells the centroids, too, to which Lloyd's
-relaxation moves the points, again and again, until their cells are about alike.
+The areas and perimeters of the points' Voronoi cells: whole, or clipped to a box. The area of a
+cell is the space that its point has for itself; its inverse is the local density. Clipped cells
+also have centroids. Lloyd's relaxation moves the points to these, again and again, until all cells
+are about alike.
 
-Areas are in the unit of the coordinates, squared, perimeters and centroids in the unit of the
-coordinates. Each is there for every id.
+Areas are in the squared unit of the coordinates, perimeters and centroids in that unit. Each of
+them has an entry for every id.
 
-- Points that coincide share a cell. Each gets an equal share of its area, so that all areas still
-  add up, the whole perimeter, and the centroid of the whole.
-- A clipped cell without area has no centroid. The point itself stands in its place: a relaxation
-  leaves it where it is.
-- Ids that were removed have 0 for all of them.
+- Points that coincide share a cell. Each gets an equal share of its area, so that the areas still
+  add up, the whole perimeter, and the centroid of the whole cell.
+- A clipped cell without area has no centroid. The point's own position takes its place: a
+  relaxation leaves the point where it is.
+- Removed ids have 0 for all of them.
 
-A `Dynamic_population_2` has its cells at `population.id(user_id)`.
+For a `Dynamic_population_2`, the index of a cell is `population.id(user_id)`.
 
 <b>Whole cells.</b> An edge with the angles \f$\alpha\f$ and \f$\beta\f$ opposite to it is dual to a
-Voronoi edge of length \f$l (\cot \alpha + \cot \beta) / 2\f$, where \f$l\f$ is its own length,
-and the triangles over that Voronoi edge from both of its ends have areas of
+Voronoi edge of length \f$l (\cot \alpha + \cot \beta) / 2\f$, where \f$l\f$ is its own length, and
+the triangles over that Voronoi edge from both of its ends have areas of
 \f$l^2 (\cot \alpha + \cot \beta) / 8\f$ (Meyer, Desbrun, Schröder, Barr: *Discrete
 differential-geometry operators for triangulated 2-manifolds*, 2003). The cell of a point consists
-of those of its edges.
-Every face adds its three cotangents, which have one denominator, to its three vertices. No
-circumcenter is computed. Still, a nearly flat face reaches far: where the circumradius is
-\f$R\f$ and the shortest edge \f$h\f$, areas of about \f$R^2\f$ cancel, and what is left has
-errors of about \f$10^{-16} R^2\f$; lengths, of \f$10^{-16} R^2 / h\f$. Such faces occur at the hull
-and beside large empty regions. If a face is so flat that its orientation drowns in rounding, which
-takes \f$R\f$ to be \f$10^{15} h\f$ or so, its vertices' cells count as unbounded.
+of those of its edges. Every face adds its three cotangents, which have one denominator, to its
+three vertices. No circumcenter is computed. Still, nearly flat faces cause large errors. With the
+circumradius \f$R\f$ and the shortest edge \f$h\f$ of a face, areas of about \f$R^2\f$ cancel, and
+the result has an error of about \f$10^{-16} R^2\f$; lengths have an error of about
+\f$10^{-16} R^2 / h\f$. Such faces occur at the hull and beside large empty regions. If a face is so
+flat that rounding hides its orientation, which takes \f$R\f$ to be \f$10^{15} h\f$ or so, the cells
+of its vertices count as unbounded.
 
 <b>Clipped cells.</b> The box is cut by the bisector of the point and each of its Delaunay
-neighbors, one after the other. That is the cell, since the cell is where the point is as near as
-any of its Delaunay neighbors. Nothing is divided by what may vanish: flat faces and points on a
-line need no case of their own. Two neighbors cut along one and the same line, rounding included, so
-no area gets lost, or is counted twice, between them. With \f$D\f$ the diameter of the box and all
-points whose cells reach into it, corners of cells have errors of about \f$10^{-16} D\f$. The
-centroid is a mean of places between these corners, with weights that are never negative: it stays
-between them, however thin the cell is. Where a cell is about as wide as it is long, the centroid is
-as right as its corners.
+neighbors, one after the other. The result is the cell, since the cell is where the point is as near
+as any of its Delaunay neighbors. Nothing is divided by values that may vanish: flat faces and
+points on a line are no special cases. Two neighbors cut along the same line, rounding included, so
+no area between them is lost or counted twice. With \f$D\f$ the diameter of the box and all points
+whose cells reach into it, corners of cells have errors of about \f$10^{-16} D\f$. The centroid is a
+mean of places between these corners, with weights that are never negative. So it stays between
+them, however thin the cell is. Where a cell is about as wide as it is long, the centroid is as
+accurate as its corners.
 
-Coordinates may be of any size as long as their squares are doubles.
+Coordinates may be of any size whose square is still a double.
 
 An object keeps its memory: `compute()` allocates nothing if the triangulation had as many ids and
-vertices before, and, for clipped cells, no cell had more corners than any before.
+vertices before, and, for clipped cells, if no cell has more corners than any cell before.
 
 \cgalExample{Dynamic_Delaunay_triangulation_2/crowd_densities.cpp}
 \cgalExample{Dynamic_Delaunay_triangulation_2/lloyd_relaxation.cpp}
@@ -95,8 +96,9 @@ public:
   /// If memory runs out, there are no measures.
   /// @{
 
-  /// measures the whole cells. Both measures of an unbounded cell are infinite: those of all points
-  /// on the hull, and of all points if these do not span the plane. There are no centroids.
+  /// measures the whole cells. Area and perimeter of an unbounded cell are infinite. The cells of
+  /// all points on the hull are unbounded; so are all cells if the points do not span the plane.
+  /// There are no centroids.
   ///
   /// Cost: linear, one pass over the faces. \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`.
   /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
@@ -111,17 +113,17 @@ public:
     settle(dt.frame());
   }
 
-  /// measures the cells' parts in a box. Perimeters include what lies on the boundary of the box.
-  /// Points may be outside of the box; a cell that does not reach into it has the area and the
-  /// perimeter 0. If there is a point, the areas add up to that of the box, and the centroids,
-  /// weighted by areas, to its center.
+  /// measures the parts of the cells in a box. Perimeters include what lies on the boundary of the
+  /// box. Points may be outside of the box; a cell that does not reach into it has the area and the
+  /// perimeter 0. If there is any point, the areas add up to the area of the box, and the mean of
+  /// the centroids, weighted by areas, is its center.
   ///
-  /// Cost: for each point that of the number of its neighbors times the number of its cell's
-  /// corners. Both are six or less on average; only a point with very many neighbors costs more
-  /// than its share. \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`.
+  /// Cost: for each point, proportional to the number of its neighbors times the number of its
+  /// cell's corners. Both are six or less on average; only a point with very many neighbors costs
+  /// much more. \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`.
   /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
-  /// \throws Parameter_error_2 if the width or height of the box is negative, or no finite number;
-  /// nothing changes.
+  /// \throws Parameter_error_2 if the width or height of the box is negative or not a finite
+  /// number; nothing changes.
   template <class Dynamic>
   void compute(const Dynamic& dt, const Bbox_2& box)
   {
@@ -135,7 +137,7 @@ public:
     settle_centroids(dt.frame());
   }
 
-  /// the same with a box of the kernel; its corners are rounded to doubles.
+  /// the same, but takes a box of the kernel, whose corners are rounded to doubles.
   template <class Dynamic>
   void compute(const Dynamic& dt, const typename Dynamic::Geom_traits::Iso_rectangle_2& box)
   {
@@ -151,13 +153,13 @@ public:
   const std::vector<double>& areas() const { return m_areas; }
   /// the perimeter of each id.
   const std::vector<double>& perimeters() const { return m_perimeters; }
-  /// the centroid of each id, if the cells were clipped; nothing, if they were whole.
+  /// the centroid of each id, if the cells were clipped; empty, if they were whole.
   const std::vector<Position>& centroids() const { return m_centroids; }
 
   /// @}
 
 private:
-  // Of a vertex.
+  // The measures of a vertex's cell.
   struct Cell
   {
     double area = 0, perimeter = 0;
@@ -182,7 +184,7 @@ private:
     m_cells.assign(dt.number_of_vertices() + 1, Cell());
   }
 
-  // From vertices to ids.
+  // Copies the measures from vertices to ids.
   template <class Frame>
   void settle(const Frame& frame)
   {
@@ -215,7 +217,7 @@ private:
     }
   }
 
-  // What is added to infinity later leaves it infinite.
+  // Later additions leave infinity infinite.
   void unbound(const std::array<Index, 3>& face)
   {
     for (const Index v : face)
@@ -226,7 +228,7 @@ private:
   void add_face(const std::array<Index, 3>& face, const Vectors& vector)
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
-    // each opposite to the corner with its number, and all of them around the face
+    // each is opposite to the corner with its number, and they run around the face
     const std::array<Position, 3> sides = {vector(face[1], face[2]), vector(face[2], face[0]),
                                            vector(face[0], face[1])};
     const std::array<double, 3> squares = {dot(sides[0], sides[0]), dot(sides[1], sides[1]),
@@ -246,8 +248,9 @@ private:
     }
   }
 
-  // Of the two shorter sides, which are the ones to tell how flat a face is; 0 if rounding may have
-  // changed its sign: its error is less than 4 * 2^-53 times the sum of both products.
+  // The cross product of the two shorter sides, which best tell how flat a face is. It is 0 if
+  // rounding may have changed its sign: its error is less than 4 * 2^-53 times the sum of both
+  // products.
   static double cross_of_shorter(const std::array<Position, 3>& sides,
                                  const std::array<double, 3>& squares)
   {
@@ -275,7 +278,7 @@ private:
     const auto frame = dt.frame();
     const Differences<Dynamic> vector(dt);
     const Neighbors<Dynamic> around(dt);
-    // from its center the box looks the same to all points
+    // relative to its center the box is the same for all points
     const Position center{box.xmin() + (box.xmax() - box.xmin()) / 2,
                           box.ymin() + (box.ymax() - box.ymin()) / 2};
     const Position low = Position{box.xmin(), box.ymin()} - center;
@@ -295,8 +298,9 @@ private:
     }
   }
 
-  // Cuts off where the scalar product with `direction` is larger than `bound`. For the neighbor
-  // both numbers have the opposite sign, whatever their rounding errors: it is the same line.
+  // Cuts off the part where the scalar product with `direction` is larger than `bound`. For the
+  // neighbor both numbers have the opposite sign, whatever their rounding errors: it is the same
+  // line.
   void clip(const Position& direction, double bound)
   {
     using Dynamic_Delaunay_triangulations_2::internal::dot;
@@ -320,13 +324,13 @@ private:
     m_corners.swap(m_clipped);
   }
 
-  // By triangles from one corner on, which are as small as the cell is, wherever it may be. Returns
-  // the centroid, if there is one.
+  // Adds up triangles at one corner, which are as small as the cell is, wherever it may be. Returns
+  // the centroid, if it exists.
   std::optional<Position> measure(Cell& cell) const
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     double weight = 0;
-    Position mean{0, 0}; // of the triangles' centroids, from that corner
+    Position mean{0, 0}; // of the triangles' centroids, relative to that corner
     for (std::size_t i = 0; i < m_corners.size(); ++i) {
       const Position& p = m_corners[i];
       const Position& q = m_corners[i + 1 < m_corners.size() ? i + 1 : 0];
@@ -334,7 +338,7 @@ private:
       const double doubled_area = cross(u, v);
       cell.area += doubled_area / 2;
       cell.perimeter += distance(p, q);
-      if (!(doubled_area > 0)) // rounding turns triangles of thin cells around
+      if (!(doubled_area > 0)) // rounding can invert triangles of thin cells
         continue;
       weight += doubled_area;
       const double share = doubled_area / weight;

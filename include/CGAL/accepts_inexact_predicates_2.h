@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// Of a kernel of CGAL: it computes with rounded numbers, and does not filter its predicates.
+// Whether a CGAL kernel computes with rounded numbers and does not filter its predicates.
 template <class Kernel, class = void>
 struct Rounds_predicates_2 : std::false_type
 {
@@ -25,7 +25,7 @@ struct Rounds_predicates_2<Kernel, std::void_t<decltype(Kernel::Has_filtered_pre
 {
 };
 
-// Of traits: their kernel does, if they name one as CGAL's projection traits do.
+// The same, but for traits: asks their kernel, if they name one as CGAL's projection traits do.
 template <class Traits, class = void>
 struct Are_known_to_be_inexact_2 : Rounds_predicates_2<Traits>
 {
@@ -43,9 +43,9 @@ struct Are_known_to_be_inexact_2<Traits, std::void_t<typename Traits::Rp>>
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
 Whether a `Dynamic_Delaunay_triangulation_2` may have traits whose predicates are known to be
-inexact, such as `Simple_cartesian<double>`. By default it may not, and does not compile. Who wants
-it all the same specializes this variable template as `true` for the traits: then the triangulation
-is *never* certified, and whatever needs that, such as
+inexact, such as `Simple_cartesian<double>`. By default it may not, and does not compile. To allow
+such traits, specialize this variable template as `true` for them. The triangulation is then *never*
+certified, and every function that needs that, such as
 `Dynamic_Delaunay_triangulation_2::triangulation()`, throws `Uncertified_triangulation_error_2`.
 */
 template <class Traits>

@@ -26,7 +26,7 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
 How far the edges of a maintained triangulation agree with those of a Delaunay triangulation of the
-same points: the confusion matrix of "these two points are Delaunay neighbors" over all pairs of
+same points, as the confusion matrix of "these two points are Delaunay neighbors" over all pairs of
 points (thesis 5.1.1).
 */
 class Delaunay_agreement
@@ -47,19 +47,19 @@ public:
 
   /// maintained edges that are Delaunay.
   std::size_t true_positives() const { return m_true_positives; }
-  /// maintained edges that are not.
+  /// maintained edges that are not Delaunay.
   std::size_t false_positives() const { return m_false_positives; }
   /// Delaunay edges that are missing.
   std::size_t false_negatives() const { return m_false_negatives; }
-  /// pairs of points that are neighbors in neither.
+  /// pairs of points that are neighbors in neither triangulation.
   std::size_t true_negatives() const { return m_true_negatives; }
 
-  /// whether the two agree in every edge.
+  /// whether the two triangulations agree in every edge.
   bool is_perfect() const { return m_false_positives == 0 && m_false_negatives == 0; }
 
-  /// the *validity* of the thesis: 1 if all edges agree (exactly 1), 0 for agreement by chance, -1
-  /// for complete disagreement. 0 by convention where a row or column of the matrix is empty and
-  /// the agreement is not perfect.
+  /// the *validity* of the thesis: exactly 1 if all edges agree, 0 for agreement by chance, -1 for
+  /// complete disagreement. By convention 0 if a row or column of the matrix is empty and the
+  /// agreement is not perfect.
   double matthews_correlation_coefficient() const
   {
     if (is_perfect())
@@ -79,8 +79,9 @@ private:
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// The places of a Delaunay triangulation and which pairs of them may be joined. Places are numbered
-// in lexicographic order of the points, which makes them comparable between triangulations.
+// The places of a Delaunay triangulation, and the pairs of them that may be joined. Places are
+// numbered in lexicographic order of the points, so the numbers of different triangulations can be
+// compared.
 template <class Triangulation>
 class Delaunay_reference_2
 {
@@ -116,13 +117,13 @@ public:
     return std::size_t(found - m_points.begin());
   }
 
-  // The numbers of right and wrong edges among `edges`, and of required ones that are missing.
+  // Counts the right and the wrong edges among `edges`, and the required edges that are missing.
   Delaunay_agreement compare(std::vector<Edge> edges) const
   {
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     std::size_t right = 0;
-    std::map<std::size_t, std::size_t> chords = m_required_chords; // of each cluster, still wanted
+    std::map<std::size_t, std::size_t> chords = m_required_chords; // of each cluster, still missing
     std::size_t wrong = 0;
     for (const Edge& edge : edges)
       if (std::binary_search(m_edges.begin(), m_edges.end(), edge))
@@ -142,8 +143,8 @@ private:
     return [this](const Point& p, const Point& q) { return compare_xy(m_traits, p, q) == SMALLER; };
   }
 
-  // Faces across an edge whose four vertices are cocircular belong to one cluster: any chord of it
-  // is a Delaunay edge.
+  // Two faces at an edge belong to one cluster if their four vertices are cocircular: any chord of
+  // a cluster is a Delaunay edge.
   void find_clusters(const Triangulation& reference)
   {
     if (reference.dimension() < 2)
@@ -183,7 +184,7 @@ private:
                g->vertex(g->index(f))->point()) == ON_ORIENTED_BOUNDARY;
   }
 
-  // A chord of a cluster is required in number only, any other edge as it is.
+  // Of the chords of a cluster only the number is required; every other edge is required itself.
   void add_edge(const Triangulation& reference, const typename Triangulation::Edge& e)
   {
     const std::size_t i = m_place_of_vertex[e.first->vertex(reference.cw(e.second))];
@@ -197,8 +198,8 @@ private:
     ++m_number_of_chords;
   }
 
-  // The cluster that both ends of an edge belong to, 0 if there is none. Two clusters share at most
-  // the two ends of an edge between them, which is no chord of either.
+  // The cluster that both ends of an edge belong to, 0 if none. Two clusters share at most the two
+  // ends of an edge between them, and that edge is no chord of either.
   std::size_t common_cluster(const Edge& edge) const
   {
     auto i = first_cluster(edge.first), j = first_cluster(edge.second);
@@ -232,7 +233,7 @@ private:
   const typename Triangulation::Geom_traits m_traits;
   std::vector<Point> m_points; // of each place
   Unique_hash_map<Vertex_handle, std::size_t> m_place_of_vertex;
-  std::vector<Edge> m_edges; // required as they are
+  std::vector<Edge> m_edges; // required themselves
   std::vector<std::pair<std::size_t, std::size_t>> m_clusters_of_place;
   std::map<std::size_t, std::size_t> m_required_chords; // of each cluster
   std::size_t m_number_of_chords = 0;
@@ -245,18 +246,18 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-Compares the edges of a maintained triangulation with those of a Delaunay triangulation of the same
-points, which is taken for right.
+compares the edges of a maintained triangulation with those of a Delaunay triangulation of the same
+points, which is assumed to be correct.
 
-Ties are no errors: where four or more points lie on one circle, any chord between them is a
+Ties are not errors: where four or more points lie on one circle, any chord between them counts as a
 Delaunay edge, as long as there are not more of them than a triangulation has room for.
 
 Cost: O(n log n) for n points.
 
-\tparam Maintained `Dynamic_Delaunay_triangulation_2`, certified or not.
-\tparam Reference a `Delaunay_triangulation_2` with points of the type that `Maintained` has.
+\tparam Maintained a `Dynamic_Delaunay_triangulation_2`, certified or not.
+\tparam Reference a `Delaunay_triangulation_2` with the same point type.
 \param maintained the maintained triangulation.
-\param reference the true one.
+\param reference the correct triangulation.
 \throws std::invalid_argument if a point of `maintained` is not in `reference`.
 */
 template <class Maintained, class Reference>

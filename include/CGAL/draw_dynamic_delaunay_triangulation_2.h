@@ -16,15 +16,16 @@ namespace CGAL {
 \ingroup PkgDrawDynamicDelaunayTriangulation2
 
 opens a window, draws `dt.triangulation()` in it as CGAL draws its own triangulations, and waits
-until the window is closed. Programs that are linked to CGAL's target `CGAL::CGAL_Basic_viewer` can
-do so: it brings Qt, and defines `CGAL_USE_BASIC_VIEWER`. Others say on `std::cerr` that they cannot
-draw. With `CGAL_TEST_SUITE` in the environment no window is opened.
+until the window is closed. This needs a program that is linked to CGAL's target
+`CGAL::CGAL_Basic_viewer`, which adds Qt and defines `CGAL_USE_BASIC_VIEWER`. Other programs print
+to `std::cerr` that they cannot draw. If the environment variable `CGAL_TEST_SUITE` is set, no
+window is opened.
 
 \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`.
-\param dt what to draw.
+\param dt the triangulation to draw.
 \param options what CGAL's `draw()` takes after a triangulation. In CGAL 6 that is a title, or
-graphics scene options and maybe a title; in CGAL 5 a title and maybe whether to leave out the
-faces.
+  graphics scene options and optionally a title; in CGAL 5 a title and optionally whether to leave
+  out the faces.
 
 \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`.
 */
@@ -34,12 +35,12 @@ void draw(const Dynamic& dt, const Options&... options);
 /*!
 \ingroup PkgDrawDynamicDelaunayTriangulation2
 
-adds the vertices, edges and faces of `dt.triangulation()` to a graphics scene, which CGAL has from
-version 6.0 on.
+adds the vertices, edges and faces of `dt.triangulation()` to a graphics scene, which CGAL offers
+from version 6.0 on.
 
 \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`.
-\param dt what to add.
-\param scene keeps what it has already.
+\param dt the triangulation to add.
+\param scene the scene; it keeps its previous contents.
 \param options graphics scene options, or nothing.
 
 \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`.
@@ -81,7 +82,7 @@ namespace CGAL {
 template <class... Parameters>
 void draw(const Dynamic_Delaunay_triangulation_2<Parameters...>& dt, const char* = "", bool = false)
 {
-  dt.triangulation(); // refuses here, too, what is not certified
+  dt.triangulation(); // throws here, too, unless certified
   std::cerr << "Impossible to draw, CGAL_USE_BASIC_VIEWER is not defined." << std::endl;
 }
 
