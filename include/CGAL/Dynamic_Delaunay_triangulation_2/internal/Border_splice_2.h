@@ -21,14 +21,15 @@ namespace internal {
 
 enum class Splice_result_2 { DONE, TOO_LARGE, TOO_DEAR, COINCIDENCE };
 
-// The border splice (thesis 4.1.3 and 4.1.4): the Triangulation set, which is the Classified set,
-// its padding and one layer of border, is triangulated alone, and the faces of that triangulation
-// around Classified and Padded replace the old ones. This is done for one cluster of these vertices
-// after the other: what it needs stays in the cache.
+// The border splice (thesis 4.1.3 and 4.1.4). The Triangulation set is the Classified set, its
+// padding and one layer of border around both. It is triangulated alone, and the faces of that
+// triangulation around the Classified and Padded vertices replace the old ones. Clusters of
+// connected vertices are spliced one after the other, so that the data of one cluster stay in the
+// cache.
 //
-// A splice is right only if both sets of faces have the same boundary, edge for edge (the thesis's
-// open problem: an edge could go missing). It is checked before anything is written; where the
-// boundaries differ, their vertices join the cluster and it is triangulated again.
+// A splice is correct only if the old and the new faces have the same boundary, edge for edge (an
+// open problem of the thesis: an edge could get lost). This is checked before anything is written.
+// Where the boundaries differ, their vertices join the cluster, which is then triangulated again.
 template <class Maintained>
 class Border_splice_2
 {
@@ -44,16 +45,15 @@ public:
 
   void set_engine(Static_engine_2 engine) { m_triangulator.set_engine(engine); }
 
-  // What a run may do, and what it has done.
+  // What a run may do (in), and what it has done (out).
   struct Limits
   {
-    std::size_t max_enlargements; // of a cluster, which is left as it is if it would need more
-    std::size_t max_vertices;     // that are triangulated in all; afterwards how many more could be
-    std::size_t enlargements = 0; // of all clusters, afterwards
+    std::size_t max_enlargements; // in, per cluster: one that needs more keeps its old faces
+    std::size_t max_vertices;     // to triangulate in all; out: how many of these are left
+    std::size_t enlargements = 0; // out, of all clusters
   };
 
-  // Splices around `classified` with `padding` layers; those of these vertices that are in no face
-  // are left out.
+  // Splices around `classified` with `padding` layers. Vertices that are in no face are skipped.
   Splice_result_2 run(Topology_editor_2<Maintained>& editor, const std::vector<Index>& classified,
                       unsigned padding, Limits& limits)
   {
@@ -80,21 +80,21 @@ public:
     return Splice_result_2::DONE;
   }
 
-  // The sets of the last run, the padding with all that it grew.
+  // The sets of the last run. Padded includes all vertices that joined by enlargements.
   std::size_t number_of_padded() const { return m_inner.size() - m_number_of_classified; }
   std::size_t number_of_border() const { return m_border.size(); }
   std::size_t number_of_vertices() const { return m_inner.size() + m_border.size(); }
   const Index_set_2& border() const { return m_border; }
   Index padded(std::size_t i) const { return m_inner[m_number_of_classified + i]; }
-  // The vertices that it has triangulated last; two of them coincide if it found a coincidence.
+  // The vertices that were triangulated last. If a coincidence was found, two of them coincide.
   const std::vector<Index>& region() const { return m_region; }
-  // The edges along which its faces were put in: all others of these faces are Delaunay.
+  // The boundary edges of the new faces. All other edges of these faces are Delaunay.
   const std::vector<Index>& boundary_edges() const { return m_boundary_edges; }
 
 private:
   // SETS ----------------------------------------------------------------------------------------
 
-  // From half of all points on, a fresh triangulation of the whole costs less.
+  // From half of all points on, a fresh triangulation of all points costs less.
   bool is_too_large(std::size_t region) const
   {
     return 2 * region > m_maintained.number_of_vertices();
@@ -110,7 +110,7 @@ private:
       });
   }
 
-  // The inner vertices that hang together with v and wait to be spliced.
+  // Collects the inner vertices that are connected with v and not spliced yet.
   void collect_cluster(Index v)
   {
     m_cluster.clear(m_maintained.vertices().size());
@@ -151,9 +151,9 @@ private:
     return Splice_result_2::DONE;
   }
 
-  // The vertices where the two boundaries differ join the cluster. From the fourth time on the
-  // whole border does as well, until the cluster has doubled: so all of these together cost at most
-  // about twice what the last one does.
+  // Adds the vertices where the two boundaries differ. From the fourth enlargement on, adds the
+  // whole border and further layers until the cluster has doubled, so that all enlargements
+  // together cost at most about twice as much as the last one.
   void grow(bool doubles)
   {
     const std::size_t size = m_cluster.size();
@@ -193,7 +193,7 @@ private:
 
   // FACES ---------------------------------------------------------------------------------------
 
-  // Those around the cluster, with the vertices beyond it and their boundary.
+  // Collects the faces around the cluster, their outer vertices and their boundary.
   void collect_old_faces()
   {
     const Mirror& mirror = m_maintained.mirror();
@@ -217,7 +217,7 @@ private:
     std::sort(m_old_boundary.begin(), m_old_boundary.end());
   }
 
-  // False if two of the points coincide: then a vertex would be lost.
+  // False if two of the points coincide: triangulating them would lose a vertex.
   bool triangulate()
   {
     m_region.assign(m_cluster.begin(), m_cluster.end());
@@ -229,7 +229,7 @@ private:
     return true;
   }
 
-  // Those with a vertex of the cluster.
+  // Collects the faces that have a vertex of the cluster.
   void collect_new_faces()
   {
     const Flat_faces_2& faces = m_triangulator.faces();
@@ -256,10 +256,10 @@ private:
 
   // BOUNDARIES ----------------------------------------------------------------------------------
 
-  // Equal boundary edges, and at each boundary vertex equal fans of faces between them, make the
-  // result a closed surface. That there are as many faces, and infinite ones on both sides or on
-  // neither, makes it a sphere again that has all vertices (guarantee 1 in the manual): a cluster
-  // that was turned inside out can swap the infinite vertex for one of its border.
+  // Equal boundary edges, with equal fans of faces between them at each boundary vertex, make the
+  // result a closed surface. An equal number of faces, and infinite faces on both sides or on
+  // neither, make it a sphere with all vertices again (guarantee 1 in the manual): a cluster that
+  // was turned inside out can swap the infinite vertex for a vertex of its border.
   bool boundaries_agree()
   {
     find_disagreeing();
@@ -277,7 +277,7 @@ private:
            m_new.apexes.end();
   }
 
-  // As Patch_2::other_end_of_fan().
+  // The same as Patch_2::other_end_of_fan(), for the old faces.
   Index other_end_of_old_fan(const Boundary_edge_2& edge) const
   {
     const Mirror& mirror = m_maintained.mirror();
@@ -304,9 +304,8 @@ private:
         ++a, ++b;
   }
 
-  // Whether the new faces join two vertices of the border, across the region, that are joined
-  // outside already: possible only where old faces overlap. Those vertices then count as
-  // disagreeing.
+  // Whether new faces join two border vertices across the region by an edge that exists outside of
+  // it already. This is possible only where old faces overlap. Such vertices count as disagreeing.
   bool doubles_an_edge()
   {
     for (Index h = 0; h < Index(m_new.twins.size()); ++h) {
@@ -338,14 +337,14 @@ private:
   Vertex_order_2<Maintained> m_order;
   Static_triangulator_2<Maintained> m_triangulator;
   Index_set_2 m_inner;   // Classified, then Padded
-  Index_set_2 m_spliced; // of these
+  Index_set_2 m_spliced; // a subset of m_inner
   Index_set_2 m_border;
   std::vector<Index> m_boundary_edges;
   std::size_t m_number_of_classified = 0;
 
-  // of the cluster that is spliced
+  // The cluster that is being spliced
   Index_set_2 m_cluster, m_cluster_border, m_old_faces;
-  bool m_has_infinite_faces = false;           // among the old ones
+  bool m_has_infinite_faces = false;           // among the old faces
   std::vector<Boundary_edge_2> m_old_boundary; // sorted by source, then target
   std::vector<Index> m_region, m_new_number;
   Patch_2 m_new;

@@ -18,13 +18,13 @@ namespace internal {
 // of its points if and only if
 //   1. every finite face is counterclockwise,
 //   2. every edge between two finite faces is locally Delaunay,
-//   3. the hull turns left or goes straight on at each of its vertices,
-//   4. and turns around once.
-// By 1 and 3 the map from the triangulation to the plane is a covering of the hull's inside with as
-// many sheets as the hull has turns, branched at most at vertices; by 4 it has one sheet, so the
-// faces tile the convex hull, and 2 makes that tiling Delaunay (Delaunay's lemma). Without 4 a
-// vertex star that winds around its center twice passes 1 to 3. Conditions 1 to 3 are tested edge
-// by edge, by Edge_test_2.
+//   3. the hull turns left or goes straight on at each of its vertices, and
+//   4. the hull turns around once.
+// By 1 and 3, the map from the triangulation to the plane is a covering of the hull's inside with
+// as many sheets as the hull has turns, branched at most at vertices. By 4 it has one sheet, so the
+// faces tile the convex hull. By 2 that tiling is Delaunay (Delaunay's lemma). Without 4, a vertex
+// star that winds around its center twice would pass 1 to 3. Edge_test_2 tests conditions 1 to 3
+// edge by edge.
 template <class Maintained>
 class Certificate_2
 {
@@ -34,7 +34,7 @@ public:
   {
   }
 
-  // Condition 4. A locally convex closed curve turns around as often as it has a summit: a vertex
+  // Condition 4. A locally convex closed curve turns around as often as it has a summit, a vertex
   // that is lexicographically larger than both its neighbors.
   bool hull_turns_once() const
   {

@@ -36,15 +36,15 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// The lines of a checkpoint, whatever they say: words with single spaces between them. The first
-// line says what the file is, the last one has the checksum of all bytes before it.
+// The lines of a checkpoint, whatever their content: words separated by single spaces. The first
+// line names the kind of file, the last one holds the checksum of all bytes before it.
 
 class Checkpoint_sum_2
 {
 public:
   void add(std::string_view text) { m_sum.process_bytes(text.data(), text.size()); }
 
-  // In hexadecimal digits.
+  // As eight hexadecimal digits.
   std::string text() const
   {
     std::string digits(8, '0');
@@ -57,7 +57,7 @@ private:
   boost::crc_32_type m_sum;
 };
 
-// Whether a word is nothing but a number.
+// Whether the whole word is one number.
 template <class Number>
 bool read_whole(std::string_view word, Number& number)
 {
@@ -85,7 +85,7 @@ public:
     line(checkpoint_title(subject));
   }
 
-  // Words and numbers.
+  // Writes words and numbers as one line.
   template <class... Fields>
   void line(const Fields&... fields)
   {
@@ -115,7 +115,7 @@ private:
     m_text += ' ';
   }
 
-  // The shortest digits that are read as the same number.
+  // Appends the shortest digits that are read back as the same number.
   template <class Number>
   void append_number(Number number)
   {
@@ -171,7 +171,7 @@ public:
     m_is_at_end = false;
   }
 
-  // The next word of the line.
+  // Reads the next word of the line. `what` names it in error messages.
   std::string_view word(const char* what)
   {
     if (m_is_at_end)
@@ -209,7 +209,7 @@ public:
       refuse(quoted(m_rest) + " is too much in this line");
   }
 
-  // A line with this word, and another one that is returned.
+  // Reads a line of this word and one more, and returns the second one.
   std::string_view entry(const char* name)
   {
     next_line();
@@ -219,7 +219,7 @@ public:
     return value;
   }
 
-  // A line with this word and a number.
+  // The same, but the second word is a number in this range.
   template <class Integer>
   Integer number_entry(const char* name, Integer lowest, Integer highest)
   {
@@ -244,7 +244,7 @@ public:
     throw Checkpoint_error_2(line, what);
   }
 
-  // Fit for a terminal, whatever it is.
+  // Makes any text fit for a terminal: shortened, and without control characters.
   static std::string quoted(std::string_view text)
   {
     constexpr std::size_t longest = 60;
@@ -263,10 +263,10 @@ private:
   }
 
   std::istream& m_in;
-  Checkpoint_sum_2 m_sum; // of the lines before this one
+  Checkpoint_sum_2 m_sum; // of the lines before the current one
   std::string m_text;
-  std::string_view m_rest; // of the line
-  bool m_is_at_end = true; // of the line
+  std::string_view m_rest; // of the current line, as is m_is_at_end
+  bool m_is_at_end = true;
   std::size_t m_line = 0;
 };
 
@@ -281,7 +281,7 @@ const ET& exact_value(const Lazy_exact_nt<ET>& x)
   return x.exact();
 }
 
-// How a coordinate is written, so that exactly the same number is read: a fraction of integers.
+// Writes a coordinate as a fraction of integers, so that exactly the same number is read back.
 template <class FT>
 class Checkpoint_coordinate_2
 {
@@ -314,7 +314,7 @@ public:
     return out.str();
   }
 
-  // False if that is not the text of a number.
+  // False if the text is not a number.
   static bool read(std::string_view text, FT& x)
   {
     const std::size_t bar = text.find('/');
@@ -328,7 +328,7 @@ public:
   }
 
 private:
-  // Leading zeros would make some number types read octal digits.
+  // Rejects leading zeros, which would make some number types read octal digits.
   static bool is_natural(std::string_view text)
   {
     return !text.empty() && (text.front() != '0' || text == "0") &&
@@ -357,31 +357,31 @@ public:
   static bool read(std::string_view text, double& x) { return read_finite(text, x); }
 };
 
-// Half-edges and faces by their numbers in the mirror.
+// Half-edges and faces are named by their numbers in the mirror.
 struct Checkpoint_edge_2
 {
-  Index forward;  // from the edge's source to its target
-  Index halfedge; // that the mirror names first: this one or its twin
+  Index forward;  // the half-edge from the edge's source to its target
+  Index halfedge; // the half-edge that the mirror stores: `forward` or its twin
 };
 struct Checkpoint_corner_2
 {
-  Index halfedge; // that the mirror names
-  Index face;     // that CGAL's vertex names
+  Index halfedge; // the corner that the mirror stores
+  Index face;     // the face that CGAL's vertex stores
 };
 
-// What a checkpoint keeps of a maintained triangulation: all that may make a difference to the next
-// update, but what classifiers, repairs and policies remember.
+// What a checkpoint keeps of a maintained triangulation: everything that can influence the next
+// update, except for the state of classifiers, repairs and policies.
 template <class Point>
 struct Checkpoint_arrays_2
 {
   bool positions_are_exact = true;
-  std::vector<Point> points;         // of each vertex but the infinite one
-  std::vector<Position_2> positions; // the same
+  std::vector<Point> points;         // of all finite vertices
+  std::vector<Position_2> positions; // the same, as doubles
   Point_ids_2<Point> ids;
 
-  // None at all if the points do not span the plane: then that is triangulated anew in every frame.
+  // Empty if the points do not span the plane: then every frame is triangulated from scratch.
   Flat_faces_2 faces;
-  std::vector<Checkpoint_corner_2> corners; // of each vertex
+  std::vector<Checkpoint_corner_2> corners; // of all vertices
   std::vector<Checkpoint_edge_2> edges;
 };
 

@@ -31,28 +31,30 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// Finds out whether faces, of which only the vertices are known, are a triangulated sphere without
-// doubled edges, and who is next to whom. They are if each edge has two faces, which run along it
-// in opposite directions, the faces at each vertex are one cycle, all hang together, and there are
-// two faces fewer than twice as many as finite vertices (Euler's formula).
+// Checks whether faces, given by their vertices alone, form a triangulated sphere without doubled
+// edges, and links neighboring faces. They do if
+//   - each edge has two faces, which run along it in opposite directions,
+//   - the faces at each vertex form one cycle,
+//   - all faces are connected, and
+//   - there are two faces fewer than twice as many as finite vertices (Euler's formula).
 class Sphere_check_2
 {
 public:
-  // What is wrong, and a face where; nothing if all is right.
+  // What is wrong, and at which face. `what` is null if nothing is.
   struct Flaw
   {
     const char* what = nullptr;
     Index face = 0;
   };
 
-  // Of all vertices, the infinite one included.
+  // `vertices` counts the infinite vertex, too.
   Sphere_check_2(Flat_faces_2& faces, Index vertices)
     : m_faces(faces)
     , m_vertices(vertices)
   {
   }
 
-  // Links the faces.
+  // Links the faces, and returns the first flaw.
   Flaw run()
   {
     sort_halfedges();
@@ -78,7 +80,7 @@ private:
         f(Flat_faces_2::first_halfedge(face) + i);
   }
 
-  // By their sources.
+  // Sorts by sources.
   void sort_halfedges()
   {
     m_first.assign(m_vertices + std::size_t(1), 0);
@@ -99,7 +101,7 @@ private:
   Flaw link()
   {
     Flaw flaw;
-    std::vector<Index> halfedge_to(m_vertices, no_index); // from v
+    std::vector<Index> halfedge_to(m_vertices, no_index); // from v to each vertex
     for (Index v = 0; v < m_vertices; ++v) {
       for_each_halfedge_from(v, [&](Index h) {
         Index& there = halfedge_to[m_faces.target(h)];
@@ -164,13 +166,12 @@ private:
 
   Flat_faces_2& m_faces;
   Index m_vertices;
-  std::vector<Index> m_first;  // of the half-edges from each vertex, in m_sorted
+  std::vector<Index> m_first;  // index in m_sorted of the first half-edge from each vertex
   std::vector<Index> m_sorted; // the half-edges by their sources
 };
 
-// Reads a triangulation as Checkpoint_writer_2 writes it. It takes nothing on trust: nothing that
-// the file says is used before it is checked, and memory is taken for what was read only, whatever
-// is announced.
+// Reads a triangulation that Checkpoint_writer_2 has written. Every value is validated before it is
+// used, and memory is allocated only for what was read, whatever numbers the file announces.
 template <class Maintained>
 class Checkpoint_reader_2
 {
@@ -186,7 +187,7 @@ public:
   {
   }
 
-  // Into an empty triangulation, which can only be thrown away if this throws.
+  // Reads into an empty triangulation, which can only be discarded if this throws.
   void read(Maintained& maintained)
   {
     read_head();
@@ -204,10 +205,11 @@ public:
   const Repair_experience_2& experience() const { return m_experience; }
 
 private:
-  // Half-edges, of which Flat_faces_2 counts eight a vertex, and ids have to have numbers.
+  // Ids must be smaller than `no_index`. The limit for vertices is lower (`max_vertices`), because
+  // Flat_faces_2 numbers eight half-edges per vertex.
   static constexpr Index max_ids = no_index - 1;
 
-  // One of two words.
+  // Reads a word that must be `yes` or `no`, and returns whether it is `yes`.
   bool flag(const char* name, std::string_view yes, std::string_view no)
   {
     const std::string_view value = m_file.entry(name);
@@ -271,7 +273,7 @@ private:
     }
   }
 
-  // At the beginning of a line.
+  // Reads the id at the beginning of a line.
   Index read_id()
   {
     m_file.next_line();
@@ -314,7 +316,7 @@ private:
     return rounded;
   }
 
-  // Whether the one may be what the other was rounded to: CGAL promises five digits.
+  // Whether `rounded` may be x rounded to a double. CGAL promises five correct digits.
   static bool is_near(double rounded, double x)
   {
     constexpr double error = 1e-3;
@@ -356,7 +358,7 @@ private:
     }
   }
 
-  // There are as many as there may be: each has to be there once.
+  // As many ids were read as there may be, so it is enough that each occurs once.
   void check_ids() const
   {
     std::vector<bool> is_there(m_number_of_ids);
@@ -371,7 +373,7 @@ private:
     std::for_each(m_free_ids.begin(), m_free_ids.end(), check);
   }
 
-  // Distinct points on a line.
+  // Checks that the points are distinct and collinear.
   void check_line(const Maintained& maintained) const
   {
     const auto& traits = maintained.traits();

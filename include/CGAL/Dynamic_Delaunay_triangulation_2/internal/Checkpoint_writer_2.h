@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// Writes a maintained triangulation. The page on checkpoints in the manual describes the file.
+// Writes a maintained triangulation. The manual's page on checkpoints describes the file.
 template <class Maintained>
 class Checkpoint_writer_2
 {
@@ -42,7 +42,7 @@ public:
   {
   }
 
-  // `append(file)` adds what is not the triangulation's own.
+  // `append(file)` adds the lines that are not part of the triangulation.
   template <class Append>
   void write(std::ostream& out, std::string_view subject, const Append& append) const
   {
@@ -62,8 +62,8 @@ public:
   }
 
 private:
-  // An exception in the middle of an update can leave what the next update puts right, but no
-  // reader could tell from nonsense.
+  // An exception in the middle of an update can leave a state that the next update repairs. It must
+  // not be written, because no reader could tell it from nonsense.
   void check_completeness() const
   {
     bool is_complete = m_is_certified || m_maintained.is_mirrored();
@@ -90,7 +90,8 @@ private:
         file.line(id);
   }
 
-  // How a number was rounded depends on what it was computed from, of which nothing is kept.
+  // Rounded coordinates are written as well: how a number was rounded depends on how it was
+  // computed, which is not kept.
   void write_vertex(Checkpoint_output_2& file, Index v) const
   {
     const Point& p = m_maintained.vertices()[v]->point();
@@ -118,8 +119,8 @@ private:
     }
   }
 
-  // The number of the face that CGAL's vertex names, which flips may leave another one than the
-  // corner's.
+  // The number of the face that CGAL's vertex stores. After flips it can differ from the face of
+  // the mirror's corner.
   Index face_of_vertex(Index v) const
   {
     Index face = m_maintained.mirror().corner(v) / 3;
@@ -135,8 +136,8 @@ private:
   Repair_experience_2 m_experience;
 };
 
-// What << and >> do with all that has checkpoints. Who uses them asks the stream how it went, so
-// it fails where the functions throw.
+// `operator<<` and `operator>>` for everything that has checkpoints. Users of streams test the
+// stream's state, so these set `failbit` where the functions throw.
 
 template <class Written>
 std::ostream& write_to_stream(std::ostream& out, const Written& written)
@@ -152,7 +153,7 @@ std::ostream& write_to_stream(std::ostream& out, const Written& written)
 template <class Read>
 std::istream& read_from_stream(std::istream& in, Read& target)
 {
-  const std::istream::sentry has_text(in); // skips white space, as every >> does
+  const std::istream::sentry has_text(in); // skips white space, as every operator>> does
   if (!has_text)
     return in;
   try {

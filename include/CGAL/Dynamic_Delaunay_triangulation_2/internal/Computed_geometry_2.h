@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// What is computed in plain floating point, as rounded as it comes out. Heuristic classifiers take
-// it as it is; exact ones bound the error.
+// Plain floating-point geometry without error bounds. Heuristic classifiers use the rounded results
+// as they are; exact ones bound the error themselves.
 
 inline double squared_distance(const Position_2& p, const Position_2& q)
 {
@@ -45,8 +45,8 @@ inline double dot(const Position_2& u, const Position_2& v)
   return u.x * v.x + u.y * v.y;
 }
 
-// Of the triangle of the origin, u and v, in either order. Infinite or no number if these are on a
-// line.
+// The circumcenter of the triangle of the origin, u and v, in either order. Infinite or NaN if the
+// three are collinear.
 inline Position_2 circumcenter(const Position_2& u, const Position_2& v)
 {
   const double uu = dot(u, u), vv = dot(v, v);
@@ -55,7 +55,7 @@ inline Position_2 circumcenter(const Position_2& u, const Position_2& v)
 }
 
 // For an edge at infinity: whether its finite face is not counterclockwise, or the hull turns right
-// where it passes the edge's end.
+// at the edge's finite end. False for all other edges.
 inline bool breaks_hull(const Edge_2& edge, const std::vector<Position_2>& positions)
 {
   const auto orientation = [&](Index p, Index q, Index r) {
