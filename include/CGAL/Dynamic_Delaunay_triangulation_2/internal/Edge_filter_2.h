@@ -29,28 +29,29 @@ namespace internal {
 // rounded once, by a factor between 1 - u and 1 + u.
 //
 // Orientation. A term of a minor is a product of two differences: three roundings. The subtraction
-// in the minor is a fourth, and at most two additions in `left` make it six. So the error of `left`
+// in the minor is the fourth, and at most two additions in `left` make six. So the error of `left`
 // is at most 6u T + O(u^2), where T = |bx cy| + |cx by| + ... is the sum of the absolute values of
-// all terms. As |bx cy| + |cx by| <= |b||c| <= (|b|^2 + |c|^2) / 2, and likewise for the others,
-// T <= s. The same bound holds for `right`.
+// all terms. T <= s, because
+//     |bx cy| + |cx by| <= |b||c| <= (|b|^2 + |c|^2) / 2
+// and likewise for the others. The same bound holds for `right`.
 //
-// In-circle. A square |a|^2 takes two differences, a product and a sum: four roundings. With those
-// of the minor, which are four, and that of their product it has nine; two additions make it
-// eleven. So the error is at most 11u P + O(u^2), where P = |a|^2 (|bx cy| + |cx by|) + ... Now P
-// <= |a|^2 |b||c| + |b|^2 |c||a| + |c|^2 |a||b| <= s^2 / 3, because the sum of x^2 yz is at most
-// that of x^2 y^2, which follows from xy yz <= (x^2 y^2 + y^2 z^2) / 2. The error is thus at most
-// 3.67u s^2.
+// In-circle. A square |a|^2 takes four roundings: two differences, a product and a sum. The minor
+// has four as well, their product one: nine. Two additions make eleven. So the error is at most
+// 11u P + O(u^2), where
+//     P = |a|^2 (|bx cy| + |cx by|) + ... <= |a|^2 |b||c| + |b|^2 |c||a| + |c|^2 |a||b| <= s^2 / 3,
+// because the sum of x^2 yz is at most the sum of x^2 y^2, which follows from
+// xy yz <= (x^2 y^2 + y^2 z^2) / 2. The error is thus at most 3.67u s^2.
 //
-// The computed s is within 6u of s, relatively. The bounds 8u s and 5u s^2, computed, cover that.
+// The relative error of the computed s is at most 6u. The computed bounds 8u s and 5u s^2 cover it.
 //
-// Underflow. Differences are exact then. A product that underflows is off by at most 2^-1075, times
-// at most 2s where it is multiplied again: altogether some 30 s 2^-1075. For s >= 1e-120 that is
-// far below u s and u s^2. Smaller s are left to the kernel.
+// Underflow. Differences are exact then. A product that underflows is off by at most 2^-1075, and
+// may be multiplied by at most 2s: some 30 s 2^-1075 in all. For s >= 1e-120 that is far below u s
+// and u s^2. Smaller s are left to the kernel.
 //
-// Overflow. What is summed up is at most s, or s^2 / 3. Where it overflows the bound is infinite,
-// as s^2 is computed before the factor is applied, and all comparisons below are false.
+// Overflow. All summands are at most s, or s^2 / 3. If one overflows, the bound is infinite, as s^2
+// is computed before the factor is applied, and all comparisons below are false.
 //
-// Fused multiply-adds only leave roundings out.
+// Fused multiply-adds only omit roundings.
 struct Edge_filter_2
 {
   static constexpr double orientation_factor = 8 * 0x1p-53;
@@ -105,10 +106,10 @@ struct Edge_filter_2
   }
 };
 
-// The sign of orientation(a, b, c) if it is proved, 0 if not. The determinant is the difference of
-// two products with three roundings each, and is rounded itself: if T is the sum of the products'
-// absolute values, its error is at most 4u T + O(u^2). The computed T is within 3u of T,
-// relatively. Where products or the bound itself could underflow, nothing is proved.
+// The sign of orientation(a, b, c) if it is proved, 0 if not. The determinant is the rounded
+// difference of two products with three roundings each. So its error is at most 4u T + O(u^2),
+// where T is the sum of the products' absolute values. The relative error of the computed T is at
+// most 3u. Nothing is proved where products or the bound could underflow.
 inline int filtered_orientation(const Position_2& a, const Position_2& b, const Position_2& c)
 {
   constexpr double factor = 5 * 0x1p-53, smallest = 1e-280;
@@ -118,7 +119,7 @@ inline int filtered_orientation(const Position_2& a, const Position_2& b, const 
   return int((determinant > bound) & is_large) - int((determinant < -bound) & is_large);
 }
 
-// The same for the side of d of the circle through a, b and c, which are given counterclockwise.
+// The same for the side of d of the circle through a, b and c, which must be counterclockwise.
 inline int filtered_in_circle(const Position_2& a, const Position_2& b, const Position_2& c,
                               const Position_2& d)
 {
@@ -130,7 +131,7 @@ inline int filtered_in_circle(const Position_2& a, const Position_2& b, const Po
 
 #ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
 
-// The coordinates of four positions, and the corners of four edges.
+// The coordinates of four points, and the corners of four edges.
 struct Four_positions_2
 {
   __m256d x, y;
@@ -140,7 +141,7 @@ struct Four_corners_2
   Four_positions_2 left, source, target, right;
 };
 
-// Edge_filter_2 on four edges at once, operation for operation, so that both prove the same edges.
+// Edge_filter_2 on four edges at once, by the same operations, so that both prove the same edges.
 class Edge_filter_avx2_2
 {
   using Four = Four_positions_2;
@@ -162,7 +163,7 @@ class Edge_filter_avx2_2
   }
 
 public:
-  // Bit i of the result says whether the i-th edge is proved Delaunay.
+  // Bit i of the result is set if the i-th edge is proved Delaunay.
   CGAL_DYNAMIC_DELAUNAY_AVX2 int prove(const Four_corners_2& corners)
   {
     const Four& d = corners.right;

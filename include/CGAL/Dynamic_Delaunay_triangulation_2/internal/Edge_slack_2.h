@@ -21,10 +21,10 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// What a computed squared distance must not exceed to prove that the distance is not larger than
-// `tolerance`: it is within 4u of the true one, relatively, u = 2^-53. Where the square of the
-// tolerance overflows it is larger than all doubles, and an infinite distance still proves nothing.
-// Squares of tolerances below 1e-150 underflow: these must not be asked for.
+// A computed squared distance up to this bound proves that the distance is at most `tolerance`. The
+// computed one has a relative error of at most 4u, u = 2^-53. If the square of the tolerance
+// overflows, it is larger than all doubles, and only an infinite distance proves nothing. The
+// tolerance must be at least 1e-150: squares of smaller ones underflow.
 inline double squared_bound(double tolerance)
 {
   return (std::min)(tolerance * tolerance, (std::numeric_limits<double>::max)()) *
@@ -36,8 +36,7 @@ inline bool is_within(double tolerance, const Position_2& p, const Position_2& q
   return squared_distance(p, q) <= squared_bound(tolerance);
 }
 
-// Appends the vertices [first, beyond) that are farther than the root of `bound` from their
-// references.
+// Appends the vertices [first, beyond) whose squared distances to references exceed `bound`.
 inline void append_moved_plain(const Position_2* positions, const Position_2* references,
                                Index first, Index beyond, double bound, std::vector<Index>& moved)
 {
@@ -48,7 +47,7 @@ inline void append_moved_plain(const Position_2* positions, const Position_2* re
 
 #ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
 
-// The same, operation for operation, sixteen vertices at once.
+// The same with the same operations, sixteen vertices at once.
 __attribute__((target("avx2"))) inline void
 append_moved_avx2(const Position_2* positions, const Position_2* references, Index first,
                   Index beyond, double bound, std::vector<Index>& moved)
@@ -74,14 +73,14 @@ append_moved_avx2(const Position_2* positions, const Position_2* references, Ind
 #endif // CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
 
 // Appends all finite vertices that are not proved to be within `tolerance` of their references.
-// False, and the vertices are not complete, if they are more than `most`.
+// Returns false, and may leave vertices out, if they are more than `most`.
 inline bool append_moved(const std::vector<Position_2>& positions,
                          const std::vector<Position_2>& references, double tolerance,
                          std::size_t most, std::vector<Index>& moved)
 {
   const double bound = squared_bound(tolerance);
   const Index vertices = Index(positions.size());
-  constexpr Index part = 1 << 10; // motion everywhere is found out early
+  constexpr Index part = 1 << 10; // small parts, to detect motion everywhere early
   for (Index first = 1; first < vertices && moved.size() <= most; first += part) {
     const Index beyond = vertices - first < part ? vertices : first + part;
 #ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
@@ -95,30 +94,31 @@ inline bool append_moved(const std::vector<Position_2>& positions,
   return moved.size() <= most;
 }
 
-// How far the four vertices of an edge may go, each in any direction, before the edge can stop
+// How far each of the four vertices of an edge may move, in any direction, before the edge can stop
 // being Delaunay.
 //
 // Between two finite faces (de Castro and Devillers, 2008). Let o be any point, r the larger
-// distance of b and c from it, and R the smaller one of a and d. While none of the four moves by
-// more than (R - r) / 2, the circle around o with radius (R + r) / 2 has b and c strictly inside,
-// a and d strictly outside. It can be shrunk, inside itself, to one through b and c, which holds
-// neither a nor d: if both faces are counterclockwise, the edge is Delaunay, and no tie. That holds
-// for any o, so o may be computed as roughly as one likes; the best one makes |ob| = |oc| and
-// |oa| = |od|. Each computed distance is within 3.5u of the true one, relatively (a difference u,
-// its square 3u, the sum 4u, of which the root takes half; and u of its own), u = 2^-53; with the
-// roundings of the comparison itself 16u (R + r) is more than enough.
+// distance of b and c from o, and R the smaller distance of a and d. While none of the four moves
+// by more than (R - r) / 2, the circle around o with radius (R + r) / 2 has b and c strictly
+// inside, a and d strictly outside. It contains a circle through b and c, which contains neither a
+// nor d. So if both faces are counterclockwise, the edge is strictly Delaunay. This holds for any
+// o, so o may be computed roughly. The best o has |ob| = |oc| and |oa| = |od|. The relative error
+// of a computed distance is at most 3.5u, u = 2^-53: u for a difference, 3u for its square, 4u for
+// the sum, half of that for the root, and u for the rounding of the root. With the roundings of the
+// comparison, 16u (R + r) is more than enough.
 //
-// At the hull: the orientation determinant D = (p - q) x (w - q) changes by at most
-// 2t (|p - q| + |w - q|) + 4t^2 if each of the three moves by at most t; the same holds for the
-// scalar product. Lengths are bounded by sums of absolute values; the error of D itself is that of
-// Edge_filter_2, and the hundredth of a percent covers the roundings of the bound.
+// At the hull. If p, q and w move by at most t each, the orientation determinant
+// D = (p - q) x (w - q) changes by at most
+//     2t (|p - q| + |w - q|) + 4t^2,
+// and so does the scalar product. Lengths are bounded by sums of absolute values. The error of D is
+// bounded as in Edge_filter_2; a hundredth of a percent covers the bound's roundings.
 class Edge_slack_2
 {
 public:
-  // Squares of smaller ones underflow.
+  // Squares of smaller tolerances underflow.
   static constexpr double smallest_tolerance = 1e-100;
 
-  // `corners` are those of the edge.
+  // `corners` are the corners of `edge`.
   Edge_slack_2(const Edge_2& edge, const Edge_corners_2& corners)
   {
     const auto& [a, b, c, d] = corners;
@@ -134,12 +134,12 @@ public:
       measure_annulus(corners);
   }
 
-  // Of an edge between finite faces, as it was computed.
+  // The computed slack of an edge between finite faces, without allowance for rounding.
   double value() const { return (m_outer - m_inner) / 2; }
 
-  // Whether the edge is proved Delaunay as long as none of its vertices moves by more than `t`, and
-  // each face at it that lies between three edges of which this can be said is counterclockwise.
-  // Not if that is not so to begin with.
+  // Whether the edge is proved Delaunay while none of its vertices moves by more than `t`. A face
+  // at it is then counterclockwise if this holds for all its three edges. False if the edge is not
+  // Delaunay, or a face not counterclockwise, to begin with.
   bool is_safe(double t) const
   {
     if (m_is_at_hull)
@@ -147,8 +147,8 @@ public:
     return m_is_counterclockwise && m_outer - m_inner > 2 * t + 16 * 0x1p-53 * (m_outer + m_inner);
   }
 
-  // A tolerance with which the edge is safe, the largest one but for rounding; negative if there is
-  // none. However it is computed, is_safe() has the last word.
+  // A tolerance with which the edge is safe, the largest one except for rounding; negative if there
+  // is none. The result is checked by is_safe(), however roughly it was computed.
   double tolerance() const
   {
     const double t = (1 - 1e-12) * (m_is_at_hull ? root_of_bound() : slack_less_rounding());
@@ -172,7 +172,7 @@ private:
     m_inner = (std::max)(distance(o, b), distance(o, c));
   }
 
-  // Where the bisectors of bc and of ad meet.
+  // The intersection of the bisectors of bc and ad.
   static Position_2 center(const Position_2& a, const Position_2& b, const Position_2& c,
                            const Position_2& d)
   {
@@ -196,7 +196,7 @@ private:
     m_squares = px * px + py * py + wx * wx + wy * wy;
   }
 
-  // The hull comes from p to q and goes on to w.
+  // The hull goes from p through q to w.
   void measure_corner(const Position_2& p, const Position_2& q, const Position_2& w)
   {
     measure_turn(p, q, w);
@@ -205,7 +205,7 @@ private:
 
   double slack_less_rounding() const { return value() - 8 * 0x1p-53 * (m_outer + m_inner); }
 
-  // Where bound() reaches the determinant.
+  // The t for which bound(t) equals the determinant.
   double root_of_bound() const
   {
     const double room = (m_determinant - Edge_filter_2::orientation_factor * m_squares) / 1.0001;

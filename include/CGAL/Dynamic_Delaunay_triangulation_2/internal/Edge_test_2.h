@@ -20,29 +20,30 @@
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 
-/// What an edge is, decided by exact predicates.
+/// The state of an edge, decided by exact predicates.
 enum class Edge_state_2 {
   DELAUNAY, ///< locally Delaunay; its finite faces are counterclockwise, and the hull is convex
             ///< there.
-  ILLEGAL,  ///< both faces are counterclockwise, and each circle holds the other's vertex: flip it.
-  CROSSED,  ///< a face is not counterclockwise, or the hull not convex; a flip may right that.
-  TWISTED   ///< the same, but a flip does not right it.
+  ILLEGAL,  ///< both faces are counterclockwise, the circle of each contains the other's vertex:
+            ///< flip it.
+  CROSSED,  ///< a face is not counterclockwise, or the hull not convex; a flip may repair that.
+  TWISTED   ///< as CROSSED, but a flip does not repair it.
 };
 
 namespace internal {
 
 // The space in which the points move: the open plane. A space says where the corners of an edge are
-// as seen from that edge, and how far the vector between two of them may be off when it is
-// computed. Everything that looks at an edge asks it, so that another space changes nothing else.
-// In the plane a corner is where its vertex is, and a vector is a difference that is rounded once.
+// as seen from that edge, and bounds the error of a computed vector between two of them. All code
+// that inspects edges asks it, so that another space needs no other changes. In the plane, a corner
+// is its vertex's position, and a vector is a difference that is rounded once.
 class Plane_2
 {
 public:
-  // By so many units of 2^-53 of its own length may each coordinate of a computed vector be off:
-  // the bounds of `Edge_filter_2` and `Edge_slack_2` are derived for this.
+  // The error bound of each coordinate of a computed vector, in units of 2^-53 of the coordinate.
+  // The bounds of `Edge_filter_2` and `Edge_slack_2` are derived for this value.
   static constexpr int rounding_of_vectors = 1;
 
-  // `positions` are those of all vertices by their indices.
+  // `positions` are indexed by vertices.
   template <class Positions>
   static Edge_corners_2 corners(const Edge_2& edge, const Positions& positions)
   {
@@ -52,7 +53,7 @@ public:
 
 #ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
 
-  // The corners of four edges.
+  // The same for four edges at once.
   CGAL_DYNAMIC_DELAUNAY_AVX2 Four_corners_2 corners_of_four(const Edge_2* edges,
                                                             const Position_2* positions)
   {
@@ -76,11 +77,10 @@ private:
 #endif // CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
 };
 
-// What has to be true at an edge depends on which of its four vertices is infinite, if any. Calls
-// one of these:
-//   inner()               none is;
-//   hull_edge(a, b, c)    the finite face at the edge is (a, b, c), and the edge goes from b to c;
-//   hull_corner(p, q, r)  the edge goes from q to infinity, and the hull from p through q to r.
+// The condition at an edge depends on which of its four vertices is infinite, if any. Calls
+//   inner()               if none is;
+//   hull_edge(a, b, c)    if the edge goes from b to c, and its only finite face is (a, b, c);
+//   hull_corner(p, q, r)  if the edge goes from q to infinity, and the hull from p through q to r.
 template <class Inner, class Hull_edge, class Hull_corner>
 auto by_kind(const Edge_2& edge, const Inner& inner, const Hull_edge& hull_edge,
              const Hull_corner& hull_corner)
@@ -110,8 +110,8 @@ inline void prefetch_corners(const Edge_2& edge, const Position_2* positions)
     prefetch(positions + v);
 }
 
-// Appends those of the edges [first, beyond) that Edge_filter_2 does not prove Delaunay. Those at
-// infinity never are: their corners are NaN.
+// Appends those of the edges [first, beyond) that Edge_filter_2 does not prove Delaunay, among them
+// all edges at infinity: their corners are NaN.
 template <class Space>
 void append_unproved_plain(const Edge_2* edges, const Position_2* positions, Index first,
                            Index beyond, std::vector<Index>& unproved)
@@ -145,7 +145,7 @@ append_unproved_avx2(const Edge_2* edges, const Position_2* positions, Index fir
   append_unproved_plain<Space>(edges, positions, e, beyond, unproved);
 }
 
-// The same for the edges in a list.
+// The same for the edges in `list`.
 template <class Space>
 __attribute__((target("avx2"))) void
 append_unproved_of_avx2(const Edge_2* edges, const Position_2* positions,
@@ -197,8 +197,8 @@ void append_unproved_of(const Edge_2* edges, const std::vector<Position_2>& posi
 
 // EXACT SIGNS -------------------------------------------------------------------------------------
 
-// The exact predicates over vertices by their indices: a floating-point filter with a proved bound
-// first, the kernel where it does not decide.
+// The exact predicates on vertices, given by their indices. A floating-point filter with a proved
+// bound comes first; the kernel decides where the filter fails.
 template <class Maintained>
 class Vertex_predicates_2
 {
@@ -218,7 +218,7 @@ public:
     return kernel_orientation(a, b, c);
   }
 
-  // Of d, for a circle that is given counterclockwise.
+  // The side of d of the circle through a, b and c, which must be counterclockwise.
   Oriented_side side_of_circle(Index a, Index b, Index c, Index d) const
   {
     if (m_maintained.positions_are_exact()) {
@@ -251,7 +251,7 @@ public:
   }
 
 private:
-  // Apart, so that compilers put the filters in line.
+  // Separate functions, so that compilers inline the filters.
 
   BOOST_NOINLINE Orientation kernel_orientation(Index a, Index b, Index c) const
   {
@@ -277,8 +277,8 @@ private:
   const Maintained& m_maintained;
 };
 
-// The one test of an edge, where the vertices are now. All signs are exact: the filter comes first,
-// the kernel's exact predicates where it does not decide.
+// The one test of an edge, at the present positions. All signs are exact: the kernel's predicates
+// decide where the filter fails.
 template <class Maintained>
 class Edge_test_2
 {
@@ -297,7 +297,7 @@ public:
         [&](Index p, Index q, Index r) { return hull_corner_state(p, q, r); });
   }
 
-  // The same at less cost; but an edge that is twisted may be called crossed.
+  // The same at lower cost, but may report a TWISTED edge as CROSSED.
   Edge_state_2 rough_state(Index e) const
   {
     const Edge_filter_2 filter(m_maintained.corners(e));
@@ -306,7 +306,7 @@ public:
     return state(e);
   }
 
-  // Whether the filter alone proves the edge Delaunay. It proves nothing of an edge at infinity.
+  // Whether the filter alone proves the edge Delaunay. It never does for an edge at infinity.
   bool proves_delaunay(Index e) const
   {
     return m_maintained.positions_are_exact() &&
@@ -314,8 +314,9 @@ public:
   }
 
 private:
-  // Flips go by the sign of the in-circle determinant alone, also where a face is inverted: the
-  // edge that a vertex has crossed has a positive one, and flipping it rights both faces.
+  // Whether to flip depends on the sign of the in-circle determinant alone, even where a face is
+  // inverted: if a vertex has crossed an edge, the determinant at that edge is positive, and
+  // flipping the edge makes both faces counterclockwise.
   Edge_state_2 inner_edge_state(Index e) const
   {
     if (m_maintained.positions_are_exact()) {
@@ -334,7 +335,7 @@ private:
     return is_twisted ? Edge_state_2::TWISTED : Edge_state_2::DELAUNAY;
   }
 
-  // The hull edge from b to c with the finite face (a, b, c): a must be on its left.
+  // Tests the hull edge from b to c with the finite face (a, b, c): a must be on its left.
   Edge_state_2 hull_edge_state(Index a, Index b, Index c) const
   {
     switch (orientation(a, b, c)) {
@@ -347,7 +348,7 @@ private:
     }
   }
 
-  // The hull's way through v, counterclockwise.
+  // Tests the turn of the hull at v; the hull is counterclockwise.
   Edge_state_2 hull_corner_state(Index before, Index v, Index after) const
   {
     switch (orientation(before, v, after)) {

@@ -50,7 +50,7 @@ namespace internal {
 constexpr Index infinite_index = 0;
 constexpr Index no_index = (std::numeric_limits<Index>::max)();
 
-// Makes room for so many elements more: appending them then throws nothing. Grows by doubling,
+// Makes room for `more` further elements, so that appending them cannot throw. Grows by doubling,
 // which `reserve()` alone does not.
 template <class T>
 void provide(std::vector<T>& data, std::size_t more)
@@ -59,9 +59,9 @@ void provide(std::vector<T>& data, std::size_t more)
     data.reserve(2 * data.size() + more);
 }
 
-// A set of indices below a bound, in the order of their insertion: a bit each, so that what is
-// asked for at random stays in the cache. Clearing costs as much as there are members, and after
-// the first frames nothing is allocated.
+// A set of indices below a bound, in the order of insertion. Membership is stored as bits, so that
+// random look-ups stay in the cache. Clearing takes time proportional to the number of members.
+// After the first frames nothing is allocated.
 class Index_set_2
 {
 public:
@@ -84,7 +84,7 @@ public:
     return true;
   }
 
-  // Inserts all from `first` to below `bound`, in place of what is there.
+  // Replaces the content by all indices from `first` to below `bound`.
   void fill(Index first, Index bound)
   {
     clear(bound);
@@ -108,7 +108,7 @@ private:
   std::vector<std::uint64_t> m_words;
 };
 
-// Each number once, in ascending order.
+// Sorts the numbers and removes repeated ones.
 template <class Number>
 void make_distinct(std::vector<Number>& numbers)
 {
@@ -116,7 +116,7 @@ void make_distinct(std::vector<Number>& numbers)
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
-// Refuses ids one of which is there more than once.
+// Throws if an id occurs more than once.
 template <class Id>
 void check_distinct(std::vector<Id> ids)
 {
@@ -126,14 +126,14 @@ void check_distinct(std::vector<Id> ids)
     throw Repeated_id_error_2(*twice);
 }
 
-// How the numbers of vertices, edges or faces have changed in a call. Where some go, the last ones
-// take their numbers; where others come, they get these, or the next numbers.
+// How the numbers of vertices, edges or faces have changed in a call. The last element takes the
+// number of a removed one. An added element takes the number of a removed one, or the next number.
 class Renumbering_2
 {
 public:
   bool is_none() const { return m_kept == no_index && m_moves.empty(); }
 
-  // Memory for so many that go: then nothing here throws, but follow().
+  // Reserves memory for so many removals. Then nothing here throws, except follow().
   void provide(std::size_t number) { m_moves.reserve(m_moves.size() + number); }
 
   void clear()
@@ -142,7 +142,7 @@ public:
     m_kept = no_index;
   }
 
-  // The last one takes the number of one that goes.
+  // The last element takes the number of a removed one.
   void note_move(Index last, Index to)
   {
     const bool has_come = last >= m_kept;
@@ -151,21 +151,22 @@ public:
       m_moves.emplace_back(has_come ? no_index : last, to);
   }
 
-  // One that comes takes the number of one that goes.
+  // An added element takes the number of a removed one.
   void note_replacement(Index i)
   {
     if (i < m_kept)
       m_moves.emplace_back(no_index, i);
   }
 
-  // Others come, and get this number and the next ones.
+  // Added elements get the numbers from `first` on.
   void note_appended(Index first) { m_kept = (std::min)(m_kept, first); }
 
-  // Brings data of each in step. `make(i)` makes those of the one with the new number i.
+  // Renumbers `data`, one entry per element, in the same way. `make(i)` makes the entry of an added
+  // element, whose number is i.
   template <class T, class Make>
   void follow(std::vector<T>& data, std::size_t size, const Make& make) const
   {
-    std::unordered_set<Index> come; // who has come, and taken the number of another one
+    std::unordered_set<Index> come; // added elements that have the number of a removed one
     for (const auto& [from, to] : m_moves) {
       come.erase(to);
       if (from == no_index || come.erase(from) > 0)
@@ -183,9 +184,9 @@ public:
   }
 
 private:
-  // In this order, from where to where; from nowhere, if it has come in this call.
+  // Moves in order, from number to number; from `no_index` if the element was added in this call.
   std::vector<std::pair<Index, Index>> m_moves;
-  Index m_kept = no_index; // all of those that were there at first have smaller numbers now
+  Index m_kept = no_index; // the elements from before the call all have smaller numbers now
 };
 
 struct Renumberings_2

@@ -13,8 +13,8 @@
 #include <cfenv>
 #endif
 
-// Then a compiler takes NaN and infinity for impossible, and rounding errors for any: no coordinate
-// could be checked, and no sign proved.
+// Under these options a compiler takes NaN and infinity for impossible and allows any rounding
+// error: coordinates could not be checked, and signs could not be proved.
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) ||       \
     defined(__ASSOCIATIVE_MATH__)
 static_assert(false,
@@ -33,10 +33,10 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// While it lives, arithmetic is as a program finds it when it starts: rounded to nearest, subnormal
-// numbers are numbers, and nothing traps. Every bound of a filter is proved for that. Afterwards it
-// is as the caller had it: games have subnormal numbers flushed to zero, as does any program that
-// loads a library which was linked with -ffast-math by a compiler of before 2023.
+// During its lifetime, floating-point arithmetic is in its default state, for which every bound of
+// a filter is proved: rounding to nearest, with subnormal numbers, without traps. Its destructor
+// restores the caller's state. Other states are common: games flush subnormal numbers to zero, and
+// so does any program that loads a library linked with -ffast-math by a compiler from before 2023.
 class Default_floating_point_2
 {
 public:
@@ -44,7 +44,7 @@ public:
   Default_floating_point_2& operator=(const Default_floating_point_2&) = delete;
 
 #ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_HAS_MXCSR
-  // Some 20 nanoseconds; <cfenv>, which sets the x87 unit as well, takes hundreds.
+  // Takes some 20 nanoseconds; <cfenv>, which also sets the x87 unit, takes hundreds.
   Default_floating_point_2()
     : m_state(_mm_getcsr())
   {

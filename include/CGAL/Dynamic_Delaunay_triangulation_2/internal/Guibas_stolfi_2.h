@@ -20,14 +20,15 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// So many have half-edges whose numbers fit, here and in a mirror.
+// The numbers of half-edges of so many vertices fit into Index, here and in a mirror.
 constexpr Index max_vertices = no_index / 8;
 
-// The faces of a fresh triangulation, infinite ones included, while it is made: three half-edges
-// each, opposite to its vertices. None at all if the points do not span the plane.
+// The faces of a fresh triangulation under construction, infinite ones included. Each has three
+// half-edges, opposite to its vertices. Empty if the points do not span the plane.
 //
-// Faces stand four half-edges apart, the last of which is not used: next() and previous() are
-// called so often that the division by three would cost a seventh of Guibas' and Stolfi's method.
+// The numbers of the first half-edges of faces are four apart, and every fourth half-edge is
+// unused: the division by three in next() and previous(), which are called very often, would cost a
+// seventh of the time of Guibas' and Stolfi's method.
 class Flat_faces_2
 {
 public:
@@ -72,13 +73,13 @@ private:
 
 // The Delaunay triangulation by divide and conquer (thesis 3.2; L. Guibas and J. Stolfi, ACM
 // Transactions on Graphics 4(2), 1985), cut across both axes in turn (R. Dwyer, Algorithmica 2,
-// 1987), on triangles rather than edges (J. Shewchuk's Triangle, 1996).
+// 1987), based on triangles rather than edges (J. Shewchuk's Triangle, 1996).
 //
-// Each part of the points is a triangulated sphere of its own: an infinite face stands at every
-// edge of its hull, at both sides of an edge if the part lies on a line. So n points have 2n - 2
-// faces at any time, and merging two parts takes two new ones, those at the common tangents: all
-// others keep their places. The half-edge of an infinite face that is opposite to infinity, here
-// called a hull edge, runs clockwise along the hull.
+// Each part of the points is a triangulated sphere of its own. It has an infinite face at every
+// edge of its hull; if the part lies on a line, one at each side of every edge. So n points have
+// 2n - 2 faces at any time. Merging two parts adds two faces, at the common tangents; all others
+// keep their places. The half-edge of an infinite face that is opposite to infinity, here called a
+// hull edge, runs clockwise along the hull.
 //
 // Cost: O(n log n).
 template <class Predicates>
@@ -91,7 +92,7 @@ public:
   {
   }
 
-  // Triangulates vertices in a spatial order; no two of them may coincide.
+  // Triangulates vertices that are in a spatial order. No two of them may coincide.
   void run(const Spatial_order_2& order)
   {
     const std::size_t n = order.size();
@@ -113,7 +114,7 @@ public:
   }
 
 private:
-  // A single vertex, or two hull edges: at the last two tangents, if it has been merged.
+  // A single vertex, or two hull edges: after a merge, those at the two tangents.
   struct Part
   {
     Index vertex;
@@ -125,7 +126,7 @@ private:
   struct Waiting_part
   {
     Part part;
-    Cut_2 cut; // to what comes next
+    Cut_2 cut; // between this part and the next one
     std::size_t beyond;
   };
 
@@ -133,7 +134,7 @@ private:
   static Index next(Index h) { return Flat_faces_2::next(h); }
   static Index previous(Index h) { return Flat_faces_2::previous(h); }
 
-  // From a hull edge to the next one.
+  // The next hull edge in this direction.
   Index clockwise(Index h) const { return next(m_faces.twin(next(h))); }
   Index counterclockwise(Index h) const { return previous(m_faces.twin(previous(h))); }
 
@@ -142,8 +143,8 @@ private:
     return i > 0 && i < order.size() ? order.cut(i).rank : (std::numeric_limits<int>::max)();
   }
 
-  // The part of the i-th point and of the one or two behind it, if these are parted from it, and
-  // from each other, last. Then i is what comes next.
+  // Makes a part of the i-th point, and of the next one or two if the cuts between these are lower
+  // than the cuts around them. Advances i behind the part.
   Part make_part(const Spatial_order_2& order, std::size_t& i)
   {
     const std::size_t first = i++;
@@ -164,7 +165,7 @@ private:
     return make_edge(order[first], order[first + 1], face);
   }
 
-  // The parts of two and of three points, each with an infinite face at every edge.
+  // Make parts of two and of three points, with an infinite face at every edge.
 
   Part make_edge(Index a, Index b, Index face)
   {
@@ -200,10 +201,10 @@ private:
 
   // MERGING -------------------------------------------------------------------------------------
 
-  // The gap between two parts, `left` of it and `right`, with its lowest edge, from right to left,
-  // and the half-edges from `left` to infinity and from infinity to `right`, which have no twins
-  // for now. In a cut between below and above, what is below is on the left: everything is turned
-  // by a quarter.
+  // The gap between two parts. Its lowest edge, `base`, runs from vertex `right` to vertex `left`.
+  // The half-edges `left_side`, from `left` to infinity, and `right_side`, from infinity to
+  // `right`, have no twins yet. At a horizontal cut, the lower part counts as the left one:
+  // everything is turned by a quarter.
   struct Gap
   {
     Index left, right;
@@ -224,10 +225,10 @@ private:
     return Part{no_index, first_halfedge(new_face), h};
   }
 
-  // Finds the lower tangent and puts an infinite face below it.
+  // Finds the lower tangent, and puts an infinite face below it.
   Gap open(const Part& left, const Part& right, bool is_horizontal, Index face)
   {
-    Index l = left.vertex, r = right.vertex; // and the hull edges from l, and to r
+    Index l = left.vertex, r = right.vertex; // and from_l, to_r: the hull edges from l and to r
     Index from_l = no_index, to_r = no_index;
     if (!left.is_single()) {
       from_l = extreme(left, is_horizontal, LARGER);
@@ -269,9 +270,10 @@ private:
     return m_predicates.orientation(a, b, c) == RIGHT_TURN;
   }
 
-  // The hull edge from the rightmost vertex (LARGER), or the leftmost one, or the uppermost or
-  // lowest: it climbs from the nearest of the last tangents. Along a convex curve there is one
-  // summit, ties being broken by the other coordinate.
+  // The hull edge from the part's rightmost vertex (LARGER) or leftmost one (SMALLER); for a
+  // horizontal cut, the uppermost or lowest one. The search climbs along the hull, from the farther
+  // of the part's two hull edges. On a convex curve there is one summit: ties go by the other
+  // coordinate.
   Index extreme(const Part& part, bool is_horizontal, Comparison_result sense) const
   {
     const auto is_farther = [&](Index v, Index w) {
@@ -293,7 +295,7 @@ private:
     return h;
   }
 
-  // Zips the gap up to the upper tangent.
+  // Fills the gap with faces, from the base up to the upper tangent.
   void close(Gap& gap)
   {
     for (;;) {
@@ -326,8 +328,8 @@ private:
     return m_predicates.side_of_circle(gap.left, gap.right, v, w) == ON_POSITIVE_SIDE;
   }
 
-  // While the face (left, v, w) behind the hull edge from v to left has w inside the circle through
-  // the base and v, the edge goes: that face and the infinite one become two infinite ones.
+  // The face behind the hull edge from v to `left` is (left, v, w). While w is inside the circle
+  // through the base and v, removes the edge: both its faces become infinite ones.
   void remove_left_edges(Gap& gap)
   {
     for (;;) {

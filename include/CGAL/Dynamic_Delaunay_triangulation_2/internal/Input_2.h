@@ -30,22 +30,22 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// A type, if Range has begin() and end().
+// A valid type if Range has begin() and end().
 template <class Range>
 using If_range = decltype(std::begin(std::declval<const Range&>()));
 
-// What a call asks for, read and checked.
+// The input of a call, read and checked.
 template <class Point>
 struct Change_2
 {
-  bool is_frame = false; // every point that stays has a new position, which is staged
+  bool is_frame = false; // all points that stay have new positions, which are staged
   bool is_mending = false;
-  std::vector<Index> gone;  // ids of points that go, each once
-  std::vector<Index> moved; // ids of points that move alone, each once, and where to
+  std::vector<Index> gone;  // distinct ids of points to remove
+  std::vector<Index> moved; // distinct ids of points that move alone, and their new positions
   std::vector<Point> moved_points;
-  std::vector<Index> coming; // the ids that points get that come, and where these are
+  std::vector<Index> coming; // ids of points to insert, and their positions
   std::vector<Point> coming_points;
-  bool are_exact = true; // none of these coordinates has to be rounded for the flat arrays
+  bool are_exact = true; // no coordinate above is rounded in the flat arrays
 
   bool has_population() const { return !gone.empty() || !coming.empty(); }
 
@@ -55,17 +55,18 @@ struct Change_2
   }
 };
 
-// Whether it is known to point to values that stand in memory: others may be costly to ask twice.
+// Whether the iterator is known to point to values in memory. Other iterators may be expensive to
+// dereference twice.
 template <class Iterator, class Value = typename std::iterator_traits<Iterator>::value_type>
 constexpr bool is_in_memory = std::is_pointer_v<Iterator> ||
                               std::is_same_v<Iterator, typename std::vector<Value>::iterator> ||
                               std::is_same_v<Iterator, typename std::vector<Value>::const_iterator>;
-// which has no values to point to
+// iterators over bool: std::vector<bool> has no values to point to
 template <class Iterator>
 constexpr bool is_in_memory<Iterator, bool> = false;
 
-// Reads and checks the positions of a frame before anything changes, takes them back, or gives them
-// to CGAL's vertices in the end. It alone has the key to the points of duplicates.
+// Reads and checks the positions of a frame before anything changes. Afterwards takes them back, or
+// writes them to CGAL's vertices. Only this class has the key to the points of duplicates.
 template <class Maintained>
 class Input_frame_2
 {
@@ -85,8 +86,8 @@ public:
   {
   }
 
-  // Reads a frame into the positions; CGAL's vertices keep the points of the last one until they
-  // are written. If the frame is refused, or reading it throws, all is as it was.
+  // Reads a frame into the positions. CGAL's vertices keep the points of the last frame until the
+  // new ones are written. If the frame is refused, or reading it throws, nothing has changed.
   template <class InputIterator, class PointMap>
   void stage(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
@@ -102,17 +103,17 @@ public:
     exchange_duplicates();
   }
 
-  // Takes it back.
+  // Restores the positions of the last frame.
   void take_back()
   {
     m_positions.take_back(m_maintained.vertices(), m_were_exact);
     exchange_duplicates();
   }
 
-  // CGAL's vertices get the points of the frame.
+  // Writes the points of the frame to CGAL's vertices.
   void write() { m_positions.write(m_maintained.vertices()); }
 
-  // The same where only the points with these ids have moved. Some of them may be gone.
+  // The same if only the points with these ids have moved. Ids may be removed by now.
   void write(const std::vector<Index>& moved_ids)
   {
     if (std::exchange(m_positions.m_are_written, true))
@@ -136,9 +137,9 @@ private:
     stage_one_by_one(first, beyond, point_map);
   }
 
-  // Where each point has a vertex of its own, and all are at hand: in the order of the vertices,
-  // without a branch. A coordinate x is finite if 0x is 0, and within the limit if its product with
-  // the factor is finite; two sums take turns, so that no addition waits for the one before.
+  // For random-access input where each point has a vertex of its own: stages in the order of the
+  // vertices, without branches. A coordinate x is finite if 0x is 0, and within the limit if its
+  // product with the factor is finite. Two sums alternate, so that no addition waits for the last.
   template <class RandomAccessIterator, class PointMap>
   void stage_all_representatives(RandomAccessIterator first, RandomAccessIterator beyond,
                                  const PointMap& point_map)
@@ -152,7 +153,7 @@ private:
     const Index* const representatives = m_maintained.ids().representatives();
     bool are_exact = true;
     const auto stage = [&](std::size_t v, Position_2& zero) {
-      // iterators may keep their values in themselves, or make them, and maps refer into these
+      // iterators may store or make their values, and maps may refer into these: keep them alive
       const RandomAccessIterator iterator = first + Difference(representatives[v]);
       auto&& value = *iterator;
       const Point& p = get(point_map, value);
@@ -162,7 +163,7 @@ private:
       are_exact = are_exact && has_exact_position(p);
       m_positions.stage(Index(v), position, p);
     };
-    // one after the other in the plane, the points are anywhere in the range
+    // consecutive in the plane, the points are scattered over the range
     const auto prefetch_point = [&](std::size_t v) {
       if constexpr (is_in_memory<RandomAccessIterator>)
         prefetch(&*(first + Difference(representatives[v])));
@@ -233,14 +234,14 @@ private:
   bool m_were_exact = true;
 };
 
-// Reads and checks what comes, goes or moves alone, before anything changes.
+// Reads and checks the input for points to insert, remove or move alone, before anything changes.
 template <class Maintained>
 class Population_input_2
 {
   using Point = typename Maintained::Point;
 
 public:
-  // Points that come.
+  // Reads points to insert.
   template <class InputIterator, class PointMap>
   static void read_newcomers(InputIterator first, InputIterator beyond, const PointMap& point_map,
                              const Maintained& maintained, Change_2<Point>& change)
@@ -256,7 +257,7 @@ public:
       checked_position(points[i], change.coming[i], change.are_exact);
   }
 
-  // Ids of points that are there, each once, in the order of the range.
+  // Reads ids of existing points, without repetition, in the order of the range.
   template <class InputIterator>
   static std::vector<Index> read_ids(InputIterator first, InputIterator beyond,
                                      const Maintained& maintained)
@@ -268,7 +269,7 @@ public:
     return ids;
   }
 
-  // Points with new positions.
+  // Reads points with new positions.
   template <class InputIterator, class IdMap, class PointMap>
   static void read_movers(InputIterator first, InputIterator beyond, const IdMap& id_map,
                           const PointMap& point_map, const Maintained& maintained,
@@ -284,7 +285,7 @@ public:
   }
 
 private:
-  // Any integer, a negative one too.
+  // Reads any integer, also a negative one.
   template <class Integer>
   static Index read_id(const Integer& id, const Maintained& maintained)
   {
