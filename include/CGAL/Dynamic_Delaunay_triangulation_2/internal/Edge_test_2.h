@@ -24,8 +24,7 @@ namespace Dynamic_Delaunay_triangulations_2 {
 enum class Edge_state_2 {
   DELAUNAY, ///< locally Delaunay; its finite faces are counterclockwise, and the hull is convex
             ///< there.
-  ILLEGAL,  ///< both faces are counterclockwise, the circle of each contains the other's vertex:
-            ///< flip it.
+  ILLEGAL,  ///< both faces are counterclockwise, and each circle holds the other's vertex: flip it.
   CROSSED,  ///< a face is not counterclockwise, or the hull not convex; a flip may repair that.
   TWISTED   ///< as CROSSED, but a flip does not repair it.
 };

@@ -18,22 +18,22 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// Lawson's flips, started from some edges. Every edge that a flip touches is examined again, so
-// what is not returned as open has been examined since its neighborhood last changed, and is
-// proved.
+// Lawson's flips, started from some edges. Every edge that a flip touches is examined again. So an
+// edge that is not returned as open was examined after its neighborhood last changed, and is proved
+// Delaunay.
 class Lawson_flips_2
 {
 public:
-  // Flips from the edges of `open`, and leaves those there that it could not prove. Returns the
+  // Flips from the edges of `open`, and leaves those in `open` that it could not prove. Returns the
   // number of flips, at most `most`. If the faces tile the convex hull (`faces_tile_hull`), flips
-  // of illegal edges keep it so and need no search for a doubled edge, which takes a sixth of their
-  // time.
+  // of illegal edges preserve that, and need no search for doubled edges, which takes a sixth of
+  // their time.
   template <class Maintained>
   std::size_t run(const Maintained& maintained, Topology_editor_2<Maintained>& editor,
                   std::vector<Index>& open, bool faces_tile_hull, std::size_t most)
   {
-    // Lawson's proof of termination needs counterclockwise faces; with inverted ones flips can go
-    // round in circles. Recorded motion took at most 3 flips an edge to begin with.
+    // Lawson's proof of termination needs counterclockwise faces; with inverted ones, flips can
+    // cycle. Recorded motion took at most 3 flips per initial edge.
     const std::size_t limit = (std::min)(100 + 20 * open.size(), most);
     std::size_t flips = 0;
     m_touched.clear(); // an exception may have ended the last run
@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  // What a flip has touched is looked at at once, while it is in the cache. At most `limit` flips.
+  // Examines touched edges at once, while they are in the cache. Does at most `limit` flips.
   template <class Maintained, class Try_flip>
   std::size_t flip_from(const Maintained& maintained, Index seed, std::size_t limit,
                         const Try_flip& try_flip, std::vector<Index>& open)
@@ -77,7 +77,7 @@ private:
     return flips;
   }
 
-  // Flips e if it is illegal and can be flipped; notes it as open if it is not Delaunay and cannot.
+  // Flips e if a flip may help and is possible. Otherwise adds e to `open`, unless it is Delaunay.
   template <class Maintained, class Try_flip>
   bool examine(const Maintained& maintained, Index e, const Try_flip& try_flip,
                std::vector<Index>& open)
@@ -97,9 +97,9 @@ private:
     return true;
   }
 
-  // What the next seeds need is all over the memory. It is fetched in steps, each of which reads
-  // what the one before has fetched: at 10^5 points that takes off two thirds of the time of a
-  // flip. The positions in the end are those that the sides of the new diagonal are examined with.
+  // The data of the next seeds are scattered over the memory. They are fetched in steps, each of
+  // which reads what the one before has fetched. At 10^5 points this saves two thirds of the time
+  // of a flip. The last step fetches the positions needed to examine the sides of the new diagonal.
   template <class Maintained>
   void prefetch_stretch(const Maintained& maintained, std::size_t first) const
   {
@@ -125,7 +125,7 @@ private:
     });
   }
 
-  // What was open for want of a flip may have been righted by a later one.
+  // Removes open edges that a later flip has made Delaunay.
   template <class Maintained>
   static void keep_unproved(const Maintained& maintained, std::vector<Index>& open)
   {
@@ -136,7 +136,7 @@ private:
                open.end());
   }
 
-  static constexpr std::size_t stretch = 16; // of seeds that are fetched together
+  static constexpr std::size_t stretch = 16; // seeds that are fetched together
 
   std::vector<Index> m_seeds;   // the edges to start from
   std::vector<Index> m_touched; // to be examined again

@@ -29,23 +29,23 @@ class Topology_builder_2;
 template <class Maintained>
 class Topology_editor_2;
 
-// Where the vertices are. While a frame is on its way its points are here alone, *staged*: CGAL's
-// vertices keep those of the last frame, from which everything can be taken back, until the points
-// are written. Everybody may read; `Input_frame_2` stages, takes back and writes, and the editor
-// and the builder keep the arrays in step with the vertices.
+// The positions of the vertices. The points of a frame are *staged* here during the update: CGAL's
+// vertices keep the points of the last frame, from which everything can be restored, until the
+// staged ones are written to them. Reading is public. `Input_frame_2` stages, restores and writes;
+// the editor and the builder add and remove entries along with vertices.
 template <class Point>
 class Positions_2
 {
 public:
   static constexpr bool points_are_two_doubles = is_two_doubles<Point>;
 
-  // By the index of the vertex: its point, rounded where the coordinates are no doubles.
+  // The points, rounded if their coordinates are not doubles. Indexed by vertices, as points().
   const std::vector<Position_2>& positions() const { return m_positions; }
-  // The points themselves, where they are more than two doubles.
+  // The points themselves. Empty if they are just two doubles.
   const std::vector<Point>& points() const { return m_points; }
-  // No coordinate was rounded on its way into the array.
+  // Whether no coordinate was rounded in positions().
   bool are_exact() const { return m_are_exact; }
-  // CGAL's vertices have these points.
+  // Whether CGAL's vertices have these points.
   bool are_written() const { return m_are_written; }
 
   // The point of vertex v, whose handle is `vertex`.
@@ -77,7 +77,7 @@ private:
       m_points[v] = p;
   }
 
-  // Gives CGAL's vertices the staged points.
+  // Writes the staged points to CGAL's vertices.
   template <class Vertex_handle>
   void write(const std::vector<Vertex_handle>& vertices)
   {
@@ -89,7 +89,8 @@ private:
     }
   }
 
-  // The vertices stand in memory as the points came at first: after much motion, anywhere.
+  // The vertices are stored in the order of their creation; after much motion, vertices that are
+  // consecutive here are scattered over memory.
   template <bool prefetches, class Vertex_handle>
   void write_all(const std::vector<Vertex_handle>& vertices) const
   {
@@ -111,7 +112,7 @@ private:
       vertex->set_point(m_points[v]);
   }
 
-  // Goes back to the points of CGAL's vertices.
+  // Restores the points of CGAL's vertices.
   template <class Vertex_handle>
   void take_back(const std::vector<Vertex_handle>& vertices, bool were_exact)
   {
@@ -130,7 +131,7 @@ private:
       m_points.reserve(number);
   }
 
-  // Then append() throws only what copying a point throws.
+  // After this, append() throws only what copying a point throws.
   void provide_for_vertex()
   {
     provide(m_positions, 1);
@@ -170,8 +171,8 @@ private:
   bool m_are_exact = true;
 };
 
-// What an update works on: the topology, and where its vertices are. Everybody reads both here. Who
-// writes which of them is decided by their classes.
+// What an update works on: the topology and the positions of its vertices. Reading is public; the
+// classes of both declare by friendship who may write.
 template <class Traits_, class Tds_, class Visitor_calls_>
 class Maintained_triangulation_2
 {
@@ -209,7 +210,7 @@ public:
 
   Index number_of_vertices() const { return Index(vertices().size()) - 1; }
 
-  // The mirror exists in dimension 2 only: below, every frame is a rebuild.
+  // The mirror exists in dimension 2 only. In lower dimensions every frame is a rebuild.
   bool is_mirrored() const { return triangulation().dimension() == 2; }
 
   // POSITIONS -----------------------------------------------------------------------------------
@@ -219,7 +220,7 @@ public:
   bool positions_are_exact() const { return m_positions.are_exact(); }
   bool points_are_written() const { return m_positions.are_written(); }
 
-  // Where the corners of an edge are, as seen from it.
+  // The corners of an edge, as seen from it.
   Edge_corners_2 corners(Index e) const { return corners(e, positions()); }
   // The same for other positions of the vertices.
   Edge_corners_2 corners(Index e, const std::vector<Position_2>& others) const
@@ -227,13 +228,13 @@ public:
     return Space::corners(mirror().edge(e), others);
   }
 
-  // Where a vertex is.
+  // The present point of a vertex.
   decltype(auto) point(Index v) const { return m_positions.point(v, vertices()[v]); }
 
-  // Where it was a frame ago, while the points are not written.
+  // Its point in the last frame, while the present points are not written.
   const Point& previous_point(Index v) const { return vertices()[v]->point(); }
 
-  // Where a point is.
+  // The present point with this id.
   Point point_of_id(Index id) const
   {
     return ids().is_representative(id) ? point(ids().vertex(id)) : ids().duplicate(id).point;

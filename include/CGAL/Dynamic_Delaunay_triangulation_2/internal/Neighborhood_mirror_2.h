@@ -28,10 +28,10 @@ class Topology_editor_2;
 
 // The topology of a two-dimensional CGAL triangulation in flat arrays.
 //
-// Vertex 0 is the infinite one; its position is NaN, so that every comparison with it fails and the
+// Vertex 0 is the infinite one. Its position is NaN, so that every comparison with it fails and
 // passes over all edges need no branch for the hull. Half-edge 3f+i is the edge of face f opposite
-// to its i-th vertex, the face's vertices being the CGAL face's own in the same places: face f here
-// and the CGAL face f never differ by so much as a rotation.
+// to its i-th vertex. Face f here and the CGAL face f have the same vertices in the same places,
+// not even rotated.
 class Neighborhood_mirror_2
 {
 public:
@@ -42,7 +42,7 @@ public:
   Index number_of_faces() const { return Index(m_halfedges.size() / 3); }
   Index number_of_edges() const { return Index(m_edges.size()); }
 
-  // The vertex opposite to half-edge h, which is also the i-th vertex of its face.
+  // The vertex opposite to half-edge h: vertex h % 3 of its face.
   Index apex(Index h) const { return m_halfedges[h].apex; }
   Index source(Index h) const { return apex(next(h)); }
   Index target(Index h) const { return apex(previous(h)); }
@@ -56,9 +56,9 @@ public:
     return {apex(3 * f), apex(3 * f + 1), apex(3 * f + 2)};
   }
 
-  // For a flip of edge e, in steps: each reads what the one before has asked for. First edge(e) and
-  // halfedge(e); then the face at it; then the face beyond; then what the flip changes around the
-  // two, one after the other.
+  // For a flip of edge e, to be called in this order: each step reads what the one before has
+  // fetched. First edge(e) and halfedge(e), then the two faces at e, then what the flip changes
+  // around them.
   void prefetch_edge(Index e) const
   {
     prefetch(&m_edges[e]);
@@ -119,8 +119,8 @@ public:
     return degree;
   }
 
-  // Whether the apexes of h and of its twin are neighbors, beyond the two faces. Looks around both
-  // in step: one of them may have many neighbors, as the infinite vertex has.
+  // Whether the apexes of h and of its twin are neighbors, apart from the two faces. Walks around
+  // both apexes in step, because one of them may have many neighbors, like the infinite vertex.
   bool are_apexes_neighbors(Index h) const
   {
     const Index g = twin(h);
@@ -133,9 +133,9 @@ public:
 
   // VERTICES OUTSIDE OF ALL FACES -------------------------------------------------------------
   //
-  // A vertex that is taken out of its faces keeps a *slot*: its number, and those of the two faces
-  // and three edges that are then too many. They mean nothing until a vertex is put in with them,
-  // or the last ones take the numbers.
+  // A vertex that is taken out of its faces keeps a *slot*: its own number, and the numbers of two
+  // faces and three edges that are then superfluous. They mean nothing until a vertex is put in
+  // with them, or the last elements take the numbers.
 
   struct Slot
   {
@@ -164,7 +164,7 @@ private:
     m_corner.clear();
   }
 
-  // Then resize() throws nothing.
+  // After this, resize() throws nothing.
   void reserve(Index vertices, Index faces)
   {
     m_corner.reserve(vertices + std::size_t(1));
@@ -195,7 +195,7 @@ private:
     m_halfedges[g].twin = h;
   }
 
-  // Makes e the edge of h and of its twin, and reads its four vertices anew.
+  // Makes e the edge of h and of its twin, and sets its four vertices.
   void set_edge(Index e, Index h)
   {
     const Index g = twin(h);
@@ -204,12 +204,12 @@ private:
     m_edges[e] = Edge_2{source(h), target(h), apex(h), apex(g)};
   }
 
-  // Names one of the two half-edges of edge e first, or a corner of vertex v.
+  // Set the half-edge that is stored for edge e, or the corner for vertex v.
   void set_halfedge(Index e, Index h) { m_halfedge_of_edge[e] = h; }
   void set_corner(Index v, Index h) { m_corner[v] = h; }
 
-  // Numbers the edges along the faces, so that edges close in space are close in memory. Which
-  // half-edge comes first is anybody's guess, so there is no branch on it.
+  // Numbers the edges along the faces, so that edges close in space are close in memory. Has no
+  // branch on which half-edge comes first, because it would be unpredictable.
   void number_edges()
   {
     Index edges = 0;
@@ -242,7 +242,7 @@ private:
     link(h, outer_bd);
     link(g, outer_ca);
     link(h_next, g_next);
-    m_corner[c] = g_next; // whether it has to change or not: a store waits for nothing
+    m_corner[c] = g_next; // even where it does not change: a store is cheaper than a branch
     m_corner[b] = h_next;
 
     m_halfedges[h].edge = bd;
@@ -258,7 +258,7 @@ private:
     exchange_opposite(ca, b, d);
   }
 
-  // Memory for one slot more: then append_slot() throws nothing.
+  // Reserves memory for one more slot. Then append_slot() throws nothing.
   void provide_for_slot()
   {
     provide(m_halfedges, 6);
@@ -267,7 +267,7 @@ private:
     provide(m_corner, 1);
   }
 
-  // The next numbers of all.
+  // Appends a slot with the next numbers.
   Slot append_slot()
   {
     const Index faces = number_of_faces(), edges = number_of_edges();
@@ -280,9 +280,9 @@ private:
     return slot;
   }
 
-  // Puts the slot's vertex into face f. That keeps the edge opposite to its first vertex, of which
-  // the vertex takes the place; those opposite to the second and the third go to the slot's faces,
-  // where the vertex is the second, or the third.
+  // Puts the slot's vertex v into face f. Face f keeps the edge opposite to its first vertex, and v
+  // replaces that vertex. The edges opposite to the second and third vertex go to the slot's faces,
+  // where v replaces the second and third vertex.
   void put_in(const Slot& slot, Index f)
   {
     const Index v = slot.vertex;
@@ -306,8 +306,7 @@ private:
     set_edge(slot.edges[2], 3 * g + 2);
   }
 
-  // The opposite, for a vertex of degree 3: one face, with the number of that at v's corner, is
-  // there in place of its three.
+  // The reverse, for a vertex of degree 3: the face at v's corner replaces the three faces.
   Slot take_out(Index v)
   {
     const Index h = corner(v), g = next_corner(h), k = next_corner(g);
@@ -327,8 +326,8 @@ private:
     return slot;
   }
 
-  // The last face, edge or vertex takes the number of an empty one. It is not empty itself, unless
-  // it is that one.
+  // The last face, edge or vertex takes the number of an empty one. The last one must not be empty
+  // itself, unless both are the same.
   void move_last_face_to(Index f)
   {
     const Index last = number_of_faces() - 1;
@@ -398,7 +397,7 @@ private:
     prefetch(&m_halfedges[h / 3 * 3 + 2].edge);
   }
 
-  // The three half-edges of a face stand together: whoever needs one of them needs the others.
+  // The three half-edges of a face stand together, because they are needed together.
   struct Halfedge
   {
     Index apex, twin, edge;

@@ -20,22 +20,21 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// How far the proof of an update has come: the edges that are not proved Delaunay yet, and whether
-// the faces are known to tile the hull. It is complete when no edge is open and they do.
-//
-// An edge is *open* until somebody proves it. Those that are known to be illegal between two
-// counterclockwise faces are kept apart: a flip rights them.
+// How far the proof of an update has come: which edges are *open*, that is, not proved Delaunay
+// yet, and whether the faces are known to tile the hull. The proof is complete when no edge is open
+// and they do. Edges known to be illegal between two counterclockwise faces are kept apart, because
+// a flip repairs them.
 class Open_edges_2
 {
 public:
   bool empty() const { return m_uncertain.empty() && m_illegal.empty(); }
   std::size_t size() const { return m_uncertain.size() + m_illegal.size(); }
 
-  // Those at which there may be inverted faces.
+  // Open edges that may have inverted faces.
   const std::vector<Index>& uncertain() const { return m_uncertain; }
   std::vector<Index>& uncertain() { return m_uncertain; }
 
-  // Whether the last tool has proved that the faces tile the convex hull; if no tool was used,
+  // Whether the last tool has proved that the faces tile the convex hull. If no tool was used yet,
   // whether the classifier has.
   bool faces_tile_hull() const { return m_faces_tile_hull; }
   void set_planar(bool faces_tile_hull) { m_faces_tile_hull = faces_tile_hull; }
@@ -47,7 +46,7 @@ public:
     m_faces_tile_hull = false;
   }
 
-  // The edges that a classifier has named, and those of the vertices that it has named.
+  // Takes the classified edges, and the edges at the vertices that were classified as a whole.
   template <class Maintained>
   void take(const Dynamic_classification_2<Maintained>& classification,
             const Maintained& maintained)
@@ -68,9 +67,8 @@ public:
     m_faces_tile_hull = empty() && classification.hull_turns_once();
   }
 
-  // The edges that were triangulated anew from the i-th of these on, and those around them, which
-  // may have got another opposite vertex by that. Some of these edges may be empty by now, and so
-  // may some that were open before: they go.
+  // Opens the edges that were triangulated anew, from the i-th of the log on, and those around
+  // them, whose opposite vertices may have changed. Drops edges that are empty by now.
   template <class Maintained>
   void open_new_edges(const Maintained& maintained, std::size_t i)
   {
@@ -82,7 +80,7 @@ public:
         m_opened_last.push_back(new_edges[i]);
         mirror.for_each_side(new_edges[i], [this](Index e) { m_opened_last.push_back(e); });
       }
-    make_distinct(m_opened_last); // each is met some five times
+    make_distinct(m_opened_last); // each occurs some five times
     m_uncertain.insert(m_uncertain.end(), m_opened_last.begin(), m_opened_last.end());
     const auto is_empty = [&](Index e) { return mirror.is_empty_edge(e); };
     for (std::vector<Index>* edges : {&m_uncertain, &m_illegal})
@@ -91,31 +89,31 @@ public:
     m_faces_tile_hull = false;
   }
 
-  // By the last call of open_new_edges().
+  // The edges that the last call of open_new_edges() has opened.
   const std::vector<Index>& opened_last() const { return m_opened_last; }
 
-  // From here on they are edges like others.
+  // From now on, treats the illegal edges like the others.
   void open_illegal()
   {
     m_uncertain.insert(m_uncertain.end(), m_illegal.begin(), m_illegal.end());
     m_illegal.clear();
   }
 
-  // What hinders the flips of an open edge may be another edge nearby that is illegal.
+  // Another illegal edge nearby may prevent the flip of an open edge: opens the edges around.
   template <class Maintained>
   void open_surroundings(const Maintained& maintained)
   {
     const Dynamic_frame_2<Maintained> frame(maintained);
     std::vector<Index> vertices, edges;
     for_each_uncertain_vertex(maintained, [&](Index v) { vertices.push_back(v); });
-    make_distinct(vertices); // one of them may be at many of these edges, and have many others
+    make_distinct(vertices); // one vertex may be at many of these edges, and have many others
     for (const Index v : vertices)
       frame.for_each_edge_that_sees(v, [&](Index e) { edges.push_back(e); });
     m_uncertain.insert(m_uncertain.end(), edges.begin(), edges.end());
     make_distinct(m_uncertain);
   }
 
-  // Opens these edges as well, and closes all that are Delaunay.
+  // Opens these edges, too, then closes all that are Delaunay.
   template <class Maintained>
   void reopen(const Maintained& maintained, const std::vector<Index>& edges)
   {
@@ -128,7 +126,7 @@ public:
         m_uncertain.end());
   }
 
-  // The finite ones, some of them more than once.
+  // Calls f for the finite vertices, for some more than once.
   template <class Maintained, class Function>
   void for_each_uncertain_vertex(const Maintained& maintained, const Function& f) const
   {

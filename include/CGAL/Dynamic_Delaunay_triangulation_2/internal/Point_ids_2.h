@@ -19,9 +19,8 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// Which vertex each id has. Points that coincide share the vertex of one of them, its
-// representative; the others are duplicates there. Ids of removed points are free, and given again,
-// the smallest first.
+// The vertex of each id. Points that coincide share the vertex of one of them, its representative;
+// the others are duplicates there. Ids of removed points are free, and reused from the smallest on.
 template <class Point>
 class Point_ids_2
 {
@@ -32,7 +31,7 @@ public:
     Point point;
   };
 
-  // Ids are smaller than this.
+  // One more than the largest id ever in use.
   Index number_of_ids() const { return Index(m_vertex_of_id.size()); }
   Index number_of_points() const
   {
@@ -46,9 +45,9 @@ public:
   }
   Index vertex(Index id) const { return m_vertex_of_id[id]; }
   Index representative(Index vertex) const { return m_representative[vertex]; }
-  // Of each vertex.
+  // Indexed by vertices.
   const Index* representatives() const { return m_representative.data(); }
-  // Of an id that is taken.
+  // For an id that is taken.
   bool is_representative(Index id) const { return m_representative[m_vertex_of_id[id]] == id; }
   const std::vector<Duplicate>& duplicates() const { return m_duplicates; }
   std::vector<Duplicate>& duplicates() { return m_duplicates; }
@@ -56,7 +55,7 @@ public:
   const Duplicate& duplicate(Index id) const { return *find_duplicate(m_duplicates, id); }
   Duplicate& duplicate(Index id) { return *find_duplicate(m_duplicates, id); }
 
-  // All points: the representatives in the order of their vertices, then the duplicates.
+  // The ids of all points: the representatives in the order of their vertices, then the duplicates.
   std::vector<Index> representatives_and_duplicates() const
   {
     std::vector<Index> order(m_representative.begin() + 1, m_representative.end());
@@ -65,15 +64,14 @@ public:
     return order;
   }
 
-  // The ids that the next points get, one after the other. Cost: proportional to their number,
-  // times its logarithm.
+  // The ids that the next points get, in this order. Cost: n log n for n ids.
   std::vector<Index> next_ids(std::size_t number) const
   {
     std::vector<Index> ids;
     const auto comes_later = [this](std::size_t i, std::size_t j) {
       return m_free_ids[i] > m_free_ids[j];
     };
-    // from the top of the heap on: what may come next is below what came before
+    // a heap entry comes after its parent, so the search starts at the top of the heap
     std::vector<std::size_t> places;
     const auto consider = [&](std::size_t place) {
       if (place < m_free_ids.size()) {
@@ -95,7 +93,7 @@ public:
     return ids;
   }
 
-  // The same if these points go first.
+  // The same if the ids in `gone` are freed first.
   std::vector<Index> next_ids(std::size_t number, std::vector<Index> gone) const
   {
     const std::vector<Index> free = next_ids(number);
@@ -106,9 +104,9 @@ public:
     return ids;
   }
 
-  // NUMBERING ANEW ------------------------------------------------------------------------------
+  // NUMBERING FROM SCRATCH ------------------------------------------------------------------------
 
-  // No id is taken.
+  // Starts with so many ids, none of them taken.
   void reset(Index ids)
   {
     m_vertex_of_id.assign(ids, no_index);
@@ -117,7 +115,7 @@ public:
     m_free_ids.clear();
   }
 
-  // Gives `id` the next vertex, of which it is the representative.
+  // Makes `id` the representative of the next vertex.
   Index add_representative(Index id)
   {
     m_vertex_of_id[id] = Index(m_representative.size());
@@ -131,7 +129,7 @@ public:
     m_duplicates.push_back(Duplicate{id, point});
   }
 
-  // After the last one was added.
+  // To be called after the last point was added.
   void settle()
   {
     const auto comes_before = [](const Duplicate& g, const Duplicate& h) { return g.id < h.id; };
@@ -142,9 +140,9 @@ public:
         m_free_ids.push_back(id); // ascending numbers are a heap
   }
 
-  // COMING AND GOING ----------------------------------------------------------------------------
+  // INSERTION AND REMOVAL -------------------------------------------------------------------------
 
-  // Sets the next ids aside, for points that are about to come. If it throws, nothing has changed.
+  // Reserves the next ids for points to be inserted. If it throws, nothing has changed.
   void reserve(const std::vector<Index>& next_ids)
   {
     provide(m_free_ids, next_ids.size());
@@ -159,24 +157,23 @@ public:
       }
   }
 
-  // Makes an id free again that was set aside.
+  // Frees a reserved id.
   void release(Index id)
   {
     m_free_ids.push_back(id);
     std::push_heap(m_free_ids.begin(), m_free_ids.end(), std::greater<Index>());
   }
 
-  // Memory for a vertex more, for so many duplicates more, and for so many ids to become free: then
-  // nothing below throws.
+  // Reserve memory for one more vertex, for more duplicates, or for more free ids. Then nothing
+  // below throws.
   void provide_for_vertex() { provide(m_representative, 1); }
   void provide_for_duplicates(std::size_t number) { provide(m_duplicates, number); }
   void provide_for_removals(std::size_t number) { provide(m_free_ids, number); }
 
-  // The next vertex, that nobody is at.
+  // Appends a vertex without representative.
   void append_vertex() { m_representative.push_back(no_index); }
 
-  // Makes `id` the representative of a vertex that nobody is at, whether it was set aside or is
-  // that of a duplicate.
+  // Makes `id`, a reserved id or that of a duplicate, the representative of a vertex that has none.
   void place_representative(Index id, Index vertex)
   {
     leave(id);
@@ -184,7 +181,7 @@ public:
     m_representative[vertex] = id;
   }
 
-  // Makes `id` a duplicate at `vertex`, in the same way.
+  // Makes `id`, a reserved id or that of a duplicate, a duplicate at `vertex`.
   void place_duplicate(Index id, Index vertex, const Point& point)
   {
     leave(id);
@@ -192,22 +189,21 @@ public:
     m_duplicates.insert(find_duplicate(m_duplicates, id), Duplicate{id, point});
   }
 
-  // Frees the id of a duplicate.
+  // Removes a duplicate and frees its id.
   void remove_duplicate(Index id)
   {
     m_duplicates.erase(find_duplicate(m_duplicates, id));
     free(id);
   }
 
-  // Frees the id of a representative that has no duplicates; its vertex then has nobody.
+  // Removes a representative without duplicates and frees its id. Its vertex then has none.
   void remove_representative(Index id)
   {
     m_representative[m_vertex_of_id[id]] = no_index;
     free(id);
   }
 
-  // The duplicate with the smallest id among those at `vertex` that `pleases`; `no_index` if there
-  // is none.
+  // The smallest id of the duplicates at `vertex` for which `pleases` is true, or `no_index`.
   template <class Predicate>
   Index find_duplicate_at(Index vertex, const Predicate& pleases) const
   {
@@ -217,8 +213,8 @@ public:
     return no_index;
   }
 
-  // Lets a duplicate be the representative, and the representative, who is at `point`, its
-  // duplicate.
+  // Makes a duplicate the representative of its vertex, and the representative, whose point is
+  // `point`, a duplicate.
   void hand_over(Index duplicate, const Point& point)
   {
     const Index vertex = m_vertex_of_id[duplicate], representative = m_representative[vertex];
@@ -228,8 +224,8 @@ public:
     m_representative[vertex] = duplicate;
   }
 
-  // Makes duplicates at `vertex` of the representative and the duplicates of another one, who are
-  // at `point`.
+  // Makes the representative and the duplicates of vertex `other` duplicates at `vertex`. `point`
+  // is the representative's point.
   void merge(Index other, Index vertex, const Point& point)
   {
     for (const Duplicate& duplicate : m_duplicates)
@@ -241,7 +237,7 @@ public:
     m_representative[other] = no_index;
   }
 
-  // The points of the last vertex go to one that has nobody.
+  // Moves the points of the last vertex to one without representative, and drops the last one.
   void move_last_vertex_to(Index vertex)
   {
     const Index last = number_of_representatives();
@@ -257,7 +253,7 @@ public:
   }
 
 private:
-  // Where a duplicate is in the list, or would have to be.
+  // The place of a duplicate in the list, or where to insert it.
   template <class Duplicates>
   static auto find_duplicate(Duplicates& duplicates, Index id)
   {
@@ -265,7 +261,7 @@ private:
                             [](const Duplicate& duplicate, Index i) { return duplicate.id < i; });
   }
 
-  // A duplicate leaves its vertex; an id that was set aside has none.
+  // Removes a duplicate from its vertex. A reserved id has no vertex to leave.
   void leave(Index id)
   {
     if (is_taken(id))
@@ -278,10 +274,10 @@ private:
     release(id);
   }
 
-  std::vector<Index> m_vertex_of_id; // no_index where an id is free
+  std::vector<Index> m_vertex_of_id; // no_index for free ids
   std::vector<Index> m_representative;
-  std::vector<Duplicate> m_duplicates; // by their ids
-  std::vector<Index> m_free_ids;       // a heap, the smallest first
+  std::vector<Duplicate> m_duplicates; // sorted by id
+  std::vector<Index> m_free_ids;       // a heap, the smallest on top
 };
 
 } // namespace internal

@@ -23,21 +23,21 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// What the triangulation knows of points, whatever they are: where they are in the plane of their x
-// and y. They may hold more, such as a height, which has to come along.
+// What the triangulation needs to know of points of any type: their places in the plane, by their x
+// and y. Points may hold more data, such as a height, which are passed along.
 
 template <class Point>
 constexpr bool has_double_coordinates =
     std::is_same_v<std::decay_t<decltype(std::declval<const Point&>().x())>, double>;
 
-// Whether a point can be made of its x and y again.
+// Whether a point can be made from its x and y.
 template <class Point>
 constexpr bool is_made_of_x_and_y = false;
 template <class Kernel>
 constexpr bool is_made_of_x_and_y<CGAL::Point_2<Kernel>> = true;
 
-// Whether it is nothing but two doubles. A kernel may add data of its own to its points: then they
-// are larger.
+// Whether a point is just two doubles. Kernels may add data of their own to points, which are
+// larger then.
 template <class Point>
 constexpr bool is_two_doubles = is_made_of_x_and_y<Point>&& has_double_coordinates<Point> &&
                                 sizeof(Point) == 2 * sizeof(double);
@@ -65,23 +65,23 @@ Comparison_result compare_xy(const Traits& traits, const Point& p, const Point& 
   }
 }
 
-// Points coincide if they are at the same place of the plane.
+// Points coincide if they have the same place in the plane.
 template <class Traits, class Point>
 bool coincide(const Traits& traits, const Point& p, const Point& q)
 {
   return compare_xy(traits, p, q) == EQUAL;
 }
 
-// Below which magnitude of the coordinates the kernel's predicates are exact.
+// The kernel's predicates are exact for coordinates below this magnitude.
 //
 // Compiled for SSE4.1 or AVX, CGAL's interval product loses a 0 that meets an infinity: [-1, 0]
 // times [1, inf] is [-inf, -1] (CGAL 5.5; cf. its issue 4312). Such an interval can exclude the
-// true sign, and no exact number is asked. It takes an operand of a product that overflows. In the
-// in-circle determinant, which has the largest ones, these are sums of two products of two
-// differences: with coordinates below 2^510 they are at most 2 * 2^511 * 2^511 = 2^1023.
+// true sign, so that exact arithmetic is not used. This happens only to an operand of a product
+// that overflows. The largest operands, in the in-circle determinant, are sums of two products of
+// two differences. With coordinates below 2^510 they are at most 2 * 2^511 * 2^511 = 2^1023.
 #if defined(CGAL_USE_SSE2) && (defined(__SSE4_1__) || defined(__AVX__))
 constexpr double coordinate_limit = 0x1p510;
-// What coordinates from the limit on overflow with.
+// The product of this with any coordinate beyond the limit overflows.
 constexpr double factor_beyond_limit = 0x1p514;
 #else
 constexpr double coordinate_limit = std::numeric_limits<double>::infinity();
@@ -93,7 +93,7 @@ inline bool is_within_limit(double coordinate)
   return std::isfinite(factor_beyond_limit * coordinate);
 }
 
-// Where a point is, if it can be there.
+// The position of a point. Throws if its coordinates are not finite, or beyond the limit.
 template <class Point>
 Position_2 checked_position(const Point& p, std::size_t id)
 {
@@ -105,7 +105,7 @@ Position_2 checked_position(const Point& p, std::size_t id)
   return position;
 }
 
-// Whether none of its coordinates is rounded for that, as far as their intervals tell.
+// Whether the position is known to be exact, judging by the intervals of the coordinates.
 template <class Point>
 bool has_exact_position(const Point& p)
 {
@@ -120,7 +120,7 @@ bool has_exact_position(const Point& p)
   }
 }
 
-// Both: clears `are_exact` if a coordinate is rounded.
+// The same, but also clears `are_exact` if a coordinate is rounded.
 template <class Point>
 Position_2 checked_position(const Point& p, std::size_t id, bool& are_exact)
 {

@@ -8,8 +8,8 @@
 
 #include <cstdint>
 
-// AVX2 is picked at run time, so that a plain build has it. CGAL_DYNAMIC_DELAUNAY_NO_SIMD leaves it
-// out.
+// AVX2 is selected at run time, so that it does not need special compiler flags.
+// CGAL_DYNAMIC_DELAUNAY_NO_SIMD disables it.
 #if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__)) &&                            \
     !defined(CGAL_DYNAMIC_DELAUNAY_NO_SIMD)
 #define CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
@@ -31,14 +31,13 @@ inline bool has_avx2()
 
 #endif // CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
 
-// With more vertices, and other work between the frames, the flat arrays are not in the
-// second-level cache, and a pass over them fetches ahead: at 4,000 points that takes a fifth off
-// the pass over the edges, at 10^5 half. At 1,000 it would add a fifth.
+// With more vertices than this, and other work between the frames, the flat arrays are not in the
+// second-level cache, and passes over them prefetch. That saves a fifth of the pass over the edges
+// at 4,000 points and half at 10^5; at 1,000 it would add a fifth.
 constexpr std::uint32_t min_vertices_to_prefetch = 3 << 10;
 
-// Asks for memory that will be needed soon; without compiler support nothing happens. The empty
-// statement is an effect that cannot be left out: g++ takes a function that does nothing but
-// prefetch for one without effects, and removes its calls.
+// Fetches memory that will be needed soon; does nothing if the compiler does not support it. The
+// empty statement is a side effect: g++ would remove calls of a function that only prefetches.
 inline void prefetch(const void* address)
 {
 #if defined(__GNUC__) || defined(__clang__)
