@@ -13,9 +13,9 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// What an update may spend on mending before a rebuild is the better way. Everything is counted,
-// nothing clocked, so equal input gives equal results. The unit is a sixteenth of what a rebuild
-// takes for a vertex, some 15 nanoseconds.
+// What an update may spend on mending before a rebuild is cheaper. Costs are counted, not measured
+// as time, so equal input gives equal results. The unit is a sixteenth of the cost of a rebuild per
+// vertex, some 15 nanoseconds.
 class Repair_budget_2
 {
 public:
@@ -24,29 +24,29 @@ public:
   static constexpr std::size_t spliced_vertex = 32;
   static constexpr std::size_t relocation = 240;
   static constexpr std::size_t step_of_a_walk = 2;
-  static constexpr std::size_t look_for_jumpers = 8; // at an edge
-  // What it takes to mend what is around an open edge, flips, splices and all: random clouds are
-  // mended and rebuilt in the same time when an eighth of their edges are open.
+  static constexpr std::size_t look_for_jumpers = 8; // per edge
+  // The cost of mending around an open edge, with all flips and splices. Random clouds are mended
+  // and rebuilt in the same time if an eighth of their edges is open.
   static constexpr std::size_t open_edge = 36;
 
-  // Twice a rebuild, for repairs that do not know better.
+  // Allows the cost of two rebuilds, for repairs without a better estimate.
   void start_generously(std::size_t vertices)
   {
     m_left = least + 2 * rebuilt_vertex * vertices;
     m_spent = 0;
   }
 
-  // When it is known how many edges are open: a quarter more than mending should take, an eighth
-  // of a rebuild, and something for small triangulations, where a rebuild costs next to nothing.
-  // But no more than a rebuild: then the worst that can happen is that it takes two.
+  // Sets the budget when the number of open edges is known: a quarter more than mending should
+  // cost, an eighth of a rebuild, and a constant for small triangulations, whose rebuild costs next
+  // to nothing. It is at most one rebuild, so that the worst case costs as much as two.
   void start(std::size_t vertices, std::size_t open_edges)
   {
     const std::size_t rebuild = rebuilt_vertex * vertices;
     m_left = least + (std::min)(rebuild / 8 + open_edge * open_edges * 5 / 4, rebuild);
   }
 
-  // Whether a rebuild is expected to cost less than mending what is open, and so many points that
-  // come or go. Where the flat arrays no longer fit the second-level cache, mending gets dearer.
+  // Whether a rebuild is expected to cost less than mending the open edges and inserting or
+  // removing `changes` points. Mending is dearer beyond the second-level cache.
   static bool is_rebuild_cheaper(std::size_t vertices, std::size_t open_edges,
                                  std::size_t changes = 0)
   {
@@ -61,7 +61,7 @@ public:
     m_left -= (std::min)(cost, m_left);
     m_spent += cost;
   }
-  // As much as a rebuild of so many vertices, and something for small triangulations.
+  // Whether mending has cost as much as a rebuild, plus a constant for small triangulations.
   bool has_spent_a_rebuild(std::size_t vertices) const
   {
     return m_spent >= least / 4 + rebuilt_vertex * vertices;
@@ -75,25 +75,25 @@ private:
   std::size_t m_left = 0, m_spent = 0;
 };
 
-// What the last frames have taught: from which share of broken edges on mending was in vain. What
-// an edge costs depends on how the points move, which a price for all motion cannot know; the next
-// frame mostly is like the last one. Shares are in 65536ths of all edges.
+// What the last frames have taught: the share of broken edges from which on mending was in vain.
+// The cost of an edge depends on the motion, which no fixed price can reflect, but the next frame
+// is mostly like the last one. Shares are in 65536ths of all edges.
 class Repair_experience_2
 {
 public:
   static constexpr std::size_t all = 65536;
 
-  // Whether mending was in vain lately: then it pays to sample before anything is done.
+  // Whether mending was in vain lately. Then it pays to sample edges before anything is done.
   bool is_wary() const { return m_hopeless_share < all; }
 
-  // Of a sample, which may err by a quarter.
+  // Judges a sample, which may err by a quarter.
   bool is_hopeless(std::size_t sampled, std::size_t broken) const
   {
     return is_wary() && broken > 0 && share(broken, sampled) * 4 >= m_hopeless_share * 3;
   }
 
-  // So many edges were open, and mending was given up, or has cost as much as a rebuild. Where it
-  // is next to nothing, trying again costs next to nothing, too.
+  // Notes that mending was given up, or has cost as much as a rebuild, with so many open edges. If
+  // very few were open, trying again is cheap, so the share never gets very small.
   void note_in_vain(std::size_t open, std::size_t edges)
   {
     constexpr std::size_t next_to_nothing = all / 32;
@@ -101,8 +101,9 @@ public:
         (std::min)(m_hopeless_share, (std::max)(share(open, edges), next_to_nothing));
   }
 
-  // Where a sample decides again and again, mending is tried once in a while, the sooner the more
-  // it could save: nothing where an eighth is broken, which takes as long to mend as to rebuild.
+  // Notes that a sample has decided against mending. The share slowly grows, so that mending is
+  // tried once in a while: the sooner, the more it could save. At an eighth it saves nothing,
+  // because mending then takes as long as a rebuild.
   void note_not_tried()
   {
     constexpr std::size_t eighth = all / 8;
@@ -122,7 +123,7 @@ public:
       m_hopeless_share = (std::max)(m_hopeless_share, (std::min)(mended + mended / 8, all - 1));
   }
 
-  // For checkpoints; `all` if nothing was in vain.
+  // For checkpoints. `all` if nothing was in vain.
   std::size_t hopeless_share() const { return m_hopeless_share; }
   void restore(std::size_t hopeless_share) { m_hopeless_share = hopeless_share; }
 

@@ -29,9 +29,9 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// What mends an update, and what it has come to: the open edges, the vertices that are outside of
-// all faces, what may still be spent, the report. `Dynamic_mender_2` hands the tools on to a
-// repair; `Update_2` uses the others itself. Whatever costs more than its worth ends in a rebuild.
+// The tools that mend an update, and its state: the open edges, the vertices outside of all faces,
+// the remaining budget and the report. `Dynamic_mender_2` offers the tools to a repair; `Update_2`
+// uses the rest itself. If mending costs more than it is worth, a rebuild ends it.
 template <class Maintained>
 class Repair_tools_2
 {
@@ -63,8 +63,8 @@ public:
 
   // AN UPDATE -----------------------------------------------------------------------------------
 
-  // With an exact classifier nobody needs to hear of edges that were looked at and left as they
-  // are.
+  // `is_exact`: whether the classifier is. An exact classifier need not be told of edges that were
+  // examined and not changed.
   void start(Update_report_2& report, bool is_exact)
   {
     m_report = &report;
@@ -79,7 +79,7 @@ public:
   Traffic& traffic() { return m_traffic; }
   Topology_builder_2<Maintained>& builder() { return m_builder; }
 
-  // After the classifier has answered. `changes` is how many points come and go.
+  // To be called after the classifier. `changes` is the number of points inserted and removed.
   void take_classification(bool has_to_prove, bool was_certified, std::size_t changes)
   {
     m_has_to_prove = has_to_prove;
@@ -90,7 +90,7 @@ public:
     m_changes = changes;
   }
 
-  // The points with these ids go.
+  // Removes the points with these ids.
   void remove(const std::vector<Index>& ids)
   {
     const std::size_t first_new = m_maintained.changes().new_edges.size();
@@ -102,7 +102,7 @@ public:
       });
   }
 
-  // Puts everybody in that is outside of all faces, or comes, or parts, and flips around each.
+  // Puts in vertices outside of faces, new points and parted duplicates, with flips around each.
   void put_in(const std::vector<Index>& parted_duplicates)
   {
     m_open.set_planar(false);
@@ -131,14 +131,14 @@ public:
            (m_open.faces_tile_hull() || Certificate(m_maintained).hull_turns_once());
   }
 
-  // Gives the numbers of vertices that are no more to others.
+  // Gives the numbers of removed vertices to others.
   void finish()
   {
     if (m_traffic.finish())
       forget_sets();
   }
 
-  // The triangulation becomes another one. Throws nothing.
+  // Exchanges the whole triangulation with `other`. Throws nothing.
   void exchange(Maintained& other)
   {
     m_builder.exchange(other);
@@ -147,7 +147,7 @@ public:
     m_border.clear();
   }
 
-  // WHAT THERE IS TO DO -------------------------------------------------------------------------
+  // STATE -----------------------------------------------------------------------------------------
 
   const Classification& classification() const { return m_classification; }
   const Open_edges_2& open_edges() const { return m_open; }
@@ -158,14 +158,14 @@ public:
   const std::vector<Index>& padded() const { return m_padded; }
   const std::vector<Index>& border() const { return m_border; }
 
-  // Of what was classified, and the points that come and go in the same update.
+  // Whether a rebuild is cheaper than mending the classified edges and the points that come and go.
   bool is_rebuild_cheaper() const
   {
     return Repair_budget_2::is_rebuild_cheaper(m_maintained.number_of_vertices(),
                                                m_classified_edges, m_changes);
   }
 
-  // Whether mending alone has.
+  // Whether mending alone has cost as much as a rebuild.
   bool has_cost_a_rebuild() const
   {
     return m_budget.has_spent_a_rebuild(m_maintained.number_of_vertices());
@@ -177,13 +177,13 @@ public:
 
   void take_out_jumpers()
   {
-    // where several neighbors jumped, some look as if they had stayed, until the others are out
+    // where several neighbors jumped, some seem to have stayed until the others are out
     constexpr unsigned max_rounds = 4;
     for (unsigned round = 0; round < max_rounds && can_take_out(); ++round) {
       const std::vector<Index>& edges = round == 0 ? m_open.uncertain() : m_open.opened_last();
       m_budget.spend(edges.size() * Repair_budget_2::look_for_jumpers);
       const std::vector<Index>& jumpers = m_jumpers.find_jumpers(edges);
-      // each of them is one point that goes, and one that comes, and half of that for the search
+      // each counts as a point removed and a point inserted, plus half of that for the search
       if (Repair_budget_2::is_rebuild_cheaper(m_maintained.number_of_vertices(), 0,
                                               m_changes + 3 * jumpers.size()))
         return rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
@@ -240,7 +240,7 @@ public:
   {
     std::vector<Index> vertices;
     m_open.for_each_uncertain_vertex(m_maintained, [&](Index v) { vertices.push_back(v); });
-    constexpr std::size_t max_enlargements = 3; // then more padding, or a vertex less, does better
+    constexpr std::size_t max_enlargements = 3; // beyond it, padding or a vertex less does better
     splice(vertices, padding, max_enlargements, true);
   }
 
@@ -254,7 +254,7 @@ public:
     m_open.clear();
     if (!all_arrived)
       rebuild(Rebuild_reason_2::COINCIDENCE);
-    else if (!m_maintained.is_mirrored()) // nobody else can do anything without edges
+    else if (!m_maintained.is_mirrored()) // without edges, nothing but a rebuild can help
       rebuild(Rebuild_reason_2::DIMENSION);
     else if (!Certificate(m_maintained).holds())
       rebuild(Rebuild_reason_2::STUCK);
@@ -277,7 +277,7 @@ private:
     forget_sets();
   }
 
-  // Of vertices, which may have other numbers now.
+  // Clears sets of vertices, whose numbers may have changed.
   void forget_sets()
   {
     m_padded.clear();
@@ -292,7 +292,7 @@ private:
     return m_may_take_out && m_has_to_prove && !m_maintained.points_are_written() && !has_rebuilt();
   }
 
-  // At least three stay. Whether any went.
+  // Leaves at least three vertices. Whether any was taken out.
   bool take_out(const std::vector<Index>& vertices)
   {
     constexpr std::size_t min_vertices = 3;
@@ -301,7 +301,7 @@ private:
             m_maintained.number_of_vertices())
       return false;
     const std::size_t price = price_of_taking_out(vertices);
-    if (price > m_budget.left()) { // nor can anything else mend so many edges
+    if (price > m_budget.left()) { // nothing else could mend so many edges either
       rebuild(Rebuild_reason_2::BUDGET_SPENT);
       return false;
     }
@@ -313,7 +313,7 @@ private:
     return true;
   }
 
-  // That of a vertex includes a few flips; one with many edges takes as many.
+  // The price of a vertex includes a few flips. A vertex of high degree takes more.
   std::size_t price_of_taking_out(const std::vector<Index>& vertices) const
   {
     constexpr std::size_t usual_degree = 8;
@@ -333,7 +333,7 @@ private:
     if (has_rebuilt())
       return;
     std::vector<Index>& edges = m_open.uncertain();
-    // for a heuristic classifier, what was looked at counts as triangulated anew
+    // a heuristic classifier treats examined edges as triangulated anew
     if (!m_is_exact)
       m_editor.note_examined(edges);
     const std::size_t most = m_budget.left() / Repair_budget_2::flip + 1;
@@ -357,7 +357,7 @@ private:
     const std::size_t most = m_budget.left() / Repair_budget_2::flip + 1;
     const std::size_t flips = m_lawson.run(m_maintained, m_editor, m_around, false, most);
     m_report->flips += flips;
-    // the price of putting it in has the first ones
+    // the price of putting v in includes the first flips
     constexpr std::size_t few = 8;
     m_budget.spend(flips > few ? (flips - few) * Repair_budget_2::flip : 0);
     m_open.uncertain().insert(m_open.uncertain().end(), m_around.begin(), m_around.end());
@@ -365,7 +365,7 @@ private:
 
   // SPLICES -------------------------------------------------------------------------------------
 
-  // False if it has rebuilt or merged instead.
+  // False if this has rebuilt or merged instead.
   bool splice(const std::vector<Index>& vertices, unsigned padding, std::size_t max_enlargements,
               bool has_to_look)
   {
@@ -395,7 +395,7 @@ private:
     m_report->padded += m_splice.number_of_padded();
     m_report->border += m_splice.number_of_border();
     m_report->spliced += m_splice.number_of_vertices();
-    // the spliced faces are Delaunay among themselves; what lies across their boundary may not be
+    // the spliced faces are Delaunay among themselves, but their boundary edges may not be
     if (has_to_look)
       m_open.reopen(m_maintained, m_splice.boundary_edges());
     else
@@ -403,8 +403,8 @@ private:
     return true;
   }
 
-  // Vertices that have come to coincide become one. Other clusters may have been spliced before
-  // that was found.
+  // Merges vertices that have come to coincide. Other clusters may have been spliced before the
+  // coincidence was found.
   void merge()
   {
     if (!m_has_to_prove)
@@ -452,13 +452,13 @@ private:
   Classification m_classification;
   Open_edges_2 m_open;
   Repair_budget_2 m_budget;
-  std::vector<Index> m_around; // a vertex that was put in
+  std::vector<Index> m_around; // edges around a vertex that was put in
   std::vector<Index> m_padded, m_border;
   Update_report_2* m_report = nullptr;
   bool m_has_to_prove = false;
   bool m_was_certified = false;
-  bool m_is_exact = true;     // the classifier
-  bool m_may_take_out = true; // nobody has been put in yet
+  bool m_is_exact = true;     // whether the classifier is
+  bool m_may_take_out = true; // until a vertex is put in
   std::size_t m_classified_edges = 0;
   std::size_t m_changes = 0;
 };

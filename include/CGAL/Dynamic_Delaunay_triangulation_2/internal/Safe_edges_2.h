@@ -20,32 +20,32 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// The edges that need no look. All vertices have a reference position, and there is one tolerance:
-// an edge is *safe* if it is proved Delaunay for all positions of its four vertices within the
-// tolerance of their references (Edge_slack_2), and *tight* if not. While no vertex moves farther,
-// only the tight edges are looked at; if a few vertices do, the edges that see them are as well.
+// The edges that can be skipped. All vertices have a reference position, and there is one
+// tolerance. An edge is *safe* if it is proved Delaunay for all positions of its four vertices
+// within the tolerance of their references (Edge_slack_2), and *tight* otherwise. While no vertex
+// is farther from its reference, only the tight edges are examined; if a few vertices are, the
+// edges that see them are examined, too.
 //
-// Skipping is exact. What is left to show is that both faces at a skipped edge are
-// counterclockwise, for its own proof takes that for granted. Let the vertices of such a face go
-// straight from their references to where they are. If the face has an edge that is looked at, it
-// is found counterclockwise, or the edge is classified. If not, all its edges are safe: the face
-// was counterclockwise at the references, and could only change that by passing through three
-// points on a line (or two in one place), one between the two others; but those two are the ends of
-// a safe edge, inside a circle with the third one outside.
+// Skipping is exact. It remains to show that both faces at a skipped edge are counterclockwise,
+// which the proof for the edge assumes. Let the vertices of such a face move straight from their
+// references to their positions. If an edge of the face is examined, the face is found
+// counterclockwise, or the edge is classified. Otherwise all its edges are safe. The face was
+// counterclockwise at the references, and could change that only by passing through a state with
+// its three vertices on a line (or two in one place), one of them between the other two. But these
+// two are the ends of a safe edge: a circle has them inside and the third vertex outside.
 //
-// The hull turns around as often as at the references, if it has the same vertices and each of its
-// corners has been proved to stay a left turn, or to turn by less than a right angle
-// (Edge_slack_2): the sum of its turning angles is a multiple of 360 degrees, and changes
-// continuously.
+// The hull turns around as often as at the references if it has the same vertices, and each of its
+// corners is proved to remain a left turn or a turn by less than a right angle (Edge_slack_2): the
+// sum of its turning angles is a multiple of 360 degrees, and changes continuously.
 class Safe_edges_2
 {
 public:
   // Whether there are references.
   bool holds() const { return m_holds; }
-  // Whether the hull, as append_unproved() has last found it, turns around once.
+  // Whether the hull, as of the last append_unproved(), is known to turn around once.
   bool hull_turns_once() const { return m_hull_stays; }
 
-  // How far vertices go from frame to frame, while the previous positions are at hand.
+  // Samples how far vertices move per frame. Needs the previous positions.
   template <class Frame>
   void measure_step(const Frame& frame)
   {
@@ -58,9 +58,9 @@ public:
     m_typical_step = quantile(2);
   }
 
-  // Takes the positions of the frame for references, with the tolerance that makes one edge in
-  // `share` tight. Not if a typical vertex, at its measured speed, would leave that within a few
-  // frames.
+  // Takes the positions of the frame as references, with the tolerance that makes one edge in
+  // `share` tight. Takes none if a typical vertex, at its measured speed, would exceed the
+  // tolerance within a few frames.
   template <class Frame>
   void start(const Frame& frame, std::size_t share)
   {
@@ -77,7 +77,7 @@ public:
     m_holds = m_tight.size() <= most_tight(frame);
   }
 
-  // Takes note of what was triangulated anew, at the end of an update.
+  // Takes note of what an update has triangulated anew. To be called at its end.
   template <class Frame>
   void learn(const Frame& frame)
   {
@@ -86,7 +86,7 @@ public:
       check_hull(frame);
   }
 
-  // The same after an update that did not come to its end.
+  // The same after an update that was not completed.
   template <class Frame>
   void take_changes(const Frame& frame)
   {
@@ -112,9 +112,9 @@ public:
     m_holds = m_tight.size() <= most_tight(frame);
   }
 
-  // Appends, in ascending order, edges among which are all that are not Delaunay: of those that
-  // were looked at, and of those that share an inverted face with one. False, and nothing is known,
-  // if too many vertices have moved too far.
+  // Appends, in ascending order, a superset of the edges that are not Delaunay among those that
+  // were examined and those that share an inverted face with one of them. False, with no result, if
+  // too many vertices have moved too far.
   template <class Frame>
   bool append_unproved(const Frame& frame, std::vector<Index>& unproved)
   {
@@ -174,13 +174,13 @@ private:
       if (is_at_infinity(frame.edge(e)))
         continue;
       const double slack = Edge_slack_2(frame.edge(e), frame.corners(e)).value();
-      if (!std::isnan(slack)) // it is one where squares overflow, and cannot be sorted
+      if (!std::isnan(slack)) // NaN, where squares overflow, cannot be sorted
         m_sample.push_back(slack);
     }
     m_tolerance = quantile(share);
   }
 
-  // What one in `part` of the sample is smaller than.
+  // One in `part` of the sample is smaller than this.
   double quantile(std::size_t part)
   {
     if (m_sample.empty())
@@ -203,9 +203,9 @@ private:
       m_tight.insert(e);
   }
 
-  // Whether the hull of a certified triangulation, which turns once, keeps to that. It does not
-  // matter that the hull may look different at the references: as long as all its vertices are
-  // within the tolerance, it turns as often there.
+  // Checks whether the hull of a certified triangulation, which turns around once, is proved to
+  // continue to do so. The hull may look different at the references: while all its vertices are
+  // within the tolerance, it turns around as often there.
   template <class Frame>
   void check_hull(const Frame& frame)
   {
@@ -222,7 +222,7 @@ private:
       });
   }
 
-  // A new edge at the hull.
+  // Considers the edges around a new edge at the hull.
   template <class Frame>
   void consider_around(const Frame& frame, Index e)
   {
@@ -240,28 +240,27 @@ private:
   std::vector<Position_2> m_references; // of each vertex
   Index_set_2 m_tight;
   bool m_hull_is_checked = false;
-  bool m_hull_is_safe = false; // it keeps turning once while no vertex leaves the tolerance
-  bool m_hull_stays = false;   // and none at the hull has
+  bool m_hull_is_safe = false; // it turns around once while no vertex leaves the tolerance
+  bool m_hull_stays = false;   // and no vertex at the hull has left it
   std::vector<Index> m_moved;
   std::vector<Index> m_changed; // edges with another opposite vertex
   std::vector<double> m_sample;
 };
 
-// When to take references for Safe_edges_2, and how many edges may be tight then. Taking them costs
-// as much as some ten frames. The first attempts allow for few tight edges; each that is left
-// behind too soon is followed by one with twice as many, and when even many do not help, by a rest,
-// the longer the more often this has happened. References that hold for long are taken anew with
-// half as many tight edges.
+// When to take references for Safe_edges_2, and how many edges may then be tight. Taking references
+// costs as much as some ten frames. The first attempts allow few tight edges. If references fail
+// too soon, the next ones allow twice as many. If even many do not help, a rest follows, which is
+// longer each time. References that hold for long are taken anew with half as many.
 class Safe_edges_schedule_2
 {
 public:
-  // One edge in so many may be tight.
+  // One edge in this number may be tight.
   unsigned share() const { return m_share; }
 
   // Whether the next update may end with new references.
   bool is_near() const { return m_rest == 0; }
 
-  // After each update: whether it is time, if the present references hold or do not.
+  // After each update: whether to take references. `they_hold`: whether the present ones hold.
   bool is_due(bool they_hold)
   {
     if (they_hold)
@@ -290,7 +289,7 @@ private:
     return true;
   }
 
-  // The last references, which do not hold any more, or never did.
+  // Adapts share and rest to how long the last references held, if they ever did.
   void adapt_rest()
   {
     if (!m_was_due)

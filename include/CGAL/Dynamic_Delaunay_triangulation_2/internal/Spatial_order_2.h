@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// The Hilbert curve through 2^16 by 2^16 cells. From the largest quadrants to the smallest; in each
-// the curve is the whole one, its axes exchanged, or turned by half a turn, or both.
+// The Hilbert curve through 2^16 by 2^16 cells, from the largest quadrants to the smallest. In each
+// quadrant it is the whole curve with its axes exchanged, or rotated by 180 degrees, or both.
 class Hilbert_curve_2
 {
 public:
@@ -36,7 +36,7 @@ public:
         m_steps[state][cell] = two_digits(state, cell / 4, cell % 4);
   }
 
-  // The place of the cell (x, y) on the curve, by two of its 16 digits at a time.
+  // The place of the cell (x, y) on the curve, computed by two of its 16 digits at a time.
   std::uint32_t place(std::uint32_t x, std::uint32_t y) const
   {
     std::uint32_t place = 0;
@@ -50,8 +50,8 @@ public:
   }
 
 private:
-  // The digits, and the state after them below: whether the axes are exchanged, then whether the
-  // curve is turned.
+  // The two digits; below them the state after them: whether the axes are exchanged (upper bit),
+  // and whether the curve is rotated.
   static std::uint8_t two_digits(unsigned state, unsigned x, unsigned y)
   {
     unsigned digits = 0, are_exchanged = state >> 1, is_turned = state & 1;
@@ -69,18 +69,18 @@ private:
   std::uint8_t m_steps[4][16];
 };
 
-// The line between two points that follow each other in a spatial order. It parts the longest
-// stretches of the order on both sides of it in which no line has a higher rank.
+// The line between two consecutive points of a spatial order. It separates the longest stretches of
+// the order on both sides of it in which no line has a higher rank.
 struct Cut_2
 {
   std::int16_t rank;
-  bool is_horizontal; // points with smaller y on one side; else with smaller x
-  bool is_descending; // these are the later ones
+  bool is_horizontal; // separates by y; else by x
+  bool is_descending; // the later points have the smaller coordinates
 };
 
-// The line between the cells at two places of the Hilbert curve, the second farther on. Where the
-// curve's digits first differ, the upper bit of the digit goes with one axis, the lower with the
-// other, exchanged and turned by the digits above: by each 0 or 3, and by each 3.
+// The line between two cells, given by their places on the Hilbert curve, `before` the earlier one.
+// At the first digit in which the places differ, the upper bit of the digit belongs to one axis,
+// the lower bit to the other. The digits above exchange the axes (each 0 or 3) and rotate (each 3).
 inline Cut_2 hilbert_cut(std::uint32_t before, std::uint32_t after)
 {
   const auto parity = [](std::uint32_t bits) {
@@ -98,15 +98,15 @@ inline Cut_2 hilbert_cut(std::uint32_t before, std::uint32_t after)
   return Cut_2{std::int16_t(bit), is_lower_bit != are_exchanged, is_turned != goes_down};
 }
 
-// Sorts points along a Hilbert curve, by the cells of a grid over them, with the lines that part
-// them: what is divided along these is divided as a quadtree divides it, each half cut across the
+// Sorts points along a Hilbert curve, by the cells of a grid over them, and finds the lines between
+// consecutive points. Dividing along these lines divides as a quadtree does, each half across the
 // other axis. Points that share a cell are sorted by a finer grid over that cell, or, if they are
-// few, by x, then y. So coincident points follow each other. The result depends on the points and
-// their numbers alone.
+// few, by x, then y. So coincident points are consecutive. The result depends only on the points
+// and their numbers.
 class Spatial_order_2
 {
 public:
-  // Sorts the points with these numbers.
+  // Sorts the points with the numbers in [first, beyond).
   template <class Iterator>
   void sort(const std::vector<Position_2>& positions, Iterator first, Iterator beyond)
   {
@@ -116,8 +116,8 @@ public:
     sort_by_grid(0, m_places.size(), 0);
   }
 
-  // The same for points of which only comparisons are exact: by x, then y, then number, all lines
-  // upright.
+  // The same for points with exact comparisons only: by x, then y, then number. All lines are
+  // vertical.
   template <class Iterator, class Less>
   void sort_by_comparisons(Iterator first, Iterator beyond, const Less& less)
   {
@@ -129,11 +129,11 @@ public:
   std::size_t size() const { return m_places.size(); }
   // The number of the i-th point.
   Index operator[](std::size_t i) const { return Index(m_places[i]); }
-  // Between the i-th point and the one before; i > 0.
+  // The line between the i-th point and the one before; i > 0.
   const Cut_2& cut(std::size_t i) const { return m_cuts[i]; }
 
-  // Keeps one number for each stretch of points that coincide, the one that `merge(first, beyond)`
-  // gives for the stretch from `first` to below `beyond`.
+  // Keeps one number for each stretch of coincident points: `merge(first, beyond)` for the stretch
+  // from `first` to below `beyond`.
   template <class Coincide, class Merge>
   void merge_coincident(const Coincide& coincide, const Merge& merge)
   {
@@ -155,9 +155,9 @@ public:
   }
 
 private:
-  // Few points are sorted by their coordinates.
+  // At most so many points are sorted by their coordinates.
   static constexpr std::size_t few = 8;
-  // The lines of a grid have the upper half, those between few points the lower half.
+  // Ranks per level: the lines of a grid use the upper half, those between few points the lower.
   static constexpr int ranks = 64;
 
   const Position_2& position(std::size_t i) const { return m_positions[Index(m_places[i])]; }
@@ -184,8 +184,8 @@ private:
     }
   }
 
-  // False if there is no grid: the extent of the points, or its inverse, is no finite number.
-  // Differences and products are rounded monotonously, so cells that differ part the points.
+  // False if there is no grid: the extent of the points, or its inverse, is not a finite number.
+  // Differences and products are rounded monotonically, so different cells separate the points.
   bool find_places(std::size_t first, std::size_t beyond)
   {
     Position_2 low = position(first), high = low;
@@ -217,7 +217,7 @@ private:
     sort_by_coordinates(is_less, first, beyond, depth);
   }
 
-  // By x, then y, then number. The ranks divide the points in the middle, again and again.
+  // Sorts by x, then y, then number. The ranks bisect the points recursively.
   template <class Less>
   void sort_by_coordinates(const Less& is_less, std::size_t first, std::size_t beyond, int depth)
   {
@@ -227,7 +227,7 @@ private:
       const Index i = Index(a), j = Index(b);
       return is_less(i, j) || (!is_less(j, i) && i < j);
     };
-    // as many are that coincide, or that stayed on a line
+    // coincident points, and points that stayed on a line, often are sorted
     if (!std::is_sorted(begin, end, comes_before))
       std::sort(begin, end, comes_before);
     for (std::size_t i = first + 1; i < beyond; ++i) {
@@ -240,11 +240,11 @@ private:
   }
 
   const Position_2* m_positions = nullptr;
-  std::vector<std::uint64_t> m_places; // in a grid; in the lower half the number of the point
+  std::vector<std::uint64_t> m_places; // place in a grid; the number of the point in the lower half
   std::vector<Cut_2> m_cuts;
 };
 
-// A spatial order of vertices, where they are now.
+// A spatial order of vertices at their present positions.
 template <class Maintained>
 class Vertex_order_2
 {
@@ -267,10 +267,10 @@ public:
   }
 
   const Spatial_order_2& order() const { return m_order; }
-  // Leaves nothing.
+  // Returns the order, and leaves none.
   Spatial_order_2 take_order() { return std::exchange(m_order, {}); }
 
-  // Coincident ones follow each other.
+  // Whether vertices coincide. Those that do are consecutive.
   bool has_coincident_vertices() const
   {
     for (std::size_t i = 1; i < m_order.size(); ++i)
@@ -279,8 +279,8 @@ public:
     return false;
   }
 
-  // Calls f(v, w) for every vertex w that has the same place as the one before it, v being the
-  // first one there.
+  // Calls f(v, w) for every vertex w that has the same place as the one before it. v is the first
+  // vertex at that place.
   template <class Function>
   void for_each_coincident_pair(const Function& f) const
   {
@@ -291,7 +291,7 @@ public:
         first = i;
   }
 
-  // The steps to a vertex whose number is far away: it has to be fetched from memory.
+  // The number of steps to a vertex with a distant number, which must be fetched from memory.
   std::size_t number_of_far_steps() const
   {
     constexpr Index far_away = 64;

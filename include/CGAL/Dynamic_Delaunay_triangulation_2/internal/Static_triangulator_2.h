@@ -25,9 +25,9 @@ namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
 // Calls f(i) for all i below n, in rounds: every 8^k-th first, then every 8^(k-1)-th of the others,
-// and so on. Points numbered along a space-filling curve are inserted faster so than in one go
-// along the curve, by a tenth at 10^3 points and a fifth at 10^5: the triangulation has long edges
-// in the first rounds only.
+// and so on. If points are numbered along a space-filling curve, inserting them in rounds is faster
+// than inserting them along the curve, by a tenth at 10^3 points and a fifth at 10^5, because only
+// the first rounds have long edges.
 template <class Function>
 void for_each_in_rounds(std::size_t n, Function&& f)
 {
@@ -43,9 +43,9 @@ void for_each_in_rounds(std::size_t n, Function&& f)
         f(i);
 }
 
-// A fresh CGAL Delaunay triangulation whose vertices and faces carry a number, to be copied from.
-// Points are inserted one after the other, each located from the one before, so give them in a
-// spatial order; no two of them may coincide.
+// A fresh CGAL Delaunay triangulation whose vertices and faces carry numbers, to be copied from.
+// Each point is located from the last one inserted, so give them in a spatial order. No two of them
+// may coincide.
 template <class Traits>
 class Static_triangulation_2
 {
@@ -76,7 +76,7 @@ public:
     m_last = Vertex_handle();
   }
 
-  // A vertex at p with this number; by flips.
+  // Inserts a vertex at p with this number, by flips.
   void insert(const Point& p, Index number)
   {
     take(m_last == Vertex_handle() ? m_triangulation.insert(p)
@@ -84,7 +84,7 @@ public:
          number);
   }
 
-  // The same by a star in place of the faces in conflict with p.
+  // The same, but by a star that replaces the faces in conflict with p.
   void insert_star(const Point& p, Index number)
   {
     if (m_triangulation.dimension() < 2)
@@ -111,8 +111,8 @@ private:
   std::vector<typename Triangulation::Edge> m_boundary;
 };
 
-// Triangulates vertices of the maintained triangulation anew: all of them for a rebuild, those of a
-// region for a splice.
+// Triangulates vertices of the maintained triangulation from scratch: all of them for a rebuild,
+// those of a region for a splice.
 template <class Maintained>
 class Static_triangulator_2
 {
@@ -144,10 +144,10 @@ public:
     }
   }
 
-  // None, if the vertices do not span the plane.
+  // Empty if the vertices do not span the plane.
   const Flat_faces_2& faces() const { return m_faces; }
 
-  // Gives the memory back. Throws nothing.
+  // Frees the memory. Throws nothing.
   void release() { m_faces.release(); }
 
 private:
@@ -158,7 +158,7 @@ private:
     for_each_in_rounds(order.size(),
                        [&](std::size_t i) { insert(m_maintained.point(order[i]), order[i]); });
     copy_faces();
-    m_triangulation.clear(); // which takes memory, and may throw
+    m_triangulation.clear(); // allocates memory, and may throw
   }
 
   void copy_faces()
@@ -173,7 +173,7 @@ private:
     for (auto f = m_triangulation.faces().begin(); f != m_triangulation.faces().end(); ++f)
       for (int i = 0; i < 3; ++i) {
         const auto g = f->neighbor(i);
-        // g->index(f), which branches
+        // like g->index(f), but without a branch
         const Index place = Index(g->neighbor(1) == f) + 2 * Index(g->neighbor(2) == f);
         const Index h = Flat_faces_2::first_halfedge(f->info()) + Index(i);
         m_faces.set_apex(h, f->vertex(i)->info());
