@@ -22,17 +22,17 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// Tells the user's visitor what changes while an update is on its way. None of these calls throws:
-// topology is written where an exception would leave the two copies of it out of step. What the
-// visitor throws is kept until `finish()`, and it is told nothing more until then.
+// Reports to the user's visitor what an update changes. None of these calls throws, because
+// topology is written where an exception would leave its two copies inconsistent. An exception of
+// the visitor is kept until `finish()`, and the visitor is not called again before that.
 template <class Visitor, class Dynamic>
 class Visitor_calls_2
 {
 public:
-  // Whether anybody listens: if not, nothing of all this is compiled.
+  // False for the default visitor; then none of the calls is compiled.
   static constexpr bool is_heard = !std::is_same_v<Visitor, Delaunay_update_visitor_base_2>;
 
-  // Both may have moved since the last update.
+  // Both objects may have moved since the last update.
   void start(Visitor& visitor, const Dynamic& dynamic)
   {
     m_visitor = &visitor;
@@ -128,12 +128,12 @@ class Topology_builder_2;
 template <class Maintained>
 class Topology_editor_2;
 
-// What has changed since the classifier was told last: everything, or the edges with these indices.
+// The changes since the classifier was last told: everything is new, or some edges are.
 struct Change_log_2
 {
   bool everything_is_new = true;
   std::vector<Index> new_edges;
-  std::vector<Index> relocated; // the vertices that were put into other faces
+  std::vector<Index> relocated; // vertices that were put into other faces
   Renumberings_2 renumberings;  // of what is not new
 
   void clear()
@@ -145,10 +145,10 @@ struct Change_log_2
   }
 };
 
-// The topology: CGAL's triangulation, its mirror, the handles of both, which vertex each id has,
-// and the log of what has changed. Everybody may read it. Only `Topology_editor_2`, which writes a
-// part of it, and `Topology_builder_2`, which writes all of it, can change it: they are its
-// friends, they keep its parts in step, and they tell the user's visitor.
+// The topology: CGAL's triangulation, its mirror, the handles of both, the ids and the log of
+// changes. Reading is public. Only two friends can change it: `Topology_editor_2`, which writes
+// parts, and `Topology_builder_2`, which writes everything. They keep its members consistent and
+// tell the visitor.
 template <class Traits, class Tds, class Visitor_calls>
 class Topology_2
 {
@@ -174,14 +174,14 @@ public:
 
   const Triangulation& triangulation() const { return m_triangulation; }
   const Neighborhood_mirror_2& mirror() const { return m_mirror; }
-  // By the index of the vertex, or of the face.
+  // Handles, indexed like vertices and faces in the mirror.
   const std::vector<Vertex_handle>& vertices() const { return m_vertices; }
   const std::vector<Face_handle>& faces() const { return m_faces; }
   const Ids& ids() const { return m_ids; }
   const Change_log_2& changes() const { return m_changes; }
 
-  // Only `Input_frame_2` has the key to this: the points of duplicates belong to a frame, as all
-  // positions do. The ids in the list must be those of the duplicates.
+  // Only `Input_frame_2` has the key to this, because the points of duplicates belong to a frame,
+  // like all positions. The ids in the list must be those of the duplicates.
   template <class Maintained>
   void exchange_duplicates(const typename Input_frame_2<Maintained>::Key&,
                            std::vector<typename Ids::Duplicate>& others)

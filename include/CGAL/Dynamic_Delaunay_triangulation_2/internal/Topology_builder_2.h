@@ -30,8 +30,8 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// Puts points into a spatial order, tells representatives from duplicates, and numbers the vertices
-// in that order. Whoever was a representative stays one where points coincide.
+// Puts points into a spatial order, distinguishes representatives from duplicates, and numbers the
+// vertices in that order. Where points coincide, a former representative is preferred.
 template <class Maintained>
 class Point_numbering_2
 {
@@ -44,7 +44,7 @@ public:
   {
   }
 
-  // Takes these points, with these ids, all of which are smaller than `number_of_ids`.
+  // Numbers these points with these ids. All ids are smaller than `number_of_ids`.
   void number(std::vector<Index> ids, std::vector<Point> points, Index number_of_ids)
   {
     m_point_ids = std::move(ids);
@@ -53,8 +53,8 @@ public:
     number_points(number_of_ids);
   }
 
-  // Takes the vertices of the maintained triangulation, where they are now, in this order. None
-  // coincide, and there are no duplicates.
+  // The same for the vertices of the maintained triangulation, at their present positions and in
+  // this order. No vertices may coincide, and there must be no duplicates.
   void number(Spatial_order_2 order)
   {
     const Index vertices = m_maintained.number_of_vertices();
@@ -68,7 +68,7 @@ public:
     number_points(m_maintained.ids().number_of_ids());
   }
 
-  // Takes the points of the maintained triangulation, where they are now.
+  // The same for all points of the maintained triangulation, at their present positions.
   void number()
   {
     const Ids& ids = m_maintained.ids();
@@ -82,9 +82,9 @@ public:
     number(std::move(point_ids), std::move(points), ids.number_of_ids());
   }
 
-  // The vertices by their numbers.
+  // The vertices, by their new numbers.
   const Spatial_order_2& order() const { return m_order; }
-  // After numbering: who they are, and where each is.
+  // The results: the ids, and the point of each vertex.
   Ids& ids() { return m_ids; }
   const Point& point(Index vertex) const { return m_points[m_place_of_vertex[vertex - 1]]; }
 
@@ -98,7 +98,7 @@ public:
   }
 
 private:
-  // The indices of points in the order become numbers of vertices.
+  // Replaces the indices of points in the order by numbers of vertices.
   void number_points(Index number_of_ids)
   {
     m_ids.reset(number_of_ids);
@@ -127,7 +127,7 @@ private:
       });
   }
 
-  // One for the points in these places of the order.
+  // Adds a vertex for the coincident points in these places of the order.
   Index add_vertex(std::size_t first, std::size_t beyond)
   {
     std::size_t representative = first;
@@ -152,14 +152,14 @@ private:
 
   const Maintained& m_maintained;
   Spatial_order_2 m_order;
-  std::vector<Point> m_points; // those that are numbered
+  std::vector<Point> m_points; // the points to number
   std::vector<Index> m_point_ids;
-  std::vector<Index> m_place_of_vertex; // of its representative in m_points
+  std::vector<Index> m_place_of_vertex; // index in m_points of its representative
   Ids m_ids;
 };
 
-// Writes the whole topology at once, into the CGAL triangulation and the mirror: triangulates
-// anew, restores, or follows where CGAL has changed its own. Everything is new then.
+// Writes the whole topology at once, into the CGAL triangulation and the mirror: triangulates from
+// scratch, restores, or reads back what CGAL has changed. Afterwards everything is new.
 template <class Maintained>
 class Topology_builder_2
 {
@@ -184,8 +184,8 @@ public:
 
   void set_engine(Static_engine_2 engine) { m_triangulator.set_engine(engine); }
 
-  // A fresh triangulation of these points with these ids, all of which are smaller than
-  // `number_of_ids`, in place of what is there. Whoever is there already keeps its vertex.
+  // Replaces everything by a fresh triangulation of these points with these ids, all of which are
+  // smaller than `number_of_ids`. Points that are present already keep their vertices.
   void build(std::vector<Index> ids, std::vector<Point> points, Index number_of_ids)
   {
     write_all_anew([&] {
@@ -194,8 +194,7 @@ public:
     });
   }
 
-  // The same of the points that are there, where they are now, but for those that are gone, and of
-  // others that come.
+  // The same for the present points except those in `gone`, and for the points that come.
   void build_with(const std::vector<Index>& gone, const std::vector<Index>& coming_ids,
                   const std::vector<Point>& coming_points)
   {
@@ -218,8 +217,8 @@ public:
     m_goes.clear();
   }
 
-  // A fresh triangulation of the points where they are now. The vertices keep their numbers while
-  // these fit the plane.
+  // A fresh triangulation of the points at their present positions. The vertices keep their numbers
+  // while these fit the positions.
   void rebuild()
   {
     write_all_anew([&] {
@@ -234,8 +233,8 @@ public:
     });
   }
 
-  // The triangulation that was kept, which must be right, in place of one without points. If memory
-  // runs out, what is there can only be thrown away.
+  // Restores a triangulation that was kept, and must be valid, into one without points. If memory
+  // runs out, the target can only be discarded.
   void restore(Checkpoint_arrays_2<Point>& kept)
   {
     CGAL_precondition(m_maintained.number_of_vertices() == 0);
@@ -246,9 +245,8 @@ public:
     restore_numbers(kept);
   }
 
-  // Makes the triangulation, which must be empty, a copy of another one, with everything that users
-  // keep in vertices and faces; the visitor is told nothing. If it throws, the triangulation can
-  // only be thrown away.
+  // Makes the triangulation, which must be empty, a copy of another one, with all user data in
+  // vertices and faces. The visitor is not called. If this throws, the copy can only be discarded.
   void copy(const Maintained& other)
   {
     CGAL_precondition(m_maintained.number_of_vertices() == 0);
@@ -284,7 +282,7 @@ public:
     m_positions = other.m_positions;
   }
 
-  // Takes all that another one has, and gives it its own. The user's visitor stays. Throws nothing.
+  // Exchanges everything with another one, except the user's visitor. Throws nothing.
   void exchange(Maintained& other)
   {
     auto& visitor_calls = m_topology.m_visitor_calls;
@@ -296,10 +294,10 @@ public:
     tell_of_faces_after();
   }
 
-  // Moves each vertex that has moved to where it is now, by CGAL's own means, from where it was a
-  // frame ago, in a Delaunay triangulation; then reads back what CGAL has made of the faces. False
-  // if some vertices could not go, because others stay where they have to be: all points are
-  // written, but the triangulation is not Delaunay. `relocated` counts those that went.
+  // Moves each vertex from its last position, in a Delaunay triangulation, to its present one with
+  // CGAL's own functions. Then reads CGAL's faces back. `relocated` counts the moved vertices.
+  // False if others stay in the places of some vertices: all points are written then, but the
+  // triangulation is not Delaunay.
   bool relocate_all(std::size_t& relocated)
   {
     bool all_arrived = false;
@@ -312,9 +310,9 @@ public:
   }
 
 private:
-  // TELLING THE VISITOR -------------------------------------------------------------------------
+  // THE VISITOR -----------------------------------------------------------------------------------
 
-  // Writes all faces anew by f(), and tells the visitor before and after it, also if it throws.
+  // Writes all faces anew by f(), and calls the visitor before and after, even if f() throws.
   template <class Function>
   void write_all_anew(const Function& f)
   {
@@ -338,7 +336,7 @@ private:
     for_each_face([this](Face_handle f) { m_topology.m_visitor_calls.after_face_creation(f); });
   }
 
-  // If the visitor listens.
+  // Does nothing if the visitor does not listen.
   template <class Function>
   void for_each_face(const Function& f) const
   {
@@ -363,7 +361,7 @@ private:
       relocated += arrived;
       return arrived;
     };
-    // a vertex that finds its place taken tries again when the others have moved on
+    // a vertex whose place is taken tries again after the others have moved
     for (std::size_t before = waiting.size() + 1; !waiting.empty() && waiting.size() < before;) {
       before = waiting.size();
       waiting.erase(std::remove_if(waiting.begin(), waiting.end(), arrives), waiting.end());
@@ -387,7 +385,7 @@ private:
 
   // BUILDING ------------------------------------------------------------------------------------
 
-  // Everything but the visitor, which belongs to the user's object.
+  // Exchanges everything except the visitor, which belongs to the user's object.
   void exchange_topology(Topology& other)
   {
     m_topology.m_triangulation.swap(other.m_triangulation);
@@ -398,7 +396,7 @@ private:
     std::swap(m_topology.m_changes, other.m_changes);
   }
 
-  // Representatives first.
+  // Representatives come first.
   std::vector<Index> ids_without(const std::vector<Index>& gone)
   {
     std::vector<Index> ids = m_topology.m_ids.representatives_and_duplicates();
@@ -412,10 +410,10 @@ private:
     return ids;
   }
 
-  // Whether the point with this id goes: another one may come, and get its id, but not its vertex.
+  // Whether the point with this id is removed. A new point may get its id, but not its vertex.
   bool goes(Index id) const { return id < m_goes.size() && m_goes[id]; }
 
-  // False if they may be others: points have come together, or may part.
+  // False if the vertices may change, because points coincide now, or duplicates may part.
   bool sort_vertices()
   {
     if (!m_topology.m_ids.duplicates().empty())
@@ -425,14 +423,14 @@ private:
     return !m_vertex_order.has_coincident_vertices();
   }
 
-  // Where vertices that follow each other in space have numbers far apart, new numbers pay.
+  // Whether consecutive vertices in space have distant numbers often enough to pay for new ones.
   bool are_numbers_far_apart() const
   {
     return 8 * m_vertex_order.number_of_far_steps() > m_topology.m_vertices.size();
   }
 
-  // The vertices as m_numbering numbers them. Each representative keeps the vertex that it had, if
-  // it had one of its own. Nothing has changed if memory runs out.
+  // Triangulates the vertices as m_numbering numbers them. Representatives that had vertices of
+  // their own keep them. If memory runs out, nothing has changed.
   void triangulate_numbered()
   {
     Ids& ids = m_numbering.ids();
@@ -456,13 +454,13 @@ private:
     m_numbering.release();
   }
 
-  // The handles of vertices, and where these are.
+  // Handles of vertices, and their positions.
   struct Vertices
   {
     std::vector<Vertex_handle> handles;
     Positions positions;
 
-    // With the infinite one, and memory for so many more.
+    // With the infinite vertex, and memory for so many more.
     Vertices(const Topology& topology, std::size_t number, bool are_exact)
     {
       handles.reserve(number + 1);
@@ -497,7 +495,7 @@ private:
     }
   }
 
-  // With its representative, if anybody listens.
+  // Calls f(vertex, id of its representative) if the visitor listens.
   template <class Function>
   void for_each_vertex(const Function& f) const
   {
@@ -506,7 +504,7 @@ private:
         f(m_topology.m_vertices[v], m_topology.m_ids.representative(v));
   }
 
-  // Those that are new, and those of before that will be no more.
+  // Reports the new vertices, and those before that are to be deleted.
   void tell_of_vertices(const std::vector<Vertex_handle>& vertices_before, const Ids& ids_before)
   {
     if constexpr (Maintained::Visitor_calls::is_heard) {
@@ -536,7 +534,7 @@ private:
     return is_representative(id, ids) && !goes(id);
   }
 
-  // Of those vertices that their representatives do not have elsewhere.
+  // Deletes those of the vertices that their representatives do not keep in `elsewhere`.
   void delete_vertices(const std::vector<Vertex_handle>& vertices, const Ids& ids,
                        const Ids& elsewhere)
   {
@@ -547,9 +545,9 @@ private:
     }
   }
 
-  // All vertices, in their order: into the mirror, and from there, face by face, into CGAL's
-  // structure. What is only needed on the way would take as much memory as the triangulation.
-  // Nothing has changed if memory runs out.
+  // Triangulates all vertices in this order: into the mirror, and from there, face by face, into
+  // CGAL's structure. Frees the temporary data, which would take as much memory as the
+  // triangulation. If memory runs out, nothing has changed.
   void triangulate(const Spatial_order_2& order)
   {
     m_triangulator.run(order);
@@ -580,7 +578,7 @@ private:
     write_all_faces();
   }
 
-  // Vertices that do not span the plane, by CGAL's insertion. There is no mirror then.
+  // Inserts vertices that do not span the plane with CGAL's insertion. Then there is no mirror.
   void triangulate_line()
   {
     Static_triangulation line(m_maintained.traits());
@@ -612,7 +610,7 @@ private:
     m_positions.write(m_topology.m_vertices);
   }
 
-  // Of edges, corners and the faces that vertices name.
+  // Restores the stored half-edges, corners and faces of edges and vertices.
   void restore_numbers(const Checkpoint_arrays_2<Point>& kept)
   {
     auto& mirror = m_topology.m_mirror;
@@ -651,7 +649,7 @@ private:
     }
   }
 
-  // From the mirror.
+  // Copies the mirror into CGAL's structure.
   void write_all_faces()
   {
     const auto& mirror = m_topology.m_mirror;
@@ -664,7 +662,7 @@ private:
       faces[f]->set_neighbors(faces[mirror.twin(h) / 3], faces[mirror.twin(h + 1) / 3],
                               faces[mirror.twin(h + 2) / 3]);
     }
-    // a vertex stays where it is in memory, wherever it has gone in the plane
+    // a vertex stays where it is in memory, wherever it has moved in the plane
     constexpr Index ahead = 16;
     for (Index v = 0; v < Index(vertices.size()); ++v) {
       if (v + ahead < Index(vertices.size()))
@@ -717,7 +715,7 @@ private:
   Positions& m_positions;
   Vertex_order_2<Maintained> m_vertex_order;
   Point_numbering_2<Maintained> m_numbering;
-  std::vector<bool> m_goes; // each id, while others come
+  std::vector<bool> m_goes; // indexed by ids, while points come
   Static_triangulator_2<Maintained> m_triangulator;
 };
 

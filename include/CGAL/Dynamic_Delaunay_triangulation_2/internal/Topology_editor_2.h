@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// A directed edge on the boundary of a set of faces, the set on its left.
+// A directed edge on the boundary of a set of faces. The set is on its left.
 struct Boundary_edge_2
 {
   Index source, target, halfedge;
@@ -34,8 +34,8 @@ struct Boundary_edge_2
   }
 };
 
-// A set of faces on its own: half-edge 3k+i is opposite to vertex i of its k-th face, as in the
-// mirror; the half-edges on its boundary have no twin.
+// A set of faces on its own. Half-edge 3k+i is opposite to vertex i of its k-th face, as in the
+// mirror. Half-edges on the boundary have no twin.
 struct Patch_2
 {
   std::vector<Index> apexes;
@@ -61,8 +61,8 @@ struct Patch_2
     std::sort(boundary.begin(), boundary.end());
   }
 
-  // Where the patch's faces around the source of a boundary edge end: the source of the boundary
-  // edge that comes into the same vertex on the other side of that fan of faces.
+  // The end of the fan of the patch's faces around the source of a boundary edge: the source of the
+  // boundary edge that enters this vertex on the fan's other side.
   Index other_end_of_fan(const Boundary_edge_2& edge) const
   {
     using Mirror = Neighborhood_mirror_2;
@@ -73,9 +73,9 @@ struct Patch_2
   }
 };
 
-// Writes topology piece by piece; `Topology_builder_2` does so for the whole, and nobody else can.
-// Each operation changes the CGAL triangulation and the mirror together, keeps every vertex handle,
-// notes which edges are new, and tells the user's visitor.
+// Writes parts of the topology; `Topology_builder_2` writes the whole, and nothing else can write.
+// Each operation changes the CGAL triangulation and the mirror together, keeps all vertex handles,
+// logs the new edges, and calls the user's visitor.
 template <class Maintained>
 class Topology_editor_2
 {
@@ -98,35 +98,34 @@ public:
 
   // THE VISITOR AND THE LOG OF CHANGES ----------------------------------------------------------
 
-  // From here on the visitor is told what changes.
+  // From here on the visitor is called.
   template <class Visitor, class Dynamic>
   void start_visit(Visitor& visitor, const Dynamic& dynamic)
   {
     m_topology.m_visitor_calls.start(visitor, dynamic);
   }
 
-  // Throws what the visitor has thrown on the way.
+  // Throws the visitor's first exception, if any.
   void finish_visit() { m_topology.m_visitor_calls.finish(); }
 
-  // An update begins. If the classifier has not been told yet what the last one changed, that stays
-  // in the log.
+  // Begins an update. Changes of the last one that the classifier was not told stay in the log.
   void begin_changes(bool is_classifier_informed)
   {
     Change_log_2& changes = m_topology.m_changes;
     if (is_classifier_informed)
       changes.clear();
-    else if (!changes.renumberings.are_none()) // there will be others again
+    else if (!changes.renumberings.are_none()) // another renumbering will follow
       changes.everything_is_new = true;
     if (changes.everything_is_new)
       changes.new_edges.clear();
   }
 
-  // An update ends: each new edge is in the log once.
+  // Ends an update. Each new edge is in the log once afterwards.
   void end_changes() { make_distinct(m_topology.m_changes.new_edges); }
 
   void note_everything_is_new() { m_topology.m_changes.everything_is_new = true; }
 
-  // A heuristic classifier is told of edges that were examined as if they were new.
+  // Reports examined edges to a heuristic classifier as if they were new.
   void note_examined(const std::vector<Index>& edges)
   {
     auto& new_edges = m_topology.m_changes.new_edges;
@@ -135,14 +134,14 @@ public:
 
   // FLIPS ---------------------------------------------------------------------------------------
 
-  // A flip that doubles an edge would leave the simplicial complexes, where an edge is named by its
-  // vertices; it is refused. Among these are all flips at vertices of degree 3. Two
-  // counterclockwise faces at the edge do not rule it out: others may overlap them.
+  // Refuses flips that would double an edge, because the vertices of an edge identify it in
+  // simplicial complexes. Among these are all flips at vertices of degree 3. Counterclockwise faces
+  // at the edge do not exclude them, because other faces may overlap these.
   bool can_flip(Index h) const { return !m_topology.m_mirror.are_apexes_neighbors(h); }
 
   // Calls f(flip), where flip(h) exchanges the diagonal at half-edge h. The mirror is flipped at
-  // once; when f ends, also by an exception, CGAL's structure takes the same flips in the same
-  // order. What they touch is all over the memory: in a loop of its own it can be fetched ahead.
+  // once. CGAL's structure is flipped when f ends, also by an exception, in the same order: the
+  // data of these flips are scattered over the memory, and a separate loop can prefetch them.
   template <class Function>
   void flip_in_series(const Function& f)
   {
@@ -160,8 +159,8 @@ public:
     write_flips();
   }
 
-  // Puts the faces of `patch` in place of `old_faces`, as many, with the same boundary: the
-  // half-edge outside the i-th edge of the patch's boundary is `outside[i]`.
+  // Replaces `old_faces` by the faces of `patch`. Both have equal numbers of faces and equal
+  // boundaries. The half-edge outside the i-th edge of the patch's boundary is `outside[i]`.
   void replace(const Index_set_2& old_faces, const Patch_2& patch,
                const std::vector<Index>& outside)
   {
@@ -190,12 +189,12 @@ public:
       m_topology.m_visitor_calls.after_face_creation(m_topology.m_faces[f]);
   }
 
-  // OUT OF FACES AND INTO FACES. To take a vertex out, edges are flipped until it has three, and
-  // its faces become one; to put one in, a face is split. All of that is right for any positions.
-  // What it changes is Delaunay only by chance.
+  // OUT OF FACES AND INTO FACES -------------------------------------------------------------------
+  // To take a vertex out, edges are flipped until it has degree 3, and its faces become one. To put
+  // one in, a face is split. Both work for any positions. The results are Delaunay only by chance.
 
-  // Takes v out of all faces, to be put in again. `place` is where the faces around v have it: that
-  // tells which flips are good ones. If this throws, the vertex is still there.
+  // Takes v out of all faces, to be put in again. `place` is the position that v has in the faces
+  // around it, which tells good flips from bad ones. If this throws, v is still in its faces.
   Slot take_out(Index v, const Position_2& place)
   {
     return take_out(v, place, [&] {
@@ -204,7 +203,7 @@ public:
     });
   }
 
-  // The same for a vertex whose only point goes.
+  // The same for a vertex whose only point is removed.
   Slot remove(Index v, const Position_2& place)
   {
     return take_out(v, place, [&] {
@@ -214,13 +213,13 @@ public:
     });
   }
 
-  // The same for a vertex whose points, which are at p, become duplicates at another one.
+  // The same for a vertex whose points, at p, become duplicates at another vertex.
   Slot merge(Index goes, const Position_2& place, Index stays, const Point& p)
   {
     return take_out(goes, place, [&] { hand_points_to(stays, goes, p); });
   }
 
-  // Puts the slot's vertex into a face. Nothing throws if everything is new, or if there is memory
+  // Puts the slot's vertex into a face. Throws nothing if everything is new, or if there is memory
   // for six new edges.
   void put_in(const Slot& slot, Index f)
   {
@@ -242,8 +241,8 @@ public:
       visitor_calls.after_face_creation(m_topology.m_faces[g]);
   }
 
-  // A slot with the next numbers and a vertex at p that nobody is at. If it throws, nothing has
-  // changed.
+  // Makes a slot with the next numbers and a vertex at p without representative. If it throws,
+  // nothing has changed.
   Slot make_slot(const Point& p)
   {
     auto& mirror = m_topology.m_mirror;
@@ -275,8 +274,8 @@ public:
     return slot;
   }
 
-  // A fresh vertex at p, in place of the slot's, that nobody was at. If it throws, nothing has
-  // changed.
+  // Replaces the slot's vertex, which has no representative, by a fresh one at p. If it throws,
+  // nothing has changed.
   void renew_vertex(const Slot& slot, const Point& p)
   {
     auto& tds = m_topology.m_triangulation.tds();
@@ -294,9 +293,8 @@ public:
     m_topology.m_changes.renumberings.vertices.note_replacement(slot.vertex);
   }
 
-  // The vertices of these slots, which nobody is at, are no more; the last vertices, edges and
-  // faces take the numbers that get free. No other slots may be there. If it throws, nothing has
-  // changed.
+  // Deletes the vertices of these slots, which have no representatives. The last vertices, edges
+  // and faces take the free numbers. No other slots may exist. If it throws, nothing has changed.
   void drop(const std::vector<Slot>& empty_slots)
   {
     collect_numbers(empty_slots);
@@ -306,7 +304,7 @@ public:
     const auto note = [&](Index from, Index to) { number_of_edge[from - kept_edges] = to; };
     drop_collected(note); // nothing throws from here on
     auto& new_edges = m_topology.m_changes.new_edges;
-    if (m_topology.m_changes.everything_is_new) // and nobody knows what some of these were called
+    if (m_topology.m_changes.everything_is_new) // some of these numbers can no longer be traced
       return new_edges.clear();
     for (Index& e : new_edges)
       while (e != no_index && e >= kept_edges)
@@ -314,7 +312,7 @@ public:
     new_edges.erase(std::remove(new_edges.begin(), new_edges.end(), no_index), new_edges.end());
   }
 
-  // The same where memory has run out: nothing throws, and everything is new.
+  // The same if memory has run out: throws nothing, and everything is new.
   void drop_in_need(const std::vector<Slot>& empty_slots)
   {
     m_topology.m_changes.everything_is_new = true;
@@ -322,7 +320,7 @@ public:
     drop_collected([](Index, Index) {});
   }
 
-  // Memory for drop_in_need() with so many slots.
+  // Reserves memory for drop_in_need() with so many slots.
   void provide_for_drop(std::size_t number)
   {
     m_empty_vertices.reserve(number);
@@ -332,12 +330,12 @@ public:
 
   // IDS AND POINTS ------------------------------------------------------------------------------
 
-  // The points with these ids are about to come: the next ids, as `Point_ids_2::next_ids()` says.
-  // If it throws, nothing has changed. `release_id()` gives one back that was not used.
+  // Reserves the next ids, as given by `Point_ids_2::next_ids()`, for points to be inserted. If it
+  // throws, nothing has changed. `release_id()` returns an id that was not used.
   void reserve_ids(const std::vector<Index>& ids) { m_topology.m_ids.reserve(ids); }
   void release_id(Index id) { m_topology.m_ids.release(id); }
 
-  // Memory: with it the functions below throw nothing.
+  // Reserve memory. Then the functions below throw nothing.
   void provide_for_removals(std::size_t number) { m_topology.m_ids.provide_for_removals(number); }
   void provide_for_duplicates(std::size_t number)
   {
@@ -360,7 +358,7 @@ public:
     put_in(slot, f);
   }
 
-  // Puts a vertex in again that has been taken out.
+  // Puts a vertex that was taken out into face f.
   void put_in_again(const Slot& slot, Index f)
   {
     provide(m_topology.m_changes.relocated, 1);
@@ -377,8 +375,8 @@ public:
     ids.merge(goes, stays, p);
   }
 
-  // Makes a duplicate at v the representative, so that v has its point, and the representative a
-  // duplicate at p.
+  // Makes a duplicate at v the representative, so that v has its point. The representative becomes
+  // a duplicate at p.
   void hand_over(Index duplicate, Index v, const Point& p)
   {
     const Index representative = m_topology.m_ids.representative(v);
@@ -390,8 +388,8 @@ public:
     m_topology.m_visitor_calls.after_id_change(m_topology.m_vertices[v], representative);
   }
 
-  // Stages points that move alone. If none of a vertex's points stays, the vertex goes with its
-  // representative; else one that stays becomes the representative.
+  // Stages points that move alone. If points of a vertex stay, one of them becomes its
+  // representative. Otherwise the vertex moves with its representative.
   void stage_moved(const std::vector<Index>& ids, const std::vector<Point>& points, bool are_exact)
   {
     m_positions.m_are_exact &= are_exact;
@@ -422,7 +420,7 @@ private:
                                     return is_at(duplicate.point, place);
                                   });
     if (successor == no_index)
-      return m_positions.stage(v, p); // a point may hold more than where it is
+      return m_positions.stage(v, p); // the point may hold more than a position
     const Point point_of_successor = ids.duplicate(successor).point;
     hand_over(successor, v, p);
     m_topology.m_vertices[v]->set_point(point_of_successor);
@@ -430,7 +428,7 @@ private:
 
   // VERTICES ------------------------------------------------------------------------------------
 
-  // A vertex at p, with the next number, that is in no face and that no point has. If it throws,
+  // Appends a vertex at p, with the next number, without faces and without points. If it throws,
   // nothing has changed.
   void append_vertex(const Point& p)
   {
@@ -449,7 +447,7 @@ private:
     }
   }
 
-  // Takes that back.
+  // Reverts append_vertex().
   void drop_last_vertex()
   {
     m_topology.m_triangulation.tds().delete_vertex(m_topology.m_vertices.back());
@@ -459,8 +457,8 @@ private:
 
   // OUT OF FACES AND INTO FACES -------------------------------------------------------------------
 
-  // `vacate()`, which must not throw, is called before v goes, when the visitor has been told of
-  // its last faces.
+  // `vacate()`, which must not throw, is called before v leaves its last faces, after the visitor
+  // was told of them.
   template <class Vacate>
   Slot take_out(Index v, const Position_2& place, const Vacate& vacate)
   {
@@ -480,9 +478,9 @@ private:
     return slot;
   }
 
-  // Flips edges at v until it has three. There always is one to flip: if one of the triangles of
-  // neighbors that follow each other has its third edge elsewhere already, that parts the others
-  // from each other. Where the faces around v tell it, the new ones are counterclockwise.
+  // Flips edges at v until it has degree 3. Such a flip always exists: if one of the triangles of
+  // consecutive neighbors has its third edge elsewhere already, this edge separates the others.
+  // Where the faces around v allow it, the new faces are counterclockwise.
   void flip_down(Index v, const Position_2& place)
   {
     Index degree = m_topology.m_mirror.degree(v);
@@ -497,11 +495,11 @@ private:
 
   enum class Ear { CONVEX, AT_INFINITY, ANY };
 
-  // Cuts off every other ear of this kind in each round, until there is none or v has three edges:
-  // one after the other, their edges would all end at one vertex. Those at infinity all do so in
-  // any case, and stand side by side. Where each round finds one ear that the one before has made,
-  // as at a vertex beside a line of a thousand, it gives up, for any ears are right in the end.
-  // Returns how many.
+  // Cuts off every other ear of this kind in each round, until there is none or v has degree 3. If
+  // ears were cut one after the other, their edges would all end at one vertex. Ears at infinity do
+  // so in any case, and are cut side by side. Gives up after a few rounds, because a round may find
+  // only the one ear that the last round has made, as at a vertex beside a line of a thousand; any
+  // ears will do in the end. Returns the number of ears.
   template <class Flip>
   Index cut_ears(Index v, const Position_2& place, Index degree, Ear kind, const Flip& flip)
   {
@@ -524,8 +522,8 @@ private:
     return cut;
   }
 
-  // Whether h goes from the tip of an ear of this kind to the vertex. Any answer is right, so plain
-  // floating point is good enough.
+  // Whether h goes from the tip of an ear of this kind to the vertex. Any answer is valid, so plain
+  // floating point suffices.
   bool is_ear(Index h, const Position_2& place, Ear kind) const
   {
     const auto& mirror = m_topology.m_mirror;
@@ -547,7 +545,8 @@ private:
     }
   }
 
-  // In descending order: the last one is then never empty, unless it is the one that goes.
+  // Sorts the numbers in descending order. Then the last element is never empty, unless it is the
+  // one to remove.
   void collect_numbers(const std::vector<Slot>& empty_slots)
   {
     m_empty_vertices.clear();
@@ -562,7 +561,7 @@ private:
       std::sort(numbers->begin(), numbers->end(), std::greater<Index>());
   }
 
-  // `note(from, to)` is told that edge `from` takes the number `to`.
+  // Calls `note(from, to)` when edge `from` takes the number `to`.
   template <class Note>
   void drop_collected(const Note& note)
   {
@@ -599,7 +598,7 @@ private:
     }
   }
 
-  // Face f and its neighbors, which refer to it by the right number, into CGAL's structure.
+  // Writes face f, and its neighbors' references to it, into CGAL's structure.
   void write_face(Index f)
   {
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
@@ -658,8 +657,8 @@ private:
     m_flipped.clear();
   }
 
-  // In steps, each of which reads what the one before has fetched. A flip of the stretch may yet
-  // change what is read: then something else is fetched, and nothing is wrong.
+  // Prefetches in steps, each of which reads what the one before has fetched. If a flip of the
+  // stretch changes what is read, something useless is fetched, which does no harm.
   void prefetch_stretch(std::size_t first) const
   {
     using Place = Triangulation_cw_ccw_2;
@@ -697,7 +696,7 @@ private:
                                           m_topology.m_vertices[m_topology.m_mirror.apex(h)]);
   }
 
-  // Both faces at h.
+  // Writes the references of both faces at h to each other.
   void write_neighbors(Index h)
   {
     const Index g = m_topology.m_mirror.twin(h);
@@ -705,14 +704,14 @@ private:
     m_topology.m_faces[g / 3]->set_neighbor(int(g % 3), m_topology.m_faces[h / 3]);
   }
 
-  static constexpr std::size_t stretch = 16; // of flips that are fetched together
+  static constexpr std::size_t stretch = 16; // flips that are fetched together
 
   const Maintained& m_maintained;
   Topology& m_topology;
   Positions& m_positions;
   std::vector<Index> m_inner_edges;
   std::vector<Index> m_flipped; // half-edges, in the order of their flips
-  std::vector<Index> m_empty_vertices, m_empty_faces, m_empty_edges; // that are dropped
+  std::vector<Index> m_empty_vertices, m_empty_faces, m_empty_edges; // to be dropped
 };
 
 } // namespace internal
