@@ -31,9 +31,9 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// An update: everything that happens to the triangulation in one call, whether all points move or a
-// few, and whoever comes and goes meanwhile. Its phases stand in run(), in their order. It alone
-// knows whether the triangulation is certified.
+// An update: everything that one call does to the triangulation, whether all points move or a few,
+// and whether points are inserted or removed. run() shows its phases in their order. Only this
+// class knows whether the triangulation is certified.
 template <class Maintained>
 class Update_2
 {
@@ -53,7 +53,7 @@ public:
   bool is_certified() const { return m_is_certified; }
   const Repair_experience_2& experience() const { return m_experience; }
 
-  // Makes the empty triangulation a copy of another one, which is in the state of `update`.
+  // Makes the empty triangulation a copy of `other`, and takes over the state of `update`.
   void copy(const Maintained& other, const Update_2& update)
   {
     m_tools.builder().copy(other);
@@ -61,7 +61,7 @@ public:
     restore(update.m_is_certified, update.m_experience);
   }
 
-  // After a checkpoint has been read.
+  // To be called after a checkpoint was read.
   void restore(bool is_certified, const Repair_experience_2& experience)
   {
     m_is_certified = is_certified;
@@ -71,8 +71,9 @@ public:
   Tools& tools() { return m_tools; }
   const Tools& tools() const { return m_tools; }
 
-  // `is_informed`: the classifier has heard what the last call triangulated anew. `take_back()` is
-  // called if the policy or the classifier throws: whether it could undo what was staged.
+  // `is_informed`: whether the classifier was told what the last call triangulated anew.
+  // `take_back()` is called if the policy or the classifier throws. It returns whether it could
+  // undo the staging.
   template <class Classifier, class Repair, class Policy, class Take_back>
   Update_report_2 run(const Change& change, Classifier& classifier, Repair& repair, Policy& policy,
                       bool is_informed, const Take_back& take_back)
@@ -83,17 +84,17 @@ public:
       m_tools.traffic().give_up();
       return report;
     } catch (...) {
-      m_tools.traffic().give_up(); // all vertices are in some face afterwards
+      m_tools.traffic().give_up(); // puts all vertices into faces
       throw;
     }
   }
 
-  // Before anything of a call is done.
+  // To be called at the beginning of a call.
   void enter() { m_has_removed = false; }
-  // Whether all that have to go in this call, or had to in the last one, have gone.
+  // Whether all points to remove in this call, or in the last one, were removed.
   bool has_removed() const { return m_has_removed; }
 
-  // Whether the triangulation is Delaunay; changes nothing else.
+  // Whether the triangulation is Delaunay; changes only the certified flag.
   bool certify()
   {
     m_is_certified = m_is_certified || (m_maintained.is_mirrored() && parted_duplicates().empty() &&
@@ -101,7 +102,7 @@ public:
     return m_is_certified;
   }
 
-  // The duplicates that are no longer where their vertex is.
+  // The duplicates that have left their vertices.
   std::vector<Index> parted_duplicates() const
   {
     std::vector<Index> parted;
@@ -138,7 +139,7 @@ private:
       m_is_certified = take_back() && was_certified;
       throw;
     }
-    // with an exact classifier, before points go: a rebuild leaves them out by itself
+    // before points are removed, because a rebuild just leaves them out (exact classifiers only)
     if (reason == Rebuild_reason_2::NONE && change.has_population() && m_tools.has_to_prove() &&
         m_tools.is_rebuild_cheaper()) {
       reason = Rebuild_reason_2::TOO_MUCH_BROKEN;
@@ -173,7 +174,7 @@ private:
 
   // TO REBUILD OR NOT ---------------------------------------------------------------------------
 
-  // Decided before any work that would then be lost.
+  // Decides this before any work that a rebuild would make useless.
   template <class Policy>
   Rebuild_reason_2 reason_to_rebuild(const Change& change, Policy& policy, bool may_sample)
   {
@@ -202,7 +203,7 @@ private:
     return m_maintained.number_of_vertices() < min_vertices + representatives;
   }
 
-  // Each of them looks through all duplicates.
+  // The cost of each change includes a search through all duplicates.
   bool are_too_many(std::size_t changes) const
   {
     const std::size_t duplicates = m_maintained.ids().duplicates().size();
@@ -211,9 +212,9 @@ private:
                                                changes + changes * duplicates / 512);
   }
 
-  // Instead of a classification that would be in vain: a sample of the edges, where mending was in
-  // vain lately, or where half of the very few are broken that every frame is asked for. Only for
-  // the default repair: any other one is asked whatever is broken.
+  // Samples edges, to avoid a useless classification: many edges if mending was in vain lately, or
+  // if half of the very few edges that are sampled in every frame are broken. Only for the default
+  // repair, because any other repair is called whatever is broken.
   bool is_sample_hopeless() const
   {
     constexpr std::size_t very_few = 8, least = 128, most = 1024;
@@ -224,13 +225,13 @@ private:
     const auto is_unproved = [&](Index e) {
       return !is_at_infinity(frame.edge(e)) && !Edge_filter_2(frame.corners(e)).proves_delaunay();
     };
-    // the filter alone first: every frame pays for it
+    // the filter alone first, because every frame pays for it
     if (!m_experience.is_wary() && !(is_half_broken(sample(frame, very_few, is_unproved)) &&
                                      is_half_broken(sample(frame, very_few, is_not_delaunay))))
       return false;
     const std::size_t size = (std::min)((std::max)(edges / 16, least), most);
     const Sample many = sample(frame, size, is_not_delaunay);
-    // by a quarter more than would do, as a sample may be wrong
+    // a quarter more than necessary, because a sample may be wrong
     return m_experience.is_hopeless(many.size, many.broken) ||
            Repair_budget_2::is_rebuild_cheaper(frame.number_of_vertices(),
                                                edges * many.broken / many.size * 4 / 5);
@@ -241,7 +242,7 @@ private:
     std::size_t size, broken;
   };
 
-  // Of about so many edges, or of all.
+  // Samples about `size` edges, or all.
   template <class Is_broken>
   static Sample sample(const Frame& frame, std::size_t size, const Is_broken& is_broken)
   {
@@ -269,8 +270,8 @@ private:
 
   // CLASSIFICATION ------------------------------------------------------------------------------
 
-  // A whole frame is the classifier's. Elsewhere exact predicates decide, whatever the classifier
-  // is: at all edges if nothing is known of them and there has to be a proof.
+  // The user's classifier is called for whole frames only. Otherwise exact predicates decide: at
+  // all edges if these are uncertified and a proof is required, otherwise around the moved points.
   template <class Classifier>
   void classify(const Change& change, Classifier& classifier, bool was_certified)
   {
@@ -287,7 +288,7 @@ private:
     }
   }
 
-  // The edges that see one of these points, and are not Delaunay.
+  // Classifies the edges that see one of these points and are not Delaunay.
   void classify_around(const std::vector<Index>& ids)
   {
     const Frame frame(m_maintained);
@@ -312,7 +313,7 @@ private:
       Flip_and_splice_repair_2()(mender);
   }
 
-  // What is outside of all faces, comes or parts, and mends what that breaks.
+  // Puts in vertices outside of faces, new points and parted duplicates, and mends around them.
   void put_in(Update_report_2& report)
   {
     if (report.rebuilt() || (m_tools.has_to_prove() && !m_tools.open_edges().empty()))
@@ -325,7 +326,7 @@ private:
     }
   }
 
-  // Rebuilds if there has to be a proof and it has not come to an end.
+  // Rebuilds if a proof is required and was not completed.
   void prove(const Change& change, Update_report_2& report)
   {
     const bool has_to = m_tools.has_to_prove();

@@ -19,10 +19,9 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// The id of the point for each of the user's ids, which are any integers. Open addressing, with
-// linear probing: one place in memory for a look-up, where std::unordered_map reads three, and asks
-// for memory for each entry. That took a fifth of the frame where many of 100,000 points come and
-// go.
+// Maps the user's ids, which are any integers, to ids of points. Open addressing with linear
+// probing: a look-up reads one place in memory, where std::unordered_map reads three and allocates
+// each entry, which took a fifth of the frame where many of 100,000 points come and go.
 template <class UserId>
 class User_id_table_2
 {
@@ -42,20 +41,20 @@ public:
 
   std::size_t size() const { return m_size; }
 
-  // `no_id` if there is none. Mostly who is new has a larger id than all before.
+  // `no_id` if there is none. Most new ids are larger than all before, and found missing at once.
   std::size_t find(UserId user_id) const
   {
     return m_size == 0 || user_id > m_largest ? no_id : m_slots[slot_of(user_id)].id;
   }
 
-  // Where `find()` will look.
+  // Prefetches the memory that `find()` will read first.
   void prefetch(UserId user_id) const
   {
     if (!m_slots.empty())
       internal::prefetch(&m_slots[first_slot(user_id)]);
   }
 
-  // Memory for so many entries more: then `set()` throws nothing.
+  // Reserves memory for so many more entries. Then `set()` throws nothing.
   void provide(std::size_t number)
   {
     if (2 * (m_size + number) <= m_slots.size())
@@ -71,7 +70,7 @@ public:
         m_slots[slot_of(slot.user_id)] = slot;
   }
 
-  // \pre there is memory for it.
+  // \pre There is memory for the entry.
   void set(UserId user_id, std::size_t id)
   {
     Slot& slot = m_slots[slot_of(user_id)];
@@ -81,7 +80,7 @@ public:
     CGAL_postcondition(2 * m_size <= m_slots.size());
   }
 
-  // Nothing if there is none.
+  // Does nothing if there is no such entry.
   void erase(UserId user_id)
   {
     if (find(user_id) == no_id)
@@ -89,7 +88,7 @@ public:
     --m_size;
     std::size_t hole = slot_of(user_id);
     m_slots[hole].id = no_id;
-    // whoever would not be found beyond the hole moves into it
+    // entries that would not be found beyond the hole move into it
     for (std::size_t i = next(hole); m_slots[i].id != no_id; i = next(i))
       if (distance(first_slot(m_slots[i].user_id), i) >= distance(hole, i)) {
         m_slots[hole] = m_slots[i];
@@ -126,7 +125,7 @@ private:
     return (to - from) & (m_slots.size() - 1);
   }
 
-  // That of this id, or the empty one where it would be.
+  // The slot of this id, or the empty one where it belongs.
   std::size_t slot_of(UserId user_id) const
   {
     std::size_t i = first_slot(user_id);
@@ -135,9 +134,9 @@ private:
     return i;
   }
 
-  std::vector<Slot> m_slots; // a power of two, half of which are empty, or none
+  std::vector<Slot> m_slots; // 0 or a power of two; at least half are empty
   std::size_t m_size = 0;
-  UserId m_largest = UserId(); // that there was
+  UserId m_largest = UserId(); // the largest id ever set
   int m_bits = 0;
 };
 

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// Everything that must be true of a maintained triangulation between two calls.
+// Checks everything that must hold for a maintained triangulation between two calls.
 template <class Maintained>
 class Validity_check_2
 {
@@ -47,7 +47,7 @@ private:
     return is_right;
   }
 
-  // CGAL's own check fails an assertion where those are on, instead of answering.
+  // CGAL's own check throws instead of answering where its assertions are enabled.
   bool is_data_structure_valid(int level) const
   {
     try {
@@ -57,8 +57,8 @@ private:
     }
   }
 
-  // A duplicate may be elsewhere than its vertex after an exception only, until something is
-  // certified.
+  // A duplicate may differ from its vertex only after an exception, and until the next
+  // certification.
   bool is_nobody_lost(bool is_certified) const
   {
     const auto& ids = m_maintained.ids();
@@ -88,7 +88,7 @@ private:
            m_maintained.number_of_vertices() == ids.number_of_representatives();
   }
 
-  // Handles let anybody set the point of a vertex.
+  // Users can set the points of vertices through handles.
   bool is_nobody_moved() const
   {
     for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v) {

@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// Who is around a vertex, counterclockwise, also where the points do not span the plane: there are
-// no flat arrays then, and CGAL's structure knows.
+// The neighbors of a vertex, counterclockwise. Also works where the points do not span the plane:
+// there are no flat arrays then, so it uses CGAL's data structure.
 template <class Dynamic>
 class Finite_neighbors_2
 {
@@ -62,8 +62,8 @@ private:
   const int m_dimension;
 };
 
-// The vector from one vertex to another, rounded once: points that an exact kernel tells apart may
-// well have the same doubles for coordinates.
+// The vector from one vertex to another, rounded once. It does not subtract rounded positions,
+// because points that an exact kernel distinguishes may have equal doubles as coordinates.
 template <class Dynamic>
 class Vertex_differences_2
 {
@@ -90,13 +90,14 @@ private:
   const bool m_positions_are_exact;
 };
 
-// Compares the distances of vertices from one point, exactly: floating point first, the kernel
-// where that cannot tell.
+// Compares the distances of vertices from one point exactly: by floating point, and by the kernel
+// where that is undecided.
 //
 // With u = 2^-53, a squared distance s is computed as S with |S - s| <= 5u S + 2^-1072: each
 // difference is rounded once, each square and the sum once more, and each square may lose up to
-// 2^-1074 to underflow. For two of them, S < (1 - 2^-48) T and 2^-900 <= T < infinity imply s < t,
-// as 2^-48 T = 32u T is more than both errors and that of the product together. The same holds
+// 2^-1074 to underflow. For two such distances, S < (1 - 2^-48) T and 2^-900 <= T < infinity imply
+// s < t, because 2^-48 T = 32u T exceeds both errors and that of the product together. The same
+// holds if one of the two is a number that is not rounded.
 // where one of the two is a number that is not rounded.
 template <class Dynamic>
 class Distances_2
@@ -106,7 +107,7 @@ class Distances_2
   using FT = typename Traits::FT;
 
 public:
-  // From p. Throws what is thrown for coordinates that no point can have.
+  // Distances from p. Throws for coordinates that a point must not have.
   Distances_2(const Dynamic& dt, const Point& p)
     : m_dt(dt)
     , m_frame(dt.frame())
@@ -117,13 +118,13 @@ public:
     m_positions_are_exact = m_positions_are_exact && m_frame.positions_are_exact();
   }
 
-  // As good as it comes out.
+  // Computed in plain floating point.
   double approximate_square(Index v) const
   {
     return squared_distance(m_position, m_frame.position(v));
   }
 
-  // That of v with that of w.
+  // Compares the distances of v and w.
   Comparison_result compare(Index v, Index w) const
   {
     if (m_positions_are_exact) {
@@ -134,7 +135,7 @@ public:
     return m_traits.compare_distance_2_object()(m_from, point(v), point(w));
   }
 
-  // The square of that of v with a square.
+  // Compares the squared distance of v with `square`.
   Comparison_result compare_square(Index v, const FT& square) const
   {
     if (m_positions_are_exact) {
@@ -154,7 +155,7 @@ private:
     return s < (1 - 0x1p-48) * t && t >= 0x1p-900 && t <= (std::numeric_limits<double>::max)();
   }
 
-  // EQUAL where it cannot tell.
+  // EQUAL if undecided.
   static Comparison_result filtered(double s, double t)
   {
     return is_surely_smaller(s, t) ? SMALLER : is_surely_smaller(t, s) ? LARGER : EQUAL;

@@ -30,10 +30,10 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// Finds the vertices that jumped: each went farther, as seen from its neighbors, than its
-// neighborhood reaches. A vertex that leaves its neighborhood turns a face around, so only vertices
-// at edges with inverted faces are looked at. What is a jump is a matter of cost alone, so plain
-// floating point decides.
+// Finds the vertices that jumped: relative to their neighbors, they moved farther than the extent
+// of their neighborhood. A vertex that leaves its neighborhood inverts a face, so only vertices at
+// edges with inverted faces are examined. Jumps matter for the cost only, so plain floating point
+// decides.
 template <class Maintained>
 class Jumper_search_2
 {
@@ -43,8 +43,8 @@ public:
   {
   }
 
-  // Among the vertices of these edges, in the order in which they are met. Here and below only
-  // while CGAL's vertices have the points of the last frame.
+  // Finds jumpers among the vertices of these edges, in the order in which they are met. This and
+  // all functions below need the points of the last frame in CGAL's vertices.
   const std::vector<Index>& find_jumpers(const std::vector<Index>& edges)
   {
     m_jumpers.clear();
@@ -56,8 +56,8 @@ public:
     return m_jumpers;
   }
 
-  // Of the vertices of each of these edges the one that went farthest, as seen from the others, but
-  // only one at each edge.
+  // For each of these edges, finds the one of its vertices that moved farthest relative to the
+  // others. Skips edges with a vertex found before, so that each edge has only one.
   const std::vector<Index>& find_farthest(const std::vector<Index>& edges)
   {
     m_jumpers.clear();
@@ -76,7 +76,7 @@ public:
   }
 
 private:
-  // `no_index` if all have gone the same way.
+  // `no_index` if all have moved alike.
   Index farthest_of(const std::array<Index, 4>& vertices)
   {
     m_x.clear();
@@ -102,14 +102,14 @@ private:
     return farthest;
   }
 
-  // In lengths of a short edge. Flips take one or two for every spacing that a vertex travels, and
-  // cost a tenth of what taking it out and putting it in again does; but from about this length on
-  // they get stuck. Below 1, as a vertex that comes back from far away has gone as far as it was
+  // In units of a short edge. Flips take one or two per spacing that a vertex travels, at a tenth
+  // of the cost of taking it out and putting it in again, but from about this length on they get
+  // stuck. The limit is below 1, because a vertex that returns from far away moved by its distance
   // from all its neighbors.
   static constexpr double max_way = 0.9;
 
-  // One that went another way than each of the others, and not just a little, is looked at closely.
-  // At 100,000 points what is read here is anywhere in memory, and the most of the search.
+  // Checks those vertices that moved differently from each of the others, and not just a little. At
+  // 100,000 points, reading these scattered data takes most of the search.
   void look_at(const Edge_2& edge)
   {
     std::array<Index, 4> vertices;
@@ -145,7 +145,7 @@ private:
     return dot(relative, relative) > max_way * max_way * quantile(m_squared_lengths, 4);
   }
 
-  // In steps, each of which reads what the one before has fetched.
+  // Prefetches in steps, each of which reads what the one before has fetched.
   void prefetch_edges(const std::vector<Index>& edges, std::size_t i) const
   {
     constexpr std::size_t ahead = 4;
@@ -169,7 +169,7 @@ private:
       f(v);
   }
 
-  // How far each went, and how far it was away a frame ago.
+  // Collects how far each neighbor moved, and its distance from v in the last frame.
   void collect_neighbors(Index v)
   {
     m_x.clear();
@@ -196,8 +196,8 @@ private:
     return m_maintained.positions()[v] - previous_position(v);
   }
 
-  // How far x is from the median; from the farther one of two. Half of a vertex's neighbors may
-  // have jumped along with it.
+  // The distance of x from the median; if there are two medians, from the farther one, because half
+  // of a vertex's neighbors may have jumped along with it.
   static double farthest_from_median(double x, std::vector<double>& values)
   {
     const double upper = quantile(values, 2);
@@ -209,7 +209,7 @@ private:
     return difference;
   }
 
-  // What one in `part` of the values is smaller than.
+  // One in `part` of the values is smaller than this.
   static double quantile(std::vector<double>& values, std::size_t part)
   {
     const auto place = values.begin() + std::ptrdiff_t(values.size() / part);
@@ -223,19 +223,19 @@ private:
   std::vector<double> m_x, m_y, m_squared_lengths; // of the neighbors of a vertex
 };
 
-// Where a point is: at a vertex, or else in a face or on its boundary, an infinite one if it is
-// outside of the hull.
+// The place of a point: a vertex, or a face that contains it, boundary included. The face is
+// infinite if the point is outside of the hull.
 struct Place_2
 {
   Index face = no_index;
   Index vertex = no_index;
-  Index steps = 0; // that it took to find it
+  Index steps = 0; // of the walk to find it
 };
 
-// Jump and walk (Mücke, Saias and Zhu, 1999): from the nearest of some vertices through faces,
-// always across an edge that has the point on its other side. In a Delaunay triangulation such a
-// walk meets no face twice. In another one it may not end, or lead nowhere: the face is then any
-// one that holds the point, or just any.
+// Jump and walk (Mücke, Saias and Zhu, 1999): walks from the nearest of some vertices through
+// faces, always across an edge that has the point on its other side. In a Delaunay triangulation
+// such a walk meets no face twice. In other ones it may not end, or lead nowhere; then the result
+// is any face that contains the point, or just any face.
 template <class Maintained>
 class Point_location_2
 {
@@ -248,8 +248,8 @@ public:
   {
   }
 
-  // Of vertex v, which is in no face. `nearby` is a finite one that is in some; the vertices around
-  // v may be expected to have numbers that differ from its by no more than `spread`.
+  // Locates vertex v, which is in no face. `nearby` is a finite vertex in some face. The numbers of
+  // the vertices around v are expected to differ from its number by at most `spread`.
   Place_2 locate(Index v, Index nearby, Index spread) const
   {
     const Mirror& mirror = m_maintained.mirror();
@@ -270,10 +270,10 @@ public:
   }
 
 private:
-  // The nearest vertex to v that a search finds: first, if `nearby` says little, among about the
-  // cube root of n vertices, evenly spread over their numbers, then around the best one, at ever
-  // smaller steps, as the numbers follow a curve through the plane. At 100,000 points the second
-  // part takes as long as two steps of the walk, and saves some forty.
+  // A vertex near v. If `nearby` says little, first takes the best of about the cube root of n
+  // vertices, evenly spread over the numbers. Then searches around the best one at ever smaller
+  // steps of the numbers, which follow a curve through the plane. At 100,000 points the second
+  // search takes as long as two steps of the walk, and saves some forty.
   Index nearest(Index v, Index nearby, Index spread) const
   {
     const Index vertices = m_maintained.number_of_vertices();
@@ -311,9 +311,9 @@ private:
 
   const Position_2& position(Index v) const { return m_maintained.positions()[v]; }
 
-  // The edge of face f, other than the one that the walk came in by, that v is beyond; `no_index`
-  // if v is in the face. Which edge is looked at first depends on `turn`: a walk that always
-  // prefers the same one can take detours.
+  // The edge of face f, other than `entry`, that separates f from v; `no_index` if v is in f.
+  // `turn` determines which edge is tested first: a walk that always prefers the same one can take
+  // detours.
   Index way_out(Index f, Index v, Index entry, Index turn) const
   {
     const Mirror& mirror = m_maintained.mirror();
@@ -349,13 +349,13 @@ private:
   Vertex_predicates_2<Maintained> m_predicates;
 };
 
-// Points that jump, go, come, meet and part, in one update. First vertices are taken out of their
-// faces: those that jumped wait, those that nobody is at any more leave an empty slot. Then the
-// waiting ones and the points that come are put in, all of them along a Hilbert curve; who comes
-// takes an empty slot, if there is one. In the end the slots that are still empty are dropped.
+// Vertices that jump, merge and part, and points that come and go, in one update. First vertices
+// are taken out of their faces: jumpers wait, vertices without points leave an empty slot. Then the
+// waiting vertices and the new points are put in, all of them along a Hilbert curve. New points
+// take empty slots, if there are any. In the end the remaining empty slots are dropped.
 //
-// If an exception ends the update on the way, each point has either come or gone, or it has not,
-// and all vertices are in some face.
+// If an exception ends the update, each insertion and removal is either complete or not begun, and
+// all vertices are in some face.
 template <class Maintained>
 class Vertex_traffic_2
 {
@@ -372,7 +372,7 @@ public:
   {
   }
 
-  // Points that will come, with the next ids, after those that go.
+  // Announces points to be inserted, with the next ids, after the removals.
   void announce(const std::vector<Index>& ids, const std::vector<Point>& points)
   {
     m_coming_points = points;
@@ -381,7 +381,7 @@ public:
     m_coming_ids.swap(copy);
   }
 
-  // Calls f(id, point) for those of them that have not come yet.
+  // Calls f(id, point) for the announced points that are not inserted yet.
   template <class Function>
   void for_each_coming(const Function& f) const
   {
@@ -390,16 +390,16 @@ public:
         f(m_coming_ids[i], m_coming_points[i]);
   }
 
-  // How many vertices are outside of all faces.
+  // The number of vertices outside of all faces.
   std::size_t number_outside() const { return m_waiting.size() + m_empty.size(); }
 
-  // How many wait to be put in again.
+  // The number of vertices to put in again.
   std::size_t number_waiting() const { return m_waiting.size(); }
 
-  // How many vertices wait, or come.
+  // The number of vertices to put in again and of points to insert.
   std::size_t number_to_put_in() const { return m_waiting.size() + m_coming_ids.size(); }
 
-  // Whether vertices are outside of all faces, or points have not come yet.
+  // Whether vertices are outside of all faces, or announced points are not inserted yet.
   bool is_under_way() const
   {
     return !m_waiting.empty() || !m_empty.empty() || !m_coming_ids.empty();
@@ -407,16 +407,15 @@ public:
 
   // OUT -----------------------------------------------------------------------------------------
 
-  // v will be put in again, where it is now.
+  // Takes v out, to be put in again at its present position.
   void take_out(Index v)
   {
     provide_for_slot();
     m_waiting.push_back(m_editor.take_out(v, previous_position(v)));
   }
 
-  // The points with these ids go. A representative leaves its vertex to a duplicate, if there is
-  // one. Returns the vertices that did not stay where they were by that: some of these duplicates
-  // are about to part.
+  // Removes the points with these ids. A representative leaves its vertex to a duplicate, if there
+  // is one. Returns the vertices that have moved by that, because such a duplicate is to part.
   std::vector<Index> remove(const std::vector<Index>& ids)
   {
     std::vector<Index> moved;
@@ -428,9 +427,9 @@ public:
     return moved;
   }
 
-  // Of the vertices in the list that have come to the same place one stays, that of the smallest
-  // id, and the points of the others become duplicates there. Returns how many vertices went; none
-  // do if that would be more than `most`, or leave fewer than three.
+  // Merges vertices of the list that coincide: the one with the smallest id stays, and the points
+  // of the others become duplicates there. Returns how many vertices were removed. Removes none if
+  // these would be more than `most`, or would leave fewer than three.
   std::size_t merge(const std::vector<Index>& vertices, std::size_t most)
   {
     const auto& ids = m_maintained.ids();
@@ -462,9 +461,9 @@ public:
     std::size_t relocated = 0, parted = 0, merged = 0, steps = 0;
   };
 
-  // Puts everybody in: those that wait, the duplicates that are no longer where their vertex is,
-  // and the points that come. `settle(v, steps)` is called after each vertex, for flips around it,
-  // with the steps that all walks so far took; if it returns false, no more are put in.
+  // Puts in the waiting vertices, the duplicates that have left their vertices, and the new points.
+  // After each vertex, `settle(v, steps)` is called for flips around it, with the number of steps
+  // that all walks so far took. If it returns false, no more are put in.
   template <class Settle>
   Counts put_in(const std::vector<Index>& parted_duplicates, const Settle& settle)
   {
@@ -487,7 +486,7 @@ public:
     return counts;
   }
 
-  // The empty slots are no more. Returns whether there were any: then vertices have other numbers.
+  // Drops the empty slots. Whether there were any: then vertices have other numbers.
   bool finish()
   {
     if (m_empty.empty())
@@ -497,8 +496,8 @@ public:
     return true;
   }
 
-  // Puts those that still wait into any face, and drops the empty slots; the points that have not
-  // come yet will not. Everything is new then. Throws nothing.
+  // Puts the waiting vertices into any faces, drops the empty slots, and cancels the insertions
+  // that are left. Everything is new then. Throws nothing.
   void give_up()
   {
     if (!is_under_way())
@@ -515,7 +514,7 @@ public:
   }
 
 private:
-  // Everything that give_up() would need, for one slot more.
+  // Reserves all memory that give_up() would need for one more slot.
   void provide_for_slot()
   {
     const std::size_t max_slots = m_waiting.size() + m_empty.size() + 1;
@@ -548,8 +547,8 @@ private:
     m_editor.remove_duplicate(id);
   }
 
-  // Where all that are put in go: first those that wait, then the parted duplicates, then those
-  // that come.
+  // Collects the positions to put in: those of waiting vertices, then those of parted duplicates,
+  // then those of new points.
   void collect_places(const std::vector<Index>& parted_duplicates)
   {
     m_places.clear();
@@ -572,13 +571,13 @@ private:
     return v;
   }
 
-  // Where to look for the next one.
+  // Where to start the search for the next position.
   struct Hint
   {
     Index nearby, spread;
   };
 
-  // v itself has the number that belongs to where it was.
+  // A neighbor of v, because the number of v itself belongs to its former position.
   Hint hint_at(Index v) const
   {
     Index nearby = v;
@@ -588,7 +587,7 @@ private:
     return {nearby, Index(spread)};
   }
 
-  // Returns the vertex, or `no_index` if another one is there already, and has its points now.
+  // Returns v, or `no_index` if another vertex is there already, and now has the points of v.
   Index put_in_again(const Slot& slot, const Hint& hint, Counts& counts)
   {
     const Index v = slot.vertex;
@@ -606,7 +605,7 @@ private:
     return no_index;
   }
 
-  // The same for a duplicate that parts, or a point that comes.
+  // The same for a duplicate that parts, or a new point.
   Index let_come(const std::vector<Index>& parted_duplicates, std::size_t i, const Hint& hint,
                  Counts& counts)
   {
@@ -629,7 +628,7 @@ private:
     return slot.vertex;
   }
 
-  // The last of the empty ones, which it stays as yet, with a vertex at p.
+  // The last empty slot, with a vertex at p. It stays in the list of empty slots for now.
   Slot take_slot(const Point& p)
   {
     if (m_empty.empty()) {
@@ -654,7 +653,7 @@ private:
   Spatial_order_2 m_order;
   std::vector<Position_2> m_places;
   std::vector<Slot> m_waiting; // of vertices that jumped
-  std::vector<Slot> m_empty;   // that nobody is at
+  std::vector<Slot> m_empty;   // of vertices without points
   std::vector<Index> m_coming_ids;
   std::vector<Point> m_coming_points;
 };
