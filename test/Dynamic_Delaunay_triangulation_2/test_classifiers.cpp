@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdint>
 #include <set>
 #include <thread>
 #include <vector>
@@ -335,7 +334,7 @@ struct All_edges_classifier
 };
 
 // The fastest of many frames, which other programs on the machine disturb least; both in turn.
-double time_over_that_of_the_built_in_classifier(std::uint64_t seed)
+double time_over_that_of_the_built_in_classifier(unsigned seed)
 {
   using Clock = std::chrono::steady_clock;
   Cloud<Epick> cloud(seed);
@@ -361,7 +360,7 @@ double time_over_that_of_the_built_in_classifier(std::uint64_t seed)
 TEST(A_classifier_of_ones_own, of_a_few_lines_is_as_fast_as_the_built_in_one)
 {
   double ratio = 0;
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
     ratio = time_over_that_of_the_built_in_classifier(seed);
     if (ratio < 1.15)
       return;

@@ -744,7 +744,7 @@ protected:
   Change_ledger<Fused_classifier> classifier;
   Fused_repair repair;
   Fused_policy policy;
-  Fused_triangulation dt{classifier, repair, {}, policy};
+  Fused_triangulation dt{Fused_triangulation::Settings{classifier, repair, {}, policy}};
 };
 
 TEST_F(Parts, of_classifiers_that_throw_when_asked_change_nothing)
