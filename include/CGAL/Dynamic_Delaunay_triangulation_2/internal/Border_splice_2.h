@@ -24,8 +24,7 @@ enum class Splice_result_2 { DONE, TOO_LARGE, TOO_DEAR, COINCIDENCE };
 // The border splice (thesis 4.1.3 and 4.1.4). The Triangulation set is the Classified set, its
 // padding and one layer of border around both. It is triangulated alone, and the faces of that
 // triangulation around the Classified and Padded vertices replace the old ones. Clusters of
-// connected vertices are spliced one after the other, so that the data of one cluster stay in the
-// cache.
+// connected vertices are spliced one after the other, so that their data stay in the cache.
 //
 // A splice is correct only if the old and the new faces have the same boundary, edge for edge (an
 // open problem of the thesis: an edge could get lost). This is checked before anything is written.

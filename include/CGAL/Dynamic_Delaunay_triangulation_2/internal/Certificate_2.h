@@ -23,8 +23,7 @@ namespace internal {
 // By 1 and 3, the map from the triangulation to the plane is a covering of the hull's inside with
 // as many sheets as the hull has turns, branched at most at vertices. By 4 it has one sheet, so the
 // faces tile the convex hull. By 2 that tiling is Delaunay (Delaunay's lemma). Without 4, a vertex
-// star that winds around its center twice would pass 1 to 3. Edge_test_2 tests conditions 1 to 3
-// edge by edge.
+// star that winds around its center twice would pass 1 to 3. Edge_test_2 tests 1 to 3 edge by edge.
 template <class Maintained>
 class Certificate_2
 {

@@ -119,8 +119,8 @@ private:
     }
   }
 
-  // The number of the face that CGAL's vertex stores. After flips it can differ from the face of
-  // the mirror's corner.
+  // The number of the face that CGAL's vertex stores. After flips, the mirror's corner may be in
+  // another face.
   Index face_of_vertex(Index v) const
   {
     Index face = m_maintained.mirror().corner(v) / 3;

@@ -45,8 +45,8 @@ inline double dot(const Position_2& u, const Position_2& v)
   return u.x * v.x + u.y * v.y;
 }
 
-// The circumcenter of the triangle of the origin, u and v, in either order. Infinite or NaN if the
-// three are collinear.
+// The circumcenter of the triangle of the origin, u and v, in either order. Infinite or NaN for
+// collinear ones.
 inline Position_2 circumcenter(const Position_2& u, const Position_2& v)
 {
   const double uu = dot(u, u), vv = dot(v, v);

@@ -365,7 +365,7 @@ private:
     return m_predicates.orientation(a, b, c);
   }
 
-  // For three collinear points.
+  // Whether q is strictly between p and r, for collinear points.
   bool is_strictly_between(Index p, Index q, Index r) const
   {
     const Comparison_result pq = m_predicates.compare_xy(p, q);

@@ -38,7 +38,7 @@ struct Edge_2
   Index source, target, left, right;
 };
 
-/// Where the four vertices of an edge are, as seen from the edge: `left` and `right` are the
+/// The positions of the four vertices of an edge, as seen from the edge. `left` and `right` are the
 /// vertices opposite to it.
 struct Edge_corners_2
 {

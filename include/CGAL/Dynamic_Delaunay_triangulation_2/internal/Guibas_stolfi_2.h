@@ -272,8 +272,8 @@ private:
 
   // The hull edge from the part's rightmost vertex (LARGER) or leftmost one (SMALLER); for a
   // horizontal cut, the uppermost or lowest one. The search climbs along the hull, from the farther
-  // of the part's two hull edges. On a convex curve there is one summit: ties go by the other
-  // coordinate.
+  // of the part's two hull edges. A convex curve has one summit, as the other coordinate breaks
+  // ties.
   Index extreme(const Part& part, bool is_horizontal, Comparison_result sense) const
   {
     const auto is_farther = [&](Index v, Index w) {

@@ -55,8 +55,7 @@ struct Change_2
   }
 };
 
-// Whether the iterator is known to point to values in memory. Other iterators may be expensive to
-// dereference twice.
+// Whether an iterator is known to point to values in memory. Others may be costly to read twice.
 template <class Iterator, class Value = typename std::iterator_traits<Iterator>::value_type>
 constexpr bool is_in_memory = std::is_pointer_v<Iterator> ||
                               std::is_same_v<Iterator, typename std::vector<Value>::iterator> ||

@@ -19,8 +19,7 @@ namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
 // Lawson's flips, started from some edges. Every edge that a flip touches is examined again. So an
-// edge that is not returned as open was examined after its neighborhood last changed, and is proved
-// Delaunay.
+// edge that is not returned as open was examined after the last change around it, and is proved.
 class Lawson_flips_2
 {
 public:

@@ -171,8 +171,8 @@ private:
   bool m_are_exact = true;
 };
 
-// What an update works on: the topology and the positions of its vertices. Reading is public; the
-// classes of both declare by friendship who may write.
+// What an update works on: the topology and the positions of its vertices. Reading is public; only
+// the friends of each class can write.
 template <class Traits_, class Tds_, class Visitor_calls_>
 class Maintained_triangulation_2
 {
@@ -231,7 +231,7 @@ public:
   // The present point of a vertex.
   decltype(auto) point(Index v) const { return m_positions.point(v, vertices()[v]); }
 
-  // Its point in the last frame, while the present points are not written.
+  // The point of a vertex in the last frame. Valid while the present points are not written.
   const Point& previous_point(Index v) const { return vertices()[v]->point(); }
 
   // The present point with this id.

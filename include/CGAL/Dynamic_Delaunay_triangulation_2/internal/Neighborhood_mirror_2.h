@@ -111,7 +111,7 @@ public:
     for_each_corner(v, [&](Index h) { f(apex(next(h))); });
   }
 
-  // How many edges v has.
+  // The number of edges at v.
   Index degree(Index v) const
   {
     Index degree = 0;

@@ -99,7 +99,7 @@ public:
     m_illegal.clear();
   }
 
-  // Another illegal edge nearby may prevent the flip of an open edge: opens the edges around.
+  // Opens the edges around open ones, because an illegal edge nearby may prevent their flips.
   template <class Maintained>
   void open_surroundings(const Maintained& maintained)
   {

@@ -36,8 +36,7 @@ constexpr bool is_made_of_x_and_y = false;
 template <class Kernel>
 constexpr bool is_made_of_x_and_y<CGAL::Point_2<Kernel>> = true;
 
-// Whether a point is just two doubles. Kernels may add data of their own to points, which are
-// larger then.
+// Whether a point is just two doubles. Kernels may add data to points, which are then larger.
 template <class Point>
 constexpr bool is_two_doubles = is_made_of_x_and_y<Point>&& has_double_coordinates<Point> &&
                                 sizeof(Point) == 2 * sizeof(double);
@@ -76,9 +75,9 @@ bool coincide(const Traits& traits, const Point& p, const Point& q)
 //
 // Compiled for SSE4.1 or AVX, CGAL's interval product loses a 0 that meets an infinity: [-1, 0]
 // times [1, inf] is [-inf, -1] (CGAL 5.5; cf. its issue 4312). Such an interval can exclude the
-// true sign, so that exact arithmetic is not used. This happens only to an operand of a product
-// that overflows. The largest operands, in the in-circle determinant, are sums of two products of
-// two differences. With coordinates below 2^510 they are at most 2 * 2^511 * 2^511 = 2^1023.
+// true sign, so that exact arithmetic is not used. For that, an operand of a product must overflow.
+// The largest operands, in the in-circle determinant, are sums of two products of two differences.
+// With coordinates below 2^510 they are at most 2 * 2^511 * 2^511 = 2^1023.
 #if defined(CGAL_USE_SSE2) && (defined(__SSE4_1__) || defined(__AVX__))
 constexpr double coordinate_limit = 0x1p510;
 // The product of this with any coordinate beyond the limit overflows.

@@ -51,7 +51,7 @@ public:
                                  std::size_t changes = 0)
   {
     constexpr std::size_t max_vertices_in_cache = 4096;
-    const std::size_t price = vertices < max_vertices_in_cache ? 27 : 24; // halves
+    const std::size_t price = vertices < max_vertices_in_cache ? 27 : 24; // in halves of a unit
     return 2 * (open_edge * open_edges + relocation / 2 * changes) > price * vertices;
   }
 

@@ -292,7 +292,7 @@ private:
     return m_may_take_out && m_has_to_prove && !m_maintained.points_are_written() && !has_rebuilt();
   }
 
-  // Leaves at least three vertices. Whether any was taken out.
+  // Takes these vertices out if the budget allows it and at least three remain. Whether it did.
   bool take_out(const std::vector<Index>& vertices)
   {
     constexpr std::size_t min_vertices = 3;

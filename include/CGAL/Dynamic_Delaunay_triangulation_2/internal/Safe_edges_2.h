@@ -243,7 +243,7 @@ private:
   bool m_hull_is_safe = false; // it turns around once while no vertex leaves the tolerance
   bool m_hull_stays = false;   // and no vertex at the hull has left it
   std::vector<Index> m_moved;
-  std::vector<Index> m_changed; // edges with another opposite vertex
+  std::vector<Index> m_changed; // edges whose opposite vertices have changed
   std::vector<double> m_sample;
 };
 

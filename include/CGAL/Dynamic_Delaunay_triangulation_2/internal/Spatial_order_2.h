@@ -116,7 +116,7 @@ public:
     sort_by_grid(0, m_places.size(), 0);
   }
 
-  // The same for points with exact comparisons only: by x, then y, then number. All lines are
+  // The same by comparisons, where only these are exact: by x, then y, then number. All lines are
   // vertical.
   template <class Iterator, class Less>
   void sort_by_comparisons(Iterator first, Iterator beyond, const Less& less)
@@ -279,8 +279,7 @@ public:
     return false;
   }
 
-  // Calls f(v, w) for every vertex w that has the same place as the one before it. v is the first
-  // vertex at that place.
+  // Calls f(v, w) for every vertex w with the place of the one before it. v is the first one there.
   template <class Function>
   void for_each_coincident_pair(const Function& f) const
   {

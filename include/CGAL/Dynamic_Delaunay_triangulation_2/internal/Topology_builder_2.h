@@ -534,7 +534,7 @@ private:
     return is_representative(id, ids) && !goes(id);
   }
 
-  // Deletes those of the vertices that their representatives do not keep in `elsewhere`.
+  // Deletes those of `vertices` that are not kept in `elsewhere`.
   void delete_vertices(const std::vector<Vertex_handle>& vertices, const Ids& ids,
                        const Ids& elsewhere)
   {
@@ -578,7 +578,7 @@ private:
     write_all_faces();
   }
 
-  // Inserts vertices that do not span the plane with CGAL's insertion. Then there is no mirror.
+  // Triangulates vertices that do not span the plane, by CGAL's insertion. Then there is no mirror.
   void triangulate_line()
   {
     Static_triangulation line(m_maintained.traits());
@@ -610,7 +610,7 @@ private:
     m_positions.write(m_topology.m_vertices);
   }
 
-  // Restores the stored half-edges, corners and faces of edges and vertices.
+  // Restores the numbers of edges, the corners, and the faces that CGAL's vertices store.
   void restore_numbers(const Checkpoint_arrays_2<Point>& kept)
   {
     auto& mirror = m_topology.m_mirror;

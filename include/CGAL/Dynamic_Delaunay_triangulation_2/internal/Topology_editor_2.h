@@ -366,7 +366,7 @@ public:
     m_topology.m_changes.relocated.push_back(slot.vertex);
   }
 
-  // The points of vertex `goes`, which are at p, become duplicates at `stays`.
+  // Makes the points of vertex `goes`, which are at p, duplicates at vertex `stays`.
   void hand_points_to(Index stays, Index goes, const Point& p)
   {
     auto& ids = m_topology.m_ids;

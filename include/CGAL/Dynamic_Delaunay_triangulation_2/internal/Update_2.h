@@ -72,8 +72,8 @@ public:
   const Tools& tools() const { return m_tools; }
 
   // `is_informed`: whether the classifier was told what the last call triangulated anew.
-  // `take_back()` is called if the policy or the classifier throws. It returns whether it could
-  // undo the staging.
+  // `take_back()` is called if the policy or the classifier throws. It returns whether it undid the
+  // staging.
   template <class Classifier, class Repair, class Policy, class Take_back>
   Update_report_2 run(const Change& change, Classifier& classifier, Repair& repair, Policy& policy,
                       bool is_informed, const Take_back& take_back)
@@ -174,7 +174,7 @@ private:
 
   // TO REBUILD OR NOT ---------------------------------------------------------------------------
 
-  // Decides this before any work that a rebuild would make useless.
+  // Why to rebuild, decided before any work that a rebuild would discard.
   template <class Policy>
   Rebuild_reason_2 reason_to_rebuild(const Change& change, Policy& policy, bool may_sample)
   {
@@ -355,7 +355,7 @@ private:
   Tools m_tools;
   bool m_is_certified = true;
   bool m_has_removed = true;
-  Repair_experience_2 m_experience; // of frames
+  Repair_experience_2 m_experience; // learned from whole frames
 };
 
 } // namespace internal

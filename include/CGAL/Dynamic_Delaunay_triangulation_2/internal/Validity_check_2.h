@@ -57,8 +57,7 @@ private:
     }
   }
 
-  // A duplicate may differ from its vertex only after an exception, and until the next
-  // certification.
+  // A duplicate may differ from its vertex only after an exception, until the next proof.
   bool is_nobody_lost(bool is_certified) const
   {
     const auto& ids = m_maintained.ids();

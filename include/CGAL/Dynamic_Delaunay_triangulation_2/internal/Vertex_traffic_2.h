@@ -30,9 +30,11 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
+// JUMPS -------------------------------------------------------------------------------------------
+
 // Finds the vertices that jumped: relative to their neighbors, they moved farther than the extent
 // of their neighborhood. A vertex that leaves its neighborhood inverts a face, so only vertices at
-// edges with inverted faces are examined. Jumps matter for the cost only, so plain floating point
+// edges with inverted faces are examined. Jumps affect only the cost, so plain floating point
 // decides.
 template <class Maintained>
 class Jumper_search_2
@@ -223,6 +225,8 @@ private:
   std::vector<double> m_x, m_y, m_squared_lengths; // of the neighbors of a vertex
 };
 
+// POINT LOCATION ----------------------------------------------------------------------------------
+
 // The place of a point: a vertex, or a face that contains it, boundary included. The face is
 // infinite if the point is outside of the hull.
 struct Place_2
@@ -312,7 +316,7 @@ private:
   const Position_2& position(Index v) const { return m_maintained.positions()[v]; }
 
   // The edge of face f, other than `entry`, that separates f from v; `no_index` if v is in f.
-  // `turn` determines which edge is tested first: a walk that always prefers the same one can take
+  // `turn` determines which edge is tested first: always preferring the same edge can cause
   // detours.
   Index way_out(Index f, Index v, Index entry, Index turn) const
   {
@@ -348,6 +352,8 @@ private:
   const Maintained& m_maintained;
   Vertex_predicates_2<Maintained> m_predicates;
 };
+
+// TRAFFIC -----------------------------------------------------------------------------------------
 
 // Vertices that jump, merge and part, and points that come and go, in one update. First vertices
 // are taken out of their faces: jumpers wait, vertices without points leave an empty slot. Then the
