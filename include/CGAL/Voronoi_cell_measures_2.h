@@ -8,8 +8,8 @@
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/number_type_basic.h>
 

@@ -221,8 +221,8 @@ TEST(Border_splice, catches_a_fast_point_by_growing)
   cloud.shake(points, 0.01);
   CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2,
                                          CGAL::Border_splice_repair_2>
-      dt(points.begin(), points.end(), {CGAL::Circumcircle_classifier_2(),
-         CGAL::Border_splice_repair_2(1)});
+      dt(points.begin(), points.end(),
+         {CGAL::Circumcircle_classifier_2(), CGAL::Border_splice_repair_2(1)});
   points[150] = Epick::Point_2(points[150].x() + 5.3, points[150].y() + 0.2);
   const auto report = dt.update(points.begin(), points.end());
   EXPECT_FALSE(report.rebuilt());
@@ -336,8 +336,9 @@ TEST(Border_splice, doubles_no_edge_that_a_face_has_which_nobody_named)
   Points points = {Point(0, 2.6), Point(0, 3.8),    Point(-1, 0),    Point(1, 0),   Point(0, 0.7),
                    Point(0, 7.6), Point(-3.7, 4.1), Point(3.7, 4.1), Point(0, -6.9)};
   add_ring(points);
-  Named_vertices_triangulation dt(points.begin(), points.end(), {Named_vertices_classifier{{0, 1}},
-                                  CGAL::Border_splice_repair_2(0)});
+  Named_vertices_triangulation dt(
+      points.begin(), points.end(),
+      {Named_vertices_classifier{{0, 1}}, CGAL::Border_splice_repair_2(0)});
   points[0] = Point(0, -1.2);
   points[1] = Point(0, 1.1);
   points[4] = Point(0, -1.8);
@@ -358,9 +359,9 @@ TEST(Border_splice, loses_nobody_in_a_cluster_that_is_turned_inside_out)
   Points points = {Point(-3, -2),     Point(3, -2),     Point(0, 4),  Point(0, 0),
                    Point(-0.5, -0.5), Point(0.5, -0.4), Point(0, 0.6)};
   add_ring(points);
-  Named_vertices_triangulation dt(points.begin(), points.end(),
-                                  {Named_vertices_classifier{{4, 5, 6}},
-                                  CGAL::Border_splice_repair_2(0)});
+  Named_vertices_triangulation dt(
+      points.begin(), points.end(),
+      {Named_vertices_classifier{{4, 5, 6}}, CGAL::Border_splice_repair_2(0)});
   points[0] = Point(3, -2);
   points[1] = Point(-3, -2);
   points[3] = Point(0, 0.1);
@@ -401,8 +402,8 @@ TEST(Border_splice, reports_its_sets_and_more_padding_makes_them_larger)
   std::size_t last = 0;
   for (unsigned padding = 0; padding < 4; ++padding) {
     CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Point_distance_classifier_2> dt(
-        points.begin(), points.end(), {CGAL::Point_distance_classifier_2(0.9),
-        CGAL::Border_splice_repair_2(padding)});
+        points.begin(), points.end(),
+        {CGAL::Point_distance_classifier_2(0.9), CGAL::Border_splice_repair_2(padding)});
     const auto report = dt.update(moved.begin(), moved.end());
     EXPECT_EQ(report.splices, 1u);
     EXPECT_GT(report.classified, 0u);

@@ -198,8 +198,12 @@ Dynamic visited(const std::vector<typename Dynamic::Point>& points,
                 const typename Dynamic::Delaunay_update_visitor& visitor =
                     typename Dynamic::Delaunay_update_visitor())
 {
-  return Dynamic(points.begin(), points.end(), {typename Dynamic::Delaunay_classifier(),
-                 typename Dynamic::Delaunay_repair(), {}, {}, visitor});
+  return Dynamic(points.begin(), points.end(),
+                 {typename Dynamic::Delaunay_classifier(),
+                  typename Dynamic::Delaunay_repair(),
+                  {},
+                  {},
+                  visitor});
 }
 
 template <class Dynamic>

@@ -9,9 +9,9 @@
 
 namespace internal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Tds = CGAL::Triangulation_data_structure_2<
-    CGAL::Dynamic_Delaunay_triangulation_vertex_base_2<Kernel>,
-    CGAL::Triangulation_face_base_2<Kernel>>;
+using Tds =
+    CGAL::Triangulation_data_structure_2<CGAL::Dynamic_Delaunay_triangulation_vertex_base_2<Kernel>,
+                                         CGAL::Triangulation_face_base_2<Kernel>>;
 struct Silent_calls
 {
   static constexpr bool is_heard = false;
