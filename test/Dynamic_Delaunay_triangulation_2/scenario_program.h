@@ -22,12 +22,6 @@
 using Json = nlohmann::json;
 using Words = std::vector<std::string>;
 
-inline std::string content_of(const std::string& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 inline std::size_t number_of_lines(const std::string& text)
 {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));

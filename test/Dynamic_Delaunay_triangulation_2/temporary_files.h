@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <random>
 #include <string>
 #include <system_error>
@@ -48,6 +49,12 @@ inline std::string write_file(const std::string& name, const std::string& conten
   const std::string path = temporary_path(name);
   std::ofstream(path, std::ios::binary) << content;
   return path;
+}
+
+inline std::string content_of(const std::string& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 #endif // DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_TEMPORARY_FILES_H

@@ -3,10 +3,10 @@
 
 // How the scenario runner and the benchmarks write numbers, tables, and comma separated values.
 
-#include "scenario_program.h"
 #include "scenario_runner/Csv_writer.h"
 #include "scenario_runner/Number_text.h"
 #include "scenario_runner/Table.h"
+#include "temporary_files.h"
 
 #include <gtest/gtest.h>
 
