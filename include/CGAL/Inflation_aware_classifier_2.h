@@ -25,8 +25,8 @@ of its relative growths, over all frames since the edge was last triangulated, h
 from `x` to `2 - x`.
 
 The edges around an edge change with the triangulation. Such a change does not count as growth,
-since the growth in a frame is measured with the same edges before and after it. The classifier is
-*heuristic*.
+since the growth in a frame is measured with the same edges before and after it. It is a
+<em>heuristic</em> classifier.
 
 Cost: two passes over all edges; memory for two doubles an edge and one a vertex.
 

@@ -19,8 +19,8 @@ namespace CGAL {
 `Point_distance_classifier_2` for known velocities: it predicts the first frame in which it can
 classify a vertex (thesis 4.2.2), and tests no edge until then. It predicts after each frame in
 which it tested edges, or in which something was triangulated anew. It classifies the same vertices
-as `Point_distance_classifier_2` while velocities stay as they were at the last prediction. It is
-*heuristic*.
+as `Point_distance_classifier_2` while velocities stay as they were at the last prediction. It is a
+<em>heuristic</em> classifier.
 
 Cost: none in the frames in between; in the others that of `Point_distance_classifier_2` and of
 `Point_distance_classifier_2::predict()`. So it pays if few frames classify any vertex.

@@ -19,7 +19,7 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2Classifiers
 
 Reduces what a first classifier picks to what a second one picks, too (thesis 7.2.1). A classifier
-*picks* the vertices and edges that it names, and all edges of these vertices. The result has
+<em>picks</em> the vertices and edges that it names, and all edges of these vertices. The result has
 - the vertices that both name,
 - the edges that one names and the other one picks,
 - if both are exact, also the edges that one picks for one end, and the other one for the other end.

@@ -333,7 +333,7 @@ struct All_edges_classifier
   std::vector<CGAL::Dynamic_Delaunay_triangulations_2::Index> unproved{};
 };
 
-// The fastest of many frames, which other programs on the machine disturb least; both in turn.
+// Both in turn, where so much moves that no edge can be skipped.
 double time_over_that_of_the_built_in_classifier(unsigned seed)
 {
   using Clock = std::chrono::steady_clock;
@@ -347,14 +347,17 @@ double time_over_that_of_the_built_in_classifier(unsigned seed)
     EXPECT_TRUE(dt.update(points.begin(), points.end()).certified);
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
-  double fastest_built_in = 1e9, fastest_own = 1e9;
-  for (int frame = 0; frame < 60; ++frame) {
+  std::vector<double> ratios;
+  for (int frame = 0; frame < 101; ++frame) {
     cloud.shake(points, 1e-3);
-    fastest_built_in = (std::min)(fastest_built_in, time_of(built_in));
-    fastest_own = (std::min)(fastest_own, time_of(own));
+    const bool comes_first = frame % 2 == 0;
+    const double before = comes_first ? time_of(own) : 0;
+    const double time_of_built_in = time_of(built_in);
+    ratios.push_back((comes_first ? before : time_of(own)) / time_of_built_in);
   }
   expect_exact(own, points);
-  return fastest_own / fastest_built_in;
+  std::nth_element(ratios.begin(), ratios.begin() + 50, ratios.end());
+  return ratios[50];
 }
 
 TEST(A_classifier_of_ones_own, of_a_few_lines_is_as_fast_as_the_built_in_one)
