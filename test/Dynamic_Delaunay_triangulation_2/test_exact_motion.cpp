@@ -6,6 +6,7 @@
 #include "oracle.h"
 
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -287,6 +288,34 @@ TEST(Exact_coordinates, that_differ_by_less_than_doubles_do_are_told_apart)
     const auto others = cloud();
     for (std::size_t i = 0; i < next.size(); i += frame % 2 == 0 ? 13 : 1)
       next[i] = others[i];
+    dt.update(next.begin(), next.end());
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, next));
+  }
+}
+
+// The rounded positions stay where they are while the edges change.
+TEST(Exact_coordinates, that_move_by_less_than_doubles_tell_are_followed)
+{
+  std::mt19937 random(6);
+  std::vector<std::pair<int, int>> places;
+  for (int i = 0; i < 60; ++i)
+    places.emplace_back(4 * (i % 8) + int(random() % 4), 4 * (i / 8) + int(random() % 4));
+  const auto coordinate = [&](int place) {
+    const int sevenths = int(random() % 7) - 3;
+    return Epeck::FT(1) + (Epeck::FT(place) + Epeck::FT(sevenths) / 7) * 0x1p-52;
+  };
+  const auto cloud = [&] {
+    std::vector<Epeck::Point_2> points;
+    for (const auto& [x, y] : places) {
+      const Epeck::FT first = coordinate(x);
+      points.emplace_back(first, coordinate(y));
+    }
+    return points;
+  };
+  const auto points = cloud();
+  CGAL::Dynamic_Delaunay_triangulation_2<Epeck> dt(points.begin(), points.end());
+  for (int frame = 0; frame < 20; ++frame) {
+    const auto next = cloud();
     dt.update(next.begin(), next.end());
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, next));
   }
