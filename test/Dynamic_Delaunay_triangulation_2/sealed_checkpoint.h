@@ -8,7 +8,17 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_file_2.h>
 
+#include <sstream>
 #include <string>
+
+// The checkpoint of a triangulation or a population.
+template <class Subject>
+std::string checkpoint_of(const Subject& subject)
+{
+  std::ostringstream out;
+  subject.write_checkpoint(out);
+  return out.str();
+}
 
 // These lines, and that of their checksum.
 inline std::string sealed(const std::string& lines)

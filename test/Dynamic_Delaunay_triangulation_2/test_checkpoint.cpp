@@ -33,14 +33,6 @@ using Exact = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
 using Population = CGAL::Dynamic_population_2<Exact>;
 using Points = Cloud<Epick>::Points;
 
-template <class Written>
-std::string text_of(const Written& written)
-{
-  std::ostringstream out;
-  written.write_checkpoint(out);
-  return out.str();
-}
-
 template <class Read>
 void read(Read& target, const std::string& text)
 {
@@ -52,7 +44,7 @@ template <class Dynamic>
 Dynamic restored(const Dynamic& original)
 {
   Dynamic copy;
-  read(copy, text_of(original));
+  read(copy, checkpoint_of(original));
   return copy;
 }
 
@@ -207,14 +199,14 @@ void expect_common_future(Dynamic& dt, Dynamic& other, unsigned seed, double ste
     SCOPED_TRACE(testing::Message() << "frame " << frame);
     ASSERT_NO_FATAL_FAILURE(future.any_call(dt, other));
   }
-  ASSERT_EQ(text_of(dt), text_of(other));
+  ASSERT_EQ(checkpoint_of(dt), checkpoint_of(other));
 }
 
 template <class Dynamic>
 void expect_to_go_on(Dynamic& dt, unsigned seed, double step = 0.05, int frames = 50)
 {
   Dynamic other = restored(dt);
-  ASSERT_EQ(text_of(dt), text_of(other));
+  ASSERT_EQ(checkpoint_of(dt), checkpoint_of(other));
   ASSERT_NO_FATAL_FAILURE(expect_common_future(dt, other, seed, step, frames));
 }
 
@@ -315,10 +307,10 @@ TYPED_TEST(Checkpoints_of, a_file_replaces_whatever_is_there)
     auto other = this->triangulated(Cloud<TypeParam>(8).uniform(n));
     const auto* const place = &other.triangulation();
     other.mend();
-    read(other, text_of(dt));
+    read(other, checkpoint_of(dt));
     EXPECT_EQ(&other.triangulation(), place);
     ASSERT_NO_FATAL_FAILURE(expect_equal(dt, other));
-    ASSERT_EQ(text_of(dt), text_of(other));
+    ASSERT_EQ(checkpoint_of(dt), checkpoint_of(other));
   }
 }
 
@@ -346,9 +338,9 @@ TEST(Checkpoints, kernels_of_equal_kinds_of_coordinates_share_their_files)
   const auto points = thirds(Cloud<Epeck>(10).uniform(40));
   const CGAL::Dynamic_Delaunay_triangulation_2<Epeck> lazy(points.begin(), points.end());
   CGAL::Dynamic_Delaunay_triangulation_2<Gmpq_kernel> eager;
-  read(eager, text_of(lazy));
+  read(eager, checkpoint_of(lazy));
   EXPECT_TRUE(eager.is_valid(true));
-  EXPECT_EQ(text_of(eager), text_of(lazy));
+  EXPECT_EQ(checkpoint_of(eager), checkpoint_of(lazy));
 }
 
 TEST(Checkpoints, any_finite_double_is_kept_to_the_bit)
@@ -450,7 +442,7 @@ TEST(Checkpoints, the_classifier_is_told_once_that_everything_is_new)
   auto points = cloud.uniform(50);
   using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Told_classifier>;
   Dynamic dt(points.begin(), points.end());
-  const std::string text = text_of(dt);
+  const std::string text = checkpoint_of(dt);
   cloud.shake(points, 0.01);
   dt.update(points.begin(), points.end());
   read(dt, text);
@@ -467,7 +459,7 @@ TEST(Checkpoints, the_sets_of_the_last_update_are_forgotten)
   cloud.shake(points, 0.03);
   dt.update(points.begin(), points.end());
   ASSERT_FALSE(dt.classified_vertices().empty());
-  read(dt, text_of(few));
+  read(dt, checkpoint_of(few));
   EXPECT_TRUE(dt.classified_vertices().empty());
 }
 
@@ -512,7 +504,7 @@ TEST(Checkpoints, what_follows_in_the_stream_stays_there)
 {
   const auto points = Cloud<Epick>(15).uniform(20);
   const Exact first(points.begin(), points.begin() + 10), second(points.begin(), points.end());
-  std::istringstream in(text_of(first) + text_of(second) + "more");
+  std::istringstream in(checkpoint_of(first) + checkpoint_of(second) + "more");
   Exact dt;
   dt.read_checkpoint(in);
   expect_equal(first, dt);
@@ -528,15 +520,15 @@ TEST(Checkpoints, the_example_in_the_manual_is_a_checkpoint)
   const Points points = {{0, 0}, {2, 0}, {2, 1}, {0, 1}, {1, 0.4}, {2, 1}};
   Exact dt(points.begin(), points.end());
   dt.remove(3);
-  EXPECT_EQ(text_of(dt), "Dynamic_Delaunay_triangulation_2 checkpoint 1\n"
-                         "coordinates double\npositions exact\ncertified yes\n"
-                         "hopeless_share 65536\ndimension 2\n"
-                         "ids 6\nvertices 4\n0 0 0\n4 1 0.4\n1 2 0\n2 2 1\n"
-                         "duplicates 1\n5 4 2 1\nfree_ids 1\n3\n"
-                         "faces 6\n4 1 2\n3 2 1\n0 3 1\n0 1 4\n2 3 4\n0 4 3\n"
-                         "corners 5\n15 5\n10 3\n12 4\n17 5\n16 5\n"
-                         "edges 9\n3 3\n13 13\n9 9\n6 6\n14 14\n11 11\n16 16\n17 17\n15 15\n"
-                         "checksum abeaeb85\n");
+  EXPECT_EQ(checkpoint_of(dt), "Dynamic_Delaunay_triangulation_2 checkpoint 1\n"
+                               "coordinates double\npositions exact\ncertified yes\n"
+                               "hopeless_share 65536\ndimension 2\n"
+                               "ids 6\nvertices 4\n0 0 0\n4 1 0.4\n1 2 0\n2 2 1\n"
+                               "duplicates 1\n5 4 2 1\nfree_ids 1\n3\n"
+                               "faces 6\n4 1 2\n3 2 1\n0 3 1\n0 1 4\n2 3 4\n0 4 3\n"
+                               "corners 5\n15 5\n10 3\n12 4\n17 5\n16 5\n"
+                               "edges 9\n3 3\n13 13\n9 9\n6 6\n14 14\n11 11\n16 16\n17 17\n15 15\n"
+                               "checksum abeaeb85\n");
 }
 
 // POPULATIONS -------------------------------------------------------------------------------------
@@ -557,7 +549,7 @@ TEST(Checkpoints, a_population_goes_on_with_the_ids_of_its_user)
   Population population;
   for (int stage = 0; stage < 5; ++stage) {
     Population other;
-    read(other, text_of(population));
+    read(other, checkpoint_of(population));
     for (int frame = 0; frame < 10; ++frame) {
       change();
       ASSERT_EQ(all_of(population.update(crowd.begin(), crowd.end())),
@@ -567,7 +559,7 @@ TEST(Checkpoints, a_population_goes_on_with_the_ids_of_its_user)
       for (const auto& [id, p] : crowd)
         ASSERT_EQ(other.point(id), p);
     }
-    ASSERT_EQ(text_of(population), text_of(other));
+    ASSERT_EQ(checkpoint_of(population), checkpoint_of(other));
   }
 }
 
@@ -578,13 +570,13 @@ TEST(Checkpoints, ids_of_users_of_any_integer_type_are_kept_or_refused)
   Large large;
   Small small;
   large.insert(200, {1, 2});
-  read(small, text_of(large));
+  read(small, checkpoint_of(large));
   EXPECT_TRUE(small.has(200));
   large.insert((std::numeric_limits<std::uint64_t>::max)(), {3, 2});
-  EXPECT_GT(refusal(small, text_of(large)).line(), 0u);
+  EXPECT_GT(refusal(small, checkpoint_of(large)).line(), 0u);
   EXPECT_EQ(small.size(), 1u);
   Large copy;
-  read(copy, text_of(large));
+  read(copy, checkpoint_of(large));
   EXPECT_TRUE(copy.has((std::numeric_limits<std::uint64_t>::max)()));
 }
 
@@ -593,7 +585,7 @@ TEST(Checkpoints, ids_of_users_that_repeat_are_refused)
   Population population;
   population.insert(5, {0, 0});
   population.insert(6, {1, 0});
-  const std::string text = text_of(population);
+  const std::string text = checkpoint_of(population);
   Population other;
   EXPECT_GT(refusal(other, replaced(text, "\n1 6\n", "\n1 5\n")).line(), 0u);
   EXPECT_GT(refusal(other, replaced(text, "user_ids 2", "user_ids 1")).line(), 0u);
@@ -614,7 +606,7 @@ Exact specimen()
 
 TEST(Checkpoints, a_file_that_is_cut_off_anywhere_is_refused)
 {
-  const std::string text = text_of(specimen());
+  const std::string text = checkpoint_of(specimen());
   Exact dt;
   for (std::size_t size = 0; size < text.size(); ++size)
     ASSERT_GT(refusal(dt, text.substr(0, size)).line(), 0u) << size;
@@ -623,7 +615,7 @@ TEST(Checkpoints, a_file_that_is_cut_off_anywhere_is_refused)
 
 TEST(Checkpoints, a_file_with_any_byte_changed_or_missing_is_refused)
 {
-  const std::string text = text_of(specimen());
+  const std::string text = checkpoint_of(specimen());
   Exact dt;
   for (std::size_t place = 0; place < text.size(); ++place) {
     for (const char c : {'0', '1', '7', ' ', '\n', '-', '.', 'e', 'x', '\0', '\xff'}) {
@@ -642,22 +634,22 @@ TEST(Checkpoints, a_file_with_any_byte_changed_or_missing_is_refused)
 
 TEST(Checkpoints, nothing_changes_if_a_file_is_refused)
 {
-  const std::string text = text_of(specimen());
+  const std::string text = checkpoint_of(specimen());
   auto points = Cloud<Epick>(18).uniform(30);
   Exact dt(points.begin(), points.end());
-  const std::string before = text_of(dt);
+  const std::string before = checkpoint_of(dt);
   const auto vertex = dt.vertex(7);
   for (std::size_t size = 0; size < text.size(); size += 7)
     refusal(dt, text.substr(0, size));
   EXPECT_EQ(dt.vertex(7), vertex);
-  EXPECT_EQ(text_of(dt), before);
+  EXPECT_EQ(checkpoint_of(dt), before);
   Exact other = restored(dt);
   expect_common_future(dt, other, 18);
 }
 
 TEST(Checkpoints, a_refusal_says_where_and_why)
 {
-  const std::string text = text_of(specimen());
+  const std::string text = checkpoint_of(specimen());
   Exact dt;
   const auto message = [&](const std::string& edited) {
     return std::string(refusal(dt, edited).what());
@@ -672,7 +664,7 @@ TEST(Checkpoints, a_refusal_says_where_and_why)
             "to be \"Dynamic_Delaunay_triangulation_2 checkpoint 1\"");
   EXPECT_EQ(message("\x1b[31m\n"), "checkpoint, line 1: it is \"?[31m\", and has to be "
                                    "\"Dynamic_Delaunay_triangulation_2 checkpoint 1\"");
-  EXPECT_EQ(message(text_of(Population())),
+  EXPECT_EQ(message(checkpoint_of(Population())),
             "checkpoint, line 1: it is \"Dynamic_population_2 checkpoint 1\", and has to be "
             "\"Dynamic_Delaunay_triangulation_2 checkpoint 1\"");
   EXPECT_LT(message(std::string(1000, 'x') + "\n").size(), 300u);
@@ -688,7 +680,7 @@ TEST(Checkpoints, a_triangulation_that_is_not_delaunay_is_not_believed_to_be_cer
   Heuristic dt(points.begin(), points.end(), CGAL::Point_distance_classifier_2(0.1));
   cloud.shake(points, 0.05);
   dt.update(points.begin(), points.end());
-  const std::string text = text_of(dt);
+  const std::string text = checkpoint_of(dt);
   ASSERT_FALSE(dt.certify());
   Heuristic other;
   const Checkpoint_error_2 error = refusal(other, replaced(text, "certified no", "certified yes"));
@@ -700,7 +692,7 @@ TEST(Checkpoints, a_triangulation_that_is_not_delaunay_is_not_believed_to_be_cer
 
 TEST(Checkpoints, what_is_announced_costs_no_memory)
 {
-  const std::string text = text_of(specimen());
+  const std::string text = checkpoint_of(specimen());
   Exact dt;
   for (const char* announced : {"700000000", "4000000000", "1000000000000000000",
                                 "99999999999999999999999999", "-1", "715827882"})
@@ -719,7 +711,7 @@ TEST(Checkpoints, what_is_announced_costs_no_memory)
 
 TEST(Checkpoints, inconsistent_files_with_the_right_checksum_are_refused)
 {
-  const std::string text = text_of(specimen());
+  const std::string text = checkpoint_of(specimen());
   Exact dt;
   const auto is_refused = [&](const std::string& what, const std::string& by) {
     return refusal(dt, replaced(text, what, by)).line() > 0;
@@ -744,7 +736,7 @@ std::string line_below(const std::string& text, const std::string& name)
 
 TEST(Checkpoints, coordinates_have_to_be_finite_and_their_places_right)
 {
-  const std::string text = text_of(specimen());
+  const std::string text = checkpoint_of(specimen());
   Exact dt;
   const std::string vertex = '\n' + line_below(text, "vertices") + '\n';
   const std::string id = vertex.substr(0, vertex.find(' '));
@@ -754,7 +746,7 @@ TEST(Checkpoints, coordinates_have_to_be_finite_and_their_places_right)
 
   using Lazy = CGAL::Dynamic_Delaunay_triangulation_2<Epeck>;
   const auto points = thirds(Cloud<Epeck>(20).uniform(3));
-  const std::string rounded = text_of(Lazy(points.begin(), points.end()));
+  const std::string rounded = checkpoint_of(Lazy(points.begin(), points.end()));
   Lazy lazy;
   const std::string lazy_vertex = '\n' + line_below(rounded, "vertices") + '\n';
   const std::string place = lazy_vertex.substr(0, lazy_vertex.find(' '));
@@ -829,7 +821,7 @@ private:
 template <class Dynamic>
 void expect_forgeries_to_be_harmless(const Dynamic& original, unsigned seed, int number)
 {
-  Forger forger(text_of(original), seed);
+  Forger forger(checkpoint_of(original), seed);
   int accepted = 0;
   for (int i = 0; i < number; ++i) {
     const std::string text = forger.forged();
@@ -841,7 +833,7 @@ void expect_forgeries_to_be_harmless(const Dynamic& original, unsigned seed, int
     ++accepted;
     ASSERT_TRUE(dt.is_valid(true)) << text;
     Dynamic other = restored(dt);
-    ASSERT_EQ(text_of(dt), text_of(other));
+    ASSERT_EQ(checkpoint_of(dt), checkpoint_of(other));
     ASSERT_NO_FATAL_FAILURE(expect_common_future(dt, other, unsigned(i), 0.05, 5)) << text;
   }
   EXPECT_GT(accepted, 0);
@@ -943,7 +935,7 @@ private:
 TEST(Checkpoints, a_full_disk_is_noticed)
 {
   const Exact dt = specimen();
-  const std::size_t size = text_of(dt).size();
+  const std::size_t size = checkpoint_of(dt).size();
   for (std::size_t bytes = 0; bytes < size; ++bytes) {
     Full_disk disk(bytes);
     std::ostream out(&disk);
@@ -957,7 +949,7 @@ TEST(Checkpoints, a_full_disk_is_noticed)
 TEST(Checkpoints, a_stream_that_was_not_opened_is_noticed)
 {
   Exact dt;
-  std::istringstream in(text_of(dt));
+  std::istringstream in(checkpoint_of(dt));
   in.setstate(std::ios::failbit);
   EXPECT_THROW(dt.read_checkpoint(in), Checkpoint_error_2);
   std::ostringstream out;
@@ -973,29 +965,30 @@ TEST(Checkpoints, operators_write_and_read_them)
   std::stringstream file;
   CGAL::IO::set_binary_mode(file); // checkpoints are text all the same
   file << dt << "\n  " << population << ' ' << dt;
-  EXPECT_EQ(file.str(), text_of(dt) + "\n  " + text_of(population) + ' ' + text_of(dt));
+  EXPECT_EQ(file.str(),
+            checkpoint_of(dt) + "\n  " + checkpoint_of(population) + ' ' + checkpoint_of(dt));
   Exact copy, other_copy;
   Population copied_population;
   EXPECT_TRUE(file >> copy >> copied_population >> other_copy);
   expect_equal(dt, copy);
   expect_equal(dt, other_copy);
-  EXPECT_EQ(text_of(copied_population), text_of(population));
+  EXPECT_EQ(checkpoint_of(copied_population), checkpoint_of(population));
 }
 
 // The stream's, of which the target must not have noticed anything.
 template <class Read>
 std::ios_base::iostate state_after_reading(Read& target, const std::string& text)
 {
-  const std::string before = text_of(target);
+  const std::string before = checkpoint_of(target);
   std::istringstream in(text);
   in >> target;
-  EXPECT_EQ(text_of(target), before);
+  EXPECT_EQ(checkpoint_of(target), before);
   return in.rdstate();
 }
 
 TEST(Checkpoints, a_stream_fails_where_its_operator_refuses_a_file)
 {
-  const std::string text = text_of(specimen());
+  const std::string text = checkpoint_of(specimen());
   const auto points = Cloud<Epick>(18).uniform(30);
   Exact dt(points.begin(), points.end());
   const auto vertex = dt.vertex(7);
@@ -1003,7 +996,7 @@ TEST(Checkpoints, a_stream_fails_where_its_operator_refuses_a_file)
     ASSERT_TRUE(state_after_reading(dt, text.substr(0, size)) & std::ios::failbit) << size;
   EXPECT_EQ(state_after_reading(dt, "garbage\n" + text), std::ios::failbit);
   EXPECT_EQ(state_after_reading(dt, replaced(text, "ids 9", "ids 8")), std::ios::failbit);
-  EXPECT_EQ(state_after_reading(dt, text_of(Population())), std::ios::failbit);
+  EXPECT_EQ(state_after_reading(dt, checkpoint_of(Population())), std::ios::failbit);
   EXPECT_EQ(state_after_reading(dt, " \n"), std::ios::failbit | std::ios::eofbit);
   EXPECT_EQ(dt.vertex(7), vertex);
   Population population;
@@ -1026,7 +1019,7 @@ TEST(Checkpoints, operators_throw_what_their_stream_is_told_to)
 TEST(Checkpoints, a_stream_fails_where_its_operator_cannot_write)
 {
   const Exact dt = specimen();
-  const std::size_t size = text_of(dt).size();
+  const std::size_t size = checkpoint_of(dt).size();
   for (const std::size_t bytes : {std::size_t(0), size / 2, size - 1, size}) {
     Full_disk disk(bytes);
     std::ostream out(&disk);
@@ -1038,7 +1031,7 @@ TEST(Checkpoints, a_stream_fails_where_its_operator_cannot_write)
 template <class Read>
 void expect_nothing_to_change_without_memory(Read& target, const std::string& text)
 {
-  const std::string before = text_of(target);
+  const std::string before = checkpoint_of(target);
   bool is_read = false;
   for (long allocations = 0; !is_read; ++allocations) {
     std::istringstream in(text);
@@ -1049,7 +1042,7 @@ void expect_nothing_to_change_without_memory(Read& target, const std::string& te
     } catch (const std::bad_alloc&) {
     } catch (const Checkpoint_error_2&) { // the stream has caught it
     }
-    ASSERT_EQ(text_of(target), is_read ? text : before);
+    ASSERT_EQ(checkpoint_of(target), is_read ? text : before);
   }
 }
 
@@ -1057,14 +1050,14 @@ TEST(Checkpoints, nothing_changes_if_memory_runs_out)
 {
   const auto points = Cloud<Epick>(23).uniform(30);
   Exact dt(points.begin(), points.end());
-  expect_nothing_to_change_without_memory(dt, text_of(specimen()));
+  expect_nothing_to_change_without_memory(dt, checkpoint_of(specimen()));
   EXPECT_TRUE(dt.is_valid(true));
 
   Population population, other;
   population.insert(7, points[0]);
   for (std::size_t i = 0; i < points.size(); ++i)
     other.insert(std::int64_t(100 + i), points[i]);
-  expect_nothing_to_change_without_memory(population, text_of(other));
+  expect_nothing_to_change_without_memory(population, checkpoint_of(other));
   EXPECT_TRUE(population.has(100));
 }
 

@@ -747,6 +747,38 @@ protected:
   Fused_triangulation dt{Fused_triangulation::Settings{classifier, repair, {}, policy}};
 };
 
+// Names a vertex in every frame, so that the repair is called also where nothing is broken.
+struct Busy_classifier
+{
+  static constexpr bool is_exact = true;
+
+  template <class Frame, class Classification>
+  void operator()(const Frame&, Classification& classified) const
+  {
+    classified.add_vertex(1);
+  }
+};
+
+// All edges are Delaunay then, but one point has left the vertex that it shares.
+TEST(A_repair_that_throws, leaves_no_certificate_while_a_duplicate_has_no_vertex_of_its_own)
+{
+  Cloud<Epick> cloud(7);
+  Points points = cloud.uniform(30);
+  points[9] = points[3];
+  Fused_repair repair;
+  using Busy = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Busy_classifier, Fused_repair>;
+  Busy dt(points.begin(), points.end(), Busy::Settings{Busy_classifier(), repair});
+  points[9] = CGAL::midpoint(points[3], points[4]);
+  repair.fuse.set(0);
+  EXPECT_THROW(dt.update(points.begin(), points.end()), Failure);
+  repair.fuse.set(-1);
+  EXPECT_FALSE(dt.is_certified());
+  EXPECT_FALSE(dt.certify());
+  EXPECT_EQ(dt.number_of_vertices(), 29u);
+  EXPECT_TRUE(dt.mend().certified);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+}
+
 TEST_F(Parts, of_classifiers_that_throw_when_asked_change_nothing)
 {
   ASSERT_NO_FATAL_FAILURE(expect_recovery_from(classifier.fuses.classification, 0, false));

@@ -4,6 +4,7 @@
 // Objects can be moved, copied and swapped; whatever is left works.
 
 #include "oracle.h"
+#include "sealed_checkpoint.h"
 
 #include <CGAL/Dynamic_population_2.h>
 #include <CGAL/Point_distance_classifier_2.h>
@@ -13,7 +14,6 @@
 
 #include <cstddef>
 #include <iterator>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,15 +26,6 @@ using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
 using Population = CGAL::Dynamic_population_2<Dynamic>;
 
 constexpr std::size_t number = 500;
-
-// All that makes a difference to what comes.
-template <class Triangulation>
-std::string checkpoint_of(const Triangulation& dt)
-{
-  std::ostringstream out;
-  dt.write_checkpoint(out);
-  return out.str();
-}
 
 // OBJECTS THAT WERE MOVED FROM --------------------------------------------------------------------
 

@@ -30,11 +30,16 @@ using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
 using Population = CGAL::Dynamic_population_2<Dynamic>;
 using Tracks = std::vector<std::pair<std::int64_t, Epick::Point_2>>;
 
-// One empty name where there is no recording, so that a test can say so.
-std::vector<std::string> recordings_or_none()
+// That of the examples, and those of others where they are at hand. An empty name stands for these
+// where they are not, so that a test can say so.
+std::vector<std::string> recordings()
 {
-  const std::vector<std::string> paths = scenario::recordings();
-  return paths.empty() ? std::vector<std::string>{""} : paths;
+  std::vector<std::string> paths = scenario::recordings();
+  if (paths.empty()) {
+    paths.push_back("");
+  }
+  paths.push_back(EXAMPLES_DATA_DIR "/corridor.csv");
+  return paths;
 }
 
 std::string test_name(const testing::TestParamInfo<std::string>& info)
@@ -142,6 +147,6 @@ TEST_P(Recorded_motion, keeps_a_valid_structure_under_absurd_heuristics)
   ASSERT_NO_FATAL_FAILURE(follow(GetParam(), CGAL::Voronoi_edge_length_classifier_2(0)));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Recorded_motion, testing::ValuesIn(recordings_or_none()), test_name);
+INSTANTIATE_TEST_SUITE_P(All, Recorded_motion, testing::ValuesIn(recordings()), test_name);
 
 } // namespace

@@ -4,9 +4,8 @@
 #ifndef COMMON_CSV_FILE_H
 #define COMMON_CSV_FILE_H
 
-#include "scenario_runner/Output_file.h"
+#include "scenario_runner/Csv_writer.h"
 
-#include <cstddef>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
@@ -34,13 +33,8 @@ public:
   Csv_file(const std::filesystem::path& path, const std::vector<std::string>& remarks,
            const std::vector<std::string>& columns)
     : m_path(path.string())
-    , m_number_of_columns(columns.size())
-    , m_file(m_path)
+    , m_writer(m_path, columns, remarks)
   {
-    for (const std::string& remark : remarks) {
-      m_file.stream() << "# " << remark << '\n';
-    }
-    write_line(columns);
   }
 
   // Numbers and texts, one for each column.
@@ -50,31 +44,24 @@ public:
     write_line({csv_cell(values)...});
   }
 
+  // Cells that would need quotation marks are refused: not everything that plots reads them.
   void write_line(const std::vector<std::string>& cells)
   {
-    if (cells.size() != m_number_of_columns) {
-      throw std::logic_error(m_path + ": a row of " + std::to_string(cells.size()) +
-                             " cells, allowed are " + std::to_string(m_number_of_columns));
-    }
-    const char* separator = "";
     for (const std::string& cell : cells) {
       if (cell.find_first_of(",\"\n") != std::string::npos) {
         throw std::logic_error(m_path + ": the cell '" + cell + "' would need quotation marks");
       }
-      m_file.stream() << separator << cell;
-      separator = ",";
     }
-    m_file.stream() << '\n';
+    m_writer.write_row(cells);
   }
 
   const std::string& path() const { return m_path; }
 
-  void finish() { m_file.finish(); }
+  void finish() { m_writer.finish(); }
 
 private:
   std::string m_path;
-  std::size_t m_number_of_columns;
-  run::Output_file m_file;
+  run::Csv_writer m_writer;
 };
 
 } // namespace common

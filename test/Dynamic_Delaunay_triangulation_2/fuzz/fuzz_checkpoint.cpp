@@ -49,24 +49,16 @@ void require_readable(const CGAL::Checkpoint_error_2& error, const std::string& 
 }
 
 template <class Subject>
-std::string written(const Subject& subject)
-{
-  std::ostringstream out;
-  subject.write_checkpoint(out);
-  return out.str();
-}
-
-template <class Subject>
 bool is_read(Subject& subject, const std::string& text)
 {
   std::istringstream in(text);
-  const std::string before = written(subject);
+  const std::string before = checkpoint_of(subject);
   try {
     subject.read_checkpoint(in);
     return true;
   } catch (const CGAL::Checkpoint_error_2& error) {
     require_readable(error, text);
-    fuzz::require(written(subject) == before, "a refused file has changed something");
+    fuzz::require(checkpoint_of(subject) == before, "a refused file has changed something");
     return false;
   }
 }
@@ -90,9 +82,9 @@ void require_usable(Dynamic& dt)
 {
   fuzz::require(dt.is_valid(true), "a checkpoint was read that is not valid");
   Dynamic copy;
-  const std::string text = written(dt);
+  const std::string text = checkpoint_of(dt);
   fuzz::require(is_read(copy, text), "what was written is refused");
-  fuzz::require(written(copy) == text, "what was written is not what was read");
+  fuzz::require(checkpoint_of(copy) == text, "what was written is not what was read");
   const auto points = next_frame(dt);
   dt.update(points.begin(), points.end());
   fuzz::require(dt.is_valid(true), "an update has spoilt what was read");

@@ -32,16 +32,12 @@ enum class Edge_state_2 {
 namespace internal {
 
 // The space in which the points move: the open plane. A space says where the corners of an edge are
-// as seen from that edge, and bounds the error of a computed vector between two of them. All code
-// that inspects edges asks it, so that another space needs no other changes. In the plane, a corner
-// is its vertex's position, and a vector is a difference that is rounded once.
+// as seen from that edge. All proofs about edges ask it. In the plane, a corner is its vertex's
+// position, and the vector between two corners is a difference that is rounded once: the bounds of
+// `Edge_filter_2` and `Edge_slack_2` are derived for that.
 class Plane_2
 {
 public:
-  // The error bound of each coordinate of a computed vector, in units of 2^-53 of the coordinate.
-  // The bounds of `Edge_filter_2` and `Edge_slack_2` are derived for this value.
-  static constexpr int rounding_of_vectors = 1;
-
   // `positions` are indexed by vertices.
   template <class Positions>
   static Edge_corners_2 corners(const Edge_2& edge, const Positions& positions)
@@ -231,20 +227,12 @@ public:
 
   Comparison_result compare_xy(Index v, Index w) const
   {
-    if (m_maintained.positions_are_exact()) {
-      const Position_2 &p = m_maintained.positions()[v], &q = m_maintained.positions()[w];
-      return p.x != q.x ? CGAL::compare(p.x, q.x) : CGAL::compare(p.y, q.y);
-    }
     const Comparison_result x = compare_x(v, w);
     return x != EQUAL ? x : compare_y(v, w);
   }
 
   Comparison_result compare_yx(Index v, Index w) const
   {
-    if (m_maintained.positions_are_exact()) {
-      const Position_2 &p = m_maintained.positions()[v], &q = m_maintained.positions()[w];
-      return p.y != q.y ? CGAL::compare(p.y, q.y) : CGAL::compare(p.x, q.x);
-    }
     const Comparison_result y = compare_y(v, w);
     return y != EQUAL ? y : compare_x(v, w);
   }
@@ -266,10 +254,14 @@ private:
 
   Comparison_result compare_x(Index v, Index w) const
   {
+    if (m_maintained.positions_are_exact())
+      return CGAL::compare(m_maintained.positions()[v].x, m_maintained.positions()[w].x);
     return m_maintained.traits().compare_x_2_object()(m_maintained.point(v), m_maintained.point(w));
   }
   Comparison_result compare_y(Index v, Index w) const
   {
+    if (m_maintained.positions_are_exact())
+      return CGAL::compare(m_maintained.positions()[v].y, m_maintained.positions()[w].y);
     return m_maintained.traits().compare_y_2_object()(m_maintained.point(v), m_maintained.point(w));
   }
 

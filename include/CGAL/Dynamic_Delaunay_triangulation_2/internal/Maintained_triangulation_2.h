@@ -22,13 +22,6 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-template <class Maintained>
-class Input_frame_2;
-template <class Maintained>
-class Topology_builder_2;
-template <class Maintained>
-class Topology_editor_2;
-
 // The positions of the vertices. The points of a frame are *staged* here during the update: CGAL's
 // vertices keep the points of the last frame, from which everything can be restored, until the
 // staged ones are written to them. Reading is public. `Input_frame_2` stages, restores and writes;
@@ -200,7 +193,6 @@ public:
 
   // TOPOLOGY ------------------------------------------------------------------------------------
 
-  const Topology& topology() const { return m_topology; }
   const Triangulation& triangulation() const { return m_topology.triangulation(); }
   const Neighborhood_mirror_2& mirror() const { return m_topology.mirror(); }
   const std::vector<Vertex_handle>& vertices() const { return m_topology.vertices(); }

@@ -74,7 +74,7 @@ public:
     for (Index e = 0; e < frame.number_of_edges(); ++e)
       consider(frame, e);
     check_hull(frame);
-    m_holds = m_tight.size() <= most_tight(frame);
+    m_holds = m_tight.size() <= max_tight(frame);
   }
 
   // Takes note of what an update has triangulated anew. To be called at its end.
@@ -109,7 +109,7 @@ public:
     make_distinct(m_changed);
     for (const Index e : m_changed)
       consider(frame, e);
-    m_holds = m_tight.size() <= most_tight(frame);
+    m_holds = m_tight.size() <= max_tight(frame);
   }
 
   // Appends, in ascending order, a superset of the edges that are not Delaunay among those that
@@ -127,7 +127,7 @@ public:
     for (const Index v : m_moved)
       frame.for_each_edge_that_sees(v, [&](Index e) {
         m_hull_stays = m_hull_stays && !is_at_infinity(frame.edge(e));
-        if (!proves_delaunay(frame, e))
+        if (!frame.proves_delaunay(e))
           unproved.push_back(e);
       });
     unproved.erase(std::remove_if(unproved.begin(), unproved.end(),
@@ -135,7 +135,7 @@ public:
                    unproved.end());
     for (std::size_t i = 0, broken = unproved.size(); i < broken; ++i)
       frame.for_each_side(unproved[i], [&](Index e) {
-        if (!proves_delaunay(frame, e))
+        if (!frame.proves_delaunay(e))
           unproved.push_back(e);
       });
     make_distinct(unproved);
@@ -147,7 +147,7 @@ private:
   static constexpr std::size_t sample_size = 256;
 
   template <class Frame>
-  static std::size_t most_tight(const Frame& frame)
+  static std::size_t max_tight(const Frame& frame)
   {
     return frame.number_of_edges() / 8;
   }
@@ -156,12 +156,6 @@ private:
   static std::size_t max_moved(const Frame& frame)
   {
     return frame.number_of_vertices() / 64;
-  }
-
-  template <class Frame>
-  static bool proves_delaunay(const Frame& frame, Index e)
-  {
-    return Edge_filter_2(frame.corners(e)).proves_delaunay();
   }
 
   template <class Frame>

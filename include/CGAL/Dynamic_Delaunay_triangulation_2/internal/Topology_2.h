@@ -123,10 +123,6 @@ private:
 
 template <class Maintained>
 class Input_frame_2;
-template <class Maintained>
-class Topology_builder_2;
-template <class Maintained>
-class Topology_editor_2;
 
 // The changes since the classifier was last told: everything is new, or some edges are.
 struct Change_log_2

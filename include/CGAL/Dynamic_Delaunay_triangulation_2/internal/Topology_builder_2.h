@@ -250,32 +250,7 @@ public:
   void copy(const Maintained& other)
   {
     CGAL_precondition(m_maintained.number_of_vertices() == 0);
-    auto& tds = m_topology.m_triangulation.tds();
-    drop_faces(0);
-    m_topology.m_faces.reserve(other.faces().size());
-    m_topology.m_vertices.reserve(other.vertices().size());
-    Unique_hash_map<Face_handle, Index> number_of_face(no_index, other.faces().size());
-    for (std::size_t f = 0; f < other.faces().size(); ++f) {
-      number_of_face[other.faces()[f]] = Index(f);
-      m_topology.m_faces.push_back(tds.create_face(other.faces()[f]));
-    }
-    *m_topology.m_vertices.front() = *other.vertices().front();
-    for (Index v = 1; v < Index(other.vertices().size()); ++v)
-      m_topology.m_vertices.push_back(tds.create_vertex(other.vertices()[v]));
-    tds.set_dimension(other.triangulation().dimension());
-    const auto copy_of_face = [&](Face_handle f) {
-      return f == Face_handle() ? f : m_topology.m_faces[number_of_face[f]];
-    };
-    const auto copy_of_vertex = [&](Vertex_handle v) {
-      return v == Vertex_handle() ? v : m_topology.m_vertices[v->mirror_index()];
-    };
-    for (std::size_t f = 0; f < other.faces().size(); ++f)
-      for (int i = 0; i < 3; ++i) {
-        m_topology.m_faces[f]->set_vertex(i, copy_of_vertex(other.faces()[f]->vertex(i)));
-        m_topology.m_faces[f]->set_neighbor(i, copy_of_face(other.faces()[f]->neighbor(i)));
-      }
-    for (std::size_t v = 0; v < other.vertices().size(); ++v)
-      m_topology.m_vertices[v]->set_face(copy_of_face(other.vertices()[v]->face()));
+    copy_handles(other);
     m_topology.m_mirror = other.mirror();
     m_topology.m_ids = other.ids();
     m_topology.m_changes = other.changes();
@@ -381,6 +356,47 @@ private:
       read_faces();
     else
       m_topology.m_mirror.clear();
+  }
+
+  // COPYING -------------------------------------------------------------------------------------
+
+  void copy_handles(const Maintained& other)
+  {
+    auto& tds = m_topology.m_triangulation.tds();
+    auto& vertices = m_topology.m_vertices;
+    auto& faces = m_topology.m_faces;
+    drop_faces(0);
+    faces.reserve(other.faces().size());
+    vertices.reserve(other.vertices().size());
+    for (const Face_handle f : other.faces())
+      faces.push_back(tds.create_face(f));
+    *vertices.front() = *other.vertices().front();
+    for (Index v = 1; v < Index(other.vertices().size()); ++v)
+      vertices.push_back(tds.create_vertex(other.vertices()[v]));
+    tds.set_dimension(other.triangulation().dimension());
+    redirect_copies(other);
+  }
+
+  // The copies still refer to the faces and vertices of the other one. In a dimension below 2 faces
+  // have fewer vertices and neighbors.
+  void redirect_copies(const Maintained& other)
+  {
+    const auto& vertices = m_topology.m_vertices;
+    const auto& faces = m_topology.m_faces;
+    Unique_hash_map<Face_handle, Index> number_of_face(no_index, faces.size());
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      number_of_face[other.faces()[f]] = Index(f);
+    const auto copy_of = [&](Face_handle f) {
+      return f == Face_handle() ? f : faces[number_of_face[f]];
+    };
+    for (const Face_handle f : faces)
+      for (int i = 0; i < 3; ++i) {
+        if (f->vertex(i) != Vertex_handle())
+          f->set_vertex(i, vertices[f->vertex(i)->mirror_index()]);
+        f->set_neighbor(i, copy_of(f->neighbor(i)));
+      }
+    for (const Vertex_handle v : vertices)
+      v->set_face(copy_of(v->face()));
   }
 
   // BUILDING ------------------------------------------------------------------------------------

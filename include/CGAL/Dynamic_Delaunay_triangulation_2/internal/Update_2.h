@@ -223,7 +223,7 @@ private:
     const auto is_half_broken = [](const Sample& few) { return 2 * few.broken >= few.size; };
     const auto is_not_delaunay = [&](Index e) { return !frame.is_delaunay(e); };
     const auto is_unproved = [&](Index e) {
-      return !is_at_infinity(frame.edge(e)) && !Edge_filter_2(frame.corners(e)).proves_delaunay();
+      return !frame.is_at_infinity(e) && !frame.proves_delaunay(e);
     };
     // the filter alone first, because every frame pays for it
     if (!m_experience.is_wary() && !(is_half_broken(sample(frame, very_few, is_unproved)) &&
