@@ -116,10 +116,13 @@ class Dynamic_Delaunay_triangulation_2
                                      Triangulation_face_base_2<Traits>>;
   using Data_structure = typename Default::Get<Tds, Default_tds>::type;
   using Policy = typename Default::Get<UpdatePolicy, Always_dynamic_policy_2>::type;
+  using Shown_to_visitor =
+      std::conditional_t<std::is_same_v<Chosen_visitor, Delaunay_update_visitor_base_2>, void,
+                         Dynamic_Delaunay_triangulation_2>;
   using Maintained = Dynamic_Delaunay_triangulations_2::internal::Maintained_triangulation_2<
       Traits, Data_structure,
-      Dynamic_Delaunay_triangulations_2::internal::Visitor_calls_2<
-          Chosen_visitor, Dynamic_Delaunay_triangulation_2>>;
+      Dynamic_Delaunay_triangulations_2::internal::Visitor_calls_2<Chosen_visitor,
+                                                                   Shown_to_visitor>>;
   using Update = Dynamic_Delaunay_triangulations_2::internal::Update_2<Maintained>;
   using Input = Dynamic_Delaunay_triangulations_2::internal::Input_frame_2<Maintained>;
   using Population_input =
@@ -846,7 +849,7 @@ private:
       take_back();
       throw;
     }
-    m_core->update.tools().editor().start_visit(m_visitor, *this);
+    m_core->update.tools().editor().start_visit(m_visitor, this);
   }
 
   // Ends the visit when everything is done. Rethrows now what the visitor has thrown in between.

@@ -7,7 +7,6 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Delaunay_update_visitor_base_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_ids_2.h>
@@ -25,18 +24,21 @@ namespace internal {
 // Reports to the user's visitor what an update changes. None of these calls throws, because
 // topology is written where an exception would leave its two copies inconsistent. An exception of
 // the visitor is kept until `finish()`, and the visitor is not called again before that.
+//
+// `Dynamic` is the triangulation that a visitor is shown, and `void` for the default visitor: then
+// triangulations that differ in classifier, repair and policy share the compiled core.
 template <class Visitor, class Dynamic>
 class Visitor_calls_2
 {
 public:
   // False for the default visitor; then none of the calls is compiled.
-  static constexpr bool is_heard = !std::is_same_v<Visitor, Delaunay_update_visitor_base_2>;
+  static constexpr bool is_heard = !std::is_void_v<Dynamic>;
 
   // Both objects may have moved since the last update.
-  void start(Visitor& visitor, const Dynamic& dynamic)
+  void start(Visitor& visitor, const Dynamic* dynamic)
   {
     m_visitor = &visitor;
-    m_dynamic = &dynamic;
+    m_dynamic = dynamic;
     m_failure = nullptr;
   }
 

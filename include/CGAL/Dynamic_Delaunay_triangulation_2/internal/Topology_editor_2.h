@@ -100,7 +100,7 @@ public:
 
   // From here on the visitor is called.
   template <class Visitor, class Dynamic>
-  void start_visit(Visitor& visitor, const Dynamic& dynamic)
+  void start_visit(Visitor& visitor, const Dynamic* dynamic)
   {
     m_topology.m_visitor_calls.start(visitor, dynamic);
   }
