@@ -324,6 +324,65 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
+A periodic cell has parallel vectors, a number that is not finite, or proportions that integers
+cannot count.
+*/
+class Periodic_cell_error_2 : public Dynamic_Delaunay_triangulation_error_2
+{
+public:
+  /// \cond
+  Periodic_cell_error_2(double ax, double ay, double bx, double by, const std::string& demand)
+    : Dynamic_Delaunay_triangulation_error_2(message(ax, ay, bx, by, demand))
+  {
+  }
+  /// \endcond
+
+private:
+  static std::string message(double ax, double ay, double bx, double by, const std::string& demand)
+  {
+    std::ostringstream out;
+    out << "a periodic cell has the vectors (" << ax << ", " << ay << ") and (" << bx << ", " << by
+        << "): " << demand;
+    return out.str();
+  }
+};
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Errors
+
+A point of a periodic triangulation is so many cells away from the origin that the translations
+between neighbors could not be counted.
+*/
+class Periodic_range_error_2 : public Dynamic_Delaunay_triangulation_error_2
+{
+public:
+  /// \cond
+  Periodic_range_error_2(std::size_t id, double x, double y, double limit)
+    : Dynamic_Delaunay_triangulation_error_2(message(id, x, y, limit))
+    , m_id(id)
+  {
+  }
+  /// \endcond
+
+  /// the id of the point.
+  std::size_t id() const { return m_id; }
+
+private:
+  static std::string message(std::size_t id, double x, double y, double limit)
+  {
+    std::ostringstream out;
+    out << "point " << id << " has the coordinates (" << x << ", " << y
+        << "): both of its multiples of the cell's vectors must be below " << limit
+        << " in absolute value";
+    return out.str();
+  }
+
+  std::size_t m_id;
+};
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Errors
+
 A checkpoint cannot be written, or is refused because it is incomplete, was changed or damaged, or
 is not a checkpoint.
 */

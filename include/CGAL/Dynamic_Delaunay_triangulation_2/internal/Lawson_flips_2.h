@@ -8,7 +8,6 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -27,9 +26,9 @@ public:
   // number of flips, at most `most`. If the faces tile the convex hull (`faces_tile_hull`), flips
   // of illegal edges preserve that, and need no search for doubled edges, which takes a sixth of
   // their time.
-  template <class Maintained>
-  std::size_t run(const Maintained& maintained, Topology_editor_2<Maintained>& editor,
-                  std::vector<Index>& open, bool faces_tile_hull, std::size_t most)
+  template <class Maintained, class Editor>
+  std::size_t run(const Maintained& maintained, Editor& editor, std::vector<Index>& open,
+                  bool faces_tile_hull, std::size_t most)
   {
     // Lawson's proof of termination needs counterclockwise faces; with inverted ones, flips can
     // cycle. Recorded motion took at most 3 flips per initial edge.
@@ -81,7 +80,7 @@ private:
   bool examine(const Maintained& maintained, Index e, const Try_flip& try_flip,
                std::vector<Index>& open)
   {
-    const Edge_state_2 state = Edge_test_2<Maintained>(maintained).state(e);
+    const Edge_state_2 state = typename Maintained::Edge_test(maintained).state(e);
     if (state == Edge_state_2::DELAUNAY)
       return false;
     const auto& mirror = maintained.mirror();
@@ -129,7 +128,7 @@ private:
   static void keep_unproved(const Maintained& maintained, std::vector<Index>& open)
   {
     make_distinct(open);
-    const Edge_test_2<Maintained> test(maintained);
+    const typename Maintained::Edge_test test(maintained);
     open.erase(std::remove_if(open.begin(), open.end(),
                               [&](Index e) { return test.state(e) == Edge_state_2::DELAUNAY; }),
                open.end());

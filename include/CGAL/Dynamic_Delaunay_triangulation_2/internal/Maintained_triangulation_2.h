@@ -181,6 +181,7 @@ public:
   using Ids = typename Topology::Ids;
   using Positions = Positions_2<Point>;
   using Space = Plane_2;
+  using Edge_test = Edge_test_2<Maintained_triangulation_2>;
 
   static constexpr bool coordinates_are_doubles = has_double_coordinates<Point>;
 

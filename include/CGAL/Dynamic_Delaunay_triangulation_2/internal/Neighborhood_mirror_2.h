@@ -25,6 +25,8 @@ template <class Maintained>
 class Topology_builder_2;
 template <class Maintained>
 class Topology_editor_2;
+template <class Maintained>
+class Periodic_editor_2;
 
 // The topology of a two-dimensional CGAL triangulation in flat arrays.
 //
@@ -153,6 +155,8 @@ private:
   friend class Topology_builder_2;
   template <class Maintained>
   friend class Topology_editor_2;
+  template <class Maintained>
+  friend class Periodic_editor_2;
 
   // WRITING -------------------------------------------------------------------------------------
 
@@ -256,6 +260,36 @@ private:
     exchange_opposite(bd, c, a);
     exchange_opposite(dc, b, a);
     exchange_opposite(ca, b, d);
+  }
+
+  // The same where the two faces may share more edges than that at h, and vertices may have edges
+  // to themselves, as on a torus. The faces must be different.
+  void flip_glued(Index h)
+  {
+    const Index g = twin(h);
+    const Index h_next = next(h), g_next = next(g);
+    const Index outer_bd = twin(g_next), outer_ca = twin(h_next);
+    const Index bd = edge_of(g_next), ca = edge_of(h_next), diagonal = edge_of(h);
+    const Index a = apex(h), d = apex(g);
+    // the sides bd and ca move to h and g, also where they are each other's twins
+    link(h, outer_bd == h_next ? g : outer_bd);
+    link(g, outer_ca == g_next ? h : outer_ca);
+    link(h_next, g_next);
+    set_apex(previous(h), d);
+    set_apex(previous(g), a);
+    for (const Index corner : {h, h_next, g, g_next})
+      set_corner(apex(corner), corner);
+    set_edge(bd, h);
+    set_edge(ca, g);
+    set_edge(diagonal, h_next);
+    set_edge(edge_of(previous(h)), previous(h));
+    set_edge(edge_of(previous(g)), previous(g));
+  }
+
+  // Leaves an edge without vertices: passes over the edges then never prove it.
+  void hide_edge(Index e)
+  {
+    m_edges[e] = Edge_2{infinite_index, infinite_index, infinite_index, infinite_index};
   }
 
   // Reserves memory for one more slot. Then append_slot() throws nothing.

@@ -1,0 +1,649 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_UPDATE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_UPDATE_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Lawson_flips_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_periodic_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Spatial_order_2.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/Update_report_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Coordinates and cells are limited so that sums and products of shifts fit into their integers.
+constexpr double max_shift = 0x1p26;
+
+inline Periodic_shift_2 nearest_shift(const Position_2& multiples)
+{
+  return {int(std::lround(multiples.x)), int(std::lround(multiples.y))};
+}
+
+// A short basis of the cell's lattice, counterclockwise (Lagrange's reduction), in rounded
+// arithmetic: any basis is right, and a short one quick to start from.
+inline std::array<Periodic_shift_2, 2> short_basis(const Torus_2& torus)
+{
+  const Periodic_cell_2& cell = torus.cell();
+  std::array<Position_2, 2> v{{{cell.ax(), cell.ay()}, {cell.bx(), cell.by()}}};
+  std::array<std::array<double, 2>, 2> basis{{{1, 0}, {0, 1}}};
+  const auto product = [](const Position_2& p, const Position_2& q) {
+    return p.x * q.x + p.y * q.y;
+  };
+  for (int steps = 0; steps < 64; ++steps) {
+    if (product(v[0], v[0]) > product(v[1], v[1])) {
+      std::swap(v[0], v[1]);
+      std::swap(basis[0], basis[1]);
+    }
+    const double k = std::round(product(v[0], v[1]) / product(v[0], v[0]));
+    if (!(std::abs(k) >= 1))
+      break;
+    for (std::size_t i = 0; i < 2; ++i)
+      basis[1][i] -= k * basis[0][i];
+    if (!(std::abs(basis[1][0]) < max_shift && std::abs(basis[1][1]) < max_shift))
+      throw Periodic_cell_error_2(cell.ax(), cell.ay(), cell.bx(), cell.by(),
+                                  "a reduced basis needs too large multiples of them");
+    v[1] = {v[1].x - k * v[0].x, v[1].y - k * v[0].y};
+  }
+  std::array<Periodic_shift_2, 2> shifts;
+  for (std::size_t i = 0; i < 2; ++i)
+    shifts[i] = {int(basis[i][0]), int(basis[i][1])};
+  const Position_2 origin{0, 0};
+  if (torus.orientation({origin, no_shift}, {origin, shifts[0]}, {origin, shifts[1]}) != LEFT_TURN)
+    std::swap(shifts[0], shifts[1]);
+  return shifts;
+}
+
+// The vectors of the old cell in those of the new one, if these are other vectors of about the same
+// lattice, as after a Lees-Edwards flip. If no integers are near, the cell was deformed.
+inline std::array<Periodic_shift_2, 2> multiples_in_new_cell(const Torus_2& old_torus,
+                                                             const Torus_2& new_torus)
+{
+  constexpr std::array<Periodic_shift_2, 2> unit{{{1, 0}, {0, 1}}};
+  const Periodic_cell_2& old_cell = old_torus.cell();
+  const Position_2 a = new_torus.multiples({old_cell.ax(), old_cell.ay()});
+  const Position_2 b = new_torus.multiples({old_cell.bx(), old_cell.by()});
+  for (const double x : {a.x, a.y, b.x, b.y})
+    if (!(std::abs(x) < max_shift))
+      return unit;
+  const Periodic_shift_2 i = nearest_shift(a), j = nearest_shift(b);
+  const auto determinant = std::int64_t(i[0]) * j[1] - std::int64_t(i[1]) * j[0];
+  if (determinant != 1 && determinant != -1)
+    return unit;
+  return {i, j};
+}
+
+// Keeps a periodic triangulation Delaunay: builds it, and repairs it after points have moved, come
+// or gone. Every function leaves a certified triangulation.
+template <class Maintained>
+class Periodic_update_2
+{
+  using Mirror = Neighborhood_mirror_2;
+  using Slot = Mirror::Slot;
+  using Edge_test = typename Maintained::Edge_test;
+
+public:
+  explicit Periodic_update_2(Maintained& maintained)
+    : m_maintained(maintained)
+    , m_editor(maintained)
+  {
+  }
+
+  // POPULATION ----------------------------------------------------------------------------------
+
+  // Inserts points with the next ids.
+  void insert(const std::vector<Index>& next_ids, const std::vector<Position_2>& points,
+              Update_report_2& report)
+  {
+    m_editor.ids().reserve(next_ids);
+    place_all(next_ids, points, report);
+    report.inserted += points.size();
+  }
+
+  void remove(Index id, Update_report_2& report)
+  {
+    ++report.removed;
+    make_duplicate_if_shared(id);
+    if (!ids().is_representative(id))
+      return m_editor.ids().remove_duplicate(id);
+    const Index v = ids().vertex(id);
+    m_taken_out.clear();
+    const bool is_out = m_maintained.number_of_vertices() > 1 && take_out({v}, false, report);
+    m_editor.ids().provide_for_removals(1);
+    m_editor.ids().remove_representative(id);
+    if (!is_out)
+      return rebuild(Rebuild_reason_2::STUCK, report);
+    legalize(report);
+    m_editor.drop(m_taken_out);
+  }
+
+  // Moves one point.
+  void move(Index id, const Position_2& p, Update_report_2& report)
+  {
+    make_duplicate_if_shared(id);
+    const Index v = ids().vertex(id);
+    if (!ids().is_representative(id)) {
+      if (coincide(p, m_maintained.positions()[v]))
+        m_editor.ids().duplicate(id).point = p;
+      else
+        place(id, p, report);
+      return;
+    }
+    const Position_2 before = m_maintained.positions()[v];
+    const Periodic_shift_2 shift = shift_of_step(before, p);
+    m_editor.set_image(v, p, shift);
+    if (are_faces_counterclockwise(v)) {
+      open_surroundings(v);
+      return legalize(report);
+    }
+    m_editor.set_image(v, before, no_shift - shift);
+    m_taken_out.clear();
+    const bool is_out = take_out({v}, false, report);
+    m_editor.set_position(v, p);
+    if (!is_out)
+      return rebuild(Rebuild_reason_2::STUCK, report);
+    legalize(report);
+    put_back_all(report);
+  }
+
+  // MOTION --------------------------------------------------------------------------------------
+
+  // Moves all points to `next`, indexed by ids, in a cell that may have changed.
+  void update(const std::vector<Position_2>& next, const Periodic_cell_2& cell,
+              Update_report_2& report)
+  {
+    find_steps(next, cell);
+    m_taken_out.clear();
+    bool is_mended = take_out(find_jumpers(), false, report);
+    if (is_mended)
+      legalize(report);
+    move_vertices(next, cell);
+    const std::vector<Index> parted = move_duplicates(next);
+    is_mended = is_mended && untangle(report);
+    if (is_mended)
+      put_back_all(report);
+    else
+      rebuild(Rebuild_reason_2::STUCK, report);
+    for (const Index id : parted)
+      if (!ids().is_representative(id))
+        move(id, next[id], report);
+    report.parted += parted.size();
+  }
+
+  // Triangulates all points anew.
+  void rebuild(Rebuild_reason_2 reason, Update_report_2& report)
+  {
+    report.rebuild_reason = reason;
+    m_open.clear();
+    std::vector<Index> taken;
+    std::vector<Position_2> points;
+    for (Index id = 0; id < ids().number_of_ids(); ++id)
+      if (ids().is_taken(id)) {
+        taken.push_back(id);
+        points.push_back(m_maintained.position_of_id(id));
+      }
+    m_editor.clear(ids().number_of_ids());
+    Update_report_2 ignored;
+    place_all(taken, points, ignored);
+    m_editor.ids().settle();
+  }
+
+  // CERTIFICATE ---------------------------------------------------------------------------------
+
+  // Tests everything again, exactly: that the shifts agree, that all faces are counterclockwise,
+  // that their areas sum up to that of the cell, that all edges are locally Delaunay, and that
+  // duplicates are where their representatives are.
+  bool is_valid() const
+  {
+    const Index n = m_maintained.number_of_vertices();
+    const auto& mirror = m_maintained.mirror();
+    if (mirror.number_of_faces() != 2 * n || mirror.number_of_edges() != 3 * n ||
+        ids().number_of_representatives() != n)
+      return false;
+    typename Torus_2::Exact area(0);
+    for (Index h = 0; h < 6 * n; ++h) {
+      const Index g = mirror.twin(h);
+      if (mirror.twin(g) != h || mirror.source(h) != mirror.target(g) ||
+          m_maintained.transition(h) != no_shift - m_maintained.transition(g))
+        return false;
+      if (h % 3 == 0)
+        area += m_maintained.torus().exact_double_area(
+            m_maintained.image(h), m_maintained.image(h + 1), m_maintained.image(h + 2));
+    }
+    const Edge_test test(m_maintained);
+    for (Index e = 0; e < mirror.number_of_edges(); ++e)
+      if (test.state(e) != Edge_state_2::DELAUNAY)
+        return false;
+    for (const auto& duplicate : ids().duplicates())
+      if (!coincide(duplicate.point, m_maintained.positions()[ids().vertex(duplicate.id)]))
+        return false;
+    return n == 0 || area == CGAL::abs(m_maintained.torus().exact_double_area());
+  }
+
+private:
+  static constexpr std::array<Periodic_shift_2, 2> unit_multiples{{{1, 0}, {0, 1}}};
+
+  const typename Maintained::Ids& ids() const { return m_maintained.ids(); }
+
+  // POINTS --------------------------------------------------------------------------------------
+
+  Periodic_shift_2 shift_of_step(const Position_2& from, const Position_2& to) const
+  {
+    return nearest_shift(m_maintained.torus().multiples({to.x - from.x, to.y - from.y}));
+  }
+
+  // Whether two points differ by a vector of the lattice.
+  bool coincide(const Position_2& p, const Position_2& q) const
+  {
+    return m_maintained.torus().coincide({p, no_shift}, {q, shift_of_step(q, p)});
+  }
+
+  // Points that share a vertex can do without this one: another one represents them.
+  void make_duplicate_if_shared(Index id)
+  {
+    if (!ids().is_representative(id))
+      return;
+    const Index v = ids().vertex(id);
+    const Index other = ids().find_duplicate_at(v, [](const auto&) { return true; });
+    if (other == no_index)
+      return;
+    const Position_2 before = m_maintained.positions()[v], p = ids().duplicate(other).point;
+    m_editor.ids().provide_for_duplicates(1);
+    m_editor.ids().hand_over(other, before);
+    m_editor.set_image(v, p, shift_of_step(before, p));
+  }
+
+  // Makes a vertex for a point with a reserved id or the id of a duplicate, or makes the point a
+  // duplicate where a vertex is.
+  void place(Index id, const Position_2& p, Update_report_2& report)
+  {
+    m_editor.ids().provide_for_duplicates(1);
+    if (m_maintained.number_of_vertices() == 0) {
+      const auto basis = short_basis(m_maintained.torus());
+      m_editor.start(p, basis[0], basis[1]);
+      m_editor.ids().place_representative(id, 1);
+      m_open = {0, 1, 2};
+      return legalize(report);
+    }
+    const Place found = locate(p);
+    if (found.corner != no_index)
+      return m_editor.ids().place_duplicate(id, m_maintained.mirror().apex(found.corner), p);
+    const Slot slot = m_editor.make_slot();
+    m_editor.ids().place_representative(id, slot.vertex);
+    put_in(slot, p, found, report);
+  }
+
+  // The same for many points, in an order in which each is near to the one before.
+  void place_all(const std::vector<Index>& ids, const std::vector<Position_2>& points,
+                 Update_report_2& report)
+  {
+    const Torus_2& torus = m_maintained.torus();
+    std::vector<Position_2> wrapped;
+    for (const Position_2& p : points) {
+      const Position_2 s = torus.multiples(p);
+      wrapped.push_back(torus.vector({s.x - std::floor(s.x), s.y - std::floor(s.y)}));
+    }
+    std::vector<Index> numbers(points.size());
+    std::iota(numbers.begin(), numbers.end(), Index(0));
+    m_order.sort(wrapped, numbers.begin(), numbers.end());
+    for (std::size_t i = 0; i < m_order.size(); ++i)
+      place(ids[m_order[i]], points[m_order[i]], report);
+    m_order.release();
+  }
+
+  // LOCATION ------------------------------------------------------------------------------------
+
+  // A face, and the image of a point in its frame. The point may be on an edge, or at a corner.
+  struct Place
+  {
+    Index face;
+    Periodic_shift_2 shift;
+    Index edge = no_index, corner = no_index; // half-edges of that face
+  };
+
+  // Walks through faces that are all counterclockwise and Delaunay, so the walk ends.
+  Place locate(const Position_2& p)
+  {
+    const auto& mirror = m_maintained.mirror();
+    while (m_hint > m_maintained.number_of_vertices() || mirror.is_outside(m_hint))
+      m_hint = m_hint % m_maintained.number_of_vertices() + 1;
+    const Index start = mirror.corner(m_hint);
+    Place place{start / 3,
+                m_maintained.shift(start) + shift_of_step(p, m_maintained.positions()[m_hint])};
+    Index entry = no_index;
+    for (Index h = exit_of(place, p, entry); h != no_index; h = exit_of(place, p, entry)) {
+      place.shift = place.shift - m_maintained.transition(h);
+      entry = mirror.twin(h);
+      place.face = entry / 3;
+    }
+    return place;
+  }
+
+  // The half-edge through which to leave the face, or `no_index`. Then `place` is complete.
+  Index exit_of(Place& place, const Position_2& p, Index entry) const
+  {
+    place.edge = place.corner = no_index;
+    for (Index h = 3 * place.face; h < 3 * place.face + 3; ++h) {
+      if (h == entry)
+        continue;
+      const Orientation turn = m_maintained.torus().orientation(
+          m_maintained.image(Mirror::next(h)), m_maintained.image(Mirror::previous(h)),
+          {p, place.shift});
+      if (turn == RIGHT_TURN)
+        return h;
+      if (turn == COLLINEAR) {
+        if (place.edge != no_index) // opposite to the third corner are neither of both edges
+          place.corner = 9 * place.face + 3 - place.edge - h;
+        place.edge = h;
+      }
+    }
+    return no_index;
+  }
+
+  // FACES AND EDGES -----------------------------------------------------------------------------
+
+  // Puts the slot's vertex where p was found, which is no vertex.
+  void put_in(const Slot& slot, const Position_2& p, const Place& found, Update_report_2& report)
+  {
+    const auto& mirror = m_maintained.mirror();
+    const Index v = slot.vertex;
+    m_editor.put_in(slot, p, found.shift, found.face);
+    m_hint = v;
+    if (found.edge != no_index) { // a flat face, opposite to v in it the edge on which v is
+      const std::array<Index, 3> faces{found.face, slot.faces[0], slot.faces[1]};
+      const Index place = found.edge % 3;
+      m_editor.flip(3 * faces[place] + place);
+    }
+    mirror.for_each_corner(v, [&](Index h) { m_open.push_back(mirror.edge_of(h)); });
+    legalize(report);
+  }
+
+  // The same where p is not located yet. If a vertex is there, it gets the points of the slot's
+  // vertex, and the result is false.
+  bool put_back(const Slot& slot, const Position_2& p, Update_report_2& report)
+  {
+    const Place found = locate(p);
+    if (found.corner == no_index) {
+      put_in(slot, p, found, report);
+      return true;
+    }
+    m_editor.ids().provide_for_duplicates(1);
+    m_editor.ids().merge(slot.vertex, m_maintained.mirror().apex(found.corner), p);
+    ++report.merged;
+    return false;
+  }
+
+  // Takes vertices out of their faces, and opens the edges around. If that fails the result is
+  // false, and all that can be done is to triangulate anew.
+  bool take_out(const std::vector<Index>& vertices, bool are_tangled, Update_report_2& report)
+  {
+    m_open.reserve(m_open.size() + 8 * vertices.size());
+    for (const Index v : vertices) {
+      if (!reduce_degree(v, are_tangled, report))
+        return false;
+      const Index f = m_maintained.mirror().corner(v) / 3;
+      m_taken_out.push_back(m_editor.take_out(v));
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        m_open.push_back(m_maintained.mirror().edge_of(h));
+    }
+    const auto is_empty = [this](Index e) { return m_maintained.mirror().is_empty_edge(e); };
+    m_open.erase(std::remove_if(m_open.begin(), m_open.end(), is_empty), m_open.end());
+    return true;
+  }
+
+  // Flips edges of v until it has degree 3. False if that is not possible. In a star there is
+  // always an ear to cut, except that a vertex with edges to its own images has its ears twice.
+  // Among tangled faces any ear will do if there is no counterclockwise one.
+  bool reduce_degree(Index v, bool is_tangled, Update_report_2& report)
+  {
+    const auto& mirror = m_maintained.mirror();
+    for (Index degree = mirror.degree(v); degree != 3; degree = mirror.degree(v)) {
+      Index spoke = degree > 3 ? find_ear(v, false) : no_index;
+      if (spoke == no_index && degree > 3 && is_tangled)
+        spoke = find_ear(v, true);
+      if (spoke == no_index)
+        return false;
+      m_open.push_back(mirror.edge_of(spoke));
+      mirror.for_each_side(mirror.edge_of(spoke), [this](Index e) { m_open.push_back(e); });
+      m_editor.flip(spoke);
+      ++report.flips;
+    }
+    bool is_simple = true;
+    mirror.for_each_neighbor(v, [&](Index w) { is_simple = is_simple && w != v; });
+    return is_simple;
+  }
+
+  // A half-edge to v whose flip cuts a face off v's star: any, or a counterclockwise one that
+  // leaves a star whose faces are at worst flat. Fewer edges then end at v, also where v is its own
+  // neighbor.
+  Index find_ear(Index v, bool is_any) const
+  {
+    const auto& mirror = m_maintained.mirror();
+    const Torus_2& torus = m_maintained.torus();
+    const Index first = mirror.corner(v);
+    Index h = first;
+    do {
+      const Index spoke = Mirror::next(h);
+      const auto [a, b, c, d] = m_maintained.corners_at(spoke);
+      const Index opposite = mirror.apex(mirror.twin(spoke));
+      const int ends = (mirror.source(spoke) == v) + 1;
+      const int ends_after = (mirror.apex(spoke) == v) + (opposite == v);
+      if (ends_after < ends && m_editor.can_flip(spoke) &&
+          (is_any ||
+           (torus.orientation(a, b, d) == LEFT_TURN && torus.orientation(a, d, c) != RIGHT_TURN)))
+        return spoke;
+      h = mirror.next_corner(h);
+    } while (h != first);
+    return no_index;
+  }
+
+  bool is_counterclockwise(Index h) const
+  {
+    return m_maintained.torus().orientation(m_maintained.image(h),
+                                            m_maintained.image(Mirror::next(h)),
+                                            m_maintained.image(Mirror::previous(h))) == LEFT_TURN;
+  }
+
+  bool are_faces_counterclockwise(Index v) const
+  {
+    bool are = true;
+    m_maintained.mirror().for_each_corner(v, [&](Index h) { are = are && is_counterclockwise(h); });
+    return are;
+  }
+
+  void open_surroundings(Index v)
+  {
+    const auto& mirror = m_maintained.mirror();
+    mirror.for_each_corner(v, [&](Index h) {
+      m_open.push_back(mirror.edge_of(h));
+      m_open.push_back(mirror.edge_of(Mirror::next(h)));
+    });
+  }
+
+  // Flips the open edges, all of counterclockwise faces, until all edges are Delaunay.
+  void legalize(Update_report_2& report)
+  {
+    while (!m_open.empty())
+      report.flips += m_flips.run(m_maintained, m_editor, m_open, false,
+                                  (std::numeric_limits<std::size_t>::max)());
+  }
+
+  // Repairs everything after the vertices have moved, but leaves those out that cannot stay in
+  // their faces. False if that does not help.
+  bool untangle(Update_report_2& report)
+  {
+    Edge_test(m_maintained).append_unproved(m_open);
+    for (int round = 0; !flip_open(report); ++round) {
+      const std::vector<Index> tangled = find_tangled();
+      if (round == max_rounds || m_taken_out.size() + tangled.size() > max_taken_out() ||
+          !take_out(tangled, true, report))
+        return false;
+    }
+    return true;
+  }
+
+  // Flips the open edges, of faces in any order. False if flips do not help, or would cost more
+  // than to triangulate anew: that takes about eight flips a vertex.
+  bool flip_open(Update_report_2& report)
+  {
+    const std::size_t most = 100 + 8 * std::size_t(m_maintained.number_of_vertices());
+    for (std::size_t flips = 0; !m_open.empty();) {
+      const std::size_t more = m_flips.run(m_maintained, m_editor, m_open, false, most - flips);
+      flips += more;
+      report.flips += more;
+      if (!m_open.empty() && (more == 0 || flips >= most))
+        return false;
+    }
+    return true;
+  }
+
+  // FRAMES --------------------------------------------------------------------------------------
+
+  // Finds the translation by which each vertex comes nearest to where it was, in multiples of the
+  // new cell's vectors: points that leave the cell and come in at the other side do not go far. The
+  // rest is how far it moves, beside the deformation of the cell.
+  void find_steps(const std::vector<Position_2>& next, const Periodic_cell_2& cell)
+  {
+    const Torus_2& before = m_maintained.torus();
+    const Torus_2 now(cell);
+    const bool is_same = before.cell() == cell;
+    m_multiples = is_same ? unit_multiples : multiples_in_new_cell(before, now);
+    m_steps.assign(m_maintained.positions().size(), no_shift);
+    m_moves.resize(m_steps.size());
+    for (Index v = 1; v < m_steps.size(); ++v) {
+      const Position_2 &p = m_maintained.positions()[v], &q = next[ids().representative(v)];
+      m_moves[v] = {q.x - p.x, q.y - p.y};
+      Position_2 step = now.multiples(m_moves[v]);
+      if (!is_same) {
+        const Position_2 s = before.multiples(p), t = now.multiples(q);
+        step = {t.x - (s.x * m_multiples[0][0] + s.y * m_multiples[1][0]),
+                t.y - (s.x * m_multiples[0][1] + s.y * m_multiples[1][1])};
+      } else if ((std::max)(std::abs(step.x), std::abs(step.y)) <= 0.5) {
+        continue;
+      }
+      m_steps[v] = nearest_shift(step);
+      m_moves[v] = now.vector({step.x - m_steps[v][0], step.y - m_steps[v][1]});
+    }
+  }
+
+  // So many vertices are at most taken out and put back: more are as much work as triangulating
+  // anew.
+  std::size_t max_taken_out() const { return m_maintained.number_of_vertices() / 4; }
+
+  // Points that go farther than half the way to their nearest neighbors, and would tangle the faces
+  // on their way. None if they are many: then the points flow, and flips follow them.
+  std::vector<Index> find_jumpers() const
+  {
+    const Index n = m_maintained.number_of_vertices();
+    Position_2 sum{0, 0};
+    for (Index v = 1; v <= n; ++v)
+      sum = {sum.x + m_moves[v].x, sum.y + m_moves[v].y};
+    const double long_way = m_maintained.torus().cell().area() / n / 16;
+    std::vector<Index> jumpers;
+    for (Index v = 1; v <= n; ++v) {
+      const double squared =
+          CGAL::square(m_moves[v].x - sum.x / n) + CGAL::square(m_moves[v].y - sum.y / n);
+      if (squared > long_way && 4 * squared > squared_distance_to_neighbors(v))
+        jumpers.push_back(v);
+    }
+    if (jumpers.size() > max_taken_out())
+      jumpers.clear();
+    return jumpers;
+  }
+
+  double squared_distance_to_neighbors(Index v) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    m_maintained.mirror().for_each_corner(v, [&](Index h) {
+      const Position_2 p = m_maintained.torus().rounded(m_maintained.image(h));
+      const Position_2 q = m_maintained.torus().rounded(m_maintained.image(Mirror::next(h)));
+      least = (std::min)(least, CGAL::square(p.x - q.x) + CGAL::square(p.y - q.y));
+    });
+    return least;
+  }
+
+  // Vertices of faces that flips could not turn counterclockwise.
+  std::vector<Index> find_tangled() const
+  {
+    const auto& mirror = m_maintained.mirror();
+    std::vector<Index> tangled;
+    for (const Index e : m_open)
+      for (const Index h : {mirror.halfedge(e), mirror.twin(mirror.halfedge(e))})
+        if (!is_counterclockwise(h))
+          for (const Index v : mirror.face(h / 3))
+            tangled.push_back(v);
+    make_distinct(tangled);
+    return tangled;
+  }
+
+  void move_vertices(const std::vector<Position_2>& next, const Periodic_cell_2& cell)
+  {
+    if (cell != m_maintained.torus().cell())
+      m_editor.set_cell(cell, m_multiples);
+    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v) {
+      const Position_2& p = next[ids().representative(v)];
+      if (m_steps[v] == no_shift || m_maintained.mirror().is_outside(v))
+        m_editor.set_position(v, p);
+      else
+        m_editor.set_image(v, p, m_steps[v]);
+    }
+  }
+
+  // Returns the duplicates that are no longer where their vertices are.
+  std::vector<Index> move_duplicates(const std::vector<Position_2>& next)
+  {
+    std::vector<Index> parted;
+    for (auto& duplicate : m_editor.ids().duplicates()) {
+      duplicate.point = next[duplicate.id];
+      if (!coincide(duplicate.point, m_maintained.positions()[ids().vertex(duplicate.id)]))
+        parted.push_back(duplicate.id);
+    }
+    return parted;
+  }
+
+  // Puts the vertices that were taken out where their positions are.
+  void put_back_all(Update_report_2& report)
+  {
+    std::vector<Slot> merged;
+    for (const Slot& slot : m_taken_out)
+      if (!put_back(slot, Position_2(m_maintained.positions()[slot.vertex]), report))
+        merged.push_back(slot);
+    m_editor.drop(merged);
+    report.relocated += m_taken_out.size();
+  }
+
+  static constexpr int max_rounds = 8;
+
+  Maintained& m_maintained;
+  Periodic_editor_2<Maintained> m_editor;
+  Lawson_flips_2 m_flips;
+  Spatial_order_2 m_order;
+  Index m_hint = 1;              // where the next walk starts
+  std::vector<Index> m_open;     // edges to examine
+  std::vector<Slot> m_taken_out; // of vertices to be put back
+
+  // Of a frame, the first two indexed by vertices.
+  std::vector<Periodic_shift_2> m_steps;
+  std::vector<Position_2> m_moves;
+  std::array<Periodic_shift_2, 2> m_multiples = unit_multiples; // of the old cell's vectors
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_UPDATE_2_H

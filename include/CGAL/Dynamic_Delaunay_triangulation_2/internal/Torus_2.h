@@ -1,0 +1,253 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TORUS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TORUS_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_filter_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
+#include <CGAL/enum.h>
+#include <CGAL/Number_types/internal/Exact_type_selector.h>
+#include <CGAL/Periodic_cell_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+inline Periodic_shift_2 operator+(const Periodic_shift_2& s, const Periodic_shift_2& t)
+{
+  return {s[0] + t[0], s[1] + t[1]};
+}
+inline Periodic_shift_2 operator-(const Periodic_shift_2& s, const Periodic_shift_2& t)
+{
+  return {s[0] - t[0], s[1] - t[1]};
+}
+constexpr Periodic_shift_2 no_shift{0, 0};
+
+// An image of a point: the real numbers `position` + shift[0] a + shift[1] b, never rounded.
+struct Image_2
+{
+  Position_2 position;
+  Periodic_shift_2 shift;
+};
+
+// The images at the corners of an edge.
+struct Edge_images_2
+{
+  Image_2 left, source, target, right;
+};
+
+// The flat torus: the plane, in which the lattice of a cell identifies points.
+//
+// The filter. Let u = 2^-53. The vector between two images has coordinates D + i a + j b, where D
+// is the difference of two coordinates, and i and j are integers. Rounded are the difference, both
+// products, their sum, and the whole sum. With m = |D| + |i a| + |j b| the error is at most
+// 3u m + O(u^2). Let E be 4u times the largest m of an edge's vectors, which covers the rounding of
+// m. Then each computed coordinate is off by at most E.
+//
+// Edge_filter_2 takes the vectors to the right corner for exact. In its terms, with r^2 = s:
+//   - a minor such as bc changes by at most (|bx| + |by| + |cx| + |cy|) E + 2 E^2, so `left` and
+//     `right` by at most 2 (|ax| + ... + |cy|) E + 6 E^2 <= 2 sqrt(6) r E + 6 E^2;
+//   - |a|^2 changes by at most 2 sqrt(2) |a| E + 2 E^2. So `in_circle` changes by at most
+//     2 sqrt(2) * 3 |a||b||c| E + sqrt(2) (|a|^2 (|b| + |c|) + ...) E + O(r^2 E^2), which is below
+//     (1.64 + 2.45) r^3 E + O(r^2 E^2), as |a||b||c| <= (s/3)^1.5 and |a| + |b| + |c| <= sqrt(3) r.
+// If E is below 2^-20 r, 5 r E and 5 r^3 E cover these, second order and the rounding of the bounds
+// included. They are added to the bounds of Edge_filter_2. If E is larger nothing is proved.
+//
+// Underflow. Products of integers and subnormal numbers are exact, and so are sums of them; for the
+// rest, s is bounded from below as in Edge_filter_2. Overflow makes E or s infinite, or NaN.
+class Torus_2
+{
+public:
+  explicit Torus_2(const Periodic_cell_2& cell)
+    : m_cell(cell)
+  {
+    const double determinant = cell.ax() * cell.by() - cell.ay() * cell.bx();
+    m_inverse_x = {cell.by() / determinant, -cell.bx() / determinant};
+    m_inverse_y = {-cell.ay() / determinant, cell.ax() / determinant};
+  }
+
+  const Periodic_cell_2& cell() const { return m_cell; }
+
+  // Whether multiples() can be computed.
+  bool is_measurable() const
+  {
+    return std::isfinite(m_inverse_x.x) && std::isfinite(m_inverse_x.y) &&
+           std::isfinite(m_inverse_y.x) && std::isfinite(m_inverse_y.y) && m_cell.area() > 0;
+  }
+
+  // The coordinates of a vector in multiples of the cell's vectors, rounded.
+  Position_2 multiples(const Position_2& v) const
+  {
+    return {v.x * m_inverse_x.x + v.y * m_inverse_x.y, v.x * m_inverse_y.x + v.y * m_inverse_y.y};
+  }
+  // The reverse.
+  Position_2 vector(const Position_2& s) const
+  {
+    return {s.x * m_cell.ax() + s.y * m_cell.bx(), s.x * m_cell.ay() + s.y * m_cell.by()};
+  }
+
+  // An image as a position, rounded.
+  Position_2 rounded(const Image_2& p) const
+  {
+    return {p.position.x + (p.shift[0] * m_cell.ax() + p.shift[1] * m_cell.bx()),
+            p.position.y + (p.shift[0] * m_cell.ay() + p.shift[1] * m_cell.by())};
+  }
+
+  bool coincide(const Image_2& p, const Image_2& q) const
+  {
+    if (p.shift == q.shift)
+      return p.position.x == q.position.x && p.position.y == q.position.y;
+    double m = 0;
+    const Position_2 v = vector(q, p, m);
+    if ((std::max)(std::abs(v.x), std::abs(v.y)) > m * error_factor)
+      return false;
+    const auto [x, y] = exact_vector(q, p);
+    return is_zero(x) && is_zero(y);
+  }
+
+  Orientation orientation(const Image_2& a, const Image_2& b, const Image_2& c) const
+  {
+    double m = 0;
+    const Position_2 p = vector(c, a, m), q = vector(c, b, m);
+    const double left = p.x * q.y, right = q.x * p.y, e = error_factor * m;
+    const double products = std::abs(left) + std::abs(right);
+    const double lengths = std::abs(p.x) + std::abs(p.y) + std::abs(q.x) + std::abs(q.y);
+    const double bound = 3 * unit * products + 1.01 * e * (lengths + 2 * e);
+    const double determinant = left - right;
+    if (products > smallest_products && std::abs(determinant) > bound)
+      return determinant > 0 ? LEFT_TURN : RIGHT_TURN;
+    return exact_orientation(a, b, c);
+  }
+
+  // As `Edge_test_2` has it in the plane. No corner is at infinity.
+  Edge_state_2 edge_state(const Edge_images_2& corners) const
+  {
+    const Filter filter(*this, corners);
+    if (filter.proves_delaunay())
+      return Edge_state_2::DELAUNAY;
+    if (filter.proves_illegal())
+      return Edge_state_2::ILLEGAL;
+    const auto& [a, b, c, d] = corners;
+    const bool is_twisted = orientation(a, b, c) != LEFT_TURN || orientation(d, c, b) != LEFT_TURN;
+    if (filter.proves_inside() ||
+        (!filter.proves_outside() && exact_side_of_circle(a, b, c, d) == ON_POSITIVE_SIDE))
+      return is_twisted ? Edge_state_2::CROSSED : Edge_state_2::ILLEGAL;
+    return is_twisted ? Edge_state_2::TWISTED : Edge_state_2::DELAUNAY;
+  }
+
+  bool filter_proves_delaunay(const Edge_images_2& corners) const
+  {
+    return Filter(*this, corners).proves_delaunay();
+  }
+
+  // Twice the area of the triangle, exactly; negative if it is clockwise.
+  using Exact = CGAL::internal::Exact_ring_selector<double>::Type;
+  Exact exact_double_area(const Image_2& a, const Image_2& b, const Image_2& c) const
+  {
+    const auto [px, py] = exact_vector(c, a);
+    const auto [qx, qy] = exact_vector(c, b);
+    return px * qy - qx * py;
+  }
+  // Twice the area of the cell, negative if its vectors are clockwise.
+  Exact exact_double_area() const
+  {
+    const Exact area =
+        Exact(m_cell.ax()) * Exact(m_cell.by()) - Exact(m_cell.ay()) * Exact(m_cell.bx());
+    return area + area;
+  }
+
+private:
+  static constexpr double unit = 0x1p-53;
+  static constexpr double error_factor = 4 * unit;
+  static constexpr double smallest_products = 1e-280;
+
+  class Filter
+  {
+  public:
+    Filter(const Torus_2& torus, const Edge_images_2& corners)
+      : Filter(torus, corners, 0)
+    {
+    }
+
+    bool proves_delaunay() const { return is_counterclockwise & proves_outside(); }
+    bool proves_illegal() const { return is_counterclockwise & proves_inside(); }
+    bool proves_inside() const { return is_usable & (m_filter.in_circle > m_in_circle_bound); }
+    bool proves_outside() const { return is_usable & (m_filter.in_circle < -m_in_circle_bound); }
+
+  private:
+    Filter(const Torus_2& torus, const Edge_images_2& corners, double m)
+      : m_filter({torus.vector(corners.right, corners.left, m),
+                  torus.vector(corners.right, corners.source, m),
+                  torus.vector(corners.right, corners.target, m), Position_2{0, 0}})
+    {
+      const double s = m_filter.s, r = std::sqrt(s), e = error_factor * m;
+      const double bound = Edge_filter_2::orientation_factor * s + 5 * r * e;
+      m_in_circle_bound = Edge_filter_2::in_circle_factor * (s * s) + 5 * (s * r) * e;
+      is_usable = (s > Edge_filter_2::smallest_s) & (e < 0x1p-20 * r);
+      is_counterclockwise = is_usable & (m_filter.left > bound) & (m_filter.right > bound);
+    }
+
+    Edge_filter_2 m_filter;
+    double m_in_circle_bound;
+    bool is_usable, is_counterclockwise;
+  };
+
+  // The vector from one image to another, rounded. Raises m to the largest sum of absolute values.
+  Position_2 vector(const Image_2& from, const Image_2& to, double& m) const
+  {
+    const double i = double(to.shift[0]) - from.shift[0], j = double(to.shift[1]) - from.shift[1];
+    const double dx = to.position.x - from.position.x, dy = to.position.y - from.position.y;
+    const double iax = i * m_cell.ax(), jbx = j * m_cell.bx();
+    const double iay = i * m_cell.ay(), jby = j * m_cell.by();
+    m = (std::max)({m, std::abs(dx) + std::abs(iax) + std::abs(jbx),
+                    std::abs(dy) + std::abs(iay) + std::abs(jby)});
+    return {dx + (iax + jbx), dy + (iay + jby)};
+  }
+
+  std::pair<Exact, Exact> exact_vector(const Image_2& from, const Image_2& to) const
+  {
+    const Exact i(double(to.shift[0]) - from.shift[0]), j(double(to.shift[1]) - from.shift[1]);
+    return {Exact(to.position.x) - Exact(from.position.x) + i * Exact(m_cell.ax()) +
+                j * Exact(m_cell.bx()),
+            Exact(to.position.y) - Exact(from.position.y) + i * Exact(m_cell.ay()) +
+                j * Exact(m_cell.by())};
+  }
+
+  static bool is_zero(const Exact& x) { return CGAL::is_zero(x); }
+
+  BOOST_NOINLINE Orientation exact_orientation(const Image_2& a, const Image_2& b,
+                                               const Image_2& c) const
+  {
+    return CGAL::sign(exact_double_area(a, b, c));
+  }
+
+  BOOST_NOINLINE Oriented_side exact_side_of_circle(const Image_2& a, const Image_2& b,
+                                                    const Image_2& c, const Image_2& d) const
+  {
+    const auto [ax, ay] = exact_vector(d, a);
+    const auto [bx, by] = exact_vector(d, b);
+    const auto [cx, cy] = exact_vector(d, c);
+    return CGAL::sign((ax * ax + ay * ay) * (bx * cy - cx * by) +
+                      (bx * bx + by * by) * (cx * ay - ax * cy) +
+                      (cx * cx + cy * cy) * (ax * by - bx * ay));
+  }
+
+  Periodic_cell_2 m_cell;
+  Position_2 m_inverse_x, m_inverse_y; // the rows of the inverse matrix
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TORUS_2_H

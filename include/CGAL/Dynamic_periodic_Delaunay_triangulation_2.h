@@ -1,0 +1,450 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_PERIODIC_DELAUNAY_TRIANGULATION_2_H
+#define CGAL_DYNAMIC_PERIODIC_DELAUNAY_TRIANGULATION_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_periodic_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_update_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+#include <CGAL/Periodic_cell_2.h>
+#include <CGAL/property_map.h>
+#include <CGAL/Update_report_2.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Periodic
+
+The Delaunay triangulation of points that move in a periodic space: a plane in which everything is
+repeated by the vectors of a `Periodic_cell_2`, that is, a flat torus. The cell may be any
+parallelogram, and may change with every frame.
+
+The triangulation is of the points as they are given, anywhere in the plane, wrapped into the cell
+or not: of the real numbers p + i a + j b for all points p and integers i and j, never of rounded
+images. It is one sheet: n points in different places have 3n edges and 2n faces, however few they
+are. So a point can be a neighbor of its own images, and two points can have several edges.
+
+Points have ids as in `Dynamic_Delaunay_triangulation_2`: the i-th point of the range has id i, and
+points that are inserted get the smallest free ids. Points that coincide, also by a translation of
+the lattice, share a vertex.
+
+After every call the triangulation is certified: exact predicates have proved that each face is
+counterclockwise, and that each edge is locally Delaunay. Flips, insertions and removals keep it a
+triangulation of the torus that covers it once (see the manual). There is no classifier to choose:
+all edges are tested, the broken ones are flipped, points that jump are inserted anew, and where
+that does not help everything is triangulated anew.
+
+\tparam Kernel a CGAL kernel whose points have coordinates of type `double`, such as
+  `Exact_predicates_inexact_constructions_kernel`.
+*/
+template <class Kernel>
+class Dynamic_periodic_Delaunay_triangulation_2
+{
+  static_assert(
+      Dynamic_Delaunay_triangulations_2::internal::has_double_coordinates<typename Kernel::Point_2>,
+      "the coordinates of points in periodic space must be of type double");
+
+  using Maintained =
+      Dynamic_Delaunay_triangulations_2::internal::Maintained_periodic_triangulation_2<
+          typename Kernel::Point_2>;
+  using Update = Dynamic_Delaunay_triangulations_2::internal::Periodic_update_2<Maintained>;
+  using Population_input =
+      Dynamic_Delaunay_triangulations_2::internal::Population_input_2<Maintained>;
+  using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point_2;
+  using Mirror = Dynamic_Delaunay_triangulations_2::internal::Neighborhood_mirror_2;
+  using Index = Dynamic_Delaunay_triangulations_2::Index;
+  using Position = Dynamic_Delaunay_triangulations_2::Position_2;
+  template <class Range>
+  using If_range = Dynamic_Delaunay_triangulations_2::internal::If_range<Range>;
+
+public:
+  /// \name Types
+  /// @{
+
+  /// the kernel.
+  using Geom_traits = Kernel;
+  /// a point.
+  using Point = typename Kernel::Point_2;
+  /// a vector.
+  using Vector = typename Kernel::Vector_2;
+  /// the type of ids and counts.
+  using size_type = std::size_t;
+
+  /// @}
+  /// \name Creation
+  /// @{
+
+  /// creates an empty triangulation of the torus with this cell.
+  /// \throws Periodic_cell_error_2 if the cell is so thin or extreme that doubles cannot tell how
+  /// far points are apart in it.
+  explicit Dynamic_periodic_Delaunay_triangulation_2(const Periodic_cell_2& cell)
+  {
+    check(cell);
+    m_core = std::make_unique<Core>(cell);
+  }
+
+  /// triangulates the points of the range; the i-th one has id i. Cost: O(n log n).
+  /// \tparam InputIterator its values are convertible to `Point`.
+  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
+  /// \throws Periodic_range_error_2 if a point is 2<sup>26</sup> cells or more from the origin.
+  /// \throws Periodic_cell_error_2 as above.
+  template <class InputIterator>
+  Dynamic_periodic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
+                                            const Periodic_cell_2& cell)
+    : Dynamic_periodic_Delaunay_triangulation_2(cell)
+  {
+    insert(first, beyond, Emptyset_iterator());
+  }
+
+  /// the same, but takes the range as a whole: anything with `begin()` and `end()`.
+  template <class Range, class = If_range<Range>>
+  Dynamic_periodic_Delaunay_triangulation_2(const Range& points, const Periodic_cell_2& cell)
+    : Dynamic_periodic_Delaunay_triangulation_2(std::begin(points), std::end(points), cell)
+  {
+  }
+
+  /// copies everything. Cost: linear.
+  Dynamic_periodic_Delaunay_triangulation_2(const Dynamic_periodic_Delaunay_triangulation_2& other)
+    : m_core(std::make_unique<Core>(other.m_core->maintained))
+    , m_is_certified(other.m_is_certified)
+  {
+  }
+  /// takes everything from the other triangulation. That one is then empty, with the same cell.
+  Dynamic_periodic_Delaunay_triangulation_2(Dynamic_periodic_Delaunay_triangulation_2&& other)
+    : Dynamic_periodic_Delaunay_triangulation_2(other.cell())
+  {
+    swap(other);
+  }
+  /// replaces everything. If it throws, nothing has changed.
+  Dynamic_periodic_Delaunay_triangulation_2&
+  operator=(Dynamic_periodic_Delaunay_triangulation_2 other)
+  {
+    swap(other);
+    return *this;
+  }
+  /// exchanges everything with the other triangulation.
+  void swap(Dynamic_periodic_Delaunay_triangulation_2& other)
+  {
+    std::swap(m_core, other.m_core);
+    std::swap(m_is_certified, other.m_is_certified);
+  }
+  /// calls `a.swap(b)`.
+  friend void swap(Dynamic_periodic_Delaunay_triangulation_2& a,
+                   Dynamic_periodic_Delaunay_triangulation_2& b)
+  {
+    a.swap(b);
+  }
+
+  /// @}
+  /// \name Motion
+  /// @{
+
+  /// moves point i to the i-th position of the range, for all points, and repairs the
+  /// triangulation. The range has one position for each id; positions for ids of removed points are
+  /// ignored. Of a point that moves by more than half the cell, as where it is wrapped, the nearest
+  /// image is taken to be where it has gone.
+  ///
+  /// Cost: one pass over all points and edges, and the repair of what is broken, at most about that
+  /// of triangulating anew.
+  /// \throws Point_count_error_2 if the number of positions is not `number_of_ids()`.
+  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
+  /// \throws Periodic_range_error_2 if a point is 2<sup>26</sup> cells or more from the origin.
+  ///
+  /// If it throws one of these, or if the range throws, nothing has changed.
+  template <class InputIterator>
+  Update_report_2 update(InputIterator first, InputIterator beyond)
+  {
+    return update(first, beyond, Periodic_cell_2(cell()));
+  }
+
+  /// the same, in a cell that has changed since the last call: by deformation, by other vectors for
+  /// the same lattice, as where a sheared cell is flipped, or by both.
+  /// \throws Periodic_cell_error_2 if the cell is so thin or extreme that doubles cannot tell how
+  /// far points are apart in it; nothing has changed.
+  template <class InputIterator>
+  Update_report_2 update(InputIterator first, InputIterator beyond, const Periodic_cell_2& cell)
+  {
+    const Floating_point floating_point;
+    check(cell);
+    read_frame(first, beyond, cell);
+    return run([&](Update_report_2& report) { m_core->update.update(m_next, cell, report); });
+  }
+
+  /// the same, but takes the range as a whole.
+  template <class Range, class = If_range<Range>>
+  Update_report_2 update(const Range& points)
+  {
+    return update(std::begin(points), std::end(points));
+  }
+
+  /// the same, but takes the range as a whole.
+  template <class Range, class = If_range<Range>>
+  Update_report_2 update(const Range& points, const Periodic_cell_2& cell)
+  {
+    return update(std::begin(points), std::end(points), cell);
+  }
+
+  /// moves one point. All others stay where they are. Cost: proportional to what that breaks, and
+  /// to the walk to where the point jumps, if it does. \throws Unknown_id_error_2,
+  /// Non_finite_coordinate_error_2 or Periodic_range_error_2; nothing has changed then.
+  Update_report_2 move(size_type id, const Point& p)
+  {
+    const Floating_point floating_point;
+    const std::array<size_type, 1> ids{id};
+    Population_input::read_ids(ids.begin(), ids.end(), m_core->maintained);
+    const Position position = checked(p, id, m_core->maintained.torus());
+    return run([&](Update_report_2& report) { m_core->update.move(Index(id), position, report); });
+  }
+
+  /// @}
+  /// \name Population
+  /// @{
+
+  /// adds a point, and returns its id: the smallest free one. If it coincides with another point,
+  /// it shares that one's vertex. \throws Non_finite_coordinate_error_2 or Periodic_range_error_2;
+  /// nothing has changed then.
+  size_type insert(const Point& p)
+  {
+    size_type id = 0;
+    insert(&p, &p + 1, &id);
+    return id;
+  }
+
+  /// adds the points of the range. Their ids are written to `ids` first. If they are more than the
+  /// points that are there, everything is triangulated anew.
+  template <class InputIterator, class OutputIterator>
+  Update_report_2 insert(InputIterator first, InputIterator beyond, OutputIterator ids)
+  {
+    const Floating_point floating_point;
+    Dynamic_Delaunay_triangulations_2::internal::Change_2<Point> change;
+    Population_input::read_newcomers(first, beyond, Identity_property_map<Point>(),
+                                     m_core->maintained, change);
+    std::vector<Position> positions;
+    for (std::size_t i = 0; i < change.coming.size(); ++i)
+      positions.push_back(
+          checked(change.coming_points[i], change.coming[i], m_core->maintained.torus()));
+    for (const Index id : change.coming)
+      *ids++ = id;
+    return run(
+        [&](Update_report_2& report) { m_core->update.insert(change.coming, positions, report); });
+  }
+
+  /// removes a point; its id is free from then on.
+  /// \throws Unknown_id_error_2 if no point has this id; nothing has changed then.
+  Update_report_2 remove(size_type id) { return remove(&id, &id + 1); }
+
+  /// removes the points with these ids.
+  /// \throws Unknown_id_error_2 if an id belongs to no point; nothing has changed then.
+  /// \throws Repeated_id_error_2 if an id is given more than once; nothing has changed then.
+  template <class InputIterator>
+  Update_report_2 remove(InputIterator first, InputIterator beyond)
+  {
+    const Floating_point floating_point;
+    const std::vector<Index> gone = Population_input::read_ids(first, beyond, m_core->maintained);
+    return run([&](Update_report_2& report) {
+      for (const Index id : gone)
+        m_core->update.remove(id, report);
+    });
+  }
+
+  /// @}
+  /// \name Access
+  /// @{
+
+  /// the cell of the last frame.
+  const Periodic_cell_2& cell() const { return m_core->maintained.torus().cell(); }
+  /// the number of points, coincident ones included.
+  size_type number_of_points() const { return m_core->maintained.ids().number_of_points(); }
+  /// the number of different places of points, up to translations of the lattice.
+  size_type number_of_vertices() const { return m_core->maintained.number_of_vertices(); }
+  /// three for each vertex.
+  size_type number_of_edges() const { return 3 * number_of_vertices(); }
+  /// two for each vertex.
+  size_type number_of_faces() const { return 2 * number_of_vertices(); }
+  /// one more than the largest id that was ever in use.
+  size_type number_of_ids() const { return m_core->maintained.ids().number_of_ids(); }
+  /// whether a point has this id.
+  bool has_id(size_type id) const { return m_core->maintained.ids().is_taken(id); }
+
+  /// the point with this id, as it was given last. \throws Unknown_id_error_2
+  Point point(size_type id) const
+  {
+    check_id(id);
+    const Position p = m_core->maintained.position_of_id(Index(id));
+    return Point(p.x, p.y);
+  }
+
+  /// the id of the point that represents those that coincide with this one. \throws
+  /// Unknown_id_error_2
+  size_type representative(size_type id) const
+  {
+    check_id(id);
+    const auto& ids = m_core->maintained.ids();
+    return ids.representative(ids.vertex(Index(id)));
+  }
+
+  /// the vector from the first point to the image of the second one by `shift`, rounded.
+  Vector vector(size_type i, size_type j, const Periodic_shift_2& shift) const
+  {
+    const Point p = point(i), q = point(j);
+    return Vector(q.x() - p.x() + (shift[0] * cell().ax() + shift[1] * cell().bx()),
+                  q.y() - p.y() + (shift[0] * cell().ay() + shift[1] * cell().by()));
+  }
+
+  /// calls `f(i, j, shift)` once for each edge: the image of point j by `shift`, at `point(j)` plus
+  /// `shift[0]` times the cell's first vector plus `shift[1]` times its second one, is a neighbor
+  /// of point i. Points that coincide with others have no edges but those of their representatives.
+  template <class Function>
+  void for_each_edge(const Function& f) const
+  {
+    const auto& maintained = m_core->maintained;
+    for (Index e = 0; e < maintained.mirror().number_of_edges(); ++e) {
+      const Index h = maintained.mirror().halfedge(e);
+      const Index from = Mirror::next(h), to = Mirror::previous(h);
+      f(id_at(from), id_at(to), shift_between(from, to));
+    }
+  }
+
+  /// calls `f(j, shift)` for each edge of the point with this id, or of its representative,
+  /// counterclockwise: for the neighbor j and its shift. An edge from a point to its own image is
+  /// met at both of its ends. \throws Unknown_id_error_2
+  template <class Function>
+  void for_each_neighbor(size_type id, const Function& f) const
+  {
+    check_id(id);
+    const auto& maintained = m_core->maintained;
+    maintained.mirror().for_each_corner(maintained.ids().vertex(Index(id)), [&](Index h) {
+      f(id_at(Mirror::next(h)), shift_between(h, Mirror::next(h)));
+    });
+  }
+
+  /// calls `f(ids, shifts)` once for each face, with arrays of three ids and three shifts: the
+  /// images of these points are the corners of a counterclockwise triangle. The first shift is (0,
+  /// 0).
+  template <class Function>
+  void for_each_face(const Function& f) const
+  {
+    for (Index h = 0; h < 3 * m_core->maintained.mirror().number_of_faces(); h += 3)
+      f(std::array<size_type, 3>{id_at(h), id_at(h + 1), id_at(h + 2)},
+        std::array<Periodic_shift_2, 3>{shift_between(h, h), shift_between(h, h + 1),
+                                        shift_between(h, h + 2)});
+  }
+
+  /// @}
+  /// \name Certainty
+  /// @{
+
+  /// whether the triangulation is proved Delaunay. Only an exception that is none of the documented
+  /// ones can leave it unproved; the next change then triangulates everything anew.
+  bool is_certified() const { return m_is_certified; }
+
+  /// tests everything again by exact predicates, and by exact arithmetic that the areas of the
+  /// faces sum up to that of the cell. Meant for tests. Cost: linear, microseconds a point.
+  bool is_valid() const
+  {
+    const Floating_point floating_point;
+    return m_core->update.is_valid();
+  }
+
+  /// @}
+
+private:
+  struct Core
+  {
+    explicit Core(const Periodic_cell_2& cell)
+      : maintained(cell)
+      , update(maintained)
+    {
+    }
+    explicit Core(const Maintained& other)
+      : maintained(other)
+      , update(maintained)
+    {
+    }
+    Maintained maintained;
+    Update update;
+  };
+
+  static void check(const Periodic_cell_2& cell)
+  {
+    if (!Dynamic_Delaunay_triangulations_2::internal::Torus_2(cell).is_measurable())
+      throw Periodic_cell_error_2(cell.ax(), cell.ay(), cell.bx(), cell.by(),
+                                  "doubles cannot tell how far points are apart in it");
+  }
+
+  void check_id(size_type id) const
+  {
+    if (!has_id(id))
+      throw Unknown_id_error_2(id, number_of_ids());
+  }
+
+  static Position checked(const Point& p, size_type id,
+                          const Dynamic_Delaunay_triangulations_2::internal::Torus_2& torus)
+  {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    const Position position = checked_position(p, id);
+    const Position multiples = torus.multiples(position);
+    if (!(std::abs(multiples.x) < max_shift && std::abs(multiples.y) < max_shift))
+      throw Periodic_range_error_2(id, position.x, position.y, max_shift);
+    return position;
+  }
+
+  template <class InputIterator>
+  void read_frame(InputIterator first, InputIterator beyond, const Periodic_cell_2& cell)
+  {
+    const Dynamic_Delaunay_triangulations_2::internal::Torus_2 torus(cell);
+    const size_type ids = number_of_ids();
+    m_next.clear();
+    for (; first != beyond && m_next.size() < ids; ++first) {
+      auto&& value = *first;
+      const Point& p = value;
+      m_next.push_back(has_id(m_next.size()) ? checked(p, m_next.size(), torus) : Position{0, 0});
+    }
+    if (first != beyond || m_next.size() < ids)
+      throw Point_count_error_2(ids, first != beyond ? ids + 1 : m_next.size());
+  }
+
+  template <class Function>
+  Update_report_2 run(const Function& change)
+  {
+    Update_report_2 report;
+    if (!std::exchange(m_is_certified, false))
+      m_core->update.rebuild(Rebuild_reason_2::STUCK, report);
+    change(report);
+    report.certified = m_is_certified = true;
+    return report;
+  }
+
+  size_type id_at(Index corner) const
+  {
+    const auto& maintained = m_core->maintained;
+    return maintained.ids().representative(maintained.mirror().apex(corner));
+  }
+  Periodic_shift_2 shift_between(Index corner, Index other) const
+  {
+    const Periodic_shift_2& s = m_core->maintained.shift(corner);
+    const Periodic_shift_2& t = m_core->maintained.shift(other);
+    return {t[0] - s[0], t[1] - s[1]};
+  }
+
+  std::unique_ptr<Core> m_core;
+  std::vector<Position> m_next; // indexed by ids
+  bool m_is_certified = true;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_PERIODIC_DELAUNAY_TRIANGULATION_2_H

@@ -1,0 +1,193 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What every test asks of a periodic triangulation. The oracle is a plane full of exact copies of
+// the points, seen through CGAL's exact kernel: it shares nothing with what it tests.
+
+#ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_PERIODIC_ORACLE_H
+#define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_PERIODIC_ORACLE_H
+
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <tuple>
+#include <vector>
+
+class Periodic_oracle
+{
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+  using Point = Exact::Point_2;
+  using Vector = Exact::Vector_2;
+  using Triangle = std::array<Point, 3>;
+  using Shift = CGAL::Periodic_shift_2;
+
+public:
+  template <class Triangulation>
+  explicit Periodic_oracle(const Triangulation& triangulation)
+    : m_a(triangulation.cell().ax(), triangulation.cell().ay())
+    , m_b(triangulation.cell().bx(), triangulation.cell().by())
+    , m_r(m_a)
+    , m_t(m_b)
+  {
+    reduce();
+    for (std::size_t id = 0; id < triangulation.number_of_ids(); ++id)
+      if (triangulation.has_id(id)) {
+        const auto p = triangulation.point(id);
+        m_points[id] = Point(p.x(), p.y());
+        m_places.insert(wrapped(m_points[id]));
+      }
+  }
+
+  // Points in different places, up to translations of the lattice.
+  std::size_t number_of_places() const { return m_places.size(); }
+
+  bool coincide(std::size_t i, std::size_t j) const
+  {
+    return wrapped(m_points.at(i)) == wrapped(m_points.at(j));
+  }
+
+  Point image(std::size_t id, const Shift& shift) const
+  {
+    return m_points.at(id) + Exact::FT(shift[0]) * m_a + Exact::FT(shift[1]) * m_b;
+  }
+
+  Exact::FT double_cell_area() const { return 2 * CGAL::abs(CGAL::determinant(m_a, m_b)); }
+
+  // Whether no copy of any point is inside the triangle's circle.
+  bool is_delaunay(const Triangle& t) const
+  {
+    const Point start = wrapped(t[0]);
+    const Vector to_start = start - t[0];
+    const Triangle moved{start, t[1] + to_start, t[2] + to_start};
+    // what is far outside by doubles needs no exact look
+    const Point center = CGAL::circumcenter(moved[0], moved[1], moved[2]);
+    const double x = CGAL::to_double(center.x()), y = CGAL::to_double(center.y());
+    const double reach = 1.001 * std::sqrt(CGAL::to_double(CGAL::squared_distance(center, start)));
+    if (!(reach < 2 * length(m_t))) // larger than any circle without a point of the lattice
+      return false;
+    const int copies_r = 2 + int(2 * reach * length(m_t) / area());
+    const int copies_t = 2 + int(2 * reach * length(m_r) / area());
+    for (int i = -copies_r; i <= copies_r; ++i)
+      for (int j = -copies_t; j <= copies_t; ++j)
+        for (const Point& p : m_places)
+          if (std::hypot(CGAL::to_double(p.x()) + i * CGAL::to_double(m_r.x()) +
+                             j * CGAL::to_double(m_t.x()) - x,
+                         CGAL::to_double(p.y()) + i * CGAL::to_double(m_r.y()) +
+                             j * CGAL::to_double(m_t.y()) - y) < reach &&
+              CGAL::side_of_oriented_circle(moved[0], moved[1], moved[2],
+                                            p + Exact::FT(i) * m_r + Exact::FT(j) * m_t) ==
+                  CGAL::ON_POSITIVE_SIDE)
+            return false;
+    return true;
+  }
+
+private:
+  static double length(const Vector& v)
+  {
+    return std::hypot(CGAL::to_double(v.x()), CGAL::to_double(v.y()));
+  }
+  double area() const { return std::abs(CGAL::to_double(CGAL::determinant(m_a, m_b))); }
+
+  // Lagrange's reduction: then m_t is not shorter than m_r, and nearly as short as can be.
+  void reduce()
+  {
+    for (int steps = 0; steps < 64; ++steps) {
+      if (m_r * m_r > m_t * m_t)
+        std::swap(m_r, m_t);
+      const double k = std::round(CGAL::to_double(m_r * m_t) / CGAL::to_double(m_r * m_r));
+      if (k == 0)
+        return;
+      m_t = m_t - Exact::FT(k) * m_r;
+    }
+  }
+
+  // The image in the parallelogram of the reduced vectors, exactly.
+  Point wrapped(const Point& p) const
+  {
+    const Vector v = p - CGAL::ORIGIN;
+    const Exact::FT determinant = CGAL::determinant(m_r, m_t);
+    const Exact::FT s = fraction(CGAL::determinant(v, m_t) / determinant);
+    const Exact::FT t = fraction(CGAL::determinant(m_r, v) / determinant);
+    return CGAL::ORIGIN + s * m_r + t * m_t;
+  }
+
+  static Exact::FT fraction(const Exact::FT& x)
+  {
+    Exact::FT f = x - std::floor(CGAL::to_double(x));
+    if (f < 0)
+      f += 1;
+    if (f >= 1)
+      f -= 1;
+    return f;
+  }
+
+  Vector m_a, m_b, m_r, m_t;
+  std::map<std::size_t, Point> m_points;
+  std::set<Point> m_places;
+};
+
+// Everything: nobody is lost; the faces are closed along their edges, counterclockwise, as large as
+// the cell together, and Delaunay; and edges and neighbors say the same.
+template <class Triangulation>
+void expect_periodic_delaunay(const Triangulation& pt)
+{
+  using Shift = CGAL::Periodic_shift_2;
+  using Directed_edge = std::tuple<std::size_t, std::size_t, Shift>;
+  ASSERT_TRUE(pt.is_certified());
+  ASSERT_TRUE(pt.is_valid());
+  const Periodic_oracle oracle(pt);
+  ASSERT_EQ(pt.number_of_vertices(), oracle.number_of_places());
+  for (std::size_t id = 0; id < pt.number_of_ids(); ++id)
+    if (pt.has_id(id)) {
+      ASSERT_TRUE(oracle.coincide(id, pt.representative(id))) << "id " << id;
+    }
+
+  std::set<Directed_edge> of_faces, of_edges, of_neighbors;
+  CGAL::Exact_predicates_exact_constructions_kernel::FT area = 0;
+  std::size_t faces = 0;
+  pt.for_each_face([&](const std::array<std::size_t, 3>& ids, const std::array<Shift, 3>& shifts) {
+    std::array<CGAL::Exact_predicates_exact_constructions_kernel::Point_2, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t k = (i + 1) % 3;
+      corners[i] = oracle.image(ids[i], shifts[i]);
+      of_faces.insert({ids[i], ids[k], {shifts[k][0] - shifts[i][0], shifts[k][1] - shifts[i][1]}});
+    }
+    EXPECT_EQ(CGAL::orientation(corners[0], corners[1], corners[2]), CGAL::LEFT_TURN);
+    EXPECT_TRUE(oracle.is_delaunay(corners));
+    area += CGAL::determinant(corners[1] - corners[0], corners[2] - corners[0]);
+    ++faces;
+  });
+  ASSERT_EQ(faces, 2 * oracle.number_of_places());
+  ASSERT_EQ(of_faces.size(), 3 * faces);
+  if (faces > 0) {
+    ASSERT_EQ(area, oracle.double_cell_area());
+  }
+  for (const auto& [i, j, shift] : of_faces)
+    ASSERT_EQ(of_faces.count({j, i, {-shift[0], -shift[1]}}), 1u);
+
+  std::size_t edges = 0;
+  pt.for_each_edge([&](std::size_t i, std::size_t j, const Shift& shift) {
+    of_edges.insert({i, j, shift});
+    of_edges.insert({j, i, {-shift[0], -shift[1]}});
+    ++edges;
+  });
+  ASSERT_EQ(edges, pt.number_of_edges());
+  ASSERT_EQ(of_edges, of_faces);
+  for (std::size_t id = 0; id < pt.number_of_ids(); ++id)
+    if (pt.has_id(id) && pt.representative(id) == id)
+      pt.for_each_neighbor(id, [&](std::size_t j, const Shift& shift) {
+        of_neighbors.insert({id, j, shift});
+      });
+  ASSERT_EQ(of_neighbors, of_faces);
+}
+
+#endif // DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_PERIODIC_ORACLE_H

@@ -1,0 +1,640 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Triangulations of flat tori whose points and cells move.
+
+#include "periodic_oracle.h"
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Torus_2.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_2;
+using Cell = CGAL::Periodic_cell_2;
+using Triangulation = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel>;
+
+double random_between(std::mt19937_64& random, double low, double high)
+{
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+// Points of the cell; with a grid, on its multiples, where many are on circles, lines and each
+// other.
+std::vector<Point> random_points(std::mt19937_64& random, std::size_t number, double extent,
+                                 double grid = 0)
+{
+  const auto coordinate = [&] {
+    const double x = random_between(random, 0, extent);
+    return grid > 0 ? std::floor(x / grid) * grid : x;
+  };
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < number; ++i) {
+    const double x = coordinate();
+    points.push_back(Point(x, coordinate()));
+  }
+  return points;
+}
+
+void move_randomly(std::mt19937_64& random, std::vector<Point>& points, double step)
+{
+  std::normal_distribution<double> normal(0, step);
+  for (Point& p : points) {
+    const double x = p.x() + normal(random);
+    p = Point(x, p.y() + normal(random));
+  }
+}
+
+Point image(const Point& p, const Cell& cell, int i, int j)
+{
+  return Point(p.x() + i * cell.ax() + j * cell.bx(), p.y() + i * cell.ay() + j * cell.by());
+}
+
+// FEW POINTS ------------------------------------------------------------------------------------
+
+TEST(One_point, is_its_own_six_neighbors)
+{
+  const Triangulation pt(std::vector<Point>{Point(0.3, 7.1)}, Cell(1, 0.1, 0.4, 1));
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+  std::size_t neighbors = 0;
+  pt.for_each_neighbor(0, [&](std::size_t j, const CGAL::Periodic_shift_2& shift) {
+    EXPECT_EQ(j, 0u);
+    EXPECT_NE(shift, (CGAL::Periodic_shift_2{0, 0}));
+    ++neighbors;
+  });
+  EXPECT_EQ(neighbors, 6u);
+}
+
+TEST(No_point, has_no_edge)
+{
+  Triangulation pt(Cell(1, 1));
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+  EXPECT_EQ(pt.number_of_edges(), 0u);
+  EXPECT_TRUE(pt.update(std::vector<Point>()).certified);
+}
+
+TEST(Few_points, are_right_from_the_first_to_the_last_in_cells_of_any_shape)
+{
+  std::mt19937_64 random(1);
+  for (const Cell& cell : {Cell(1, 1), Cell(1, 0, 0.5, 0.866), Cell(10, 0.1), Cell(1, 0, 12.3, 1),
+                           Cell(0, 1, 1, 0), Cell(-3, 1, 2, 2), Cell(0.02, 0, 0, 1)}) {
+    Triangulation pt(cell);
+    for (int i = 0; i < 7; ++i) {
+      pt.insert(Point(random_between(random, -2, 2), random_between(random, -2, 2)));
+      ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+    }
+    for (std::size_t id : {3, 0, 6, 1, 2, 5, 4}) {
+      pt.remove(id);
+      ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+    }
+    EXPECT_EQ(pt.number_of_points(), 0u);
+  }
+}
+
+TEST(Lattices, and_points_on_a_line_are_no_exception)
+{
+  std::vector<Point> lattice, line;
+  for (int i = 0; i < 5; ++i) {
+    line.push_back(Point(i * 0.2, 0.5));
+    for (int j = 0; j < 5; ++j)
+      lattice.push_back(Point(i, j));
+  }
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(Triangulation(lattice, Cell(5, 5))));
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(Triangulation(lattice, Cell(5, 0, 2.5, 5))));
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(Triangulation(line, Cell(1, 1))));
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(Triangulation(line, Cell(1, 0.01))));
+}
+
+TEST(Coincident_points, share_a_vertex_also_by_a_translation_and_part_again)
+{
+  const Cell cell(4, 1, 0, 2);
+  std::vector<Point> points{Point(1, 1), Point(5, 2), Point(1, 3), Point(2, 1.5)};
+  Triangulation pt(points, cell);
+  EXPECT_EQ(pt.number_of_vertices(), 2u);
+  EXPECT_EQ(pt.number_of_points(), 4u);
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+
+  points[1] = Point(5.25, 2);
+  pt.update(points);
+  EXPECT_EQ(pt.number_of_vertices(), 3u);
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+
+  points[1] = Point(5, 4);
+  pt.update(points);
+  EXPECT_EQ(pt.number_of_vertices(), 2u);
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+
+  pt.remove(0); // another one represents them
+  EXPECT_EQ(pt.number_of_vertices(), 2u);
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+  pt.move(1, Point(0, 0));
+  EXPECT_EQ(pt.number_of_vertices(), 3u);
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+  pt.move(1, Point(2, 1.5));
+  EXPECT_EQ(pt.number_of_vertices(), 2u);
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+}
+
+// MOTION ----------------------------------------------------------------------------------------
+
+TEST(Motion, is_followed_at_every_step_size_from_one_point_to_fifty)
+{
+  std::mt19937_64 random(2);
+  for (const std::size_t number : {1, 2, 3, 4, 7, 20, 50})
+    for (const double step : {0.001, 0.03, 0.3, 3.0}) {
+      const double side = std::sqrt(double(number));
+      std::vector<Point> points = random_points(random, number, side);
+      Triangulation pt(points, Cell(side, 0.2, 0.3, side));
+      for (int frame = 0; frame < 4; ++frame) {
+        move_randomly(random, points, step);
+        pt.update(points);
+        ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt)) << number << ' ' << step;
+      }
+    }
+}
+
+TEST(Motion, on_a_grid_is_followed_with_all_its_coincidences_and_circles)
+{
+  std::mt19937_64 random(3);
+  for (int run = 0; run < 12; ++run) {
+    Triangulation pt(random_points(random, 12, 4, 0.5), Cell(4, 0, run % 3, 4));
+    for (int frame = 0; frame < 6; ++frame) {
+      pt.update(random_points(random, 12, 4, 0.5));
+      ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt)) << run << ' ' << frame;
+    }
+  }
+}
+
+TEST(Calm_motion, flips_what_breaks_and_rebuilds_nothing)
+{
+  std::mt19937_64 random(4);
+  std::vector<Point> points = random_points(random, 2000, 44);
+  Triangulation pt(points, Cell(44, 44));
+  CGAL::Update_report_2 total;
+  for (int frame = 0; frame < 40; ++frame) {
+    move_randomly(random, points, 0.02);
+    for (Point& p : points)
+      p = image(p, pt.cell(), -int(std::floor(p.x() / 44)), -int(std::floor(p.y() / 44)));
+    total += pt.update(points);
+  }
+  EXPECT_FALSE(total.rebuilt());
+  EXPECT_GT(total.flips, 1000u);
+  EXPECT_TRUE(pt.is_valid());
+}
+
+TEST(Points_that_jump, are_inserted_anew_without_a_rebuild)
+{
+  std::mt19937_64 random(5);
+  std::vector<Point> points = random_points(random, 1000, 30);
+  Triangulation pt(points, Cell(30, 30));
+  for (int frame = 0; frame < 20; ++frame) {
+    for (std::size_t i = 0; i < 5; ++i)
+      points[random() % 1000] = random_points(random, 1, 30)[0];
+    const CGAL::Update_report_2 report = pt.update(points);
+    EXPECT_FALSE(report.rebuilt());
+    EXPECT_GE(report.relocated, 3u);
+  }
+  EXPECT_TRUE(pt.is_valid());
+}
+
+TEST(Translations_of_the_lattice, change_no_edge_where_they_are_exact)
+{
+  std::mt19937_64 random(6);
+  const Cell cell(16, 2, 4, 16);
+  std::vector<Point> points = random_points(random, 40, 16, 0x1p-20);
+  Triangulation pt(points, cell), wrapped(points, cell);
+  std::vector<std::array<int, 2>> images(points.size(), {0, 0});
+  for (int frame = 0; frame < 10; ++frame) {
+    std::vector<Point> moved;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      points[i] = Point(points[i].x() + double(int(random() % 1000) - 500) * 0x1p-12,
+                        points[i].y() + double(int(random() % 1000) - 500) * 0x1p-12);
+      if (random() % 3 == 0)
+        images[i] = {int(random() % 7) - 3, int(random() % 7) - 3};
+      moved.push_back(image(points[i], cell, images[i][0], images[i][1]));
+    }
+    pt.update(points);
+    wrapped.update(moved);
+    ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(wrapped));
+    std::set<std::tuple<std::size_t, std::size_t, int, int>> edges, edges_of_wrapped;
+    const auto both_ways = [](auto& set, std::size_t i, std::size_t j, int a, int b) {
+      set.insert({i, j, a, b});
+      set.insert({j, i, -a, -b});
+    };
+    pt.for_each_edge([&](std::size_t i, std::size_t j, const CGAL::Periodic_shift_2& s) {
+      both_ways(edges, i, j, s[0], s[1]);
+    });
+    wrapped.for_each_edge([&](std::size_t i, std::size_t j, const CGAL::Periodic_shift_2& s) {
+      both_ways(edges_of_wrapped, i, j, s[0] + images[j][0] - images[i][0],
+                s[1] + images[j][1] - images[i][1]);
+    });
+    ASSERT_EQ(edges, edges_of_wrapped) << frame;
+  }
+}
+
+// CELLS THAT CHANGE -----------------------------------------------------------------------------
+
+TEST(A_cell, expands_and_shrinks_with_its_points)
+{
+  std::mt19937_64 random(7);
+  std::vector<Point> points = random_points(random, 30, 5);
+  Triangulation pt(points, Cell(5, 5));
+  double width = 5, height = 5;
+  for (int frame = 0; frame < 30; ++frame) {
+    const double x = frame % 2 ? 0.97 : 1.01, y = frame % 3 ? 1.02 : 0.99;
+    for (Point& p : points)
+      p = Point(p.x() * x, p.y() * y);
+    width *= x;
+    height *= y;
+    const CGAL::Update_report_2 report = pt.update(points, Cell(width, height));
+    EXPECT_FALSE(report.rebuilt());
+    ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+  }
+}
+
+// A shear to a strain of ten. With `flips`, the cell is exchanged for one of the same lattice that
+// is less skew, as Lees and Edwards have it.
+void shear(bool flips)
+{
+  std::mt19937_64 random(8);
+  const std::size_t number = 100;
+  const double side = std::sqrt(double(number));
+  std::vector<Point> points = random_points(random, number, side);
+  Triangulation pt(points, Cell(side, side));
+  double skew = 0;
+  for (int frame = 1; frame <= 1000; ++frame) {
+    const double step = 0.01;
+    for (Point& p : points)
+      p = Point(p.x() + step * p.y(), p.y());
+    move_randomly(random, points, 0.005);
+    skew += step * side;
+    if (flips && skew > side / 2)
+      skew -= side;
+    for (Point& p : points) { // as simulations do, into the rectangle
+      const int j = -int(std::floor(p.y() / side));
+      p = Point(p.x() + j * skew, p.y() + j * side);
+      p = Point(p.x() - std::floor(p.x() / side) * side, p.y());
+    }
+    const CGAL::Update_report_2 report = pt.update(points, Cell(side, 0, skew, side));
+    ASSERT_FALSE(report.rebuilt()) << "frame " << frame;
+    if (frame % 100 == 0) {
+      ASSERT_TRUE(pt.is_valid());
+    }
+  }
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+}
+
+TEST(A_sheared_cell, is_followed_to_a_strain_of_ten_without_a_rebuild)
+{
+  shear(false);
+}
+
+TEST(A_sheared_cell, may_be_exchanged_for_a_less_skew_one_without_a_rebuild)
+{
+  shear(true);
+}
+
+TEST(A_cell, may_have_its_vectors_exchanged_and_recombined)
+{
+  std::mt19937_64 random(9);
+  const std::vector<Point> points = random_points(random, 25, 5, 0x1p-10);
+  Triangulation pt(points, Cell(5, 0, 1, 5));
+  for (const Cell& same :
+       {Cell(1, 5, 5, 0), Cell(6, 5, 5, 0), Cell(-5, 0, 6, 5), Cell(5, 0, 1, 5)}) {
+    const CGAL::Update_report_2 report = pt.update(points, same);
+    EXPECT_FALSE(report.rebuilt());
+    EXPECT_EQ(report.flips, 0u);
+    ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+  }
+}
+
+// WRONG INPUT -----------------------------------------------------------------------------------
+
+TEST(A_cell, must_be_finite_and_have_an_area)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(Cell(nan, 1), CGAL::Periodic_cell_error_2);
+  EXPECT_THROW(Cell(0, 1), CGAL::Periodic_cell_error_2);
+  EXPECT_THROW(Cell(1, 2, 3, 6), CGAL::Periodic_cell_error_2);
+  EXPECT_THROW(Triangulation(Cell(1e-200, 1e-200)), CGAL::Periodic_cell_error_2);
+  EXPECT_THROW(Triangulation(std::vector<Point>{Point(0, 0)}, Cell(1, 0, 1e12, 1)),
+               CGAL::Periodic_cell_error_2);
+  const Cell from_vectors(Kernel::Vector_2(1, 2), Kernel::Vector_2(3, 5));
+  EXPECT_EQ(from_vectors, Cell(1, 2, 3, 5));
+  EXPECT_EQ(from_vectors.area(), 1);
+}
+
+TEST(Wrong_input, is_refused_and_changes_nothing)
+{
+  std::mt19937_64 random(10);
+  const std::vector<Point> points = random_points(random, 9, 3);
+  Triangulation pt(points, Cell(3, 3));
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::vector<Point> next = points;
+  next[4] = Point(0, infinity);
+  EXPECT_THROW(pt.update(next), CGAL::Non_finite_coordinate_error_2);
+  next[4] = Point(0, 1e10);
+  EXPECT_THROW(pt.update(next), CGAL::Periodic_range_error_2);
+  next[4] = Point(0, 0);
+  EXPECT_THROW(pt.update(next, Cell(1e-200, 1e-200)), CGAL::Periodic_cell_error_2);
+  next.pop_back();
+  EXPECT_THROW(pt.update(next), CGAL::Point_count_error_2);
+  next.resize(11);
+  EXPECT_THROW(pt.update(next), CGAL::Point_count_error_2);
+  EXPECT_THROW(pt.move(9, Point(0, 0)), CGAL::Unknown_id_error_2);
+  EXPECT_THROW(pt.move(8, Point(infinity, 0)), CGAL::Non_finite_coordinate_error_2);
+  EXPECT_THROW(pt.remove(9), CGAL::Unknown_id_error_2);
+  EXPECT_THROW(pt.point(9), CGAL::Unknown_id_error_2);
+  EXPECT_THROW(pt.insert(Point(1e300, 0)), CGAL::Periodic_range_error_2);
+  const std::vector<std::size_t> twice{1, 1};
+  EXPECT_THROW(pt.remove(twice.begin(), twice.end()), CGAL::Repeated_id_error_2);
+  for (std::size_t id = 0; id < points.size(); ++id)
+    EXPECT_EQ(pt.point(id), points[id]);
+  EXPECT_EQ(pt.number_of_points(), 9u);
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+}
+
+// OBJECTS ---------------------------------------------------------------------------------------
+
+TEST(A_copy, goes_its_own_way_and_a_moved_one_is_empty)
+{
+  std::mt19937_64 random(11);
+  std::vector<Point> points = random_points(random, 20, 4);
+  Triangulation pt(points, Cell(4, 4));
+  Triangulation copy(pt);
+  move_randomly(random, points, 0.2);
+  copy.update(points);
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(copy));
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+  EXPECT_NE(pt.point(0), copy.point(0));
+
+  Triangulation taken(std::move(copy));
+  EXPECT_EQ(copy.number_of_points(), 0u);
+  EXPECT_EQ(copy.insert(Point(1, 1)), 0u);
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(copy));
+  copy = taken;
+  swap(copy, pt);
+  EXPECT_EQ(pt.point(0), taken.point(0));
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(copy));
+}
+
+TEST(Vectors_between_neighbors, are_those_to_the_nearest_images)
+{
+  const Triangulation pt(std::vector<Point>{Point(0.1, 0.5), Point(0.9, 0.5)}, Cell(1, 1));
+  std::size_t ways = 0;
+  pt.for_each_edge([&](std::size_t i, std::size_t j, const CGAL::Periodic_shift_2& shift) {
+    if (i == j)
+      return;
+    const Kernel::Vector_2 v = pt.vector(i, j, shift);
+    ways += std::abs(std::abs(v.x()) - 0.2) < 1e-12 && v.y() == 0;
+    EXPECT_EQ(v, -pt.vector(j, i, {-shift[0], -shift[1]}));
+  });
+  EXPECT_EQ(ways, 1u);
+}
+
+// PREDICATES ------------------------------------------------------------------------------------
+
+// Four images near a circle, or nearly on it, in cells of all sizes: where the filter claims a sign
+// it is that of exact arithmetic.
+TEST(Predicates_of_the_torus, are_those_of_exact_arithmetic)
+{
+  using namespace CGAL::Dynamic_Delaunay_triangulations_2;
+  using CGAL::Periodic_shift_2;
+  using namespace CGAL::Dynamic_Delaunay_triangulations_2::internal;
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+  std::mt19937_64 random(12);
+  std::size_t undecided = 0;
+  for (int i = 0; i < 30000; ++i) {
+    const double side = std::pow(2.0, random_between(random, -3, 12));
+    const Cell cell(side, random_between(random, -1, 1) * side, random_between(random, -1, 1),
+                    side * random_between(random, 0.5, 2));
+    const Torus_2 torus(cell);
+    const double radius = std::pow(10.0, random_between(random, -3, 0)),
+                 turn = random_between(random, 0, 6.3);
+    std::array<Image_2, 4> images;
+    std::array<Exact::Point_2, 4> exact;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double angle = turn + 1.57 * double(k) + random_between(random, -0.7, 0.7);
+      const Periodic_shift_2 shift{int(random() % 9) - 4, int(random() % 9) - 4};
+      const Position_2 way = torus.vector({double(shift[0]), double(shift[1])});
+      images[k] = {{radius * std::cos(angle) - way.x, radius * std::sin(angle) - way.y}, shift};
+      exact[k] = Exact::Point_2(images[k].position.x, images[k].position.y) +
+                 Exact::FT(shift[0]) * Exact::Vector_2(cell.ax(), cell.ay()) +
+                 Exact::FT(shift[1]) * Exact::Vector_2(cell.bx(), cell.by());
+    }
+    ASSERT_EQ(torus.orientation(images[0], images[1], images[2]),
+              CGAL::orientation(exact[0], exact[1], exact[2]));
+    // the third one nearly on the line through the others
+    Image_2 middle = images[0];
+    middle.position = {
+        middle.position.x + (torus.rounded(images[1]).x - torus.rounded(images[0]).x) / 2,
+        middle.position.y + (torus.rounded(images[1]).y - torus.rounded(images[0]).y) / 2};
+    const Exact::Point_2 exact_middle =
+        Exact::Point_2(middle.position.x, middle.position.y) +
+        (exact[0] - Exact::Point_2(images[0].position.x, images[0].position.y));
+    ASSERT_EQ(torus.orientation(images[0], images[1], middle),
+              CGAL::orientation(exact[0], exact[1], exact_middle));
+    // the faces (0, 1, 2) and (3, 2, 1) of an edge from 1 to 2, counterclockwise or not
+    const Edge_images_2 corners{images[0], images[1], images[3], images[2]};
+    const bool are_counterclockwise = CGAL::left_turn(exact[0], exact[1], exact[3]) &&
+                                      CGAL::left_turn(exact[2], exact[3], exact[1]);
+    if (!are_counterclockwise)
+      continue;
+    const bool is_inside = CGAL::side_of_oriented_circle(exact[0], exact[1], exact[3], exact[2]) ==
+                           CGAL::ON_POSITIVE_SIDE;
+    ASSERT_EQ(torus.edge_state(corners),
+              is_inside ? Edge_state_2::ILLEGAL : Edge_state_2::DELAUNAY);
+    undecided += !is_inside && !torus.filter_proves_delaunay(corners);
+  }
+  EXPECT_GT(undecided, 100u); // or the test had nothing hard
+}
+
+// The left corner is nearly on the line through the edge, beyond it: its face is counterclockwise
+// or not by a hair, and its circle far from the right corner.
+TEST(Predicates_of_the_torus, see_flat_faces_of_edges_with_empty_circles)
+{
+  using namespace CGAL::Dynamic_Delaunay_triangulations_2;
+  using namespace CGAL::Dynamic_Delaunay_triangulations_2::internal;
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+  std::mt19937_64 random(13);
+  std::size_t flat = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Cell cell(random_between(random, 100, 200), random_between(random, -1, 1),
+                    random_between(random, -1, 1), random_between(random, 100, 200));
+    const Torus_2 torus(cell);
+    const CGAL::Periodic_shift_2 shift{int(random() % 9) - 4, int(random() % 9) - 4};
+    const Position_2 way = torus.vector({double(shift[0]), double(shift[1])});
+    const Point b(random_between(random, 0, 1), random_between(random, 0, 1));
+    const Point c(b.x() + random_between(random, 0, 1), b.y() + random_between(random, 0, 1));
+    const double beyond = random_between(random, 1.2, 2);
+    const Position_2 a{b.x() + beyond * (c.x() - b.x()) - way.x,
+                       b.y() + beyond * (c.y() - b.y()) - way.y};
+    const Point d(b.x() + (c.y() - b.y()), b.y() - (c.x() - b.x()));
+    const Exact::Point_2 exact_a = Exact::Point_2(a.x, a.y) +
+                                   Exact::FT(shift[0]) * Exact::Vector_2(cell.ax(), cell.ay()) +
+                                   Exact::FT(shift[1]) * Exact::Vector_2(cell.bx(), cell.by());
+    const bool is_left =
+        CGAL::left_turn(exact_a, Exact::Point_2(b.x(), b.y()), Exact::Point_2(c.x(), c.y()));
+    const Edge_state_2 state = torus.edge_state(
+        {{a, shift}, {{b.x(), b.y()}, {0, 0}}, {{c.x(), c.y()}, {0, 0}}, {{d.x(), d.y()}, {0, 0}}});
+    ASSERT_EQ(state == Edge_state_2::DELAUNAY, is_left) << i;
+    flat += !is_left;
+  }
+  EXPECT_GT(flat, 500u);
+}
+
+// In the second point's abscissa, minus that of the first, three times one vector and the other one
+// are rounded once; as a sum of multiples they are rounded more than once, and another number.
+TEST(Coincident_points, are_seen_where_their_translations_are_rounded)
+{
+  std::mt19937_64 random(14);
+  for (int i = 0; i < 300; ++i) {
+    const double a = random_between(random, 0.1, 0.2), c = random_between(random, 2 * a, 4 * a);
+    const double b = c - 2 * a; // exact, as 2a and c are within a factor of two
+    const std::vector<Point> points{Point(-a, 0.5), Point(c, 1.5)};
+    Triangulation pt(points, Cell(a, 0, b, 1));
+    ASSERT_EQ(pt.number_of_vertices(), 1u) << i;
+    ASSERT_TRUE(pt.is_valid());
+    ASSERT_EQ(pt.update(points).parted, 0u) << i;
+  }
+}
+
+// Four points of a circle of a lattice, which roundings would tell apart.
+TEST(Predicates_of_the_torus, see_ties_that_roundings_hide)
+{
+  using namespace CGAL::Dynamic_Delaunay_triangulations_2;
+  using namespace CGAL::Dynamic_Delaunay_triangulations_2::internal;
+  const Torus_2 torus(Cell(0.1, 0, 0, 0.1));
+  const Position_2 p{0.7, 0.3};
+  const Edge_images_2 square{{p, {3, 3}}, {p, {2, 3}}, {p, {3, 2}}, {p, {2, 2}}};
+  EXPECT_EQ(torus.orientation({p, {-7, -3}}, {p, {0, 0}}, {p, {7, 3}}), CGAL::COLLINEAR);
+  EXPECT_EQ(torus.edge_state(square), Edge_state_2::DELAUNAY);
+  EXPECT_FALSE(torus.filter_proves_delaunay(square));
+}
+
+// EVERYTHING AT RANDOM --------------------------------------------------------------------------
+
+class Random_operations
+{
+public:
+  explicit Random_operations(std::uint64_t seed)
+    : m_random(seed)
+    , m_pt(random_cell())
+  {
+  }
+
+  void run(int operations)
+  {
+    for (int i = 0; i < operations; ++i) {
+      step();
+      ASSERT_NO_FATAL_FAILURE(expect_points());
+      ASSERT_TRUE(m_pt.is_valid()) << i;
+      if (i % 20 == 0) {
+        ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(m_pt)) << i;
+      }
+    }
+  }
+
+private:
+  double side() const { return 3; }
+
+  Cell random_cell()
+  {
+    if (m_random() % 2 == 0)
+      return Cell(side(), side());
+    return Cell(side(), random_between(m_random, -1, 1), random_between(m_random, -4, 4),
+                side() * random_between(m_random, 0.3, 1));
+  }
+
+  Point random_point()
+  {
+    const double grid = m_random() % 2 == 0 ? 0.25 : 0;
+    const double extent = m_random() % 8 == 0 ? 50 : side();
+    return random_points(m_random, 1, extent, grid)[0];
+  }
+
+  std::size_t random_id()
+  {
+    auto it = m_points.begin();
+    std::advance(it, m_random() % m_points.size());
+    return it->first;
+  }
+
+  void step()
+  {
+    const auto kind = m_random() % 10;
+    if (m_points.empty() || kind < 2) {
+      const Point p = random_point();
+      const std::size_t id = m_pt.insert(p);
+      ASSERT_TRUE(m_points.emplace(id, p).second);
+    } else if (kind < 4 || m_points.size() > m_limit) {
+      const std::size_t id = random_id();
+      m_pt.remove(id);
+      m_points.erase(id);
+    } else if (kind < 6) {
+      const std::size_t id = random_id();
+      m_points[id] = m_random() % 2 == 0 ? random_point() : moved(m_points[id], 0.1);
+      m_pt.move(id, m_points[id]);
+    } else {
+      if (m_points.size() < 3 && m_random() % 4 == 0)
+        m_limit = 1 + m_random() % 40;
+      update(kind);
+    }
+  }
+
+  Point moved(const Point& p, double step)
+  {
+    std::vector<Point> one{p};
+    move_randomly(m_random, one, step);
+    return one[0];
+  }
+
+  void update(std::uint64_t kind)
+  {
+    const double step = std::pow(10.0, random_between(m_random, -4, 0));
+    Cell cell = m_pt.cell();
+    if (kind == 8)
+      cell = m_random() % 4 == 0
+                 ? random_cell()
+                 : Cell(cell.ax() * 1.02, cell.ay(), cell.bx() + 0.1, cell.by() * 0.99);
+    std::vector<Point> next(m_pt.number_of_ids());
+    for (auto& [id, p] : m_points) {
+      if (kind == 9 ? m_random() % 10 == 0 : m_random() % 3 == 0)
+        p = kind == 9 ? random_point() : moved(p, step);
+      if (m_random() % 5 == 0)
+        p = image(p, cell, int(m_random() % 3) - 1, int(m_random() % 3) - 1);
+      next[id] = p;
+    }
+    m_pt.update(next, cell);
+  }
+
+  void expect_points() const
+  {
+    ASSERT_EQ(m_pt.number_of_points(), m_points.size());
+    for (const auto& [id, p] : m_points)
+      ASSERT_EQ(m_pt.point(id), p);
+  }
+
+  std::mt19937_64 m_random;
+  Triangulation m_pt;
+  std::map<std::size_t, Point> m_points;
+  std::size_t m_limit = 12;
+};
+
+TEST(Random_operations, end_exactly_delaunay)
+{
+  const char* const more = std::getenv("PERIODIC_RUNS");
+  const std::uint64_t runs = more ? std::strtoull(more, nullptr, 10) : 20;
+  for (std::uint64_t seed = 1; seed <= runs; ++seed)
+    ASSERT_NO_FATAL_FAILURE(Random_operations(seed).run(200)) << "seed " << seed;
+}
+
+} // namespace
