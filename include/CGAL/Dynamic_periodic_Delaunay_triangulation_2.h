@@ -99,7 +99,7 @@ public:
   /// triangulates the points of the range; the i-th one has id i. Cost: O(n log n).
   /// \tparam InputIterator its values are convertible to `Point`.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
-  /// \throws Periodic_range_error_2 if a point is 2<sup>26</sup> cells or more from the origin.
+  /// \throws Periodic_range_error_2 if a point is 2<sup>20</sup> cells or more from the origin.
   /// \throws Periodic_cell_error_2 as above.
   template <class InputIterator>
   Dynamic_periodic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
@@ -161,7 +161,7 @@ public:
   /// of triangulating anew.
   /// \throws Point_count_error_2 if the number of positions is not `number_of_ids()`.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
-  /// \throws Periodic_range_error_2 if a point is 2<sup>26</sup> cells or more from the origin.
+  /// \throws Periodic_range_error_2 if a point is 2<sup>20</sup> cells or more from the origin.
   ///
   /// If it throws one of these, or if the range throws, nothing has changed.
   template <class InputIterator>
@@ -223,8 +223,7 @@ public:
     return id;
   }
 
-  /// adds the points of the range. Their ids are written to `ids` first. If they are more than the
-  /// points that are there, everything is triangulated anew.
+  /// adds the points of the range, along a Hilbert curve. Their ids are written to `ids` first.
   template <class InputIterator, class OutputIterator>
   Update_report_2 insert(InputIterator first, InputIterator beyond, OutputIterator ids)
   {
@@ -380,9 +379,12 @@ private:
 
   static void check(const Periodic_cell_2& cell)
   {
-    if (!Dynamic_Delaunay_triangulations_2::internal::Torus_2(cell).is_measurable())
+    const Floating_point floating_point;
+    const Dynamic_Delaunay_triangulations_2::internal::Torus_2 torus(cell);
+    if (!torus.is_measurable())
       throw Periodic_cell_error_2(cell.ax(), cell.ay(), cell.bx(), cell.by(),
                                   "doubles cannot tell how far points are apart in it");
+    Dynamic_Delaunay_triangulations_2::internal::short_basis(torus); // throws if there is none
   }
 
   void check_id(size_type id) const
@@ -407,14 +409,17 @@ private:
   {
     const Dynamic_Delaunay_triangulations_2::internal::Torus_2 torus(cell);
     const size_type ids = number_of_ids();
-    m_next.clear();
-    for (; first != beyond && m_next.size() < ids; ++first) {
+    const bool are_all_taken = number_of_points() == ids;
+    m_next.resize(ids);
+    size_type id = 0;
+    for (; first != beyond && id < ids; ++first, ++id) {
       auto&& value = *first;
       const Point& p = value;
-      m_next.push_back(has_id(m_next.size()) ? checked(p, m_next.size(), torus) : Position{0, 0});
+      if (are_all_taken || has_id(id))
+        m_next[id] = checked(p, id, torus);
     }
-    if (first != beyond || m_next.size() < ids)
-      throw Point_count_error_2(ids, first != beyond ? ids + 1 : m_next.size());
+    if (first != beyond || id < ids)
+      throw Point_count_error_2(ids, first != beyond ? ids + 1 : id);
   }
 
   template <class Function>

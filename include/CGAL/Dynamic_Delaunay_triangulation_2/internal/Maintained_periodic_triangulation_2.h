@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -159,7 +160,7 @@ public:
   void set_image(Index v, const Position_2& p, const Periodic_shift_2& shift)
   {
     set_position(v, p);
-    if (shift == no_shift)
+    if (are_equal(shift, no_shift))
       return;
     mirror().for_each_corner(v, [&](Index h) { m_corners.push_back(h); });
     for (const Index h : m_corners)
@@ -188,7 +189,7 @@ public:
     const Index g = mirror().twin(h);
     const Index a = mirror().apex(h), d = mirror().apex(g);
     const Periodic_shift_2 way = shifts()[g] + m_maintained.transition(h) - shifts()[h];
-    if (h / 3 == g / 3 || (a == d && way == no_shift))
+    if (h / 3 == g / 3 || (a == d && are_equal(way, no_shift)))
       return false;
     Index i = h, k = g;
     do {
@@ -222,14 +223,8 @@ public:
 
   // VERTICES ------------------------------------------------------------------------------------
 
-  // Removes all vertices. The ids are free, so many of them exist.
-  void clear(Index number_of_ids)
-  {
-    mirror().clear();
-    shifts().clear();
-    ids().reset(number_of_ids);
-    m_maintained.m_positions.assign(1, nowhere());
-  }
+  // Exchanges everything with another one.
+  void swap(Maintained& other) { std::swap(m_maintained, other); }
 
   // Makes the only vertex, at p, with two faces over the basis r, t of the lattice, which is
   // counterclockwise.
@@ -329,7 +324,7 @@ private:
   bool leads(Index corner, Index v, const Periodic_shift_2& way) const
   {
     const Index end = Mirror::next(corner);
-    return mirror().apex(end) == v && shifts()[end] - shifts()[corner] == way;
+    return mirror().apex(end) == v && are_equal(shifts()[end] - shifts()[corner], way);
   }
 
   void set_shifts(Index f, Periodic_shift_2 a, Periodic_shift_2 b, Periodic_shift_2 c)
@@ -348,7 +343,7 @@ private:
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       const auto [a, b, c, d] = m_maintained.corners_at(h);
       const Index e = mirror().edge_of(h);
-      if (a.shift == b.shift && b.shift == c.shift && c.shift == d.shift)
+      if (are_equal(a.shift, b.shift) && are_equal(b.shift, c.shift) && are_equal(c.shift, d.shift))
         mirror().set_edge(e, mirror().halfedge(e));
       else
         mirror().hide_edge(e);

@@ -26,8 +26,10 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// Coordinates and cells are limited so that sums and products of shifts fit into their integers.
-constexpr double max_shift = 0x1p26;
+// The limits of points and reduced bases in multiples of the cell's vectors, and of the multiples
+// by which one cell is exchanged for another. Then the shifts of a face are below 2^22, and their
+// sums of products when a cell is exchanged below 2^31.
+constexpr double max_shift = 0x1p20, max_multiple = 0x1p8;
 
 inline Periodic_shift_2 nearest_shift(const Position_2& multiples)
 {
@@ -78,7 +80,7 @@ inline std::array<Periodic_shift_2, 2> multiples_in_new_cell(const Torus_2& old_
   const Position_2 a = new_torus.multiples({old_cell.ax(), old_cell.ay()});
   const Position_2 b = new_torus.multiples({old_cell.bx(), old_cell.by()});
   for (const double x : {a.x, a.y, b.x, b.y})
-    if (!(std::abs(x) < max_shift))
+    if (!(std::abs(x) < max_multiple))
       return unit;
   const Periodic_shift_2 i = nearest_shift(a), j = nearest_shift(b);
   const auto determinant = std::int64_t(i[0]) * j[1] - std::int64_t(i[1]) * j[0];
@@ -196,10 +198,18 @@ public:
         taken.push_back(id);
         points.push_back(m_maintained.position_of_id(id));
       }
-    m_editor.clear(ids().number_of_ids());
-    Update_report_2 ignored;
-    place_all(taken, points, ignored);
-    m_editor.ids().settle();
+    const Index number_of_ids = ids().number_of_ids();
+    Maintained before(m_maintained.torus().cell());
+    m_editor.swap(before);
+    try {
+      m_editor.ids().reset(number_of_ids);
+      Update_report_2 ignored;
+      place_all(taken, points, ignored);
+      m_editor.ids().settle();
+    } catch (...) {
+      m_editor.swap(before); // which still has all points
+      throw;
+    }
   }
 
   // CERTIFICATE ---------------------------------------------------------------------------------
@@ -596,7 +606,7 @@ private:
       m_editor.set_cell(cell, m_multiples);
     for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v) {
       const Position_2& p = next[ids().representative(v)];
-      if (m_steps[v] == no_shift || m_maintained.mirror().is_outside(v))
+      if (are_equal(m_steps[v], no_shift) || m_maintained.mirror().is_outside(v))
         m_editor.set_position(v, p);
       else
         m_editor.set_image(v, p, m_steps[v]);

@@ -33,6 +33,12 @@ inline Periodic_shift_2 operator-(const Periodic_shift_2& s, const Periodic_shif
 }
 constexpr Periodic_shift_2 no_shift{0, 0};
 
+// Compilers make a call of a comparison of arrays.
+inline bool are_equal(const Periodic_shift_2& s, const Periodic_shift_2& t)
+{
+  return s[0] == t[0] && s[1] == t[1];
+}
+
 // An image of a point: the real numbers `position` + shift[0] a + shift[1] b, never rounded.
 struct Image_2
 {
@@ -105,7 +111,7 @@ public:
 
   bool coincide(const Image_2& p, const Image_2& q) const
   {
-    if (p.shift == q.shift)
+    if (are_equal(p.shift, q.shift))
       return p.position.x == q.position.x && p.position.y == q.position.y;
     double m = 0;
     const Position_2 v = vector(q, p, m);
