@@ -125,6 +125,8 @@ public:
 
   // Of time_insert().
   const run::Static_triangulation& reference() const { return *m_insert; }
+  // Of time_ordered().
+  const run::Static_triangulation& ordered() const { return *m_ordered; }
 
 private:
   void read(const scenario::Recorded_frame& frame)
