@@ -110,8 +110,16 @@ public:
 
   Edge_state_2 state(Index e) const
   {
-    return m_maintained.torus().edge_state(
-        m_maintained.corners_at(m_maintained.mirror().halfedge(e)));
+    const auto& mirror = m_maintained.mirror();
+    if (!m_maintained.is_shifted(e)) {
+      using Space = typename Maintained::Space;
+      const Edge_filter_2 filter(Space::corners(mirror.edge(e), m_maintained.positions()));
+      if (filter.proves_delaunay())
+        return Edge_state_2::DELAUNAY;
+      if (filter.proves_illegal())
+        return Edge_state_2::ILLEGAL;
+    }
+    return m_maintained.torus().edge_state(m_maintained.corners_at(mirror.halfedge(e)));
   }
 
   // Appends the edges that the filters do not prove Delaunay. Slots have none.
@@ -155,11 +163,16 @@ public:
   Ids& ids() { return m_maintained.m_ids; }
   void set_position(Index v, const Position_2& p) { m_maintained.m_positions[v] = p; }
 
-  // The position of v is replaced by p, which is about `shift` away. Every image of v stays where
-  // it is, about.
-  void set_image(Index v, const Position_2& p, const Periodic_shift_2& shift)
+  // The same for all vertices; the vector gets the positions before.
+  void exchange_positions(std::vector<Position_2>& positions)
   {
-    set_position(v, p);
+    m_maintained.m_positions.swap(positions);
+  }
+
+  // To be called where the position of v was replaced by one that is about `shift` away: every
+  // image of v stays where it is, about.
+  void shift_images(Index v, const Periodic_shift_2& shift)
+  {
     if (are_equal(shift, no_shift))
       return;
     mirror().for_each_corner(v, [&](Index h) { m_corners.push_back(h); });

@@ -147,12 +147,14 @@ public:
     }
     const Position_2 before = m_maintained.positions()[v];
     const Periodic_shift_2 shift = shift_of_step(before, p);
-    m_editor.set_image(v, p, shift);
+    m_editor.set_position(v, p);
+    m_editor.shift_images(v, shift);
     if (are_faces_counterclockwise(v)) {
       open_surroundings(v);
       return legalize(report);
     }
-    m_editor.set_image(v, before, no_shift - shift);
+    m_editor.set_position(v, before);
+    m_editor.shift_images(v, no_shift - shift);
     m_taken_out.clear();
     const bool is_out = take_out({v}, false, report);
     m_editor.set_position(v, p);
@@ -168,12 +170,12 @@ public:
   void update(const std::vector<Position_2>& next, const Periodic_cell_2& cell,
               Update_report_2& report)
   {
-    find_steps(next, cell);
+    stage(next, cell);
     m_taken_out.clear();
     bool is_mended = take_out(find_jumpers(), false, report);
     if (is_mended)
       legalize(report);
-    move_vertices(next, cell);
+    move_vertices(cell);
     const std::vector<Index> parted = move_duplicates(next);
     is_mended = is_mended && untangle(report);
     if (is_mended)
@@ -274,7 +276,8 @@ private:
     const Position_2 before = m_maintained.positions()[v], p = ids().duplicate(other).point;
     m_editor.ids().provide_for_duplicates(1);
     m_editor.ids().hand_over(other, before);
-    m_editor.set_image(v, p, shift_of_step(before, p));
+    m_editor.set_position(v, p);
+    m_editor.shift_images(v, shift_of_step(before, p));
   }
 
   // Makes a vertex for a point with a reserved id or the id of a duplicate, or makes the point a
@@ -523,31 +526,58 @@ private:
 
   // FRAMES --------------------------------------------------------------------------------------
 
-  // Finds the translation by which each vertex comes nearest to where it was, in multiples of the
-  // new cell's vectors: points that leave the cell and come in at the other side do not go far. The
-  // rest is how far it moves, beside the deformation of the cell.
-  void find_steps(const std::vector<Position_2>& next, const Periodic_cell_2& cell)
+  // Stages the positions of the vertices, and finds which of them come nearest to where they were
+  // by a translation, in multiples of the new cell's vectors: points that leave the cell and come
+  // in at the other side do not go far. Also finds those that go far otherwise, compared to the
+  // last frame's mean motion.
+  void stage(const std::vector<Position_2>& next, const Periodic_cell_2& cell)
   {
     const Torus_2& before = m_maintained.torus();
     const Torus_2 now(cell);
     const bool is_same = before.cell() == cell;
     m_multiples = is_same ? unit_multiples : multiples_in_new_cell(before, now);
-    m_steps.assign(m_maintained.positions().size(), no_shift);
-    m_moves.resize(m_steps.size());
-    for (Index v = 1; v < m_steps.size(); ++v) {
+    m_staged.resize(m_maintained.positions().size());
+    m_staged[infinite_index] = nowhere();
+    m_translated.clear();
+    m_far.clear();
+    const double long_way = squared_long_way();
+    Position_2 sum{0, 0};
+    for (Index v = 1; v < m_staged.size(); ++v) {
       const Position_2 &p = m_maintained.positions()[v], &q = next[ids().representative(v)];
-      m_moves[v] = {q.x - p.x, q.y - p.y};
-      Position_2 step = now.multiples(m_moves[v]);
-      if (!is_same) {
-        const Position_2 s = before.multiples(p), t = now.multiples(q);
-        step = {t.x - (s.x * m_multiples[0][0] + s.y * m_multiples[1][0]),
-                t.y - (s.x * m_multiples[0][1] + s.y * m_multiples[1][1])};
-      } else if ((std::max)(std::abs(step.x), std::abs(step.y)) <= 0.5) {
-        continue;
+      m_staged[v] = q;
+      Position_2 way{q.x - p.x, q.y - p.y};
+      const Position_2 step = is_same ? now.multiples(way) : step_to_new_cell(before, p, now, q);
+      if (!is_same || (std::max)(std::abs(step.x), std::abs(step.y)) > 0.5) {
+        const Periodic_shift_2 shift = nearest_shift(step);
+        if (!are_equal(shift, no_shift))
+          m_translated.push_back({v, shift});
+        way = now.vector({step.x - shift[0], step.y - shift[1]});
       }
-      m_steps[v] = nearest_shift(step);
-      m_moves[v] = now.vector({step.x - m_steps[v][0], step.y - m_steps[v][1]});
+      sum = {sum.x + way.x, sum.y + way.y};
+      if (squared_distance(way, m_mean_way) > long_way)
+        m_far.push_back({v, way});
     }
+    const double n = m_maintained.number_of_vertices();
+    m_mean_way = n > 0 ? Position_2{sum.x / n, sum.y / n} : Position_2{0, 0};
+  }
+
+  Position_2 step_to_new_cell(const Torus_2& before, const Position_2& p, const Torus_2& now,
+                              const Position_2& q) const
+  {
+    const Position_2 s = before.multiples(p), t = now.multiples(q);
+    return {t.x - (s.x * m_multiples[0][0] + s.y * m_multiples[1][0]),
+            t.y - (s.x * m_multiples[0][1] + s.y * m_multiples[1][1])};
+  }
+
+  static double squared_distance(const Position_2& p, const Position_2& q)
+  {
+    return CGAL::square(p.x - q.x) + CGAL::square(p.y - q.y);
+  }
+
+  // A quarter of the spacing.
+  double squared_long_way() const
+  {
+    return m_maintained.torus().cell().area() / m_maintained.number_of_vertices() / 16;
   }
 
   // So many vertices are at most taken out and put back: more are as much work as triangulating
@@ -558,15 +588,10 @@ private:
   // on their way. None if they are many: then the points flow, and flips follow them.
   std::vector<Index> find_jumpers() const
   {
-    const Index n = m_maintained.number_of_vertices();
-    Position_2 sum{0, 0};
-    for (Index v = 1; v <= n; ++v)
-      sum = {sum.x + m_moves[v].x, sum.y + m_moves[v].y};
-    const double long_way = m_maintained.torus().cell().area() / n / 16;
     std::vector<Index> jumpers;
-    for (Index v = 1; v <= n; ++v) {
-      const double squared =
-          CGAL::square(m_moves[v].x - sum.x / n) + CGAL::square(m_moves[v].y - sum.y / n);
+    const double long_way = squared_long_way();
+    for (const auto& [v, way] : m_far) {
+      const double squared = squared_distance(way, m_mean_way);
       if (squared > long_way && 4 * squared > squared_distance_to_neighbors(v))
         jumpers.push_back(v);
     }
@@ -581,7 +606,7 @@ private:
     m_maintained.mirror().for_each_corner(v, [&](Index h) {
       const Position_2 p = m_maintained.torus().rounded(m_maintained.image(h));
       const Position_2 q = m_maintained.torus().rounded(m_maintained.image(Mirror::next(h)));
-      least = (std::min)(least, CGAL::square(p.x - q.x) + CGAL::square(p.y - q.y));
+      least = (std::min)(least, squared_distance(p, q));
     });
     return least;
   }
@@ -600,17 +625,14 @@ private:
     return tangled;
   }
 
-  void move_vertices(const std::vector<Position_2>& next, const Periodic_cell_2& cell)
+  void move_vertices(const Periodic_cell_2& cell)
   {
     if (cell != m_maintained.torus().cell())
       m_editor.set_cell(cell, m_multiples);
-    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v) {
-      const Position_2& p = next[ids().representative(v)];
-      if (are_equal(m_steps[v], no_shift) || m_maintained.mirror().is_outside(v))
-        m_editor.set_position(v, p);
-      else
-        m_editor.set_image(v, p, m_steps[v]);
-    }
+    m_editor.exchange_positions(m_staged);
+    for (const auto& [v, shift] : m_translated)
+      if (!m_maintained.mirror().is_outside(v))
+        m_editor.shift_images(v, shift);
   }
 
   // Returns the duplicates that are no longer where their vertices are.
@@ -646,9 +668,11 @@ private:
   std::vector<Index> m_open;     // edges to examine
   std::vector<Slot> m_taken_out; // of vertices to be put back
 
-  // Of a frame, the first two indexed by vertices.
-  std::vector<Periodic_shift_2> m_steps;
-  std::vector<Position_2> m_moves;
+  // Of a frame.
+  std::vector<Position_2> m_staged; // indexed by vertices
+  std::vector<std::pair<Index, Periodic_shift_2>> m_translated;
+  std::vector<std::pair<Index, Position_2>> m_far; // vertices and their ways
+  Position_2 m_mean_way{0, 0};
   std::array<Periodic_shift_2, 2> m_multiples = unit_multiples; // of the old cell's vectors
 };
 
