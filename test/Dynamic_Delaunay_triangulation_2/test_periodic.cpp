@@ -7,10 +7,18 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Torus_2.h>
 
+#include <array>
+#include <cfenv>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <random>
+#include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -359,6 +367,35 @@ TEST(Wrong_input, is_refused_and_changes_nothing)
     EXPECT_EQ(pt.point(id), points[id]);
   EXPECT_EQ(pt.number_of_points(), 9u);
   ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+}
+
+TEST(The_rounding_mode_of_the_caller, changes_nothing_and_is_given_back)
+{
+  std::mt19937_64 random(15);
+  std::vector<std::vector<Point>> frames{random_points(random, 60, 7, 0.125)};
+  for (int frame = 0; frame < 20; ++frame) {
+    frames.push_back(frames.back());
+    move_randomly(random, frames.back(), 0.05);
+  }
+  std::set<std::vector<std::tuple<std::size_t, std::size_t, CGAL::Periodic_shift_2>>> results;
+  for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    Triangulation pt(Cell(7, 0.1, 0.3, 7.7));
+    pt.insert(frames[0].begin(), frames[0].end(), CGAL::Emptyset_iterator());
+    for (const std::vector<Point>& points : frames)
+      pt.update(points);
+    const bool is_valid = pt.is_valid();
+    const int mode_after = std::fegetround();
+    std::fesetround(FE_TONEAREST);
+    EXPECT_TRUE(is_valid);
+    EXPECT_EQ(mode_after, mode);
+    std::vector<std::tuple<std::size_t, std::size_t, CGAL::Periodic_shift_2>> edges;
+    pt.for_each_edge([&](std::size_t i, std::size_t j, const CGAL::Periodic_shift_2& shift) {
+      edges.emplace_back(i, j, shift);
+    });
+    results.insert(edges);
+  }
+  EXPECT_EQ(results.size(), 1u);
 }
 
 // OBJECTS ---------------------------------------------------------------------------------------
