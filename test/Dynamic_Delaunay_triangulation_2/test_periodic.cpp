@@ -98,7 +98,7 @@ TEST(Few_points, are_right_from_the_first_to_the_last_in_cells_of_any_shape)
       pt.insert(Point(random_between(random, -2, 2), random_between(random, -2, 2)));
       ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
     }
-    for (std::size_t id : {3, 0, 6, 1, 2, 5, 4}) {
+    for (std::size_t id : {3u, 0u, 6u, 1u, 2u, 5u, 4u}) {
       pt.remove(id);
       ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
     }
@@ -155,7 +155,7 @@ TEST(Coincident_points, share_a_vertex_also_by_a_translation_and_part_again)
 TEST(Motion, is_followed_at_every_step_size_from_one_point_to_fifty)
 {
   std::mt19937_64 random(2);
-  for (const std::size_t number : {1, 2, 3, 4, 7, 20, 50})
+  for (const std::size_t number : {1u, 2u, 3u, 4u, 7u, 20u, 50u})
     for (const double step : {0.001, 0.03, 0.3, 3.0}) {
       const double side = std::sqrt(double(number));
       std::vector<Point> points = random_points(random, number, side);
