@@ -76,6 +76,26 @@ TYPED_TEST(Repairs, keep_the_structure_valid_with_heuristic_classifiers)
   }
 }
 
+// A point goes into the circle that all others are on. Few edges are broken then, but one flip
+// leads to the next, hundreds of them, and flips end before that.
+TYPED_TEST(Repairs, lose_no_edge_where_flips_end_in_a_long_series)
+{
+  constexpr int n = 300;
+  const auto place = [](double radius, double i) {
+    const double angle = 2 * CGAL_PI * i / n;
+    return Epick::Point_2(radius * std::cos(angle), radius * std::sin(angle));
+  };
+  Points points;
+  for (int i = 0; i < n; ++i)
+    points.push_back(place(100, i));
+  points.push_back(place(100.001, 0.5));
+  typename TestFixture::Exact dt(points.begin(), points.end());
+  points.back() = place(99.999, 0.5);
+  const auto report = dt.update(points.begin(), points.end());
+  EXPECT_LT(report.classified, 10u);
+  expect_exact(dt, points);
+}
+
 // Where faces overlap, a flip between two counterclockwise ones could make an edge that exists
 // already: then an edge's vertices would not name it any more, and the flat arrays came apart.
 TEST(Flips, never_double_an_edge_however_rough_the_motion)
