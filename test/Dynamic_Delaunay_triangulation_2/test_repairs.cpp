@@ -394,6 +394,23 @@ TEST(Border_splice, loses_nobody_in_a_cluster_that_is_turned_inside_out)
   expect_exact(dt, points);
 }
 
+// Alone, the region has a triangulation whose faces around the points 3 and 5 have the old
+// boundary, but are not as many. A search for such a case has found it.
+TEST(Border_splice, loses_nobody_where_the_old_boundary_has_another_number_of_faces)
+{
+  Points points = {{8, -8}, {-6, 1}, {-7, 9}, {-8, -6}, {8, 9}, {-3, -5}, {-6, 0}};
+  Points moved = {{8, -8}, {4, 1}, {-10, 6}, {-8, -6}, {-5, -1}, {-7, 0}, {9, -7}};
+  add_ring(points);
+  add_ring(moved);
+  Named_vertices_triangulation dt(
+      points.begin(), points.end(),
+      {Named_vertices_classifier{{3, 5}}, CGAL::Border_splice_repair_2(0)});
+  dt.update(moved.begin(), moved.end());
+  expect_valid(dt, moved);
+  dt.mend();
+  expect_exact(dt, moved);
+}
+
 TEST(Border_splice, mends_the_convex_hull)
 {
   for (unsigned seed = 0; seed < 20; ++seed) {
