@@ -1070,6 +1070,33 @@ void expect_valid_whatever_happens(const Playground& ground, unsigned seed,
   }
 }
 
+// The classifier sees a vertex where its representative was. The duplicate that takes its place is
+// elsewhere.
+TEST(A_duplicate, that_moves_while_its_representative_is_removed_is_proved_anew)
+{
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> coordinate(0, 10);
+  for (int run = 0; run < 20; ++run) {
+    std::vector<std::pair<int, Epick::Point_2>> frame;
+    for (int id = 0; id < 60; ++id) {
+      const double x = coordinate(random);
+      frame.emplace_back(id, Epick::Point_2(x, coordinate(random)));
+    }
+    frame.emplace_back(60, Epick::Point_2(5, 5)); // represents both
+    frame.emplace_back(61, Epick::Point_2(5, 5));
+    CGAL::Dynamic_population_2<Dynamic, int> population;
+    population.update(frame);
+
+    frame.erase(frame.end() - 2);
+    const double x = coordinate(random);
+    frame.back().second = Epick::Point_2(x, coordinate(random));
+    population.update(frame);
+    ASSERT_TRUE(population.triangulation().is_certified());
+    ASSERT_TRUE(population.triangulation().triangulation().is_valid()) << "run " << run;
+  }
+}
+
 TEST(Heuristic_population, stays_valid_and_can_be_mended_whatever_happens_to_it)
 {
   using CGAL::Point_distance_classifier_2, CGAL::Random_classifier_2;

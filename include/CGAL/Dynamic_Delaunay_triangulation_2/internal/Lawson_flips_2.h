@@ -88,7 +88,9 @@ private:
       open.push_back(e);
       return false;
     }
-    // between counterclockwise faces the quadrilateral is convex, and the new diagonal Delaunay
+    // Between counterclockwise faces the quadrilateral is convex, and the new diagonal Delaunay.
+    // Elsewhere the repair has to know of it. The proof does not: its determinant is minus that of
+    // the old diagonal, so it is Delaunay as soon as its faces, and thus its sides, are proved.
     if (state == Edge_state_2::CROSSED)
       m_touched.push_back(e);
     mirror.for_each_side(e, [this](Index side) { m_touched.push_back(side); });
