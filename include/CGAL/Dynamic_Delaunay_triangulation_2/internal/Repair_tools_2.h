@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/Dynamic_classification_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Border_splice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
@@ -124,10 +125,12 @@ public:
       rebuild(Rebuild_reason_2::BUDGET_SPENT);
   }
 
-  // Whether nothing is left to prove.
+  // Whether nothing is left to prove. No vertex waits outside of all faces then: Update_2 puts in
+  // all that wait unless edges are open, and if the budget does not last everything is rebuilt.
   bool is_proved() const
   {
-    return m_open.empty() && m_traffic.number_waiting() == 0 &&
+    CGAL_precondition(!m_open.empty() || m_traffic.number_waiting() == 0);
+    return m_open.empty() &&
            (m_open.faces_tile_hull() || Certificate(m_maintained).hull_turns_once());
   }
 
