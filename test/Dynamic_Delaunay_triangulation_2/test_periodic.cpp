@@ -333,6 +333,7 @@ TEST(A_cell, must_be_finite_and_have_an_area)
   EXPECT_THROW(Cell(1, 2, 3, 6), CGAL::Periodic_cell_error_2);
   EXPECT_THROW(Triangulation(Cell(1e-200, 1e-200)), CGAL::Periodic_cell_error_2);
   EXPECT_THROW(Triangulation(Cell(1, 0, 1e12, 1)), CGAL::Periodic_cell_error_2);
+  EXPECT_THROW(Triangulation(Cell(1e200, 1e200)), CGAL::Periodic_cell_error_2);
   const Cell from_vectors(Kernel::Vector_2(1, 2), Kernel::Vector_2(3, 5));
   EXPECT_EQ(from_vectors, Cell(1, 2, 3, 5));
   EXPECT_EQ(from_vectors.area(), 1);

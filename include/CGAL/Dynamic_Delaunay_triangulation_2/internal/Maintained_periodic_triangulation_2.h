@@ -122,7 +122,8 @@ public:
     return m_maintained.torus().edge_state(m_maintained.corners_at(mirror.halfedge(e)));
   }
 
-  // Appends the edges that the filters do not prove Delaunay. Slots have none.
+  // Appends the edges that the filters do not prove Delaunay. Edges of empty slots are
+  // left out.
   void append_unproved(std::vector<Index>& unproved) const
   {
     const std::size_t first = unproved.size();

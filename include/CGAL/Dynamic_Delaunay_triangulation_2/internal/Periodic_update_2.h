@@ -264,7 +264,7 @@ private:
     return m_maintained.torus().coincide({p, no_shift}, {q, shift_of_step(q, p)});
   }
 
-  // Points that share a vertex can do without this one: another one represents them.
+  // If this point represents others at its vertex, one of them becomes the representative instead.
   void make_duplicate_if_shared(Index id)
   {
     if (!ids().is_representative(id))
@@ -418,8 +418,8 @@ private:
     return true;
   }
 
-  // Flips edges of v until it has degree 3. False if that is not possible. In a star there is
-  // always an ear to cut, except that a vertex with edges to its own images has its ears twice.
+  // Flips edges of v until it has degree 3. False if that is not possible. It can fail for
+  // a vertex with edges to its own images, where cutting an ear changes the star at two places.
   // Among tangled faces any ear will do if there is no counterclockwise one.
   bool reduce_degree(Index v, bool is_tangled, Update_report_2& report)
   {
@@ -499,8 +499,10 @@ private:
   // their faces. False if that does not help.
   bool untangle(Update_report_2& report)
   {
+    // four flips a vertex cost about half as much as triangulating anew
+    std::size_t most = 100 + 4 * std::size_t(m_maintained.number_of_vertices());
     Edge_test(m_maintained).append_unproved(m_open);
-    for (int round = 0; !flip_open(report); ++round) {
+    for (int round = 0; !flip_open(most, report); ++round) {
       const std::vector<Index> tangled = find_tangled();
       if (round == max_rounds || m_taken_out.size() + tangled.size() > max_taken_out() ||
           !take_out(tangled, true, report))
@@ -509,16 +511,15 @@ private:
     return true;
   }
 
-  // Flips the open edges, of faces in any order. False if flips do not help, or would cost more
-  // than to triangulate anew: that takes about eight flips a vertex.
-  bool flip_open(Update_report_2& report)
+  // Flips the open edges, of faces in any order, and takes the flips off `most`. False if flips do
+  // not help, or are used up.
+  bool flip_open(std::size_t& most, Update_report_2& report)
   {
-    const std::size_t most = 100 + 8 * std::size_t(m_maintained.number_of_vertices());
-    for (std::size_t flips = 0; !m_open.empty();) {
-      const std::size_t more = m_flips.run(m_maintained, m_editor, m_open, false, most - flips);
-      flips += more;
-      report.flips += more;
-      if (!m_open.empty() && (more == 0 || flips >= most))
+    while (!m_open.empty()) {
+      const std::size_t flips = m_flips.run(m_maintained, m_editor, m_open, false, most);
+      most -= flips;
+      report.flips += flips;
+      if (!m_open.empty() && (flips == 0 || most == 0))
         return false;
     }
     return true;

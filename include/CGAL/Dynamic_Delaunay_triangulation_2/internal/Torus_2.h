@@ -88,7 +88,8 @@ public:
   bool is_measurable() const
   {
     return std::isfinite(m_inverse_x.x) && std::isfinite(m_inverse_x.y) &&
-           std::isfinite(m_inverse_y.x) && std::isfinite(m_inverse_y.y) && m_cell.area() > 0;
+           std::isfinite(m_inverse_y.x) && std::isfinite(m_inverse_y.y) &&
+           std::isfinite(m_cell.area()) && m_cell.area() > 0;
   }
 
   // The coordinates of a vector in multiples of the cell's vectors, rounded.
@@ -118,7 +119,7 @@ public:
     if ((std::max)(std::abs(v.x), std::abs(v.y)) > m * error_factor)
       return false;
     const auto [x, y] = exact_vector(q, p);
-    return is_zero(x) && is_zero(y);
+    return CGAL::is_zero(x) && CGAL::is_zero(y);
   }
 
   Orientation orientation(const Image_2& a, const Image_2& b, const Image_2& c) const
@@ -228,8 +229,6 @@ private:
             Exact(to.position.y) - Exact(from.position.y) + i * Exact(m_cell.ay()) +
                 j * Exact(m_cell.by())};
   }
-
-  static bool is_zero(const Exact& x) { return CGAL::is_zero(x); }
 
   BOOST_NOINLINE Orientation exact_orientation(const Image_2& a, const Image_2& b,
                                                const Image_2& c) const
