@@ -9,9 +9,12 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_periodic_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_change_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_update_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Periodic_cell_2.h>
+#include <CGAL/Periodic_update_visitor_base_2.h>
 #include <CGAL/property_map.h>
 #include <CGAL/Update_report_2.h>
 
@@ -20,6 +23,7 @@
 #include <cstddef>
 #include <iterator>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -37,6 +41,10 @@ or not: of the real numbers p + i a + j b for all points p and integers i and j,
 images. It is one sheet: n points in different places have 3n edges and 2n faces, however few they
 are. So a point can be a neighbor of its own images, and two points can have several edges.
 
+In a slab, which is periodic in one direction and open in the other, the faces fill the strip
+between the outermost points. There are fewer of them, and none if all points are on one line along
+it.
+
 Points have ids as in `Dynamic_Delaunay_triangulation_2`: the i-th point of the range has id i, and
 points that are inserted get the smallest free ids. Points that coincide, also by a translation of
 the lattice, share a vertex.
@@ -49,8 +57,9 @@ that does not help everything is triangulated anew.
 
 \tparam Kernel a CGAL kernel whose points have coordinates of type `double`, such as
   `Exact_predicates_inexact_constructions_kernel`.
+\tparam Visitor a model of `PeriodicUpdateVisitor_2`, which is told of all changes of edges.
 */
-template <class Kernel>
+template <class Kernel, class Visitor = Periodic_update_visitor_base_2>
 class Dynamic_periodic_Delaunay_triangulation_2
 {
   static_assert(
@@ -60,7 +69,12 @@ class Dynamic_periodic_Delaunay_triangulation_2
   using Maintained =
       Dynamic_Delaunay_triangulations_2::internal::Maintained_periodic_triangulation_2<
           typename Kernel::Point_2>;
-  using Update = Dynamic_Delaunay_triangulations_2::internal::Periodic_update_2<Maintained>;
+  static constexpr bool has_visitor = !std::is_same_v<Visitor, Periodic_update_visitor_base_2>;
+  using Editor =
+      Dynamic_Delaunay_triangulations_2::internal::Periodic_editor_2<Maintained, has_visitor>;
+  using Update = Dynamic_Delaunay_triangulations_2::internal::Periodic_update_2<Maintained, Editor>;
+  using Change = Dynamic_Delaunay_triangulations_2::internal::Change_2<typename Kernel::Point_2>;
+  using Change_of_edges = Dynamic_Delaunay_triangulations_2::internal::Periodic_change_2;
   using Population_input =
       Dynamic_Delaunay_triangulations_2::internal::Population_input_2<Maintained>;
   using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point_2;
@@ -90,7 +104,9 @@ public:
   /// creates an empty triangulation of the torus with this cell.
   /// \throws Periodic_cell_error_2 if the cell is so thin or extreme that doubles cannot tell how
   /// far points are apart in it.
-  explicit Dynamic_periodic_Delaunay_triangulation_2(const Periodic_cell_2& cell)
+  explicit Dynamic_periodic_Delaunay_triangulation_2(const Periodic_cell_2& cell,
+                                                     const Visitor& visitor = Visitor())
+    : m_visitor(visitor)
   {
     check(cell);
     m_core = std::make_unique<Core>(cell);
@@ -103,28 +119,31 @@ public:
   /// \throws Periodic_cell_error_2 as above.
   template <class InputIterator>
   Dynamic_periodic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
-                                            const Periodic_cell_2& cell)
-    : Dynamic_periodic_Delaunay_triangulation_2(cell)
+                                            const Periodic_cell_2& cell,
+                                            const Visitor& visitor = Visitor())
+    : Dynamic_periodic_Delaunay_triangulation_2(cell, visitor)
   {
     insert(first, beyond, Emptyset_iterator());
   }
 
   /// the same, but takes the range as a whole: anything with `begin()` and `end()`.
   template <class Range, class = If_range<Range>>
-  Dynamic_periodic_Delaunay_triangulation_2(const Range& points, const Periodic_cell_2& cell)
-    : Dynamic_periodic_Delaunay_triangulation_2(std::begin(points), std::end(points), cell)
+  Dynamic_periodic_Delaunay_triangulation_2(const Range& points, const Periodic_cell_2& cell,
+                                            const Visitor& visitor = Visitor())
+    : Dynamic_periodic_Delaunay_triangulation_2(std::begin(points), std::end(points), cell, visitor)
   {
   }
 
   /// copies everything. Cost: linear.
   Dynamic_periodic_Delaunay_triangulation_2(const Dynamic_periodic_Delaunay_triangulation_2& other)
     : m_core(std::make_unique<Core>(other.m_core->maintained))
+    , m_visitor(other.m_visitor)
     , m_is_certified(other.m_is_certified)
   {
   }
   /// takes everything from the other triangulation. That one is then empty, with the same cell.
   Dynamic_periodic_Delaunay_triangulation_2(Dynamic_periodic_Delaunay_triangulation_2&& other)
-    : Dynamic_periodic_Delaunay_triangulation_2(other.cell())
+    : Dynamic_periodic_Delaunay_triangulation_2(other.cell(), other.m_visitor)
   {
     swap(other);
   }
@@ -139,6 +158,7 @@ public:
   void swap(Dynamic_periodic_Delaunay_triangulation_2& other)
   {
     std::swap(m_core, other.m_core);
+    std::swap(m_visitor, other.m_visitor);
     std::swap(m_is_certified, other.m_is_certified);
   }
   /// calls `a.swap(b)`.
@@ -173,12 +193,13 @@ public:
   /// the same, in a cell that has changed since the last call: by deformation, by other vectors for
   /// the same lattice, as where a sheared cell is flipped, or by both.
   /// \throws Periodic_cell_error_2 if the cell is so thin or extreme that doubles cannot tell how
-  /// far points are apart in it; nothing has changed.
+  /// far points are apart in it, or if it is a slab and the cell so far was none, or the reverse;
+  /// nothing has changed.
   template <class InputIterator>
   Update_report_2 update(InputIterator first, InputIterator beyond, const Periodic_cell_2& cell)
   {
     const Floating_point floating_point;
-    check(cell);
+    check_next(cell);
     read_frame(first, beyond, cell);
     return run([&](Update_report_2& report) { m_core->update.update(m_next, cell, report); });
   }
@@ -202,11 +223,25 @@ public:
   /// Non_finite_coordinate_error_2 or Periodic_range_error_2; nothing has changed then.
   Update_report_2 move(size_type id, const Point& p)
   {
+    const std::pair<size_type, Point> mover(id, p);
+    return move(&mover, &mover + 1);
+  }
+
+  /// moves some points, one after the other. \tparam InputIterator its values are pairs of an id
+  /// and a `Point`. \throws Repeated_id_error_2 if an id is given more than once, or the above.
+  template <class InputIterator>
+  Update_report_2 move(InputIterator first, InputIterator beyond)
+  {
+    using Mover = typename std::iterator_traits<InputIterator>::value_type;
     const Floating_point floating_point;
-    const std::array<size_type, 1> ids{id};
-    Population_input::read_ids(ids.begin(), ids.end(), m_core->maintained);
-    const Position position = checked(p, id, m_core->maintained.torus());
-    return run([&](Update_report_2& report) { m_core->update.move(Index(id), position, report); });
+    Change change;
+    Population_input::read_movers(first, beyond, First_of_pair_property_map<Mover>(),
+                                  Second_of_pair_property_map<Mover>(), m_core->maintained, change);
+    const std::vector<Position> positions = checked(change.moved_points, change.moved, cell());
+    return run([&](Update_report_2& report) {
+      for (std::size_t i = 0; i < positions.size(); ++i)
+        m_core->update.move(change.moved[i], positions[i], report);
+    });
   }
 
   /// @}
@@ -228,13 +263,10 @@ public:
   Update_report_2 insert(InputIterator first, InputIterator beyond, OutputIterator ids)
   {
     const Floating_point floating_point;
-    Dynamic_Delaunay_triangulations_2::internal::Change_2<Point> change;
+    Change change;
     Population_input::read_newcomers(first, beyond, Identity_property_map<Point>(),
                                      m_core->maintained, change);
-    std::vector<Position> positions;
-    for (std::size_t i = 0; i < change.coming.size(); ++i)
-      positions.push_back(
-          checked(change.coming_points[i], change.coming[i], m_core->maintained.torus()));
+    const std::vector<Position> positions = checked(change.coming_points, change.coming, cell());
     for (const Index id : change.coming)
       *ids++ = id;
     return run(
@@ -259,6 +291,42 @@ public:
     });
   }
 
+  /// \cond
+  // For `Dynamic_population_2`: a frame in which points are removed and inserted, too. The range
+  // has a position for each id that is in use now. Writes the ids of the new points.
+  template <class InputIterator>
+  Update_report_2 update_population(InputIterator first, InputIterator beyond,
+                                    const std::vector<size_type>& gone,
+                                    const std::vector<Point>& coming,
+                                    std::vector<size_type>& coming_ids, const Periodic_cell_2& cell)
+  {
+    const Floating_point floating_point;
+    check_next(cell);
+    Change change;
+    Population_input::read_newcomers(coming.begin(), coming.end(), Identity_property_map<Point>(),
+                                     m_core->maintained, change);
+    change.gone.assign(gone.begin(), gone.end());
+    change.coming = m_core->maintained.ids().next_ids(coming.size(), change.gone);
+    const std::vector<Position> positions = checked(change.coming_points, change.coming, cell);
+    read_frame(first, beyond, cell);
+    std::vector<size_type> ids(change.coming.begin(), change.coming.end());
+    return run([&](Update_report_2& report) {
+      for (const Index id : change.gone)
+        m_core->update.remove(id, report);
+      coming_ids.swap(ids);
+      m_core->update.update(m_next, cell, report);
+      m_core->update.insert(change.coming, positions, report);
+    });
+  }
+  template <class InputIterator>
+  Update_report_2
+  update_population(InputIterator first, InputIterator beyond, const std::vector<size_type>& gone,
+                    const std::vector<Point>& coming, std::vector<size_type>& coming_ids)
+  {
+    return update_population(first, beyond, gone, coming, coming_ids, Periodic_cell_2(cell()));
+  }
+  /// \endcond
+
   /// @}
   /// \name Access
   /// @{
@@ -269,10 +337,25 @@ public:
   size_type number_of_points() const { return m_core->maintained.ids().number_of_points(); }
   /// the number of different places of points, up to translations of the lattice.
   size_type number_of_vertices() const { return m_core->maintained.number_of_vertices(); }
-  /// three for each vertex.
-  size_type number_of_edges() const { return 3 * number_of_vertices(); }
-  /// two for each vertex.
-  size_type number_of_faces() const { return 2 * number_of_vertices(); }
+  /// three for each vertex; fewer in a slab, where counting them takes a pass.
+  size_type number_of_edges() const
+  {
+    if (!cell().is_slab())
+      return 3 * number_of_vertices();
+    size_type edges = 0;
+    for_each_edge([&](size_type, size_type, const Periodic_shift_2&) { ++edges; });
+    return edges;
+  }
+  /// two for each vertex; fewer in a slab, where counting them takes a pass.
+  size_type number_of_faces() const
+  {
+    if (!cell().is_slab())
+      return 2 * number_of_vertices();
+    size_type faces = 0;
+    for (Index f = 0; f < m_core->maintained.mirror().number_of_faces(); ++f)
+      faces += !is_in_gap(f);
+    return faces;
+  }
   /// one more than the largest id that was ever in use.
   size_type number_of_ids() const { return m_core->maintained.ids().number_of_ids(); }
   /// whether a point has this id.
@@ -313,7 +396,22 @@ public:
     for (Index e = 0; e < maintained.mirror().number_of_edges(); ++e) {
       const Index h = maintained.mirror().halfedge(e);
       const Index from = Mirror::next(h), to = Mirror::previous(h);
-      f(id_at(from), id_at(to), shift_between(from, to));
+      if (!are_across(from, to))
+        f(id_at(from), id_at(to), shift_between(from, to));
+    }
+  }
+
+  /// calls `f(i, j, shift)` once for each edge of the boundary of a slab, along which the points of
+  /// the strip are on the left: on one side all outermost points in turn, and on the other. If all
+  /// points are on one line, each edge is met from both sides. A torus has no boundary.
+  template <class Function>
+  void for_each_boundary_edge(const Function& f) const
+  {
+    const auto& mirror = m_core->maintained.mirror();
+    for (Index h = 0; h < 3 * mirror.number_of_faces(); ++h) {
+      const Index from = Mirror::previous(h), to = Mirror::next(h);
+      if (is_in_gap(h / 3) && !are_across(from, to))
+        f(id_at(from), id_at(to), shift_between(from, to));
     }
   }
 
@@ -326,7 +424,8 @@ public:
     check_id(id);
     const auto& maintained = m_core->maintained;
     maintained.mirror().for_each_corner(maintained.ids().vertex(Index(id)), [&](Index h) {
-      f(id_at(Mirror::next(h)), shift_between(h, Mirror::next(h)));
+      if (!are_across(h, Mirror::next(h)))
+        f(id_at(Mirror::next(h)), shift_between(h, Mirror::next(h)));
     });
   }
 
@@ -337,9 +436,10 @@ public:
   void for_each_face(const Function& f) const
   {
     for (Index h = 0; h < 3 * m_core->maintained.mirror().number_of_faces(); h += 3)
-      f(std::array<size_type, 3>{id_at(h), id_at(h + 1), id_at(h + 2)},
-        std::array<Periodic_shift_2, 3>{shift_between(h, h), shift_between(h, h + 1),
-                                        shift_between(h, h + 2)});
+      if (!is_in_gap(h / 3))
+        f(std::array<size_type, 3>{id_at(h), id_at(h + 1), id_at(h + 2)},
+          std::array<Periodic_shift_2, 3>{shift_between(h, h), shift_between(h, h + 1),
+                                          shift_between(h, h + 2)});
   }
 
   /// @}
@@ -350,6 +450,15 @@ public:
   /// ones can leave it unproved; the next change then triangulates everything anew.
   bool is_certified() const { return m_is_certified; }
 
+  /// does what is needed for `is_certified()`: nothing, as a rule.
+  Update_report_2 mend()
+  {
+    const Floating_point floating_point;
+    return run([](Update_report_2&) {});
+  }
+  /// is `is_certified()`: nothing has to be examined for it.
+  bool certify() const { return m_is_certified; }
+
   /// tests everything again by exact predicates, and by exact arithmetic that the areas of the
   /// faces sum up to that of the cell. Meant for tests. Cost: linear, microseconds a point.
   bool is_valid() const
@@ -357,6 +466,15 @@ public:
     const Floating_point floating_point;
     return m_core->update.is_valid();
   }
+
+  /// @}
+  /// \name Visitor
+  /// @{
+
+  /// the visitor.
+  const Visitor& visitor() const { return m_visitor; }
+  /// the same, but in order to read and clear what it has recorded.
+  Visitor& visitor() { return m_visitor; }
 
   /// @}
 
@@ -393,12 +511,32 @@ private:
       throw Unknown_id_error_2(id, number_of_ids());
   }
 
+  // The same for the cell of the next frame.
+  void check_next(const Periodic_cell_2& next) const
+  {
+    check(next);
+    if (next.is_slab() != cell().is_slab())
+      throw Periodic_cell_error_2(next.ax(), next.ay(), next.bx(), next.by(),
+                                  next.is_slab() ? "a cell cannot become a slab"
+                                                 : "a slab cannot become a cell with two vectors");
+  }
+
+  static std::vector<Position> checked(const std::vector<Point>& points,
+                                       const std::vector<Index>& ids, const Periodic_cell_2& cell)
+  {
+    const Dynamic_Delaunay_triangulations_2::internal::Torus_2 torus(cell);
+    std::vector<Position> positions;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      positions.push_back(checked(points[i], ids[i], torus));
+    return positions;
+  }
+
   static Position checked(const Point& p, size_type id,
                           const Dynamic_Delaunay_triangulations_2::internal::Torus_2& torus)
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     const Position position = checked_position(p, id);
-    const Position multiples = torus.multiples(position);
+    const Position multiples = torus.periodic(torus.multiples(position));
     if (!(std::abs(multiples.x) < max_shift && std::abs(multiples.y) < max_shift))
       throw Periodic_range_error_2(id, position.x, position.y, max_shift);
     return position;
@@ -425,12 +563,38 @@ private:
   template <class Function>
   Update_report_2 run(const Function& change)
   {
+    if constexpr (has_visitor)
+      m_visitor.before_update(std::as_const(*this));
     Update_report_2 report;
     if (!std::exchange(m_is_certified, false))
       m_core->update.rebuild(Rebuild_reason_2::STUCK, report);
     change(report);
     report.certified = m_is_certified = true;
+    if constexpr (has_visitor)
+      tell_visitor(report);
     return report;
+  }
+
+  void tell_visitor(const Update_report_2& report)
+  {
+    using Kind = Change_of_edges::Kind;
+    m_told.clear();
+    m_told.swap(m_core->update.log());
+    for (const Change_of_edges& change : m_told) {
+      const Periodic_shift_2& shift = change.shifts[0];
+      const bool is_edge = !cell().is_slab() || shift[1] == 0;
+      if (change.kind == Kind::CELL_EXCHANGED)
+        m_visitor.after_cell_exchange(std::as_const(*this), change.shifts);
+      else if (change.kind == Kind::POINT_TRANSLATED)
+        m_visitor.after_translation(std::as_const(*this), size_type(change.i), shift);
+      else if (is_edge && change.kind == Kind::EDGE_REMOVED)
+        m_visitor.after_edge_removal(std::as_const(*this), size_type(change.i), size_type(change.j),
+                                     shift);
+      else if (is_edge)
+        m_visitor.after_edge_creation(std::as_const(*this), size_type(change.i),
+                                      size_type(change.j), shift);
+    }
+    m_visitor.after_update(std::as_const(*this), report);
   }
 
   size_type id_at(Index corner) const
@@ -445,8 +609,21 @@ private:
     return {t[0] - s[0], t[1] - s[1]};
   }
 
+  bool are_across(Index corner, Index other) const
+  {
+    const auto& maintained = m_core->maintained;
+    return maintained.torus().are_across(maintained.shift(corner), maintained.shift(other));
+  }
+  // Whether a face is beside a slab, between its sides.
+  bool is_in_gap(Index f) const
+  {
+    return are_across(3 * f, 3 * f + 1) || are_across(3 * f, 3 * f + 2);
+  }
+
   std::unique_ptr<Core> m_core;
-  std::vector<Position> m_next; // indexed by ids
+  Visitor m_visitor;
+  std::vector<Position> m_next;        // indexed by ids
+  std::vector<Change_of_edges> m_told; // to the visitor
   bool m_is_certified = true;
 };
 

@@ -13,6 +13,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/User_id_table_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+#include <CGAL/Periodic_cell_2.h>
 #include <CGAL/property_map.h>
 #include <CGAL/Update_report_2.h>
 
@@ -30,6 +31,26 @@
 
 namespace CGAL {
 
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Periodic triangulations have none.
+template <class Dynamic, class = void>
+struct Vertex_handle_of
+{
+  struct type
+  {
+  };
+};
+template <class Dynamic>
+struct Vertex_handle_of<Dynamic, std::void_t<typename Dynamic::Vertex_handle>>
+{
+  using type = typename Dynamic::Vertex_handle;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
@@ -37,7 +58,8 @@ Maintains the Delaunay triangulation of a population that changes while it moves
 data and crowds. Every frame lists the points that exist, by ids that the user chooses. Points with
 new ids are inserted, points whose ids are missing are removed, and the others move.
 
-\tparam Dynamic a `Dynamic_Delaunay_triangulation_2`.
+\tparam Dynamic a `Dynamic_Delaunay_triangulation_2`, or a
+  `Dynamic_periodic_Delaunay_triangulation_2`, which has neither vertex handles nor checkpoints.
 \tparam UserId any integer type.
 */
 template <class Dynamic, class UserId = std::int64_t>
@@ -58,7 +80,8 @@ public:
   /// a point.
   using Point = typename Dynamic::Point;
   /// a vertex of the CGAL triangulation.
-  using Vertex_handle = typename Dynamic::Vertex_handle;
+  using Vertex_handle =
+      typename Dynamic_Delaunay_triangulations_2::internal::Vertex_handle_of<Dynamic>::type;
   /// the type of counts, and of the ids in `triangulation()`.
   using size_type = std::size_t;
 
@@ -121,16 +144,24 @@ public:
   Update_report_2 update(InputIterator first, InputIterator beyond, IdMap id_map,
                          PointMap point_map)
   {
-    read(first, beyond, id_map, point_map);
-    find_missing();
-    m_new_ids.clear();
-    const At_exit settle{[this] {
-      forget_gone(m_missing);
-      settle_newcomers();
-    }};
-    expect_newcomers();
-    return m_triangulation.update_population(m_positions.begin(), m_positions.end(), m_missing,
-                                             m_new_points, m_new_ids);
+    return update_to(first, beyond, id_map, point_map);
+  }
+
+  /// the same for a `Dynamic_periodic_Delaunay_triangulation_2` in a cell that has changed.
+  template <class InputIterator, class IdMap, class PointMap>
+  Update_report_2 update(InputIterator first, InputIterator beyond, IdMap id_map,
+                         PointMap point_map, const Periodic_cell_2& cell)
+  {
+    return update_to(first, beyond, id_map, point_map, cell);
+  }
+
+  /// the same, but takes the range as a whole.
+  template <class Range, class = If_range<Range>>
+  Update_report_2 update(const Range& frame, const Periodic_cell_2& cell)
+  {
+    using Value = typename std::iterator_traits<decltype(std::begin(frame))>::value_type;
+    return update(std::begin(frame), std::end(frame), First_of_pair_property_map<Value>(),
+                  Second_of_pair_property_map<Value>(), cell);
   }
 
   /// adds a point. \throws Repeated_id_error_2 if a point has this id already.
@@ -211,7 +242,7 @@ public:
   /// the vertex of a point. \throws Unknown_user_id_error_2 if no point has this id.
   Vertex_handle vertex(UserId user_id) const { return m_triangulation.vertex(id(user_id)); }
   /// the position of a point. \throws Unknown_user_id_error_2 if no point has this id.
-  const Point& point(UserId user_id) const { return m_triangulation.point(id(user_id)); }
+  decltype(auto) point(UserId user_id) const { return m_triangulation.point(id(user_id)); }
   /// the user's id of the point at a finite vertex. If several points share the vertex: the id of
   /// their representative, which was there first.
   UserId user_id(Vertex_handle vertex) const { return m_user_ids[m_triangulation.id(vertex)]; }
@@ -264,6 +295,22 @@ public:
   /// @}
 
 private:
+  template <class InputIterator, class IdMap, class PointMap, class... Cell>
+  Update_report_2 update_to(InputIterator first, InputIterator beyond, IdMap id_map,
+                            PointMap point_map, const Cell&... cell)
+  {
+    read(first, beyond, id_map, point_map);
+    find_missing();
+    m_new_ids.clear();
+    const At_exit settle{[this] {
+      forget_gone(m_missing);
+      settle_newcomers();
+    }};
+    expect_newcomers();
+    return m_triangulation.update_population(m_positions.begin(), m_positions.end(), m_missing,
+                                             m_new_points, m_new_ids, cell...);
+  }
+
   using Table = Dynamic_Delaunay_triangulations_2::internal::User_id_table_2<UserId>;
 
   static constexpr size_type no_id = Table::no_id;

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace CGAL {
@@ -21,7 +22,7 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2Periodic
 
 A translation of the lattice: `shift[0]` times the cell's first vector plus `shift[1]` times its
-second one.
+second one. In a slab the second number is 0.
 */
 using Periodic_shift_2 = std::array<int, 2>;
 
@@ -30,6 +31,9 @@ using Periodic_shift_2 = std::array<int, 2>;
 
 The cell of a periodic space, a parallelogram: two vectors that are not parallel, of any lengths, at
 any angle, in any order. Translations by their integer combinations change nothing in that space.
+
+Or a slab, a strip without ends: one vector, along which everything is repeated. Across it space is
+open, as in a channel or between two walls.
 */
 class Periodic_cell_2
 {
@@ -66,28 +70,58 @@ public:
   {
   }
 
+  /// the slab that is repeated by this vector, of any type with `x()` and `y()`, and open across
+  /// it. \throws Periodic_cell_error_2 if the vector is 0, or a number is not finite.
+  template <class Vector, class = decltype(std::declval<const Vector&>().x())>
+  explicit Periodic_cell_2(const Vector& a)
+    : Periodic_cell_2(slab(a.x(), a.y()))
+  {
+  }
+
+  /// the slab that is repeated by the vector (ax, ay).
+  /// \throws Periodic_cell_error_2 if the vector is 0, or a number is not finite.
+  static Periodic_cell_2 slab(double ax, double ay)
+  {
+    const double length = std::hypot(ax, ay);
+    if (!(length > 0 && std::isfinite(length)))
+      throw Periodic_cell_error_2(ax, ay, 0, 0,
+                                  "the length of a slab's vector must be finite and not 0");
+    Periodic_cell_2 cell(ax, ay, -ay / length, ax / length);
+    cell.m_is_slab = true;
+    return cell;
+  }
+
+  /// whether space is open across the first vector.
+  bool is_slab() const { return m_is_slab; }
+
   /// the first vector.
   double ax() const { return m_ax; }
   /// the first vector.
   double ay() const { return m_ay; }
-  /// the second vector.
+  /// the second vector; that of a slab is about a unit vector across it, to the left.
   double bx() const { return m_bx; }
   /// the second vector.
   double by() const { return m_by; }
 
-  /// the area of the cell, rounded.
-  double area() const { return std::abs(m_ax * m_by - m_ay * m_bx); }
+  /// the area of the cell, rounded; that of a slab is infinite.
+  double area() const
+  {
+    return m_is_slab ? std::numeric_limits<double>::infinity()
+                     : std::abs(m_ax * m_by - m_ay * m_bx);
+  }
 
-  /// whether both cells have the same vectors.
+  /// whether both cells have the same vectors, and both or none of them is a slab.
   friend bool operator==(const Periodic_cell_2& c, const Periodic_cell_2& d)
   {
-    return c.m_ax == d.m_ax && c.m_ay == d.m_ay && c.m_bx == d.m_bx && c.m_by == d.m_by;
+    return c.m_ax == d.m_ax && c.m_ay == d.m_ay && c.m_bx == d.m_bx && c.m_by == d.m_by &&
+           c.m_is_slab == d.m_is_slab;
   }
   /// whether they differ.
   friend bool operator!=(const Periodic_cell_2& c, const Periodic_cell_2& d) { return !(c == d); }
 
 private:
   double m_ax, m_ay, m_bx, m_by;
+  bool m_is_slab = false;
 };
 
 } // namespace CGAL

@@ -20,6 +20,7 @@
 #include <map>
 #include <set>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 class Periodic_oracle
@@ -37,8 +38,12 @@ public:
     , m_b(triangulation.cell().bx(), triangulation.cell().by())
     , m_r(m_a)
     , m_t(m_b)
+    , m_is_slab(triangulation.cell().is_slab())
   {
-    reduce();
+    if (m_is_slab)
+      m_t = m_a.perpendicular(CGAL::COUNTERCLOCKWISE);
+    else
+      reduce();
     for (std::size_t id = 0; id < triangulation.number_of_ids(); ++id)
       if (triangulation.has_id(id)) {
         const auto p = triangulation.point(id);
@@ -60,11 +65,27 @@ public:
     return m_points.at(id) + Exact::FT(shift[0]) * m_a + Exact::FT(shift[1]) * m_b;
   }
 
-  Exact::FT double_cell_area() const { return 2 * CGAL::abs(CGAL::determinant(m_a, m_b)); }
+  // Of the cell, or of the part of a slab between its outermost points.
+  Exact::FT double_area() const
+  {
+    if (!m_is_slab)
+      return 2 * CGAL::abs(CGAL::determinant(m_a, m_b));
+    const auto [low, high] = outermost();
+    return 2 * (high - low);
+  }
+
+  bool is_outermost(std::size_t id) const
+  {
+    const auto [low, high] = outermost();
+    const Exact::FT height = height_of(m_points.at(id));
+    return height == low || height == high;
+  }
 
   // Whether no copy of any point is inside the triangle's circle.
   bool is_delaunay(const Triangle& t) const
   {
+    if (m_is_slab)
+      return is_delaunay_in_slab(t);
     const Point start = wrapped(t[0]);
     const Vector to_start = start - t[0];
     const Triangle moved{start, t[1] + to_start, t[2] + to_start};
@@ -91,6 +112,32 @@ public:
   }
 
 private:
+  // The images that are nearest to the center along the slab are the deepest in the circle.
+  bool is_delaunay_in_slab(const Triangle& t) const
+  {
+    const Point center = CGAL::circumcenter(t[0], t[1], t[2]);
+    for (const Point& p : m_places) {
+      const double along = std::floor(CGAL::to_double(((center - p) * m_a) / (m_a * m_a)));
+      for (int i = -1; i <= 2; ++i)
+        if (CGAL::side_of_oriented_circle(t[0], t[1], t[2], p + Exact::FT(along + i) * m_a) ==
+            CGAL::ON_POSITIVE_SIDE)
+          return false;
+    }
+    return true;
+  }
+
+  Exact::FT height_of(const Point& p) const { return CGAL::determinant(m_a, p - CGAL::ORIGIN); }
+
+  std::pair<Exact::FT, Exact::FT> outermost() const
+  {
+    Exact::FT low = height_of(*m_places.begin()), high = low;
+    for (const Point& p : m_places) {
+      low = (std::min)(low, height_of(p));
+      high = (std::max)(high, height_of(p));
+    }
+    return {low, high};
+  }
+
   static double length(const Vector& v)
   {
     return std::hypot(CGAL::to_double(v.x()), CGAL::to_double(v.y()));
@@ -116,8 +163,8 @@ private:
     const Vector v = p - CGAL::ORIGIN;
     const Exact::FT determinant = CGAL::determinant(m_r, m_t);
     const Exact::FT s = fraction(CGAL::determinant(v, m_t) / determinant);
-    const Exact::FT t = fraction(CGAL::determinant(m_r, v) / determinant);
-    return CGAL::ORIGIN + s * m_r + t * m_t;
+    const Exact::FT t = CGAL::determinant(m_r, v) / determinant;
+    return CGAL::ORIGIN + s * m_r + (m_is_slab ? t : fraction(t)) * m_t;
   }
 
   static Exact::FT fraction(const Exact::FT& x)
@@ -131,12 +178,14 @@ private:
   }
 
   Vector m_a, m_b, m_r, m_t;
+  bool m_is_slab;
   std::map<std::size_t, Point> m_points;
   std::set<Point> m_places;
 };
 
-// Everything: nobody is lost; the faces are closed along their edges, counterclockwise, as large as
-// the cell together, and Delaunay; and edges and neighbors say the same.
+// Everything: nobody is lost; the faces are closed along their edges up to the boundary of a slab,
+// counterclockwise, as large as the cell together, and Delaunay; and edges and neighbors say the
+// same.
 template <class Triangulation>
 void expect_periodic_delaunay(const Triangulation& pt)
 {
@@ -151,7 +200,11 @@ void expect_periodic_delaunay(const Triangulation& pt)
       ASSERT_TRUE(oracle.coincide(id, pt.representative(id))) << "id " << id;
     }
 
-  std::set<Directed_edge> of_faces, of_edges, of_neighbors;
+  std::set<Directed_edge> of_faces, of_boundary, of_edges, of_neighbors;
+  const auto reverse = [](const Directed_edge& edge) {
+    const auto& [i, j, shift] = edge;
+    return Directed_edge{j, i, {-shift[0], -shift[1]}};
+  };
   CGAL::Exact_predicates_exact_constructions_kernel::FT area = 0;
   std::size_t faces = 0;
   pt.for_each_face([&](const std::array<std::size_t, 3>& ids, const std::array<Shift, 3>& shifts) {
@@ -166,13 +219,23 @@ void expect_periodic_delaunay(const Triangulation& pt)
     area += CGAL::determinant(corners[1] - corners[0], corners[2] - corners[0]);
     ++faces;
   });
-  ASSERT_EQ(faces, 2 * oracle.number_of_places());
+  ASSERT_EQ(faces, pt.number_of_faces());
   ASSERT_EQ(of_faces.size(), 3 * faces);
-  if (faces > 0) {
-    ASSERT_EQ(area, oracle.double_cell_area());
+  if (oracle.number_of_places() > 0) {
+    ASSERT_EQ(area, oracle.double_area());
   }
-  for (const auto& [i, j, shift] : of_faces)
-    ASSERT_EQ(of_faces.count({j, i, {-shift[0], -shift[1]}}), 1u);
+  pt.for_each_boundary_edge([&](std::size_t i, std::size_t j, const Shift& shift) {
+    EXPECT_TRUE(oracle.is_outermost(i) && oracle.is_outermost(j));
+    EXPECT_TRUE(of_boundary.insert({i, j, shift}).second);
+  });
+  for (const Directed_edge& edge : of_faces)
+    ASSERT_NE(of_faces.count(reverse(edge)), of_boundary.count(edge));
+  for (const Directed_edge& edge : of_boundary)
+    ASSERT_NE(of_faces.count(edge), of_boundary.count(reverse(edge)));
+  if (!pt.cell().is_slab()) {
+    ASSERT_EQ(faces, 2 * oracle.number_of_places());
+    ASSERT_TRUE(of_boundary.empty());
+  }
 
   std::size_t edges = 0;
   pt.for_each_edge([&](std::size_t i, std::size_t j, const Shift& shift) {
@@ -181,13 +244,20 @@ void expect_periodic_delaunay(const Triangulation& pt)
     ++edges;
   });
   ASSERT_EQ(edges, pt.number_of_edges());
-  ASSERT_EQ(of_edges, of_faces);
+  ASSERT_EQ(edges, oracle.number_of_places() + faces); // Euler, for a torus and for a strip
+  std::set<Directed_edge> expected = of_faces;
+  for (const auto& edges_there : {of_faces, of_boundary})
+    for (const Directed_edge& edge : edges_there) {
+      expected.insert(edge);
+      expected.insert(reverse(edge));
+    }
+  ASSERT_EQ(of_edges, expected);
   for (std::size_t id = 0; id < pt.number_of_ids(); ++id)
     if (pt.has_id(id) && pt.representative(id) == id)
       pt.for_each_neighbor(id, [&](std::size_t j, const Shift& shift) {
         of_neighbors.insert({id, j, shift});
       });
-  ASSERT_EQ(of_neighbors, of_faces);
+  ASSERT_EQ(of_neighbors, of_edges);
 }
 
 #endif // DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_PERIODIC_ORACLE_H

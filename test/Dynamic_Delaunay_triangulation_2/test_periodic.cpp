@@ -6,7 +6,10 @@
 #include "periodic_oracle.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Torus_2.h>
+#include <CGAL/Dynamic_population_2.h>
+#include <CGAL/Periodic_edge_changes_visitor_2.h>
 
+#include <algorithm>
 #include <array>
 #include <cfenv>
 #include <cmath>
@@ -18,6 +21,7 @@
 #include <map>
 #include <random>
 #include <set>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -28,6 +32,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
 using Cell = CGAL::Periodic_cell_2;
 using Triangulation = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel>;
+using Vector = Kernel::Vector_2;
 
 double random_between(std::mt19937_64& random, double low, double high)
 {
@@ -558,6 +563,338 @@ TEST(Predicates_of_the_torus, see_ties_that_roundings_hide)
   EXPECT_FALSE(torus.filter_proves_delaunay(square));
 }
 
+// SLABS -------------------------------------------------------------------------------------------
+
+TEST(A_point_in_a_slab, is_its_own_two_neighbors)
+{
+  const Triangulation pt(std::vector<Point>{Point(0.3, 0.4)}, Cell(Vector(2, 1)));
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+  EXPECT_TRUE(pt.cell().is_slab());
+  EXPECT_EQ(pt.number_of_edges(), 1u);
+  EXPECT_EQ(pt.number_of_faces(), 0u);
+  pt.for_each_edge([&](std::size_t i, std::size_t j, const CGAL::Periodic_shift_2& shift) {
+    EXPECT_EQ(std::abs(pt.vector(i, j, shift).x()), 2);
+    EXPECT_EQ(std::abs(pt.vector(i, j, shift).y()), 1);
+  });
+}
+
+TEST(Points_in_a_row_along_a_slab, have_edges_but_no_faces_until_one_leaves_the_row)
+{
+  Triangulation pt(std::vector<Point>{Point(0.1, 1), Point(0.5, 1), Point(0.8, 1)},
+                   Cell::slab(1, 0));
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+  EXPECT_EQ(pt.number_of_edges(), 3u);
+  EXPECT_EQ(pt.number_of_faces(), 0u);
+  for (const double height : {1 + 1e-15, 1.3, 5e8, 1.0, -7.0, 1.0}) {
+    pt.move(1, Point(0.5, height));
+    ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt)) << height;
+    EXPECT_EQ(pt.number_of_faces(), height == 1 ? 0u : 3u);
+  }
+}
+
+TEST(Few_points_in_a_slab, are_right_from_the_first_to_the_last_along_any_vector)
+{
+  std::mt19937_64 random(21);
+  for (const Cell& slab : {Cell::slab(1, 0), Cell::slab(0, -3), Cell::slab(0.7, 0.3),
+                           Cell::slab(1e-3, 0), Cell::slab(40, -11)})
+    for (const double grid : {0.0, 0.25}) {
+      Triangulation pt(slab);
+      std::vector<Point> points = random_points(random, 12, 3, grid);
+      for (const Point& p : points) {
+        pt.insert(p);
+        ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+      }
+      for (std::size_t id = 0; id < points.size(); ++id) {
+        pt.remove(id);
+        ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+      }
+    }
+}
+
+TEST(Motion_in_a_slab, is_followed_at_every_step_size_without_an_end_at_the_walls)
+{
+  std::mt19937_64 random(22);
+  for (const std::size_t number : {2, 5, 40})
+    for (const double step : {1e-4, 1e-2, 0.1, 1.0}) {
+      std::vector<Point> points = random_points(random, number, 3, number == 5 ? 0.5 : 0);
+      Triangulation pt(points, Cell(Vector(3, 0.2)));
+      for (int frame = 0; frame < 20; ++frame) {
+        move_randomly(random, points, step);
+        std::vector<Point> wrapped;
+        for (const Point& p : points)
+          wrapped.push_back(image(p, pt.cell(), -int(std::floor(p.x() / 3)), 0));
+        pt.update(frame % 2 == 0 ? wrapped : points);
+        ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt)) << number << ' ' << step;
+      }
+    }
+}
+
+TEST(Calm_motion_in_a_channel, rebuilds_nothing_and_takes_nobody_out)
+{
+  std::mt19937_64 random(23);
+  std::vector<Point> points;
+  for (int i = 0; i < 400; ++i) // between walls of points in rows
+    points.push_back(i < 80
+                         ? Point(0.25 * (i % 40), i < 40 ? 0 : 10)
+                         : Point(random_between(random, 0, 10), random_between(random, 0.1, 9.9)));
+  Triangulation pt(points, Cell::slab(10, 0));
+  std::size_t taken_out = 0, flips = 0;
+  for (int frame = 0; frame < 50; ++frame) {
+    for (std::size_t i = 80; i < points.size(); ++i) {
+      const double x = points[i].x() + 0.02 * points[i].y() / 10; // a plug that shears
+      points[i] = Point(x >= 10 ? x - 10 : x, points[i].y());
+    }
+    const CGAL::Update_report_2 report = pt.update(points);
+    EXPECT_FALSE(report.rebuilt());
+    taken_out += report.relocated;
+    flips += report.flips;
+    ASSERT_TRUE(pt.is_valid());
+  }
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+  EXPECT_EQ(taken_out, 0u);
+  EXPECT_GT(flips, 0u);
+}
+
+TEST(A_slab, may_be_stretched_and_turned_with_its_points_and_run_the_other_way)
+{
+  std::mt19937_64 random(24);
+  std::vector<Point> points = random_points(random, 50, 2);
+  Triangulation pt(points, Cell::slab(2, 0));
+  for (int frame = 1; frame <= 40; ++frame) {
+    const double angle = 0.1 * frame, stretch = 1 + 0.02 * frame;
+    std::vector<Point> turned;
+    for (const Point& p : points) {
+      const double x = stretch * p.x();
+      turned.push_back(Point(std::cos(angle) * x - std::sin(angle) * p.y(),
+                             std::sin(angle) * x + std::cos(angle) * p.y()));
+    }
+    const double length = 2 * stretch * (frame % 7 == 0 ? -1 : 1);
+    const CGAL::Update_report_2 report =
+        pt.update(turned, Cell::slab(length * std::cos(angle), length * std::sin(angle)));
+    EXPECT_FALSE(report.rebuilt()) << frame;
+    ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt)) << frame;
+  }
+}
+
+TEST(A_slab, stays_one_and_no_cell_becomes_one)
+{
+  Triangulation slab(std::vector<Point>{Point(0, 0), Point(0.5, 1)}, Cell::slab(1, 0));
+  Triangulation torus(std::vector<Point>{Point(0, 0), Point(0.5, 1)}, Cell(1, 2));
+  const std::vector<Point> next{Point(0, 0), Point(0.5, 1.1)};
+  EXPECT_THROW(slab.update(next, Cell(1, 2)), CGAL::Periodic_cell_error_2);
+  EXPECT_THROW(torus.update(next, Cell::slab(1, 0)), CGAL::Periodic_cell_error_2);
+  EXPECT_EQ(slab.point(1), Point(0.5, 1));
+  EXPECT_EQ(torus.point(1), Point(0.5, 1));
+  EXPECT_THROW(Cell::slab(0, 0), CGAL::Periodic_cell_error_2);
+  EXPECT_THROW(Cell::slab(std::numeric_limits<double>::quiet_NaN(), 0),
+               CGAL::Periodic_cell_error_2);
+}
+
+// VISITORS ----------------------------------------------------------------------------------------
+
+// What a visitor knows of the edges by hearsay alone.
+class Ledger : public CGAL::Periodic_update_visitor_base_2
+{
+  using Shift = CGAL::Periodic_shift_2;
+  using Edge = std::tuple<std::size_t, std::size_t, Shift>;
+
+public:
+  const std::set<Edge>& edges() const { return m_edges; }
+
+  template <class Dynamic>
+  static std::set<Edge> edges_of(const Dynamic& dt)
+  {
+    std::set<Edge> edges;
+    dt.for_each_edge([&](std::size_t i, std::size_t j, const Shift& shift) {
+      edges.insert({i, j, shift});
+      edges.insert({j, i, {-shift[0], -shift[1]}});
+    });
+    return edges;
+  }
+
+  template <class Dynamic>
+  void after_edge_removal(const Dynamic&, std::size_t i, std::size_t j, const Shift& shift)
+  {
+    EXPECT_EQ(m_edges.erase({i, j, shift}), 1u);
+    EXPECT_EQ(m_edges.erase({j, i, {-shift[0], -shift[1]}}), 1u);
+  }
+  template <class Dynamic>
+  void after_edge_creation(const Dynamic&, std::size_t i, std::size_t j, const Shift& shift)
+  {
+    EXPECT_TRUE(m_edges.insert({i, j, shift}).second);
+    EXPECT_TRUE(m_edges.insert({j, i, {-shift[0], -shift[1]}}).second);
+  }
+  template <class Dynamic>
+  void after_translation(const Dynamic&, std::size_t id, const Shift& shift)
+  {
+    rename([&](Edge edge) {
+      auto& [i, j, s] = edge;
+      const int sign = int(i == id) - int(j == id);
+      s = {s[0] + sign * shift[0], s[1] + sign * shift[1]};
+      return edge;
+    });
+  }
+  template <class Dynamic>
+  void after_cell_exchange(const Dynamic&, const std::array<Shift, 2>& m)
+  {
+    rename([&](Edge edge) {
+      Shift& s = std::get<2>(edge);
+      s = {s[0] * m[0][0] + s[1] * m[1][0], s[0] * m[0][1] + s[1] * m[1][1]};
+      return edge;
+    });
+  }
+
+private:
+  template <class Function>
+  void rename(const Function& f)
+  {
+    std::set<Edge> edges;
+    for (const Edge& edge : m_edges)
+      edges.insert(f(edge));
+    m_edges.swap(edges);
+  }
+
+  std::set<Edge> m_edges;
+};
+
+using Changes = CGAL::Periodic_edge_changes_visitor_2;
+using Watched = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Changes>;
+
+TEST(Neighbor_exchanges, are_one_edge_for_another)
+{
+  // the wide diagonal of a rhombus of points gives way to the other one
+  std::vector<Point> points{Point(1, 2), Point(3, 2), Point(2, 1.2), Point(2, 2.8)};
+  Watched pt(points, Cell(4, 4));
+  pt.visitor().clear();
+  points[2] = Point(2, 0.8);
+  points[3] = Point(2, 3.2);
+  pt.update(points);
+  const Changes::Edge wide{0, 1, {0, 0}}, tall{2, 3, {0, 0}};
+  const auto& created = pt.visitor().created_edges();
+  const auto& removed = pt.visitor().removed_edges();
+  EXPECT_EQ(std::count(created.begin(), created.end(), wide), 1);
+  EXPECT_EQ(std::count(removed.begin(), removed.end(), tall), 1);
+  EXPECT_EQ(created.size(), removed.size());
+}
+
+TEST(Edge_changes, are_none_where_points_are_wrapped_and_cells_exchanged)
+{
+  std::mt19937_64 random(25);
+  const std::vector<Point> points = random_points(random, 30, 4);
+  Watched pt(points, Cell(4, 4));
+  pt.visitor().clear();
+  std::vector<Point> wrapped;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    wrapped.push_back(image(points[i], pt.cell(), int(i % 3) - 1, int(i % 5) - 2));
+  pt.update(wrapped);
+  pt.update(wrapped, Cell(4, 0, 4, 4));
+  EXPECT_TRUE(pt.visitor().created_edges().empty());
+  EXPECT_TRUE(pt.visitor().removed_edges().empty());
+}
+
+TEST(Edge_changes, turn_the_edges_of_before_into_those_of_now)
+{
+  std::mt19937_64 random(26);
+  for (const Cell& cell : {Cell(3, 3), Cell::slab(3, 0.5)}) {
+    std::vector<Point> points = random_points(random, 25, 3);
+    Watched pt(points, cell);
+    for (int frame = 0; frame < 20; ++frame) {
+      auto edges = Ledger::edges_of(pt);
+      pt.visitor().clear();
+      move_randomly(random, points, 0.1); // never wrapped, so no edge gets another name
+      pt.update(points);
+      for (const Changes::Edge& e : pt.visitor().removed_edges()) {
+        EXPECT_EQ(edges.erase({e.i, e.j, e.shift}), 1u);
+        EXPECT_EQ(edges.erase({e.j, e.i, {-e.shift[0], -e.shift[1]}}), 1u);
+      }
+      for (const Changes::Edge& e : pt.visitor().created_edges()) {
+        edges.insert({e.i, e.j, e.shift});
+        edges.insert({e.j, e.i, {-e.shift[0], -e.shift[1]}});
+      }
+      ASSERT_EQ(edges, Ledger::edges_of(pt));
+    }
+  }
+}
+
+struct Thrower : CGAL::Periodic_update_visitor_base_2
+{
+  template <class Dynamic>
+  void before_update(const Dynamic&)
+  {
+    if (throws_before)
+      throw std::runtime_error("before");
+  }
+  template <class Dynamic>
+  void after_edge_creation(const Dynamic&, std::size_t, std::size_t, const CGAL::Periodic_shift_2&)
+  {
+    if (throws_after)
+      throw std::runtime_error("after");
+  }
+  bool throws_before = false, throws_after = false;
+};
+
+TEST(A_visitor_that_throws, changes_nothing_or_hears_no_more)
+{
+  CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Thrower> pt(Cell(2, 2));
+  pt.insert(Point(0, 0));
+  pt.visitor().throws_before = true;
+  EXPECT_THROW(pt.insert(Point(1, 1)), std::runtime_error);
+  EXPECT_EQ(pt.number_of_points(), 1u);
+  pt.visitor().throws_before = false;
+  pt.visitor().throws_after = true;
+  EXPECT_THROW(pt.insert(Point(1, 1)), std::runtime_error);
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+  EXPECT_EQ(pt.number_of_points(), 2u);
+}
+
+// POPULATIONS -------------------------------------------------------------------------------------
+
+TEST(A_population, comes_and_goes_under_its_own_ids_while_the_cell_changes)
+{
+  using Population = CGAL::Dynamic_population_2<Triangulation, int>;
+  std::mt19937_64 random(27);
+  Population population(Triangulation(Cell(3, 3)));
+  std::map<int, Point> points;
+  for (int frame = 0; frame < 60; ++frame) {
+    for (auto it = points.begin(); it != points.end();)
+      it = random() % 5 == 0 ? points.erase(it) : std::next(it);
+    for (auto& [id, p] : points)
+      p = image(Point(p.x() + random_between(random, -0.1, 0.1), p.y()),
+                population.triangulation().cell(), int(random() % 3) - 1, 0);
+    for (std::size_t i = random() % 8; i-- > 0;)
+      points[int(random() % 1000)] = random_points(random, 1, 3)[0];
+    const std::vector<std::pair<int, Point>> given(points.begin(), points.end());
+    if (frame % 2 == 0)
+      population.update(given);
+    else
+      population.update(given, Cell(3, 0.01 * frame, 0, 3));
+    ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(population.triangulation())) << frame;
+    ASSERT_EQ(population.size(), points.size());
+    for (const auto& [id, p] : points)
+      ASSERT_EQ(population.point(id), p);
+  }
+}
+
+TEST(A_population, that_is_refused_stays_as_it_is)
+{
+  using Population = CGAL::Dynamic_population_2<Triangulation>;
+  Population population(Triangulation(Cell::slab(3, 0)));
+  using Frame = std::vector<std::pair<std::int64_t, Point>>;
+  population.update(Frame{{7, Point(0, 0)}, {9, Point(1, 1)}});
+  EXPECT_THROW(population.update(Frame{{8, Point(1e9, 0)}, {9, Point(0, 0)}}),
+               CGAL::Periodic_range_error_2);
+  EXPECT_THROW(population.update(Frame{{8, Point(0, 0)}}, Cell(3, 3)), CGAL::Periodic_cell_error_2);
+  EXPECT_THROW(population.update(Frame{{8, Point(0, 0)}, {8, Point(1, 0)}}),
+               CGAL::Repeated_id_error_2);
+  EXPECT_TRUE(population.has(7) && population.has(9) && !population.has(8));
+  EXPECT_EQ(population.point(9), Point(1, 1));
+  population.insert(8, Point(2, 2));
+  population.remove(7);
+  population.move(Frame{{8, Point(2, 3)}, {9, Point(1.5, 1)}});
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(population.triangulation()));
+  EXPECT_EQ(population.size(), 2u);
+}
+
 // EVERYTHING AT RANDOM --------------------------------------------------------------------------
 
 class Random_operations
@@ -565,7 +902,9 @@ class Random_operations
 public:
   explicit Random_operations(std::uint64_t seed)
     : m_random(seed)
+    , m_is_slab(seed % 4 == 0)
     , m_pt(random_cell())
+    , m_limit(seed % 10 == 0 ? 200 : 12)
   {
   }
 
@@ -575,6 +914,7 @@ public:
       step();
       ASSERT_NO_FATAL_FAILURE(expect_points());
       ASSERT_TRUE(m_pt.is_valid()) << i;
+      ASSERT_EQ(m_pt.visitor().edges(), Ledger::edges_of(m_pt)) << i;
       if (i % 20 == 0) {
         ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(m_pt)) << i;
       }
@@ -586,6 +926,8 @@ private:
 
   Cell random_cell()
   {
+    if (m_is_slab)
+      return Cell::slab(random_between(m_random, -4, 4), m_random() % 2 == 0 ? 0 : side());
     if (m_random() % 2 == 0)
       return Cell(side(), side());
     return Cell(side(), random_between(m_random, -1, 1), random_between(m_random, -4, 4),
@@ -609,7 +951,7 @@ private:
   void step()
   {
     const auto kind = m_random() % 10;
-    if (m_points.empty() || kind < 2) {
+    if (m_points.empty() || kind < 2 || (m_limit > 100 && kind == 3)) {
       const Point p = random_point();
       const std::size_t id = m_pt.insert(p);
       ASSERT_TRUE(m_points.emplace(id, p).second);
@@ -623,7 +965,7 @@ private:
       m_pt.move(id, m_points[id]);
     } else {
       if (m_points.size() < 3 && m_random() % 4 == 0)
-        m_limit = 1 + m_random() % 40;
+        m_limit = 1 + m_random() % (m_limit > 100 ? 200 : 40);
       update(kind);
     }
   }
@@ -640,15 +982,15 @@ private:
     const double step = std::pow(10.0, random_between(m_random, -4, 0));
     Cell cell = m_pt.cell();
     if (kind == 8)
-      cell = m_random() % 4 == 0
-                 ? random_cell()
-                 : Cell(cell.ax() * 1.02, cell.ay(), cell.bx() + 0.1, cell.by() * 0.99);
+      cell = m_random() % 4 == 0 ? random_cell()
+             : m_is_slab         ? Cell::slab(cell.ax() * 1.02, cell.ay())
+                         : Cell(cell.ax() * 1.02, cell.ay(), cell.bx() + 0.1, cell.by() * 0.99);
     std::vector<Point> next(m_pt.number_of_ids());
     for (auto& [id, p] : m_points) {
       if (kind == 9 ? m_random() % 10 == 0 : m_random() % 3 == 0)
         p = kind == 9 ? random_point() : moved(p, step);
       if (m_random() % 5 == 0)
-        p = image(p, cell, int(m_random() % 3) - 1, int(m_random() % 3) - 1);
+        p = image(p, cell, int(m_random() % 3) - 1, m_is_slab ? 0 : int(m_random() % 3) - 1);
       next[id] = p;
     }
     m_pt.update(next, cell);
@@ -662,9 +1004,10 @@ private:
   }
 
   std::mt19937_64 m_random;
-  Triangulation m_pt;
+  bool m_is_slab;
+  CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Ledger> m_pt;
   std::map<std::size_t, Point> m_points;
-  std::size_t m_limit = 12;
+  std::size_t m_limit;
 };
 
 TEST(Random_operations, end_exactly_delaunay)

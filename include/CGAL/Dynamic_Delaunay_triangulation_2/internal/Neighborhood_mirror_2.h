@@ -25,7 +25,7 @@ template <class Maintained>
 class Topology_builder_2;
 template <class Maintained>
 class Topology_editor_2;
-template <class Maintained>
+template <class Maintained, bool is_logged>
 class Periodic_editor_2;
 
 // The topology of a two-dimensional CGAL triangulation in flat arrays.
@@ -155,7 +155,7 @@ private:
   friend class Topology_builder_2;
   template <class Maintained>
   friend class Topology_editor_2;
-  template <class Maintained>
+  template <class Maintained, bool is_logged>
   friend class Periodic_editor_2;
 
   // WRITING -------------------------------------------------------------------------------------

@@ -6,8 +6,10 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Lattice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Lawson_flips_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_periodic_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Spatial_order_2.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/Update_report_2.h>
@@ -16,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -26,72 +27,9 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// The limits of points and reduced bases in multiples of the cell's vectors, and of the multiples
-// by which one cell is exchanged for another. Then the shifts of a face are below 2^22, and their
-// sums of products when a cell is exchanged below 2^31.
-constexpr double max_shift = 0x1p20, max_multiple = 0x1p8;
-
-inline Periodic_shift_2 nearest_shift(const Position_2& multiples)
-{
-  return {int(std::lround(multiples.x)), int(std::lround(multiples.y))};
-}
-
-// A short basis of the cell's lattice, counterclockwise (Lagrange's reduction), in rounded
-// arithmetic: any basis is right, and a short one quick to start from.
-inline std::array<Periodic_shift_2, 2> short_basis(const Torus_2& torus)
-{
-  const Periodic_cell_2& cell = torus.cell();
-  std::array<Position_2, 2> v{{{cell.ax(), cell.ay()}, {cell.bx(), cell.by()}}};
-  std::array<std::array<double, 2>, 2> basis{{{1, 0}, {0, 1}}};
-  const auto product = [](const Position_2& p, const Position_2& q) {
-    return p.x * q.x + p.y * q.y;
-  };
-  for (int steps = 0; steps < 64; ++steps) {
-    if (product(v[0], v[0]) > product(v[1], v[1])) {
-      std::swap(v[0], v[1]);
-      std::swap(basis[0], basis[1]);
-    }
-    const double k = std::round(product(v[0], v[1]) / product(v[0], v[0]));
-    if (!(std::abs(k) >= 1))
-      break;
-    for (std::size_t i = 0; i < 2; ++i)
-      basis[1][i] -= k * basis[0][i];
-    if (!(std::abs(basis[1][0]) < max_shift && std::abs(basis[1][1]) < max_shift))
-      throw Periodic_cell_error_2(cell.ax(), cell.ay(), cell.bx(), cell.by(),
-                                  "a reduced basis needs too large multiples of them");
-    v[1] = {v[1].x - k * v[0].x, v[1].y - k * v[0].y};
-  }
-  std::array<Periodic_shift_2, 2> shifts;
-  for (std::size_t i = 0; i < 2; ++i)
-    shifts[i] = {int(basis[i][0]), int(basis[i][1])};
-  const Position_2 origin{0, 0};
-  if (torus.orientation({origin, no_shift}, {origin, shifts[0]}, {origin, shifts[1]}) != LEFT_TURN)
-    std::swap(shifts[0], shifts[1]);
-  return shifts;
-}
-
-// The vectors of the old cell in those of the new one, if these are other vectors of about the same
-// lattice, as after a Lees-Edwards flip. If no integers are near, the cell was deformed.
-inline std::array<Periodic_shift_2, 2> multiples_in_new_cell(const Torus_2& old_torus,
-                                                             const Torus_2& new_torus)
-{
-  constexpr std::array<Periodic_shift_2, 2> unit{{{1, 0}, {0, 1}}};
-  const Periodic_cell_2& old_cell = old_torus.cell();
-  const Position_2 a = new_torus.multiples({old_cell.ax(), old_cell.ay()});
-  const Position_2 b = new_torus.multiples({old_cell.bx(), old_cell.by()});
-  for (const double x : {a.x, a.y, b.x, b.y})
-    if (!(std::abs(x) < max_multiple))
-      return unit;
-  const Periodic_shift_2 i = nearest_shift(a), j = nearest_shift(b);
-  const auto determinant = std::int64_t(i[0]) * j[1] - std::int64_t(i[1]) * j[0];
-  if (determinant != 1 && determinant != -1)
-    return unit;
-  return {i, j};
-}
-
 // Keeps a periodic triangulation Delaunay: builds it, and repairs it after points have moved, come
 // or gone. Every function leaves a certified triangulation.
-template <class Maintained>
+template <class Maintained, class Editor>
 class Periodic_update_2
 {
   using Mirror = Neighborhood_mirror_2;
@@ -104,6 +42,9 @@ public:
     , m_editor(maintained)
   {
   }
+
+  // What has changed since the log was last cleared, if it is kept.
+  std::vector<Periodic_change_2>& log() { return m_editor.log(); }
 
   // POPULATION ----------------------------------------------------------------------------------
 
@@ -125,10 +66,10 @@ public:
     const Index v = ids().vertex(id);
     m_taken_out.clear();
     const bool is_out = m_maintained.number_of_vertices() > 1 && take_out({v}, false, report);
+    if (!is_out)
+      return rebuild(Rebuild_reason_2::STUCK, report, id);
     m_editor.ids().provide_for_removals(1);
     m_editor.ids().remove_representative(id);
-    if (!is_out)
-      return rebuild(Rebuild_reason_2::STUCK, report);
     legalize(report);
     m_editor.drop(m_taken_out);
   }
@@ -188,19 +129,22 @@ public:
     report.parted += parted.size();
   }
 
-  // Triangulates all points anew.
-  void rebuild(Rebuild_reason_2 reason, Update_report_2& report)
+  // Triangulates all points anew, but for the one with the id `gone`, which is removed.
+  void rebuild(Rebuild_reason_2 reason, Update_report_2& report, Index gone = no_index)
   {
     report.rebuild_reason = reason;
     m_open.clear();
     std::vector<Index> taken;
     std::vector<Position_2> points;
     for (Index id = 0; id < ids().number_of_ids(); ++id)
-      if (ids().is_taken(id)) {
+      if (ids().is_taken(id) && id != gone) {
         taken.push_back(id);
         points.push_back(m_maintained.position_of_id(id));
       }
     const Index number_of_ids = ids().number_of_ids();
+    const std::size_t logged = m_editor.log().size();
+    m_editor.provide_for_log(m_maintained.mirror().number_of_edges());
+    m_editor.note_all_edges(Periodic_change_2::Kind::EDGE_REMOVED);
     Maintained before(m_maintained.torus().cell());
     m_editor.swap(before);
     try {
@@ -210,6 +154,7 @@ public:
       m_editor.ids().settle();
     } catch (...) {
       m_editor.swap(before); // which still has all points
+      m_editor.log().resize(logged, {});
       throw;
     }
   }
@@ -226,15 +171,17 @@ public:
     if (mirror.number_of_faces() != 2 * n || mirror.number_of_edges() != 3 * n ||
         ids().number_of_representatives() != n)
       return false;
-    typename Torus_2::Exact area(0);
+    Torus_2::Polynomial<1> area{0, 0}, area_of_cell = m_maintained.torus().exact_double_area();
     for (Index h = 0; h < 6 * n; ++h) {
       const Index g = mirror.twin(h);
       if (mirror.twin(g) != h || mirror.source(h) != mirror.target(g) ||
           m_maintained.transition(h) != no_shift - m_maintained.transition(g))
         return false;
-      if (h % 3 == 0)
-        area += m_maintained.torus().exact_double_area(
-            m_maintained.image(h), m_maintained.image(h + 1), m_maintained.image(h + 2));
+      if (h % 3 != 0)
+        continue;
+      const auto face = m_maintained.torus().exact_double_area(
+          m_maintained.image(h), m_maintained.image(h + 1), m_maintained.image(h + 2));
+      area = {area[0] + face[0], area[1] + face[1]};
     }
     const Edge_test test(m_maintained);
     for (Index e = 0; e < mirror.number_of_edges(); ++e)
@@ -243,7 +190,9 @@ public:
     for (const auto& duplicate : ids().duplicates())
       if (!coincide(duplicate.point, m_maintained.positions()[ids().vertex(duplicate.id)]))
         return false;
-    return n == 0 || area == CGAL::abs(m_maintained.torus().exact_double_area());
+    if (CGAL::is_negative(area_of_cell[0]))
+      area_of_cell[0] = -area_of_cell[0];
+    return n == 0 || area == area_of_cell;
   }
 
 private:
@@ -255,7 +204,8 @@ private:
 
   Periodic_shift_2 shift_of_step(const Position_2& from, const Position_2& to) const
   {
-    return nearest_shift(m_maintained.torus().multiples({to.x - from.x, to.y - from.y}));
+    const Torus_2& torus = m_maintained.torus();
+    return torus.nearest_shift(torus.multiples({to.x - from.x, to.y - from.y}));
   }
 
   // Whether two points differ by a vector of the lattice.
@@ -275,9 +225,7 @@ private:
       return;
     const Position_2 before = m_maintained.positions()[v], p = ids().duplicate(other).point;
     m_editor.ids().provide_for_duplicates(1);
-    m_editor.ids().hand_over(other, before);
-    m_editor.set_position(v, p);
-    m_editor.shift_images(v, shift_of_step(before, p));
+    m_editor.hand_over(other, p, before, shift_of_step(before, p));
   }
 
   // Makes a vertex for a point with a reserved id or the id of a duplicate, or makes the point a
@@ -289,6 +237,8 @@ private:
       const auto basis = short_basis(m_maintained.torus());
       m_editor.start(p, basis[0], basis[1]);
       m_editor.ids().place_representative(id, 1);
+      m_editor.provide_for_log(3);
+      m_editor.note_all_edges(Periodic_change_2::Kind::EDGE_CREATED);
       m_open = {0, 1, 2};
       return legalize(report);
     }
@@ -304,12 +254,9 @@ private:
   void place_all(const std::vector<Index>& ids, const std::vector<Position_2>& points,
                  Update_report_2& report)
   {
-    const Torus_2& torus = m_maintained.torus();
     std::vector<Position_2> wrapped;
-    for (const Position_2& p : points) {
-      const Position_2 s = torus.multiples(p);
-      wrapped.push_back(torus.vector({s.x - std::floor(s.x), s.y - std::floor(s.y)}));
-    }
+    for (const Position_2& p : points)
+      wrapped.push_back(m_maintained.torus().wrapped(p));
     std::vector<Index> numbers(points.size());
     std::iota(numbers.begin(), numbers.end(), Index(0));
     m_order.sort(wrapped, numbers.begin(), numbers.end());
@@ -549,7 +496,7 @@ private:
       Position_2 way{q.x - p.x, q.y - p.y};
       const Position_2 step = is_same ? now.multiples(way) : step_to_new_cell(before, p, now, q);
       if (!is_same || (std::max)(std::abs(step.x), std::abs(step.y)) > 0.5) {
-        const Periodic_shift_2 shift = nearest_shift(step);
+        const Periodic_shift_2 shift = now.nearest_shift(step);
         if (!are_equal(shift, no_shift))
           m_translated.push_back({v, shift});
         way = now.vector({step.x - shift[0], step.y - shift[1]});
@@ -578,7 +525,24 @@ private:
   // A quarter of the spacing.
   double squared_long_way() const
   {
-    return m_maintained.torus().cell().area() / m_maintained.number_of_vertices() / 16;
+    return area_of_points() / m_maintained.number_of_vertices() / 16;
+  }
+
+  // That of the cell. In a slab that of the strip with all points, or, where that is thin, of
+  // squares between points in a row.
+  double area_of_points() const
+  {
+    const Torus_2& torus = m_maintained.torus();
+    if (!torus.cell().is_slab())
+      return torus.cell().area();
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v) {
+      const double height = torus.multiples(m_maintained.positions()[v]).y;
+      low = (std::min)(low, height);
+      high = (std::max)(high, height);
+    }
+    const double length = std::hypot(torus.cell().ax(), torus.cell().ay());
+    return length * (std::max)(high - low, length / m_maintained.number_of_vertices());
   }
 
   // So many vertices are at most taken out and put back: more are as much work as triangulating
@@ -604,10 +568,11 @@ private:
   double squared_distance_to_neighbors(Index v) const
   {
     double least = std::numeric_limits<double>::infinity();
+    const Torus_2& torus = m_maintained.torus();
     m_maintained.mirror().for_each_corner(v, [&](Index h) {
-      const Position_2 p = m_maintained.torus().rounded(m_maintained.image(h));
-      const Position_2 q = m_maintained.torus().rounded(m_maintained.image(Mirror::next(h)));
-      least = (std::min)(least, squared_distance(p, q));
+      const Image_2 p = m_maintained.image(h), q = m_maintained.image(Mirror::next(h));
+      if (!torus.are_across(p.shift, q.shift))
+        least = (std::min)(least, squared_distance(torus.rounded(p), torus.rounded(q)));
     });
     return least;
   }
@@ -662,7 +627,7 @@ private:
   static constexpr int max_rounds = 8;
 
   Maintained& m_maintained;
-  Periodic_editor_2<Maintained> m_editor;
+  Editor m_editor;
   Lawson_flips_2 m_flips;
   Spatial_order_2 m_order;
   Index m_hint = 1;              // where the next walk starts

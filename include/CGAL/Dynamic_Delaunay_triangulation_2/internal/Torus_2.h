@@ -54,6 +54,12 @@ struct Edge_images_2
 
 // The flat torus: the plane, in which the lattice of a cell identifies points.
 //
+// A slab is the torus whose second vector is infinitely long: H times a's perpendicular (-ay, ax),
+// with an H larger than all numbers. Then a sign is that of a polynomial in H, and that of its
+// leading coefficient. Faces and edges between images with the same multiple of H are those of the
+// slab, and the others fill the gap between its two sides. Nothing else is different in a slab:
+// finitely many signs are the same for all H from some finite one on, and there it is a torus.
+//
 // The filter. Let u = 2^-53. The vector between two images has coordinates D + i a + j b, where D
 // is the difference of two coordinates, and i and j are integers. Rounded are the difference, both
 // products, their sum, and the whole sum. With m = |D| + |i a| + |j b| the error is at most
@@ -89,7 +95,13 @@ public:
   {
     return std::isfinite(m_inverse_x.x) && std::isfinite(m_inverse_x.y) &&
            std::isfinite(m_inverse_y.x) && std::isfinite(m_inverse_y.y) &&
-           std::isfinite(m_cell.area()) && m_cell.area() > 0;
+           (m_cell.is_slab() || (std::isfinite(m_cell.area()) && m_cell.area() > 0));
+  }
+
+  // Whether images by these shifts are on different sides of the gap of a slab.
+  bool are_across(const Periodic_shift_2& s, const Periodic_shift_2& t) const
+  {
+    return m_cell.is_slab() && s[1] != t[1];
   }
 
   // The coordinates of a vector in multiples of the cell's vectors, rounded.
@@ -103,7 +115,26 @@ public:
     return {s.x * m_cell.ax() + s.y * m_cell.bx(), s.x * m_cell.ay() + s.y * m_cell.by()};
   }
 
-  // An image as a position, rounded.
+  // The multiples by which the lattice can translate: none across a slab.
+  Position_2 periodic(const Position_2& multiples) const
+  {
+    return {multiples.x, m_cell.is_slab() ? 0 : multiples.y};
+  }
+  Periodic_shift_2 nearest_shift(const Position_2& multiples) const
+  {
+    const Position_2 m = periodic(multiples);
+    return {int(std::lround(m.x)), int(std::lround(m.y))};
+  }
+
+  // The image in the cell of a position, rounded.
+  Position_2 wrapped(const Position_2& p) const
+  {
+    const Position_2 m = periodic(multiples(p));
+    const Position_2 way = vector({std::floor(m.x), std::floor(m.y)});
+    return {p.x - way.x, p.y - way.y};
+  }
+
+  // An image as a position, rounded. In a slab it must be on the side where points are given.
   Position_2 rounded(const Image_2& p) const
   {
     return {p.position.x + (p.shift[0] * m_cell.ax() + p.shift[1] * m_cell.bx()),
@@ -114,16 +145,20 @@ public:
   {
     if (are_equal(p.shift, q.shift))
       return p.position.x == q.position.x && p.position.y == q.position.y;
+    if (are_across(p.shift, q.shift))
+      return false;
     double m = 0;
     const Position_2 v = vector(q, p, m);
     if ((std::max)(std::abs(v.x), std::abs(v.y)) > m * error_factor)
       return false;
-    const auto [x, y] = exact_vector(q, p);
-    return CGAL::is_zero(x) && CGAL::is_zero(y);
+    const Exact_vector exact(*this, q, p);
+    return CGAL::is_zero(exact.x) && CGAL::is_zero(exact.y);
   }
 
   Orientation orientation(const Image_2& a, const Image_2& b, const Image_2& c) const
   {
+    if (are_across(a.shift, c.shift) || are_across(b.shift, c.shift))
+      return exact_orientation(a, b, c);
     double m = 0;
     const Position_2 p = vector(c, a, m), q = vector(c, b, m);
     const double left = p.x * q.y, right = q.x * p.y, e = error_factor * m;
@@ -157,20 +192,23 @@ public:
     return Filter(*this, corners).proves_delaunay();
   }
 
-  // Twice the area of the triangle, exactly; negative if it is clockwise.
   using Exact = CGAL::internal::Exact_ring_selector<double>::Type;
-  Exact exact_double_area(const Image_2& a, const Image_2& b, const Image_2& c) const
+  // A number, or in a slab a polynomial in H: the constant first.
+  template <std::size_t degree>
+  using Polynomial = std::array<Exact, degree + 1>;
+
+  // Twice the area of the triangle, exactly; negative if it is clockwise.
+  Polynomial<1> exact_double_area(const Image_2& a, const Image_2& b, const Image_2& c) const
   {
-    const auto [px, py] = exact_vector(c, a);
-    const auto [qx, qy] = exact_vector(c, b);
-    return px * qy - qx * py;
+    return product(Exact_vector(*this, c, a), Exact_vector(*this, c, b));
   }
   // Twice the area of the cell, negative if its vectors are clockwise.
-  Exact exact_double_area() const
+  Polynomial<1> exact_double_area() const
   {
-    const Exact area =
-        Exact(m_cell.ax()) * Exact(m_cell.by()) - Exact(m_cell.ay()) * Exact(m_cell.bx());
-    return area + area;
+    const Exact ax(m_cell.ax()), ay(m_cell.ay());
+    if (m_cell.is_slab())
+      return {Exact(0), Exact(2) * (ax * ax + ay * ay)};
+    return {Exact(2) * (ax * Exact(m_cell.by()) - ay * Exact(m_cell.bx())), Exact(0)};
   }
 
 private:
@@ -200,7 +238,10 @@ private:
       const double s = m_filter.s, r = std::sqrt(s), e = error_factor * m;
       const double bound = Edge_filter_2::orientation_factor * s + 5 * r * e;
       m_in_circle_bound = Edge_filter_2::in_circle_factor * (s * s) + 5 * (s * r) * e;
-      is_usable = (s > Edge_filter_2::smallest_s) & (e < 0x1p-20 * r);
+      is_usable = (s > Edge_filter_2::smallest_s) & (e < 0x1p-20 * r) &
+                  !(torus.are_across(corners.left.shift, corners.right.shift) ||
+                    torus.are_across(corners.source.shift, corners.right.shift) ||
+                    torus.are_across(corners.target.shift, corners.right.shift));
       is_counterclockwise = is_usable & (m_filter.left > bound) & (m_filter.right > bound);
     }
 
@@ -221,30 +262,70 @@ private:
     return {dx + (iax + jbx), dy + (iay + jby)};
   }
 
-  std::pair<Exact, Exact> exact_vector(const Image_2& from, const Image_2& to) const
+  // The vector from one image to another: (x, y), and in a slab h times H (-ay, ax).
+  struct Exact_vector
   {
-    const Exact i(double(to.shift[0]) - from.shift[0]), j(double(to.shift[1]) - from.shift[1]);
-    return {Exact(to.position.x) - Exact(from.position.x) + i * Exact(m_cell.ax()) +
-                j * Exact(m_cell.bx()),
-            Exact(to.position.y) - Exact(from.position.y) + i * Exact(m_cell.ay()) +
-                j * Exact(m_cell.by())};
+    Exact_vector(const Torus_2& torus, const Image_2& from, const Image_2& to)
+      : x(Exact(to.position.x) - Exact(from.position.x))
+      , y(Exact(to.position.y) - Exact(from.position.y))
+    {
+      const Exact i(double(to.shift[0]) - from.shift[0]), j(double(to.shift[1]) - from.shift[1]);
+      const Periodic_cell_2& cell = torus.cell();
+      x += i * Exact(cell.ax());
+      y += i * Exact(cell.ay());
+      if (cell.is_slab()) {
+        h = j;
+      } else {
+        x += j * Exact(cell.bx());
+        y += j * Exact(cell.by());
+      }
+    }
+    Exact x, y, h = Exact(0);
+  };
+
+  // The cross product.
+  Polynomial<1> product(const Exact_vector& p, const Exact_vector& q) const
+  {
+    const Exact bx(-m_cell.ay()), by(m_cell.ax());
+    return {p.x * q.y - p.y * q.x, q.h * (p.x * by - p.y * bx) - p.h * (q.x * by - q.y * bx)};
+  }
+
+  Polynomial<2> squared_length(const Exact_vector& p) const
+  {
+    const Exact bx(-m_cell.ay()), by(m_cell.ax());
+    return {p.x * p.x + p.y * p.y, Exact(2) * p.h * (p.x * bx + p.y * by),
+            p.h * p.h * (bx * bx + by * by)};
+  }
+
+  template <std::size_t size>
+  static Sign sign_of(const std::array<Exact, size>& polynomial)
+  {
+    for (std::size_t i = size; i-- > 1;)
+      if (!CGAL::is_zero(polynomial[i]))
+        return CGAL::sign(polynomial[i]);
+    return CGAL::sign(polynomial[0]);
   }
 
   BOOST_NOINLINE Orientation exact_orientation(const Image_2& a, const Image_2& b,
                                                const Image_2& c) const
   {
-    return CGAL::sign(exact_double_area(a, b, c));
+    return sign_of(exact_double_area(a, b, c));
   }
 
   BOOST_NOINLINE Oriented_side exact_side_of_circle(const Image_2& a, const Image_2& b,
                                                     const Image_2& c, const Image_2& d) const
   {
-    const auto [ax, ay] = exact_vector(d, a);
-    const auto [bx, by] = exact_vector(d, b);
-    const auto [cx, cy] = exact_vector(d, c);
-    return CGAL::sign((ax * ax + ay * ay) * (bx * cy - cx * by) +
-                      (bx * bx + by * by) * (cx * ay - ax * cy) +
-                      (cx * cx + cy * cy) * (ax * by - bx * ay));
+    const std::array<Exact_vector, 3> v{Exact_vector(*this, d, a), Exact_vector(*this, d, b),
+                                        Exact_vector(*this, d, c)};
+    Polynomial<3> determinant{Exact(0), Exact(0), Exact(0), Exact(0)};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Polynomial<2> square = squared_length(v[i]);
+      const Polynomial<1> area = product(v[(i + 1) % 3], v[(i + 2) % 3]);
+      for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t l = 0; l < 2; ++l)
+          determinant[k + l] += square[k] * area[l];
+    }
+    return sign_of(determinant);
   }
 
   Periodic_cell_2 m_cell;

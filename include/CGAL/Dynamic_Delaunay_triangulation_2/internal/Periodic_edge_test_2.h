@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_EDGE_TEST_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_EDGE_TEST_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_filter_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Torus_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// The one test of an edge, as `Edge_test_2` is in the plane.
+template <class Maintained>
+class Periodic_edge_test_2
+{
+public:
+  explicit Periodic_edge_test_2(const Maintained& maintained)
+    : m_maintained(maintained)
+  {
+  }
+
+  Edge_state_2 state(Index e) const
+  {
+    const auto& mirror = m_maintained.mirror();
+    if (!m_maintained.is_shifted(e)) {
+      using Space = typename Maintained::Space;
+      const Edge_filter_2 filter(Space::corners(mirror.edge(e), m_maintained.positions()));
+      if (filter.proves_delaunay())
+        return Edge_state_2::DELAUNAY;
+      if (filter.proves_illegal())
+        return Edge_state_2::ILLEGAL;
+    }
+    return m_maintained.torus().edge_state(m_maintained.corners_at(mirror.halfedge(e)));
+  }
+
+  // Appends the edges that the filters do not prove Delaunay. Edges of empty slots are
+  // left out.
+  void append_unproved(std::vector<Index>& unproved) const
+  {
+    const std::size_t first = unproved.size();
+    const auto& mirror = m_maintained.mirror();
+    internal::append_unproved<typename Maintained::Space>(
+        mirror.edges().data(), m_maintained.positions(), 0, mirror.number_of_edges(), unproved);
+    const auto is_proved = [&](Index e) {
+      return mirror.is_empty_edge(e) ||
+             (m_maintained.is_shifted(e) && m_maintained.torus().filter_proves_delaunay(
+                                                m_maintained.corners_at(mirror.halfedge(e))));
+    };
+    unproved.erase(
+        std::remove_if(unproved.begin() + std::ptrdiff_t(first), unproved.end(), is_proved),
+        unproved.end());
+  }
+
+private:
+  const Maintained& m_maintained;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_EDGE_TEST_2_H

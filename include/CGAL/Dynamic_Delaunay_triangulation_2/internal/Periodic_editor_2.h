@@ -1,0 +1,331 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_EDITOR_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_EDITOR_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_change_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Torus_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// The only writer of a periodic triangulation. Every function leaves a triangulation of the torus
+// whose shifts close up around each face and agree along each edge.
+//
+// If `is_logged_`, it keeps a log of all edges that it removes and creates, of the points whose
+// images it numbers anew, and of exchanged cells.
+template <class Maintained, bool is_logged_>
+class Periodic_editor_2
+{
+  using Mirror = Neighborhood_mirror_2;
+  using Slot = Mirror::Slot;
+  using Ids = typename Maintained::Ids;
+  using Kind = Periodic_change_2::Kind;
+
+public:
+  explicit Periodic_editor_2(Maintained& maintained)
+    : m_maintained(maintained)
+  {
+  }
+
+  // LOG -----------------------------------------------------------------------------------------
+
+  static constexpr bool is_logged = is_logged_;
+  std::vector<Periodic_change_2>& log() { return m_log; }
+
+  // Reserves memory for so many changes.
+  void provide_for_log(std::size_t changes)
+  {
+    if constexpr (is_logged)
+      provide(m_log, changes);
+  }
+
+  // Notes all edges as removed or created. The memory must have been provided.
+  void note_all_edges(Kind kind)
+  {
+    if constexpr (is_logged)
+      for (Index e = 0; e < mirror().number_of_edges(); ++e)
+        if (!mirror().is_empty_edge(e))
+          note_edge(kind, mirror().halfedge(e));
+  }
+
+  // POINTS --------------------------------------------------------------------------------------
+
+  Ids& ids() { return m_maintained.m_ids; }
+  void set_position(Index v, const Position_2& p) { m_maintained.m_positions[v] = p; }
+
+  // The same for all vertices; the vector gets the positions before.
+  void exchange_positions(std::vector<Position_2>& positions)
+  {
+    m_maintained.m_positions.swap(positions);
+  }
+
+  // To be called where the position of v was replaced by one that is about `shift` away: every
+  // image of v stays where it is, about.
+  void shift_images(Index v, const Periodic_shift_2& shift)
+  {
+    if (are_equal(shift, no_shift))
+      return;
+    note([&] { return Periodic_change_2::translation(ids().representative(v), shift); });
+    mirror().for_each_corner(v, [&](Index h) { m_corners.push_back(h); });
+    for (const Index h : m_corners)
+      shifts()[h] = shifts()[h] - shift;
+    for (const Index h : m_corners)
+      write_face(h / 3);
+    m_corners.clear();
+  }
+
+  // Exchanges the representative of a vertex for one of its duplicates, which is at p: so
+  // far the representative was at `before`, by `shift` away from p.
+  void hand_over(Index duplicate, const Position_2& p, const Position_2& before,
+                 const Periodic_shift_2& shift)
+  {
+    const Index v = ids().vertex(duplicate);
+    provide_for_log(2 * std::size_t(mirror().degree(v)) + 1);
+    note_edges_around(Kind::EDGE_REMOVED, v);
+    ids().hand_over(duplicate, before);
+    note_edges_around(Kind::EDGE_CREATED, v);
+    set_position(v, p);
+    shift_images(v, shift);
+  }
+
+  // The lattice gets another cell. `multiples` are the vectors of the old cell in those of the new
+  // one, integers with determinant 1 or -1; the rest is deformation.
+  void set_cell(const Periodic_cell_2& cell, const std::array<Periodic_shift_2, 2>& multiples)
+  {
+    if (multiples != std::array<Periodic_shift_2, 2>{{{1, 0}, {0, 1}}})
+      note([&] { return Periodic_change_2::exchange(multiples); });
+    m_maintained.m_torus = Torus_2(cell);
+    for (Periodic_shift_2& s : shifts())
+      s = {s[0] * multiples[0][0] + s[1] * multiples[1][0],
+           s[0] * multiples[0][1] + s[1] * multiples[1][1]};
+  }
+
+  // FLIPS ---------------------------------------------------------------------------------------
+
+  // A flip needs two faces, and must give no edge that is there already, or has no length. Walks
+  // around both ends of the new edge in step, because one of them may have many neighbors.
+  bool can_flip(Index h) const
+  {
+    const Index g = mirror().twin(h);
+    const Index a = mirror().apex(h), d = mirror().apex(g);
+    const Periodic_shift_2 way = shifts()[g] + m_maintained.transition(h) - shifts()[h];
+    if (h / 3 == g / 3 || (a == d && are_equal(way, no_shift)))
+      return false;
+    Index i = h, k = g;
+    do {
+      if (leads(i, d, way) || leads(k, a, no_shift - way))
+        return false;
+      i = mirror().next_corner(i);
+      k = mirror().next_corner(k);
+    } while (i != h && k != g);
+    return true;
+  }
+
+  void flip(Index h)
+  {
+    const Index g = mirror().twin(h);
+    const Edge_images_2 images = m_maintained.corners_at(h);
+    provide_for_log(2);
+    note_edge(Kind::EDGE_REMOVED, h);
+    mirror().flip_glued(h);
+    shifts()[Mirror::previous(h)] = images.right.shift;
+    shifts()[g] = images.right.shift;
+    shifts()[Mirror::next(g)] = images.target.shift;
+    shifts()[Mirror::previous(g)] = images.left.shift;
+    write_face(h / 3);
+    write_face(g / 3);
+    note_edge(Kind::EDGE_CREATED, Mirror::next(g));
+  }
+
+  // As `Topology_editor_2` has it: calls f(flip).
+  template <class Function>
+  void flip_in_series(const Function& f)
+  {
+    f([this](Index h) { flip(h); });
+  }
+
+  // VERTICES ------------------------------------------------------------------------------------
+
+  // Exchanges everything with another one.
+  void swap(Maintained& other) { std::swap(m_maintained, other); }
+
+  // Makes the only vertex, at p, with two faces over the basis r, t of the lattice, which is
+  // counterclockwise. Its edges are not logged, as its point has no id yet.
+  void start(const Position_2& p, const Periodic_shift_2& r, const Periodic_shift_2& t)
+  {
+    mirror().resize(1, 2);
+    ids().append_vertex();
+    m_maintained.m_positions.push_back(p);
+    for (Index h = 0; h < 6; ++h)
+      mirror().set_apex(h, 1);
+    // the faces (0, r, r + t) and (0, r + t, t) of a parallelogram
+    shifts() = {no_shift, r, r + t, no_shift, r + t, t};
+    mirror().link(0, 4);
+    mirror().link(1, 5);
+    mirror().link(2, 3);
+    mirror().number_edges();
+    write_face(0);
+    write_face(1);
+  }
+
+  // Makes a vertex outside of all faces. Its point has no id yet.
+  Slot make_slot()
+  {
+    mirror().provide_for_slot();
+    ids().provide_for_vertex();
+    provide(shifts(), 6);
+    provide(m_maintained.m_positions, 1);
+    ids().append_vertex();
+    shifts().resize(shifts().size() + 6);
+    m_maintained.m_positions.push_back(nowhere());
+    return mirror().append_slot();
+  }
+
+  // Puts the slot's vertex into face f, at the image of p by `shift` in the frame of f.
+  void put_in(const Slot& slot, const Position_2& p, const Periodic_shift_2& shift, Index f)
+  {
+    provide_for_log(3);
+    const Index g = slot.faces[0], k = slot.faces[1];
+    const Periodic_shift_2 a = shifts()[3 * f], b = shifts()[3 * f + 1], c = shifts()[3 * f + 2];
+    mirror().put_in(slot, f);
+    set_position(slot.vertex, p);
+    set_shifts(f, shift, b, c);
+    set_shifts(g, a, shift, c);
+    set_shifts(k, a, b, shift);
+    for (const Index face : {f, g, k})
+      write_face(face);
+    note_edges_around(Kind::EDGE_CREATED, slot.vertex);
+  }
+
+  // Takes a vertex of degree 3 out of its faces.
+  Slot take_out(Index v)
+  {
+    provide_for_log(3);
+    note_edges_around(Kind::EDGE_REMOVED, v);
+    const Index h = mirror().corner(v), g = mirror().next_corner(h);
+    const Periodic_shift_2 a = shifts()[Mirror::next(h)], b = shifts()[Mirror::previous(h)];
+    const Periodic_shift_2 c = shifts()[Mirror::previous(g)] + shifts()[h] - shifts()[g];
+    const Slot slot = mirror().take_out(v);
+    shifts()[h] = c;
+    shifts()[Mirror::next(h)] = a;
+    shifts()[Mirror::previous(h)] = b;
+    write_face(h / 3);
+    return slot;
+  }
+
+  // Deletes the vertices of all slots, which have no points. The last vertices, edges and faces
+  // take their numbers.
+  void drop(const std::vector<Slot>& empty_slots)
+  {
+    std::vector<Index> vertices, faces, edges;
+    for (const Slot& slot : empty_slots) {
+      vertices.push_back(slot.vertex);
+      faces.insert(faces.end(), slot.faces.begin(), slot.faces.end());
+      edges.insert(edges.end(), slot.edges.begin(), slot.edges.end());
+    }
+    for (auto* numbers : {&vertices, &faces, &edges}) // from the last on, which thus is not empty
+      std::sort(numbers->rbegin(), numbers->rend());
+    for (const Index f : faces) {
+      const Index last = 3 * (mirror().number_of_faces() - 1);
+      set_shifts(f, shifts()[last], shifts()[last + 1], shifts()[last + 2]);
+      mirror().move_last_face_to(f);
+      shifts().resize(last);
+    }
+    for (const Index e : edges)
+      mirror().move_last_edge_to(e);
+    for (const Index v : vertices) {
+      mirror().move_last_vertex_to(v);
+      ids().move_last_vertex_to(v);
+      set_position(v, m_maintained.m_positions.back());
+      m_maintained.m_positions.pop_back();
+    }
+  }
+
+private:
+  Neighborhood_mirror_2& mirror() { return m_maintained.m_mirror; }
+  const Neighborhood_mirror_2& mirror() const { return m_maintained.m_mirror; }
+  std::vector<Periodic_shift_2>& shifts() { return m_maintained.m_shifts; }
+  const std::vector<Periodic_shift_2>& shifts() const { return m_maintained.m_shifts; }
+
+  template <class Change>
+  void note(const Change& change)
+  {
+    if constexpr (is_logged)
+      m_log.push_back(change());
+  }
+
+  void note_edge(Kind kind, Index h)
+  {
+    note([&] {
+      const Index from = Mirror::next(h), to = Mirror::previous(h);
+      return Periodic_change_2::edge(kind, ids().representative(mirror().apex(from)),
+                                     ids().representative(mirror().apex(to)),
+                                     shifts()[to] - shifts()[from]);
+    });
+  }
+
+  // Edges from the vertex to itself are met twice, and noted once.
+  void note_edges_around(Kind kind, Index v)
+  {
+    if constexpr (is_logged)
+      mirror().for_each_corner(v, [&](Index h) {
+        const Index spoke = Mirror::previous(h);
+        if (mirror().target(spoke) != v || spoke == mirror().halfedge(mirror().edge_of(spoke)))
+          note_edge(kind, spoke);
+      });
+  }
+
+  // Whether the next edge at this corner goes to the image of v by `way`.
+  bool leads(Index corner, Index v, const Periodic_shift_2& way) const
+  {
+    const Index end = Mirror::next(corner);
+    return mirror().apex(end) == v && are_equal(shifts()[end] - shifts()[corner], way);
+  }
+
+  void set_shifts(Index f, Periodic_shift_2 a, Periodic_shift_2 b, Periodic_shift_2 c)
+  {
+    shifts()[3 * f] = a;
+    shifts()[3 * f + 1] = b;
+    shifts()[3 * f + 2] = c;
+  }
+
+  // Moves the frame of face f to its first corner, and writes its edges.
+  void write_face(Index f)
+  {
+    const Periodic_shift_2 first = shifts()[3 * f];
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      shifts()[h] = shifts()[h] - first;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      const auto [a, b, c, d] = m_maintained.corners_at(h);
+      const Index e = mirror().edge_of(h);
+      if (are_equal(a.shift, b.shift) && are_equal(b.shift, c.shift) && are_equal(c.shift, d.shift))
+        mirror().set_edge(e, mirror().halfedge(e));
+      else
+        mirror().hide_edge(e);
+    }
+  }
+
+  Maintained& m_maintained;
+  std::vector<Index> m_corners;
+  std::vector<Periodic_change_2> m_log;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_EDITOR_2_H
