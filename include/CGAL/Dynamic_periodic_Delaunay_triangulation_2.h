@@ -12,6 +12,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_change_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_update_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Periodic_cell_2.h>
 #include <CGAL/Periodic_update_visitor_base_2.h>
@@ -200,8 +201,25 @@ public:
   {
     const Floating_point floating_point;
     check_next(cell);
-    read_frame(first, beyond, cell);
-    return run([&](Update_report_2& report) { m_core->update.update(m_next, cell, report); });
+    if (!m_is_certified)
+      mend();
+    if constexpr (Dynamic_Delaunay_triangulations_2::internal::is_in_memory<InputIterator>) {
+      if (size_type(beyond - first) != number_of_ids())
+        throw Point_count_error_2(number_of_ids(), size_type(beyond - first));
+      return update_to(Points_in_memory<InputIterator>{first}, cell);
+    } else {
+      m_next.clear();
+      for (; first != beyond; ++first) {
+        auto&& value = *first;
+        const Point& p = value;
+        m_next.push_back({p.x(), p.y()});
+        if (m_next.size() > number_of_ids())
+          break;
+      }
+      if (m_next.size() != number_of_ids())
+        throw Point_count_error_2(number_of_ids(), m_next.size());
+      return update_to(Read_positions{m_next}, cell);
+    }
   }
 
   /// the same, but takes the range as a whole.
@@ -308,13 +326,17 @@ public:
     change.gone.assign(gone.begin(), gone.end());
     change.coming = m_core->maintained.ids().next_ids(coming.size(), change.gone);
     const std::vector<Position> positions = checked(change.coming_points, change.coming, cell);
-    read_frame(first, beyond, cell);
+    m_next.clear();
+    for (; first != beyond; ++first)
+      m_next.push_back({first->x(), first->y()});
+    check_positions(Read_positions{m_next}, cell);
     std::vector<size_type> ids(change.coming.begin(), change.coming.end());
     return run([&](Update_report_2& report) {
       for (const Index id : change.gone)
         m_core->update.remove(id, report);
       coming_ids.swap(ids);
-      m_core->update.update(m_next, cell, report);
+      m_core->update.stage(Read_positions{m_next}, cell);
+      m_core->update.update(Read_positions{m_next}, cell, report);
       m_core->update.insert(change.coming, positions, report);
     });
   }
@@ -542,22 +564,48 @@ private:
     return position;
   }
 
-  template <class InputIterator>
-  void read_frame(InputIterator first, InputIterator beyond, const Periodic_cell_2& cell)
+  // The positions of a frame, by ids.
+  template <class Iterator>
+  struct Points_in_memory
+  {
+    Position operator()(size_type id) const
+    {
+      const Point& p = first[std::ptrdiff_t(id)];
+      return {p.x(), p.y()};
+    }
+    void prefetch(size_type id) const
+    {
+      Dynamic_Delaunay_triangulations_2::internal::prefetch(&first[std::ptrdiff_t(id)]);
+    }
+    Iterator first;
+  };
+  struct Read_positions
+  {
+    Position operator()(size_type id) const { return positions[id]; }
+    void prefetch(size_type id) const
+    {
+      Dynamic_Delaunay_triangulations_2::internal::prefetch(&positions[id]);
+    }
+    const std::vector<Position>& positions;
+  };
+
+  template <class Next>
+  Update_report_2 update_to(const Next& next, const Periodic_cell_2& cell)
+  {
+    if (!m_core->update.stage(next, cell))
+      check_positions(next, cell); // throws
+    return run([&](Update_report_2& report) { m_core->update.update(next, cell, report); });
+  }
+
+  template <class Next>
+  void check_positions(const Next& next, const Periodic_cell_2& cell) const
   {
     const Dynamic_Delaunay_triangulations_2::internal::Torus_2 torus(cell);
-    const size_type ids = number_of_ids();
-    const bool are_all_taken = number_of_points() == ids;
-    m_next.resize(ids);
-    size_type id = 0;
-    for (; first != beyond && id < ids; ++first, ++id) {
-      auto&& value = *first;
-      const Point& p = value;
-      if (are_all_taken || has_id(id))
-        m_next[id] = checked(p, id, torus);
-    }
-    if (first != beyond || id < ids)
-      throw Point_count_error_2(ids, first != beyond ? ids + 1 : id);
+    for (size_type id = 0; id < number_of_ids(); ++id)
+      if (has_id(id)) {
+        const Position p = next(id);
+        checked(Point(p.x, p.y), id, torus);
+      }
   }
 
   template <class Function>
@@ -566,8 +614,9 @@ private:
     if constexpr (has_visitor)
       m_visitor.before_update(std::as_const(*this));
     Update_report_2 report;
-    if (!std::exchange(m_is_certified, false))
+    if (!m_is_certified)
       m_core->update.rebuild(Rebuild_reason_2::STUCK, report);
+    m_is_certified = false;
     change(report);
     report.certified = m_is_certified = true;
     if constexpr (has_visitor)

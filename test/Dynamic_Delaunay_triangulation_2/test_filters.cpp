@@ -345,7 +345,7 @@ TEST_F(Tolerances, are_chosen_among_those_that_are_numbers)
         points.emplace_back(x, y);
     const CGAL::Dynamic_Delaunay_triangulation_2<Epick> dt(points.begin(), points.end());
     for (const std::size_t share : {16u, 32u}) {
-      internal::Safe_edges_2 safe_edges;
+      internal::Safe_edges_2<> safe_edges;
       safe_edges.start(dt.frame(), share);
       EXPECT_TRUE(safe_edges.holds()) << "one edge in " << share << " may be tight";
     }

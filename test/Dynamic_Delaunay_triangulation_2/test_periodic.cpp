@@ -33,6 +33,10 @@ using Point = Kernel::Point_2;
 using Cell = CGAL::Periodic_cell_2;
 using Triangulation = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel>;
 using Vector = Kernel::Vector_2;
+namespace internal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
+using CGAL::Dynamic_Delaunay_triangulations_2::Edge_state_2;
+using CGAL::Dynamic_Delaunay_triangulations_2::Index;
+using CGAL::Dynamic_Delaunay_triangulations_2::Position_2;
 
 double random_between(std::mt19937_64& random, double low, double high)
 {
@@ -688,6 +692,134 @@ TEST(A_slab, stays_one_and_no_cell_becomes_one)
   EXPECT_THROW(Cell::slab(0, 0), CGAL::Periodic_cell_error_2);
   EXPECT_THROW(Cell::slab(std::numeric_limits<double>::quiet_NaN(), 0),
                CGAL::Periodic_cell_error_2);
+}
+
+// SAFE EDGES --------------------------------------------------------------------------------------
+
+// A triangulation whose parts can be asked whether edges are skipped.
+class Skipping
+{
+  using Maintained = internal::Maintained_periodic_triangulation_2<Point>;
+  using Editor = internal::Periodic_editor_2<Maintained, false>;
+
+public:
+  Skipping(const std::vector<Point>& points, const Cell& cell)
+    : m_maintained(cell)
+    , m_update(m_maintained)
+  {
+    std::vector<Position_2> positions;
+    std::vector<Index> ids;
+    for (const Point& p : points) {
+      ids.push_back(Index(ids.size()));
+      positions.push_back({p.x(), p.y()});
+    }
+    m_update.insert(ids, positions, m_report);
+  }
+
+  void update(const std::vector<Point>& points, const Cell& cell)
+  {
+    const Next next{points};
+    ASSERT_TRUE(m_update.stage(next, cell));
+    m_frames_skipping += m_update.skips_edges();
+    m_update.update(next, cell, m_report);
+    ASSERT_TRUE(m_update.is_valid());
+  }
+  void move(std::size_t id, const Point& p) { m_update.move(Index(id), {p.x(), p.y()}, m_report); }
+
+  std::size_t frames_skipping() const { return m_frames_skipping; }
+  const CGAL::Update_report_2& report() const { return m_report; }
+
+private:
+  struct Next
+  {
+    Position_2 operator()(std::size_t id) const { return {points[id].x(), points[id].y()}; }
+    static void prefetch(std::size_t) {}
+    const std::vector<Point>& points;
+  };
+
+  Maintained m_maintained;
+  internal::Periodic_update_2<Maintained, Editor> m_update;
+  CGAL::Update_report_2 m_report;
+  std::size_t m_frames_skipping = 0;
+};
+
+TEST(Safe_edges_of_a_torus, are_skipped_in_calm_motion_which_stays_exact)
+{
+  std::mt19937_64 random(31);
+  for (const Cell& cell : {Cell(20, 20), Cell(20, 3, -5, 20), Cell(Vector(20, 4))}) {
+    std::vector<Point> points = random_points(random, 400, 20);
+    Skipping triangulation(points, cell);
+    for (int frame = 0; frame < 150; ++frame) {
+      move_randomly(random, points, 2e-4);
+      for (Point& p : points)
+        if (random() % 2000 == 0) // the references of its edges get other shifts
+          p = image(p, cell, int(random() % 3) - 1, cell.is_slab() ? 0 : int(random() % 3) - 1);
+      if (frame % 40 == 39)
+        points[random() % 400] = random_points(random, 1, 20)[0]; // one that jumps
+      if (frame % 25 == 24) {
+        const std::size_t id = random() % 400;
+        points[id] = Point(points[id].x() + 0.2, points[id].y());
+        triangulation.move(id, points[id]);
+      }
+      ASSERT_NO_FATAL_FAILURE(triangulation.update(points, cell)) << frame;
+    }
+    EXPECT_GT(triangulation.frames_skipping(), 50u);
+    EXPECT_GT(triangulation.report().flips, 100u);
+  }
+}
+
+TEST(Safe_edges_of_a_torus, are_forgotten_where_the_cell_changes)
+{
+  std::mt19937_64 random(32);
+  std::vector<Point> points = random_points(random, 400, 20);
+  Skipping triangulation(points, Cell(20, 20));
+  double width = 20;
+  for (int frame = 0; frame < 120; ++frame) {
+    move_randomly(random, points, 2e-4);
+    if (frame % 30 == 29)
+      width += 0.4; // points do not follow: what is across the boundary comes apart
+    ASSERT_NO_FATAL_FAILURE(triangulation.update(points, Cell(width, 20))) << frame;
+  }
+  EXPECT_GT(triangulation.frames_skipping(), 30u);
+}
+
+TEST(An_edge_that_is_safe, stays_delaunay_wherever_its_corners_go_within_the_tolerance)
+{
+  using Slacks = internal::Periodic_slacks_2;
+  using Images = internal::Edge_images_2;
+  std::mt19937_64 random(33);
+  std::size_t safe = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const internal::Torus_2 torus(Cell(3, random_between(random, -1, 1), 0.5, 3));
+    Images corners;
+    for (internal::Image_2* image :
+         {&corners.left, &corners.source, &corners.target, &corners.right})
+      image->shift = {int(random() % 5) - 2, int(random() % 5) - 2};
+    const auto place = [&](internal::Image_2& image, double x, double y) {
+      const Position_2 way = torus.vector({double(image.shift[0]), double(image.shift[1])});
+      image.position = {x - way.x, y - way.y};
+    };
+    place(corners.left, random_between(random, -1, 1), random_between(random, 0.01, 1));
+    place(corners.source, -1, 0);
+    place(corners.target, 1, 0);
+    place(corners.right, random_between(random, -1, 1), random_between(random, -1, -0.01));
+    const double tolerance = std::pow(10.0, random_between(random, -15, 0));
+    if (!Slacks::is_safe(torus, corners, tolerance))
+      continue;
+    ++safe;
+    for (int k = 0; k < 5; ++k) {
+      Images moved = corners;
+      for (internal::Image_2* image : {&moved.left, &moved.source, &moved.target, &moved.right}) {
+        const double angle = random_between(random, 0, 6.3);
+        image->position = {image->position.x + tolerance * 0.999999 * std::cos(angle),
+                           image->position.y + tolerance * 0.999999 * std::sin(angle)};
+      }
+      // which side the circle leaves the corners on is what is promised; faces depend on all edges
+      const Edge_state_2 state = torus.edge_state(moved);
+      EXPECT_TRUE(state == Edge_state_2::DELAUNAY || state == Edge_state_2::TWISTED);
+    }
+  }
+  EXPECT_GT(safe, 1000u);
 }
 
 // VISITORS ----------------------------------------------------------------------------------------

@@ -134,6 +134,9 @@ public:
       measure_annulus(corners);
   }
 
+  // Of an edge between two finite faces.
+  explicit Edge_slack_2(const Edge_corners_2& corners) { measure_annulus(corners); }
+
   // The computed slack of an edge between finite faces, without allowance for rounding.
   double value() const { return (m_outer - m_inner) / 2; }
 

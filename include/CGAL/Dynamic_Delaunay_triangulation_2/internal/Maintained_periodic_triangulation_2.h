@@ -53,9 +53,11 @@ public:
   Index number_of_vertices() const { return Index(m_positions.size()) - 1; }
 
   const Periodic_shift_2& shift(Index corner) const { return m_shifts[corner]; }
-  Image_2 image(Index corner) const
+  Image_2 image(Index corner) const { return image(corner, m_positions); }
+  // The same with other positions of the vertices.
+  Image_2 image(Index corner, const std::vector<Position_2>& positions) const
   {
-    return {m_positions[m_mirror.apex(corner)], m_shifts[corner]};
+    return {positions[m_mirror.apex(corner)], m_shifts[corner]};
   }
 
   // What is added to shifts in the face beyond h for shifts in the face of h.
@@ -66,12 +68,14 @@ public:
   }
 
   // The corners of the faces at half-edge h, in the frame of its face.
-  Edge_images_2 corners_at(Index h) const
+  Edge_images_2 corners_at(Index h) const { return corners_at(h, m_positions); }
+  Edge_images_2 corners_at(Index h, const std::vector<Position_2>& positions) const
   {
     using Mirror = Neighborhood_mirror_2;
-    Image_2 right = image(m_mirror.twin(h));
+    Image_2 right = image(m_mirror.twin(h), positions);
     right.shift = right.shift + transition(h);
-    return {image(h), image(Mirror::next(h)), image(Mirror::previous(h)), right};
+    return {image(h, positions), image(Mirror::next(h), positions),
+            image(Mirror::previous(h), positions), right};
   }
 
   bool is_shifted(Index e) const { return m_mirror.edge(e).source == infinite_index; }

@@ -51,17 +51,42 @@ public:
     const auto& mirror = m_maintained.mirror();
     internal::append_unproved<typename Maintained::Space>(
         mirror.edges().data(), m_maintained.positions(), 0, mirror.number_of_edges(), unproved);
+    keep_unproved(unproved, first);
+  }
+
+  // The same for the edges of a list.
+  void append_unproved(const std::vector<Index>& list, std::vector<Index>& unproved) const
+  {
+    const std::size_t first = unproved.size();
+    append_unproved_of<typename Maintained::Space>(m_maintained.mirror().edges().data(),
+                                                   m_maintained.positions(), list, unproved);
+    keep_unproved(unproved, first);
+  }
+
+  bool filter_proves_delaunay(Index e) const
+  {
+    const auto& mirror = m_maintained.mirror();
+    if (m_maintained.is_shifted(e))
+      return m_maintained.torus().filter_proves_delaunay(
+          m_maintained.corners_at(mirror.halfedge(e)));
+    using Space = typename Maintained::Space;
+    return Edge_filter_2(Space::corners(mirror.edge(e), m_maintained.positions()))
+        .proves_delaunay();
+  }
+
+private:
+  // Of the edges from place `first` on, which the pass in the plane did not prove.
+  void keep_unproved(std::vector<Index>& unproved, std::size_t first) const
+  {
     const auto is_proved = [&](Index e) {
-      return mirror.is_empty_edge(e) ||
-             (m_maintained.is_shifted(e) && m_maintained.torus().filter_proves_delaunay(
-                                                m_maintained.corners_at(mirror.halfedge(e))));
+      return m_maintained.mirror().is_empty_edge(e) ||
+             (m_maintained.is_shifted(e) && filter_proves_delaunay(e));
     };
     unproved.erase(
         std::remove_if(unproved.begin() + std::ptrdiff_t(first), unproved.end(), is_proved),
         unproved.end());
   }
 
-private:
   const Maintained& m_maintained;
 };
 

@@ -62,6 +62,24 @@ public:
           note_edge(kind, mirror().halfedge(e));
   }
 
+  // NEWS ----------------------------------------------------------------------------------------
+
+  // What has changed since the news were last cleared, if they are kept.
+  struct News
+  {
+    std::vector<Index> edges;    // that have other corners now, or other shifts
+    std::vector<Index> vertices; // whose positions do not follow from those of before by motion
+    bool is_all_new = true;      // or edges and vertices have other numbers
+  };
+  const News& news() const { return m_news; }
+  void clear_news(bool are_kept)
+  {
+    m_news.edges.clear();
+    m_news.vertices.clear();
+    m_news.is_all_new = false;
+    m_keeps_news = are_kept;
+  }
+
   // POINTS --------------------------------------------------------------------------------------
 
   Ids& ids() { return m_maintained.m_ids; }
@@ -80,6 +98,8 @@ public:
     if (are_equal(shift, no_shift))
       return;
     note([&] { return Periodic_change_2::translation(ids().representative(v), shift); });
+    if (m_keeps_news)
+      m_news.vertices.push_back(v);
     mirror().for_each_corner(v, [&](Index h) { m_corners.push_back(h); });
     for (const Index h : m_corners)
       shifts()[h] = shifts()[h] - shift;
@@ -108,6 +128,7 @@ public:
   {
     if (multiples != std::array<Periodic_shift_2, 2>{{{1, 0}, {0, 1}}})
       note([&] { return Periodic_change_2::exchange(multiples); });
+    m_news.is_all_new = true;
     m_maintained.m_torus = Torus_2(cell);
     for (Periodic_shift_2& s : shifts())
       s = {s[0] * multiples[0][0] + s[1] * multiples[1][0],
@@ -161,7 +182,11 @@ public:
   // VERTICES ------------------------------------------------------------------------------------
 
   // Exchanges everything with another one.
-  void swap(Maintained& other) { std::swap(m_maintained, other); }
+  void swap(Maintained& other)
+  {
+    m_news.is_all_new = true;
+    std::swap(m_maintained, other);
+  }
 
   // Makes the only vertex, at p, with two faces over the basis r, t of the lattice, which is
   // counterclockwise. Its edges are not logged, as its point has no id yet.
@@ -192,6 +217,7 @@ public:
     ids().append_vertex();
     shifts().resize(shifts().size() + 6);
     m_maintained.m_positions.push_back(nowhere());
+    m_news.is_all_new = true;
     return mirror().append_slot();
   }
 
@@ -203,6 +229,8 @@ public:
     const Periodic_shift_2 a = shifts()[3 * f], b = shifts()[3 * f + 1], c = shifts()[3 * f + 2];
     mirror().put_in(slot, f);
     set_position(slot.vertex, p);
+    if (m_keeps_news)
+      m_news.vertices.push_back(slot.vertex);
     set_shifts(f, shift, b, c);
     set_shifts(g, a, shift, c);
     set_shifts(k, a, b, shift);
@@ -231,6 +259,7 @@ public:
   // take their numbers.
   void drop(const std::vector<Slot>& empty_slots)
   {
+    m_news.is_all_new = m_news.is_all_new || !empty_slots.empty();
     std::vector<Index> vertices, faces, edges;
     for (const Slot& slot : empty_slots) {
       vertices.push_back(slot.vertex);
@@ -312,6 +341,8 @@ private:
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       const auto [a, b, c, d] = m_maintained.corners_at(h);
       const Index e = mirror().edge_of(h);
+      if (m_keeps_news)
+        m_news.edges.push_back(e);
       if (are_equal(a.shift, b.shift) && are_equal(b.shift, c.shift) && are_equal(c.shift, d.shift))
         mirror().set_edge(e, mirror().halfedge(e));
       else
@@ -322,6 +353,8 @@ private:
   Maintained& m_maintained;
   std::vector<Index> m_corners;
   std::vector<Periodic_change_2> m_log;
+  News m_news;
+  bool m_keeps_news = false;
 };
 
 } // namespace internal

@@ -10,6 +10,8 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Lawson_flips_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_periodic_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_editor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_safe_edges_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Spatial_order_2.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/Update_report_2.h>
@@ -107,11 +109,23 @@ public:
 
   // MOTION --------------------------------------------------------------------------------------
 
-  // Moves all points to `next`, indexed by ids, in a cell that may have changed.
-  void update(const std::vector<Position_2>& next, const Periodic_cell_2& cell,
-              Update_report_2& report)
+  // Reads the position `next(id)` of each point for update(). False if a coordinate is not finite,
+  // or a point out of range in the new cell.
+  template <class Next>
+  bool stage(const Next& next, const Periodic_cell_2& cell)
   {
-    stage(next, cell);
+    const Torus_2 now(cell);
+    const bool is_same = cell == m_maintained.torus().cell();
+    m_multiples = is_same ? unit_multiples : multiples_in_new_cell(m_maintained.torus(), now);
+    return (is_same ? stage_vertices<true>(next, now) : stage_vertices<false>(next, now)) &&
+           std::all_of(ids().duplicates().begin(), ids().duplicates().end(),
+                       [&](const auto& d) { return is_in_range(now.multiples(next(d.id)), now); });
+  }
+
+  // Moves all points to the positions that were staged, and are given again, in the same cell.
+  template <class Next>
+  void update(const Next& next, const Periodic_cell_2& cell, Update_report_2& report)
+  {
     m_taken_out.clear();
     bool is_mended = take_out(find_jumpers(), false, report);
     if (is_mended)
@@ -125,9 +139,14 @@ public:
       rebuild(Rebuild_reason_2::STUCK, report);
     for (const Index id : parted)
       if (!ids().is_representative(id))
-        move(id, next[id], report);
+        move(id, next(id), report);
     report.parted += parted.size();
+    m_safe_edges.learn(frame());
+    m_editor.clear_news(m_safe_edges.holds());
   }
+
+  // Whether the next frame need not look at all edges.
+  bool skips_edges() const { return m_safe_edges.holds(); }
 
   // Triangulates all points anew, but for the one with the id `gone`, which is removed.
   void rebuild(Rebuild_reason_2 reason, Update_report_2& report, Index gone = no_index)
@@ -448,7 +467,7 @@ private:
   {
     // four flips a vertex cost about half as much as triangulating anew
     std::size_t most = 100 + 4 * std::size_t(m_maintained.number_of_vertices());
-    Edge_test(m_maintained).append_unproved(m_open);
+    m_safe_edges.append_unproved(frame(), m_open);
     for (int round = 0; !flip_open(most, report); ++round) {
       const std::vector<Index> tangled = find_tangled();
       if (round == max_rounds || m_taken_out.size() + tangled.size() > max_taken_out() ||
@@ -474,28 +493,39 @@ private:
 
   // FRAMES --------------------------------------------------------------------------------------
 
+  using Frame = Periodic_frame_2<Maintained, Editor>;
+  Frame frame() const { return Frame(m_maintained, m_editor.news(), m_staged); }
+
   // Stages the positions of the vertices, and finds which of them come nearest to where they were
   // by a translation, in multiples of the new cell's vectors: points that leave the cell and come
   // in at the other side do not go far. Also finds those that go far otherwise, compared to the
-  // last frame's mean motion.
-  void stage(const std::vector<Position_2>& next, const Periodic_cell_2& cell)
+  // last frame's mean motion. The result is that of stage().
+  template <bool is_same, class Next>
+  bool stage_vertices(const Next& next, const Torus_2& now)
   {
-    const Torus_2& before = m_maintained.torus();
-    const Torus_2 now(cell);
-    const bool is_same = before.cell() == cell;
-    m_multiples = is_same ? unit_multiples : multiples_in_new_cell(before, now);
     m_staged.resize(m_maintained.positions().size());
     m_staged[infinite_index] = nowhere();
     m_translated.clear();
     m_far.clear();
     const double long_way = squared_long_way();
+    const Index* const representatives = ids().representatives();
+    const Index vertices = m_maintained.number_of_vertices();
+    const Index end_of_prefetching =
+        vertices < min_vertices_to_prefetch ? 0 : vertices - prefetched_ahead;
+    bool are_in_range = true;
     Position_2 sum{0, 0};
-    for (Index v = 1; v < m_staged.size(); ++v) {
-      const Position_2 &p = m_maintained.positions()[v], &q = next[ids().representative(v)];
+    for (Index v = 1; v <= vertices; ++v) {
+      if (v < end_of_prefetching)
+        next.prefetch(representatives[v + prefetched_ahead]);
+      const Position_2& p = m_maintained.positions()[v];
+      const Position_2 q = next(representatives[v]), multiples = now.multiples(q);
+      are_in_range &= is_in_range(multiples, now);
       m_staged[v] = q;
       Position_2 way{q.x - p.x, q.y - p.y};
-      const Position_2 step = is_same ? now.multiples(way) : step_to_new_cell(before, p, now, q);
-      if (!is_same || (std::max)(std::abs(step.x), std::abs(step.y)) > 0.5) {
+      const Position_2 step = is_same ? now.multiples(way) : step_to_new_cell(p, multiples);
+      if (!is_same || !(std::abs(step.x) <= 0.5 && std::abs(step.y) <= 0.5)) {
+        if (!are_in_range)
+          return false; // a shift may be no integer
         const Periodic_shift_2 shift = now.nearest_shift(step);
         if (!are_equal(shift, no_shift))
           m_translated.push_back({v, shift});
@@ -505,16 +535,22 @@ private:
       if (squared_distance(way, m_mean_way) > long_way)
         m_far.push_back({v, way});
     }
-    const double n = m_maintained.number_of_vertices();
-    m_mean_way = n > 0 ? Position_2{sum.x / n, sum.y / n} : Position_2{0, 0};
+    m_mean_way = vertices > 0 ? Position_2{sum.x / vertices, sum.y / vertices} : Position_2{0, 0};
+    return are_in_range;
   }
 
-  Position_2 step_to_new_cell(const Torus_2& before, const Position_2& p, const Torus_2& now,
-                              const Position_2& q) const
+  static bool is_in_range(const Position_2& multiples, const Torus_2& torus)
   {
-    const Position_2 s = before.multiples(p), t = now.multiples(q);
-    return {t.x - (s.x * m_multiples[0][0] + s.y * m_multiples[1][0]),
-            t.y - (s.x * m_multiples[0][1] + s.y * m_multiples[1][1])};
+    const Position_2 m = torus.periodic(multiples);
+    return std::abs(m.x) < max_shift && std::abs(m.y) < max_shift;
+  }
+
+  // From p in the old cell to a position in the new one, in multiples of the new cell's vectors.
+  Position_2 step_to_new_cell(const Position_2& p, const Position_2& multiples) const
+  {
+    const Position_2 s = m_maintained.torus().multiples(p);
+    return {multiples.x - (s.x * m_multiples[0][0] + s.y * m_multiples[1][0]),
+            multiples.y - (s.x * m_multiples[0][1] + s.y * m_multiples[1][1])};
   }
 
   static double squared_distance(const Position_2& p, const Position_2& q)
@@ -602,11 +638,12 @@ private:
   }
 
   // Returns the duplicates that are no longer where their vertices are.
-  std::vector<Index> move_duplicates(const std::vector<Position_2>& next)
+  template <class Next>
+  std::vector<Index> move_duplicates(const Next& next)
   {
     std::vector<Index> parted;
     for (auto& duplicate : m_editor.ids().duplicates()) {
-      duplicate.point = next[duplicate.id];
+      duplicate.point = next(duplicate.id);
       if (!coincide(duplicate.point, m_maintained.positions()[ids().vertex(duplicate.id)]))
         parted.push_back(duplicate.id);
     }
@@ -625,17 +662,19 @@ private:
   }
 
   static constexpr int max_rounds = 8;
+  static constexpr Index prefetched_ahead = 64; // points
 
   Maintained& m_maintained;
   Editor m_editor;
   Lawson_flips_2 m_flips;
+  Periodic_safe_edges_2 m_safe_edges;
   Spatial_order_2 m_order;
   Index m_hint = 1;              // where the next walk starts
   std::vector<Index> m_open;     // edges to examine
   std::vector<Slot> m_taken_out; // of vertices to be put back
 
   // Of a frame.
-  std::vector<Position_2> m_staged; // indexed by vertices
+  std::vector<Position_2> m_staged; // by vertices: of this frame, and then of the last one
   std::vector<std::pair<Index, Periodic_shift_2>> m_translated;
   std::vector<std::pair<Index, Position_2>> m_far; // vertices and their ways
   Position_2 m_mean_way{0, 0};

@@ -14,11 +14,41 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
+
+// The proofs of Edge_slack_2 for the edges of a frame in the plane.
+struct Plane_slacks_2
+{
+  static constexpr bool has_hull = true;
+  static constexpr std::size_t new_edges_per_flip = 1; // that a frame lists
+
+  // How far the corners of an edge may move, roughly; NaN for edges that are no sample.
+  template <class Frame>
+  static double value(const Frame& frame, Index e)
+  {
+    return is_at_infinity(frame.edge(e)) ? std::numeric_limits<double>::quiet_NaN()
+                                         : slack(frame, e, frame.positions()).value();
+  }
+
+  // Whether the edge is safe while no corner is farther than `tolerance` from its reference.
+  template <class Frame>
+  static bool is_safe(const Frame& frame, Index e, const std::vector<Position_2>& references,
+                      double tolerance)
+  {
+    return slack(frame, e, references).is_safe(tolerance);
+  }
+
+  template <class Frame>
+  static Edge_slack_2 slack(const Frame& frame, Index e, const std::vector<Position_2>& positions)
+  {
+    return Edge_slack_2(frame.edge(e), frame.corners(e, positions));
+  }
+};
 
 // The edges that can be skipped. All vertices have a reference position, and there is one
 // tolerance. An edge is *safe* if it is proved Delaunay for all positions of its four vertices
@@ -37,6 +67,9 @@ namespace internal {
 // The hull turns around as often as at the references if it has the same vertices, and each of its
 // corners is proved to remain a left turn or a turn by less than a right angle (Edge_slack_2): the
 // sum of its turning angles is a multiple of 360 degrees, and changes continuously.
+//
+// `Slacks` has these proofs for the space that the frames are in.
+template <class Slacks = Plane_slacks_2>
 class Safe_edges_2
 {
 public:
@@ -73,7 +106,8 @@ public:
     m_tight.clear(frame.number_of_edges());
     for (Index e = 0; e < frame.number_of_edges(); ++e)
       consider(frame, e);
-    check_hull(frame);
+    if constexpr (Slacks::has_hull)
+      check_hull(frame);
     m_holds = m_tight.size() <= max_tight(frame);
   }
 
@@ -82,8 +116,9 @@ public:
   void learn(const Frame& frame)
   {
     take_changes(frame);
-    if (m_holds && !m_hull_is_checked)
-      check_hull(frame);
+    if constexpr (Slacks::has_hull)
+      if (m_holds && !m_hull_is_checked)
+        check_hull(frame);
   }
 
   // The same after an update that was not completed.
@@ -93,19 +128,22 @@ public:
     if (!m_holds)
       return;
     m_holds = frame.positions_are_exact() && !frame.everything_is_new() &&
-              !frame.has_other_numbers() && 64 * frame.new_edges().size() < frame.number_of_edges();
+              !frame.has_other_numbers() &&
+              64 * frame.new_edges().size() < Slacks::new_edges_per_flip * frame.number_of_edges();
     if (!m_holds)
       return;
     for (const Index v : frame.relocated_vertices())
       m_references[v] = frame.position(v);
     m_changed.clear();
-    for (const Index e : frame.new_edges())
-      if (is_at_infinity(frame.edge(e))) {
-        consider_around(frame, e);
-      } else {
-        m_changed.push_back(e);
-        frame.for_each_side(e, [this](Index side) { m_changed.push_back(side); });
-      }
+    for (const Index e : frame.new_edges()) {
+      if constexpr (Slacks::has_hull)
+        if (is_at_infinity(frame.edge(e))) {
+          consider_around(frame, e);
+          continue;
+        }
+      m_changed.push_back(e);
+      frame.for_each_side(e, [this](Index side) { m_changed.push_back(side); });
+    }
     make_distinct(m_changed);
     for (const Index e : m_changed)
       consider(frame, e);
@@ -126,7 +164,8 @@ public:
     frame.append_unproved(m_tight.members(), unproved);
     for (const Index v : m_moved)
       frame.for_each_edge_that_sees(v, [&](Index e) {
-        m_hull_stays = m_hull_stays && !is_at_infinity(frame.edge(e));
+        if constexpr (Slacks::has_hull)
+          m_hull_stays = m_hull_stays && !is_at_infinity(frame.edge(e));
         if (!frame.proves_delaunay(e))
           unproved.push_back(e);
       });
@@ -164,11 +203,8 @@ private:
     m_sample.clear();
     const std::size_t edges = frame.number_of_edges();
     for (std::size_t i = 0; i < sample_size; ++i) {
-      const Index e = Index(i * edges / sample_size);
-      if (is_at_infinity(frame.edge(e)))
-        continue;
-      const double slack = Edge_slack_2(frame.edge(e), frame.corners(e)).value();
-      if (!std::isnan(slack)) // NaN, where squares overflow, cannot be sorted
+      const double slack = Slacks::value(frame, Index(i * edges / sample_size));
+      if (!std::isnan(slack)) // as where squares overflow
         m_sample.push_back(slack);
     }
     m_tolerance = quantile(share);
@@ -185,15 +221,9 @@ private:
   }
 
   template <class Frame>
-  Edge_slack_2 slack_at_references(const Frame& frame, Index e) const
-  {
-    return Edge_slack_2(frame.edge(e), frame.corners(e, m_references));
-  }
-
-  template <class Frame>
   void consider(const Frame& frame, Index e)
   {
-    if (!slack_at_references(frame, e).is_safe(m_tolerance))
+    if (!Slacks::is_safe(frame, e, m_references, m_tolerance))
       m_tight.insert(e);
   }
 
@@ -211,8 +241,8 @@ private:
     m_hull_is_safe = m_hull_is_checked && frame.hull_turns_once();
     if (m_hull_is_safe)
       frame.for_each_incident_edge(infinite_index, [&](Index e) {
-        m_hull_is_safe =
-            m_hull_is_safe && slack_at_references(frame, e).keeps_turning_angle(m_tolerance);
+        m_hull_is_safe = m_hull_is_safe &&
+                         Slacks::slack(frame, e, m_references).keeps_turning_angle(m_tolerance);
       });
   }
 

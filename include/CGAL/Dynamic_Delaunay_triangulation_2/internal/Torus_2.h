@@ -192,6 +192,21 @@ public:
     return Filter(*this, corners).proves_delaunay();
   }
 
+  bool filter_proves_counterclockwise(const Edge_images_2& corners) const
+  {
+    return Filter(*this, corners).proves_counterclockwise();
+  }
+
+  // The corners relative to the right one, rounded, and a bound on the distance by which each of
+  // them is off. None may be across a slab.
+  std::pair<Edge_corners_2, double> rounded_corners(const Edge_images_2& corners) const
+  {
+    double m = 0;
+    const auto& [a, b, c, d] = corners;
+    const Edge_corners_2 rounded{vector(d, a, m), vector(d, b, m), vector(d, c, m), {0, 0}};
+    return {rounded, 1.5 * error_factor * m};
+  }
+
   using Exact = CGAL::internal::Exact_ring_selector<double>::Type;
   // A number, or in a slab a polynomial in H: the constant first.
   template <std::size_t degree>
@@ -224,6 +239,7 @@ private:
     {
     }
 
+    bool proves_counterclockwise() const { return is_counterclockwise; }
     bool proves_delaunay() const { return is_counterclockwise & proves_outside(); }
     bool proves_illegal() const { return is_counterclockwise & proves_inside(); }
     bool proves_inside() const { return is_usable & (m_filter.in_circle > m_in_circle_bound); }
@@ -251,14 +267,16 @@ private:
   };
 
   // The vector from one image to another, rounded. Raises m to the largest sum of absolute values.
-  Position_2 vector(const Image_2& from, const Image_2& to, double& m) const
+  BOOST_FORCEINLINE Position_2 vector(const Image_2& from, const Image_2& to, double& m) const
   {
-    const double i = double(to.shift[0]) - from.shift[0], j = double(to.shift[1]) - from.shift[1];
+    const double i = to.shift[0] - from.shift[0], j = to.shift[1] - from.shift[1];
     const double dx = to.position.x - from.position.x, dy = to.position.y - from.position.y;
     const double iax = i * m_cell.ax(), jbx = j * m_cell.bx();
     const double iay = i * m_cell.ay(), jby = j * m_cell.by();
-    m = (std::max)({m, std::abs(dx) + std::abs(iax) + std::abs(jbx),
-                    std::abs(dy) + std::abs(iay) + std::abs(jby)});
+    const double mx = std::abs(dx) + std::abs(iax) + std::abs(jbx);
+    const double my = std::abs(dy) + std::abs(iay) + std::abs(jby);
+    const double larger = mx < my ? my : mx;
+    m = m < larger ? larger : m;
     return {dx + (iax + jbx), dy + (iay + jby)};
   }
 
