@@ -80,7 +80,8 @@ public:
   /// takes a vertex out of its faces if it is at an open edge that may have inverted faces, and
   /// went farther than its neighborhood reaches. After the repair these vertices are inserted again
   /// at their new positions. Cost: proportional to their number; rebuilds if they are so many that
-  /// this costs less. Does nothing if the classifier is heuristic.
+  /// this costs less. Does nothing if the classifier is heuristic, or if fewer than three vertices
+  /// would stay.
   void take_out_jumpers() { m_tools.take_out_jumpers(); }
 
   /// the same, but for what flips have left: for each open edge that may have inverted faces, takes
@@ -101,7 +102,8 @@ public:
   /// edges count as closed afterwards, whether they were tested or not. Rebuilds if a region holds
   /// more than half of the vertices, also after it was enlarged. With a heuristic classifier it
   /// also rebuilds if points in a region coincide; with an exact one they become one vertex, and
-  /// the edges that this changes are open.
+  /// the edges that this changes are open. It rebuilds as well if fewer than three vertices would
+  /// stay.
   void splice_classified(unsigned padding) { m_tools.splice_classified(padding); }
 
   /// splices around the vertices of the open edges with `padding` layers. Edges that it could not

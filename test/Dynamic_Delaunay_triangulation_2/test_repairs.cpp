@@ -12,6 +12,7 @@
 #include <CGAL/Rebuild_repair_2.h>
 #include <CGAL/Relocation_repair_2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -483,6 +484,61 @@ TEST(Relocation, lets_points_take_the_places_of_others_in_turn)
   std::swap(points[20], points[21]); // a ring with none
   EXPECT_TRUE(dt.update(points.begin(), points.end()).rebuilt());
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+}
+
+// THE LAST THREE VERTICES -------------------------------------------------------------------------
+
+// Takes out all that it can, then splices. A repair may use the tools in any order.
+struct Emptying_repair
+{
+  template <class Mender>
+  void operator()(Mender& mender) const
+  {
+    for (int i = 0; i < 5; ++i)
+      mender.take_out_farthest();
+    mender.splice_open(0);
+  }
+};
+
+using Emptied_triangulation =
+    CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2, Emptying_repair>;
+
+TEST(Taking_out, leaves_three_vertices_however_often_a_repair_asks)
+{
+  bool has_left_three = false;
+  for (std::size_t n = 3; n < 13; ++n)
+    for (unsigned seed = 0; seed < 10; ++seed) {
+      SCOPED_TRACE(testing::Message() << n << " points, seed " << seed);
+      Cloud<Epick> cloud(seed);
+      auto points = cloud.uniform(n);
+      Emptied_triangulation dt(points.begin(), points.end());
+      points = cloud.uniform(n);
+      const auto report = dt.update(points.begin(), points.end());
+      ASSERT_LE(report.relocated, n - 3);
+      has_left_three = has_left_three || (n > 3 && report.relocated == n - 3);
+      ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+    }
+  EXPECT_TRUE(has_left_three);
+}
+
+// Most points come together in one place while others are taken out: those that are left in faces
+// are too few to become one vertex.
+TEST(Merging, leaves_three_vertices_where_others_are_taken_out)
+{
+  bool has_met = false;
+  for (std::size_t n = 7; n < 13; ++n)
+    for (unsigned seed = 0; seed < 10; ++seed) {
+      SCOPED_TRACE(testing::Message() << n << " points, seed " << seed);
+      Cloud<Epick> cloud(seed);
+      auto points = cloud.uniform(n);
+      Emptied_triangulation dt(points.begin(), points.end());
+      points = cloud.uniform(n);
+      std::fill(points.begin(), points.end() - 3, points[0]);
+      const auto report = dt.update(points.begin(), points.end());
+      has_met = has_met || report.rebuild_reason == CGAL::Rebuild_reason_2::COINCIDENCE;
+      ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+    }
+  EXPECT_TRUE(has_met);
 }
 
 } // namespace
