@@ -412,6 +412,38 @@ TEST(Border_splice, loses_nobody_where_the_old_boundary_has_another_number_of_fa
   expect_exact(dt, moved);
 }
 
+// Around the point 0, named vertices and triangles that nobody has named take turns, three of each.
+// Two of the triangles change places: the new faces have the old boundary, and meet otherwise at
+// the point 0. The triangles beyond fill the same holes.
+TEST(Border_splice, needs_no_larger_region_where_triangles_at_its_border_change_places)
+{
+  Points points = {{0, 0}};
+  const auto add = [&](double radius, double degrees) {
+    const double angle = degrees * CGAL_PI / 180;
+    points.push_back(Epick::Point_2(radius * std::cos(angle), radius * std::sin(angle)));
+  };
+  for (const double degrees : {40., 80., 160., 200., 280., 320.})
+    add(1, degrees); // the triangles, with the point 0: 1 and 2, 3 and 4, 5 and 6
+  for (const double degrees : {0., 120., 240.}) {
+    add(1, degrees); // between the triangles
+    add(2, degrees + 60);
+  }
+  for (int i = 0; i < 6; ++i)
+    add(5, 60 * i);
+  add_ring(points);
+  Named_vertices_triangulation dt(
+      points.begin(), points.end(),
+      {Named_vertices_classifier{{7, 8, 9, 10, 11, 12}}, CGAL::Border_splice_repair_2(0)});
+  std::swap(points[3], points[5]);
+  std::swap(points[4], points[6]);
+  const auto report = dt.update(points.begin(), points.end());
+  EXPECT_EQ(report.splices, 1u);
+  EXPECT_EQ(report.enlargements, 0u);
+  expect_valid(dt, points);
+  EXPECT_TRUE(dt.certify());
+  expect_exact(dt, points);
+}
+
 TEST(Border_splice, mends_the_convex_hull)
 {
   for (unsigned seed = 0; seed < 20; ++seed) {

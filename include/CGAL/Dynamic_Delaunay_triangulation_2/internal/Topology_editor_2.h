@@ -60,17 +60,6 @@ struct Patch_2
         boundary.push_back({apexes[Mirror::next(h)], apexes[Mirror::previous(h)], h});
     std::sort(boundary.begin(), boundary.end());
   }
-
-  // The end of the fan of the patch's faces around the source of a boundary edge: the source of the
-  // boundary edge that enters this vertex on the fan's other side.
-  Index other_end_of_fan(const Boundary_edge_2& edge) const
-  {
-    using Mirror = Neighborhood_mirror_2;
-    Index h = Mirror::previous(edge.halfedge);
-    while (twins[h] != no_index)
-      h = Mirror::previous(twins[h]);
-    return apexes[Mirror::next(h)];
-  }
 };
 
 // Writes parts of the topology; `Topology_builder_2` writes the whole, and nothing else can write.
