@@ -74,6 +74,71 @@ Point image(const Point& p, const Cell& cell, int i, int j)
   return Point(p.x() + i * cell.ax() + j * cell.bx(), p.y() + i * cell.ay() + j * cell.by());
 }
 
+// What a visitor knows of the edges by hearsay alone.
+class Ledger : public CGAL::Periodic_update_visitor_base_2
+{
+  using Shift = CGAL::Periodic_shift_2;
+  using Edge = std::tuple<std::size_t, std::size_t, Shift>;
+
+public:
+  const std::set<Edge>& edges() const { return m_edges; }
+
+  template <class Dynamic>
+  static std::set<Edge> edges_of(const Dynamic& dt)
+  {
+    std::set<Edge> edges;
+    dt.for_each_edge([&](std::size_t i, std::size_t j, const Shift& shift) {
+      edges.insert({i, j, shift});
+      edges.insert({j, i, {-shift[0], -shift[1]}});
+    });
+    return edges;
+  }
+
+  template <class Dynamic>
+  void after_edge_removal(const Dynamic&, std::size_t i, std::size_t j, const Shift& shift)
+  {
+    EXPECT_EQ(m_edges.erase({i, j, shift}), 1u);
+    EXPECT_EQ(m_edges.erase({j, i, {-shift[0], -shift[1]}}), 1u);
+  }
+  template <class Dynamic>
+  void after_edge_creation(const Dynamic&, std::size_t i, std::size_t j, const Shift& shift)
+  {
+    EXPECT_TRUE(m_edges.insert({i, j, shift}).second);
+    EXPECT_TRUE(m_edges.insert({j, i, {-shift[0], -shift[1]}}).second);
+  }
+  template <class Dynamic>
+  void after_translation(const Dynamic&, std::size_t id, const Shift& shift)
+  {
+    rename([&](Edge edge) {
+      auto& [i, j, s] = edge;
+      const int sign = int(i == id) - int(j == id);
+      s = {s[0] + sign * shift[0], s[1] + sign * shift[1]};
+      return edge;
+    });
+  }
+  template <class Dynamic>
+  void after_cell_exchange(const Dynamic&, const std::array<Shift, 2>& m)
+  {
+    rename([&](Edge edge) {
+      Shift& s = std::get<2>(edge);
+      s = {s[0] * m[0][0] + s[1] * m[1][0], s[0] * m[0][1] + s[1] * m[1][1]};
+      return edge;
+    });
+  }
+
+private:
+  template <class Function>
+  void rename(const Function& f)
+  {
+    std::set<Edge> edges;
+    for (const Edge& edge : m_edges)
+      edges.insert(f(edge));
+    m_edges.swap(edges);
+  }
+
+  std::set<Edge> m_edges;
+};
+
 // FEW POINTS ------------------------------------------------------------------------------------
 
 TEST(One_point, is_its_own_six_neighbors)
@@ -694,6 +759,75 @@ TEST(A_slab, stays_one_and_no_cell_becomes_one)
                CGAL::Periodic_cell_error_2);
 }
 
+// ALL AT ONCE -------------------------------------------------------------------------------------
+
+TEST(Many_points, are_triangulated_at_once_in_cells_of_any_shape)
+{
+  std::mt19937_64 random(41);
+  for (const Cell& cell : {Cell(20, 20), Cell(2, 200), Cell(20, 3, -50, 20), Cell(-20, 0, 0, 20)})
+    for (const double extent : {1.0, 20.0, 500.0}) { // crowded in a corner, all over, unwrapped
+      const std::vector<Point> points = random_points(random, 120, extent);
+      const Triangulation pt(points, cell);
+      ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt)) << extent;
+    }
+}
+
+TEST(Many_points, may_coincide_or_form_a_grid)
+{
+  std::mt19937_64 random(42);
+  for (const double grid : {0.5, 1.0, 2.0}) {
+    std::vector<Point> points = random_points(random, 120, 20, grid);
+    points.push_back(image(points[7], Cell(20, 20), 1, -1));
+    const Triangulation pt(points, Cell(20, 20));
+    ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt)) << grid;
+  }
+}
+
+TEST(A_builder, has_a_result_for_points_all_over_the_cell_and_none_for_a_grid)
+{
+  std::mt19937_64 random(43);
+  const internal::Torus_2 torus(Cell(20, 5, 1, 20));
+  internal::Periodic_builder_2 builder;
+  const auto run = [&](const std::vector<Point>& points) {
+    std::vector<Position_2> positions;
+    for (const Point& p : points)
+      positions.push_back({p.x(), p.y()});
+    return builder.run(torus, positions);
+  };
+  for (const std::size_t number : {100, 300, 3000}) {
+    EXPECT_TRUE(run(random_points(random, number, 400))) << number;
+    EXPECT_EQ(builder.faces().apexes.size(), 6 * number);
+  }
+  EXPECT_FALSE(run(random_points(random, 99, 400)));
+  EXPECT_FALSE(run(random_points(random, 300, 0.1)));
+  EXPECT_FALSE(run(std::vector<Point>(200, Point(1, 1))));
+}
+
+TEST(A_frame_in_which_everything_breaks, is_triangulated_anew_at_once)
+{
+  std::mt19937_64 random(44);
+  CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Ledger> pt(random_points(random, 120, 20),
+                                                                     Cell(20, 20));
+  const CGAL::Update_report_2 report = pt.update(random_points(random, 120, 20));
+  EXPECT_TRUE(report.rebuilt());
+  EXPECT_EQ(report.flips, 0u);
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+  EXPECT_EQ(pt.visitor().edges(), Ledger::edges_of(pt));
+}
+
+TEST(A_stream, in_which_all_go_far_together_is_followed_by_flips)
+{
+  std::mt19937_64 random(45);
+  std::vector<Point> points = random_points(random, 400, 20);
+  Triangulation pt(points, Cell(20, 20));
+  for (int frame = 0; frame < 10; ++frame) {
+    for (Point& p : points) // two halves against each other, a spacing a frame
+      p = Point(p.x() + 0.7 * std::sin(p.y() * 3.14159265358979 / 10), p.y());
+    EXPECT_FALSE(pt.update(points).rebuilt());
+    ASSERT_TRUE(pt.is_valid());
+  }
+}
+
 // SAFE EDGES --------------------------------------------------------------------------------------
 
 // A triangulation whose parts can be asked whether edges are skipped.
@@ -764,7 +898,7 @@ TEST(Safe_edges_of_a_torus, are_skipped_in_calm_motion_which_stays_exact)
       ASSERT_NO_FATAL_FAILURE(triangulation.update(points, cell)) << frame;
     }
     EXPECT_GT(triangulation.frames_skipping(), 50u);
-    EXPECT_GT(triangulation.report().flips, 100u);
+    EXPECT_GT(triangulation.report().flips, 50u);
   }
 }
 
@@ -823,71 +957,6 @@ TEST(An_edge_that_is_safe, stays_delaunay_wherever_its_corners_go_within_the_tol
 }
 
 // VISITORS ----------------------------------------------------------------------------------------
-
-// What a visitor knows of the edges by hearsay alone.
-class Ledger : public CGAL::Periodic_update_visitor_base_2
-{
-  using Shift = CGAL::Periodic_shift_2;
-  using Edge = std::tuple<std::size_t, std::size_t, Shift>;
-
-public:
-  const std::set<Edge>& edges() const { return m_edges; }
-
-  template <class Dynamic>
-  static std::set<Edge> edges_of(const Dynamic& dt)
-  {
-    std::set<Edge> edges;
-    dt.for_each_edge([&](std::size_t i, std::size_t j, const Shift& shift) {
-      edges.insert({i, j, shift});
-      edges.insert({j, i, {-shift[0], -shift[1]}});
-    });
-    return edges;
-  }
-
-  template <class Dynamic>
-  void after_edge_removal(const Dynamic&, std::size_t i, std::size_t j, const Shift& shift)
-  {
-    EXPECT_EQ(m_edges.erase({i, j, shift}), 1u);
-    EXPECT_EQ(m_edges.erase({j, i, {-shift[0], -shift[1]}}), 1u);
-  }
-  template <class Dynamic>
-  void after_edge_creation(const Dynamic&, std::size_t i, std::size_t j, const Shift& shift)
-  {
-    EXPECT_TRUE(m_edges.insert({i, j, shift}).second);
-    EXPECT_TRUE(m_edges.insert({j, i, {-shift[0], -shift[1]}}).second);
-  }
-  template <class Dynamic>
-  void after_translation(const Dynamic&, std::size_t id, const Shift& shift)
-  {
-    rename([&](Edge edge) {
-      auto& [i, j, s] = edge;
-      const int sign = int(i == id) - int(j == id);
-      s = {s[0] + sign * shift[0], s[1] + sign * shift[1]};
-      return edge;
-    });
-  }
-  template <class Dynamic>
-  void after_cell_exchange(const Dynamic&, const std::array<Shift, 2>& m)
-  {
-    rename([&](Edge edge) {
-      Shift& s = std::get<2>(edge);
-      s = {s[0] * m[0][0] + s[1] * m[1][0], s[0] * m[0][1] + s[1] * m[1][1]};
-      return edge;
-    });
-  }
-
-private:
-  template <class Function>
-  void rename(const Function& f)
-  {
-    std::set<Edge> edges;
-    for (const Edge& edge : m_edges)
-      edges.insert(f(edge));
-    m_edges.swap(edges);
-  }
-
-  std::set<Edge> m_edges;
-};
 
 using Changes = CGAL::Periodic_edge_changes_visitor_2;
 using Watched = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Changes>;

@@ -8,6 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_builder_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_change_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Torus_2.h>
@@ -205,6 +206,26 @@ public:
     mirror().number_edges();
     write_face(0);
     write_face(1);
+  }
+
+  // Makes these vertices and faces, where there are none. The vertices have no ids yet, and the
+  // edges are not logged.
+  void build(const Periodic_faces_2& faces, const std::vector<Position_2>& points)
+  {
+    const Index vertices = Index(faces.points.size() - 1);
+    mirror().resize(vertices, 2 * vertices);
+    for (Index v = 1; v <= vertices; ++v) {
+      ids().append_vertex();
+      m_maintained.m_positions.push_back(points[faces.points[v]]);
+    }
+    shifts() = faces.shifts;
+    for (Index h = 0; h < 6 * vertices; ++h) {
+      mirror().set_apex(h, faces.apexes[h]);
+      mirror().set_twin(h, faces.twins[h]);
+    }
+    mirror().number_edges();
+    for (Index f = 0; f < 2 * vertices; ++f)
+      write_face(f);
   }
 
   // Makes a vertex outside of all faces. Its point has no id yet.

@@ -9,6 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Lattice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Lawson_flips_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_periodic_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_builder_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_safe_edges_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
@@ -16,12 +17,14 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/Update_report_2.h>
 
+#include <boost/iterator/counting_iterator.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -127,12 +130,14 @@ public:
   void update(const Next& next, const Periodic_cell_2& cell, Update_report_2& report)
   {
     m_taken_out.clear();
-    bool is_mended = take_out(find_jumpers(), false, report);
+    const std::vector<Index> jumpers = find_jumpers();
+    const bool are_many = jumpers.size() > max_taken_out();
+    bool is_mended = are_many || take_out(jumpers, false, report);
     if (is_mended)
       legalize(report);
     move_vertices(cell);
     const std::vector<Index> parted = move_duplicates(next);
-    is_mended = is_mended && untangle(report);
+    is_mended = is_mended && !(are_many && is_much_broken()) && untangle(report);
     if (is_mended)
       put_back_all(report);
     else
@@ -273,15 +278,50 @@ private:
   void place_all(const std::vector<Index>& ids, const std::vector<Position_2>& points,
                  Update_report_2& report)
   {
+    if (m_maintained.number_of_vertices() == 0 && build(ids, points, report))
+      return;
     std::vector<Position_2> wrapped;
     for (const Position_2& p : points)
       wrapped.push_back(m_maintained.torus().wrapped(p));
-    std::vector<Index> numbers(points.size());
-    std::iota(numbers.begin(), numbers.end(), Index(0));
-    m_order.sort(wrapped, numbers.begin(), numbers.end());
+    for_each_in_order(wrapped, [&](Index i) { place(ids[i], points[i], report); });
+  }
+
+  // Calls f(i) for all numbers of positions, each of which is near to the one before.
+  template <class Function>
+  void for_each_in_order(const std::vector<Position_2>& positions, const Function& f)
+  {
+    const boost::counting_iterator<Index> first(0), beyond(Index(positions.size()));
+    m_order.sort(positions, first, beyond);
     for (std::size_t i = 0; i < m_order.size(); ++i)
-      place(ids[m_order[i]], points[m_order[i]], report);
+      f(m_order[i]);
     m_order.release();
+  }
+
+  // Makes the first vertices, all at once. False, with no vertices, if that did not end certified,
+  // as where points coincide or form a grid.
+  bool build(const std::vector<Index>& ids, const std::vector<Position_2>& points,
+             Update_report_2& report)
+  {
+    Periodic_builder_2 builder;
+    if (!builder.run(m_maintained.torus(), points))
+      return false;
+    const std::size_t logged = m_editor.log().size();
+    const typename Maintained::Ids ids_before = m_maintained.ids();
+    m_editor.build(builder.faces(), points);
+    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
+      m_editor.ids().place_representative(ids[builder.faces().points[v]], v);
+    m_editor.provide_for_log(m_maintained.mirror().number_of_edges());
+    m_editor.note_all_edges(Periodic_change_2::Kind::EDGE_CREATED);
+    Edge_test(m_maintained).append_unproved(m_open);
+    std::size_t most = m_open.size() + points.size();
+    if (flip_open(most, report))
+      return true;
+    Maintained empty(m_maintained.torus().cell());
+    m_editor.swap(empty);
+    m_editor.ids() = ids_before;
+    m_editor.log().resize(logged, {});
+    m_open.clear();
+    return false;
   }
 
   // LOCATION ------------------------------------------------------------------------------------
@@ -465,8 +505,8 @@ private:
   // their faces. False if that does not help.
   bool untangle(Update_report_2& report)
   {
-    // four flips a vertex cost about half as much as triangulating anew
-    std::size_t most = 100 + 4 * std::size_t(m_maintained.number_of_vertices());
+    // three flips for two vertices cost about as much as triangulating anew
+    std::size_t most = 100 + 3 * std::size_t(m_maintained.number_of_vertices()) / 2;
     m_safe_edges.append_unproved(frame(), m_open);
     for (int round = 0; !flip_open(most, report); ++round) {
       const std::vector<Index> tangled = find_tangled();
@@ -583,10 +623,23 @@ private:
 
   // So many vertices are at most taken out and put back: more are as much work as triangulating
   // anew.
-  std::size_t max_taken_out() const { return m_maintained.number_of_vertices() / 4; }
+  std::size_t max_taken_out() const { return 10 + m_maintained.number_of_vertices() / 6; }
+
+  // Whether three of ten edges of a sample are not Delaunay: repairing takes more flips then than
+  // triangulating anew takes time. Where points flow, all may go far, and break few edges.
+  bool is_much_broken() const
+  {
+    constexpr Index sample_size = 100;
+    const Index edges = m_maintained.mirror().number_of_edges();
+    const Edge_test test(m_maintained);
+    Index broken = 0;
+    for (Index i = 0; i < sample_size; ++i)
+      broken += test.state(Index(std::uint64_t(i) * edges / sample_size)) != Edge_state_2::DELAUNAY;
+    return 10 * broken > 3 * sample_size;
+  }
 
   // Points that go farther than half the way to their nearest neighbors, and would tangle the faces
-  // on their way. None if they are many: then the points flow, and flips follow them.
+  // on their way.
   std::vector<Index> find_jumpers() const
   {
     std::vector<Index> jumpers;
@@ -596,8 +649,6 @@ private:
       if (squared > long_way && 4 * squared > squared_distance_to_neighbors(v))
         jumpers.push_back(v);
     }
-    if (jumpers.size() > max_taken_out())
-      jumpers.clear();
     return jumpers;
   }
 
@@ -653,10 +704,15 @@ private:
   // Puts the vertices that were taken out where their positions are.
   void put_back_all(Update_report_2& report)
   {
-    std::vector<Slot> merged;
+    std::vector<Position_2> wrapped;
     for (const Slot& slot : m_taken_out)
+      wrapped.push_back(m_maintained.torus().wrapped(m_maintained.positions()[slot.vertex]));
+    std::vector<Slot> merged;
+    for_each_in_order(wrapped, [&](Index i) {
+      const Slot& slot = m_taken_out[i];
       if (!put_back(slot, Position_2(m_maintained.positions()[slot.vertex]), report))
         merged.push_back(slot);
+    });
     m_editor.drop(merged);
     report.relocated += m_taken_out.size();
   }
