@@ -10,7 +10,9 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Key_frame_policy_2.h>
 #include <CGAL/Point_distance_classifier_2.h>
+#include <CGAL/Voronoi_cell_gradients_2.h>
 #include <CGAL/Voronoi_cell_measures_2.h>
+#include <CGAL/Voronoi_cells_2.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -154,7 +156,31 @@ bool help_a_simulation()
   CGAL::Voronoi_cell_measures_2 cells;
   cells.compute(dt, CGAL::Bbox_2(0, 0, 20, 10)); // the cells fill the box
   const double density = 1 / cells.areas()[i];   // and cells.perimeters()
+  cells.compute(dt);                             // whole cells
+  const auto [x, y] = cells.centroids()[i];      // and cells.shape_indices()
   //! [Voronoi cells]
+
+  double total = 0;
+  //! [Voronoi edges]
+  CGAL::for_each_voronoi_edge(dt, [&](std::size_t, std::size_t, double length) {
+    if (std::isfinite(length)) // not between neighbors on the hull
+      total += length;
+  });
+  std::vector<CGAL::Voronoi_cell_measures_2::Position> corners;
+  CGAL::voronoi_cell_corners(dt, i, std::back_inserter(corners));
+  //! [Voronoi edges]
+
+  //! [Voronoi forces]
+  std::vector<double> by_area(points.size()), by_perimeter(points.size()); // derivatives of E
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    by_area[k] = 2 * (cells.areas()[k] - 1);
+    by_perimeter[k] = 2 * (cells.perimeters()[k] - 3.8);
+  }
+  CGAL::Voronoi_cell_gradients_2 gradients;
+  gradients.compute(dt, by_area, by_perimeter); // ignores what unbounded cells have there
+  const auto [dx, dy] = gradients.gradients()[i];
+  force -= Kernel::Vector_2(dx, dy);
+  //! [Voronoi forces]
 
   std::vector<std::size_t> ids;
   //! [queries]
@@ -162,7 +188,9 @@ bool help_a_simulation()
   const auto nearest = queries.nearest(Point(1, 2));          // nobody, if there is nobody
   queries.neighbors_within(i, 0.25, std::back_inserter(ids)); // a squared radius; decided exactly
   //! [queries]
-  return lists.degree(i) >= 2 && force.squared_length() > 0 && density > 0 && nearest.has_value();
+  return lists.degree(i) >= 2 && force.squared_length() > 0 && density > 0 &&
+         std::hypot(x - points[i].x(), y - points[i].y()) < 1 && total > 0 && corners.size() > 2 &&
+         nearest.has_value();
 }
 
 bool choose_what_is_done()

@@ -288,6 +288,10 @@ public:
           "is")
   {
   }
+  explicit Uncertified_triangulation_error_2(const std::string& what)
+    : Dynamic_Delaunay_triangulation_error_2(what)
+  {
+  }
   /// \endcond
 };
 

@@ -10,10 +10,11 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Voronoi_face_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Voronoi_space_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/number_type_basic.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -27,18 +28,27 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-The areas and perimeters of the points' Voronoi cells: whole, or clipped to a box. The area of a
-cell is the space that its point has for itself; its inverse is the local density. Clipped cells
-also have centroids. Lloyd's relaxation moves the points to these, again and again, until all cells
-are about alike.
+The areas, perimeters, centroids and shape indices of the points' Voronoi cells: whole, in the plane
+or in periodic space, or clipped to a box in the plane. The area of a cell is the space that its
+point has for itself; its inverse is the local density. The shape index is the perimeter over the
+square root of the area: 3.54 of a circle, 3.72 of a regular hexagon, 3.81 of a regular pentagon.
+Lloyd's relaxation moves the points to the centroids, again and again, until all cells are about
+alike.
 
 Areas are in the squared unit of the coordinates, perimeters and centroids in that unit. Each of
 them has an entry for every id.
 
 - Points that coincide share a cell. Each gets an equal share of its area, so that the areas still
-  add up, the whole perimeter, and the centroid of the whole cell.
-- A clipped cell without area has no centroid. The point's own position takes its place: a
-  relaxation leaves the point where it is.
+  add up, and the whole perimeter, the centroid and the shape index of the whole cell.
+- In periodic space a centroid is near its point as that was given, wrapped or not, and so are those
+  of points that coincide by a translation.
+- An unbounded cell has infinite area, perimeter and shape index. The cells of all points on the
+  hull are unbounded; so are all cells if the points do not span the plane. Cells of periodic space
+  are bounded.
+- An unbounded cell, and a clipped one without area, have no centroid. The point's own position
+  takes its place: a relaxation leaves the point where it is.
+- A clipped cell that does not reach into the box has the shape index 0. Without area, but with a
+  perimeter, the shape index is infinite.
 - Removed ids have 0 for all of them.
 
 For a `Dynamic_population_2`, the index of a cell is `population.id(user_id)`.
@@ -49,12 +59,16 @@ the triangles over that Voronoi edge from both of its ends have areas of
 \f$l^2 (\cot \alpha + \cot \beta) / 8\f$ (Meyer, Desbrun, Schröder, Barr: *Discrete
 differential-geometry operators for triangulated 2-manifolds*, 2003). The cell of a point consists
 of those of its edges. Every face adds its three cotangents, which have one denominator, to its
-three vertices. No circumcenter is computed. Still, nearly flat faces cause large errors. With the
-circumradius \f$R\f$ and the shortest edge \f$h\f$ of a face, areas of about \f$R^2\f$ cancel, and
-the result has an error of about \f$10^{-16} R^2\f$; lengths have an error of about
-\f$10^{-16} R^2 / h\f$. Such faces occur at the hull and beside large empty regions. If a face is so
-flat that rounding hides its orientation, which takes \f$R\f$ to be \f$10^{15} h\f$ or so, the cells
-of its vertices count as unbounded.
+three vertices. With \f$d\f$ the edge's vector from the point and \f$n\f$ the same turned by a right
+angle into the face, the face's triangle has its centroid at \f$d / 3 + n \cot \alpha / 6\f$ from
+the point; so the cell's centroid is a sum over faces, too. No circumcenter is computed. Still,
+nearly flat faces cause large errors. With the circumradius \f$R\f$ and the shortest edge \f$h\f$ of
+a face, areas of about \f$R^2\f$ cancel, and the result has an error of about \f$10^{-16} R^2\f$;
+lengths have an error of about \f$10^{-16} R^2 / h\f$. Such faces occur at the hull and beside large
+empty regions. If a face is so flat that rounding hides its orientation, which takes \f$R\f$ to be
+\f$10^{15} h\f$ or so, the cells of its vertices count as unbounded. In periodic space the vectors
+between points are rounded as their coordinates are: points far from the origin have such faces
+sooner.
 
 <b>Clipped cells.</b> The box is cut by the bisector of the point and each of its Delaunay
 neighbors, one after the other. The result is the cell, since the cell is where the point is as near
@@ -73,10 +87,17 @@ vertices before, and, for clipped cells, if no cell has more corners than any ce
 
 \cgalExample{Dynamic_Delaunay_triangulation_2/crowd_densities.cpp}
 \cgalExample{Dynamic_Delaunay_triangulation_2/lloyd_relaxation.cpp}
+
+\sa `Voronoi_cell_gradients_2`
+\sa `for_each_voronoi_edge()`
+\sa `voronoi_cell_corners()`
 */
 class Voronoi_cell_measures_2
 {
   using Index = Dynamic_Delaunay_triangulations_2::Index;
+  using Face = Dynamic_Delaunay_triangulations_2::internal::Voronoi_face_2;
+  template <class Dynamic>
+  using Space = Dynamic_Delaunay_triangulations_2::internal::Voronoi_space_2<Dynamic>;
   template <class Dynamic>
   using Differences = Dynamic_Delaunay_triangulations_2::internal::Vertex_differences_2<Dynamic>;
   template <class Dynamic>
@@ -96,21 +117,21 @@ public:
   /// If memory runs out, there are no measures.
   /// @{
 
-  /// measures the whole cells. Area and perimeter of an unbounded cell are infinite. The cells of
-  /// all points on the hull are unbounded; so are all cells if the points do not span the plane.
-  /// There are no centroids.
+  /// measures the whole cells.
   ///
-  /// Cost: linear, one pass over the faces. \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`.
+  /// Cost: linear, one pass over the faces, and in periodic space one over the edges. \tparam
+  /// Dynamic a `Dynamic_Delaunay_triangulation_2` or `Dynamic_periodic_Delaunay_triangulation_2`.
   /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
   template <class Dynamic>
   void compute(const Dynamic& dt)
   {
-    start(dt);
-    if (dt.triangulation().dimension() == 2)
-      add_faces(dt.frame(), Differences<Dynamic>(dt));
-    else
-      m_cells.assign(m_cells.size(), Cell::unbounded());
-    settle(dt.frame());
+    const Space<Dynamic> space(dt);
+    start(space);
+    space.for_each_face(
+        [&](const std::array<Index, 3>& cells, const Face& face) { add_face(cells, face); });
+    space.for_each_open_cell(m_missing_faces, [&](Index c) { m_cells[c] = Cell::unbounded(); });
+    settle(space);
+    settle_centroids(space);
   }
 
   /// measures the parts of the cells in a box. Perimeters include what lies on the boundary of the
@@ -129,12 +150,12 @@ public:
   {
     check_extent("the width of the box", box.xmax() - box.xmin());
     check_extent("the height of the box", box.ymax() - box.ymin());
-    start(dt);
-    m_centroids.reserve(dt.number_of_ids());
+    const Space<Dynamic> space(dt);
+    start(space);
     m_cell_centroids.resize(m_cells.size());
     clip_cells(dt, box);
-    settle(dt.frame());
-    settle_centroids(dt.frame());
+    settle(space);
+    settle_clipped_centroids(space);
   }
 
   /// the same, but takes a box of the kernel, whose corners are rounded to doubles.
@@ -153,113 +174,105 @@ public:
   const std::vector<double>& areas() const { return m_areas; }
   /// the perimeter of each id.
   const std::vector<double>& perimeters() const { return m_perimeters; }
-  /// the centroid of each id, if the cells were clipped; empty, if they were whole.
+  /// the centroid of each id.
   const std::vector<Position>& centroids() const { return m_centroids; }
+  /// the shape index of each id: the perimeter of its cell over the square root of the area.
+  const std::vector<double>& shape_indices() const { return m_shape_indices; }
 
   /// @}
 
 private:
-  // The measures of a vertex's cell.
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
   struct Cell
   {
     double area = 0, perimeter = 0;
-    double points = 1; // that share it
+    Position moment{0, 0}; // the vector to the centroid times the area, if the cell is whole
+    double points = 1;     // that share it
 
-    static Cell unbounded()
+    // Later additions leave infinity infinite.
+    static Cell unbounded() { return {infinity, infinity}; }
+
+    double shape_index() const
     {
-      constexpr double infinity = std::numeric_limits<double>::infinity();
-      return {infinity, infinity};
+      if (perimeter == 0)
+        return 0;
+      return area > 0 && area < infinity ? perimeter / std::sqrt(area) : infinity;
     }
+    bool has_centroid() const { return area > 0 && area < infinity; }
   };
 
-  template <class Dynamic>
-  void start(const Dynamic& dt)
+  template <class Its_space>
+  void start(const Its_space& space)
   {
-    dt.triangulation(); // throws unless it is certified
-    m_areas.clear();
-    m_perimeters.clear();
+    for (std::vector<double>* measures : {&m_areas, &m_perimeters, &m_shape_indices})
+      measures->clear();
     m_centroids.clear();
-    m_areas.reserve(dt.number_of_ids());
-    m_perimeters.reserve(dt.number_of_ids());
-    m_cells.assign(dt.number_of_vertices() + 1, Cell());
+    for (std::vector<double>* measures : {&m_areas, &m_perimeters, &m_shape_indices})
+      measures->reserve(space.number_of_ids());
+    m_centroids.reserve(space.number_of_ids());
+    m_cells.assign(space.number_of_cells(), Cell());
   }
 
-  // Copies the measures from vertices to ids.
-  template <class Frame>
-  void settle(const Frame& frame)
+  // Copies the measures from cells to ids.
+  template <class Its_space>
+  void settle(const Its_space& space)
   {
-    frame.for_each_duplicate([&](Index id) { ++m_cells[frame.vertex(id)].points; });
-    for (Index id = 0; id < frame.number_of_ids(); ++id) {
-      const Cell cell = frame.has_id(id) ? m_cells[frame.vertex(id)] : Cell();
+    space.for_each_duplicate([&](Index id) { ++m_cells[space.cell(id)].points; });
+    for (Index id = 0; id < space.number_of_ids(); ++id) {
+      const Cell cell = space.has_id(id) ? m_cells[space.cell(id)] : Cell();
       m_areas.push_back(cell.area / cell.points);
       m_perimeters.push_back(cell.perimeter);
+      m_shape_indices.push_back(cell.shape_index());
     }
-  }
-
-  template <class Frame>
-  void settle_centroids(const Frame& frame)
-  {
-    for (Index id = 0; id < frame.number_of_ids(); ++id)
-      m_centroids.push_back(frame.has_id(id) ? m_cell_centroids[frame.vertex(id)] : Position{0, 0});
   }
 
   // WHOLE CELLS ---------------------------------------------------------------------------------
 
-  template <class Frame, class Vectors>
-  void add_faces(const Frame& frame, const Vectors& vector)
+  void add_face(const std::array<Index, 3>& cells, const Face& face)
   {
-    for (Index f = 0; f < frame.number_of_faces(); ++f) {
-      const std::array<Index, 3> face = frame.face(f);
-      if (std::none_of(face.begin(), face.end(), [](Index v) { return Frame::is_infinite(v); }))
-        add_face(face, vector);
-      else
-        unbound(face);
+    if (face.is_flat()) {
+      for (const Index c : cells)
+        m_cells[c] = Cell::unbounded();
+      return;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double cotangent = face.cotangent(i);
+      const double area = face.squared_length(i) * cotangent / 8;
+      const double length = face.length(i) * cotangent / 2;
+      const Position d = face.side(i), n = face.normal(i);
+      const double along = area / 3, across = area * cotangent / 6;
+      add(cells[(i + 1) % 3], area, length,
+          {along * d.x + across * n.x, along * d.y + across * n.y});
+      add(cells[(i + 2) % 3], area, length,
+          {across * n.x - along * d.x, across * n.y - along * d.y});
     }
   }
 
-  // Later additions leave infinity infinite.
-  void unbound(const std::array<Index, 3>& face)
+  void add(Index c, double area, double length, const Position& moment)
   {
-    for (const Index v : face)
-      m_cells[v] = Cell::unbounded();
+    Cell& cell = m_cells[c];
+    cell.area += area;
+    cell.perimeter += length;
+    cell.moment.x += moment.x;
+    cell.moment.y += moment.y;
   }
 
-  template <class Vectors>
-  void add_face(const std::array<Index, 3>& face, const Vectors& vector)
+  template <class Its_space>
+  void settle_centroids(const Its_space& space)
   {
-    using namespace Dynamic_Delaunay_triangulations_2::internal;
-    // each is opposite to the corner with its number, and they run around the face
-    const std::array<Position, 3> sides = {vector(face[1], face[2]), vector(face[2], face[0]),
-                                           vector(face[0], face[1])};
-    const std::array<double, 3> squares = {dot(sides[0], sides[0]), dot(sides[1], sides[1]),
-                                           dot(sides[2], sides[2])};
-    const double doubled_area = cross_of_shorter(sides, squares);
-    if (!(doubled_area > 0))
-      return unbound(face);
-    for (unsigned i = 0; i < 3; ++i) {
-      const unsigned j = (i + 1) % 3, k = (i + 2) % 3;
-      const double cotangent = -dot(sides[j], sides[k]) / doubled_area;
-      const double area = squares[i] * cotangent / 8;
-      const double length = std::sqrt(squares[i]) * cotangent / 2;
-      for (const Index v : {face[j], face[k]}) {
-        m_cells[v].area += area;
-        m_cells[v].perimeter += length;
+    for (Index id = 0; id < space.number_of_ids(); ++id) {
+      Position centroid{0, 0};
+      if (space.has_id(id)) {
+        const Cell& cell = m_cells[space.cell(id)];
+        centroid = space.position(id);
+        if (cell.has_centroid()) {
+          centroid.x += cell.moment.x / cell.area;
+          centroid.y += cell.moment.y / cell.area;
+        }
       }
+      m_centroids.push_back(centroid);
     }
-  }
-
-  // The cross product of the two shorter sides, which best tell how flat a face is. It is 0 if
-  // rounding may have changed its sign: its error is less than 4 * 2^-53 times the sum of both
-  // products.
-  static double cross_of_shorter(const std::array<Position, 3>& sides,
-                                 const std::array<double, 3>& squares)
-  {
-    const auto longest = std::size_t(std::max_element(squares.begin(), squares.end()) - //
-                                     squares.begin());
-    const Position& p = sides[(longest + 1) % 3];
-    const Position& q = sides[(longest + 2) % 3];
-    const double plus = p.x * q.y, minus = p.y * q.x;
-    return plus - minus > 0x1p-51 * (std::abs(plus) + std::abs(minus)) ? plus - minus : 0;
   }
 
   // CLIPPED CELLS -------------------------------------------------------------------------------
@@ -324,6 +337,13 @@ private:
     m_corners.swap(m_clipped);
   }
 
+  template <class Its_space>
+  void settle_clipped_centroids(const Its_space& space)
+  {
+    for (Index id = 0; id < space.number_of_ids(); ++id)
+      m_centroids.push_back(space.has_id(id) ? m_cell_centroids[space.cell(id)] : Position{0, 0});
+  }
+
   // Adds up triangles at one corner, which are as small as the cell is, wherever it may be. Returns
   // the centroid, if it exists.
   std::optional<Position> measure(Cell& cell) const
@@ -350,10 +370,11 @@ private:
     return Position{m_corners[0].x + mean.x, m_corners[0].y + mean.y};
   }
 
-  std::vector<double> m_areas, m_perimeters;
+  std::vector<double> m_areas, m_perimeters, m_shape_indices;
   std::vector<Position> m_centroids;
-  std::vector<Cell> m_cells;                  // of each vertex
-  std::vector<Position> m_cell_centroids;     // of each vertex, if cells are clipped
+  std::vector<Cell> m_cells;
+  std::vector<int> m_missing_faces;           // of each cell
+  std::vector<Position> m_cell_centroids;     // of each cell, if cells are clipped
   std::vector<Position> m_corners, m_clipped; // of one cell, around it
 };
 

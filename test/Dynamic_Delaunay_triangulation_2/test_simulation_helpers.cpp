@@ -354,6 +354,17 @@ void expect_centroid(const Measures& measures, const Dynamic& dt, std::size_t id
   ASSERT_NEAR(centroid.y, rounded(expected.y()), error) << "id " << id;
 }
 
+// Of a cell that is not too thin.
+void expect_shape(const Measures& measures, std::size_t id, const Cell& cell)
+{
+  const double index = measures.shape_indices()[id];
+  if (cell.perimeter == 0 || cell.area == infinity) {
+    ASSERT_EQ(index, cell.perimeter) << "id " << id;
+  } else if (cell.area > 1e-3) {
+    ASSERT_NEAR(index, cell.perimeter / std::sqrt(cell.area), 1e-7) << "id " << id;
+  }
+}
+
 double sum(const std::vector<double>& numbers)
 {
   return std::accumulate(numbers.begin(), numbers.end(), 0.0);
@@ -367,7 +378,8 @@ TYPED_TEST(Simulation_helpers, whole_cells_are_the_polygons_of_the_circumcenters
     measures.compute(dt);
     ASSERT_EQ(measures.areas().size(), dt.number_of_ids());
     ASSERT_EQ(measures.perimeters().size(), dt.number_of_ids());
-    ASSERT_TRUE(measures.centroids().empty());
+    ASSERT_EQ(measures.centroids().size(), dt.number_of_ids());
+    ASSERT_EQ(measures.shape_indices().size(), dt.number_of_ids());
     const auto places = places_of(dt);
     for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
       Cell cell{0, 0};
@@ -378,6 +390,8 @@ TYPED_TEST(Simulation_helpers, whole_cells_are_the_polygons_of_the_circumcenters
       }
       ASSERT_NO_FATAL_FAILURE(expect_close(measures.areas()[id], cell.area / sharers, 1e-10, id));
       ASSERT_NO_FATAL_FAILURE(expect_close(measures.perimeters()[id], cell.perimeter, 1e-10, id));
+      ASSERT_NO_FATAL_FAILURE(expect_shape(measures, id, cell));
+      ASSERT_NO_FATAL_FAILURE(expect_centroid(measures, dt, id, cell, 1e-9));
     }
   });
 }
@@ -401,6 +415,7 @@ TYPED_TEST(Simulation_helpers, clipped_cells_are_what_everybodys_bisectors_leave
         }
         ASSERT_NO_FATAL_FAILURE(expect_close(measures.areas()[id], cell.area / sharers, 1e-10, id));
         ASSERT_NO_FATAL_FAILURE(expect_close(measures.perimeters()[id], cell.perimeter, 1e-10, id));
+        ASSERT_NO_FATAL_FAILURE(expect_shape(measures, id, cell));
         ASSERT_NO_FATAL_FAILURE(expect_centroid(measures, dt, id, cell, 1e-10));
       }
     }
@@ -505,8 +520,10 @@ TYPED_TEST(Simulation_helpers, a_box_without_an_inside_has_no_area)
   Measures measures;
   measures.compute(dt, CGAL::Bbox_2(1, 2, 1, 7));
   EXPECT_EQ(sum(measures.areas()), 0);
-  for (std::size_t id = 0; id < dt.number_of_ids(); ++id)
+  for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
     expect_centroid(measures, dt, id, {}, 0);
+    EXPECT_EQ(measures.shape_indices()[id], measures.perimeters()[id] > 0 ? infinity : 0);
+  }
 }
 
 TYPED_TEST(Simulation_helpers, a_box_that_is_none_is_refused_and_the_measures_stay)
@@ -875,6 +892,7 @@ TEST(Simulation_helpers, lists_and_cells_are_gone_if_memory_runs_out_and_can_be_
       EXPECT_TRUE(measures.areas().empty());
       EXPECT_TRUE(measures.perimeters().empty());
       EXPECT_TRUE(measures.centroids().empty());
+      EXPECT_TRUE(measures.shape_indices().empty());
       compute(lists, measures);
     }
     EXPECT_EQ(lists.number_of_ids(), points.size());

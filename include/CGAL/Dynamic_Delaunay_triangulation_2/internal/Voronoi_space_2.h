@@ -1,0 +1,281 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_VORONOI_SPACE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_VORONOI_SPACE_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Voronoi_face_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+#include <CGAL/Periodic_cell_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+template <class Dynamic, class = void>
+constexpr bool is_periodic = false;
+template <class Dynamic>
+constexpr bool is_periodic<Dynamic, std::void_t<decltype(std::declval<const Dynamic&>().cell())>> =
+    true;
+
+// A triangulation as Voronoi cells see it: the plane and periodic space look alike. Cells have
+// numbers; points that coincide share one. A cell is open if one of its edges has a single face:
+// it is unbounded then.
+template <class Dynamic, bool = is_periodic<Dynamic>>
+class Voronoi_space_2;
+
+// The other end of an edge, as seen from a point.
+struct Voronoi_neighbor_2
+{
+  std::size_t id;
+  Periodic_shift_2 shift;
+  Position_2 vector; // NaN to the infinite vertex, which has no id
+
+  bool is_infinite() const { return std::isnan(vector.x); }
+};
+
+// THE PLANE ---------------------------------------------------------------------------------------
+
+template <class Dynamic>
+class Voronoi_space_2<Dynamic, false>
+{
+public:
+  // Throws unless it is certified.
+  explicit Voronoi_space_2(const Dynamic& dt)
+    : m_dimension(dt.triangulation().dimension())
+    , m_frame(dt.frame())
+    , m_vector(dt)
+    , m_neighbors(dt)
+  {
+  }
+
+  Index number_of_ids() const { return m_frame.number_of_ids(); }
+  bool has_id(std::size_t id) const { return m_frame.has_id(id); }
+  bool is_representative(std::size_t id) const { return m_frame.id(m_frame.vertex(id)) == id; }
+  Index number_of_cells() const { return m_frame.number_of_vertices() + 1; }
+  Index cell(std::size_t id) const { return m_frame.vertex(id); }
+  Position_2 position(std::size_t id) const { return m_frame.position(m_frame.vertex(id)); }
+
+  template <class Function>
+  void for_each_duplicate(const Function& f) const
+  {
+    m_frame.for_each_duplicate(f);
+  }
+
+  // Calls f(cells, face).
+  template <class Function>
+  void for_each_face(const Function& f) const
+  {
+    if (m_dimension < 2)
+      return;
+    for (Index i = 0; i < m_frame.number_of_faces(); ++i) {
+      const std::array<Index, 3> v = m_frame.face(i);
+      if (std::none_of(v.begin(), v.end(), [&](Index w) { return m_frame.is_infinite(w); }))
+        f(v, Voronoi_face_2({m_vector(v[1], v[2]), m_vector(v[2], v[0]), m_vector(v[0], v[1])}));
+    }
+  }
+
+  template <class Function>
+  void for_each_open_cell(std::vector<int>&, const Function& f) const
+  {
+    if (m_dimension == 2)
+      m_frame.for_each_neighbor(infinite_index, f);
+    else
+      for (Index v = 1; v < number_of_cells(); ++v)
+        f(v);
+  }
+
+  // Calls f(neighbor) counterclockwise, also for the infinite vertex.
+  template <class Function>
+  void for_each_neighbor(std::size_t id, const Function& f) const
+  {
+    const Index v = m_frame.vertex(id);
+    if (m_dimension == 2)
+      m_frame.for_each_neighbor(v, [&](Index w) { f(neighbor(v, w)); });
+    else
+      m_neighbors.for_each(v, [&](Index w) { f(neighbor(v, w)); });
+  }
+
+  // Of a point and two neighbors, the second one left of the first.
+  std::optional<Voronoi_face_2> face(std::size_t, const Voronoi_neighbor_2& right,
+                                     const Voronoi_neighbor_2& left) const
+  {
+    if (right.is_infinite() || left.is_infinite())
+      return std::nullopt;
+    const Voronoi_face_2 face({m_vector(m_frame.vertex(right.id), m_frame.vertex(left.id)),
+                               Position_2{-left.vector.x, -left.vector.y}, right.vector});
+    return face.is_flat() ? std::nullopt : std::optional<Voronoi_face_2>(face);
+  }
+
+private:
+  Voronoi_neighbor_2 neighbor(Index v, Index w) const
+  {
+    if (m_frame.is_infinite(w))
+      return {0, {0, 0}, m_frame.position(w)};
+    return {m_frame.id(w), {0, 0}, m_vector(v, w)};
+  }
+
+  const int m_dimension;
+  const typename Dynamic::Frame m_frame;
+  const Vertex_differences_2<Dynamic> m_vector;
+  const Finite_neighbors_2<Dynamic> m_neighbors;
+};
+
+// PERIODIC SPACE ----------------------------------------------------------------------------------
+
+template <class Dynamic>
+class Voronoi_space_2<Dynamic, true>
+{
+public:
+  // Throws unless it is certified.
+  explicit Voronoi_space_2(const Dynamic& dt)
+    : m_dt(dt)
+  {
+    if (!dt.is_certified())
+      throw Uncertified_triangulation_error_2(
+          "the periodic triangulation is not certified since a change was interrupted: any other "
+          "change triangulates everything anew");
+  }
+
+  Index number_of_ids() const { return Index(m_dt.number_of_ids()); }
+  bool has_id(std::size_t id) const { return m_dt.has_id(id); }
+  bool is_representative(std::size_t id) const { return m_dt.representative(id) == id; }
+  Index number_of_cells() const { return number_of_ids(); }
+  Index cell(std::size_t id) const { return Index(m_dt.representative(id)); }
+  Position_2 position(std::size_t id) const
+  {
+    const auto p = m_dt.point(id);
+    return {p.x(), p.y()};
+  }
+
+  template <class Function>
+  void for_each_duplicate(const Function& f) const
+  {
+    if (m_dt.number_of_points() == m_dt.number_of_vertices())
+      return;
+    for (Index id = 0; id < number_of_ids(); ++id)
+      if (has_id(id) && !is_representative(id))
+        f(id);
+  }
+
+  // Calls f(cells, face).
+  template <class Function>
+  void for_each_face(const Function& f) const
+  {
+    m_dt.for_each_face([&](const std::array<std::size_t, 3>& ids,
+                           const std::array<Periodic_shift_2, 3>& shifts) {
+      const Position_2 first = vector(ids[0], ids[1], shifts[1]);
+      const Position_2 last = vector(ids[2], ids[0], {-shifts[2][0], -shifts[2][1]});
+      const Position_2 second = vector(ids[1], ids[2], difference(shifts[2], shifts[1]));
+      f(std::array<Index, 3>{Index(ids[0]), Index(ids[1]), Index(ids[2])},
+        Voronoi_face_2({second, last, first}, error(ids[0], first, shifts[1], last, shifts[2])));
+    });
+  }
+
+  // A closed cell has as many faces as ends of edges.
+  template <class Function>
+  void for_each_open_cell(std::vector<int>& missing_faces, const Function& f) const
+  {
+    missing_faces.assign(number_of_cells(), 0);
+    m_dt.for_each_edge([&](std::size_t i, std::size_t j, const Periodic_shift_2&) {
+      ++missing_faces[i];
+      ++missing_faces[j];
+    });
+    m_dt.for_each_face([&](const std::array<std::size_t, 3>& ids, const auto&) {
+      for (const std::size_t id : ids)
+        --missing_faces[id];
+    });
+    for (Index id = 0; id < number_of_cells(); ++id)
+      if (missing_faces[id] > 0)
+        f(id);
+  }
+
+  // Calls f(neighbor) counterclockwise.
+  template <class Function>
+  void for_each_neighbor(std::size_t id, const Function& f) const
+  {
+    const std::size_t i = m_dt.representative(id);
+    m_dt.for_each_neighbor(i, [&](std::size_t j, const Periodic_shift_2& shift) {
+      f(Voronoi_neighbor_2{j, shift, vector(i, j, shift)});
+    });
+  }
+
+  // Of a point and two neighbors, the second one left of the first. Across an open side the angle
+  // between them is at least straight, so they do not make a face.
+  std::optional<Voronoi_face_2> face(std::size_t id, const Voronoi_neighbor_2& right,
+                                     const Voronoi_neighbor_2& left) const
+  {
+    const Position_2 last{-left.vector.x, -left.vector.y};
+    const Voronoi_face_2 face(
+        {vector(right.id, left.id, difference(left.shift, right.shift)), last, right.vector},
+        error(m_dt.representative(id), right.vector, right.shift, last, left.shift));
+    return face.is_flat() ? std::nullopt : std::optional<Voronoi_face_2>(face);
+  }
+
+private:
+  static Periodic_shift_2 difference(const Periodic_shift_2& s, const Periodic_shift_2& t)
+  {
+    return {s[0] - t[0], s[1] - t[1]};
+  }
+
+  Position_2 vector(std::size_t i, std::size_t j, const Periodic_shift_2& shift) const
+  {
+    const auto v = m_dt.vector(i, j, shift);
+    return {v.x(), v.y()};
+  }
+
+  // A bound for the rounding errors of a face's vectors. With u = 2^-53, a coordinate of a vector
+  // is computed from those of p, q and two products t with an error of less than
+  // 4u (|p| + |q| + |t|), and each |q| is at most |p| + |t| + |v|, where v is the vector.
+  double error(std::size_t id, const Position_2& v, const Periodic_shift_2& s, const Position_2& w,
+               const Periodic_shift_2& t) const
+  {
+    const auto sum = [](const Position_2& p) { return std::abs(p.x) + std::abs(p.y); };
+    const auto& cell = m_dt.cell();
+    const double a = std::abs(cell.ax()) + std::abs(cell.ay());
+    const double b = std::abs(cell.bx()) + std::abs(cell.by());
+    return 0x1p-50 * (sum(position(id)) + sum(v) + sum(w) + a * std::abs(s[0]) +
+                      b * std::abs(s[1]) + a * std::abs(t[0]) + b * std::abs(t[1]));
+  }
+
+  const Dynamic& m_dt;
+};
+
+// FACES AROUND A POINT ----------------------------------------------------------------------------
+
+// Calls f(right, left, face) for each two consecutive neighbors of a point, counterclockwise. There
+// is no face where the cell is open, or where rounding hides how flat the face is.
+template <class Space, class Function>
+void for_each_face_around(const Space& space, std::size_t id, const Function& f)
+{
+  std::optional<Voronoi_neighbor_2> first, last;
+  space.for_each_neighbor(id, [&](const Voronoi_neighbor_2& next) {
+    if (last)
+      f(*last, next, space.face(id, *last, next));
+    else
+      first = next;
+    last = next;
+  });
+  if (last)
+    f(*last, *first, space.face(id, *last, *first));
+}
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_VORONOI_SPACE_2_H
