@@ -86,6 +86,8 @@ parts of about \f$(R / h)^2\f$ to the vectors of its corners, which then have er
 An object keeps its memory: `compute()` allocates nothing if the triangulation had as many ids and
 vertices before.
 
+\cgalExample{Dynamic_Delaunay_triangulation_2/voronoi_tissue.cpp}
+
 \sa `Voronoi_cell_measures_2`
 */
 class Voronoi_cell_gradients_2
