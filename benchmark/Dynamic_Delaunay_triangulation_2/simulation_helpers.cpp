@@ -2,16 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What simulations get from a triangulation that is there, and what that costs a point, or a query:
-// neighbor lists, Voronoi cells, nearest points and those within a radius. The points are a uniform
-// cloud, one to a unit of area, whose ids say nothing about where they are; places that are asked
-// for are anywhere among them. Cases with `cgal` do the same by CGAL's own means. The counter
-// s/point is the time divided by the points or queries.
+// neighbor lists, Voronoi cells and forces, nearest points and those within a radius. The points
+// are a uniform cloud, one to a unit of area, whose ids say nothing about where they are; places
+// that are asked for are anywhere among them. Cases with `cgal` do the same by CGAL's own means,
+// cases with `periodic` in a periodic square. The counter s/point is the time divided by the points
+// or queries.
 
 #include <CGAL/Delaunay_neighbor_lists_2.h>
 #include <CGAL/Delaunay_point_queries_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Voronoi_cell_gradients_2.h>
 #include <CGAL/Voronoi_cell_measures_2.h>
+#include <CGAL/Voronoi_cells_2.h>
 
 #include <benchmark/benchmark.h>
 
@@ -27,6 +31,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
 using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Kernel>;
+using Periodic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel>;
 using Queries = CGAL::Delaunay_point_queries_2<Dynamic>;
 using Ids = std::vector<std::size_t>;
 
@@ -43,17 +48,32 @@ std::vector<Point> cloud(const benchmark::State& state, std::uint64_t seed)
   return points;
 }
 
-// Runs `work(dt)`, which does something for every point, or place.
-template <class Work>
-void run(benchmark::State& state, const Work& work)
+double side(const benchmark::State& state)
 {
-  const std::vector<Point> points = cloud(state, 1);
-  const Dynamic dt(points.begin(), points.end());
+  return std::sqrt(double(state.range(0)));
+}
+
+// Runs `work(dt)`, which does something for every point, or place.
+template <class Triangulation, class Work>
+void run_on(const Triangulation& dt, benchmark::State& state, const Work& work)
+{
   for (auto _ : state)
     work(dt);
   state.counters["s/point"] =
       benchmark::Counter(double(state.range(0)), benchmark::Counter::kIsIterationInvariantRate |
                                                      benchmark::Counter::kInvert);
+}
+
+template <class Work>
+void run(benchmark::State& state, const Work& work)
+{
+  run_on(Dynamic(cloud(state, 1)), state, work);
+}
+
+template <class Work>
+void run_periodic(benchmark::State& state, const Work& work)
+{
+  run_on(Periodic(cloud(state, 1), CGAL::Periodic_cell_2(side(state), side(state))), state, work);
 }
 
 void neighbor_lists(benchmark::State& state)
@@ -86,21 +106,85 @@ void neighbor_lists_cgal(benchmark::State& state)
   });
 }
 
-void whole_cells(benchmark::State& state)
+// Measures all cells whole.
+struct Cells
 {
-  CGAL::Voronoi_cell_measures_2 cells;
-  run(state, [&](const Dynamic& dt) {
+  template <class Triangulation>
+  void operator()(const Triangulation& dt)
+  {
     cells.compute(dt);
     benchmark::DoNotOptimize(cells.areas().data());
+  }
+  CGAL::Voronoi_cell_measures_2 cells{};
+};
+
+void whole_cells(benchmark::State& state)
+{
+  Cells cells;
+  run(state, [&](const Dynamic& dt) { cells(dt); });
+}
+
+void whole_cells_periodic(benchmark::State& state)
+{
+  Cells cells;
+  run_periodic(state, [&](const Periodic& dt) { cells(dt); });
+}
+
+// The forces of all points, without the measures that their weights would come from.
+struct Forces
+{
+  explicit Forces(const benchmark::State& state)
+  {
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> weight(-1, 1);
+    for (std::int64_t i = 0; i < state.range(0); ++i)
+      weights.push_back(weight(random));
+  }
+
+  template <class Triangulation>
+  void operator()(const Triangulation& dt)
+  {
+    gradients.compute(dt, weights, weights);
+    benchmark::DoNotOptimize(gradients.gradients().data());
+  }
+  CGAL::Voronoi_cell_gradients_2 gradients{};
+  std::vector<double> weights{};
+};
+
+void forces(benchmark::State& state)
+{
+  Forces forces(state);
+  run(state, [&](const Dynamic& dt) { forces(dt); });
+}
+
+void forces_periodic(benchmark::State& state)
+{
+  Forces forces(state);
+  run_periodic(state, [&](const Periodic& dt) { forces(dt); });
+}
+
+void voronoi_edges(benchmark::State& state)
+{
+  run(state, [&](const Dynamic& dt) {
+    CGAL::for_each_voronoi_edge(
+        dt, [](std::size_t, std::size_t, double length) { benchmark::DoNotOptimize(length); });
+  });
+}
+
+void voronoi_edges_periodic(benchmark::State& state)
+{
+  run_periodic(state, [&](const Periodic& dt) {
+    CGAL::for_each_voronoi_edge(dt, [](std::size_t, std::size_t, const auto&, double length) {
+      benchmark::DoNotOptimize(length);
+    });
   });
 }
 
 void clipped_cells(benchmark::State& state)
 {
-  const double side = std::sqrt(double(state.range(0)));
   CGAL::Voronoi_cell_measures_2 cells;
   run(state, [&](const Dynamic& dt) {
-    cells.compute(dt, CGAL::Bbox_2(0, 0, side, side));
+    cells.compute(dt, CGAL::Bbox_2(0, 0, side(state), side(state)));
     benchmark::DoNotOptimize(cells.areas().data());
   });
 }
@@ -154,11 +238,10 @@ void nearest_to_places_cgal(benchmark::State& state)
 // Each a little further on, as somebody who walks through the cloud asks.
 void nearest_to_places_in_a_row(benchmark::State& state)
 {
-  const double side = std::sqrt(double(state.range(0)));
   run(state, [&](const Dynamic& dt) {
     Queries queries(dt);
     for (std::int64_t i = 0; i < state.range(0); ++i) {
-      const double x = std::fmod(0.1 * double(i), side);
+      const double x = std::fmod(0.1 * double(i), side(state));
       benchmark::DoNotOptimize(queries.nearest(Point(x, 0.7 * x)));
     }
   });
@@ -172,6 +255,11 @@ void sizes(benchmark::internal::Benchmark* benchmark)
 BENCHMARK(neighbor_lists)->Apply(sizes);
 BENCHMARK(neighbor_lists_cgal)->Apply(sizes);
 BENCHMARK(whole_cells)->Apply(sizes);
+BENCHMARK(whole_cells_periodic)->Apply(sizes);
+BENCHMARK(voronoi_edges)->Apply(sizes);
+BENCHMARK(voronoi_edges_periodic)->Apply(sizes);
+BENCHMARK(forces)->Apply(sizes);
+BENCHMARK(forces_periodic)->Apply(sizes);
 BENCHMARK(clipped_cells)->Apply(sizes);
 BENCHMARK(nearest_neighbor_of_each)->Apply(sizes);
 BENCHMARK(within_radius_of_each)->Apply(sizes);

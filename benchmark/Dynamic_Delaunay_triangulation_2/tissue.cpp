@@ -11,7 +11,7 @@
 //   to cage  the same, relative to the mean of the cells that were neighbors at the start
 //   staying  share of cells within half a unit of where they were, in the end
 //   D_eff    diffusivity in the second half of the time, over that of a cell that crawls alone;
-//            the source draws the line at 0.001
+//            a fluid is here what has 0.001 or more
 //   least, most  of that, over the seeds
 //   T1 rate  new pairs of neighbors, per cell and unit of time, counted in every step
 //   shape    perimeter over the square root of the area, mean over cells and time

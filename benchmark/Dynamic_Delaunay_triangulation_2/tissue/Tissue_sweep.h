@@ -98,7 +98,7 @@ inline Shape_record observe_shape(const Sweep_options& options, double shape)
   return record;
 }
 
-// The effective diffusivity that separates glass and fluid in the source of the model.
+// The effective diffusivity from which on a tissue counts as a fluid.
 constexpr double fluid_diffusivity = 1e-3;
 
 // The preferred shape at which the diffusivity passes that, between two neighbors in the sweep, by

@@ -18,9 +18,10 @@ CAPTION = (
     "The self-propelled Voronoi model of Bi, Yang, Marchetti and Manning (2016). Above: mean "
     "squared displacement over time for each p0, without the drift of all cells, means over the "
     "seeds. Middle: the diffusivity of cells over that of a cell that crawls alone, a dot for each "
-    "seed, a line through the means. The horizontal line is where the source separates glass and "
-    "fluid, the vertical one where it has that of slow cells, p0 = 3.81. Values below the axis are "
-    "drawn at its bottom. Below: the rate of T1 events, new neighbors per cell and unit of time.")
+    "seed, a line through the means; values below the axis are drawn at its bottom. What is above "
+    "the horizontal line counts as a fluid here; the vertical one is p0 = 3.81, where the source "
+    "has the transition of slow cells. Below: the rate of T1 events, new neighbors per cell and "
+    "unit of time.")
 
 
 def mean(values):
