@@ -130,8 +130,13 @@ public:
     space.for_each_face(
         [&](const std::array<Index, 3>& cells, const Face& face) { add_face(cells, face); });
     space.for_each_open_cell(m_missing_faces, [&](Index c) { m_cells[c] = Cell::unbounded(); });
-    settle(space);
-    settle_centroids(space);
+    settle(space, [&](Index id, Index c) {
+      const Position p = space.position(id);
+      const Cell& cell = m_cells[c];
+      if (!cell.has_centroid())
+        return p;
+      return Position{p.x + cell.moment.x / cell.area, p.y + cell.moment.y / cell.area};
+    });
   }
 
   /// measures the parts of the cells in a box. Perimeters include what lies on the boundary of the
@@ -154,8 +159,7 @@ public:
     start(space);
     m_cell_centroids.resize(m_cells.size());
     clip_cells(dt, box);
-    settle(space);
-    settle_clipped_centroids(space);
+    settle(space, [&](Index, Index c) { return m_cell_centroids[c]; });
   }
 
   /// the same, but takes a box of the kernel, whose corners are rounded to doubles.
@@ -214,16 +218,19 @@ private:
     m_cells.assign(space.number_of_cells(), Cell());
   }
 
-  // Copies the measures from cells to ids.
-  template <class Its_space>
-  void settle(const Its_space& space)
+  // Copies the measures from cells to ids; `centroid(id, c)` is that of cell c.
+  template <class Its_space, class Centroid>
+  void settle(const Its_space& space, const Centroid& centroid)
   {
     space.for_each_duplicate([&](Index id) { ++m_cells[space.cell(id)].points; });
     for (Index id = 0; id < space.number_of_ids(); ++id) {
-      const Cell cell = space.has_id(id) ? m_cells[space.cell(id)] : Cell();
+      const bool is_there = space.has_id(id);
+      const Index c = is_there ? space.cell(id) : 0;
+      const Cell cell = is_there ? m_cells[c] : Cell();
       m_areas.push_back(cell.area / cell.points);
       m_perimeters.push_back(cell.perimeter);
       m_shape_indices.push_back(cell.shape_index());
+      m_centroids.push_back(is_there ? centroid(id, c) : Position{0, 0});
     }
   }
 
@@ -256,23 +263,6 @@ private:
     cell.perimeter += length;
     cell.moment.x += moment.x;
     cell.moment.y += moment.y;
-  }
-
-  template <class Its_space>
-  void settle_centroids(const Its_space& space)
-  {
-    for (Index id = 0; id < space.number_of_ids(); ++id) {
-      Position centroid{0, 0};
-      if (space.has_id(id)) {
-        const Cell& cell = m_cells[space.cell(id)];
-        centroid = space.position(id);
-        if (cell.has_centroid()) {
-          centroid.x += cell.moment.x / cell.area;
-          centroid.y += cell.moment.y / cell.area;
-        }
-      }
-      m_centroids.push_back(centroid);
-    }
   }
 
   // CLIPPED CELLS -------------------------------------------------------------------------------
@@ -335,13 +325,6 @@ private:
       last_excess = excess;
     }
     m_corners.swap(m_clipped);
-  }
-
-  template <class Its_space>
-  void settle_clipped_centroids(const Its_space& space)
-  {
-    for (Index id = 0; id < space.number_of_ids(); ++id)
-      m_centroids.push_back(space.has_id(id) ? m_cell_centroids[space.cell(id)] : Position{0, 0});
   }
 
   // Adds up triangles at one corner, which are as small as the cell is, wherever it may be. Returns

@@ -144,6 +144,7 @@ public:
   // Throws unless it is certified.
   explicit Voronoi_space_2(const Dynamic& dt)
     : m_dt(dt)
+    , m_cell(dt.cell())
   {
     if (!dt.is_certified())
       throw Uncertified_triangulation_error_2(
@@ -176,14 +177,15 @@ public:
   template <class Function>
   void for_each_face(const Function& f) const
   {
-    m_dt.for_each_face([&](const std::array<std::size_t, 3>& ids,
-                           const std::array<Periodic_shift_2, 3>& shifts) {
-      const Position_2 first = vector(ids[0], ids[1], shifts[1]);
-      const Position_2 last = vector(ids[2], ids[0], {-shifts[2][0], -shifts[2][1]});
-      const Position_2 second = vector(ids[1], ids[2], difference(shifts[2], shifts[1]));
-      f(std::array<Index, 3>{Index(ids[0]), Index(ids[1]), Index(ids[2])},
-        Voronoi_face_2({second, last, first}, error(ids[0], first, shifts[1], last, shifts[2])));
-    });
+    m_dt.for_each_face(
+        [&](const std::array<std::size_t, 3>& ids, const std::array<Periodic_shift_2, 3>& shifts) {
+          const Position_2 p = position(ids[0]), q = position(ids[1]), r = position(ids[2]);
+          const Position_2 first = vector(p, q, shifts[1]);
+          const Position_2 second = vector(q, r, difference(shifts[2], shifts[1]));
+          const Position_2 last = vector(r, p, {-shifts[2][0], -shifts[2][1]});
+          f(std::array<Index, 3>{Index(ids[0]), Index(ids[1]), Index(ids[2])},
+            Voronoi_face_2({second, last, first}, error(p, first, shifts[1], last, shifts[2])));
+        });
   }
 
   // A closed cell has as many faces as ends of edges.
@@ -208,9 +210,9 @@ public:
   template <class Function>
   void for_each_neighbor(std::size_t id, const Function& f) const
   {
-    const std::size_t i = m_dt.representative(id);
-    m_dt.for_each_neighbor(i, [&](std::size_t j, const Periodic_shift_2& shift) {
-      f(Voronoi_neighbor_2{j, shift, vector(i, j, shift)});
+    const Position_2 p = position(cell(id));
+    m_dt.for_each_neighbor(id, [&](std::size_t j, const Periodic_shift_2& shift) {
+      f(Voronoi_neighbor_2{j, shift, vector(p, position(j), shift)});
     });
   }
 
@@ -220,9 +222,11 @@ public:
                                      const Voronoi_neighbor_2& left) const
   {
     const Position_2 last{-left.vector.x, -left.vector.y};
+    const Position_2 opposite =
+        vector(position(right.id), position(left.id), difference(left.shift, right.shift));
     const Voronoi_face_2 face(
-        {vector(right.id, left.id, difference(left.shift, right.shift)), last, right.vector},
-        error(m_dt.representative(id), right.vector, right.shift, last, left.shift));
+        {opposite, last, right.vector},
+        error(position(cell(id)), right.vector, right.shift, last, left.shift));
     return face.is_flat() ? std::nullopt : std::optional<Voronoi_face_2>(face);
   }
 
@@ -232,27 +236,31 @@ private:
     return {s[0] - t[0], s[1] - t[1]};
   }
 
-  Position_2 vector(std::size_t i, std::size_t j, const Periodic_shift_2& shift) const
+  // Where a direction is open, its vector means nothing, and no shift takes it.
+  static double times(int number, double x) { return number == 0 ? 0 : number * x; }
+
+  // As the triangulation has it.
+  Position_2 vector(const Position_2& p, const Position_2& q, const Periodic_shift_2& shift) const
   {
-    const auto v = m_dt.vector(i, j, shift);
-    return {v.x(), v.y()};
+    return {q.x - p.x + (times(shift[0], m_cell.ax()) + times(shift[1], m_cell.bx())),
+            q.y - p.y + (times(shift[0], m_cell.ay()) + times(shift[1], m_cell.by()))};
   }
 
   // A bound for the rounding errors of a face's vectors. With u = 2^-53, a coordinate of a vector
   // is computed from those of p, q and two products t with an error of less than
   // 4u (|p| + |q| + |t|), and each |q| is at most |p| + |t| + |v|, where v is the vector.
-  double error(std::size_t id, const Position_2& v, const Periodic_shift_2& s, const Position_2& w,
-               const Periodic_shift_2& t) const
+  double error(const Position_2& p, const Position_2& v, const Periodic_shift_2& s,
+               const Position_2& w, const Periodic_shift_2& t) const
   {
-    const auto sum = [](const Position_2& p) { return std::abs(p.x) + std::abs(p.y); };
-    const auto& cell = m_dt.cell();
-    const double a = std::abs(cell.ax()) + std::abs(cell.ay());
-    const double b = std::abs(cell.bx()) + std::abs(cell.by());
-    return 0x1p-50 * (sum(position(id)) + sum(v) + sum(w) + a * std::abs(s[0]) +
-                      b * std::abs(s[1]) + a * std::abs(t[0]) + b * std::abs(t[1]));
+    const auto sum = [](const Position_2& u) { return std::abs(u.x) + std::abs(u.y); };
+    const double a = std::abs(m_cell.ax()) + std::abs(m_cell.ay());
+    const double b = std::abs(m_cell.bx()) + std::abs(m_cell.by());
+    return 0x1p-50 * (sum(p) + sum(v) + sum(w) + times(std::abs(s[0]) + std::abs(t[0]), a) +
+                      times(std::abs(s[1]) + std::abs(t[1]), b));
   }
 
   const Dynamic& m_dt;
+  const Periodic_cell_2& m_cell;
 };
 
 // FACES AROUND A POINT ----------------------------------------------------------------------------
