@@ -43,8 +43,8 @@ them has an entry for every id.
 - In periodic space a centroid is near its point as that was given, wrapped or not, and so are those
   of points that coincide by a translation.
 - An unbounded cell has infinite area, perimeter and shape index. The cells of all points on the
-  hull are unbounded; so are all cells if the points do not span the plane. Cells of periodic space
-  are bounded.
+  hull are unbounded; so are all cells if the points do not span the plane. In a space that is
+  periodic in two directions all cells are bounded.
 - An unbounded cell, and a clipped one without area, have no centroid. The point's own position
   takes its place: a relaxation leaves the point where it is.
 - A clipped cell that does not reach into the box has the shape index 0. Without area, but with a
