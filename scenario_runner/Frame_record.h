@@ -41,10 +41,20 @@ std::string rebuild_reason_name(CGAL::Rebuild_reason_2 reason);
 // The sets of thesis 4.1.3, by the numbers that files have for them.
 enum class Vertex_set : std::uint8_t { none, border, padded, classified };
 
+// In periodic space it ends at an image of `to`, and a triangle has corners at images: at the
+// points shifted by the sides of the motion's cell.
+struct Shown_edge
+{
+  std::size_t from;
+  std::size_t to;
+  scenario::Shift shift{};
+};
+
 struct Shown_triangle
 {
   std::array<std::size_t, 3> corners;
   bool is_delaunay; // none of its edges needs repair
+  std::array<scenario::Shift, 3> shifts{};
 };
 
 // A run as pictures and files show its frame. Points are known by their places in the motion;
@@ -57,7 +67,7 @@ public:
   virtual const scenario::Motion& motion() const = 0;
   virtual const Frame_record& record() const = 0;
   virtual std::vector<Vertex_set> sets() const = 0; // of each point
-  virtual scenario::Neighbor_edges edges() const = 0;
+  virtual std::vector<Shown_edge> edges() const = 0;
   virtual std::vector<Shown_triangle> triangles() const = 0;
 };
 

@@ -1,13 +1,15 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "scenario_runner/Frame_reading.h"
+#include "scenario_runner/Lammps_box.h"
 #include "scenario_runner/Recorded_motion.h"
 #include "scenario_runner/Text_input.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <initializer_list>
 #include <optional>
 #include <utility>
 
@@ -40,12 +42,6 @@ public:
   }
 
 private:
-  struct Interval
-  {
-    double low;
-    double high;
-  };
-
   struct Coordinate_pair
   {
     std::string_view x;
@@ -72,7 +68,7 @@ private:
     } else if (line == "ITEM: UNITS") {
       data_line();
     } else if (line == "ITEM: TIME") {
-      m_time = finite(data_line(), "time");
+      m_time = finite_number(m_scanner, data_line(), "time");
     } else if (!m_frame_is_open) {
       m_scanner.fail("expected ITEM: TIMESTEP, found " + in_quotes(line));
     } else if (line == "ITEM: NUMBER OF ATOMS") {
@@ -95,6 +91,7 @@ private:
     m_frame_is_open = true;
     m_number_of_atoms.reset();
     m_box.reset();
+    m_cell.reset();
   }
 
   void read_number_of_atoms()
@@ -108,27 +105,69 @@ private:
 
   void read_box(std::string_view header)
   {
-    m_box_is_tilted = header.find(" xy ") != std::string_view::npos ||
-                      header.find(" abc ") != std::string_view::npos;
-    read_boundaries(header);
-    m_box.emplace();
-    for (Interval& side : *m_box) {
-      split_at_blanks(data_line(), m_fields);
-      if (m_fields.size() < 2) {
-        m_scanner.fail("expected the lower and the upper bound of the box");
-      }
-      side = {finite(m_fields[0], "lower bound"), finite(m_fields[1], "upper bound")};
-    }
+    split_at_blanks(header, m_fields);
+    std::vector<std::string_view> words(m_fields.begin() + 3, m_fields.end());
+    const auto begins_with = [&words](std::initializer_list<std::string_view> names) {
+      return words.size() >= names.size() && std::equal(names.begin(), names.end(), words.begin());
+    };
+    const bool has_vectors = begins_with({"abc", "origin"});
+    const bool is_tilted = begins_with({"xy", "xz", "yz"});
+    words.erase(words.begin(), words.begin() + (has_vectors ? 2 : is_tilted ? 3 : 0));
+    const auto is_periodic = [&words](std::size_t axis) {
+      return axis < words.size() && words[axis] == "pp";
+    };
+    m_box.emplace(has_vectors ? read_vectors({is_periodic(0), is_periodic(1)})
+                              : read_bounds(is_tilted, {is_periodic(0), is_periodic(1)}));
+    m_cell = cell_of_box(m_scanner, *m_box);
   }
 
-  // Of x, y and z: two letters each, p for periodic.
-  void read_boundaries(std::string_view header)
+  Cell read_bounds(bool is_tilted, const std::array<bool, 2>& is_periodic)
   {
-    split_at_blanks(header, m_fields);
-    const std::size_t planar = m_fields.size() < 3 ? m_fields.size() : m_fields.size() - 1;
-    m_box_is_periodic =
-        std::find(m_fields.begin(), m_fields.begin() + static_cast<std::ptrdiff_t>(planar), "pp") !=
-        m_fields.begin() + static_cast<std::ptrdiff_t>(planar);
+    constexpr std::array<const char*, 3> tilts = {"xy", "xz", "yz"};
+    Lammps_bounds bounds;
+    for (std::size_t axis = 0; axis != 3; ++axis) {
+      read_numbers(is_tilted ? 3 : 2, "the lower and the upper bound of the box");
+      bounds.low[axis] = finite_number(m_scanner, m_fields[0], "lower bound");
+      bounds.high[axis] = finite_number(m_scanner, m_fields[1], "upper bound");
+      if (axis != 2 && is_periodic[axis] && !(bounds.low[axis] < bounds.high[axis])) {
+        m_scanner.fail("the box is periodic here, so its upper bound " + in_quotes(m_fields[1]) +
+                       " has to be above its lower bound " + in_quotes(m_fields[0]));
+      }
+      if (is_tilted) {
+        bounds.tilt[axis] = finite_number(m_scanner, m_fields[2], tilts[axis]);
+      }
+    }
+    m_leans_along_z = bounds.tilt[1] != 0.0 || bounds.tilt[2] != 0.0;
+    const Cell box = cell_of_bounds(bounds, is_periodic);
+    if ((is_periodic[0] && !(box.sides[0].x > 0.0)) ||
+        (is_periodic[1] && !(box.sides[1].y > 0.0))) {
+      m_scanner.fail("the box is periodic, and its bounds leave no room beside its tilt");
+    }
+    return box;
+  }
+
+  // Each line has a vector and a coordinate of the origin.
+  Cell read_vectors(const std::array<bool, 2>& is_periodic)
+  {
+    std::array<std::array<double, 4>, 3> rows{};
+    for (auto& row : rows) {
+      read_numbers(row.size(), "a vector of the box and a coordinate of its origin");
+      for (std::size_t i = 0; i != row.size(); ++i) {
+        row[i] = finite_number(m_scanner, m_fields[i], i == 3 ? "origin" : "vector");
+      }
+    }
+    m_leans_along_z = rows[2][0] != 0.0 || rows[2][1] != 0.0;
+    return {{rows[0][3], rows[1][3]},
+            {{{rows[0][0], rows[0][1]}, {rows[1][0], rows[1][1]}}},
+            is_periodic};
+  }
+
+  void read_numbers(std::size_t number, const char* what)
+  {
+    split_at_blanks(data_line(), m_fields);
+    if (m_fields.size() < number) {
+      m_scanner.fail(std::string("expected ") + what);
+    }
   }
 
   void read_atoms(std::string_view header, Recording& frames)
@@ -140,15 +179,15 @@ private:
     const Columns columns = read_columns(header);
     Recorded_frame frame;
     frame.time = m_time.value_or(static_cast<double>(m_timestep));
-    frame.is_periodic = m_box && m_box_is_periodic;
+    frame.cell = m_cell;
+    check_kind(m_scanner, m_cell, frames);
     const std::size_t plausible = (std::min)(*m_number_of_atoms, m_scanner.bytes_left() / 2);
-    frame.ids.reserve(plausible);
-    frame.points.reserve(plausible);
-    m_lines.clear();
+    m_rows.clear();
+    m_rows.reserve(plausible);
     for (std::size_t i = 0; i != *m_number_of_atoms; ++i) {
-      read_atom(columns, frame);
+      read_atom(columns);
     }
-    sort_by_id(frame);
+    m_rows.sort_into(frame, m_scanner, "the frame of timestep " + std::to_string(m_timestep));
     frames.push_back(std::move(frame));
     m_frame_is_open = false;
     m_time.reset();
@@ -180,17 +219,18 @@ private:
     if (scaled && !m_box) {
       m_scanner.fail("scaled coordinates need ITEM: BOX BOUNDS before the atoms");
     }
-    if (scaled && m_box_is_tilted) {
-      m_scanner.fail("scaled coordinates in a tilted box are not supported, dump x y instead");
+    if (scaled && m_leans_along_z) {
+      m_scanner.fail("scaled coordinates in a box that is tilted along z are not supported, dump "
+                     "x y instead");
     }
   }
 
-  void read_atom(const Columns& columns, Recorded_frame& frame)
+  void read_atom(const Columns& columns)
   {
     std::string_view line;
     if (!m_scanner.next_line(line) || starts_with(line, "ITEM:")) {
       fail_truncated(std::to_string(*m_number_of_atoms) + " atoms expected, " +
-                     std::to_string(frame.ids.size()) + " found");
+                     std::to_string(m_rows.size()) + " found");
     }
     split_at_blanks(line, m_fields);
     if (m_fields.size() != columns.count) {
@@ -201,12 +241,10 @@ private:
     Point point{m_scanner.coordinate(m_fields[columns.x], "x", std::to_string(id)),
                 m_scanner.coordinate(m_fields[columns.y], "y", std::to_string(id))};
     if (columns.scaled) {
-      point = {unscaled(point.x, (*m_box)[0]), unscaled(point.y, (*m_box)[1])};
+      point = unscaled(point);
       check_finite(point, id);
     }
-    frame.ids.push_back(id);
-    frame.points.push_back(point);
-    m_lines.push_back(m_scanner.line_number());
+    m_rows.add(id, point, m_scanner.line_number());
   }
 
   void check_finite(const Point& point, std::int64_t id) const
@@ -217,38 +255,11 @@ private:
     }
   }
 
-  static double unscaled(double fraction, const Interval& side)
+  Point unscaled(const Point& fractions) const
   {
-    return side.low + fraction * (side.high - side.low);
-  }
-
-  void sort_by_id(Recorded_frame& frame) const
-  {
-    std::vector<std::size_t> order(frame.ids.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::sort(order.begin(), order.end(), [&frame](std::size_t a, std::size_t b) {
-      return std::pair(frame.ids[a], a) < std::pair(frame.ids[b], b);
-    });
-    Recorded_frame sorted;
-    sorted.time = frame.time;
-    sorted.is_periodic = frame.is_periodic;
-    for (std::size_t i = 0; i != order.size(); ++i) {
-      if (i != 0 && frame.ids[order[i]] == frame.ids[order[i - 1]]) {
-        fail_twice(frame.ids[order[i]], m_lines[order[i - 1]], m_lines[order[i]]);
-      }
-      sorted.ids.push_back(frame.ids[order[i]]);
-      sorted.points.push_back(frame.points[order[i]]);
-    }
-    frame = std::move(sorted);
-  }
-
-  [[noreturn]] void fail_twice(std::int64_t id, std::size_t first, std::size_t second) const
-  {
-    throw Scenario_error(m_scanner.file(),
-                         "id " + std::to_string(id) + " is twice in the frame of timestep " +
-                             std::to_string(m_timestep) + ", first in line " +
-                             std::to_string(first),
-                         second);
+    const auto& [a, b] = m_box->sides;
+    return {m_box->corner.x + fractions.x * a.x + fractions.y * b.x,
+            m_box->corner.y + fractions.x * a.y + fractions.y * b.y};
   }
 
   [[noreturn]] void fail_truncated(const std::string& how) const
@@ -267,15 +278,6 @@ private:
     return line;
   }
 
-  double finite(std::string_view text, std::string_view what) const
-  {
-    const double value = m_scanner.number(text, what);
-    if (!std::isfinite(value)) {
-      m_scanner.fail(std::string(what) + " " + in_quotes(text) + " is not a finite number");
-    }
-    return value;
-  }
-
   static bool starts_with(std::string_view text, std::string_view start)
   {
     return text.substr(0, start.size()) == start;
@@ -283,13 +285,13 @@ private:
 
   Text_scanner m_scanner;
   std::vector<std::string_view> m_fields;
-  std::vector<std::size_t> m_lines;
+  Frame_rows m_rows;
   std::int64_t m_timestep = 0;
   std::optional<double> m_time;
   std::optional<std::size_t> m_number_of_atoms;
-  std::optional<std::array<Interval, 3>> m_box;
-  bool m_box_is_tilted = false;
-  bool m_box_is_periodic = false;
+  std::optional<Cell> m_box;  // periodic or not
+  std::optional<Cell> m_cell; // if it is
+  bool m_leans_along_z = false;
   bool m_frame_is_open = false;
 };
 

@@ -4,6 +4,8 @@
 #ifndef SCENARIO_RUNNER_MOTION_H
 #define SCENARIO_RUNNER_MOTION_H
 
+#include "scenario_runner/Cell.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -12,12 +14,6 @@
 #include <vector>
 
 namespace scenario {
-
-struct Point
-{
-  double x;
-  double y;
-};
 
 // Edges of the maintained triangulation, as pairs of positions in Motion::points().
 using Neighbor_edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
@@ -41,6 +37,10 @@ public:
   virtual const std::vector<Point>& points() const = 0;
   virtual double time() const = 0;
 
+  // Of the frame; none where space is not periodic. All frames have a cell of one kind, or none.
+  // Points need not lie in it: each stands for all its images.
+  virtual std::optional<Cell> cell() const { return std::nullopt; }
+
   // Goes to the next frame. False, and nothing changes, when there is none.
   virtual bool advance(const Neighbor_edges& neighbors) = 0;
 
@@ -60,9 +60,6 @@ public:
   // In the unit in which a scenario file states it. A recording has none.
   virtual std::optional<double> time_step() const { return std::nullopt; }
   virtual std::optional<double> largest_stable_time_step() const { return std::nullopt; }
-
-  // What whoever runs it should know, as it is not followed; empty if there is nothing.
-  virtual std::string remark() const { return {}; }
 
 private:
   std::string m_name;

@@ -18,7 +18,7 @@ namespace scenario {
 
 namespace {
 
-enum class Motion_format { scenario, csv, lammps_dump };
+enum class Motion_format { scenario, csv, lammps_dump, xyz };
 
 std::filesystem::path without_gz(const std::filesystem::path& file)
 {
@@ -37,6 +37,9 @@ std::optional<Motion_format> motion_format(const std::filesystem::path& file)
   }
   if (extension == ".lammpstrj" || extension == ".dump") {
     return Motion_format::lammps_dump;
+  }
+  if (extension == ".xyz" || extension == ".extxyz") {
+    return Motion_format::xyz;
   }
   return std::nullopt;
 }
@@ -88,6 +91,18 @@ void refuse_overrides(const std::string& path, const Overrides& overrides)
   }
 }
 
+Recording read_recording(const std::string& path, Motion_format format)
+{
+  switch (format) {
+  case Motion_format::lammps_dump:
+    return read_lammps_dump(path);
+  case Motion_format::xyz:
+    return read_xyz_motion(path);
+  default:
+    return read_csv_motion(path);
+  }
+}
+
 } // namespace
 
 std::unique_ptr<Particle_motion> make_motion(const Scenario_description& description,
@@ -123,9 +138,7 @@ std::unique_ptr<Motion> open_motion(const std::string& path, const Overrides& ov
     return open_scenario(path, overrides);
   }
   refuse_overrides(path, overrides);
-  Recording recording =
-      *format == Motion_format::csv ? read_csv_motion(path) : read_lammps_dump(path);
-  return std::make_unique<Recorded_motion>(recording_name(path), std::move(recording));
+  return std::make_unique<Recorded_motion>(recording_name(path), read_recording(path, *format));
 }
 
 Scenario_facts scenario_facts(const std::string& path, const std::optional<std::size_t>& points)

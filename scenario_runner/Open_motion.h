@@ -18,7 +18,8 @@
 
 namespace scenario {
 
-inline const std::string motion_extensions = ".json, .csv, .tsv, .txt, .lammpstrj or .dump";
+inline const std::string motion_extensions =
+    ".json, .csv, .tsv, .txt, .lammpstrj, .dump, .xyz or .extxyz";
 
 // Opens a scenario or a recording, which the name of the file tells apart, compressed or not; or a
 // CSV recording from standard input, as "-".

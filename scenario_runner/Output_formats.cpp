@@ -3,10 +3,13 @@
 
 #include "scenario_runner/Output_formats.h"
 
+#include "scenario_runner/Lammps_box.h"
 #include "scenario_runner/Number_text.h"
 
 #include <algorithm>
 #include <functional>
+#include <map>
+#include <utility>
 
 namespace run {
 
@@ -33,12 +36,24 @@ Bounds cell_bounds(const std::optional<scenario::Box>& box,
   return bounds;
 }
 
+// The cell, or the bounds as one that is not periodic.
+scenario::Cell written_cell(const Run_view& run, const Bounds& bounds)
+{
+  return run.motion().cell().value_or(scenario::Cell{
+      bounds.low, {{{bounds.width(), 0.0}, {0.0, bounds.height()}}}, {false, false}});
+}
+
 void write_xyz_head(std::ostream& out, const Run_view& run, const Bounds& bounds)
 {
-  out << run.motion().points().size() << "\nLattice=\"" << number_text(bounds.width()) << " 0 0 0 "
-      << number_text(bounds.height()) << " 0 0 0 1\" Origin=\"" << number_text(bounds.low.x) << ' '
-      << number_text(bounds.low.y)
-      << " -0.5\" pbc=\"F F F\" Properties=id:I:1:species:S:1:pos:R:3:set:I:1 Time="
+  const scenario::Cell cell = written_cell(run, bounds);
+  const auto letter = [](bool is_periodic) { return is_periodic ? "T " : "F "; };
+  out << run.motion().points().size() << "\nLattice=\"";
+  for (const scenario::Point& side : cell.sides) {
+    out << number_text(side.x) << ' ' << number_text(side.y) << " 0 ";
+  }
+  out << "0 0 1\" Origin=\"" << number_text(cell.corner.x) << ' ' << number_text(cell.corner.y)
+      << " -0.5\" pbc=\"" << letter(cell.is_periodic[0]) << letter(cell.is_periodic[1])
+      << "F\" Properties=id:I:1:species:S:1:pos:R:3:set:I:1 Time="
       << number_text(run.motion().time()) << " Frame=" << run.record().frame << '\n';
 }
 
@@ -48,10 +63,15 @@ void write_lammps_head(std::ostream& out, const Run_view& run, const Bounds& bou
   out << "ITEM: TIME\n"
       << number_text(run.motion().time()) << "\nITEM: TIMESTEP\n"
       << run.record().frame << "\nITEM: NUMBER OF ATOMS\n"
-      << run.motion().points().size() << "\nITEM: BOX BOUNDS ff ff ff\n"
-      << number_text(bounds.low.x) << ' ' << number_text(bounds.high.x) << '\n'
-      << number_text(bounds.low.y) << ' ' << number_text(bounds.high.y)
-      << "\n-0.5 0.5\nITEM: ATOMS id type x y z set\n";
+      << run.motion().points().size() << '\n';
+  if (const auto cell = run.motion().cell()) {
+    scenario::write_lammps_box(out, *cell);
+  } else {
+    out << "ITEM: BOX BOUNDS ff ff ff\n"
+        << number_text(bounds.low.x) << ' ' << number_text(bounds.high.x) << '\n'
+        << number_text(bounds.low.y) << ' ' << number_text(bounds.high.y) << "\n-0.5 0.5\n";
+  }
+  out << "ITEM: ATOMS id type x y z set\n";
 }
 
 // `text(i)` is what the array has for the i-th of `size` things.
@@ -63,6 +83,72 @@ void write_array(std::ostream& out, const char* attributes, std::size_t size, co
     out << text(i) << '\n';
   }
   out << "</DataArray>\n";
+}
+
+// The points of a grid and its triangles, by their places among these points. At first the points
+// of the motion, then the images that only triangles across the sides of the cell need.
+class Grid_points
+{
+public:
+  explicit Grid_points(const Run_view& run)
+    : m_points(run.motion().points())
+    , m_cell(run.motion().cell())
+    , m_number_of_originals(m_points.size())
+    , m_triangles(run.triangles())
+  {
+    for (std::size_t i = 0; i != m_points.size(); ++i) {
+      m_originals.push_back(i);
+    }
+    for (Shown_triangle& triangle : m_triangles) {
+      for (std::size_t i = 0; i != 3; ++i) {
+        if (triangle.shifts[i] != scenario::Shift{0, 0}) {
+          triangle.corners[i] = image(triangle.corners[i], triangle.shifts[i]);
+        }
+      }
+    }
+  }
+
+  std::size_t size() const { return m_points.size(); }
+  const scenario::Point& point(std::size_t i) const { return m_points[i]; }
+  // The place in the motion.
+  std::size_t original(std::size_t i) const { return m_originals[i]; }
+  bool is_image(std::size_t i) const { return i >= m_number_of_originals; }
+  const std::vector<Shown_triangle>& triangles() const { return m_triangles; }
+
+private:
+  std::size_t image(std::size_t place, const scenario::Shift& shift)
+  {
+    const auto [found, is_new] = m_images.emplace(std::pair(place, shift), m_points.size());
+    if (is_new) {
+      const scenario::Point by = m_cell->translation(shift);
+      m_points.push_back({m_points[place].x + by.x, m_points[place].y + by.y});
+      m_originals.push_back(place);
+    }
+    return found->second;
+  }
+
+  std::vector<scenario::Point> m_points;
+  std::optional<scenario::Cell> m_cell;
+  std::size_t m_number_of_originals;
+  std::vector<std::size_t> m_originals;
+  std::map<std::pair<std::size_t, scenario::Shift>, std::size_t> m_images;
+  std::vector<Shown_triangle> m_triangles;
+};
+
+std::string space_text(const scenario::Point& p)
+{
+  return number_text(p.x) + ' ' + number_text(p.y) + " 0";
+}
+
+// Where its sides begin, and its sides.
+void write_grid_cell(std::ostream& out, const scenario::Cell& cell)
+{
+  write_array(out, R"(type="Float64" Name="CellCorner" NumberOfComponents="3" NumberOfTuples="1")",
+              1, [&](std::size_t) { return space_text(cell.corner); });
+  write_array(out, R"(type="Float64" Name="CellSides" NumberOfComponents="3" NumberOfTuples="2")",
+              2, [&](std::size_t i) { return space_text(cell.sides[i]); });
+  write_array(out, R"(type="UInt8" Name="CellIsPeriodic" NumberOfTuples="2")", 2,
+              [&](std::size_t i) { return cell.is_periodic[i] ? 1 : 0; });
 }
 
 } // namespace
@@ -121,28 +207,34 @@ void write_vtk_grid(std::ostream& out, const Run_view& run)
 {
   constexpr int triangle_type = 5; // VTK_TRIANGLE
   const scenario::Motion& motion = run.motion();
-  const auto& points = motion.points();
+  const Grid_points points(run);
   const std::vector<Vertex_set> sets = run.sets();
-  const std::vector<Shown_triangle> triangles = run.triangles();
+  const std::vector<Shown_triangle>& triangles = points.triangles();
+  const auto cell = motion.cell();
   out << "<?xml version=\"1.0\"?>\n"
          "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
          "<UnstructuredGrid>\n<FieldData>\n";
   write_array(out, R"(type="Float64" Name="TimeValue" NumberOfTuples="1")", 1,
               [&](std::size_t) { return number_text(motion.time()); });
+  if (cell) {
+    write_grid_cell(out, *cell);
+  }
   out << "</FieldData>\n<Piece NumberOfPoints=\"" << points.size() << "\" NumberOfCells=\""
       << triangles.size() << "\">\n<PointData Scalars=\"set\">\n";
   write_array(out, R"(type="Int64" Name="id")", points.size(),
-              [&](std::size_t i) { return motion.ids()[i]; });
+              [&](std::size_t i) { return motion.ids()[points.original(i)]; });
   write_array(out, R"(type="UInt8" Name="set")", points.size(),
-              [&](std::size_t i) { return static_cast<unsigned>(sets[i]); });
+              [&](std::size_t i) { return static_cast<unsigned>(sets[points.original(i)]); });
+  if (cell) {
+    write_array(out, R"(type="UInt8" Name="image")", points.size(),
+                [&](std::size_t i) { return points.is_image(i) ? 1 : 0; });
+  }
   out << "</PointData>\n<CellData>\n";
   write_array(out, R"(type="UInt8" Name="delaunay")", triangles.size(),
               [&](std::size_t i) { return triangles[i].is_delaunay ? 1 : 0; });
   out << "</CellData>\n<Points>\n";
   write_array(out, R"(type="Float64" Name="Points" NumberOfComponents="3")", points.size(),
-              [&](std::size_t i) {
-                return number_text(points[i].x) + ' ' + number_text(points[i].y) + " 0";
-              });
+              [&](std::size_t i) { return space_text(points.point(i)); });
   out << "</Points>\n<Cells>\n";
   write_array(out, R"(type="Int64" Name="connectivity")", triangles.size(), [&](std::size_t i) {
     const auto& [a, b, c] = triangles[i].corners;

@@ -31,12 +31,12 @@ private:
 };
 
 // The points of some frames of a run in one file, a line each: id, species, x, y, z and the number
-// of the set.
+// of the set. Above them is the cell, if space is periodic, or else the box or that of the points.
 class Point_log
 {
 public:
-  // Extended XYZ says in the second line of a frame what the columns are. A text dump of LAMMPS is
-  // read as the same motion by parse_lammps_dump().
+  // Extended XYZ says in the second line of a frame what the columns are. parse_xyz() and
+  // parse_lammps_dump() read the same motion.
   enum class Format { EXTENDED_XYZ, LAMMPS_DUMP };
 
   Point_log(Format format, const std::string& path, const Frame_choice& choice,
@@ -53,7 +53,8 @@ private:
 };
 
 // A frame as an unstructured grid in VTK's XML format: all points in the order of the motion, and
-// the triangles, whatever they are worth.
+// the triangles, whatever they are worth. In periodic space the cell is among the field data, and
+// the images of points at which triangles have corners follow the points.
 void write_vtk_grid(std::ostream& out, const Run_view& run);
 
 // Some frames of a run in a directory, each as a VTK file, and a collection that lists them.

@@ -4,6 +4,7 @@
 #include "scenario_runner/Pictures.h"
 
 #include "scenario_runner/Number_text.h"
+#include "scenario_runner/Picture_geometry.h"
 
 #include <cmath>
 
@@ -99,9 +100,11 @@ void write_picture_legend(std::ostream& out)
 class Svg_picture
 {
 public:
-  Svg_picture(std::ostream& out, const Run_view& run, const Picture_view& view)
+  Svg_picture(std::ostream& out, const Run_view& run, const Picture_geometry& geometry,
+              const Picture_view& view)
     : m_out(out)
     , m_run(run)
+    , m_geometry(geometry)
     , m_view(view)
   {
   }
@@ -114,6 +117,7 @@ public:
     write_caption();
     m_out << "<g transform=\"translate(" << number(0.5 * (width() - m_view.width())) << ' '
           << number(line_height) << ")\">\n";
+    write_outline();
     write_edges();
     write_points();
     m_out << "</g>\n";
@@ -167,12 +171,25 @@ private:
           << number(radius) << '"' << fill << "/>";
   }
 
+  void write_outline() const
+  {
+    if (m_geometry.outline.empty()) {
+      return;
+    }
+    m_out << "<polygon stroke=\"black\" stroke-width=\"2\" fill=\"none\" points=\"";
+    for (const scenario::Point& corner : m_geometry.outline) {
+      const scenario::Point at = seen(corner);
+      m_out << number(at.x) << ',' << number(at.y) << '\n';
+    }
+    m_out << "\"/>\n";
+  }
+
   void write_edges() const
   {
     m_out << "<path stroke=\"" << edge_color << "\" stroke-width=\""
           << number((std::min)(0.8, 0.5 * radius())) << "\" fill=\"none\" d=\"";
-    for (const auto& [i, j] : m_run.edges()) {
-      const scenario::Point from = place(i), to = place(j);
+    for (const Segment& edge : m_geometry.edges) {
+      const scenario::Point from = seen(edge.from), to = seen(edge.to);
       m_out << 'M' << number(from.x) << ' ' << number(from.y) << "\nL" << number(to.x) << ' '
             << number(to.y) << '\n';
     }
@@ -186,7 +203,7 @@ private:
       m_out << "<g fill=\"" << legend.color << "\">\n";
       for (std::size_t i = 0; i != sets.size(); ++i) {
         if (sets[i] == legend.set) {
-          write_circle(place(i), radius(), "");
+          write_circle(seen(m_geometry.points[i]), radius(), "");
           m_out << '\n';
         }
       }
@@ -194,9 +211,8 @@ private:
     }
   }
 
-  scenario::Point place(std::size_t i) const
+  scenario::Point seen(const scenario::Point& point) const
   {
-    const scenario::Point& point = m_run.motion().points()[i];
     return {m_view.x(point), m_view.y(point)};
   }
 
@@ -210,8 +226,23 @@ private:
 
   std::ostream& m_out;
   const Run_view& m_run;
+  const Picture_geometry& m_geometry;
   const Picture_view& m_view;
 };
+
+// Of all that is drawn in periodic space; else as of a file.
+Bounds picture_bounds(const Picture_geometry& geometry, const std::optional<scenario::Box>& box)
+{
+  if (geometry.outline.empty()) {
+    return frame_bounds(box, geometry.points);
+  }
+  std::vector<scenario::Point> all = geometry.outline;
+  all.insert(all.end(), geometry.points.begin(), geometry.points.end());
+  for (const Segment& edge : geometry.edges) {
+    all.push_back(edge.to);
+  }
+  return bounds_of(all);
+}
 
 } // namespace
 
@@ -274,10 +305,11 @@ void Picture_series::write(const Run_view& run)
   if (!m_choice.has(record.frame)) {
     return;
   }
-  const Picture_view view(frame_bounds(m_box, run.motion().points()));
+  const Picture_geometry geometry = picture_geometry(run);
+  const Picture_view view(picture_bounds(geometry, m_box));
   const std::string file_name = frame_file_name(record.frame, ".svg");
   Output_file file(m_directory.path_of(file_name));
-  Svg_picture(file.stream(), run, view).write();
+  Svg_picture(file.stream(), run, geometry, view).write();
   file.finish();
   m_pictures.push_back({file_name, record.frame, record.time});
 }

@@ -27,16 +27,6 @@ bool Recorded_motion::has_fixed_population() const
   });
 }
 
-std::string Recorded_motion::remark() const
-{
-  const bool is_periodic =
-      std::any_of(m_recording.begin(), m_recording.end(),
-                  [](const Recorded_frame& frame) { return frame.is_periodic; });
-  return is_periodic ? "the box is periodic, and is taken for an open one: points that leave it "
-                       "on one side jump to the other, and nobody has neighbors across its sides"
-                     : "";
-}
-
 bool Recorded_motion::advance(const Neighbor_edges&)
 {
   if (m_current + 1 == m_recording.size()) {
@@ -64,6 +54,11 @@ Recording read_csv_motion(const std::string& path)
 Recording read_lammps_dump(const std::string& path)
 {
   return parse_lammps_dump(path, read_text_file(path));
+}
+
+Recording read_xyz_motion(const std::string& path)
+{
+  return parse_xyz(path, read_text_file(path));
 }
 
 } // namespace scenario

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +22,7 @@ struct Recorded_frame
   double time = 0.0;
   std::vector<std::int64_t> ids;
   std::vector<Point> points;
-  bool is_periodic = false; // its box is, in x or y
+  std::optional<Cell> cell{}; // none where its box is not periodic
 };
 
 using Recording = std::vector<Recorded_frame>;
@@ -34,10 +35,10 @@ public:
   const std::vector<std::int64_t>& ids() const override { return frame().ids; }
   const std::vector<Point>& points() const override { return frame().points; }
   double time() const override { return frame().time; }
+  std::optional<Cell> cell() const override { return frame().cell; }
   bool has_fixed_population() const override;
   bool population_changed() const override { return m_population_changed; }
   std::size_t frames() const override { return m_recording.size() - 1; }
-  std::string remark() const override;
   bool advance(const Neighbor_edges&) override;
 
 private:
@@ -56,14 +57,21 @@ Recording parse_csv(const std::string& file, std::string_view text);
 
 // The text dumps of the molecular dynamics program LAMMPS. Coordinates are taken from the first of
 // the column pairs `x y`, `xu yu`, `xs ys`, `xsu ysu` that is there; the last two are fractions of
-// the box. Atoms and columns come in any order, further columns are ignored.
+// the box. Atoms and columns come in any order, further columns are ignored. A box that is periodic
+// in x or y is the frame's cell, also if it is tilted.
 // \throws Scenario_error, in which the text is called `file`
 Recording parse_lammps_dump(const std::string& file, std::string_view text);
+
+// XYZ files, extended or not. Points are known by the property `id`, or else by their places in the
+// frame. A Lattice that is periodic in its first or second vector is the frame's cell.
+// \throws Scenario_error, in which the text is called `file`
+Recording parse_xyz(const std::string& file, std::string_view text);
 
 // The same of files; the path - stands for standard input.
 bool is_standard_input(const std::string& path);
 Recording read_csv_motion(const std::string& path);
 Recording read_lammps_dump(const std::string& path);
+Recording read_xyz_motion(const std::string& path);
 
 } // namespace scenario
 

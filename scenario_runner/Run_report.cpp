@@ -111,6 +111,7 @@ void add_subject(Json& json, const Run_subject& subject)
   json["time_step"] = json_of(subject.time_step);
   json["seed"] = json_of(subject.seed);
   json["packing"] = packing_json(subject.packing);
+  json["cell"] = json_of(subject.cell);
   json["exact"] = subject.classifier.is_exact;
 }
 
@@ -205,6 +206,9 @@ void write_table(std::ostream& out, const Run_subject& subject, const Run_summar
   Table table({}, Table::Align::LEFT);
   table.add("scenario", subject.scenario + ", " + std::to_string(summary.points) + " points, " +
                             std::to_string(summary.frames) + " frames");
+  if (subject.cell) {
+    table.add("cell", *subject.cell);
+  }
   table.add("classifier", subject.classifier.text() +
                               (subject.classifier.is_exact ? " (exact)" : " (heuristic)"));
   table.add("repair", subject.repair);

@@ -32,6 +32,7 @@ struct Run_subject
   std::optional<double> time_step;
   std::optional<std::uint64_t> seed; // where there is chance
   std::optional<scenario::Packing> packing;
+  std::optional<std::string> cell{}; // "torus" or "slab" where space is periodic
 };
 
 // Nanoseconds a point, over frames.

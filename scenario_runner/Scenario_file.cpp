@@ -304,6 +304,20 @@ Box read_box(const Json_object_reader& reader)
   return {width, height};
 }
 
+Cell_kind read_cell(const Json_object_reader& reader)
+{
+  if (!reader.has("cell")) {
+    return Cell_kind::closed;
+  }
+  const std::string name = reader.choice("cell", {"closed", "channel", "periodic"});
+  if (name != "closed" && !reader.has("box")) {
+    reader.fail("key 'cell' is " + in_quotes(name) + ", which needs key 'box'");
+  }
+  return name == "closed"    ? Cell_kind::closed
+         : name == "channel" ? Cell_kind::channel
+                             : Cell_kind::periodic;
+}
+
 void check_number_of_points(const Json_object_reader& reader, const Particle_description& particles)
 {
   double sum = 0.0;
@@ -334,7 +348,7 @@ Particle_description read_particles(const Json_object_reader& reader)
 {
   reader.allow_only({"name", "kind", "seed", "frames", "time_step", "largest_stable_time_step",
                      "packing", "jitter", "diameter", "mass", "stiffness", "damping", "gravity",
-                     "box", "bodies"});
+                     "box", "cell", "bodies"});
   Particle_description particles;
   particles.packing = reader.choice("packing", {"square", "hexagonal"}) == "square"
                           ? Packing::square
@@ -353,6 +367,7 @@ Particle_description read_particles(const Json_object_reader& reader)
   if (reader.has("box")) {
     particles.box = read_box(reader);
   }
+  particles.cell = read_cell(reader);
   for (const Json_object_reader& body : reader.objects("bodies")) {
     particles.bodies.push_back(read_body(body));
   }
@@ -363,9 +378,9 @@ Particle_description read_particles(const Json_object_reader& reader)
 
 Brownian_description read_brownian(const Json_object_reader& reader)
 {
-  reader.allow_only({"name", "kind", "seed", "frames", "time_step", "points", "box"});
+  reader.allow_only({"name", "kind", "seed", "frames", "time_step", "points", "box", "cell"});
   return {reader.integer("points", 1, max_points), read_box(reader),
-          reader.number("time_step", positive_up_to(largest_time_step))};
+          reader.number("time_step", positive_up_to(largest_time_step)), read_cell(reader)};
 }
 
 std::size_t scaled_columns(const Body_description& body, std::size_t number_of_points)
@@ -379,6 +394,15 @@ std::size_t scaled_columns(const Body_description& body, std::size_t number_of_p
 }
 
 } // namespace
+
+std::optional<Cell> cell_of(const Box& box, Cell_kind kind)
+{
+  if (kind == Cell_kind::closed) {
+    return std::nullopt;
+  }
+  return Cell{
+      {0.0, 0.0}, {{{box.width, 0.0}, {0.0, box.height}}}, {true, kind == Cell_kind::periodic}};
+}
 
 double row_distance(Packing packing)
 {

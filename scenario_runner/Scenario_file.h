@@ -28,6 +28,13 @@ struct Box
   double height;
 };
 
+// What the sides of a box do: all keep the points inside; or a point that leaves through the left
+// or the right one comes in through the other; or through any of them.
+enum class Cell_kind { closed, channel, periodic };
+
+// The cell of such a box; none if it is closed.
+std::optional<Cell> cell_of(const Box& box, Cell_kind kind);
+
 // A block of discs that touch; `position` is its lower left corner, the discs' radii included.
 struct Body_description
 {
@@ -61,6 +68,7 @@ struct Particle_description
   std::vector<Body_description> bodies;
   double time_step; // in sqrt(mass / stiffness)
   std::optional<double> largest_stable_time_step;
+  Cell_kind cell = Cell_kind::closed; // of the box
 
   std::size_t number_of_points() const;
 };
@@ -70,6 +78,7 @@ struct Brownian_description
   std::size_t points;
   Box box;
   double time_step; // standard deviation of a step along each axis, in mean spacings
+  Cell_kind cell = Cell_kind::closed;
 };
 
 struct Scenario_description

@@ -17,13 +17,15 @@ class Body_lattice
 {
 public:
   Body_lattice(std::size_t number_of_points, std::size_t columns, Packing packing, double diameter,
-               const Point& corner)
+               const Point& corner, const Periods& periods)
     : m_number_of_points(number_of_points)
     , m_columns(columns)
     , m_packing(packing)
     , m_diameter(diameter)
     , m_corner(corner)
+    , m_periods(periods)
   {
+    find_pairs_across();
   }
 
   std::size_t number_of_points() const { return m_number_of_points; }
@@ -55,13 +57,45 @@ public:
   {
     const std::size_t end = (std::min)(m_number_of_points, i + m_columns + 2);
     for (std::size_t j = i + 1; j < end; j = next_candidate(i, j)) {
-      if (distance(i, j) < 1.6 * m_diameter) {
+      if (distance(i, j) < reach()) {
         visit(j);
       }
+    }
+    for (auto pair = std::lower_bound(m_pairs_across.begin(), m_pairs_across.end(),
+                                      std::pair(i, std::size_t(0)));
+         pair != m_pairs_across.end() && pair->first == i; ++pair) {
+      visit(pair->second);
     }
   }
 
 private:
+  double reach() const { return 1.6 * m_diameter; }
+
+  // Those that are near across a side of a periodic box, and not inside of it.
+  void find_pairs_across()
+  {
+    std::vector<std::size_t> outer;
+    for (std::size_t i = 0; i != m_number_of_points; ++i) {
+      if (is_near_side(point(i).x, m_periods.x) || is_near_side(point(i).y, m_periods.y)) {
+        outer.push_back(i);
+      }
+    }
+    for (auto i = outer.begin(); i != outer.end(); ++i) {
+      for (auto j = i + 1; j != outer.end(); ++j) {
+        const Point offset =
+            m_periods.nearest({point(*j).x - point(*i).x, point(*j).y - point(*i).y});
+        if (std::hypot(offset.x, offset.y) < reach() && distance(*i, *j) >= reach()) {
+          m_pairs_across.emplace_back(*i, *j);
+        }
+      }
+    }
+  }
+
+  bool is_near_side(double coordinate, double period) const
+  {
+    return period != 0.0 && (coordinate < reach() || coordinate > period - reach());
+  }
+
   // Near places follow i directly or are around the one above it.
   std::size_t next_candidate(std::size_t i, std::size_t j) const
   {
@@ -78,6 +112,8 @@ private:
   Packing m_packing;
   double m_diameter;
   Point m_corner;
+  Periods m_periods;
+  std::vector<std::pair<std::size_t, std::size_t>> m_pairs_across; // ascending
 };
 
 struct First_frame
@@ -85,11 +121,13 @@ struct First_frame
   std::vector<Point> positions;
   std::vector<Point> velocities;
   Bond_network bonds;
+  Periods periods;
 };
 
 Point offset_between(const First_frame& frame, std::size_t a, std::size_t b)
 {
-  return {frame.positions[b].x - frame.positions[a].x, frame.positions[b].y - frame.positions[a].y};
+  return frame.periods.nearest(
+      {frame.positions[b].x - frame.positions[a].x, frame.positions[b].y - frame.positions[a].y});
 }
 
 void add_particles(const Body_lattice& lattice, const Body_description& body, double jitter,
@@ -145,9 +183,10 @@ Particle_system start(const Particle_description& description, const Scaled_scen
 {
   Random_source random(seed);
   First_frame frame;
+  frame.periods = periods_of(scaled.box, description.cell);
   for (const Scaled_body& body : scaled.bodies) {
     const Body_lattice lattice(body.number_of_points, body.columns, description.packing,
-                               description.diameter, body.description.position);
+                               description.diameter, body.description.position, frame.periods);
     const std::size_t first_index = frame.positions.size();
     const double jitter = description.jitter * description.diameter;
     add_particles(lattice, body.description, jitter, random, frame);
@@ -159,14 +198,34 @@ Particle_system start(const Particle_description& description, const Scaled_scen
     }
   }
   const double damping = description.damping * std::sqrt(description.stiffness * description.mass);
-  const Particle_parameters parameters{description.diameter,  description.mass,
-                                       description.stiffness, damping,
-                                       scaled.gravity,        scaled.box};
+  const Particle_parameters parameters{
+      description.diameter, description.mass, description.stiffness, damping,
+      scaled.gravity,       scaled.box,       description.cell};
   return Particle_system(parameters, std::move(frame.positions), std::move(frame.velocities),
                          std::move(frame.bonds));
 }
 
 } // namespace
+
+double Periods::nearest(double offset, double period)
+{
+  return period == 0.0 ? offset : offset - period * std::round(offset / period);
+}
+
+// Rounding may lead out of the box again, by less than doubles tell.
+double Periods::wrapped(double coordinate, double period)
+{
+  const double rest = coordinate - period * std::floor(coordinate / period);
+  return rest >= 0.0 && rest < period ? rest : 0.0;
+}
+
+Periods periods_of(const std::optional<Box>& box, Cell_kind kind)
+{
+  if (!box || kind == Cell_kind::closed) {
+    return {};
+  }
+  return {box->width, kind == Cell_kind::periodic ? box->height : 0.0};
+}
 
 double Random_source::gaussian()
 {
@@ -209,11 +268,17 @@ Particle_system::Particle_system(const Particle_parameters& parameters,
                                  std::vector<Point> positions, std::vector<Point> velocities,
                                  Bond_network bonds)
   : m_parameters(parameters)
+  , m_periods(periods_of(parameters.box, parameters.cell))
   , m_positions(std::move(positions))
   , m_velocities(std::move(velocities))
   , m_forces(m_positions.size())
   , m_bonds(std::move(bonds))
 {
+}
+
+std::optional<Cell> Particle_system::cell() const
+{
+  return m_parameters.box ? cell_of(*m_parameters.box, m_parameters.cell) : std::nullopt;
 }
 
 void Particle_system::step(const Neighbor_edges& neighbors, double time_step)
@@ -307,19 +372,30 @@ void Particle_system::find_contacts(const Neighbor_edges& neighbors)
     }
   }
   std::sort(m_contacts.begin(), m_contacts.end());
+  // in periodic space points may be neighbors more than once
+  m_contacts.erase(std::unique(m_contacts.begin(), m_contacts.end()), m_contacts.end());
 }
 
 double Particle_system::wall_forces()
 {
   double potential = 0.0;
+  if (m_periods.x == 0.0) {
+    potential += wall_forces(&Point::x, m_parameters.box->width);
+  }
+  if (m_periods.y == 0.0) {
+    potential += wall_forces(&Point::y, m_parameters.box->height);
+  }
+  return potential;
+}
+
+double Particle_system::wall_forces(double Point::*axis, double side)
+{
+  double potential = 0.0;
   for (std::size_t i = 0; i != m_positions.size(); ++i) {
-    const Point& position = m_positions[i];
-    const Point& velocity = m_velocities[i];
-    Point& force = m_forces[i];
-    potential += wall_force(position.x, velocity.x, 1.0, force.x) +
-                 wall_force(m_parameters.box->width - position.x, velocity.x, -1.0, force.x) +
-                 wall_force(position.y, velocity.y, 1.0, force.y) +
-                 wall_force(m_parameters.box->height - position.y, velocity.y, -1.0, force.y);
+    const double position = m_positions[i].*axis, velocity = m_velocities[i].*axis;
+    double& force = m_forces[i].*axis;
+    potential += wall_force(position, velocity, 1.0, force) +
+                 wall_force(side - position, velocity, -1.0, force);
   }
   return potential;
 }
@@ -338,7 +414,8 @@ double Particle_system::wall_force(double distance, double velocity, double inwa
 
 Particle_system::Pair Particle_system::between(std::uint32_t a, std::uint32_t b) const
 {
-  const Point offset{m_positions[b].x - m_positions[a].x, m_positions[b].y - m_positions[a].y};
+  const Point offset =
+      m_periods.nearest({m_positions[b].x - m_positions[a].x, m_positions[b].y - m_positions[a].y});
   return {offset,
           {m_velocities[b].x - m_velocities[a].x, m_velocities[b].y - m_velocities[a].y},
           offset.x * offset.x + offset.y * offset.y};
@@ -369,9 +446,19 @@ void Particle_system::push_apart(std::uint32_t a, std::uint32_t b, const Point& 
 
 void Particle_system::put_back_into_box()
 {
+  put_back(&Point::x, m_parameters.box->width, m_periods.x);
+  put_back(&Point::y, m_parameters.box->height, m_periods.y);
+}
+
+void Particle_system::put_back(double Point::*axis, double side, double period)
+{
   for (std::size_t i = 0; i != m_positions.size(); ++i) {
-    reflect(m_positions[i].x, m_velocities[i].x, m_parameters.box->width);
-    reflect(m_positions[i].y, m_velocities[i].y, m_parameters.box->height);
+    double& coordinate = m_positions[i].*axis;
+    if (period == 0.0) {
+      reflect(coordinate, m_velocities[i].*axis, side);
+    } else if (coordinate < 0.0 || coordinate >= period) {
+      coordinate = Periods::wrapped(coordinate, period);
+    }
   }
 }
 
@@ -429,9 +516,11 @@ Brownian_motion::Brownian_motion(std::string name, const Brownian_description& d
 bool Brownian_motion::advance(const Neighbor_edges&)
 {
   const double step = m_description.time_step * mean_spacing();
+  const Box& box = m_description.box;
+  const Periods periods = periods_of(box, m_description.cell);
   for (Point& point : m_points) {
-    point.x = reflected(point.x + step * m_random.gaussian(), m_description.box.width);
-    point.y = reflected(point.y + step * m_random.gaussian(), m_description.box.height);
+    point.x = kept_inside(point.x + step * m_random.gaussian(), box.width, periods.x);
+    point.y = kept_inside(point.y + step * m_random.gaussian(), box.height, periods.y);
   }
   m_time += 1.0;
   return true;
@@ -443,8 +532,11 @@ double Brownian_motion::mean_spacing() const
   return std::sqrt(box.width * box.height / static_cast<double>(m_points.size()));
 }
 
-double Brownian_motion::reflected(double value, double side)
+double Brownian_motion::kept_inside(double value, double side, double period)
 {
+  if (period != 0.0) {
+    return Periods::wrapped(value, period);
+  }
   const double folded = std::fmod(std::abs(value), 2.0 * side);
   return folded > side ? 2.0 * side - folded : folded;
 }

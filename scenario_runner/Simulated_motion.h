@@ -40,6 +40,24 @@ private:
   bool m_has_spare = false;
 };
 
+// The lengths after which a space with axes at right angles repeats itself; 0 where it does not.
+struct Periods
+{
+  double x = 0.0;
+  double y = 0.0;
+
+  // To the nearest image.
+  Point nearest(const Point& offset) const { return {nearest(offset.x, x), nearest(offset.y, y)}; }
+
+  // Between 0 and the period, if there is one.
+  static double wrapped(double coordinate, double period);
+
+private:
+  static double nearest(double offset, double period);
+};
+
+Periods periods_of(const std::optional<Box>& box, Cell_kind kind);
+
 struct Bond
 {
   std::uint32_t partner;
@@ -94,6 +112,7 @@ struct Particle_parameters
   double damping;
   double gravity;
   std::optional<Box> box;
+  Cell_kind cell = Cell_kind::closed;
 };
 
 struct Energy
@@ -105,7 +124,8 @@ struct Energy
 };
 
 // Soft discs of equal size that push each other and the walls apart with damped springs; bonds are
-// springs that also pull. Only neighbors in a triangulation of the particles can touch.
+// springs that also pull. Only neighbors in a triangulation of the particles can touch. In periodic
+// space each acts on the nearest image of the other.
 class Particle_system
 {
 public:
@@ -119,6 +139,9 @@ public:
   // Semi-implicit Euler is a leapfrog whose velocities lie half a step before the positions, so the
   // kinetic energy is taken with velocities brought to the time of the positions.
   Energy energy(const Neighbor_edges& neighbors, double time_step);
+
+  // Of the box; none if it is closed.
+  std::optional<Cell> cell() const;
 
   const std::vector<Point>& positions() const { return m_positions; }
   const std::vector<Point>& velocities() const { return m_velocities; }
@@ -144,6 +167,8 @@ private:
   double bond_forces();
   double contact_forces(const Neighbor_edges& neighbors);
   double wall_forces();
+  // Along one axis.
+  double wall_forces(double Point::*axis, double side);
   // `inwards` is the sign of the axis that leads away from the wall.
   double wall_force(double distance, double velocity, double inwards, double& force) const;
 
@@ -155,9 +180,11 @@ private:
   double damping_force(const Pair& pair, const Point& normal) const;
   void push_apart(std::uint32_t a, std::uint32_t b, const Point& normal, double force);
   void put_back_into_box();
+  void put_back(double Point::*axis, double side, double period);
   void reflect(double& coordinate, double& velocity, double side);
 
   Particle_parameters m_parameters;
+  Periods m_periods;
   std::vector<Point> m_positions;
   std::vector<Point> m_velocities;
   std::vector<Point> m_forces;
@@ -177,6 +204,7 @@ public:
   const std::vector<std::int64_t>& ids() const override { return m_ids; }
   const std::vector<Point>& points() const override { return m_system.positions(); }
   double time() const override { return m_frame * m_seconds_per_frame; }
+  std::optional<Cell> cell() const override { return m_system.cell(); }
   std::size_t frames() const override { return m_frames; }
   bool uses_neighbors() const override { return true; }
   std::optional<double> time_step() const override { return m_time_step; }
@@ -201,7 +229,7 @@ private:
 };
 
 // Points that start uniformly in a box and take an independent Gaussian step every frame; the sides
-// of the box reflect them.
+// of the box reflect them, or they come in on the other side.
 class Brownian_motion : public Motion
 {
 public:
@@ -211,6 +239,10 @@ public:
   const std::vector<std::int64_t>& ids() const override { return m_ids; }
   const std::vector<Point>& points() const override { return m_points; }
   double time() const override { return m_time; }
+  std::optional<Cell> cell() const override
+  {
+    return cell_of(m_description.box, m_description.cell);
+  }
   std::size_t frames() const override { return m_frames; }
   std::optional<double> time_step() const override { return m_description.time_step; }
 
@@ -219,7 +251,7 @@ public:
   double mean_spacing() const;
 
 private:
-  static double reflected(double value, double side);
+  static double kept_inside(double value, double side, double period);
 
   Brownian_description m_description;
   Random_source m_random;

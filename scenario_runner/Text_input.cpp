@@ -298,16 +298,24 @@ bool Text_scanner::next_line(std::string_view& line)
 
 bool Text_scanner::next_whole_line(std::string_view& line)
 {
-  while (!m_rest.empty()) {
-    ++m_line_number;
-    const std::size_t end = m_rest.find('\n');
-    line = m_rest.substr(0, end);
-    m_rest.remove_prefix(end == std::string_view::npos ? m_rest.size() : end + 1);
+  while (next_line_as_it_is(line)) {
     if (!std::all_of(line.begin(), line.end(), is_blank)) {
       return true;
     }
   }
   return false;
+}
+
+bool Text_scanner::next_line_as_it_is(std::string_view& line)
+{
+  if (m_rest.empty()) {
+    return false;
+  }
+  ++m_line_number;
+  const std::size_t end = m_rest.find('\n');
+  line = m_rest.substr(0, end);
+  m_rest.remove_prefix(end == std::string_view::npos ? m_rest.size() : end + 1);
+  return true;
 }
 
 template <class Number>

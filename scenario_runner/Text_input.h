@@ -82,6 +82,9 @@ public:
   // The same with the blanks around it, of which a tab may separate fields.
   bool next_whole_line(std::string_view& line);
 
+  // The next line, also if it is blank.
+  bool next_line_as_it_is(std::string_view& line);
+
   double number(std::string_view text, std::string_view what) const;
   std::int64_t integer(std::string_view text, std::string_view what) const;
 

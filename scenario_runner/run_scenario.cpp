@@ -7,6 +7,7 @@
 #include "scenario_runner/Classifiers.h"
 #include "scenario_runner/Open_motion.h"
 #include "scenario_runner/Output_formats.h"
+#include "scenario_runner/Periodic_run.h"
 #include "scenario_runner/Pictures.h"
 #include "scenario_runner/Progress.h"
 #include "scenario_runner/Repairs_and_policies.h"
@@ -116,9 +117,41 @@ private:
   run::Progress_display m_progress;
 };
 
+void check_periodic_options(const run::Run_options& options)
+{
+  if (!options.open_space_options.empty()) {
+    throw std::runtime_error("space is periodic here, where nothing but the exact default can be "
+                             "chosen; leave out " +
+                             scenario::joined(options.open_space_options));
+  }
+}
+
+// The one method of periodic space, in the names of the plane's.
+run::Run_subject periodic_subject(const run::Run_options& options, const scenario::Motion& motion,
+                                  const scenario::Scenario_facts& facts)
+{
+  check_periodic_options(options);
+  run::Run_subject subject{motion.name(),
+                           options.classifier,
+                           "flip",
+                           options.policy,
+                           0,
+                           "insertion",
+                           1,
+                           motion.time_step(),
+                           facts.seed ? std::optional(options.overrides.seed.value_or(*facts.seed))
+                                      : std::nullopt,
+                           options.overrides.packing ? options.overrides.packing : facts.packing};
+  subject.cell = motion.cell()->is_slab() ? "slab" : "torus";
+  return subject;
+}
+
 run::Run_subject run_subject(const run::Run_options& options, const scenario::Motion& motion,
                              const scenario::Scenario_facts& facts)
 {
+  if (motion.cell()) {
+    return periodic_subject(options, motion, facts);
+  }
   const bool is_random = facts.seed || options.classifier.uses_chance();
   const std::uint64_t seed = options.overrides.seed.value_or(facts.seed.value_or(0));
   return {motion.name(),
@@ -133,15 +166,11 @@ run::Run_subject run_subject(const run::Run_options& options, const scenario::Mo
           options.overrides.packing ? options.overrides.packing : facts.packing};
 }
 
-template <class Classifier>
-run::Run_summary run_frames(scenario::Motion& motion, const Classifier& classifier,
-                            const run::Run_subject& subject, std::size_t frames, Outputs& outputs)
+template <class Run>
+run::Run_summary run_all(Run& run, std::size_t frames, Outputs& outputs)
 {
-  run::Scenario_run<Classifier> run(
-      motion, classifier, run::make_repair(subject.repair, subject.padding),
-      run::engines_named(subject.engine), run::make_policy(subject.policy));
   run.check_first_frame();
-  const std::size_t points_of_first_frame = motion.points().size();
+  const std::size_t points_of_first_frame = run.motion().points().size();
   std::vector<run::Frame_record> records;
   outputs.take_first_frame(run);
   while (records.size() != frames && !run::interruption::has_come() && run.advance()) {
@@ -151,9 +180,23 @@ run::Run_summary run_frames(scenario::Motion& motion, const Classifier& classifi
   return run::summarize(points_of_first_frame, records);
 }
 
+template <class Classifier>
+run::Run_summary run_frames(scenario::Motion& motion, const Classifier& classifier,
+                            const run::Run_subject& subject, std::size_t frames, Outputs& outputs)
+{
+  run::Scenario_run<Classifier> run(
+      motion, classifier, run::make_repair(subject.repair, subject.padding),
+      run::engines_named(subject.engine), run::make_policy(subject.policy));
+  return run_all(run, frames, outputs);
+}
+
 run::Run_summary run_frames(const run::Run_options& options, const run::Run_subject& subject,
                             scenario::Motion& motion, std::size_t frames, Outputs& outputs)
 {
+  if (motion.cell()) {
+    run::Periodic_run run(motion);
+    return run_all(run, frames, outputs);
+  }
   const run::Classifier_settings settings{options.threads, subject.seed.value_or(0)};
   if (subject.classifier.is_exact) {
     return run_frames(motion, run::Exact_classifiers::make(subject.classifier, settings), subject,
@@ -190,9 +233,6 @@ int run_scenario(const run::Run_options& options)
   const std::string path = scenario::scenario_path(options.scenario);
   const scenario::Scenario_facts facts = scenario::scenario_facts(path, options.overrides.points);
   const auto motion = open(path, options, !facts.seed);
-  if (!motion->remark().empty()) {
-    std::cerr << "run_scenario: " << path << ": " << motion->remark() << std::endl;
-  }
   const run::Run_subject subject = run_subject(options, *motion, facts);
   std::size_t frames = options.frames.value_or(motion->frames());
   if (!facts.seed) {

@@ -28,6 +28,7 @@ TEST(Report, says_everything_about_a_run)
   EXPECT_EQ(report["threads"], 1);
   EXPECT_EQ(report["packing"], "square");
   EXPECT_EQ(report["population_changes"], 0);
+  EXPECT_TRUE(report["cell"].is_null());
   EXPECT_TRUE(report["seed"].is_number_unsigned());
   EXPECT_TRUE(report["time_step"].is_number_float());
   EXPECT_TRUE(report["rebuild_reasons"].is_object());

@@ -119,6 +119,9 @@ std::vector<std::string> shown_files()
 
 std::string extension_of(const std::string& file)
 {
+  if (contains(file, "Properties=")) {
+    return ".xyz";
+  }
   return file[0] == '{' ? ".json" : file.rfind("ITEM:", 0) == 0 ? ".dump" : ".csv";
 }
 
@@ -177,7 +180,8 @@ TEST(Files_on_the_page, run_exactly)
   }
   EXPECT_EQ(numbers[".json"], 2);
   EXPECT_EQ(numbers[".csv"], 3);
-  EXPECT_EQ(numbers[".dump"], 1);
+  EXPECT_EQ(numbers[".dump"], 2);
+  EXPECT_EQ(numbers[".xyz"], 1);
 }
 
 TEST(Tables_on_the_page, have_exactly_the_keys_that_the_program_knows)

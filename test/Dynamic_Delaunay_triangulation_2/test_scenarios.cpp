@@ -708,7 +708,8 @@ TEST(Scenario_file, that_is_a_directory_is_refused)
 
 TEST(Scenario_file, with_an_unknown_extension_is_refused_with_the_known_ones)
 {
-  expect_words(error_of("motion.xyz"), {"'.xyz'", ".json", ".csv", ".lammpstrj", ".dump"});
+  expect_words(error_of("motion.pdb"),
+               {"'.pdb'", ".json", ".csv", ".lammpstrj", ".dump", ".xyz", ".extxyz"});
 }
 
 TEST(Scenario_file, with_an_unknown_key_is_refused_with_the_allowed_ones)
@@ -1010,31 +1011,18 @@ TEST(Lammps_dump, scales_scaled_coordinates_by_the_box_and_takes_unwrapped_ones)
   EXPECT_EQ(unwrapped->points()[0].x, 50.0);
 }
 
-TEST(Lammps_dump, in_a_tilted_box_takes_only_coordinates_that_are_not_scaled)
+TEST(Lammps_dump, scales_in_a_tilted_box_too_unless_that_leans_along_z)
 {
-  const std::string tilted = "BOX BOUNDS xy xz yz pp pp pp\n-1 3 0\n10 20 0\n0 1 0";
   const std::string plain = "BOX BOUNDS pp pp pp\n-1 3\n10 20\n0 1";
-  const std::string good = with_replaced(dump_frame(0, "id x y", {"1 2 3"}), plain, tilted);
-  EXPECT_EQ(open_motion(write_file("tilted.dump", good))->points().size(), 1u);
-  const std::string bad = with_replaced(dump_frame(0, "id xs ys", {"1 2 3"}), plain, tilted);
-  expect_words(error_of(write_file("tilted.dump", bad)), {"tilted box", "not supported"});
-}
-
-TEST(Lammps_dump, of_a_periodic_box_is_remarked)
-{
-  const std::string periodic = dump_frame(0, "id x y", {"1 2 3"});
-  const auto remark = [&](const std::string& box) {
-    const std::string text = with_replaced(periodic, "BOX BOUNDS pp pp pp", box);
-    return open_motion(write_file("box.dump", text))->remark();
+  const auto dump_in = [&](const std::string& box) {
+    return write_file("tilted.dump",
+                      with_replaced(dump_frame(0, "id xs ys", {"1 0.5 0.5"}), plain, box));
   };
-  for (const char* const box : {"BOX BOUNDS pp pp pp", "BOX BOUNDS pp ff ff", "BOX BOUNDS ss pp fm",
-                                "BOX BOUNDS xy xz yz pp ff pp"}) {
-    EXPECT_NE(remark(box).find("periodic"), std::string::npos) << box;
-  }
-  // a flat system is periodic in z
-  for (const char* const box : {"BOX BOUNDS ff ff pp", "BOX BOUNDS ss fm pp", "BOX BOUNDS"}) {
-    EXPECT_EQ(remark(box), "") << box;
-  }
+  const auto tilted = open_motion(dump_in("BOX BOUNDS xy xz yz pp pp pp\n-1 5 2\n10 20 0\n0 1 0"));
+  EXPECT_EQ(tilted->points()[0].x, 2.0);
+  EXPECT_EQ(tilted->points()[0].y, 15.0);
+  expect_words(error_of(dump_in("BOX BOUNDS xy xz yz pp pp pp\n-1 5 0\n10 20 1\n0 1 0")),
+               {"tilted along z", "not supported"});
 }
 
 TEST(Lammps_dump, takes_the_time_where_it_is_written)
@@ -1100,7 +1088,8 @@ TEST(Lammps_dump, with_a_wrong_atom_is_refused_with_its_line)
 
 TEST(Lammps_dump, with_scaled_coordinates_beyond_all_numbers_is_refused_with_its_line)
 {
-  const std::string whole = dump_frame(0, "id xs ys", {"1 0.5 0.5", "2 0.5 0.5"});
+  const std::string whole =
+      with_replaced(dump_frame(0, "id xs ys", {"1 0.5 0.5", "2 0.5 0.5"}), "pp pp pp", "ff ff ff");
   expect_words(error_of(write_file("far.dump", with_replaced(whole, "2 0.5 0.5", "2 0.5 1e308"))),
                {"line 11", "id 2", "no finite number"});
   expect_words(error_of(write_file("wide.dump", with_replaced(whole, "-1 3", "-1e308 1e308"))),

@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "scenario_runner/Frame_reading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace scenario {
+
+namespace {
+
+const char* kind_name(const std::optional<Cell>& cell)
+{
+  return !cell ? "open" : cell->is_slab() ? "periodic in one direction" : "periodic in x and y";
+}
+
+} // namespace
+
+void Frame_rows::clear()
+{
+  m_rows.clear();
+}
+
+void Frame_rows::reserve(std::size_t size)
+{
+  m_rows.reserve(size);
+}
+
+void Frame_rows::add(std::int64_t id, const Point& point, std::size_t line)
+{
+  m_rows.push_back({id, point, line});
+}
+
+void Frame_rows::sort_into(Recorded_frame& frame, const Text_scanner& scanner,
+                           const std::string& frame_name)
+{
+  std::sort(m_rows.begin(), m_rows.end(), [](const Row& a, const Row& b) {
+    return std::tie(a.id, a.line) < std::tie(b.id, b.line);
+  });
+  for (std::size_t i = 0; i != m_rows.size(); ++i) {
+    const Row& row = m_rows[i];
+    if (i != 0 && row.id == m_rows[i - 1].id) {
+      throw Scenario_error(scanner.file(),
+                           "id " + std::to_string(row.id) + " is twice in " + frame_name +
+                               ", first in line " + std::to_string(m_rows[i - 1].line),
+                           row.line);
+    }
+    frame.ids.push_back(row.id);
+    frame.points.push_back(row.point);
+  }
+}
+
+double finite_number(const Text_scanner& scanner, std::string_view text, std::string_view what)
+{
+  const double value = scanner.number(text, what);
+  if (!std::isfinite(value)) {
+    scanner.fail(std::string(what) + " " + in_quotes(text) + " is not a finite number");
+  }
+  return value;
+}
+
+std::optional<Cell> cell_of_box(const Text_scanner& scanner, const Cell& box)
+{
+  if (!box.is_periodic[0] && !box.is_periodic[1]) {
+    return std::nullopt;
+  }
+  for (std::size_t i = 0; i != 2; ++i) {
+    const Point& side = box.sides[i];
+    if (!std::isfinite(side.x) || !std::isfinite(side.y)) {
+      scanner.fail("the sides of the box are too long for a number");
+    }
+    if (box.is_periodic[i] && side.x == 0.0 && side.y == 0.0) {
+      scanner.fail(std::string("the box is periodic along its ") + (i == 0 ? "first" : "second") +
+                   " side, whose length is 0");
+    }
+  }
+  if (!box.is_slab() && box.area() == 0.0) {
+    scanner.fail("the box is periodic along both sides, which are parallel");
+  }
+  return box;
+}
+
+void check_kind(const Text_scanner& scanner, const std::optional<Cell>& cell,
+                const Recording& frames_before)
+{
+  if (frames_before.empty()) {
+    return;
+  }
+  const std::optional<Cell>& before = frames_before.back().cell;
+  const bool is_same = cell && before ? cell->has_kind_of(*before) : !cell == !before;
+  if (!is_same) {
+    scanner.fail(std::string("the box is ") + kind_name(cell) + ", that of the frame before is " +
+                 kind_name(before) + "; all frames of a recording have to be alike in this");
+  }
+}
+
+} // namespace scenario

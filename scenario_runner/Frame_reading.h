@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SCENARIO_RUNNER_FRAME_READING_H
+#define SCENARIO_RUNNER_FRAME_READING_H
+
+#include "scenario_runner/Recorded_motion.h"
+#include "scenario_runner/Text_input.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scenario {
+
+// The points of one frame of a recording, in any order, and the lines that they are in.
+class Frame_rows
+{
+public:
+  void clear();
+  void reserve(std::size_t size);
+  void add(std::int64_t id, const Point& point, std::size_t line);
+
+  std::size_t size() const { return m_rows.size(); }
+
+  // Moves them into the frame. `frame_name` is what a message calls it.
+  // \throws Scenario_error if an id is there twice.
+  void sort_into(Recorded_frame& frame, const Text_scanner& scanner, const std::string& frame_name);
+
+private:
+  struct Row
+  {
+    std::int64_t id;
+    Point point;
+    std::size_t line;
+  };
+
+  std::vector<Row> m_rows;
+};
+
+// \throws Scenario_error, with the scanner's line, if the text is no finite number.
+double finite_number(const Text_scanner& scanner, std::string_view text, std::string_view what);
+
+// The cell that a box makes; none if no side is periodic.
+// \throws Scenario_error, with the scanner's line, if space cannot be repeated by it.
+std::optional<Cell> cell_of_box(const Text_scanner& scanner, const Cell& box);
+
+// \throws Scenario_error, with the scanner's line, if it is of another kind than the frame before:
+// the whole recording is periodic in both directions, or in one, or in none.
+void check_kind(const Text_scanner& scanner, const std::optional<Cell>& cell,
+                const Recording& frames_before);
+
+} // namespace scenario
+
+#endif // SCENARIO_RUNNER_FRAME_READING_H

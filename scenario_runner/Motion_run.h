@@ -1,0 +1,276 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SCENARIO_RUNNER_MOTION_RUN_H
+#define SCENARIO_RUNNER_MOTION_RUN_H
+
+#include "scenario_runner/Frame_record.h"
+#include "scenario_runner/Measurement.h"
+#include "scenario_runner/Motion.h"
+#include "scenario_runner/Static_triangulation.h"
+
+#include <CGAL/Dynamic_population_2.h>
+
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/property_map/function_property_map.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace run {
+
+// Who is whose neighbor in a triangulation, as a motion's physics asks for it. Keeps its memory.
+class Neighbor_reader
+{
+public:
+  // Ids are places in the motion. A motion that does not ask gets none.
+  template <class Dynamic>
+  const scenario::Neighbor_edges& operator()(const scenario::Motion& motion, const Dynamic& dt)
+  {
+    m_edges.clear();
+    if (motion.uses_neighbors()) {
+      // in periodic space also by which image, and a point may be its own neighbor
+      dt.for_each_edge([this](std::size_t i, std::size_t j, const auto&...) {
+        if (i != j) {
+          m_edges.emplace_back(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
+        }
+      });
+    }
+    return m_edges;
+  }
+
+private:
+  scenario::Neighbor_edges m_edges;
+};
+
+// The triangulation of a motion, from its first frame on. Where points come and go it knows them by
+// the motion's ids; elsewhere their places are ids enough. `Space` knows how a triangulation of its
+// kind takes a frame.
+template <class Dynamic, class Space>
+class Kept_motion
+{
+public:
+  // `empty` has no points yet.
+  Kept_motion(const scenario::Motion& motion, Dynamic empty)
+  {
+    if (motion.has_fixed_population()) {
+      m_triangulation.emplace(std::move(empty));
+      Space::insert(*m_triangulation, motion);
+    } else {
+      m_population.emplace(std::move(empty));
+      update(motion);
+    }
+  }
+
+  CGAL::Update_report_2 update(const scenario::Motion& motion)
+  {
+    return m_population ? update_population(motion) : Space::update(*m_triangulation, motion);
+  }
+
+  bool certify() { return m_population ? m_population->certify() : m_triangulation->certify(); }
+
+  const Dynamic& triangulation() const
+  {
+    return m_population ? m_population->triangulation() : *m_triangulation;
+  }
+
+  // The id in the triangulation of the point in this place of the motion.
+  std::size_t id(const scenario::Motion& motion, std::size_t place) const
+  {
+    return m_population ? m_population->id(motion.ids()[place]) : place;
+  }
+
+private:
+  using Population = CGAL::Dynamic_population_2<Dynamic, std::int64_t>;
+
+  CGAL::Update_report_2 update_population(const scenario::Motion& motion)
+  {
+    using Place = boost::counting_iterator<std::size_t>;
+    const auto id = [&](std::size_t place) { return motion.ids()[place]; };
+    const auto point = [&](std::size_t place) { return get(Point_map(), motion.points()[place]); };
+    return Space::update(*m_population, motion, Place(0), Place(motion.points().size()),
+                         boost::make_function_property_map<std::size_t>(id),
+                         boost::make_function_property_map<std::size_t>(point));
+  }
+
+  // one of them
+  std::optional<Dynamic> m_triangulation;
+  std::optional<Population> m_population;
+};
+
+// Lets a motion run and keeps its triangulation: times every frame against the static opponents,
+// and checks the result outside of the timing.
+template <class Kept_dynamic, class Space>
+class Motion_run : public Run_view
+{
+public:
+  using Dynamic = Kept_dynamic;
+
+  // `make_empty()` returns a triangulation without points.
+  template <class Make_empty>
+  Motion_run(scenario::Motion& motion, Make_empty make_empty)
+    : m_motion(motion)
+  {
+    with_frame_in_message([&] {
+      begin_frame();
+      m_kept.emplace(motion, make_empty());
+    });
+  }
+
+  void check_first_frame()
+  {
+    with_frame_in_message([this] {
+      prepare_opponents();
+      m_opponents.time_insert();
+      check();
+    });
+  }
+
+  // Goes to the next frame, times everybody there, and checks what came out. False at the end of
+  // the motion.
+  bool advance()
+  {
+    const bool is_there = measure();
+    if (is_there) {
+      with_frame_in_message([this] { check(); });
+    }
+    return is_there;
+  }
+
+  // The same without the checks, where they would take longer than all else.
+  bool measure()
+  {
+    return go_on([this] {
+      prepare_opponents();
+      time_all();
+    });
+  }
+
+  // The same without the checks and the opponents, on the way to the frames that count. Their order
+  // for the opponents comes from the frame before the next one that is measured, if `is_last`.
+  bool follow(bool is_last)
+  {
+    return go_on([this, is_last] {
+      time_dynamic();
+      if (is_last) {
+        prepare_opponents();
+      }
+    });
+  }
+
+  const scenario::Motion& motion() const override { return m_motion; }
+  const Frame_record& record() const override { return m_record; }
+  const Dynamic& triangulation() const { return m_kept->triangulation(); }
+
+protected:
+  using Kept = Kept_motion<Dynamic, Space>;
+  using Opponents = typename Space::Opponents;
+
+  Kept& kept() { return *m_kept; }
+  const Kept& kept() const { return *m_kept; }
+  Opponents& opponents() { return m_opponents; }
+
+  // Whether the frame is certified, of a triangulation that is known to be valid.
+  virtual bool certify() = 0;
+  // Against an opponent's triangulation of the frame.
+  virtual double agreement() = 0;
+
+private:
+  template <class Work>
+  void with_frame_in_message(Work work) const
+  {
+    try {
+      work();
+    } catch (const std::exception& error) {
+      throw std::runtime_error("frame " + std::to_string(m_record.frame) + ": " + error.what());
+    }
+  }
+
+  template <class Work>
+  bool go_on(Work work)
+  {
+    ++m_record.frame;
+    bool is_there = false;
+    with_frame_in_message([&] {
+      is_there = m_motion.advance(m_neighbors(m_motion, triangulation()));
+      if (is_there) {
+        begin_frame();
+        work();
+      }
+    });
+    return is_there;
+  }
+
+  void begin_frame()
+  {
+    check_coordinates();
+    m_record.time = m_motion.time();
+    m_record.points = m_motion.points().size();
+    m_record.population_changed = m_motion.population_changed();
+    m_record.update = {};
+  }
+
+  // CGAL's static triangulation may never end on a coordinate that is no number.
+  void check_coordinates() const
+  {
+    for (std::size_t i = 0; i != m_motion.points().size(); ++i) {
+      const scenario::Point& point = m_motion.points()[i];
+      if (!std::isfinite(point.x) || !std::isfinite(point.y)) {
+        throw std::runtime_error("the point with id " + std::to_string(m_motion.ids()[i]) +
+                                 " has left all bounds; a smaller time step may keep it");
+      }
+    }
+  }
+
+  void prepare_opponents() { Space::prepare(m_opponents, m_motion, m_record.population_changed); }
+
+  // The order rotates: whoever comes first warms the caches for the others.
+  void time_all()
+  {
+    constexpr std::size_t contestants = 3;
+    for (std::size_t i = 0; i != contestants; ++i) {
+      switch ((m_record.frame + i) % contestants) {
+      case 0:
+        time_dynamic();
+        break;
+      case 1:
+        m_record.nanoseconds.static_insert = m_opponents.time_insert();
+        break;
+      default:
+        m_record.nanoseconds.static_fastest = m_opponents.time_fastest();
+      }
+    }
+  }
+
+  void time_dynamic()
+  {
+    m_record.nanoseconds.dynamic =
+        nanoseconds_of([this] { m_record.update = m_kept->update(m_motion); });
+  }
+
+  void check()
+  {
+    // before certify(): what claims to be certified is checked for it too
+    if (!triangulation().is_valid()) {
+      throw std::runtime_error("the triangulation is not valid");
+    }
+    m_record.certified = certify();
+    m_record.validity = agreement();
+  }
+
+  scenario::Motion& m_motion;
+  std::optional<Kept> m_kept;
+  Opponents m_opponents;
+  Neighbor_reader m_neighbors;
+  Frame_record m_record;
+};
+
+} // namespace run
+
+#endif // SCENARIO_RUNNER_MOTION_RUN_H

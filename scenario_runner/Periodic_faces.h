@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SCENARIO_RUNNER_PERIODIC_FACES_H
+#define SCENARIO_RUNNER_PERIODIC_FACES_H
+
+#include "scenario_runner/Cell.h"
+
+#include <array>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+namespace run {
+
+// Corners at the images of points by shifts along the sides of the motion's cell.
+struct Periodic_face
+{
+  std::array<std::uint32_t, 3> places;
+  std::array<scenario::Shift, 3> shifts;
+
+  friend bool operator<(const Periodic_face& f, const Periodic_face& g)
+  {
+    return std::tie(f.places, f.shifts) < std::tie(g.places, g.shifts);
+  }
+  friend bool operator==(const Periodic_face& f, const Periodic_face& g)
+  {
+    return f.places == g.places && f.shifts == g.shifts;
+  }
+};
+
+// The same face always in the same way, whichever image it is, and whichever corner comes first;
+// faces in ascending order, each once.
+Periodic_face normal(const Periodic_face& face);
+void sort_once(std::vector<Periodic_face>& faces);
+
+// The Matthews correlation coefficient of the edges of these faces, as against those of a
+// reference: 1 if they agree, where it is no error to choose otherwise among what doubles cannot
+// tell apart, as diagonals of four points on a circle. Both are normal, and sorted.
+double agreement_of(const std::vector<Periodic_face>& faces,
+                    const std::vector<Periodic_face>& reference,
+                    const std::vector<scenario::Point>& points, const scenario::Cell& cell);
+
+} // namespace run
+
+#endif // SCENARIO_RUNNER_PERIODIC_FACES_H

@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SCENARIO_RUNNER_PERIODIC_RUN_H
+#define SCENARIO_RUNNER_PERIODIC_RUN_H
+
+#include "scenario_runner/Ghost_opponents.h"
+#include "scenario_runner/Motion_run.h"
+
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
+#include <CGAL/iterator.h>
+#include <CGAL/Periodic_cell_2.h>
+
+#include <boost/iterator/transform_iterator.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace run {
+
+// The same points, as CGAL's.
+template <class Iterator>
+auto kernel_points(Iterator points)
+{
+  return boost::make_transform_iterator(
+      points, [](const scenario::Point& p) { return get(Point_map(), p); });
+}
+
+// The torus or the slab that the motion's cell makes.
+struct Periodic_space
+{
+  using Opponents = Ghost_opponents;
+
+  static CGAL::Periodic_cell_2 cell(const scenario::Motion& motion)
+  {
+    const scenario::Cell cell = *motion.cell();
+    if (cell.is_slab()) {
+      return CGAL::Periodic_cell_2(Kernel::Vector_2(cell.period().x, cell.period().y));
+    }
+    const auto& [a, b] = cell.sides;
+    return {a.x, a.y, b.x, b.y};
+  }
+
+  template <class Dynamic>
+  static void insert(Dynamic& triangulation, const scenario::Motion& motion)
+  {
+    const auto& points = motion.points();
+    triangulation.insert(kernel_points(points.begin()), kernel_points(points.end()),
+                         CGAL::Emptyset_iterator());
+  }
+
+  template <class Dynamic>
+  static CGAL::Update_report_2 update(Dynamic& triangulation, const scenario::Motion& motion)
+  {
+    const auto& points = motion.points();
+    return triangulation.update(kernel_points(points.begin()), kernel_points(points.end()),
+                                cell(motion));
+  }
+
+  template <class Population, class Place, class Ids, class Points>
+  static CGAL::Update_report_2 update(Population& population, const scenario::Motion& motion,
+                                      Place first, Place beyond, const Ids& ids,
+                                      const Points& points)
+  {
+    return population.update(first, beyond, ids, points, cell(motion));
+  }
+
+  static void prepare(Opponents& opponents, const scenario::Motion& motion, bool)
+  {
+    opponents.prepare(motion.points(), *motion.cell());
+  }
+};
+
+using Dynamic_periodic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel>;
+
+// Of a motion that has a cell.
+class Periodic_run : public Motion_run<Dynamic_periodic, Periodic_space>
+{
+public:
+  explicit Periodic_run(scenario::Motion& followed)
+    : Motion_run(followed, [&] { return Dynamic_periodic(Periodic_space::cell(followed)); })
+  {
+  }
+
+  // Nothing is classified here.
+  std::vector<Vertex_set> sets() const override
+  {
+    return std::vector<Vertex_set>(motion().points().size(), Vertex_set::none);
+  }
+
+  std::vector<Shown_edge> edges() const override
+  {
+    const std::vector<std::uint32_t> places = places_of_ids();
+    std::vector<Shown_edge> edges;
+    triangulation().for_each_edge(
+        [&](std::size_t i, std::size_t j, const CGAL::Periodic_shift_2& shift) {
+          edges.push_back({places[i], places[j], along_sides(shift)});
+        });
+    return edges;
+  }
+
+  std::vector<Shown_triangle> triangles() const override
+  {
+    std::vector<Shown_triangle> triangles;
+    for (const Periodic_face& face : faces()) {
+      const auto& [a, b, c] = face.places;
+      triangles.push_back({{a, b, c}, true, face.shifts});
+    }
+    return triangles;
+  }
+
+private:
+  bool certify() override { return triangulation().is_certified(); }
+
+  double agreement() override
+  {
+    const std::vector<std::uint32_t> places = places_of_ids();
+    std::vector<std::uint32_t> representatives;
+    for (std::size_t place = 0; place != motion().points().size(); ++place) {
+      representatives.push_back(places[triangulation().representative(kept().id(motion(), place))]);
+    }
+    return opponents().agreement(faces(), representatives);
+  }
+
+  std::vector<Periodic_face> faces() const
+  {
+    const std::vector<std::uint32_t> places = places_of_ids();
+    std::vector<Periodic_face> faces;
+    triangulation().for_each_face([&](const std::array<std::size_t, 3>& ids,
+                                      const std::array<CGAL::Periodic_shift_2, 3>& shifts) {
+      Periodic_face face{};
+      for (std::size_t i = 0; i != 3; ++i) {
+        face.places[i] = places[ids[i]];
+        face.shifts[i] = along_sides(shifts[i]);
+      }
+      faces.push_back(face);
+    });
+    return faces;
+  }
+
+  std::vector<std::uint32_t> places_of_ids() const
+  {
+    std::vector<std::uint32_t> places(triangulation().number_of_ids());
+    for (std::size_t place = 0; place != motion().points().size(); ++place) {
+      places[kept().id(motion(), place)] = static_cast<std::uint32_t>(place);
+    }
+    return places;
+  }
+
+  // The only vector of a slab is the first one to the triangulation.
+  scenario::Shift along_sides(const CGAL::Periodic_shift_2& shift) const
+  {
+    const scenario::Cell cell = *motion().cell();
+    return cell.is_slab() && !cell.is_periodic[0] ? scenario::Shift{0, shift[0]}
+                                                  : scenario::Shift{shift[0], shift[1]};
+  }
+};
+
+} // namespace run
+
+#endif // SCENARIO_RUNNER_PERIODIC_RUN_H
