@@ -70,6 +70,17 @@ inline void require_sound(const std::vector<std::int64_t>& ids,
           "a coordinate is not finite");
 }
 
+inline void require_sound(const scenario::Cell& cell)
+{
+  for (std::size_t i = 0; i != 2; ++i) {
+    const scenario::Point& side = cell.sides[i];
+    require(std::isfinite(side.x) && std::isfinite(side.y), "a side of a cell is not finite");
+    require(!cell.is_periodic[i] || side.x != 0.0 || side.y != 0.0, "a period is 0");
+  }
+  require(cell.is_periodic[0] || cell.is_periodic[1], "a cell is not periodic");
+  require(cell.is_slab() || cell.area() != 0.0, "a cell is flat");
+}
+
 inline void require_sound(scenario::Recording recording)
 {
   const std::size_t number_of_frames = recording.size();
@@ -79,6 +90,9 @@ inline void require_sound(scenario::Recording recording)
   do {
     require_sound(motion.ids(), motion.points());
     require(std::isfinite(motion.time()), "a time is not finite");
+    if (motion.cell()) {
+      require_sound(*motion.cell());
+    }
     ++frames_seen;
   } while (motion.advance({}));
   require(frames_seen == number_of_frames, "frames have been lost");
