@@ -135,7 +135,8 @@ public:
       const Cell& cell = m_cells[c];
       if (!cell.has_centroid())
         return p;
-      return Position{p.x + cell.moment.x / cell.area, p.y + cell.moment.y / cell.area};
+      const double weight = 3 * cell.area;
+      return Position{p.x + cell.moment.x / weight, p.y + cell.moment.y / weight};
     });
   }
 
@@ -191,12 +192,19 @@ private:
   struct Cell
   {
     double area = 0, perimeter = 0;
-    Position moment{0, 0}; // the vector to the centroid times the area, if the cell is whole
+    Position moment{0, 0}; // if it is whole: three times the area times the vector to the centroid
     double points = 1;     // that share it
 
     // Later additions leave infinity infinite.
     static Cell unbounded() { return {infinity, infinity}; }
 
+    void add(double its_area, double length, const Position& its_moment)
+    {
+      area += its_area;
+      perimeter += length;
+      moment.x += its_moment.x;
+      moment.y += its_moment.y;
+    }
     double shape_index() const
     {
       if (perimeter == 0)
@@ -243,26 +251,19 @@ private:
         m_cells[c] = Cell::unbounded();
       return;
     }
+    std::array<Cell, 3> parts; // of the corners
     for (std::size_t i = 0; i < 3; ++i) {
       const double cotangent = face.cotangent(i);
       const double area = face.squared_length(i) * cotangent / 8;
       const double length = face.length(i) * cotangent / 2;
       const Position d = face.side(i), n = face.normal(i);
-      const double along = area / 3, across = area * cotangent / 6;
-      add(cells[(i + 1) % 3], area, length,
-          {along * d.x + across * n.x, along * d.y + across * n.y});
-      add(cells[(i + 2) % 3], area, length,
-          {across * n.x - along * d.x, across * n.y - along * d.y});
+      const double across = area * cotangent / 2;
+      Cell &from = parts[(i + 1) % 3], &to = parts[(i + 2) % 3];
+      from.add(area, length, {across * n.x + area * d.x, across * n.y + area * d.y});
+      to.add(area, length, {across * n.x - area * d.x, across * n.y - area * d.y});
     }
-  }
-
-  void add(Index c, double area, double length, const Position& moment)
-  {
-    Cell& cell = m_cells[c];
-    cell.area += area;
-    cell.perimeter += length;
-    cell.moment.x += moment.x;
-    cell.moment.y += moment.y;
+    for (std::size_t i = 0; i < 3; ++i)
+      m_cells[cells[i]].add(parts[i].area, parts[i].perimeter, parts[i].moment);
   }
 
   // CLIPPED CELLS -------------------------------------------------------------------------------
