@@ -162,6 +162,23 @@ TEST(No_point, has_no_edge)
   EXPECT_TRUE(pt.update(std::vector<Point>()).certified);
 }
 
+TEST(No_point, moves_for_as_long_as_it_likes_and_comes_back)
+{
+  for (const Cell& cell : {Cell(1, 1), Cell::slab(1, 0)}) {
+    Triangulation pt(cell);
+    for (int round = 0; round < 3; ++round) {
+      for (int frame = 0; frame < 50; ++frame) {
+        pt.update(std::vector<Point>(pt.number_of_ids(), Point(0.01 * frame, 0.5)));
+        ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+      }
+      if (pt.number_of_points() == 0)
+        pt.insert(Point(0.5, 0.5));
+      else
+        pt.remove(0);
+    }
+  }
+}
+
 TEST(Few_points, are_right_from_the_first_to_the_last_in_cells_of_any_shape)
 {
   std::mt19937_64 random(1);

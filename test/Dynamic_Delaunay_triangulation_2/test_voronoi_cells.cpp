@@ -741,6 +741,36 @@ TEST(Cells_at_an_open_side, are_unbounded_as_on_the_hull)
   }
 }
 
+TEST(Cells_of_a_slab, are_those_of_a_plane_full_of_its_images_and_unbounded_at_its_sides)
+{
+  std::mt19937 random(17);
+  const Periodic_cell slab(Epick::Vector_2(8, 1.5));
+  Points points;
+  for (int i = 0; i < 60; ++i) {
+    const double x = random_between(random, 0, 8);
+    points.push_back(Point(x, random_between(random, 0, 4)));
+  }
+  Points images = points; // the middle ones come first
+  for (int i = -6; i <= 6; ++i)
+    if (i != 0)
+      for (const Point& p : points)
+        images.push_back(image(p, slab, i, 0));
+  Measures measures, of_plane;
+  measures.compute(Torus(points, slab));
+  of_plane.compute(Plane(images.begin(), images.end()));
+  std::size_t unbounded = 0;
+  for (std::size_t id = 0; id < points.size(); ++id) {
+    if (measures.areas()[id] == infinity) {
+      ++unbounded;
+    } else if (measures.areas()[id] < 100) { // a larger one may see the ends of the row of images
+      EXPECT_NEAR(measures.areas()[id], of_plane.areas()[id], 1e-9);
+      EXPECT_NEAR(measures.perimeters()[id], of_plane.perimeters()[id], 1e-9);
+      EXPECT_NEAR(measures.centroids()[id].x, of_plane.centroids()[id].x, 1e-9);
+    }
+  }
+  EXPECT_EQ(unbounded, 2u);
+}
+
 // -------------------------------------------------------------------------------------------------
 // All of them.
 

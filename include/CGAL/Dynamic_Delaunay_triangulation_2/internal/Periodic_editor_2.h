@@ -193,6 +193,7 @@ public:
   // counterclockwise. Its edges are not logged, as its point has no id yet.
   void start(const Position_2& p, const Periodic_shift_2& r, const Periodic_shift_2& t)
   {
+    m_news.is_all_new = true;
     mirror().resize(1, 2);
     ids().append_vertex();
     m_maintained.m_positions.push_back(p);
@@ -212,6 +213,7 @@ public:
   // edges are not logged.
   void build(const Periodic_faces_2& faces, const std::vector<Position_2>& points)
   {
+    m_news.is_all_new = true;
     const Index vertices = Index(faces.points.size() - 1);
     mirror().resize(vertices, 2 * vertices);
     for (Index v = 1; v <= vertices; ++v) {

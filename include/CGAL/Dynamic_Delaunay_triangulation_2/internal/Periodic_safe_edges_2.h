@@ -164,6 +164,8 @@ public:
   template <class Frame>
   void append_unproved(const Frame& frame, std::vector<Index>& unproved)
   {
+    if (frame.number_of_vertices() == 0)
+      return;
     if (m_schedule.is_near() && !m_safe_edges.holds())
       m_safe_edges.measure_step(frame);
     m_safe_edges.take_changes(frame);
@@ -179,7 +181,8 @@ public:
   void learn(const Frame& frame)
   {
     m_safe_edges.learn(frame);
-    if (m_schedule.is_due(m_safe_edges.holds()) && !frame.everything_is_new())
+    if (frame.number_of_vertices() > 0 && m_schedule.is_due(m_safe_edges.holds()) &&
+        !frame.everything_is_new())
       m_safe_edges.start(frame, m_schedule.share());
   }
 
