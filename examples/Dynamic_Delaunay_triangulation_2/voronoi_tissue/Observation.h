@@ -5,7 +5,6 @@
 #define VORONOI_TISSUE_OBSERVATION_H
 
 #include "Displacements.h"
-#include "Neighbor_exchanges.h"
 #include "Voronoi_tissue.h"
 
 #include <cstddef>
@@ -54,7 +53,6 @@ Observation observe(const Parameters& parameters, double settling, double time,
     tissue.step();
   }
   const Displacements displacements(tissue);
-  Neighbor_exchanges exchanges(tissue.triangulation());
   Observation result;
   std::size_t step = 0, events = 0;
   for (std::size_t sample = 1; sample <= samples; ++sample) {
@@ -62,7 +60,7 @@ Observation observe(const Parameters& parameters, double settling, double time,
     for (const std::size_t steps = steps_of(end); step < steps; ++step) {
       progress();
       const auto report = tissue.step();
-      events += exchanges.count(tissue.triangulation());
+      events += tissue.exchanges();
       result.rebuilds += report.rebuilt();
       result.is_certified = result.is_certified && report.certified;
     }

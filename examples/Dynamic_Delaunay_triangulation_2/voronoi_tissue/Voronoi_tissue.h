@@ -6,6 +6,7 @@
 
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Periodic_edge_changes_visitor_2.h>
 #include <CGAL/Update_report_2.h>
 #include <CGAL/Voronoi_cell_gradients_2.h>
 #include <CGAL/Voronoi_cell_measures_2.h>
@@ -39,7 +40,8 @@ class Voronoi_tissue
 public:
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Point = Kernel::Point_2;
-  using Dynamic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel>;
+  using Edge_changes = CGAL::Periodic_edge_changes_visitor_2;
+  using Dynamic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Edge_changes>;
 
   explicit Voronoi_tissue(const Parameters& parameters)
     : m_parameters(parameters)
@@ -73,8 +75,12 @@ public:
                 m_positions[i].y() + time_step * (m_parameters.speed * std::sin(direction) - y));
       m_directions[i] += turn(m_random);
     }
+    m_triangulation.visitor().clear();
     return m_triangulation.update(m_positions);
   }
+
+  // The T1 events of the last step: two cells part, and two others become neighbors between them.
+  std::size_t exchanges() const { return m_triangulation.visitor().created_edges().size(); }
 
   const Parameters& parameters() const { return m_parameters; }
   // Never wrapped, so differences to earlier ones are displacements.
