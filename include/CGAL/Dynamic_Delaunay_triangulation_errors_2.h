@@ -387,6 +387,23 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
+A periodic triangulation cannot be converted: a point has no image in the domain without rounding,
+or one sheet is not enough.
+*/
+class Periodic_conversion_error_2 : public Dynamic_Delaunay_triangulation_error_2
+{
+public:
+  /// \cond
+  explicit Periodic_conversion_error_2(const std::string& message)
+    : Dynamic_Delaunay_triangulation_error_2(message)
+  {
+  }
+  /// \endcond
+};
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Errors
+
 A checkpoint cannot be written, or is refused because it is incomplete, was changed or damaged, or
 is not a checkpoint.
 */

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CONVERT_TO_PERIODIC_2_DELAUNAY_TRIANGULATION_2_H
+#define CGAL_CONVERT_TO_PERIODIC_2_DELAUNAY_TRIANGULATION_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_2_conversion_2.h>
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
+#include <CGAL/Origin.h>
+#include <CGAL/Periodic_2_Delaunay_triangulation_2.h>
+
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Periodic
+
+makes `target` the triangulation `pt`, with the same edges and faces, in one sheet. The cell must be
+a square with sides along the axes, as CGAL's class has no others, its vectors in any order and
+direction. The domain of `target` is then the square of that size with the lower left corner
+`corner`.
+
+All points are wrapped into the domain, which must not need any rounding: it does not for points
+that were given there. Points that coincide share a vertex, at the image of the point that
+represents them; the others need not be wrapped.
+
+One sheet must be enough by CGAL's criterion, so that it is enough for all points that are inserted
+later as well: the square of each edge's length is less than 0.166 times that of the side. A few
+points do not fulfill that.
+
+The data structure is written as it is, with no predicate and no search. Cost: O(n log n), to match
+the edges of neighboring faces. If this throws, `target` has not changed.
+
+\tparam Kernel, Visitor those of the triangulation.
+\tparam Traits, Data_structure those of CGAL's class, whose points are made from two doubles.
+\param pt the triangulation to convert.
+\param target receives the result; what it had is lost.
+\param corner the lower left corner of the domain.
+
+\return the vertices by ids; `Vertex_handle()` for ids of no point.
+
+\throws Uncertified_triangulation_error_2 unless `pt.is_certified()`.
+\throws Periodic_cell_error_2 if the cell is a slab, or no square with sides along the axes.
+\throws Periodic_conversion_error_2 if a point cannot be wrapped without rounding, if the upper
+right corner of the domain is no pair of doubles, or if one sheet is not enough.
+*/
+template <class Kernel, class Visitor, class Traits, class Data_structure>
+std::vector<typename Periodic_2_Delaunay_triangulation_2<Traits, Data_structure>::Vertex_handle>
+convert_to_periodic_2_delaunay_triangulation_2(
+    const Dynamic_periodic_Delaunay_triangulation_2<Kernel, Visitor>& pt,
+    Periodic_2_Delaunay_triangulation_2<Traits, Data_structure>& target,
+    const typename Kernel::Point_2& corner = typename Kernel::Point_2(ORIGIN))
+{
+  using Target = Periodic_2_Delaunay_triangulation_2<Traits, Data_structure>;
+  using Input = Dynamic_periodic_Delaunay_triangulation_2<Kernel, Visitor>;
+  const Dynamic_Delaunay_triangulations_2::internal::Periodic_2_conversion_2<Input> conversion(
+      pt, {corner.x(), corner.y()});
+  Target result(conversion.template domain<Target>());
+  auto vertices = conversion.write(result);
+  target.swap(result);
+  return vertices;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_CONVERT_TO_PERIODIC_2_DELAUNAY_TRIANGULATION_2_H

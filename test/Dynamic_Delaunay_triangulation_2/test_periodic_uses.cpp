@@ -1,0 +1,428 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What users do with a periodic triangulation: they convert it to CGAL's, and ask which points are
+// where.
+
+#include <CGAL/convert_to_periodic_2_delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Periodic_2_Delaunay_triangulation_2.h>
+#include <CGAL/Periodic_2_Delaunay_triangulation_traits_2.h>
+#include <CGAL/Periodic_point_queries_2.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <optional>
+#include <random>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_2;
+using Vector = Kernel::Vector_2;
+using Cell = CGAL::Periodic_cell_2;
+using Shift = CGAL::Periodic_shift_2;
+using Triangulation = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel>;
+
+// In the unit square, with so few bits that they can be wrapped without rounding.
+std::vector<Point> short_points(std::mt19937_64& random, std::size_t number)
+{
+  std::uniform_real_distribution<double> between(0, 1);
+  const auto coordinate = [&] { return std::floor(between(random) * 0x1p30) * 0x1p-30; };
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < number; ++i) {
+    const double x = coordinate();
+    points.push_back(Point(x, coordinate()));
+  }
+  return points;
+}
+
+// CONVERSION --------------------------------------------------------------------------------------
+
+using Cgal_triangulation = CGAL::Periodic_2_Delaunay_triangulation_2<
+    CGAL::Periodic_2_Delaunay_triangulation_traits_2<Kernel>>;
+// From an id to another, by a vector, rounded to what differences of the points may be.
+using Edge = std::tuple<std::size_t, std::size_t, long, long>;
+
+Edge edge(std::size_t i, std::size_t j, const Vector& v)
+{
+  return {i, j, std::lround(v.x() * 0x1p30), std::lround(v.y() * 0x1p30)};
+}
+
+std::set<Edge> edges_of(const Triangulation& pt)
+{
+  std::set<Edge> edges;
+  pt.for_each_edge([&](std::size_t i, std::size_t j, const Shift& shift) {
+    const Vector v = pt.vector(i, j, shift);
+    edges.insert(edge(i, j, v));
+    edges.insert(edge(j, i, -v));
+  });
+  return edges;
+}
+
+template <class Vertices>
+std::set<Edge> edges_of(const Cgal_triangulation& cgal, const Vertices& vertices,
+                        const Triangulation& pt)
+{
+  std::map<Cgal_triangulation::Vertex_handle, std::size_t> ids;
+  for (std::size_t id = 0; id < vertices.size(); ++id)
+    if (pt.has_id(id))
+      ids[vertices[id]] = pt.representative(id);
+  std::set<Edge> edges;
+  for (auto e = cgal.edges_begin(); e != cgal.edges_end(); ++e) {
+    const auto ends = cgal.segment(*e);
+    const int i = e->second;
+    const std::size_t source = ids.at(e->first->vertex(cgal.ccw(i)));
+    const std::size_t target = ids.at(e->first->vertex(cgal.cw(i)));
+    edges.insert(edge(source, target, ends.target() - ends.source()));
+    edges.insert(edge(target, source, ends.source() - ends.target()));
+  }
+  return edges;
+}
+
+void expect_same(const Triangulation& pt, const Point& corner = Point(0, 0))
+{
+  Cgal_triangulation cgal;
+  const auto vertices = CGAL::convert_to_periodic_2_delaunay_triangulation_2(pt, cgal, corner);
+  ASSERT_TRUE(cgal.is_valid());
+  ASSERT_TRUE(cgal.is_1_cover());
+  ASSERT_TRUE(cgal.is_extensible_triangulation_in_1_sheet_h1());
+  ASSERT_EQ(cgal.number_of_vertices(), pt.number_of_vertices());
+  ASSERT_EQ(cgal.number_of_faces(), pt.number_of_faces());
+  ASSERT_EQ(cgal.number_of_edges(), pt.number_of_edges());
+  ASSERT_EQ(cgal.domain().xmin(), corner.x());
+  ASSERT_EQ(cgal.domain().ymin(), corner.y());
+  ASSERT_EQ(vertices.size(), pt.number_of_ids());
+  for (std::size_t id = 0; id < vertices.size(); ++id) {
+    ASSERT_EQ(pt.has_id(id), vertices[id] != Cgal_triangulation::Vertex_handle());
+    if (pt.has_id(id)) {
+      ASSERT_EQ(vertices[id], vertices[pt.representative(id)]);
+      ASSERT_TRUE(cgal.domain().has_on_bounded_side(vertices[id]->point()) ||
+                  vertices[id]->point().x() == corner.x() ||
+                  vertices[id]->point().y() == corner.y());
+    }
+  }
+  ASSERT_EQ(edges_of(cgal, vertices, pt), edges_of(pt));
+}
+
+TEST(Conversion, has_the_same_edges_whatever_the_order_and_directions_of_the_sides)
+{
+  std::mt19937_64 random(1);
+  for (const Cell& cell :
+       {Cell(1, 1), Cell(-1, 0, 0, 1), Cell(0, -1, 1, 0), Cell(0, 1, -1, 0), Cell(0, 1, 1, 0)})
+    ASSERT_NO_FATAL_FAILURE(expect_same(Triangulation(short_points(random, 200), cell)));
+}
+
+TEST(Conversion, wraps_points_that_have_left_the_cell_into_the_domain)
+{
+  std::mt19937_64 random(2);
+  std::vector<Point> points = short_points(random, 200);
+  Triangulation pt(points, Cell(1, 1));
+  for (Point& p : points)
+    p = p + Vector(double(random() % 7) - 3, double(random() % 7) - 3);
+  pt.update(points);
+  ASSERT_NO_FATAL_FAILURE(expect_same(pt));
+  ASSERT_NO_FATAL_FAILURE(expect_same(pt, Point(-0.5, -0.5)));
+  ASSERT_NO_FATAL_FAILURE(expect_same(pt, Point(17.25, -3)));
+}
+
+TEST(Conversion, has_one_vertex_for_points_that_coincide_and_none_for_free_ids)
+{
+  std::mt19937_64 random(3);
+  std::vector<Point> points = short_points(random, 150);
+  for (std::size_t i = 0; i < 50; ++i)
+    points.push_back(points[i] + Vector(double(i % 3), -1));
+  Triangulation pt(points, Cell(1, 1));
+  for (const std::size_t id : {3u, 77u, 180u})
+    pt.remove(id);
+  ASSERT_NO_FATAL_FAILURE(expect_same(pt));
+}
+
+TEST(Conversion, can_be_changed_by_CGAL_afterwards)
+{
+  std::mt19937_64 random(4);
+  const Triangulation pt(short_points(random, 100), Cell(1, 1));
+  Cgal_triangulation cgal;
+  const auto vertices = CGAL::convert_to_periodic_2_delaunay_triangulation_2(pt, cgal);
+  for (const Point& p : short_points(random, 100))
+    cgal.insert(p);
+  for (std::size_t id = 0; id < 50; ++id)
+    cgal.remove(vertices[id]);
+  EXPECT_TRUE(cgal.is_valid());
+  EXPECT_EQ(cgal.number_of_vertices(), 150u);
+}
+
+TEST(Conversion, of_no_points_is_empty_and_replaces_what_was_there)
+{
+  Cgal_triangulation cgal;
+  cgal.insert(Point(0.5, 0.5));
+  EXPECT_TRUE(CGAL::convert_to_periodic_2_delaunay_triangulation_2(Triangulation(Cell(3, 3)), cgal)
+                  .empty());
+  EXPECT_EQ(cgal.number_of_vertices(), 0u);
+  EXPECT_EQ(cgal.domain().xmax(), 3);
+}
+
+template <class Error>
+void expect_refusal(const Triangulation& pt, const std::string& why, const Point& corner)
+{
+  Cgal_triangulation cgal;
+  cgal.insert(Point(0.5, 0.5));
+  try {
+    CGAL::convert_to_periodic_2_delaunay_triangulation_2(pt, cgal, corner);
+    FAIL() << "was not refused: " << why;
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(cgal.number_of_vertices(), 1u);
+}
+
+TEST(Conversion, refuses_what_CGAL_cannot_represent_and_leaves_the_target_as_it_was)
+{
+  using Cell_error = CGAL::Periodic_cell_error_2;
+  using Error = CGAL::Periodic_conversion_error_2;
+  std::mt19937_64 random(5);
+  std::vector<Point> points = short_points(random, 200);
+  const Point origin(0, 0);
+  expect_refusal<Cell_error>(Triangulation(points, Cell(1, 0, 0.125, 1)), "square", origin);
+  expect_refusal<Cell_error>(Triangulation(points, Cell::slab(1, 0)), "square", origin);
+  expect_refusal<Cell_error>(Triangulation(points, Cell(1, 2)), "square", origin);
+  const Triangulation pt(points, Cell(1, 1));
+  expect_refusal<Error>(pt, "corner", Point(1e-20, 0));
+  expect_refusal<Error>(pt, "corner", Point(0, std::numeric_limits<double>::infinity()));
+  expect_refusal<Error>(pt, "wrapped", Point(0x1p50, 0));
+  points[7] = Point(-1e-20, 0.5);
+  expect_refusal<Error>(Triangulation(points, Cell(1, 1)), "point 7", origin);
+  for (const std::size_t few : {1u, 2u, 3u, 5u})
+    expect_refusal<Error>(Triangulation(short_points(random, few), Cell(1, 1)), "one sheet",
+                          origin);
+}
+
+// QUERIES -----------------------------------------------------------------------------------------
+
+using Queries = CGAL::Periodic_point_queries_2<Triangulation>;
+using Image = Queries::Image;
+
+// Looks at all images, with CGAL's exact numbers.
+class Images
+{
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel::FT;
+
+public:
+  explicit Images(const Triangulation& pt)
+    : m_pt(pt)
+  {
+  }
+
+  std::optional<Image> nearest(const Point& p, const std::optional<Image>& asking = {}) const
+  {
+    std::optional<Image> nearest;
+    Exact least = 0;
+    for_each(p, reach(p), [&](const Image& image, const Exact& square) {
+      if (image == asking || (nearest && (least < square || (least == square && *nearest < image))))
+        return;
+      nearest = image;
+      least = square;
+    });
+    return nearest;
+  }
+
+  std::set<Image> within(const Point& p, double square,
+                         const std::optional<Image>& asking = {}) const
+  {
+    std::set<Image> found;
+    for_each(p, std::sqrt(square), [&](const Image& image, const Exact& other) {
+      if (other <= Exact(square) && image != asking)
+        found.insert(image);
+    });
+    return found;
+  }
+
+private:
+  // The first vector away from any point is an image, also of the one that asks.
+  double reach(const Point& p) const
+  {
+    const Cell& cell = m_pt.cell();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t id = 0; id < m_pt.number_of_ids(); ++id)
+      if (m_pt.has_id(id)) {
+        const auto [x, y] = multiples(p, id);
+        const Vector v = m_pt.point(id) - p;
+        const double i = std::round(x), j = cell.is_slab() ? 0 : std::round(y);
+        least = (std::min)(least, std::hypot(v.x() + i * cell.ax() + j * cell.bx(),
+                                             v.y() + i * cell.ay() + j * cell.by()));
+      }
+    return least + std::hypot(cell.ax(), cell.ay());
+  }
+
+  // From the point to p, in the cell's vectors.
+  std::array<double, 2> multiples(const Point& p, std::size_t id) const
+  {
+    const Cell& cell = m_pt.cell();
+    const double determinant = cell.ax() * cell.by() - cell.ay() * cell.bx();
+    const Vector v = p - m_pt.point(id);
+    return {(v.x() * cell.by() - v.y() * cell.bx()) / determinant,
+            (v.y() * cell.ax() - v.x() * cell.ay()) / determinant};
+  }
+
+  template <class Function>
+  void for_each(const Point& p, double reach, const Function& f) const
+  {
+    const Cell& cell = m_pt.cell();
+    const double determinant = std::abs(cell.ax() * cell.by() - cell.ay() * cell.bx());
+    const double wide = 1 + 1.01 * reach * std::hypot(cell.bx(), cell.by()) / determinant;
+    const double high = 1 + 1.01 * reach * std::hypot(cell.ax(), cell.ay()) / determinant;
+    for (std::size_t id = 0; id < m_pt.number_of_ids(); ++id) {
+      if (!m_pt.has_id(id))
+        continue;
+      const auto [x, y] = multiples(p, id);
+      const int first = cell.is_slab() ? 0 : int(std::floor(y - high));
+      const int last = cell.is_slab() ? 0 : int(std::ceil(y + high));
+      for (int i = int(std::floor(x - wide)); i <= x + wide; ++i)
+        for (int j = first; j <= last; ++j) {
+          const Vector about = m_pt.point(id) - p;
+          if (std::hypot(about.x() + i * cell.ax() + j * cell.bx(),
+                         about.y() + i * cell.ay() + j * cell.by()) > 1.01 * reach + 1e-3)
+            continue;
+          const Exact vx =
+              Exact(m_pt.point(id).x()) - p.x() + Exact(i) * cell.ax() + Exact(j) * cell.bx();
+          const Exact vy =
+              Exact(m_pt.point(id).y()) - p.y() + Exact(i) * cell.ay() + Exact(j) * cell.by();
+          f(Image(id, {i, j}), Exact(vx * vx + vy * vy));
+        }
+    }
+  }
+
+  const Triangulation& m_pt;
+};
+
+void expect_right_answers(const Triangulation& pt, const std::vector<Point>& places)
+{
+  const Queries queries(pt);
+  const Images images(pt);
+  for (const Point& p : places) {
+    ASSERT_EQ(queries.nearest(p), images.nearest(p)) << p;
+    for (const double square : {0.0, 0.25, 2.0, 9.0}) {
+      std::vector<Image> found;
+      queries.within(p, square, std::back_inserter(found));
+      ASSERT_EQ(std::set<Image>(found.begin(), found.end()), images.within(p, square)) << p;
+      ASSERT_EQ(found.size(), images.within(p, square).size());
+    }
+  }
+  for (std::size_t id = 0; id < pt.number_of_ids(); ++id) {
+    if (!pt.has_id(id))
+      continue;
+    const Image self(id, {0, 0});
+    ASSERT_EQ(queries.nearest_neighbor(id), images.nearest(pt.point(id), self)) << id;
+    std::vector<Image> found;
+    queries.neighbors_within(id, 2, std::back_inserter(found));
+    ASSERT_EQ(std::set<Image>(found.begin(), found.end()), images.within(pt.point(id), 2, self));
+  }
+}
+
+// In the cell and around it; on a grid there are circles with many points, and coincident ones.
+std::vector<Point> places_around(std::mt19937_64& random, std::size_t number, double extent,
+                                 double grid)
+{
+  std::uniform_real_distribution<double> between(-extent, 2 * extent);
+  const auto coordinate = [&] {
+    return grid > 0 ? std::floor(between(random) / grid) * grid : between(random);
+  };
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < number; ++i) {
+    const double x = coordinate();
+    points.push_back(Point(x, coordinate()));
+  }
+  return points;
+}
+
+const std::vector<Cell> cells{Cell(3, 3),        Cell(3, 0, 1.5, 2.5), Cell(1, 4),
+                              Cell(3, 0, 31, 3), Cell(-3, 1, 2, 2),    Cell(0, -3, 3, 0),
+                              Cell::slab(3, 0),  Cell::slab(0, -2),    Cell::slab(1, 2)};
+
+TEST(Queries, find_what_looking_at_all_images_finds_in_cells_and_slabs_of_any_shape)
+{
+  std::mt19937_64 random(11);
+  for (const Cell& cell : cells)
+    for (const std::size_t number : {1u, 2u, 3u, 12u})
+      for (const double grid : {0.0, 0.5}) {
+        const Triangulation pt(places_around(random, number, 3, grid), cell);
+        ASSERT_NO_FATAL_FAILURE(expect_right_answers(pt, places_around(random, 6, 6, grid)))
+            << number << ' ' << grid;
+      }
+}
+
+TEST(Queries, see_differences_that_drown_in_rounding)
+{
+  const double tiny = std::numeric_limits<double>::epsilon();
+  // both images are a quarter of the cell away, but for less than the rounding of their distance
+  const Triangulation pt(std::vector<Point>{Point(0.25 + tiny / 4, 0), Point(0.75, 0)},
+                         Cell(1, 0, 0.1, 1));
+  const Queries queries(pt);
+  EXPECT_EQ(queries.nearest(Point(0.5, 0)), Image(0, {0, 0}));
+  EXPECT_EQ(queries.nearest(Point(0, 0)), Image(1, {-1, 0}));
+  EXPECT_EQ(queries.nearest(Point(1000, 0)), Image(1, {999, 0}));
+  ASSERT_NO_FATAL_FAILURE(expect_right_answers(
+      pt, {Point(0.5, 0), Point(0, 0), Point(0.5 + tiny / 8, 0), Point(1000, 0)}));
+  std::vector<Image> found;
+  queries.within(Point(1000.5, 0), 0.0625, std::back_inserter(found));
+  EXPECT_EQ(std::set<Image>(found.begin(), found.end()),
+            (std::set<Image>{{0, {1000, 0}}, {1, {1000, 0}}}));
+}
+
+TEST(Queries, follow_the_triangulation_while_it_changes)
+{
+  std::mt19937_64 random(12);
+  Triangulation pt(Cell(3, 3));
+  const Queries queries(pt);
+  std::vector<Image> found;
+  EXPECT_EQ(queries.nearest(Point(1, 1)), std::nullopt);
+  queries.within(Point(1, 1), 100, std::back_inserter(found));
+  EXPECT_TRUE(found.empty());
+  for (const Point& p : places_around(random, 30, 3, 0))
+    pt.insert(p);
+  for (int round = 0; round < 5; ++round) {
+    for (std::size_t i = 0; i < 5; ++i)
+      pt.remove(std::size_t(round) + 5 * i);
+    std::vector<Point> points = places_around(random, 30, 3, 0);
+    pt.update(points, Cell(3, 0, 0.5 * round, 3));
+    for (const Point& p : places_around(random, 4, 3, 0)) {
+      EXPECT_EQ(queries.nearest(p), Images(pt).nearest(p));
+    }
+  }
+}
+
+TEST(Queries, refuse_what_is_no_place_no_radius_and_no_id)
+{
+  const Triangulation pt(std::vector<Point>{Point(0, 0), Point(1, 1)}, Cell(3, 3));
+  const Queries queries(pt);
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::vector<Image> found;
+  const auto out = std::back_inserter(found);
+  EXPECT_THROW(queries.nearest(Point(infinity, 0)), CGAL::Non_finite_coordinate_error_2);
+  EXPECT_THROW(queries.nearest(Point(1e7, 0)), CGAL::Periodic_range_error_2);
+  EXPECT_THROW(queries.within(Point(0, 1e7), 1, out), CGAL::Periodic_range_error_2);
+  EXPECT_THROW(queries.within(Point(0, 0), -1, out), CGAL::Parameter_error_2);
+  EXPECT_THROW(queries.within(Point(0, 0), infinity, out), CGAL::Parameter_error_2);
+  EXPECT_THROW(queries.neighbors_within(2, 1, out), CGAL::Unknown_id_error_2);
+  EXPECT_THROW(queries.neighbors_within(1, -1, out), CGAL::Parameter_error_2);
+  EXPECT_THROW(queries.nearest_neighbor(2), CGAL::Unknown_id_error_2);
+  EXPECT_TRUE(found.empty());
+  // across a slab there is no limit
+  const Triangulation slab(std::vector<Point>{Point(0, 0)}, Cell::slab(3, 0));
+  EXPECT_EQ(Queries(slab).nearest(Point(0, 1e9)), Image(0, {0, 0}));
+}
+
+} // namespace
