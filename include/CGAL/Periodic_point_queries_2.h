@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/check_certified_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Image_distances_2.h>
@@ -197,10 +198,7 @@ private:
     static Position checked(const Dynamic& pt, const Torus& torus, const Point& p)
     {
       using namespace Dynamic_Delaunay_triangulations_2::internal;
-      if (!pt.is_certified())
-        throw Uncertified_triangulation_error_2(
-            "the periodic triangulation is not certified since a change was interrupted: any other "
-            "change triangulates everything anew");
+      check_certified(pt);
       const Position position = checked_position(p, 0);
       const Position multiples = torus.periodic(torus.multiples(position));
       if (!(std::abs(multiples.x) < max_shift && std::abs(multiples.y) < max_shift))

@@ -1,10 +1,13 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What users do with a periodic triangulation: they convert it to CGAL's, and ask which points are
-// where.
+// What users do with a periodic triangulation: they convert it to CGAL's, ask which points are
+// where, and draw it.
+
+#define CGAL_TEST_SUITE 1 // the viewer then opens no window
 
 #include <CGAL/convert_to_periodic_2_delaunay_triangulation_2.h>
+#include <CGAL/draw_dynamic_periodic_delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -423,6 +426,111 @@ TEST(Queries, refuse_what_is_no_place_no_radius_and_no_id)
   // across a slab there is no limit
   const Triangulation slab(std::vector<Point>{Point(0, 0)}, Cell::slab(3, 0));
   EXPECT_EQ(Queries(slab).nearest(Point(0, 1e9)), Image(0, {0, 0}));
+}
+
+// PICTURES ----------------------------------------------------------------------------------------
+
+// What CGAL's viewers are told.
+struct Scene
+{
+  void add_point(const Point& p) { points.push_back(p); }
+  void add_segment(const Point& p, const Point& q) { segments.push_back({p, q}); }
+  void add_segment(const Point& p, const Point& q, const CGAL::IO::Color&)
+  {
+    outline.push_back({p, q});
+  }
+  void face_begin(const CGAL::IO::Color&) { faces.emplace_back(); }
+  void add_point_in_face(const Point& p) { faces.back().push_back(p); }
+  void face_end() { EXPECT_EQ(faces.back().size(), 3u); }
+
+  double area_of_faces() const
+  {
+    double area = 0;
+    for (const std::vector<Point>& face : faces)
+      area += CGAL::area(face[0], face[1], face[2]);
+    return area;
+  }
+
+  std::vector<Point> points;
+  std::vector<std::array<Point, 2>> segments, outline;
+  std::vector<std::vector<Point>> faces;
+};
+
+Scene picture_of(const Triangulation& pt, bool are_faces_filled = true)
+{
+  Scene scene;
+  CGAL::Dynamic_Delaunay_triangulations_2::internal::draw_periodic(pt, scene, are_faces_filled);
+  return scene;
+}
+
+TEST(Pictures, have_each_face_once_all_vertices_in_the_cell_and_its_outline)
+{
+  std::mt19937_64 random(21);
+  std::vector<Point> points = places_around(random, 40, 20, 0);
+  points.push_back(points[0]);
+  const Scene scene = picture_of(Triangulation(points, Cell(4, 0, 1, 3)));
+  EXPECT_EQ(scene.points.size(), 40u);
+  EXPECT_EQ(scene.faces.size(), 80u);
+  EXPECT_EQ(scene.segments.size(), 240u);
+  EXPECT_NEAR(scene.area_of_faces(), 12, 1e-9);
+  for (const Point& p : scene.points) {
+    const double j = p.y() / 3, i = (p.x() - j) / 4;
+    EXPECT_TRUE(-1e-9 < i && i < 1 + 1e-9 && -1e-9 < j && j < 1 + 1e-9) << p;
+  }
+  for (const std::vector<Point>& face : scene.faces)
+    EXPECT_NE(std::find(scene.points.begin(), scene.points.end(), face[0]), scene.points.end());
+  const std::vector<std::array<Point, 2>> outline{{Point(0, 0), Point(4, 0)},
+                                                  {Point(4, 0), Point(5, 3)},
+                                                  {Point(5, 3), Point(1, 3)},
+                                                  {Point(1, 3), Point(0, 0)}};
+  EXPECT_EQ(scene.outline, outline);
+}
+
+TEST(Pictures, can_leave_out_the_faces_but_not_their_sides)
+{
+  const Scene scene = picture_of(Triangulation(std::vector<Point>{Point(1, 1)}, Cell(3, 3)), false);
+  EXPECT_TRUE(scene.faces.empty());
+  EXPECT_EQ(scene.segments.size(), 6u);
+}
+
+TEST(Pictures, of_a_slab_end_at_its_outermost_points)
+{
+  const Scene scene = picture_of(
+      Triangulation(std::vector<Point>{Point(1, -1), Point(5, 3), Point(2, 0)}, Cell::slab(3, 0)));
+  EXPECT_NEAR(scene.area_of_faces(), 12, 1e-9);
+  ASSERT_EQ(scene.outline.size(), 4u);
+  EXPECT_EQ(scene.outline[0], (std::array<Point, 2>{Point(0, -1), Point(3, -1)}));
+  EXPECT_EQ(scene.outline[2], (std::array<Point, 2>{Point(3, 3), Point(0, 3)}));
+
+  const Scene line =
+      picture_of(Triangulation(std::vector<Point>{Point(1, 1), Point(2, 1)}, Cell::slab(3, 0)));
+  EXPECT_TRUE(line.faces.empty());
+  EXPECT_EQ(line.segments.size(), 2u);
+
+  const Scene empty = picture_of(Triangulation(Cell::slab(3, 0)));
+  EXPECT_TRUE(empty.outline.empty());
+  EXPECT_EQ(picture_of(Triangulation(Cell(3, 3))).outline.size(), 4u);
+}
+
+TEST(Pictures, are_drawn_by_CGALs_viewer_or_it_says_that_it_cannot)
+{
+#ifdef CGAL_USE_BASIC_VIEWER
+  const std::string expected;
+#else
+  const std::string expected = "Impossible to draw, CGAL_USE_BASIC_VIEWER is not defined.\n";
+#endif
+  const Triangulation pt(std::vector<Point>{Point(0, 0), Point(1, 1)}, Cell(3, 3));
+  testing::internal::CaptureStderr();
+  CGAL::draw(pt);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), expected);
+  testing::internal::CaptureStderr();
+  CGAL::draw(pt, "two points", true);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), expected);
+#ifdef CGAL_GRAPHICS_SCENE_H
+  CGAL::Graphics_scene scene;
+  CGAL::add_to_graphics_scene(pt, scene);
+  EXPECT_FALSE(scene.empty());
+#endif
 }
 
 } // namespace

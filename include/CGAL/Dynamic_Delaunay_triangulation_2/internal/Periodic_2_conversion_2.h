@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/check_certified_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Lattice_2.h>
@@ -40,10 +41,7 @@ public:
     , m_low(corner)
   {
     const Default_floating_point_2 floating_point;
-    if (!pt.is_certified())
-      throw Uncertified_triangulation_error_2(
-          "the periodic triangulation is not certified since a change was interrupted: any other "
-          "change triangulates everything anew");
+    check_certified(pt);
     find_domain();
     wrap_points();
     copy_faces();

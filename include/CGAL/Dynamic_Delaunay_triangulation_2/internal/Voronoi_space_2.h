@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/check_certified_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_geometry_2.h>
@@ -146,10 +147,7 @@ public:
     : m_dt(dt)
     , m_cell(dt.cell())
   {
-    if (!dt.is_certified())
-      throw Uncertified_triangulation_error_2(
-          "the periodic triangulation is not certified since a change was interrupted: any other "
-          "change triangulates everything anew");
+    check_certified(dt);
   }
 
   Index number_of_ids() const { return Index(m_dt.number_of_ids()); }
