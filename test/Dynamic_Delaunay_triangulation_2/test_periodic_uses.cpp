@@ -385,6 +385,35 @@ TEST(Queries, see_differences_that_drown_in_rounding)
             (std::set<Image>{{0, {1000, 0}}, {1, {1000, 0}}}));
 }
 
+// In the middle of an edge, and at its length, only exact arithmetic tells what is nearer.
+TEST(Queries, decide_between_images_whose_distances_are_the_same_but_for_rounding)
+{
+  std::mt19937_64 random(13);
+  std::uniform_real_distribution<double> between(0.1, 1);
+  for (int run = 0; run < 20; ++run) {
+    const Cell cell = run % 4 == 0 ? Cell::slab(3 * between(random), between(random))
+                                   : Cell(2 + between(random), between(random), between(random), 2);
+    std::vector<Point> points;
+    for (int i = 0; i < 5; ++i) {
+      const double away = run % 2 == 0 ? 0 : std::floor(1000 * between(random)),
+                   x = between(random);
+      points.push_back(Point(3 * x + away * cell.ax(), 3 * between(random) + away * cell.ay()));
+    }
+    const Triangulation pt(points, cell);
+    const Queries queries(pt);
+    const Images images(pt);
+    pt.for_each_edge([&](std::size_t i, std::size_t j, const Shift& shift) {
+      const Vector v = pt.vector(i, j, shift);
+      const Point middle = pt.point(i) + v / 2;
+      EXPECT_EQ(queries.nearest(middle), images.nearest(middle)) << middle;
+      std::vector<Image> found;
+      queries.within(middle, (v / 2).squared_length(), std::back_inserter(found));
+      EXPECT_EQ(std::set<Image>(found.begin(), found.end()),
+                images.within(middle, (v / 2).squared_length()));
+    });
+  }
+}
+
 TEST(Queries, follow_the_triangulation_while_it_changes)
 {
   std::mt19937_64 random(12);
