@@ -53,8 +53,8 @@ the lattice, share a vertex.
 After every call the triangulation is certified: exact predicates have proved that each face is
 counterclockwise, and that each edge is locally Delaunay. Flips, insertions and removals keep it a
 triangulation of the torus that covers it once (see the manual). There is no classifier to choose:
-all edges are tested, the broken ones are flipped, points that jump are inserted anew, and where
-that does not help everything is triangulated anew.
+all edges are tested but those that are proved safe, the broken ones are flipped, points that jump
+are inserted anew, and where that does not help everything is triangulated anew.
 
 \tparam Kernel a CGAL kernel whose points have coordinates of type `double`, such as
   `Exact_predicates_inexact_constructions_kernel`.
@@ -178,8 +178,9 @@ public:
   /// ignored. Of a point that moves by more than half the cell, as where it is wrapped, the nearest
   /// image is taken to be where it has gone.
   ///
-  /// Cost: one pass over all points and edges, and the repair of what is broken: at most some
-  /// two or three times that of triangulating anew, where a third of all points or more jump.
+  /// Cost: one pass over all points and edges, of which most are skipped where all is calm, and the
+  /// repair of what is broken. Where many points jump, a sample of the edges decides whether
+  /// triangulating everything anew is cheaper.
   /// \throws Point_count_error_2 if the number of positions is not `number_of_ids()`.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
   /// \throws Periodic_range_error_2 if a point is 2<sup>20</sup> cells or more from the origin.
