@@ -919,6 +919,23 @@ TEST(Safe_edges_of_a_torus, are_skipped_in_calm_motion_which_stays_exact)
   }
 }
 
+TEST(Safe_edges_of_a_torus, are_found_anew_around_points_that_jump_in_calm_motion)
+{
+  for (const std::uint64_t seed : {31, 32, 33, 34}) {
+    std::mt19937_64 random(seed);
+    const Cell cell = seed == 34 ? Cell(Vector(20, 0)) : Cell(20, 20);
+    std::vector<Point> points = random_points(random, 400, 20);
+    Skipping triangulation(points, cell);
+    for (int frame = 0; frame < 300; ++frame) {
+      move_randomly(random, points, 2e-4);
+      if (frame % 2 == 0)
+        points[random() % 400] = random_points(random, 1, 20)[0];
+      ASSERT_NO_FATAL_FAILURE(triangulation.update(points, cell)) << seed << ' ' << frame;
+    }
+    EXPECT_GT(triangulation.frames_skipping(), 50u);
+  }
+}
+
 TEST(Safe_edges_of_a_torus, are_forgotten_where_the_cell_changes)
 {
   std::mt19937_64 random(32);
