@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Delaunay_update_visitor_base_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_balance_2.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -121,12 +122,6 @@ private:
   static constexpr int half = 1;
   static constexpr int whole = 2;
 
-  struct Change
-  {
-    Edge edge;
-    int sign;
-  };
-
   // While there are no faces, all edges are removed before an update and created after it.
   template <class Dynamic>
   void note_line(const Dynamic& dt, int sign)
@@ -146,29 +141,21 @@ private:
   void note(std::size_t i, std::size_t j, int sign)
   {
     m_is_summed_up = false;
-    m_changes.push_back(Change{std::minmax(i, j), sign});
+    m_changes.note(std::minmax(i, j), sign);
   }
 
   void sum_up() const
   {
     if (m_is_summed_up)
       return;
-    std::sort(m_changes.begin(), m_changes.end(),
-              [](const Change& a, const Change& b) { return a.edge < b.edge; });
     m_created.clear();
     m_removed.clear();
-    for (auto change = m_changes.begin(); change != m_changes.end();) {
-      const Edge edge = change->edge;
-      int sum = 0;
-      for (; change != m_changes.end() && change->edge == edge; ++change)
-        sum += change->sign;
-      if (sum != 0)
-        (sum > 0 ? m_created : m_removed).push_back(edge);
-    }
+    m_changes.for_each_change(
+        [this](const Edge& edge, int sum) { (sum > 0 ? m_created : m_removed).push_back(edge); });
     m_is_summed_up = true;
   }
 
-  mutable std::vector<Change> m_changes;
+  mutable Dynamic_Delaunay_triangulations_2::internal::Edge_balance_2<Edge> m_changes;
   mutable std::vector<Edge> m_created, m_removed;
   mutable bool m_is_summed_up = true;
   bool m_is_in_update = false;

@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_balance_2.h>
 #include <CGAL/Periodic_cell_2.h>
 #include <CGAL/Periodic_update_visitor_base_2.h>
 
@@ -110,7 +111,7 @@ public:
       s = {s[0] * multiples[0][0] + s[1] * multiples[1][0],
            s[0] * multiples[0][1] + s[1] * multiples[1][1]};
     };
-    for (Change& change : m_changes)
+    for (auto& change : m_changes.changes())
       exchange(change.edge.shift);
     for (Periodic_shift_2& way : m_ways)
       exchange(way);
@@ -119,12 +120,6 @@ public:
   /// \endcond
 
 private:
-  struct Change
-  {
-    Edge edge; // as it would be called if no point had been translated since clear()
-    int sign;
-  };
-
   Periodic_shift_2 way(std::size_t i) const
   {
     return i < m_ways.size() ? m_ways[i] : Periodic_shift_2{0, 0};
@@ -150,32 +145,25 @@ private:
   {
     m_is_summed_up = false;
     const Periodic_shift_2 of_i = way(i), of_j = way(j);
-    m_changes.push_back(
-        {translated({i, j, shift}, {-of_i[0], -of_i[1]}, {-of_j[0], -of_j[1]}), sign});
+    m_changes.note(translated({i, j, shift}, {-of_i[0], -of_i[1]}, {-of_j[0], -of_j[1]}), sign);
   }
 
   void sum_up() const
   {
     if (m_is_summed_up)
       return;
-    std::sort(m_changes.begin(), m_changes.end(),
-              [](const Change& a, const Change& b) { return a.edge < b.edge; });
     m_created.clear();
     m_removed.clear();
-    for (auto change = m_changes.begin(); change != m_changes.end();) {
-      const Edge edge = change->edge;
-      int sum = 0;
-      for (; change != m_changes.end() && change->edge == edge; ++change)
-        sum += change->sign;
-      if (sum != 0)
-        (sum > 0 ? m_created : m_removed).push_back(translated(edge, way(edge.i), way(edge.j)));
-    }
+    m_changes.for_each_change([this](const Edge& edge, int sum) {
+      (sum > 0 ? m_created : m_removed).push_back(translated(edge, way(edge.i), way(edge.j)));
+    });
     std::sort(m_created.begin(), m_created.end());
     std::sort(m_removed.begin(), m_removed.end());
     m_is_summed_up = true;
   }
 
-  mutable std::vector<Change> m_changes;
+  // Edges as they would be called if no point had been translated since clear().
+  mutable Dynamic_Delaunay_triangulations_2::internal::Edge_balance_2<Edge> m_changes;
   std::vector<Periodic_shift_2> m_ways; // of each id since clear(), if it was translated
   mutable std::vector<Edge> m_created, m_removed;
   mutable bool m_is_summed_up = true;

@@ -63,14 +63,9 @@ private:
     }
     Square(const Image_distances_2& distances, const Image_2& p)
     {
-      const Periodic_cell_2& cell = distances.m_torus.cell();
-      const double i = p.shift[0], j = p.shift[1];
-      const double dx = p.position.x - distances.m_from.x, dy = p.position.y - distances.m_from.y;
-      const double iax = i * cell.ax(), jbx = j * cell.bx();
-      const double iay = i * cell.ay(), jby = j * cell.by();
-      const double x = dx + (iax + jbx), y = dy + (iay + jby);
-      const double e = 0x1p-51 * (std::max)(std::abs(dx) + std::abs(iax) + std::abs(jbx),
-                                            std::abs(dy) + std::abs(iay) + std::abs(jby));
+      double m = 0;
+      const auto [x, y] = distances.m_torus.vector({distances.m_from, no_shift}, p, m);
+      const double e = Torus_2::error_factor * m;
       value = x * x + y * y;
       error = 2.1 * e * (std::abs(x) + std::abs(y) + e) + 0x1p-50 * value + 1e-300;
     }
@@ -87,14 +82,8 @@ private:
 
   BOOST_NOINLINE Torus_2::Exact exact_square(const Image_2& p) const
   {
-    using Exact = Torus_2::Exact;
-    const Periodic_cell_2& cell = m_torus.cell();
-    const Exact i(double(p.shift[0])), j(double(p.shift[1]));
-    const Exact x =
-        Exact(p.position.x) - Exact(m_from.x) + i * Exact(cell.ax()) + j * Exact(cell.bx());
-    const Exact y =
-        Exact(p.position.y) - Exact(m_from.y) + i * Exact(cell.ay()) + j * Exact(cell.by());
-    return x * x + y * y;
+    const Torus_2::Exact_vector v(m_torus, {m_from, no_shift}, p);
+    return v.x * v.x + v.y * v.y;
   }
 
   const Torus_2& m_torus;

@@ -137,11 +137,12 @@ public:
       legalize(report);
     move_vertices(cell);
     const std::vector<Index> parted = move_duplicates(next);
-    is_mended = is_mended && !(are_many && is_much_broken()) && untangle(report);
+    const bool is_too_much = are_many && is_much_broken();
+    is_mended = is_mended && !is_too_much && untangle(report);
     if (is_mended)
       put_back_all(report);
     else
-      rebuild(Rebuild_reason_2::STUCK, report);
+      rebuild(is_too_much ? Rebuild_reason_2::TOO_MUCH_BROKEN : Rebuild_reason_2::STUCK, report);
     for (const Index id : parted)
       if (!ids().is_representative(id))
         move(id, next(id), report);

@@ -226,9 +226,46 @@ public:
     return {Exact(2) * (ax * Exact(m_cell.by()) - ay * Exact(m_cell.bx())), Exact(0)};
   }
 
-private:
+  // The vector from one image to another, rounded. Raises m to the largest sum of absolute
+  // values: each coordinate is off by at most error_factor times that.
+  BOOST_FORCEINLINE Position_2 vector(const Image_2& from, const Image_2& to, double& m) const
+  {
+    const double i = to.shift[0] - from.shift[0], j = to.shift[1] - from.shift[1];
+    const double dx = to.position.x - from.position.x, dy = to.position.y - from.position.y;
+    const double iax = i * m_cell.ax(), jbx = j * m_cell.bx();
+    const double iay = i * m_cell.ay(), jby = j * m_cell.by();
+    const double mx = std::abs(dx) + std::abs(iax) + std::abs(jbx);
+    const double my = std::abs(dy) + std::abs(iay) + std::abs(jby);
+    const double larger = mx < my ? my : mx;
+    m = m < larger ? larger : m;
+    return {dx + (iax + jbx), dy + (iay + jby)};
+  }
+
+  // The vector from one image to another: (x, y), and in a slab h times H (-ay, ax).
+  struct Exact_vector
+  {
+    Exact_vector(const Torus_2& torus, const Image_2& from, const Image_2& to)
+      : x(Exact(to.position.x) - Exact(from.position.x))
+      , y(Exact(to.position.y) - Exact(from.position.y))
+    {
+      const Exact i(double(to.shift[0]) - from.shift[0]), j(double(to.shift[1]) - from.shift[1]);
+      const Periodic_cell_2& cell = torus.cell();
+      x += i * Exact(cell.ax());
+      y += i * Exact(cell.ay());
+      if (cell.is_slab()) {
+        h = j;
+      } else {
+        x += j * Exact(cell.bx());
+        y += j * Exact(cell.by());
+      }
+    }
+    Exact x, y, h = Exact(0);
+  };
+
   static constexpr double unit = 0x1p-53;
   static constexpr double error_factor = 4 * unit;
+
+private:
   static constexpr double smallest_products = 1e-280;
 
   class Filter
@@ -264,41 +301,6 @@ private:
     Edge_filter_2 m_filter;
     double m_in_circle_bound;
     bool is_usable, is_counterclockwise;
-  };
-
-  // The vector from one image to another, rounded. Raises m to the largest sum of absolute values.
-  BOOST_FORCEINLINE Position_2 vector(const Image_2& from, const Image_2& to, double& m) const
-  {
-    const double i = to.shift[0] - from.shift[0], j = to.shift[1] - from.shift[1];
-    const double dx = to.position.x - from.position.x, dy = to.position.y - from.position.y;
-    const double iax = i * m_cell.ax(), jbx = j * m_cell.bx();
-    const double iay = i * m_cell.ay(), jby = j * m_cell.by();
-    const double mx = std::abs(dx) + std::abs(iax) + std::abs(jbx);
-    const double my = std::abs(dy) + std::abs(iay) + std::abs(jby);
-    const double larger = mx < my ? my : mx;
-    m = m < larger ? larger : m;
-    return {dx + (iax + jbx), dy + (iay + jby)};
-  }
-
-  // The vector from one image to another: (x, y), and in a slab h times H (-ay, ax).
-  struct Exact_vector
-  {
-    Exact_vector(const Torus_2& torus, const Image_2& from, const Image_2& to)
-      : x(Exact(to.position.x) - Exact(from.position.x))
-      , y(Exact(to.position.y) - Exact(from.position.y))
-    {
-      const Exact i(double(to.shift[0]) - from.shift[0]), j(double(to.shift[1]) - from.shift[1]);
-      const Periodic_cell_2& cell = torus.cell();
-      x += i * Exact(cell.ax());
-      y += i * Exact(cell.ay());
-      if (cell.is_slab()) {
-        h = j;
-      } else {
-        x += j * Exact(cell.bx());
-        y += j * Exact(cell.by());
-      }
-    }
-    Exact x, y, h = Exact(0);
   };
 
   // The cross product.
