@@ -93,6 +93,22 @@ std::vector<Vertex_set> sets_of_vertices(const Run& run)
   return sets;
 }
 
+// Of each face, whether all its edges are Delaunay.
+template <class Frame>
+std::vector<bool> are_faces_delaunay(const Frame& frame)
+{
+  using Index = typename Frame::Index;
+  std::vector<bool> are_delaunay(frame.number_of_faces(), true);
+  for (Index e = 0; e != frame.number_of_edges(); ++e) {
+    if (!frame.is_delaunay(e)) {
+      for (const Index f : frame.faces_at(e)) {
+        are_delaunay[f] = false;
+      }
+    }
+  }
+  return are_delaunay;
+}
+
 } // namespace run
 
 #endif // SCENARIO_RUNNER_FRAME_RECORD_H

@@ -148,17 +148,28 @@ double Ghost_opponents::agreement(std::vector<Periodic_face> faces,
 {
   std::transform(faces.begin(), faces.end(), faces.begin(), normal);
   sort_once(faces);
-  const auto agreement_with = [&](const std::vector<Periodic_face>& reference) {
-    return agreement_of(faces, reference, m_points, *m_cell);
-  };
-  double agreement =
-      agreement_with(proved_faces(m_static.reference(), m_images, m_margin, representatives));
   const double safe = m_window->safe_margin();
-  for (double margin = m_margin; agreement != 1.0 && margin < safe;) {
+  std::vector<Periodic_face> reference =
+      proved_faces(m_static.reference(), m_images, m_margin, representatives);
+  double agreement = agreement_of(faces, reference, m_points, *m_cell);
+  for (double margin = m_margin;
+       agreement != 1.0 && margin < safe && !is_complete(reference, representatives);) {
     margin = (std::min)((std::max)(2.0 * margin, first_margin()), safe);
-    agreement = agreement_with(faces_with(margin, representatives));
+    reference = faces_with(margin, representatives);
+    agreement = agreement_of(faces, reference, m_points, *m_cell);
   }
   return agreement;
+}
+
+// Whether these are all faces, where that can be told by their number.
+bool Ghost_opponents::is_complete(const std::vector<Periodic_face>& faces,
+                                  const std::vector<std::uint32_t>& representatives) const
+{
+  std::size_t places = 0;
+  for (std::size_t place = 0; place != representatives.size(); ++place) {
+    places += representatives[place] == place;
+  }
+  return !m_window->is_slab() && faces.size() == 2 * places;
 }
 
 // The images of one point of a slab are on a line, and on none where they are rounded.

@@ -42,6 +42,8 @@ private:
   std::vector<Periodic_face> proved_faces(const Static_triangulation& triangulation,
                                           std::vector<Image> images, double margin,
                                           const std::vector<std::uint32_t>& representatives);
+  bool is_complete(const std::vector<Periodic_face>& faces,
+                   const std::vector<std::uint32_t>& representatives) const;
   bool is_rounded_line(const Periodic_face& face) const;
   std::vector<Periodic_face> faces_with(double margin,
                                         const std::vector<std::uint32_t>& representatives);

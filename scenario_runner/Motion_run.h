@@ -165,6 +165,16 @@ public:
   }
 
   const scenario::Motion& motion() const override { return m_motion; }
+
+  std::vector<Vertex_set> sets() const override
+  {
+    const std::vector<Vertex_set> sets_of_its_vertices = sets_of_vertices(*this);
+    std::vector<Vertex_set> sets;
+    for (std::size_t place = 0; place != m_motion.points().size(); ++place) {
+      sets.push_back(sets_of_its_vertices[vertex(place)]);
+    }
+    return sets;
+  }
   const Frame_record& record() const override { return m_record; }
   const Dynamic& triangulation() const { return m_kept->triangulation(); }
 
@@ -176,8 +186,12 @@ protected:
   const Kept& kept() const { return *m_kept; }
   Opponents& opponents() { return m_opponents; }
 
-  // Whether the frame is certified, of a triangulation that is known to be valid.
-  virtual bool certify() = 0;
+  // The vertex, in the frame of the triangulation, of the point in this place of the motion.
+  auto vertex(std::size_t place) const
+  {
+    return triangulation().frame().vertex(m_kept->id(m_motion, place));
+  }
+
   // Against an opponent's triangulation of the frame.
   virtual double agreement() = 0;
 
@@ -260,7 +274,7 @@ private:
     if (!triangulation().is_valid()) {
       throw std::runtime_error("the triangulation is not valid");
     }
-    m_record.certified = certify();
+    m_record.certified = m_kept->certify();
     m_record.validity = agreement();
   }
 

@@ -6,6 +6,7 @@
 
 #include "scenario_runner/Ghost_opponents.h"
 #include "scenario_runner/Motion_run.h"
+#include "scenario_runner/Repairs_and_policies.h"
 
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/iterator.h>
@@ -14,6 +15,7 @@
 #include <boost/iterator/transform_iterator.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -73,21 +75,29 @@ struct Periodic_space
   }
 };
 
-using Dynamic_periodic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel>;
+template <class Classifier>
+using Dynamic_periodic =
+    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Classifier, Any_repair, Any_policy>;
 
 // Of a motion that has a cell.
-class Periodic_run : public Motion_run<Dynamic_periodic, Periodic_space>
+template <class Classifier>
+class Periodic_run : public Motion_run<Dynamic_periodic<Classifier>, Periodic_space>
 {
-public:
-  explicit Periodic_run(scenario::Motion& followed)
-    : Motion_run(followed, [&] { return Dynamic_periodic(Periodic_space::cell(followed)); })
-  {
-  }
+  using Base = Motion_run<Dynamic_periodic<Classifier>, Periodic_space>;
 
-  // Nothing is classified here.
-  std::vector<Vertex_set> sets() const override
+public:
+  using Base::kept;
+  using Base::motion;
+  using Base::triangulation;
+  using typename Base::Dynamic;
+
+  Periodic_run(scenario::Motion& followed, const Classifier& classifier, const Any_repair& repair,
+               const CGAL::Static_engines_2& engines, const Any_policy& policy)
+    : Base(followed, [&] {
+      return Dynamic(Periodic_space::cell(followed),
+                     typename Dynamic::Settings{classifier, repair, engines, policy});
+    })
   {
-    return std::vector<Vertex_set>(motion().points().size(), Vertex_set::none);
   }
 
   std::vector<Shown_edge> edges() const override
@@ -103,16 +113,26 @@ public:
 
   std::vector<Shown_triangle> triangles() const override
   {
+    const auto frame = triangulation().frame();
+    const std::vector<bool> are_delaunay = are_faces_delaunay(frame);
+    typename Dynamic::Frame::Index f = 0;
     std::vector<Shown_triangle> triangles;
     for (const Periodic_face& face : faces()) {
+      while (is_in_gap(frame.face_corners(f))) {
+        ++f;
+      }
       const auto& [a, b, c] = face.places;
-      triangles.push_back({{a, b, c}, true, face.shifts});
+      triangles.push_back({{a, b, c}, are_delaunay[f++], face.shifts});
     }
     return triangles;
   }
 
 private:
-  bool certify() override { return triangulation().is_certified(); }
+  template <class Corners>
+  static bool is_in_gap(const Corners& corners)
+  {
+    return std::isnan(corners[1].x) || std::isnan(corners[2].x);
+  }
 
   double agreement() override
   {
@@ -121,7 +141,7 @@ private:
     for (std::size_t place = 0; place != motion().points().size(); ++place) {
       representatives.push_back(places[triangulation().representative(kept().id(motion(), place))]);
     }
-    return opponents().agreement(faces(), representatives);
+    return Base::opponents().agreement(faces(), representatives);
   }
 
   std::vector<Periodic_face> faces() const

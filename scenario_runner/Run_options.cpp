@@ -129,18 +129,6 @@ void check_files(const Run_options& options)
   }
 }
 
-void note_open_space_options(const CLI::App& app, Run_options& options)
-{
-  for (const char* const name : {"--padding", "--repair", "--policy", "--engine", "--threads"}) {
-    if (app.count(name) != 0) {
-      options.open_space_options.push_back(name);
-    }
-  }
-  if (options.classifier.name != "circumcircle") {
-    options.open_space_options.push_back("--classifier " + options.classifier.name);
-  }
-}
-
 void check_every(const Run_options& options)
 {
   if (options.every && !options.svg && !options.vtk && !options.xyz && !options.lammps) {
@@ -171,7 +159,6 @@ Run_options parse_options(CLI::App& app, int argc, const char* const* argv)
   app.parse(argc, argv);
   check_files(options);
   check_every(options);
-  note_open_space_options(app, options);
   return options;
 }
 

@@ -38,8 +38,6 @@ struct Run_options
   std::optional<std::string> lammps{};
   std::optional<std::size_t> every{};
   bool quiet = false;
-  // Of the options that choose a method, those that were given and that periodic space has not.
-  std::vector<std::string> open_space_options{};
 
   std::string repair_name() const { return repair.value_or(usual_repair(classifier)); }
 };

@@ -76,16 +76,6 @@ public:
   {
   }
 
-  std::vector<Vertex_set> sets() const override
-  {
-    const std::vector<Vertex_set> sets_of_its_vertices = sets_of_vertices(*this);
-    std::vector<Vertex_set> sets;
-    for (std::size_t place = 0; place != motion().points().size(); ++place) {
-      sets.push_back(sets_of_its_vertices[vertex(place)]);
-    }
-    return sets;
-  }
-
   std::vector<Shown_edge> edges() const override
   {
     const std::vector<std::uint32_t> places = places_of_vertices();
@@ -102,14 +92,7 @@ public:
   {
     const std::vector<std::uint32_t> places = places_of_vertices();
     const auto frame = triangulation().frame();
-    std::vector<bool> are_delaunay(frame.number_of_faces(), true);
-    for (Index e = 0; e != frame.number_of_edges(); ++e) {
-      if (!frame.is_delaunay(e)) {
-        for (const Index f : frame.faces_at(e)) {
-          are_delaunay[f] = false;
-        }
-      }
-    }
+    const std::vector<bool> are_delaunay = are_faces_delaunay(frame);
     std::vector<Shown_triangle> triangles;
     for (Index f = 0; f != frame.number_of_faces(); ++f) {
       const auto [a, b, c] = frame.face(f);
@@ -124,18 +107,10 @@ private:
   using Frame = typename Dynamic::Frame;
   using Index = typename Frame::Index;
 
-  bool certify() override { return Base::kept().certify(); }
-
   double agreement() override
   {
     return CGAL::delaunay_agreement(triangulation(), Base::opponents().reference())
         .matthews_correlation_coefficient();
-  }
-
-  // The vertex, in the frame of the triangulation, of the point in this place of the motion.
-  Index vertex(std::size_t place) const
-  {
-    return triangulation().frame().vertex(static_cast<Index>(Base::kept().id(motion(), place)));
   }
 
   // Of the first of the points that coincide there.
@@ -143,7 +118,7 @@ private:
   {
     std::vector<std::uint32_t> places(triangulation().number_of_vertices() + 1);
     for (std::size_t place = motion().points().size(); place-- != 0;) {
-      places[vertex(place)] = static_cast<std::uint32_t>(place);
+      places[Base::vertex(place)] = static_cast<std::uint32_t>(place);
     }
     return places;
   }

@@ -117,53 +117,25 @@ private:
   run::Progress_display m_progress;
 };
 
-void check_periodic_options(const run::Run_options& options)
-{
-  if (!options.open_space_options.empty()) {
-    throw std::runtime_error("space is periodic here, where nothing but the exact default can be "
-                             "chosen; leave out " +
-                             scenario::joined(options.open_space_options));
-  }
-}
-
-// The one method of periodic space, in the names of the plane's.
-run::Run_subject periodic_subject(const run::Run_options& options, const scenario::Motion& motion,
-                                  const scenario::Scenario_facts& facts)
-{
-  check_periodic_options(options);
-  run::Run_subject subject{motion.name(),
-                           options.classifier,
-                           "flip",
-                           options.policy,
-                           0,
-                           "insertion",
-                           1,
-                           motion.time_step(),
-                           facts.seed ? std::optional(options.overrides.seed.value_or(*facts.seed))
-                                      : std::nullopt,
-                           options.overrides.packing ? options.overrides.packing : facts.packing};
-  subject.cell = motion.cell()->is_slab() ? "slab" : "torus";
-  return subject;
-}
-
 run::Run_subject run_subject(const run::Run_options& options, const scenario::Motion& motion,
                              const scenario::Scenario_facts& facts)
 {
-  if (motion.cell()) {
-    return periodic_subject(options, motion, facts);
-  }
   const bool is_random = facts.seed || options.classifier.uses_chance();
   const std::uint64_t seed = options.overrides.seed.value_or(facts.seed.value_or(0));
-  return {motion.name(),
-          options.classifier,
-          options.repair_name(),
-          options.policy,
-          options.padding,
-          options.engine,
-          options.threads,
-          motion.time_step(),
-          is_random ? std::optional(seed) : std::nullopt,
-          options.overrides.packing ? options.overrides.packing : facts.packing};
+  run::Run_subject subject{motion.name(),
+                           options.classifier,
+                           options.repair_name(),
+                           options.policy,
+                           options.padding,
+                           options.engine,
+                           options.threads,
+                           motion.time_step(),
+                           is_random ? std::optional(seed) : std::nullopt,
+                           options.overrides.packing ? options.overrides.packing : facts.packing};
+  if (motion.cell()) {
+    subject.cell = motion.cell()->is_slab() ? "slab" : "torus";
+  }
+  return subject;
 }
 
 template <class Run>
@@ -180,23 +152,29 @@ run::Run_summary run_all(Run& run, std::size_t frames, Outputs& outputs)
   return run::summarize(points_of_first_frame, records);
 }
 
+// Of a motion in the plane or in periodic space.
+template <template <class> class Run, class Classifier>
+run::Run_summary run_frames_of(scenario::Motion& motion, const Classifier& classifier,
+                               const run::Run_subject& subject, std::size_t frames,
+                               Outputs& outputs)
+{
+  Run<Classifier> run(motion, classifier, run::make_repair(subject.repair, subject.padding),
+                      run::engines_named(subject.engine), run::make_policy(subject.policy));
+  return run_all(run, frames, outputs);
+}
+
 template <class Classifier>
 run::Run_summary run_frames(scenario::Motion& motion, const Classifier& classifier,
                             const run::Run_subject& subject, std::size_t frames, Outputs& outputs)
 {
-  run::Scenario_run<Classifier> run(
-      motion, classifier, run::make_repair(subject.repair, subject.padding),
-      run::engines_named(subject.engine), run::make_policy(subject.policy));
-  return run_all(run, frames, outputs);
+  return motion.cell()
+             ? run_frames_of<run::Periodic_run>(motion, classifier, subject, frames, outputs)
+             : run_frames_of<run::Scenario_run>(motion, classifier, subject, frames, outputs);
 }
 
 run::Run_summary run_frames(const run::Run_options& options, const run::Run_subject& subject,
                             scenario::Motion& motion, std::size_t frames, Outputs& outputs)
 {
-  if (motion.cell()) {
-    run::Periodic_run run(motion);
-    return run_all(run, frames, outputs);
-  }
   const run::Classifier_settings settings{options.threads, subject.seed.value_or(0)};
   if (subject.classifier.is_exact) {
     return run_frames(motion, run::Exact_classifiers::make(subject.classifier, settings), subject,

@@ -205,7 +205,7 @@ private:
   }
 
   unsigned m_threads;
-  Dynamic_Delaunay_triangulations_2::internal::Safe_edges_2<> m_safe_edges;
+  Dynamic_Delaunay_triangulations_2::internal::Safe_edges_2 m_safe_edges;
   bool m_was_asked = true;          // since the last update
   bool m_nearly_all_broken = false; // in the last frame
   Dynamic_Delaunay_triangulations_2::internal::Safe_edges_schedule_2 m_schedule;

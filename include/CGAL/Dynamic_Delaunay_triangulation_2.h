@@ -8,7 +8,6 @@
 
 #include <CGAL/accepts_inexact_predicates_2.h>
 #include <CGAL/Always_dynamic_policy_2.h>
-#include <CGAL/Border_splice_repair_2.h>
 #include <CGAL/Circumcircle_classifier_2.h>
 #include <CGAL/Default.h>
 #include <CGAL/Delaunay_triangulation_2.h>
@@ -21,13 +20,13 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Update_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Usual_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Validity_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_vertex_base_2.h>
 #include <CGAL/Dynamic_frame_2.h>
 #include <CGAL/Dynamic_triangulation_settings_2.h>
-#include <CGAL/Flip_and_splice_repair_2.h>
 #include <CGAL/inform_classifier.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
@@ -98,19 +97,10 @@ class Dynamic_Delaunay_triangulation_2
                 "Exact_predicates_inexact_constructions_kernel, or see "
                 "accepts_inexact_predicates_2");
 
-  template <class C, class = void>
-  struct Usual_repair
-  {
-    using type = std::conditional_t<C::is_exact, Flip_and_splice_repair_2, Border_splice_repair_2>;
-  };
-  template <class C>
-  struct Usual_repair<C, std::void_t<typename C::Usual_repair>>
-  {
-    using type = typename C::Usual_repair;
-  };
   using Chosen_classifier = typename Default::Get<Classifier, Circumcircle_classifier_2>::type;
   using Chosen_visitor = typename Default::Get<Visitor, Delaunay_update_visitor_base_2>::type;
-  using Default_repair = typename Usual_repair<Chosen_classifier>::type;
+  using Default_repair =
+      typename Dynamic_Delaunay_triangulations_2::internal::Usual_repair_2<Chosen_classifier>::type;
   using Default_tds =
       Triangulation_data_structure_2<Dynamic_Delaunay_triangulation_vertex_base_2<Traits>,
                                      Triangulation_face_base_2<Traits>>;

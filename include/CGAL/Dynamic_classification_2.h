@@ -8,7 +8,6 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 #include <cstddef>
@@ -35,8 +34,8 @@ public:
   void clear(const Maintained& maintained)
   {
     m_maintained = &maintained;
-    m_vertices.clear(maintained.vertices().size());
-    m_whole_vertices.clear(maintained.vertices().size());
+    m_vertices.clear(maintained.positions().size());
+    m_whole_vertices.clear(maintained.positions().size());
     m_edges.clear();
     m_number_of_illegal = 0;
     m_hull_turns_once = false;
@@ -57,8 +56,8 @@ public:
   /// \throws Unknown_index_error_2 if there is no such vertex.
   void add_vertex(Index v)
   {
-    if (v >= m_maintained->vertices().size())
-      throw Unknown_index_error_2("vertex", v, m_maintained->vertices().size());
+    if (v >= m_maintained->positions().size())
+      throw Unknown_index_error_2("vertex", v, m_maintained->positions().size());
     if (v != Dynamic_Delaunay_triangulations_2::internal::infinite_index) {
       m_vertices.insert(v);
       m_whole_vertices.insert(v);
@@ -90,7 +89,7 @@ public:
   /// adding them one by one.
   void add_everything()
   {
-    const Index bound = Index(m_maintained->vertices().size());
+    const Index bound = Index(m_maintained->positions().size());
     m_vertices.fill(1, bound);
     m_whole_vertices.fill(1, bound);
   }
@@ -126,9 +125,9 @@ public:
     constexpr std::size_t ahead = 8;
     for (std::size_t i = 0; i < edges.size(); ++i) {
       if (i + 2 * ahead < edges.size())
-        prefetch(&frame.edge(edges[i + 2 * ahead]));
+        m_maintained->mirror().prefetch_edge(edges[i + 2 * ahead]);
       if (i + ahead < edges.size())
-        prefetch_corners(frame.edge(edges[i + ahead]), frame.positions().data());
+        prefetch_corners(m_maintained->mirror().edge(edges[i + ahead]), frame.positions().data());
       add_unless_delaunay(frame, edges[i]);
     }
   }
@@ -140,7 +139,7 @@ public:
   /// whether all vertices are classified because of all their edges.
   bool is_everything() const
   {
-    return m_whole_vertices.size() + 1 == m_maintained->vertices().size();
+    return m_whole_vertices.size() + 1 == m_maintained->positions().size();
   }
   /// how many of `edges()` were given to `add_illegal_edge()`; they are the last ones.
   std::size_t number_of_illegal_edges() const { return m_number_of_illegal; }
@@ -164,7 +163,7 @@ public:
 private:
   void add_vertices_of(Index e)
   {
-    const auto& edge = m_maintained->mirror().edge(e);
+    const auto& edge = m_maintained->edge(e);
     for (const Index v : {edge.source, edge.target, edge.left, edge.right})
       if (v != Dynamic_Delaunay_triangulations_2::internal::infinite_index)
         m_vertices.insert(v);

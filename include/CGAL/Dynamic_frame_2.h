@@ -7,10 +7,8 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
 
 #include <array>
 #include <cstddef>
@@ -24,6 +22,12 @@ namespace CGAL {
 What a classifier sees: the points, edges and faces of the maintained triangulation as flat arrays,
 with the positions of the current frame and the topology of the last one. It is a view: it copies
 nothing, and is valid until the next update.
+
+It is the same for the plane and for periodic space. There is no infinite vertex in periodic space,
+and the corners of edges and faces are images of points: so take the lengths and directions of edges
+from `edge_vector()`, `corners()` and `face_corners()`, not from `position()`. Vertices that jump
+are outside of all faces while an exact classifier is asked there, and their former edges are
+Delaunay.
 
 Vertices are numbered from 1 to `number_of_vertices()`, in a spatial order; 0 is the infinite
 vertex. Edges and faces are numbered from 0. A rebuild may change all of these numbers, and an
@@ -97,11 +101,7 @@ public:
   /// the positions of all vertices, indexed by their numbers.
   const std::vector<Position>& positions() const { return m_maintained->positions(); }
   /// the position of vertex `v` one frame ago. Valid only while classifying.
-  Position previous_position(Index v) const
-  {
-    return Dynamic_Delaunay_triangulations_2::internal::approximation(
-        m_maintained->previous_point(v));
-  }
+  Position previous_position(Index v) const { return m_maintained->previous_position(v); }
   /// whether all positions equal the coordinates of the points, with none of them rounded.
   bool positions_are_exact() const { return m_maintained->positions_are_exact(); }
 
@@ -110,9 +110,13 @@ public:
   /// @{
 
   /// edge `e` with its two opposite vertices.
-  const Edge& edge(Index e) const { return m_maintained->mirror().edge(e); }
-  /// all edges, indexed by their numbers.
-  const std::vector<Edge>& edges() const { return m_maintained->mirror().edges(); }
+  decltype(auto) edge(Index e) const { return m_maintained->edge(e); }
+  /// all edges, indexed by their numbers. Not in periodic space.
+  const std::vector<Edge>& edges() const
+  {
+    static_assert(!Maintained::is_periodic, "periodic space has no array of edges: use edge()");
+    return m_maintained->mirror().edges();
+  }
   /// whether one end of `edge` is the infinite vertex.
   static bool is_infinite(const Edge& edge)
   {
@@ -128,29 +132,30 @@ public:
     const auto& mirror = m_maintained->mirror();
     const Index h = mirror.halfedge(e);
     const Index f = mirror.face_of(h), g = mirror.face_of(mirror.twin(h));
-    if (mirror.source(h) == edge(e).source)
-      return {f, g};
-    return {g, f};
+    return m_maintained->is_along(e, h) ? std::array<Index, 2>{f, g} : std::array<Index, 2>{g, f};
   }
 
   /// calls `f(w)` for every neighbor `w` of vertex `v`, including the infinite vertex.
   template <class Function>
   void for_each_neighbor(Index v, Function&& f) const
   {
-    m_maintained->mirror().for_each_neighbor(v, f);
+    if (!m_maintained->mirror().is_outside(v))
+      m_maintained->mirror().for_each_neighbor(v, f);
   }
   /// calls `f(s)` for the four other edges `s` of the two faces at edge `e`.
   template <class Function>
   void for_each_side(Index e, Function&& f) const
   {
-    m_maintained->mirror().for_each_side(e, f);
+    if (!m_maintained->mirror().is_empty_edge(e))
+      m_maintained->mirror().for_each_side(e, f);
   }
   /// calls `f(e)` for every edge `e` at vertex `v`.
   template <class Function>
   void for_each_incident_edge(Index v, Function&& f) const
   {
     const auto& mirror = m_maintained->mirror();
-    mirror.for_each_corner(v, [&](Index h) { f(mirror.edge_of(mirror.previous(h))); });
+    if (!mirror.is_outside(v))
+      mirror.for_each_corner(v, [&](Index h) { f(mirror.edge_of(mirror.previous(h))); });
   }
 
   /// calls `f(e)` for every edge `e` whose test depends on the position of vertex `v`: the edges
@@ -159,11 +164,16 @@ public:
   void for_each_edge_that_sees(Index v, Function&& f) const
   {
     const auto& mirror = m_maintained->mirror();
-    mirror.for_each_corner(v, [&](Index h) {
-      f(mirror.edge_of(h));
-      f(mirror.edge_of(mirror.previous(h)));
-    });
+    if (!mirror.is_outside(v))
+      mirror.for_each_corner(v, [&](Index h) {
+        f(mirror.edge_of(h));
+        f(mirror.edge_of(mirror.previous(h)));
+      });
   }
+
+  /// how often the cell of periodic space has changed; 0 in the plane. What was proved for
+  /// positions in an earlier cell does not hold in this one.
+  std::size_t number_of_cell_changes() const { return m_maintained->number_of_cell_changes(); }
 
   /// @}
   /// \name Testing Edges
@@ -178,17 +188,22 @@ public:
     return m_maintained->corners(e, positions);
   }
 
-  /// whether one of the four vertices of edge `e` is the infinite one.
-  bool is_at_infinity(Index e) const
-  {
-    return Dynamic_Delaunay_triangulations_2::internal::is_at_infinity(edge(e));
-  }
+  /// whether `corners(e)` equal the coordinates of the points, or of their images, with none of
+  /// them rounded.
+  bool corners_are_exact(Index e) const { return m_maintained->corners_are_exact(e); }
+
+  /// the vector from the source of edge `e` to its target; NaNs if one of them is infinite.
+  Position edge_vector(Index e) const { return m_maintained->edge_vector(e); }
+  /// the positions of the three vertices of face `f`, as seen from the face; NaNs for an infinite
+  /// vertex.
+  std::array<Position, 3> face_corners(Index f) const { return m_maintained->face_corners(f); }
+
+  /// whether one of the four vertices of edge `e` is the infinite one; in a slab, whether they are
+  /// on both sides of the gap beside it.
+  bool is_at_infinity(Index e) const { return m_maintained->is_at_infinity(e); }
   /// for an edge at infinity: whether its finite face is not counterclockwise, or the hull turns
   /// right at the edge's end, as computed in floating point. False for all other edges.
-  bool breaks_hull(Index e) const
-  {
-    return Dynamic_Delaunay_triangulations_2::internal::breaks_hull(edge(e), positions());
-  }
+  bool breaks_hull(Index e) const { return m_maintained->breaks_hull(e); }
 
   /// whether edge `e` needs no repair: it is locally Delaunay, its faces are counterclockwise, and
   /// the hull is convex there. Decided exactly.
@@ -200,17 +215,12 @@ public:
   /// reported as crossed.
   Dynamic_Delaunay_triangulations_2::Edge_state_2 edge_state(Index e) const
   {
-    return Dynamic_Delaunay_triangulations_2::internal::Edge_test_2<Maintained>(*m_maintained)
-        .rough_state(e);
+    return Edge_test(*m_maintained).rough_state(e);
   }
 
   /// true only if edge `e` is Delaunay and not at infinity. Decided in floating point with proved
   /// bounds alone: false if these do not suffice, or if positions are rounded.
-  bool proves_delaunay(Index e) const
-  {
-    return Dynamic_Delaunay_triangulations_2::internal::Edge_test_2<Maintained>(*m_maintained)
-        .proves_delaunay(e);
-  }
+  bool proves_delaunay(Index e) const { return Edge_test(*m_maintained).proves_delaunay(e); }
 
   /// appends to `unproved` all edges from `first` to before `beyond` that are not Delaunay, and a
   /// few others: those for which `proves_delaunay()` is false. An exact classifier tests all edges
@@ -219,30 +229,24 @@ public:
   /// \pre `first <= beyond`, and `beyond <= number_of_edges()`
   void append_unproved(Index first, Index beyond, std::vector<Index>& unproved) const
   {
-    if (positions_are_exact())
-      return Dynamic_Delaunay_triangulations_2::internal::append_unproved<
-          typename Maintained::Space>(edges().data(), positions(), first, beyond, unproved);
-    for (Index e = first; e < beyond; ++e)
-      unproved.push_back(e);
+    Edge_test(*m_maintained).append_unproved(first, beyond, unproved);
   }
   /// the same, but tests the edges in a list.
   void append_unproved(const std::vector<Index>& edges, std::vector<Index>& unproved) const
   {
-    using namespace Dynamic_Delaunay_triangulations_2::internal;
-    if (positions_are_exact())
-      append_unproved_of<typename Maintained::Space>(this->edges().data(), positions(), edges,
-                                                     unproved);
-    else
-      unproved.insert(unproved.end(), edges.begin(), edges.end());
+    Edge_test(*m_maintained).append_unproved(edges, unproved);
   }
 
   /// whether the hull turns around once, given that it is convex at each of its vertices. Otherwise
   /// a triangulation could overlap itself although all its edges are Delaunay. Cost: a walk around
-  /// the hull.
+  /// the hull. In periodic space there is none to walk around: true.
   bool hull_turns_once() const
   {
-    return Dynamic_Delaunay_triangulations_2::internal::Certificate_2<Maintained>(*m_maintained)
-        .hull_turns_once();
+    if constexpr (Maintained::is_periodic)
+      return true;
+    else
+      return Dynamic_Delaunay_triangulations_2::internal::Certificate_2<Maintained>(*m_maintained)
+          .hull_turns_once();
   }
 
   /// @}
@@ -256,7 +260,10 @@ public:
   /// update each of them is listed once.
   const std::vector<Index>& new_edges() const { return m_maintained->changes().new_edges; }
   /// the vertices that jumped and were moved to other faces, if not everything is new and no
-  /// numbers changed. All their edges are among `new_edges()`.
+  /// numbers changed. All their edges are among `new_edges()`. In periodic space also the vertices
+  /// of points that are given by another image than before, as where they were wrapped: their edges
+  /// need not be new, and a classifier is told of them already while it classifies. References of
+  /// their positions have to be taken anew.
   const std::vector<Index>& relocated_vertices() const { return m_maintained->changes().relocated; }
   /// whether vertices were inserted or removed while not everything is new. Then some vertices,
   /// edges and faces have taken the numbers of removed ones.
@@ -329,7 +336,15 @@ public:
 
   /// @}
 
+  /// \cond
+  // The proofs of tolerances for edges.
+  using Slacks = typename Maintained::Slacks;
+  const Maintained& maintained() const { return *m_maintained; }
+  /// \endcond
+
 private:
+  using Edge_test = typename Maintained::Edge_test;
+
   const Maintained* m_maintained;
 };
 

@@ -7,7 +7,6 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_classification_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_tools_2.h>
 #include <CGAL/Update_report_2.h>
 
 #include <cstddef>
@@ -27,13 +26,17 @@ The total cost of all tools in an update is limited. When the limit is reached, 
 rebuilds the triangulation, for the reason `Rebuild_reason_2::BUDGET_SPENT`. After a rebuild no edge
 is open, and tools do nothing.
 
-\tparam Maintained an internal type.
+In periodic space a splice works otherwise. `splice_classified()` flips the edges around the
+classified and padded vertices. The other two, and `relocate()`, take the vertices of a region out,
+and insert them anew after the repair. With a heuristic classifier they examine all edges before,
+since points can be inserted only where all is proved. Vertices that jump are taken out before the
+classifier is asked, so `take_out_jumpers()` and `take_out_farthest()` do nothing.
+
+\tparam Repair_tools an internal type.
 */
-template <class Maintained>
+template <class Repair_tools>
 class Dynamic_mender_2
 {
-  using Repair_tools = Dynamic_Delaunay_triangulations_2::internal::Repair_tools_2<Maintained>;
-
 public:
   /// the type of all numbers, as in `Dynamic_frame_2`.
   using Index = Dynamic_Delaunay_triangulations_2::Index;
@@ -49,7 +52,7 @@ public:
   /// @{
 
   /// what the classifier picked.
-  const Dynamic_classification_2<Maintained>& classification() const
+  const typename Repair_tools::Classification& classification() const
   {
     return static_cast<const Repair_tools&>(m_tools).classification();
   }
@@ -57,10 +60,10 @@ public:
   /// the repair leaves edges open, the triangulation is rebuilt after the repair.
   bool has_to_prove() const { return m_tools.has_to_prove(); }
   /// the number of open edges.
-  std::size_t number_of_open_edges() const { return m_tools.open_edges().size(); }
+  std::size_t number_of_open_edges() const { return m_tools.number_of_open_edges(); }
   /// whether any open edge may have inverted faces, that is, its faces are not known to be
   /// counterclockwise.
-  bool has_inverted_edges() const { return !m_tools.open_edges().uncertain().empty(); }
+  bool has_inverted_edges() const { return m_tools.has_inverted_edges(); }
   /// the number of all edges.
   std::size_t number_of_edges() const { return m_tools.number_of_edges(); }
   /// whether no work is left: no edge is open, or the triangulation was rebuilt.

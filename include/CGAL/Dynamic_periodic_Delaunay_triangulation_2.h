@@ -6,6 +6,9 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Always_dynamic_policy_2.h>
+#include <CGAL/Circumcircle_classifier_2.h>
+#include <CGAL/Default.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_periodic_triangulation_2.h>
@@ -13,10 +16,13 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_update_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Usual_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+#include <CGAL/Dynamic_triangulation_settings_2.h>
 #include <CGAL/Periodic_cell_2.h>
 #include <CGAL/Periodic_update_visitor_base_2.h>
 #include <CGAL/property_map.h>
+#include <CGAL/tags.h>
 #include <CGAL/Update_report_2.h>
 
 #include <array>
@@ -50,17 +56,31 @@ Points have ids as in `Dynamic_Delaunay_triangulation_2`: the i-th point of the 
 points that are inserted get the smallest free ids. Points that coincide, also by a translation of
 the lattice, share a vertex.
 
-After every call the triangulation is certified: exact predicates have proved that each face is
-counterclockwise, and that each edge is locally Delaunay. Flips, insertions and removals keep it a
-triangulation of the torus that covers it once (see the manual). There is no classifier to choose:
-all edges are tested but those that are proved safe, the broken ones are flipped, points that jump
-are inserted anew, and where that does not help everything is triangulated anew.
+After construction, and after every call with an exact classifier, the triangulation is
+<em>certified</em>: exact predicates have proved that each face is counterclockwise, and that each
+edge is locally Delaunay. Flips, insertions and removals keep it a triangulation of the torus that
+covers it once (see the manual). By default all edges are tested but those that are proved safe, the
+broken ones are flipped, points that jump are inserted anew, and where that does not help everything
+is triangulated anew. After a frame with a heuristic classifier it is not certified, unless the
+repair had to examine everything. It is then still a torus of 3n edges and 2n faces, and the next
+call that inserts, removes or moves single points makes it Delaunay first.
+
+Classifiers, repairs and policies are the same as in the plane; `Dynamic_frame_2` and
+`Dynamic_mender_2` say what differs for them.
 
 \tparam Kernel a CGAL kernel whose points have coordinates of type `double`, such as
   `Exact_predicates_inexact_constructions_kernel`.
-\tparam Visitor a model of `PeriodicUpdateVisitor_2`, which is told of all changes of edges.
+\tparam Classifier a model of `DelaunayClassifier_2`; `Default` for `Circumcircle_classifier_2`.
+\tparam Repair a model of `DelaunayRepair_2`; `Default` as in `Dynamic_Delaunay_triangulation_2`.
+\tparam UpdatePolicy a model of `DelaunayUpdatePolicy_2`; `Default` for `Always_dynamic_policy_2`.
+\tparam Visitor a model of `PeriodicUpdateVisitor_2`, which is told of all changes of edges;
+  `Default` for `Periodic_update_visitor_base_2`, which ignores them.
+\tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag`, which needs TBB (`CGAL::TBB_support`):
+  then a classifier that is constructed by default uses all threads of the machine, if it can.
 */
-template <class Kernel, class Visitor = Periodic_update_visitor_base_2>
+template <class Kernel, class Classifier = Circumcircle_classifier_2, class Repair = Default,
+          class UpdatePolicy = Always_dynamic_policy_2,
+          class Visitor = Periodic_update_visitor_base_2, class ConcurrencyTag = Sequential_tag>
 class Dynamic_periodic_Delaunay_triangulation_2
 {
   static_assert(
@@ -70,7 +90,13 @@ class Dynamic_periodic_Delaunay_triangulation_2
   using Maintained =
       Dynamic_Delaunay_triangulations_2::internal::Maintained_periodic_triangulation_2<
           typename Kernel::Point_2>;
-  static constexpr bool has_visitor = !std::is_same_v<Visitor, Periodic_update_visitor_base_2>;
+  using Chosen_classifier = typename Default::Get<Classifier, Circumcircle_classifier_2>::type;
+  using Chosen_visitor = typename Default::Get<Visitor, Periodic_update_visitor_base_2>::type;
+  using Default_repair =
+      typename Dynamic_Delaunay_triangulations_2::internal::Usual_repair_2<Chosen_classifier>::type;
+  using Policy = typename Default::Get<UpdatePolicy, Always_dynamic_policy_2>::type;
+  static constexpr bool has_visitor =
+      !std::is_same_v<Chosen_visitor, Periodic_update_visitor_base_2>;
   using Editor =
       Dynamic_Delaunay_triangulations_2::internal::Periodic_editor_2<Maintained, has_visitor>;
   using Update = Dynamic_Delaunay_triangulations_2::internal::Periodic_update_2<Maintained, Editor>;
@@ -97,6 +123,22 @@ public:
   using Vector = typename Kernel::Vector_2;
   /// the type of ids and counts.
   using size_type = std::size_t;
+  /// the classifier.
+  using Delaunay_classifier = Chosen_classifier;
+  /// the repair.
+  using Delaunay_repair = typename Default::Get<Repair, Default_repair>::type;
+  /// the update policy.
+  using Delaunay_update_policy = Policy;
+  /// the visitor.
+  using Periodic_update_visitor = Chosen_visitor;
+  /// classifier, repair, engines, policy and visitor, as one object. Of the engines only that for
+  /// whole triangulations is used; if it is not `GUIBAS_STOLFI`, points are inserted one by one.
+  using Settings = Dynamic_triangulation_settings_2<Chosen_classifier, Delaunay_repair, Policy,
+                                                    Chosen_visitor, ConcurrencyTag>;
+  /// whether work is shared among threads.
+  using Concurrency_tag = ConcurrencyTag;
+  /// the read-only view that classifiers get.
+  using Frame = Dynamic_frame_2<Maintained>;
 
   /// @}
   /// \name Creation
@@ -106,11 +148,22 @@ public:
   /// \throws Periodic_cell_error_2 if the cell is so thin or extreme that doubles cannot tell how
   /// far points are apart in it.
   explicit Dynamic_periodic_Delaunay_triangulation_2(const Periodic_cell_2& cell,
-                                                     const Visitor& visitor = Visitor())
-    : m_visitor(visitor)
+                                                     const Settings& settings = Settings())
+    : m_classifier(settings.classifier)
+    , m_repair(settings.repair)
+    , m_policy(settings.policy)
+    , m_visitor(settings.visitor)
   {
     check(cell);
     m_core = std::make_unique<Core>(cell);
+    m_core->update.set_engines(settings.engines);
+  }
+
+  /// the same, but with a classifier.
+  Dynamic_periodic_Delaunay_triangulation_2(const Periodic_cell_2& cell,
+                                            const Delaunay_classifier& classifier)
+    : Dynamic_periodic_Delaunay_triangulation_2(cell, Settings{classifier})
+  {
   }
 
   /// triangulates the points of the range; the i-th one has id i. Cost: O(n log n).
@@ -121,30 +174,53 @@ public:
   template <class InputIterator>
   Dynamic_periodic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
                                             const Periodic_cell_2& cell,
-                                            const Visitor& visitor = Visitor())
-    : Dynamic_periodic_Delaunay_triangulation_2(cell, visitor)
+                                            const Settings& settings = Settings())
+    : Dynamic_periodic_Delaunay_triangulation_2(cell, settings)
   {
     insert(first, beyond, Emptyset_iterator());
+  }
+
+  /// the same, but with a classifier.
+  template <class InputIterator>
+  Dynamic_periodic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
+                                            const Periodic_cell_2& cell,
+                                            const Delaunay_classifier& classifier)
+    : Dynamic_periodic_Delaunay_triangulation_2(first, beyond, cell, Settings{classifier})
+  {
   }
 
   /// the same, but takes the range as a whole: anything with `begin()` and `end()`.
   template <class Range, class = If_range<Range>>
   Dynamic_periodic_Delaunay_triangulation_2(const Range& points, const Periodic_cell_2& cell,
-                                            const Visitor& visitor = Visitor())
-    : Dynamic_periodic_Delaunay_triangulation_2(std::begin(points), std::end(points), cell, visitor)
+                                            const Settings& settings = Settings())
+    : Dynamic_periodic_Delaunay_triangulation_2(std::begin(points), std::end(points), cell,
+                                                settings)
+  {
+  }
+
+  /// the same, but with a classifier.
+  template <class Range, class = If_range<Range>>
+  Dynamic_periodic_Delaunay_triangulation_2(const Range& points, const Periodic_cell_2& cell,
+                                            const Delaunay_classifier& classifier)
+    : Dynamic_periodic_Delaunay_triangulation_2(points, cell, Settings{classifier})
   {
   }
 
   /// copies everything. Cost: linear.
   Dynamic_periodic_Delaunay_triangulation_2(const Dynamic_periodic_Delaunay_triangulation_2& other)
-    : m_core(std::make_unique<Core>(other.m_core->maintained))
+    : m_classifier(other.m_classifier)
+    , m_repair(other.m_repair)
+    , m_policy(other.m_policy)
     , m_visitor(other.m_visitor)
-    , m_is_certified(other.m_is_certified)
+    , m_core(std::make_unique<Core>(other.m_core->maintained))
   {
+    m_core->update.copy_state(other.m_core->update);
   }
   /// takes everything from the other triangulation. That one is then empty, with the same cell.
   Dynamic_periodic_Delaunay_triangulation_2(Dynamic_periodic_Delaunay_triangulation_2&& other)
-    : Dynamic_periodic_Delaunay_triangulation_2(other.cell(), other.m_visitor)
+    : Dynamic_periodic_Delaunay_triangulation_2(
+          other.cell(), Settings{other.m_classifier, other.m_repair, other.m_core->update.engines(),
+                                 other.m_policy, other.m_visitor})
   {
     swap(other);
   }
@@ -158,9 +234,12 @@ public:
   /// exchanges everything with the other triangulation.
   void swap(Dynamic_periodic_Delaunay_triangulation_2& other)
   {
-    std::swap(m_core, other.m_core);
-    std::swap(m_visitor, other.m_visitor);
-    std::swap(m_is_certified, other.m_is_certified);
+    using std::swap;
+    swap(m_classifier, other.m_classifier);
+    swap(m_repair, other.m_repair);
+    swap(m_policy, other.m_policy);
+    swap(m_visitor, other.m_visitor);
+    swap(m_core, other.m_core);
   }
   /// calls `a.swap(b)`.
   friend void swap(Dynamic_periodic_Delaunay_triangulation_2& a,
@@ -180,10 +259,11 @@ public:
   ///
   /// Cost: one pass over all points and edges, of which most are skipped where all is calm, and the
   /// repair of what is broken. Where many points jump, a sample of the edges decides whether
-  /// triangulating everything anew is cheaper.
-  /// \throws Point_count_error_2 if the number of positions is not `number_of_ids()`.
-  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
-  /// \throws Periodic_range_error_2 if a point is 2<sup>20</sup> cells or more from the origin.
+  /// triangulating everything anew is cheaper. If classifier, repair or policy throw, the points
+  /// are where they were moved to, and the next call triangulates everything anew. \throws
+  /// Point_count_error_2 if the number of positions is not `number_of_ids()`. \throws
+  /// Non_finite_coordinate_error_2 if a coordinate is NaN or infinite. \throws
+  /// Periodic_range_error_2 if a point is 2<sup>20</sup> cells or more from the origin.
   ///
   /// If it throws one of these, or if the range throws, nothing has changed.
   template <class InputIterator>
@@ -202,7 +282,7 @@ public:
   {
     const Floating_point floating_point;
     check_next(cell);
-    if (!m_is_certified)
+    if (!is_certified() && (Chosen_classifier::is_exact || !m_core->update.is_whole()))
       mend();
     if constexpr (Dynamic_Delaunay_triangulations_2::internal::is_in_memory<InputIterator>) {
       if (size_type(beyond - first) != number_of_ids())
@@ -337,7 +417,7 @@ public:
         m_core->update.remove(id, report);
       coming_ids.swap(ids);
       m_core->update.stage(Read_positions{m_next}, cell);
-      m_core->update.update(Read_positions{m_next}, cell, report);
+      m_core->update.update(Read_positions{m_next}, cell, m_classifier, m_repair, m_policy, report);
       m_core->update.insert(change.coming, positions, report);
     });
   }
@@ -469,18 +549,25 @@ public:
   /// \name Certainty
   /// @{
 
-  /// whether the triangulation is proved Delaunay. Only an exception that is none of the documented
-  /// ones can leave it unproved; the next change then triangulates everything anew.
-  bool is_certified() const { return m_is_certified; }
+  /// whether the triangulation is proved Delaunay. With an exact classifier only an exception that
+  /// is none of the documented ones can leave it unproved; the next change then triangulates
+  /// everything anew.
+  bool is_certified() const { return m_core->update.is_certified(); }
 
-  /// does what is needed for `is_certified()`: nothing, as a rule.
+  /// does what is needed for `is_certified()`: examines all edges and repairs the broken ones, or
+  /// nothing if it is certified.
   Update_report_2 mend()
   {
     const Floating_point floating_point;
-    return run([](Update_report_2&) {});
+    return run([this](Update_report_2& report) { m_core->update.certify_all(report); });
   }
-  /// is `is_certified()`: nothing has to be examined for it.
-  bool certify() const { return m_is_certified; }
+  /// examines all edges exactly, unless it is certified, and returns whether it is Delaunay.
+  /// Changes nothing else. Cost: one pass over all edges.
+  bool certify()
+  {
+    const Floating_point floating_point;
+    return m_core->update.certify();
+  }
 
   /// tests everything again by exact predicates, and by exact arithmetic that the areas of the
   /// faces sum up to that of the cell. Meant for tests. Cost: linear, microseconds a point.
@@ -491,13 +578,31 @@ public:
   }
 
   /// @}
-  /// \name Visitor
+  /// \name Settings
   /// @{
 
+  /// the classifier.
+  const Delaunay_classifier& classifier() const { return m_classifier; }
+  /// the repair.
+  const Delaunay_repair& repair() const { return m_repair; }
+  /// the update policy.
+  const Policy& policy() const { return m_policy; }
+  /// what the classifier gets: points, edges and faces as flat arrays.
+  Frame frame() const { return Frame(m_core->maintained); }
+  /// the Classified set of the last update, as vertices of `frame()`. Empty if vertices have got
+  /// other numbers since.
+  const std::vector<Index>& classified_vertices() const
+  {
+    return m_core->update.tools().classification().vertices();
+  }
+  /// the Padded set of the last update whose repair was `Border_splice_repair_2`.
+  const std::vector<Index>& padded_vertices() const { return m_core->update.tools().padded(); }
+  /// the Border set of that update.
+  const std::vector<Index>& border_vertices() const { return m_core->update.tools().border(); }
   /// the visitor.
-  const Visitor& visitor() const { return m_visitor; }
+  const Chosen_visitor& visitor() const { return m_visitor; }
   /// the same, but in order to read and clear what it has recorded.
-  Visitor& visitor() { return m_visitor; }
+  Chosen_visitor& visitor() { return m_visitor; }
 
   /// @}
 
@@ -595,7 +700,11 @@ private:
   {
     if (!m_core->update.stage(next, cell))
       check_positions(next, cell); // throws
-    return run([&](Update_report_2& report) { m_core->update.update(next, cell, report); });
+    const Update_report_2 report = run([&](Update_report_2& changes) {
+      m_core->update.update(next, cell, m_classifier, m_repair, m_policy, changes);
+    });
+    m_policy.after_update(frame(), report);
+    return report;
   }
 
   template <class Next>
@@ -614,12 +723,7 @@ private:
   {
     if constexpr (has_visitor)
       m_visitor.before_update(std::as_const(*this));
-    Update_report_2 report;
-    if (!m_is_certified)
-      m_core->update.rebuild(Rebuild_reason_2::STUCK, report);
-    m_is_certified = false;
-    change(report);
-    report.certified = m_is_certified = true;
+    const Update_report_2 report = m_core->update.run(m_classifier, change);
     if constexpr (has_visitor)
       tell_visitor(report);
     return report;
@@ -670,11 +774,13 @@ private:
     return are_across(3 * f, 3 * f + 1) || are_across(3 * f, 3 * f + 2);
   }
 
+  Delaunay_classifier m_classifier;
+  Delaunay_repair m_repair;
+  Policy m_policy;
+  Chosen_visitor m_visitor;
   std::unique_ptr<Core> m_core;
-  Visitor m_visitor;
   std::vector<Position> m_next;        // indexed by ids
   std::vector<Change_of_edges> m_told; // to the visitor
-  bool m_is_certified = true;
 };
 
 } // namespace CGAL

@@ -108,8 +108,8 @@ private:
   template <class Frame>
   static double squared_length(const Frame& frame, Index e)
   {
-    return Dynamic_Delaunay_triangulations_2::internal::squared_distance(
-        frame.position(frame.edge(e).source), frame.position(frame.edge(e).target));
+    const auto way = frame.edge_vector(e);
+    return Dynamic_Delaunay_triangulations_2::internal::dot(way, way);
   }
 
   // Sums up the squared lengths of the edges at each vertex.
@@ -118,10 +118,9 @@ private:
   {
     m_sums.assign(frame.positions().size(), 0);
     for (Index e = 0; e < frame.number_of_edges(); ++e) {
-      const double square = squared_length(frame, e);
-      const double finite_square = square >= 0 ? square : 0;
-      m_sums[frame.edge(e).source] += finite_square;
-      m_sums[frame.edge(e).target] += finite_square;
+      const double square = finite_squared_length(frame, e);
+      m_sums[frame.edge(e).source] += square;
+      m_sums[frame.edge(e).target] += square;
     }
   }
 
@@ -129,10 +128,15 @@ private:
   void sum_up_around(const Frame& frame, Index v)
   {
     m_sums[v] = 0;
-    frame.for_each_incident_edge(v, [&](Index e) {
-      if (!frame.is_infinite(frame.edge(e)))
-        m_sums[v] += squared_length(frame, e);
-    });
+    frame.for_each_incident_edge(v, [&](Index e) { m_sums[v] += finite_squared_length(frame, e); });
+  }
+
+  // 0 for an edge that has no length.
+  template <class Frame>
+  static double finite_squared_length(const Frame& frame, Index e)
+  {
+    const double square = squared_length(frame, e);
+    return square >= 0 ? square : 0;
   }
 
   // The square of L / M, except for the factor of the number of surrounding edges, which is equal

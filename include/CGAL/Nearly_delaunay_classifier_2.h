@@ -70,7 +70,7 @@ public:
     m_unproved.clear();
     frame.append_unproved(0, frame.number_of_edges(), m_unproved);
     for (const Index e : m_unproved)
-      if (!frame.positions_are_exact() || !is_proved_near(frame.corners(e)))
+      if (!frame.corners_are_exact(e) || !is_proved_near(frame.corners(e)))
         classified.add_unless_delaunay(frame, e);
   }
 
@@ -78,7 +78,7 @@ public:
   template <class Frame>
   bool names_edge(const Frame& frame, typename Frame::Index e) const
   {
-    return !(frame.positions_are_exact() && is_proved_near(frame.corners(e))) &&
+    return !(frame.corners_are_exact(e) && is_proved_near(frame.corners(e))) &&
            !frame.is_delaunay(e);
   }
 

@@ -96,10 +96,10 @@ public:
       const auto& edge = frame.edge(e);
       if (frame.is_infinite(edge))
         continue;
-      const auto &p = frame.position(edge.source), &q = frame.position(edge.target);
+      const auto way = frame.edge_vector(e);
       const auto u = velocity(frame.id(edge.source)), v = velocity(frame.id(edge.target));
-      const Point_distance_times_2 times(m_x, m_squared_references[e], q.x - p.x, q.y - p.y,
-                                         v.x - u.x, v.y - u.y);
+      const Point_distance_times_2 times(m_x, m_squared_references[e], way.x, way.y, v.x - u.x,
+                                         v.y - u.y);
       first = (std::min)(first, times.first_frame());
     }
     return first;
@@ -109,8 +109,8 @@ private:
   template <class Frame>
   static double squared_length(const Frame& frame, typename Frame::Index e)
   {
-    return Dynamic_Delaunay_triangulations_2::internal::squared_distance(
-        frame.position(frame.edge(e).source), frame.position(frame.edge(e).target));
+    const auto way = frame.edge_vector(e);
+    return Dynamic_Delaunay_triangulations_2::internal::dot(way, way);
   }
 
   double m_x;

@@ -50,7 +50,8 @@ public:
   void operator()(const Frame& frame, Classification& classified)
   {
     // an exception may have ended the last update before this classifier was told
-    m_holds = m_holds && !frame.has_changes() && frame.positions_are_exact() && find_moved(frame);
+    m_holds = m_holds && !frame.has_changes() && frame.positions_are_exact() &&
+              m_cell_changes == frame.number_of_cell_changes() && find_moved(frame);
     if (m_holds)
       find_edges_of_moved(frame);
     else
@@ -93,7 +94,16 @@ private:
     for (Index v = 1; v <= frame.number_of_vertices(); ++v)
       if (!(squared_distance(frame.position(v), m_references[v]) <= m_squared_bounds[v]))
         m_moved.push_back(v);
+    add_relocated(frame);
     return 64 * m_moved.size() <= frame.number_of_vertices();
+  }
+
+  // A reference of a point's other image says nothing, however near it is.
+  template <class Frame>
+  void add_relocated(const Frame& frame)
+  {
+    m_moved.insert(m_moved.end(), frame.relocated_vertices().begin(),
+                   frame.relocated_vertices().end());
   }
 
   template <class Frame>
@@ -130,6 +140,7 @@ private:
     m_held = 0;
     m_moved.clear();
     m_references = frame.positions();
+    m_cell_changes = frame.number_of_cell_changes();
     m_tolerances.resize(frame.number_of_edges());
     m_squared_bounds.resize(m_references.size());
     for (Index e = 0; e < frame.number_of_edges(); ++e)
@@ -146,6 +157,8 @@ private:
     frame.follow_vertices(m_references, [&](Index v) { return frame.position(v); });
     frame.follow_vertices(m_squared_bounds, [](Index) { return -1.; });
     frame.follow_edges(m_tolerances);
+    if (!frame.has_other_numbers())
+      add_relocated(frame);
     m_edges.clear(frame.number_of_edges());
     for (const Index v : m_moved) {
       m_references[v] = frame.position(v);
@@ -169,8 +182,7 @@ private:
   template <class Frame>
   void measure(const Frame& frame, Index e)
   {
-    using Dynamic_Delaunay_triangulations_2::internal::Edge_slack_2;
-    m_tolerances[e] = Edge_slack_2(frame.edge(e), frame.corners(e, m_references)).tolerance();
+    m_tolerances[e] = Frame::Slacks::tolerance(frame, e, m_references);
   }
 
   template <class Frame>
@@ -185,6 +197,7 @@ private:
 
   bool m_holds = false;
   std::vector<Position> m_references;   // the centers of the disks
+  std::size_t m_cell_changes = 0;       // before these
   std::vector<double> m_squared_bounds; // of the disks' radii; negative where there is no disk
   std::vector<double> m_tolerances;     // of each edge
   std::vector<Index> m_moved;           // vertices that left their disks

@@ -34,7 +34,7 @@ points do not fulfill that.
 The data structure is written as it is, with no predicate and no search. Cost: O(n log n), to match
 the edges of neighboring faces. If this throws, `target` has not changed.
 
-\tparam Kernel, Visitor those of the triangulation.
+\tparam Periodic a `Dynamic_periodic_Delaunay_triangulation_2`.
 \tparam Traits, Data_structure those of CGAL's class, whose points are made from two doubles.
 \param pt the triangulation to convert.
 \param target receives the result; what it had is lost.
@@ -47,16 +47,14 @@ the edges of neighboring faces. If this throws, `target` has not changed.
 \throws Periodic_conversion_error_2 if a point cannot be wrapped without rounding, if the upper
 right corner of the domain is no pair of doubles, or if one sheet is not enough.
 */
-template <class Kernel, class Visitor, class Traits, class Data_structure>
+template <class Periodic, class Traits, class Data_structure>
 std::vector<typename Periodic_2_Delaunay_triangulation_2<Traits, Data_structure>::Vertex_handle>
 convert_to_periodic_2_delaunay_triangulation_2(
-    const Dynamic_periodic_Delaunay_triangulation_2<Kernel, Visitor>& pt,
-    Periodic_2_Delaunay_triangulation_2<Traits, Data_structure>& target,
-    const typename Kernel::Point_2& corner = typename Kernel::Point_2(ORIGIN))
+    const Periodic& pt, Periodic_2_Delaunay_triangulation_2<Traits, Data_structure>& target,
+    const typename Periodic::Point& corner = typename Periodic::Point(ORIGIN))
 {
   using Target = Periodic_2_Delaunay_triangulation_2<Traits, Data_structure>;
-  using Input = Dynamic_periodic_Delaunay_triangulation_2<Kernel, Visitor>;
-  const Dynamic_Delaunay_triangulations_2::internal::Periodic_2_conversion_2<Input> conversion(
+  const Dynamic_Delaunay_triangulations_2::internal::Periodic_2_conversion_2<Periodic> conversion(
       pt, {corner.x(), corner.y()});
   Target result(conversion.template domain<Target>());
   auto vertices = conversion.write(result);

@@ -26,15 +26,15 @@ Like `draw()` of `Dynamic_Delaunay_triangulation_2`, this needs a program that i
 target `CGAL::CGAL_Basic_viewer`. Other programs print to `std::cerr` that they cannot draw. If the
 environment variable `CGAL_TEST_SUITE` is set, no window is opened.
 
-\tparam Kernel, Visitor those of the triangulation.
+\tparam Parameters those of the triangulation.
 \param pt the triangulation to draw.
 \param title the title of the window.
 \param nofill whether to leave out the faces, and draw their edges alone.
 
 \throws Uncertified_triangulation_error_2 unless `pt.is_certified()`.
 */
-template <class Kernel, class Visitor>
-void draw(const Dynamic_periodic_Delaunay_triangulation_2<Kernel, Visitor>& pt,
+template <class... Parameters>
+void draw(const Dynamic_periodic_Delaunay_triangulation_2<Parameters...>& pt,
           const char* title = "Periodic Delaunay triangulation", bool nofill = false);
 
 /*!
@@ -42,15 +42,15 @@ void draw(const Dynamic_periodic_Delaunay_triangulation_2<Kernel, Visitor>& pt,
 
 adds the same to a graphics scene, which CGAL offers from version 6.0 on.
 
-\tparam Kernel, Visitor those of the triangulation.
+\tparam Parameters those of the triangulation.
 \param pt the triangulation to add.
 \param scene the scene; it keeps its previous contents.
 \param nofill whether to leave out the faces, and draw their edges alone.
 
 \throws Uncertified_triangulation_error_2 unless `pt.is_certified()`.
 */
-template <class Kernel, class Visitor>
-void add_to_graphics_scene(const Dynamic_periodic_Delaunay_triangulation_2<Kernel, Visitor>& pt,
+template <class... Parameters>
+void add_to_graphics_scene(const Dynamic_periodic_Delaunay_triangulation_2<Parameters...>& pt,
                            Graphics_scene& scene, bool nofill = false);
 
 } // namespace CGAL
@@ -61,15 +61,15 @@ void add_to_graphics_scene(const Dynamic_periodic_Delaunay_triangulation_2<Kerne
 
 namespace CGAL {
 
-template <class Kernel, class Visitor>
-void add_to_graphics_scene(const Dynamic_periodic_Delaunay_triangulation_2<Kernel, Visitor>& pt,
+template <class... Parameters>
+void add_to_graphics_scene(const Dynamic_periodic_Delaunay_triangulation_2<Parameters...>& pt,
                            Graphics_scene& scene, bool nofill = false)
 {
   Dynamic_Delaunay_triangulations_2::internal::draw_periodic(pt, scene, !nofill);
 }
 
-template <class Kernel, class Visitor>
-void draw(const Dynamic_periodic_Delaunay_triangulation_2<Kernel, Visitor>& pt,
+template <class... Parameters>
+void draw(const Dynamic_periodic_Delaunay_triangulation_2<Parameters...>& pt,
           const char* title = "Periodic Delaunay triangulation", bool nofill = false)
 {
   Graphics_scene scene;
@@ -102,8 +102,8 @@ public:
 } // namespace internal
 } // namespace Dynamic_Delaunay_triangulations_2
 
-template <class Kernel, class Visitor>
-void draw(const Dynamic_periodic_Delaunay_triangulation_2<Kernel, Visitor>& pt,
+template <class... Parameters>
+void draw(const Dynamic_periodic_Delaunay_triangulation_2<Parameters...>& pt,
           const char* title = "Periodic Delaunay triangulation", bool nofill = false)
 {
   using namespace Dynamic_Delaunay_triangulations_2::internal;
@@ -132,8 +132,8 @@ void draw(const Dynamic_periodic_Delaunay_triangulation_2<Kernel, Visitor>& pt,
 
 namespace CGAL {
 
-template <class Kernel, class Visitor>
-void draw(const Dynamic_periodic_Delaunay_triangulation_2<Kernel, Visitor>& pt, const char* = "",
+template <class... Parameters>
+void draw(const Dynamic_periodic_Delaunay_triangulation_2<Parameters...>& pt, const char* = "",
           bool = false)
 {
   Dynamic_Delaunay_triangulations_2::internal::check_certified(pt);

@@ -823,8 +823,9 @@ TEST(A_builder, has_a_result_for_points_all_over_the_cell_and_none_for_a_grid)
 TEST(A_frame_in_which_everything_breaks, is_triangulated_anew_at_once)
 {
   std::mt19937_64 random(44);
-  CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Ledger> pt(random_points(random, 120, 20),
-                                                                     Cell(20, 20));
+  CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::Default,
+                                                  CGAL::Default, Ledger>
+      pt(random_points(random, 120, 20), Cell(20, 20));
   const CGAL::Update_report_2 report = pt.update(random_points(random, 120, 20));
   EXPECT_EQ(report.rebuild_reason, CGAL::Rebuild_reason_2::TOO_MUCH_BROKEN);
   EXPECT_EQ(report.flips, 0u);
@@ -847,51 +848,66 @@ TEST(A_stream, in_which_all_go_far_together_is_followed_by_flips)
 
 // SAFE EDGES --------------------------------------------------------------------------------------
 
-// A triangulation whose parts can be asked whether edges are skipped.
+// Skips edges as the default classifier does, and tells how often.
+class Skipping_classifier
+{
+public:
+  static constexpr bool is_exact = true;
+
+  template <class Frame, class Classification>
+  void operator()(const Frame& frame, Classification& classified)
+  {
+    m_was_asked = true;
+    if (m_schedule.is_near() && !m_safe_edges.holds())
+      m_safe_edges.measure_step(frame);
+    m_safe_edges.take_changes(frame);
+    std::vector<Index> unproved;
+    const bool skips = m_safe_edges.holds() && m_safe_edges.append_unproved(frame, unproved);
+    m_frames_skipping += skips;
+    if (!skips)
+      frame.append_unproved(0, frame.number_of_edges(), unproved);
+    classified.add_unless_delaunay(frame, unproved);
+  }
+
+  template <class Frame>
+  void after_update(const Frame& frame)
+  {
+    m_safe_edges.learn(frame);
+    if (std::exchange(m_was_asked, false) && m_schedule.is_due(m_safe_edges.holds()) &&
+        !frame.everything_is_new())
+      m_safe_edges.start(frame, m_schedule.share());
+  }
+
+  std::size_t frames_skipping() const { return m_frames_skipping; }
+
+private:
+  internal::Safe_edges_2 m_safe_edges;
+  internal::Safe_edges_schedule_2 m_schedule;
+  bool m_was_asked = false;
+  std::size_t m_frames_skipping = 0;
+};
+
 class Skipping
 {
-  using Maintained = internal::Maintained_periodic_triangulation_2<Point>;
-  using Editor = internal::Periodic_editor_2<Maintained, false>;
-
 public:
   Skipping(const std::vector<Point>& points, const Cell& cell)
-    : m_maintained(cell)
-    , m_update(m_maintained)
+    : m_pt(points, cell)
   {
-    std::vector<Position_2> positions;
-    std::vector<Index> ids;
-    for (const Point& p : points) {
-      ids.push_back(Index(ids.size()));
-      positions.push_back({p.x(), p.y()});
-    }
-    m_update.insert(ids, positions, m_report);
   }
 
   void update(const std::vector<Point>& points, const Cell& cell)
   {
-    const Next next{points};
-    ASSERT_TRUE(m_update.stage(next, cell));
-    m_frames_skipping += m_update.skips_edges();
-    m_update.update(next, cell, m_report);
-    ASSERT_TRUE(m_update.is_valid());
+    m_flips += m_pt.update(points, cell).flips;
+    ASSERT_TRUE(m_pt.is_valid());
   }
-  void move(std::size_t id, const Point& p) { m_update.move(Index(id), {p.x(), p.y()}, m_report); }
+  void move(std::size_t id, const Point& p) { m_pt.move(id, p); }
 
-  std::size_t frames_skipping() const { return m_frames_skipping; }
-  const CGAL::Update_report_2& report() const { return m_report; }
+  std::size_t frames_skipping() const { return m_pt.classifier().frames_skipping(); }
+  std::size_t flips() const { return m_flips; }
 
 private:
-  struct Next
-  {
-    Position_2 operator()(std::size_t id) const { return {points[id].x(), points[id].y()}; }
-    static void prefetch(std::size_t) {}
-    const std::vector<Point>& points;
-  };
-
-  Maintained m_maintained;
-  internal::Periodic_update_2<Maintained, Editor> m_update;
-  CGAL::Update_report_2 m_report;
-  std::size_t m_frames_skipping = 0;
+  CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Skipping_classifier> m_pt;
+  std::size_t m_flips = 0;
 };
 
 TEST(Safe_edges_of_a_torus, are_skipped_in_calm_motion_which_stays_exact)
@@ -915,7 +931,7 @@ TEST(Safe_edges_of_a_torus, are_skipped_in_calm_motion_which_stays_exact)
       ASSERT_NO_FATAL_FAILURE(triangulation.update(points, cell)) << frame;
     }
     EXPECT_GT(triangulation.frames_skipping(), 50u);
-    EXPECT_GT(triangulation.report().flips, 50u);
+    EXPECT_GT(triangulation.flips(), 50u);
   }
 }
 
@@ -993,7 +1009,9 @@ TEST(An_edge_that_is_safe, stays_delaunay_wherever_its_corners_go_within_the_tol
 // VISITORS ----------------------------------------------------------------------------------------
 
 using Changes = CGAL::Periodic_edge_changes_visitor_2;
-using Watched = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Changes>;
+using Watched =
+    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::Default,
+                                                    CGAL::Default, Changes>;
 
 TEST(Neighbor_exchanges, are_one_edge_for_another)
 {
@@ -1070,7 +1088,9 @@ struct Thrower : CGAL::Periodic_update_visitor_base_2
 
 TEST(A_visitor_that_throws, changes_nothing_or_hears_no_more)
 {
-  CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Thrower> pt(Cell(2, 2));
+  CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::Default,
+                                                  CGAL::Default, Thrower>
+      pt(Cell(2, 2));
   pt.insert(Point(0, 0));
   pt.visitor().throws_before = true;
   EXPECT_THROW(pt.insert(Point(1, 1)), std::runtime_error);
@@ -1240,7 +1260,9 @@ private:
 
   std::mt19937_64 m_random;
   bool m_is_slab;
-  CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Ledger> m_pt;
+  CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::Default,
+                                                  CGAL::Default, Ledger>
+      m_pt;
   std::map<std::size_t, Point> m_points;
   std::size_t m_limit;
 };

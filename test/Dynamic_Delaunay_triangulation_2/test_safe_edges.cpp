@@ -800,7 +800,7 @@ TEST(Edge_proofs, of_a_list_are_those_of_the_whole)
 struct Eager_classifier
 {
   static constexpr bool is_exact = true;
-  internal::Safe_edges_2<> safe_edges;
+  internal::Safe_edges_2 safe_edges;
   std::vector<Index> unproved;
   std::size_t frames_skipping = 0;
 

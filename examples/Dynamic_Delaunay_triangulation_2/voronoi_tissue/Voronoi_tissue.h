@@ -41,7 +41,9 @@ public:
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Point = Kernel::Point_2;
   using Edge_changes = CGAL::Periodic_edge_changes_visitor_2;
-  using Dynamic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Edge_changes>;
+  using Dynamic =
+      CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::Default,
+                                                      CGAL::Default, Edge_changes>;
 
   explicit Voronoi_tissue(const Parameters& parameters)
     : m_parameters(parameters)

@@ -227,6 +227,41 @@ private:
   double m_determinant = 0, m_product = 0, m_lengths = 0, m_squares = 0;
 };
 
+// These proofs for the edges of a frame in the plane.
+struct Plane_slacks_2
+{
+  static constexpr bool has_hull = true;
+
+  // How far the corners of an edge may move, roughly; NaN for edges that are no sample.
+  template <class Frame>
+  static double value(const Frame& frame, Index e)
+  {
+    return is_at_infinity(frame.edge(e)) ? std::numeric_limits<double>::quiet_NaN()
+                                         : slack(frame, e, frame.positions()).value();
+  }
+
+  // Whether the edge is safe while no corner is farther than `tolerance` from its reference.
+  template <class Frame>
+  static bool is_safe(const Frame& frame, Index e, const std::vector<Position_2>& references,
+                      double tolerance)
+  {
+    return slack(frame, e, references).is_safe(tolerance);
+  }
+
+  // A distance from the references up to which the edge is safe; negative if there is none.
+  template <class Frame>
+  static double tolerance(const Frame& frame, Index e, const std::vector<Position_2>& references)
+  {
+    return slack(frame, e, references).tolerance();
+  }
+
+  template <class Frame>
+  static Edge_slack_2 slack(const Frame& frame, Index e, const std::vector<Position_2>& positions)
+  {
+    return Edge_slack_2(frame.edge(e), frame.corners(e, positions));
+  }
+};
+
 } // namespace internal
 } // namespace Dynamic_Delaunay_triangulations_2
 } // namespace CGAL

@@ -304,6 +304,25 @@ public:
            Edge_filter_2(m_maintained.corners(e)).proves_delaunay();
   }
 
+  // Appends those of the edges [first, beyond) that the filter does not prove Delaunay, among them
+  // all edges at infinity.
+  void append_unproved(Index first, Index beyond, std::vector<Index>& unproved) const
+  {
+    if (m_maintained.positions_are_exact())
+      return internal::append_unproved<typename Maintained::Space>(
+          m_maintained.mirror().edges().data(), m_maintained.positions(), first, beyond, unproved);
+    for (Index e = first; e < beyond; ++e)
+      unproved.push_back(e);
+  }
+  // The same for the edges of a list.
+  void append_unproved(const std::vector<Index>& list, std::vector<Index>& unproved) const
+  {
+    if (m_maintained.positions_are_exact())
+      return append_unproved_of<typename Maintained::Space>(
+          m_maintained.mirror().edges().data(), m_maintained.positions(), list, unproved);
+    unproved.insert(unproved.end(), list.begin(), list.end());
+  }
+
 private:
   // Whether to flip depends on the sign of the in-circle determinant alone, even where a face is
   // inverted: if a vertex has crossed an edge, the determinant at that edge is positive, and

@@ -6,18 +6,24 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_ids_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Torus_2.h>
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
+
+struct Periodic_slacks_2;
 
 // A triangulation of a flat torus: its faces in one sheet, however few its points are. Reading is
 // public; `Periodic_editor_2` alone writes.
@@ -38,7 +44,10 @@ public:
   using Point = Point_;
   using Space = Plane_2; // of the edges without shifts
   using Edge_test = Periodic_edge_test_2<Maintained_periodic_triangulation_2>;
+  using Slacks = Periodic_slacks_2;
   using Ids = Point_ids_2<Position_2>;
+
+  static constexpr bool is_periodic = true;
 
   explicit Maintained_periodic_triangulation_2(const Periodic_cell_2& cell)
     : m_torus(cell)
@@ -50,6 +59,8 @@ public:
   const Neighborhood_mirror_2& mirror() const { return m_mirror; }
   const std::vector<Position_2>& positions() const { return m_positions; }
   const Ids& ids() const { return m_ids; }
+  // If vertices, edges or faces have other numbers, everything is new.
+  const Change_log_2& changes() const { return m_changes; }
   Index number_of_vertices() const { return Index(m_positions.size()) - 1; }
 
   const Periodic_shift_2& shift(Index corner) const { return m_shifts[corner]; }
@@ -80,12 +91,82 @@ public:
 
   bool is_shifted(Index e) const { return m_mirror.edge(e).source == infinite_index; }
 
+  std::size_t number_of_cell_changes() const { return m_cell_changes; }
+
+  // FRAMES, as Dynamic_frame_2 shows them. Empty edges look like edges between infinite vertices.
+
+  static constexpr bool positions_are_exact() { return true; }
+  const Position_2& previous_position(Index v) const { return m_other_positions[v]; }
+  // By vertices: of the next frame while it is read, then of the last one.
+  const std::vector<Position_2>& other_positions() const { return m_other_positions; }
+
+  Edge_2 edge(Index e) const
+  {
+    using Mirror = Neighborhood_mirror_2;
+    if (!is_shifted(e) || m_mirror.is_empty_edge(e))
+      return m_mirror.edge(e);
+    const Index h = m_mirror.halfedge(e);
+    return {m_mirror.apex(Mirror::next(h)), m_mirror.apex(Mirror::previous(h)), m_mirror.apex(h),
+            m_mirror.apex(m_mirror.twin(h))};
+  }
+  static constexpr bool is_along(Index, Index) { return true; } // halfedge(e) goes along edge(e)
+
+  // Whether the corners of an edge are on both sides of the gap beside a slab.
+  bool is_at_infinity(Index e) const
+  {
+    if (!is_shifted(e))
+      return false;
+    if (m_mirror.is_empty_edge(e))
+      return true;
+    const auto [a, b, c, d] = corners_at(m_mirror.halfedge(e));
+    return m_torus.are_across(a.shift, b.shift) || m_torus.are_across(b.shift, c.shift) ||
+           m_torus.are_across(c.shift, d.shift);
+  }
+  bool breaks_hull(Index e) const
+  {
+    return is_at_infinity(e) && Edge_test(*this).state(e) != Edge_state_2::DELAUNAY;
+  }
+
+  bool corners_are_exact(Index e) const { return !is_shifted(e); }
+  Edge_corners_2 corners(Index e) const { return corners(e, m_positions); }
+  Edge_corners_2 corners(Index e, const std::vector<Position_2>& positions) const
+  {
+    if (!is_shifted(e))
+      return Space::corners(m_mirror.edge(e), positions);
+    if (is_at_infinity(e))
+      return {nowhere(), nowhere(), nowhere(), nowhere()};
+    return m_torus.rounded_corners(corners_at(m_mirror.halfedge(e), positions)).first;
+  }
+  Position_2 edge_vector(Index e) const
+  {
+    if (!is_shifted(e))
+      return m_positions[m_mirror.edge(e).target] - m_positions[m_mirror.edge(e).source];
+    if (m_mirror.is_empty_edge(e))
+      return nowhere();
+    const Edge_images_2 corners = corners_at(m_mirror.halfedge(e));
+    return rounded_vector(corners.source, corners.target);
+  }
+  std::array<Position_2, 3> face_corners(Index f) const
+  {
+    if (m_mirror.is_empty_face(f))
+      return {nowhere(), nowhere(), nowhere()};
+    return {Position_2{0, 0}, rounded_vector(image(3 * f), image(3 * f + 1)),
+            rounded_vector(image(3 * f), image(3 * f + 2))};
+  }
+
   Position_2 position_of_id(Index id) const
   {
     return m_ids.is_representative(id) ? m_positions[m_ids.vertex(id)] : m_ids.duplicate(id).point;
   }
 
 private:
+  // NaNs across the gap beside a slab.
+  Position_2 rounded_vector(const Image_2& from, const Image_2& to) const
+  {
+    double ignored = 0;
+    return m_torus.are_across(from.shift, to.shift) ? nowhere() : m_torus.vector(from, to, ignored);
+  }
+
   template <class Maintained, bool is_logged>
   friend class Periodic_editor_2;
 
@@ -93,6 +174,9 @@ private:
   Neighborhood_mirror_2 m_mirror;
   std::vector<Periodic_shift_2> m_shifts; // indexed by half-edges
   std::vector<Position_2> m_positions = {nowhere()};
+  std::vector<Position_2> m_other_positions;
+  Change_log_2 m_changes;
+  std::size_t m_cell_changes = 0;
   Ids m_ids;
 };
 

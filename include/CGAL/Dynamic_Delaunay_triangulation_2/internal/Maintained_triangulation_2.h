@@ -6,6 +6,8 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_slack_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
@@ -14,6 +16,8 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_2.h>
 #include <CGAL/number_type_basic.h>
 
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -182,6 +186,9 @@ public:
   using Positions = Positions_2<Point>;
   using Space = Plane_2;
   using Edge_test = Edge_test_2<Maintained_triangulation_2>;
+  using Slacks = Plane_slacks_2;
+
+  static constexpr bool is_periodic = false;
 
   static constexpr bool coordinates_are_doubles = has_double_coordinates<Point>;
 
@@ -213,6 +220,25 @@ public:
   bool positions_are_exact() const { return m_positions.are_exact(); }
   bool points_are_written() const { return m_positions.are_written(); }
 
+  const Edge_2& edge(Index e) const { return mirror().edge(e); }
+  // Whether half-edge h of edge e goes from its source to its target.
+  bool is_along(Index e, Index h) const { return mirror().source(h) == edge(e).source; }
+  bool is_at_infinity(Index e) const { return internal::is_at_infinity(edge(e)); }
+  bool breaks_hull(Index e) const { return internal::breaks_hull(edge(e), positions()); }
+
+  Position_2 edge_vector(Index e) const
+  {
+    return positions()[edge(e).target] - positions()[edge(e).source];
+  }
+  std::array<Position_2, 3> face_corners(Index f) const
+  {
+    const auto [a, b, c] = mirror().face(f);
+    return {positions()[a], positions()[b], positions()[c]};
+  }
+
+  static constexpr std::size_t number_of_cell_changes() { return 0; }
+
+  bool corners_are_exact(Index) const { return positions_are_exact(); }
   // The corners of an edge, as seen from it.
   Edge_corners_2 corners(Index e) const { return corners(e, positions()); }
   // The same for other positions of the vertices.
@@ -226,6 +252,8 @@ public:
 
   // The point of a vertex in the last frame. Valid while the present points are not written.
   const Point& previous_point(Index v) const { return vertices()[v]->point(); }
+
+  Position_2 previous_position(Index v) const { return approximation(previous_point(v)); }
 
   // The present point with this id.
   Point point_of_id(Index id) const

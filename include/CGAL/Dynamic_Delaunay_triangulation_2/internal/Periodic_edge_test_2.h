@@ -32,6 +32,8 @@ public:
   Edge_state_2 state(Index e) const
   {
     const auto& mirror = m_maintained.mirror();
+    if (mirror.is_empty_edge(e))
+      return Edge_state_2::DELAUNAY;
     if (!m_maintained.is_shifted(e)) {
       using Space = typename Maintained::Space;
       const Edge_filter_2 filter(Space::corners(mirror.edge(e), m_maintained.positions()));
@@ -43,15 +45,17 @@ public:
     return m_maintained.torus().edge_state(m_maintained.corners_at(mirror.halfedge(e)));
   }
 
-  // Appends the edges that the filters do not prove Delaunay. Edges of empty slots are
-  // left out.
-  void append_unproved(std::vector<Index>& unproved) const
+  // The same: a filter in front of an exact test costs little here.
+  Edge_state_2 rough_state(Index e) const { return state(e); }
+
+  // Appends those of the edges [first, beyond) that the filters do not prove Delaunay. Empty edges
+  // are left out.
+  void append_unproved(Index first, Index beyond, std::vector<Index>& unproved) const
   {
-    const std::size_t first = unproved.size();
-    const auto& mirror = m_maintained.mirror();
+    const std::size_t before = unproved.size();
     internal::append_unproved<typename Maintained::Space>(
-        mirror.edges().data(), m_maintained.positions(), 0, mirror.number_of_edges(), unproved);
-    keep_unproved(unproved, first);
+        m_maintained.mirror().edges().data(), m_maintained.positions(), first, beyond, unproved);
+    keep_unproved(unproved, before);
   }
 
   // The same for the edges of a list.
@@ -63,9 +67,11 @@ public:
     keep_unproved(unproved, first);
   }
 
-  bool filter_proves_delaunay(Index e) const
+  bool proves_delaunay(Index e) const
   {
     const auto& mirror = m_maintained.mirror();
+    if (mirror.is_empty_edge(e))
+      return true;
     if (m_maintained.is_shifted(e))
       return m_maintained.torus().filter_proves_delaunay(
           m_maintained.corners_at(mirror.halfedge(e)));
@@ -80,7 +86,7 @@ private:
   {
     const auto is_proved = [&](Index e) {
       return m_maintained.mirror().is_empty_edge(e) ||
-             (m_maintained.is_shifted(e) && filter_proves_delaunay(e));
+             (m_maintained.is_shifted(e) && proves_delaunay(e));
     };
     unproved.erase(
         std::remove_if(unproved.begin() + std::ptrdiff_t(first), unproved.end(), is_proved),

@@ -63,34 +63,22 @@ public:
           note_edge(kind, mirror().halfedge(e));
   }
 
-  // NEWS ----------------------------------------------------------------------------------------
+  // CHANGES -------------------------------------------------------------------------------------
 
-  // What has changed since the news were last cleared, if they are kept.
-  struct News
-  {
-    std::vector<Index> edges;    // that have other corners now, or other shifts
-    std::vector<Index> vertices; // whose positions do not follow from those of before by motion
-    bool is_all_new = true;      // or edges and vertices have other numbers
-  };
-  const News& news() const { return m_news; }
-  void clear_news(bool are_kept)
-  {
-    m_news.edges.clear();
-    m_news.vertices.clear();
-    m_news.is_all_new = false;
-    m_keeps_news = are_kept;
-  }
+  // Lists each new edge once. To be called before the classifier is told.
+  void end_changes() { make_distinct(changes().new_edges); }
+  // To be called when the classifier has been told.
+  void begin_changes() { changes().clear(); }
 
   // POINTS --------------------------------------------------------------------------------------
 
   Ids& ids() { return m_maintained.m_ids; }
   void set_position(Index v, const Position_2& p) { m_maintained.m_positions[v] = p; }
 
-  // The same for all vertices; the vector gets the positions before.
-  void exchange_positions(std::vector<Position_2>& positions)
-  {
-    m_maintained.m_positions.swap(positions);
-  }
+  // The next positions of all vertices, by their numbers, and where to write them.
+  std::vector<Position_2>& next_positions() { return m_maintained.m_other_positions; }
+  // Moves all vertices there.
+  void exchange_positions() { m_maintained.m_positions.swap(m_maintained.m_other_positions); }
 
   // To be called where the position of v was replaced by one that is about `shift` away: every
   // image of v stays where it is, about.
@@ -99,8 +87,7 @@ public:
     if (are_equal(shift, no_shift))
       return;
     note([&] { return Periodic_change_2::translation(ids().representative(v), shift); });
-    if (m_keeps_news)
-      m_news.vertices.push_back(v);
+    changes().relocated.push_back(v);
     mirror().for_each_corner(v, [&](Index h) { m_corners.push_back(h); });
     for (const Index h : m_corners)
       shifts()[h] = shifts()[h] - shift;
@@ -129,7 +116,7 @@ public:
   {
     if (multiples != std::array<Periodic_shift_2, 2>{{{1, 0}, {0, 1}}})
       note([&] { return Periodic_change_2::exchange(multiples); });
-    m_news.is_all_new = true;
+    ++m_maintained.m_cell_changes;
     m_maintained.m_torus = Torus_2(cell);
     for (Periodic_shift_2& s : shifts())
       s = {s[0] * multiples[0][0] + s[1] * multiples[1][0],
@@ -170,6 +157,7 @@ public:
     shifts()[Mirror::previous(g)] = images.left.shift;
     write_face(h / 3);
     write_face(g / 3);
+    changes().new_edges.push_back(mirror().edge_of(Mirror::next(g)));
     note_edge(Kind::EDGE_CREATED, Mirror::next(g));
   }
 
@@ -185,15 +173,16 @@ public:
   // Exchanges everything with another one.
   void swap(Maintained& other)
   {
-    m_news.is_all_new = true;
     std::swap(m_maintained, other);
+    changes().everything_is_new = true;
+    other.m_changes.everything_is_new = true;
   }
 
   // Makes the only vertex, at p, with two faces over the basis r, t of the lattice, which is
   // counterclockwise. Its edges are not logged, as its point has no id yet.
   void start(const Position_2& p, const Periodic_shift_2& r, const Periodic_shift_2& t)
   {
-    m_news.is_all_new = true;
+    changes().everything_is_new = true;
     mirror().resize(1, 2);
     ids().append_vertex();
     m_maintained.m_positions.push_back(p);
@@ -213,7 +202,7 @@ public:
   // edges are not logged.
   void build(const Periodic_faces_2& faces, const std::vector<Position_2>& points)
   {
-    m_news.is_all_new = true;
+    changes().everything_is_new = true;
     const Index vertices = Index(faces.points.size() - 1);
     mirror().resize(vertices, 2 * vertices);
     for (Index v = 1; v <= vertices; ++v) {
@@ -240,7 +229,7 @@ public:
     ids().append_vertex();
     shifts().resize(shifts().size() + 6);
     m_maintained.m_positions.push_back(nowhere());
-    m_news.is_all_new = true;
+    changes().everything_is_new = true;
     return mirror().append_slot();
   }
 
@@ -252,13 +241,13 @@ public:
     const Periodic_shift_2 a = shifts()[3 * f], b = shifts()[3 * f + 1], c = shifts()[3 * f + 2];
     mirror().put_in(slot, f);
     set_position(slot.vertex, p);
-    if (m_keeps_news)
-      m_news.vertices.push_back(slot.vertex);
+    changes().relocated.push_back(slot.vertex);
     set_shifts(f, shift, b, c);
     set_shifts(g, a, shift, c);
     set_shifts(k, a, b, shift);
     for (const Index face : {f, g, k})
       write_face(face);
+    note_new_edges_around(slot.vertex);
     note_edges_around(Kind::EDGE_CREATED, slot.vertex);
   }
 
@@ -275,6 +264,8 @@ public:
     shifts()[Mirror::next(h)] = a;
     shifts()[Mirror::previous(h)] = b;
     write_face(h / 3);
+    hide_edges(slot);
+    changes().new_edges.push_back(mirror().edge_of(h)); // the face has no other new edges
     return slot;
   }
 
@@ -282,7 +273,7 @@ public:
   // take their numbers.
   void drop(const std::vector<Slot>& empty_slots)
   {
-    m_news.is_all_new = m_news.is_all_new || !empty_slots.empty();
+    changes().everything_is_new = changes().everything_is_new || !empty_slots.empty();
     std::vector<Index> vertices, faces, edges;
     for (const Slot& slot : empty_slots) {
       vertices.push_back(slot.vertex);
@@ -310,6 +301,7 @@ public:
 private:
   Neighborhood_mirror_2& mirror() { return m_maintained.m_mirror; }
   const Neighborhood_mirror_2& mirror() const { return m_maintained.m_mirror; }
+  Change_log_2& changes() { return m_maintained.m_changes; }
   std::vector<Periodic_shift_2>& shifts() { return m_maintained.m_shifts; }
   const std::vector<Periodic_shift_2>& shifts() const { return m_maintained.m_shifts; }
 
@@ -341,6 +333,19 @@ private:
       });
   }
 
+  void note_new_edges_around(Index v)
+  {
+    mirror().for_each_corner(
+        v, [&](Index h) { changes().new_edges.push_back(mirror().edge_of(Mirror::previous(h))); });
+  }
+
+  // So that passes over all edges need not look whether they are empty.
+  void hide_edges(const Slot& slot)
+  {
+    for (const Index e : slot.edges)
+      mirror().hide_edge(e);
+  }
+
   // Whether the next edge at this corner goes to the image of v by `way`.
   bool leads(Index corner, Index v, const Periodic_shift_2& way) const
   {
@@ -364,8 +369,6 @@ private:
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       const auto [a, b, c, d] = m_maintained.corners_at(h);
       const Index e = mirror().edge_of(h);
-      if (m_keeps_news)
-        m_news.edges.push_back(e);
       if (are_equal(a.shift, b.shift) && are_equal(b.shift, c.shift) && are_equal(c.shift, d.shift))
         mirror().set_edge(e, mirror().halfedge(e));
       else
@@ -376,8 +379,6 @@ private:
   Maintained& m_maintained;
   std::vector<Index> m_corners;
   std::vector<Periodic_change_2> m_log;
-  News m_news;
-  bool m_keeps_news = false;
 };
 
 } // namespace internal

@@ -154,6 +154,8 @@ public:
 
   const Classification& classification() const { return m_classification; }
   const Open_edges_2& open_edges() const { return m_open; }
+  std::size_t number_of_open_edges() const { return m_open.size(); }
+  bool has_inverted_edges() const { return !m_open.uncertain().empty(); }
   bool has_to_prove() const { return m_has_to_prove; }
   bool has_rebuilt() const { return m_report->rebuilt(); }
   std::size_t number_of_edges() const { return m_maintained.mirror().number_of_edges(); }

@@ -21,35 +21,6 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// The proofs of Edge_slack_2 for the edges of a frame in the plane.
-struct Plane_slacks_2
-{
-  static constexpr bool has_hull = true;
-  static constexpr std::size_t new_edges_per_flip = 1; // that a frame lists
-
-  // How far the corners of an edge may move, roughly; NaN for edges that are no sample.
-  template <class Frame>
-  static double value(const Frame& frame, Index e)
-  {
-    return is_at_infinity(frame.edge(e)) ? std::numeric_limits<double>::quiet_NaN()
-                                         : slack(frame, e, frame.positions()).value();
-  }
-
-  // Whether the edge is safe while no corner is farther than `tolerance` from its reference.
-  template <class Frame>
-  static bool is_safe(const Frame& frame, Index e, const std::vector<Position_2>& references,
-                      double tolerance)
-  {
-    return slack(frame, e, references).is_safe(tolerance);
-  }
-
-  template <class Frame>
-  static Edge_slack_2 slack(const Frame& frame, Index e, const std::vector<Position_2>& positions)
-  {
-    return Edge_slack_2(frame.edge(e), frame.corners(e, positions));
-  }
-};
-
 // The edges that can be skipped. All vertices have a reference position, and there is one
 // tolerance. An edge is *safe* if it is proved Delaunay for all positions of its four vertices
 // within the tolerance of their references (Edge_slack_2), and *tight* otherwise. While no vertex
@@ -68,8 +39,7 @@ struct Plane_slacks_2
 // corners is proved to remain a left turn or a turn by less than a right angle (Edge_slack_2): the
 // sum of its turning angles is a multiple of 360 degrees, and changes continuously.
 //
-// `Slacks` has these proofs for the space that the frames are in.
-template <class Slacks = Plane_slacks_2>
+// A frame's `Slacks` are these proofs for the space that it is in.
 class Safe_edges_2
 {
 public:
@@ -103,10 +73,11 @@ public:
         m_typical_step * min_frames > m_tolerance)
       return;
     m_references = frame.positions();
+    m_cell_changes = frame.number_of_cell_changes();
     m_tight.clear(frame.number_of_edges());
     for (Index e = 0; e < frame.number_of_edges(); ++e)
       consider(frame, e);
-    if constexpr (Slacks::has_hull)
+    if constexpr (Frame::Slacks::has_hull)
       check_hull(frame);
     m_holds = m_tight.size() <= max_tight(frame);
   }
@@ -116,7 +87,7 @@ public:
   void learn(const Frame& frame)
   {
     take_changes(frame);
-    if constexpr (Slacks::has_hull)
+    if constexpr (Frame::Slacks::has_hull)
       if (m_holds && !m_hull_is_checked)
         check_hull(frame);
   }
@@ -128,15 +99,19 @@ public:
     if (!m_holds)
       return;
     m_holds = frame.positions_are_exact() && !frame.everything_is_new() &&
-              !frame.has_other_numbers() &&
-              64 * frame.new_edges().size() < Slacks::new_edges_per_flip * frame.number_of_edges();
+              !frame.has_other_numbers() && m_cell_changes == frame.number_of_cell_changes() &&
+              64 * frame.new_edges().size() < frame.number_of_edges() &&
+              16 * frame.relocated_vertices().size() <= frame.number_of_vertices();
     if (!m_holds)
       return;
-    for (const Index v : frame.relocated_vertices())
-      m_references[v] = frame.position(v);
     m_changed.clear();
+    for (const Index v : frame.relocated_vertices()) {
+      m_references[v] = frame.position(v);
+      // those of other images of a point are not new
+      frame.for_each_edge_that_sees(v, [this](Index e) { m_changed.push_back(e); });
+    }
     for (const Index e : frame.new_edges()) {
-      if constexpr (Slacks::has_hull)
+      if constexpr (Frame::Slacks::has_hull)
         if (is_at_infinity(frame.edge(e))) {
           consider_around(frame, e);
           continue;
@@ -164,7 +139,7 @@ public:
     frame.append_unproved(m_tight.members(), unproved);
     for (const Index v : m_moved)
       frame.for_each_edge_that_sees(v, [&](Index e) {
-        if constexpr (Slacks::has_hull)
+        if constexpr (Frame::Slacks::has_hull)
           m_hull_stays = m_hull_stays && !is_at_infinity(frame.edge(e));
         if (!frame.proves_delaunay(e))
           unproved.push_back(e);
@@ -203,7 +178,7 @@ private:
     m_sample.clear();
     const std::size_t edges = frame.number_of_edges();
     for (std::size_t i = 0; i < sample_size; ++i) {
-      const double slack = Slacks::value(frame, Index(i * edges / sample_size));
+      const double slack = Frame::Slacks::value(frame, Index(i * edges / sample_size));
       if (!std::isnan(slack)) // as where squares overflow
         m_sample.push_back(slack);
     }
@@ -223,7 +198,7 @@ private:
   template <class Frame>
   void consider(const Frame& frame, Index e)
   {
-    if (!Slacks::is_safe(frame, e, m_references, m_tolerance))
+    if (!Frame::Slacks::is_safe(frame, e, m_references, m_tolerance))
       m_tight.insert(e);
   }
 
@@ -241,8 +216,9 @@ private:
     m_hull_is_safe = m_hull_is_checked && frame.hull_turns_once();
     if (m_hull_is_safe)
       frame.for_each_incident_edge(infinite_index, [&](Index e) {
-        m_hull_is_safe = m_hull_is_safe &&
-                         Slacks::slack(frame, e, m_references).keeps_turning_angle(m_tolerance);
+        m_hull_is_safe =
+            m_hull_is_safe &&
+            Frame::Slacks::slack(frame, e, m_references).keeps_turning_angle(m_tolerance);
       });
   }
 
@@ -262,6 +238,7 @@ private:
   double m_tolerance = 0;
   double m_typical_step = 0;
   std::vector<Position_2> m_references; // of each vertex
+  std::size_t m_cell_changes = 0;       // before these
   Index_set_2 m_tight;
   bool m_hull_is_checked = false;
   bool m_hull_is_safe = false; // it turns around once while no vertex leaves the tolerance

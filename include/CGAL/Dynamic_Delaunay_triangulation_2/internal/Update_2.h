@@ -39,7 +39,7 @@ class Update_2
 {
   using Point = typename Maintained::Point;
   using Tools = Repair_tools_2<Maintained>;
-  using Mender = Dynamic_mender_2<Maintained>;
+  using Mender = Dynamic_mender_2<Tools>;
   using Frame = Dynamic_frame_2<Maintained>;
   using Change = Change_2<Point>;
 

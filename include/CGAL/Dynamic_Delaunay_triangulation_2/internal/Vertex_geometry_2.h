@@ -98,7 +98,6 @@ private:
 // 2^-1074 to underflow. For two such distances, S < (1 - 2^-48) T and 2^-900 <= T < infinity imply
 // s < t, because 2^-48 T = 32u T exceeds both errors and that of the product together. The same
 // holds if one of the two is a number that is not rounded.
-// where one of the two is a number that is not rounded.
 template <class Dynamic>
 class Distances_2
 {

@@ -1,0 +1,604 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Classifiers, repairs and policies in periodic space: the same classes as in the plane.
+
+#include "periodic_oracle.h"
+
+#include <CGAL/Always_static_policy_2.h>
+#include <CGAL/Border_splice_repair_2.h>
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_population_2.h>
+#include <CGAL/Estimated_voronoi_circumcenter_classifier_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Flip_repair_2.h>
+#include <CGAL/Hybrid_policy_2.h>
+#include <CGAL/Inflation_aware_classifier_2.h>
+#include <CGAL/Key_frame_policy_2.h>
+#include <CGAL/Nearly_delaunay_classifier_2.h>
+#include <CGAL/Point_distance_classifier_2.h>
+#include <CGAL/Predictive_point_distance_classifier_2.h>
+#include <CGAL/Random_classifier_2.h>
+#include <CGAL/Rebuild_repair_2.h>
+#include <CGAL/Refined_classifier_2.h>
+#include <CGAL/Relocation_repair_2.h>
+#include <CGAL/Safe_region_classifier_2.h>
+#include <CGAL/Voronoi_circumcenter_classifier_2.h>
+#include <CGAL/Voronoi_edge_length_classifier_2.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <set>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_2;
+using Vector = Kernel::Vector_2;
+using Cell = CGAL::Periodic_cell_2;
+using Shift = CGAL::Periodic_shift_2;
+using Reason = CGAL::Rebuild_reason_2;
+
+template <class Classifier, class Repair = CGAL::Default, class Policy = CGAL::Default>
+using Triangulation =
+    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Classifier, Repair, Policy>;
+
+// Points in a square of this side, with a motion of their own.
+class Cloud
+{
+public:
+  Cloud(std::uint64_t seed, std::size_t number, double side)
+    : m_random(seed)
+    , m_side(side)
+  {
+    for (std::size_t i = 0; i < number; ++i)
+      points.push_back(anywhere());
+  }
+
+  Point anywhere()
+  {
+    const double x = between(0, m_side);
+    return Point(x, between(0, m_side));
+  }
+
+  void shake(double step)
+  {
+    std::normal_distribution<double> way(0, step);
+    for (Point& p : points) {
+      const double dx = way(m_random);
+      p = p + Vector(dx, way(m_random));
+    }
+  }
+
+  // Some points are given by other images of theirs from now on.
+  void wrap(const Cell& cell)
+  {
+    for (Point& p : points)
+      if (m_random() % 50 == 0) {
+        const double i = double(m_random() % 3) - 1;
+        const double j = cell.is_slab() ? 0 : double(m_random() % 3) - 1;
+        p = p + Vector(i * cell.ax() + j * cell.bx(), i * cell.ay() + j * cell.by());
+      }
+  }
+
+  void jump() { points[m_random() % points.size()] = anywhere(); }
+  double between(double low, double high)
+  {
+    return std::uniform_real_distribution<double>(low, high)(m_random);
+  }
+
+  std::vector<Point> points;
+
+private:
+  std::mt19937_64 m_random;
+  double m_side;
+};
+
+using Edge = std::pair<std::array<std::size_t, 2>, Shift>;
+
+template <class Dynamic>
+std::set<Edge> edges_of(const Dynamic& pt)
+{
+  std::set<Edge> edges;
+  pt.for_each_edge([&](std::size_t i, std::size_t j, const Shift& shift) {
+    edges.insert({{i, j}, shift});
+    edges.insert({{j, i}, {-shift[0], -shift[1]}});
+  });
+  return edges;
+}
+
+// CLASSIFIERS -------------------------------------------------------------------------------------
+
+template <class Classifier>
+class An_exact_classifier : public testing::Test
+{
+};
+using Exact_classifiers = testing::Types<
+    CGAL::Circumcircle_classifier_2, CGAL::Safe_region_classifier_2,
+    CGAL::Refined_classifier_2<CGAL::Safe_region_classifier_2, CGAL::Circumcircle_classifier_2>>;
+TYPED_TEST_SUITE(An_exact_classifier, Exact_classifiers);
+
+TYPED_TEST(An_exact_classifier, ends_each_frame_with_a_certificate)
+{
+  for (const Cell& cell : {Cell(20, 20), Cell(20, 3, -5, 20), Cell(Vector(20, 4))}) {
+    Cloud cloud(1, 300, 20);
+    Triangulation<TypeParam> pt(cloud.points, cell);
+    for (int frame = 0; frame < 60; ++frame) {
+      cloud.shake(frame % 20 < 15 ? 0.001 : 0.1);
+      cloud.wrap(cell);
+      if (frame % 4 == 0)
+        cloud.jump();
+      EXPECT_TRUE(pt.update(cloud.points).certified);
+      ASSERT_TRUE(pt.is_certified() && pt.is_valid()) << frame;
+    }
+  }
+}
+
+TYPED_TEST(An_exact_classifier, forgets_what_it_has_proved_where_the_cell_changes)
+{
+  Cloud cloud(2, 300, 20);
+  Triangulation<TypeParam> pt(cloud.points, Cell(20, 20));
+  double width = 20;
+  for (int frame = 0; frame < 100; ++frame) {
+    if (frame % 25 == 24)
+      width += 0.3; // points do not follow: what is across the boundary comes apart
+    pt.update(cloud.points, Cell(width, 20));
+    ASSERT_TRUE(pt.is_valid()) << frame;
+  }
+}
+
+TYPED_TEST(An_exact_classifier, works_for_few_points)
+{
+  for (std::size_t number = 0; number < 6; ++number) {
+    Cloud cloud(3, number, 2);
+    Triangulation<TypeParam> pt(cloud.points, Cell(2, 0.5, 0, 2));
+    for (int frame = 0; frame < 50; ++frame) {
+      cloud.shake(frame < 25 ? 0.01 : 0.5);
+      pt.update(cloud.points);
+      ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt)) << number << ' ' << frame;
+    }
+  }
+}
+
+template <class Classifier>
+class A_heuristic_classifier : public testing::Test
+{
+};
+using Heuristic_classifiers = testing::Types<
+    CGAL::Point_distance_classifier_2, CGAL::Inflation_aware_classifier_2,
+    CGAL::Voronoi_circumcenter_classifier_2, CGAL::Estimated_voronoi_circumcenter_classifier_2,
+    CGAL::Voronoi_edge_length_classifier_2, CGAL::Random_classifier_2,
+    CGAL::Nearly_delaunay_classifier_2,
+    CGAL::Refined_classifier_2<CGAL::Point_distance_classifier_2, CGAL::Circumcircle_classifier_2>>;
+TYPED_TEST_SUITE(A_heuristic_classifier, Heuristic_classifiers);
+
+TYPED_TEST(A_heuristic_classifier, leaves_a_torus_and_says_what_it_does_not_know)
+{
+  std::size_t uncertified = 0;
+  for (const Cell& cell : {Cell(20, 20), Cell(20, 3, -5, 20), Cell(Vector(20, 4))}) {
+    Cloud cloud(4, 300, 20);
+    Triangulation<TypeParam> pt(cloud.points, cell);
+    EXPECT_TRUE(pt.is_certified());
+    for (int frame = 0; frame < 60; ++frame) {
+      cloud.shake(0.02);
+      cloud.wrap(cell);
+      if (frame % 10 == 9)
+        cloud.jump();
+      const CGAL::Update_report_2 report = pt.update(cloud.points);
+      EXPECT_EQ(report.certified, pt.is_certified());
+      uncertified += !report.certified;
+      ASSERT_TRUE(pt.is_valid()) << frame;
+      ASSERT_EQ(pt.number_of_points(), 300u);
+    }
+    const bool was_delaunay = pt.certify();
+    EXPECT_EQ(was_delaunay, pt.is_certified());
+    EXPECT_EQ(was_delaunay, pt.mend().flips == 0);
+    ASSERT_TRUE(pt.is_certified() && pt.is_valid());
+  }
+  EXPECT_GT(uncertified, 60u);
+}
+
+TYPED_TEST(A_heuristic_classifier, is_followed_by_a_repair_of_all_where_points_come_and_go)
+{
+  Cloud cloud(5, 30, 6);
+  Triangulation<TypeParam> pt(cloud.points, Cell(6, 6));
+  for (int frame = 0; frame < 30; ++frame) {
+    cloud.shake(0.1);
+    pt.update(cloud.points);
+    switch (frame % 3) {
+    case 0:
+      cloud.points.push_back(cloud.anywhere());
+      EXPECT_EQ(pt.insert(cloud.points.back()), cloud.points.size() - 1);
+      break;
+    case 1:
+      pt.remove(cloud.points.size() - 1);
+      cloud.points.pop_back();
+      EXPECT_EQ(pt.number_of_points(), cloud.points.size());
+      pt.insert(cloud.anywhere());
+      cloud.points.push_back(pt.point(cloud.points.size()));
+      break;
+    default:
+      cloud.points[7] = cloud.anywhere();
+      pt.move(7, cloud.points[7]);
+    }
+    ASSERT_TRUE(pt.is_certified());
+    ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt)) << frame;
+  }
+}
+
+TYPED_TEST(A_heuristic_classifier, works_for_few_points_and_for_points_that_coincide)
+{
+  for (std::size_t number = 0; number < 6; ++number) {
+    Cloud cloud(6, number, 2);
+    const Cell cell(2, 0.5, 0, 2);
+    Triangulation<TypeParam> pt(cloud.points, cell);
+    for (int frame = 0; frame < 60; ++frame) {
+      cloud.shake(frame < 25 ? 0.01 : 0.5);
+      if (number > 1 && frame % 6 < 3) // comes, stays and leaves; by a translation
+        cloud.points[1] = cloud.points[0] + Vector(cell.ax(), cell.ay());
+      pt.update(cloud.points);
+      ASSERT_TRUE(pt.is_valid()) << number << ' ' << frame;
+      if (frame % 5 == 4) {
+        pt.mend();
+        ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt)) << number << ' ' << frame;
+      }
+    }
+  }
+}
+
+TEST(A_voronoi_circumcenter_classifier, finds_all_that_breaks_where_nothing_is_near_a_tie)
+{
+  for (const Cell& cell : {Cell(20, 20), Cell(20, 3, -5, 20), Cell(Vector(20, 4))}) {
+    Cloud cloud(7, 300, 20);
+    Triangulation<CGAL::Voronoi_circumcenter_classifier_2> pt(cloud.points, cell);
+    for (int frame = 0; frame < 50; ++frame) {
+      cloud.shake(0.02);
+      cloud.wrap(cell);
+      pt.update(cloud.points);
+      ASSERT_TRUE(pt.certify()) << frame;
+    }
+  }
+}
+
+TEST(A_point_distance_classifier, with_x_of_1_examines_all_edges)
+{
+  Cloud cloud(8, 300, 20);
+  Triangulation<CGAL::Point_distance_classifier_2> pt(cloud.points, Cell(20, 20),
+                                                      CGAL::Point_distance_classifier_2(1));
+  for (int frame = 0; frame < 50; ++frame) {
+    cloud.shake(0.05);
+    cloud.wrap(pt.cell());
+    EXPECT_EQ(pt.update(cloud.points).classified, 300u);
+    ASSERT_TRUE(pt.certify()) << frame;
+  }
+}
+
+TEST(A_point_distance_classifier, names_nobody_while_all_flow_across_the_border)
+{
+  Cloud cloud(9, 300, 20);
+  Triangulation<CGAL::Point_distance_classifier_2> pt(cloud.points, Cell(20, 20));
+  for (int frame = 0; frame < 100; ++frame) {
+    for (Point& p : cloud.points)
+      p = Point(std::fmod(p.x() + 0.5, 20), p.y());
+    EXPECT_EQ(pt.update(cloud.points).classified, 0u);
+    ASSERT_TRUE(pt.certify());
+  }
+}
+
+TEST(An_inflation_aware_classifier, names_nobody_while_the_cell_grows)
+{
+  Cloud cloud(10, 300, 20);
+  const std::vector<Point> initial = cloud.points;
+  Triangulation<CGAL::Inflation_aware_classifier_2> pt(cloud.points, Cell(20, 4, 0, 20));
+  Triangulation<CGAL::Point_distance_classifier_2> sees_growth(cloud.points, Cell(20, 4, 0, 20));
+  std::size_t seen = 0;
+  for (int frame = 1; frame <= 50; ++frame) {
+    const double scale = 1 + 0.02 * frame;
+    for (std::size_t i = 0; i < initial.size(); ++i)
+      cloud.points[i] = Point(initial[i].x() * scale, initial[i].y() * scale);
+    const Cell cell(20 * scale, 4 * scale, 0, 20 * scale);
+    EXPECT_EQ(pt.update(cloud.points, cell).classified, 0u);
+    seen += sees_growth.update(cloud.points, cell).classified;
+  }
+  EXPECT_GE(seen, 300u);
+  EXPECT_TRUE(pt.certify());
+}
+
+TEST(A_predictive_classifier, knows_the_velocities_of_points_across_the_border)
+{
+  struct Ways // with the members x and y
+  {
+    double x, y;
+  };
+  const auto velocity = [](std::size_t id) { return Ways{id % 2 == 0 ? 0.01 : -0.01, 0}; };
+  using Predictive = CGAL::Predictive_point_distance_classifier_2<decltype(velocity)>;
+  Cloud cloud(11, 200, 15);
+  Triangulation<Predictive> predicts(cloud.points, Cell(15, 15), Predictive(velocity, 0.5));
+  Triangulation<CGAL::Point_distance_classifier_2> looks(cloud.points, Cell(15, 15),
+                                                         CGAL::Point_distance_classifier_2(0.5));
+  for (int frame = 0; frame < 100; ++frame) {
+    for (std::size_t id = 0; id < cloud.points.size(); ++id) {
+      const double x = cloud.points[id].x() + velocity(id).x;
+      cloud.points[id] = Point(x < 0 ? x + 15 : x >= 15 ? x - 15 : x, cloud.points[id].y());
+    }
+    ASSERT_EQ(predicts.update(cloud.points).classified, looks.update(cloud.points).classified)
+        << frame;
+  }
+}
+
+// What the manual's page on classifiers shows, with lengths that are right in both spaces.
+struct Long_edges
+{
+  static constexpr bool is_exact = false;
+  double limit = 2;
+
+  template <class Frame, class Classification>
+  void operator()(const Frame& frame, Classification& classified)
+  {
+    for (typename Frame::Index e = 0; e < frame.number_of_edges(); ++e) {
+      const auto way = frame.edge_vector(e);
+      if (way.x * way.x + way.y * way.y > limit * limit)
+        classified.add_edge(e);
+    }
+  }
+};
+
+TEST(A_classifier_of_ones_own, sees_edges_across_the_border_as_short_as_they_are)
+{
+  Cloud cloud(12, 2000, 20);
+  Triangulation<Long_edges> pt(cloud.points, Cell(20, 20), Long_edges{10});
+  EXPECT_EQ(pt.update(cloud.points).classified, 0u);
+  const auto frame = pt.frame();
+  EXPECT_EQ(frame.number_of_edges(), 6000u);
+  std::size_t across = 0;
+  for (Triangulation<Long_edges>::Frame::Index e = 0; e < frame.number_of_edges(); ++e) {
+    const auto corners = frame.corners(e);
+    const auto way = frame.edge_vector(e);
+    EXPECT_NEAR(corners.target.x - corners.source.x, way.x, 1e-12);
+    EXPECT_NEAR(corners.target.y - corners.source.y, way.y, 1e-12);
+    const auto &p = frame.position(frame.edge(e).source), &q = frame.position(frame.edge(e).target);
+    across += std::abs(q.x - p.x - way.x) > 1 || std::abs(q.y - p.y - way.y) > 1;
+    EXPECT_TRUE(frame.is_delaunay(e));
+    for (const auto f : frame.faces_at(e)) {
+      const auto face = frame.face(f);
+      EXPECT_EQ(std::count(face.begin(), face.end(), frame.edge(e).source), 1);
+    }
+  }
+  EXPECT_GT(across, 50u);
+}
+
+struct Thrower
+{
+  static constexpr bool is_exact = true;
+  CGAL::Circumcircle_classifier_2 classifier{};
+
+  template <class Frame, class Classification>
+  void operator()(const Frame& frame, Classification& classified)
+  {
+    if (frame.position(1).x > 50)
+      throw std::runtime_error("too far");
+    classifier(frame, classified);
+  }
+};
+
+TEST(A_classifier_that_throws, leaves_all_points_where_they_went_and_the_next_call_repairs)
+{
+  Cloud cloud(13, 40, 10);
+  Triangulation<Thrower> pt(cloud.points, Cell(10, 10));
+  for (Point& p : cloud.points)
+    p = p + Vector(60, 0);
+  EXPECT_THROW(pt.update(cloud.points), std::runtime_error);
+  EXPECT_FALSE(pt.is_certified());
+  EXPECT_FALSE(pt.certify());
+  EXPECT_EQ(pt.number_of_points(), 40u);
+  EXPECT_EQ(pt.point(39), cloud.points[39]);
+  Triangulation<Thrower> copy(pt);
+  for (Point& p : cloud.points)
+    p = p - Vector(60, 0);
+  EXPECT_TRUE(pt.update(cloud.points).certified);
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+  EXPECT_TRUE(copy.mend().rebuilt());
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(copy));
+}
+
+// REPAIRS -----------------------------------------------------------------------------------------
+
+template <class Repair>
+class A_repair : public testing::Test
+{
+};
+using Repairs =
+    testing::Types<CGAL::Flip_and_splice_repair_2, CGAL::Border_splice_repair_2,
+                   CGAL::Flip_repair_2, CGAL::Relocation_repair_2, CGAL::Rebuild_repair_2>;
+TYPED_TEST_SUITE(A_repair, Repairs);
+
+TYPED_TEST(A_repair, ends_in_the_same_triangulation_as_any_other)
+{
+  for (const Cell& cell : {Cell(20, 20), Cell(20, 3, -5, 20), Cell(Vector(20, 4))}) {
+    Cloud cloud(14, 300, 20);
+    Triangulation<CGAL::Circumcircle_classifier_2, TypeParam> pt(cloud.points, cell);
+    Triangulation<CGAL::Circumcircle_classifier_2> usual(cloud.points, cell);
+    for (int frame = 0; frame < 40; ++frame) {
+      cloud.shake(frame % 10 == 9 ? 0.3 : 0.02);
+      cloud.wrap(cell);
+      if (frame % 3 == 0)
+        cloud.jump();
+      EXPECT_TRUE(pt.update(cloud.points).certified);
+      usual.update(cloud.points);
+      ASSERT_TRUE(pt.is_valid()) << frame;
+      ASSERT_EQ(edges_of(pt), edges_of(usual)) << frame;
+    }
+  }
+}
+
+TYPED_TEST(A_repair, leaves_a_torus_after_a_heuristic_classifier)
+{
+  Cloud cloud(15, 300, 20);
+  Triangulation<CGAL::Voronoi_circumcenter_classifier_2, TypeParam> pt(cloud.points, Cell(20, 20));
+  for (int frame = 0; frame < 40; ++frame) {
+    cloud.shake(0.05);
+    cloud.wrap(pt.cell());
+    if (frame % 5 == 0)
+      cloud.jump();
+    pt.update(cloud.points);
+    ASSERT_TRUE(pt.is_valid()) << frame;
+  }
+  pt.mend();
+  ASSERT_TRUE(pt.is_certified() && pt.is_valid());
+}
+
+TEST(A_rebuild_repair, rebuilds_where_anything_is_classified)
+{
+  Cloud cloud(16, 200, 15);
+  Triangulation<CGAL::Circumcircle_classifier_2, CGAL::Rebuild_repair_2> pt(cloud.points,
+                                                                            Cell(15, 15));
+  EXPECT_FALSE(pt.update(cloud.points).rebuilt());
+  cloud.shake(0.1);
+  EXPECT_EQ(pt.update(cloud.points).rebuild_reason, Reason::REPAIR);
+}
+
+TEST(A_relocation_repair, moves_the_classified_vertices)
+{
+  Cloud cloud(17, 200, 15);
+  Triangulation<CGAL::Circumcircle_classifier_2, CGAL::Relocation_repair_2> pt(cloud.points,
+                                                                               Cell(15, 15));
+  cloud.shake(0.01);
+  const CGAL::Update_report_2 report = pt.update(cloud.points);
+  EXPECT_GT(report.classified, 0u);
+  EXPECT_EQ(report.relocated, report.classified);
+}
+
+TEST(A_border_splice, has_padding_and_a_border_around_what_is_classified)
+{
+  Cloud cloud(18, 400, 20);
+  using Classifier = CGAL::Voronoi_circumcenter_classifier_2;
+  Triangulation<Classifier, CGAL::Border_splice_repair_2>::Settings settings;
+  settings.repair = CGAL::Border_splice_repair_2(2);
+  Triangulation<Classifier, CGAL::Border_splice_repair_2> pt(cloud.points, Cell(20, 20), settings);
+  EXPECT_EQ(pt.repair().padding(), 2u);
+  std::size_t frames = 0;
+  for (int frame = 0; frame < 20; ++frame) {
+    cloud.shake(0.003);
+    const CGAL::Update_report_2 report = pt.update(cloud.points);
+    if (report.classified == 0)
+      continue;
+    ++frames;
+    EXPECT_EQ(report.padded, pt.padded_vertices().size());
+    EXPECT_EQ(report.border, pt.border_vertices().size());
+    std::set<std::size_t> all;
+    for (const auto* set :
+         {&pt.classified_vertices(), &pt.padded_vertices(), &pt.border_vertices()})
+      all.insert(set->begin(), set->end());
+    EXPECT_EQ(all.size(), report.classified + report.padded + report.border);
+    EXPECT_GT(report.padded, 0u);
+    EXPECT_GT(report.border, 0u);
+  }
+  EXPECT_GT(frames, 5u);
+}
+
+// POLICIES AND ENGINES ----------------------------------------------------------------------------
+
+TEST(Policies, decide_which_frames_are_rebuilt)
+{
+  Cloud cloud(19, 200, 15);
+  using Static =
+      Triangulation<CGAL::Circumcircle_classifier_2, CGAL::Default, CGAL::Always_static_policy_2>;
+  using Key_frames =
+      Triangulation<CGAL::Point_distance_classifier_2, CGAL::Default, CGAL::Key_frame_policy_2>;
+  Static rebuilds(cloud.points, Cell(15, 15));
+  Key_frames::Settings settings;
+  settings.policy = CGAL::Key_frame_policy_2(5);
+  Key_frames has_key_frames(cloud.points, Cell(15, 15), settings);
+  EXPECT_EQ(has_key_frames.policy().k(), 5u);
+  for (int frame = 1; frame <= 20; ++frame) {
+    cloud.shake(0.01);
+    EXPECT_EQ(rebuilds.update(cloud.points).rebuild_reason, Reason::POLICY);
+    ASSERT_TRUE(rebuilds.is_valid());
+    const CGAL::Update_report_2 report = has_key_frames.update(cloud.points);
+    EXPECT_EQ(report.rebuild_reason == Reason::POLICY, frame % 5 == 0) << frame;
+    EXPECT_TRUE(frame % 5 != 0 || report.certified);
+  }
+}
+
+TEST(A_hybrid_policy, rebuilds_rough_frames_and_mends_calm_ones)
+{
+  Cloud cloud(20, 500, 22);
+  Triangulation<CGAL::Circumcircle_classifier_2, CGAL::Default, CGAL::Hybrid_policy_2> pt(
+      cloud.points, Cell(22, 22));
+  std::size_t rough = 0, calm = 0;
+  for (int frame = 0; frame < 40; ++frame) {
+    cloud.shake(frame < 20 ? 0.5 : 0.001);
+    (frame < 20 ? rough : calm) += pt.update(cloud.points).rebuilt();
+    ASSERT_TRUE(pt.is_valid());
+  }
+  EXPECT_GT(rough, 15u);
+  EXPECT_LT(calm, 10u);
+}
+
+TEST(Engines, end_in_the_same_triangulation)
+{
+  Cloud cloud(21, 500, 22);
+  using Dynamic = Triangulation<CGAL::Circumcircle_classifier_2>;
+  Dynamic::Settings settings;
+  settings.engines.whole = CGAL::Static_engine_2::INSERTION;
+  const Dynamic inserts(cloud.points, Cell(22, 22), settings);
+  EXPECT_EQ(edges_of(inserts), edges_of(Dynamic(cloud.points, Cell(22, 22))));
+}
+
+// OBJECTS -----------------------------------------------------------------------------------------
+
+TEST(A_copy, goes_on_with_the_same_classifier_and_results)
+{
+  Cloud cloud(22, 200, 15);
+  using Dynamic = Triangulation<CGAL::Point_distance_classifier_2>;
+  Dynamic pt(cloud.points, Cell(15, 15), CGAL::Point_distance_classifier_2(0.9));
+  for (int frame = 0; frame < 10; ++frame) {
+    cloud.shake(0.02);
+    pt.update(cloud.points);
+  }
+  Dynamic copy(pt);
+  EXPECT_EQ(copy.classifier().x(), 0.9);
+  EXPECT_EQ(copy.is_certified(), pt.is_certified());
+  for (int frame = 0; frame < 10; ++frame) {
+    cloud.shake(0.02);
+    const CGAL::Update_report_2 report = pt.update(cloud.points);
+    const CGAL::Update_report_2 of_copy = copy.update(cloud.points);
+    EXPECT_EQ(report.classified, of_copy.classified);
+    EXPECT_EQ(report.flips, of_copy.flips);
+    ASSERT_EQ(edges_of(pt), edges_of(copy));
+  }
+  Dynamic taken(std::move(pt));
+  EXPECT_EQ(pt.number_of_points(), 0u);
+  EXPECT_EQ(pt.classifier().x(), 0.9);
+  EXPECT_EQ(edges_of(taken), edges_of(copy));
+  pt.insert(Point(1, 1));
+  EXPECT_TRUE(pt.is_valid());
+}
+
+TEST(A_population, has_the_same_choices)
+{
+  Cloud cloud(23, 100, 10);
+  using Dynamic = Triangulation<CGAL::Voronoi_circumcenter_classifier_2>;
+  CGAL::Dynamic_population_2<Dynamic, int> population{Dynamic(Cell(10, 10))};
+  for (int frame = 0; frame < 30; ++frame) {
+    cloud.shake(0.02);
+    std::vector<std::pair<int, Point>> present; // some come, some go
+    for (int i = frame; i < frame + 60; ++i)
+      present.push_back({i, cloud.points[std::size_t(i)]});
+    population.update(present);
+    ASSERT_EQ(population.triangulation().number_of_points(), 60u);
+    ASSERT_TRUE(population.triangulation().is_valid());
+  }
+  population.mend();
+  ASSERT_TRUE(population.triangulation().is_certified() && population.triangulation().is_valid());
+}
+
+} // namespace
