@@ -14,6 +14,7 @@
 #include <CGAL/Delaunay_update_visitor_base_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_reader_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_streams_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_writer_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_2.h>
@@ -677,7 +678,7 @@ public:
   /// the visitor throws it while it is told what changes.
   void read_checkpoint(std::istream& in)
   {
-    read_checkpoint(in, checkpoint_subject, [](auto&, const Frame&) {});
+    read_checkpoint(in, checkpoint_subject, [](auto&, const auto&) {});
   }
 
   /// writes a checkpoint, whatever mode CGAL's `set_mode()` has given to the stream. Where
@@ -714,7 +715,7 @@ public:
     Checkpoint_reader_2<Maintained> reader(file);
     Maintained maintained(m_core->maintained.traits());
     reader.read(maintained);
-    read_more(file, Frame(maintained));
+    read_more(file, maintained.ids());
     file.finish();
     Delaunay_classifier classifier = m_classifier;
     inform_classifier(classifier, Frame(maintained));

@@ -7,7 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_writer_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_streams_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
@@ -34,18 +34,20 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// Periodic triangulations have none.
+// What a population takes from its triangulation. Periodic ones have no vertex handles.
 template <class Dynamic, class = void>
-struct Vertex_handle_of
+struct Population_traits_2
 {
-  struct type
+  struct Vertex_handle
   {
   };
+  static constexpr std::string_view checkpoint_subject = "periodic Dynamic_population_2";
 };
 template <class Dynamic>
-struct Vertex_handle_of<Dynamic, std::void_t<typename Dynamic::Vertex_handle>>
+struct Population_traits_2<Dynamic, std::void_t<typename Dynamic::Vertex_handle>>
 {
-  using type = typename Dynamic::Vertex_handle;
+  using Vertex_handle = typename Dynamic::Vertex_handle;
+  static constexpr std::string_view checkpoint_subject = "Dynamic_population_2";
 };
 
 } // namespace internal
@@ -59,7 +61,7 @@ data and crowds. Every frame lists the points that exist, by ids that the user c
 new ids are inserted, points whose ids are missing are removed, and the others move.
 
 \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`, or a
-  `Dynamic_periodic_Delaunay_triangulation_2`, which has neither vertex handles nor checkpoints.
+  `Dynamic_periodic_Delaunay_triangulation_2`, which has no vertex handles.
 \tparam UserId any integer type.
 */
 template <class Dynamic, class UserId = std::int64_t>
@@ -68,6 +70,7 @@ class Dynamic_population_2
   static_assert(std::is_integral_v<UserId>, "the ids of a population are integers");
   template <class Range>
   using If_range = Dynamic_Delaunay_triangulations_2::internal::If_range<Range>;
+  using Traits = Dynamic_Delaunay_triangulations_2::internal::Population_traits_2<Dynamic>;
 
 public:
   /// \name Types
@@ -80,8 +83,7 @@ public:
   /// a point.
   using Point = typename Dynamic::Point;
   /// a vertex of the CGAL triangulation.
-  using Vertex_handle =
-      typename Dynamic_Delaunay_triangulations_2::internal::Vertex_handle_of<Dynamic>::type;
+  using Vertex_handle = typename Traits::Vertex_handle;
   /// the type of counts, and of the ids in `triangulation()`.
   using size_type = std::size_t;
 
@@ -251,11 +253,11 @@ public:
   /// \name Checkpoints
   /// @{
 
-  /// writes the triangulation, as `Dynamic_Delaunay_triangulation_2::write_checkpoint()` does, and
-  /// the user's ids. \throws Checkpoint_error_2 as that function does.
+  /// writes the triangulation, as its own `write_checkpoint()` does, and the user's ids. \throws
+  /// Checkpoint_error_2 as that function does.
   void write_checkpoint(std::ostream& out) const
   {
-    m_triangulation.write_checkpoint(out, checkpoint_subject, [this](auto& file) {
+    m_triangulation.write_checkpoint(out, Traits::checkpoint_subject, [this](auto& file) {
       file.line("user_ids", size());
       for (size_type id = 0; id < m_triangulation.number_of_ids(); ++id)
         if (m_triangulation.has_id(id))
@@ -263,17 +265,18 @@ public:
     });
   }
 
-  /// replaces this population by one that it reads, as
-  /// `Dynamic_Delaunay_triangulation_2::read_checkpoint()` does.
+  /// replaces this population by one that it reads, as the triangulation's `read_checkpoint()`
+  /// does.
   /// \throws Checkpoint_error_2 if the file is refused, also if a user's id does not fit into
   /// `User_id`. Whatever is thrown, nothing changes.
   void read_checkpoint(std::istream& in)
   {
     Table ids;
     std::vector<UserId> user_ids;
-    m_triangulation.read_checkpoint(in, checkpoint_subject, [&](auto& file, const auto& frame) {
-      read_user_ids(file, frame, ids, user_ids);
-    });
+    const auto read_more = [&](auto& file, const auto& ids_read) {
+      read_user_ids(file, ids_read, ids, user_ids);
+    };
+    m_triangulation.read_checkpoint(in, Traits::checkpoint_subject, read_more);
     m_ids.swap(ids);
     m_user_ids.swap(user_ids);
   }
@@ -315,7 +318,6 @@ private:
 
   static constexpr size_type no_id = Table::no_id;
   static constexpr size_type ahead = 8; // ids: how early the table is prefetched
-  static constexpr std::string_view checkpoint_subject = "Dynamic_population_2";
 
   // For files: user ids may be of a character type or bool.
   using Widest = std::conditional_t<std::is_signed_v<UserId>, long long, unsigned long long>;
@@ -331,17 +333,17 @@ private:
   At_exit(Work) -> At_exit<Work>;
 
   // Reads one user id for each point.
-  template <class File, class Frame>
-  static void read_user_ids(File& file, const Frame& frame, Table& ids,
+  template <class File, class Ids>
+  static void read_user_ids(File& file, const Ids& ids_read, Table& ids,
                             std::vector<UserId>& user_ids)
   {
     using Limits = std::numeric_limits<UserId>;
-    const size_type points = frame.number_of_points();
+    const size_type points = ids_read.number_of_points();
     file.number_entry("user_ids", points, points);
-    user_ids.resize(frame.number_of_ids());
+    user_ids.resize(ids_read.number_of_ids());
     ids.provide(points);
     for (size_type id = 0; id < user_ids.size(); ++id) {
-      if (!frame.has_id(static_cast<typename Frame::Index>(id)))
+      if (!ids_read.is_taken(id))
         continue;
       file.next_line();
       file.number("the id", id, id);

@@ -4,9 +4,8 @@
 // A triangulation that was written and read goes on as the original does, and what is no checkpoint
 // is refused and changes nothing.
 
+#include "checkpoint_files.h"
 #include "oracle.h"
-#include "replaced_heap.h"
-#include "sealed_checkpoint.h"
 
 #include <CGAL/Dynamic_population_2.h>
 #include <CGAL/Flip_repair_2.h>
@@ -20,10 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <new>
 #include <sstream>
-#include <streambuf>
-#include <tuple>
 #include <utility>
 
 namespace {
@@ -33,45 +29,12 @@ using Exact = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
 using Population = CGAL::Dynamic_population_2<Exact>;
 using Points = Cloud<Epick>::Points;
 
-template <class Read>
-void read(Read& target, const std::string& text)
-{
-  std::istringstream in(text);
-  target.read_checkpoint(in);
-}
-
 template <class Dynamic>
 Dynamic restored(const Dynamic& original)
 {
   Dynamic copy;
   read(copy, checkpoint_of(original));
   return copy;
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& by)
-{
-  const std::size_t place = text.find(what);
-  EXPECT_NE(place, text.npos) << what;
-  return resealed(text.replace(place, what.size(), by));
-}
-
-// The error with which it is refused; line 0 if it is not.
-template <class Read>
-Checkpoint_error_2 refusal(Read& target, const std::string& text)
-{
-  try {
-    read(target, text);
-  } catch (const Checkpoint_error_2& error) {
-    return error;
-  }
-  return Checkpoint_error_2(0, "accepted");
-}
-
-auto all_of(const CGAL::Update_report_2& r)
-{
-  return std::tie(r.classified, r.padded, r.border, r.flips, r.splices, r.spliced, r.enlargements,
-                  r.relocated, r.inserted, r.removed, r.merged, r.parted, r.rebuild_reason,
-                  r.certified);
 }
 
 template <class Dynamic>
@@ -728,12 +691,6 @@ TEST(Checkpoints, inconsistent_files_with_the_right_checksum_are_refused)
   EXPECT_TRUE(is_refused("duplicates 1", "duplicates 0"));
 }
 
-std::string line_below(const std::string& text, const std::string& name)
-{
-  const std::size_t begin = text.find('\n', text.find('\n' + name + ' ') + 1) + 1;
-  return text.substr(begin, text.find('\n', begin) - begin);
-}
-
 TEST(Checkpoints, coordinates_have_to_be_finite_and_their_places_right)
 {
   const std::string text = checkpoint_of(specimen());
@@ -761,62 +718,6 @@ TEST(Checkpoints, coordinates_have_to_be_finite_and_their_places_right)
       refusal(lazy, replaced(rounded, lazy_vertex, place + ' ' + huge + " 1 1e308 1\n")).line(),
       0u);
 }
-
-// Random edits of words and lines, each with the right checksum.
-class Forger
-{
-public:
-  Forger(const std::string& text, unsigned seed)
-    : m_random(seed)
-  {
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);)
-      m_lines.push_back(line);
-  }
-
-  std::string forged()
-  {
-    std::vector<std::string> lines = m_lines;
-    for (std::size_t edits = 1 + below(3); edits > 0; --edits)
-      edit(lines);
-    std::string text;
-    for (const std::string& line : lines)
-      text += line + '\n';
-    return resealed(text);
-  }
-
-private:
-  void edit(std::vector<std::string>& lines)
-  {
-    const std::size_t i = 1 + below(lines.size() - 2), j = 1 + below(lines.size() - 2);
-    switch (below(8)) {
-    case 0:
-      return std::swap(lines[i], lines[j]);
-    case 1:
-      lines[i] = lines[j];
-      return;
-    case 2:
-      return std::reverse(lines[i].begin(), lines[i].end());
-    case 3:
-      lines.erase(lines.begin() + std::ptrdiff_t(i));
-      return;
-    default:
-      return edit_digit(lines[i]);
-    }
-  }
-
-  void edit_digit(std::string& line)
-  {
-    const std::size_t place = line.find_first_of("0123456789", below(line.size() + 1));
-    if (place != line.npos)
-      line[place] = char('0' + below(10));
-  }
-
-  std::size_t below(std::size_t end) { return m_random() % end; }
-
-  std::mt19937 m_random;
-  std::vector<std::string> m_lines;
-};
 
 template <class Dynamic>
 void expect_forgeries_to_be_harmless(const Dynamic& original, unsigned seed, int number)
@@ -870,7 +771,7 @@ const char* flaw_of(const std::vector<Triple>& triples, unsigned vertices)
   faces.resize(triples.size());
   for (unsigned f = 0; f < triples.size(); ++f)
     faces.set_vertices(f, triples[f][0], triples[f][1], triples[f][2]);
-  return internal::Sphere_check_2(faces, vertices).run().what;
+  return internal::Surface_check_2(faces, vertices).link_and_run().what;
 }
 
 std::vector<Triple> tetrahedron(unsigned first)
@@ -913,24 +814,6 @@ TEST(Checkpoints, faces_that_are_no_sphere_are_refused)
 }
 
 // STREAMS AND MEMORY ------------------------------------------------------------------------------
-
-// A disk that is full after so many bytes.
-class Full_disk : public std::streambuf
-{
-public:
-  explicit Full_disk(std::size_t bytes)
-    : m_left(bytes)
-  {
-  }
-
-private:
-  int_type overflow(int_type c) override
-  {
-    return m_left-- > 0 ? traits_type::not_eof(c) : (m_left = 0, traits_type::eof());
-  }
-
-  std::size_t m_left;
-};
 
 TEST(Checkpoints, a_full_disk_is_noticed)
 {
@@ -975,17 +858,6 @@ TEST(Checkpoints, operators_write_and_read_them)
   EXPECT_EQ(checkpoint_of(copied_population), checkpoint_of(population));
 }
 
-// The stream's, of which the target must not have noticed anything.
-template <class Read>
-std::ios_base::iostate state_after_reading(Read& target, const std::string& text)
-{
-  const std::string before = checkpoint_of(target);
-  std::istringstream in(text);
-  in >> target;
-  EXPECT_EQ(checkpoint_of(target), before);
-  return in.rdstate();
-}
-
 TEST(Checkpoints, a_stream_fails_where_its_operator_refuses_a_file)
 {
   const std::string text = checkpoint_of(specimen());
@@ -1025,24 +897,6 @@ TEST(Checkpoints, a_stream_fails_where_its_operator_cannot_write)
     std::ostream out(&disk);
     out << dt;
     EXPECT_EQ(out.fail(), bytes < size);
-  }
-}
-
-template <class Read>
-void expect_nothing_to_change_without_memory(Read& target, const std::string& text)
-{
-  const std::string before = checkpoint_of(target);
-  bool is_read = false;
-  for (long allocations = 0; !is_read; ++allocations) {
-    std::istringstream in(text);
-    try {
-      const replaced_heap::Scarcity scarcity(allocations);
-      target.read_checkpoint(in);
-      is_read = true;
-    } catch (const std::bad_alloc&) {
-    } catch (const Checkpoint_error_2&) { // the stream has caught it
-    }
-    ASSERT_EQ(checkpoint_of(target), is_read ? text : before);
   }
 }
 

@@ -71,6 +71,14 @@ inline bool read_finite(std::string_view word, double& number)
   return read_whole(word, number) && std::isfinite(number);
 }
 
+// An exception in the middle of an update can leave a state that the next update repairs. It must
+// not be written, because no reader could tell it from nonsense.
+[[noreturn]] inline void refuse_incomplete_triangulation()
+{
+  throw Checkpoint_error_2(0, "an exception has ended the last call before each point had its "
+                              "vertex: write after the next update()");
+}
+
 inline std::string checkpoint_title(std::string_view subject)
 {
   return std::string(subject) + " checkpoint 1";
@@ -209,11 +217,19 @@ public:
       refuse(quoted(m_rest) + " is too much in this line");
   }
 
+  // Reads the first word of a line, which has to be this one.
+  void begin_entry(const char* name)
+  {
+    next_line();
+    const std::string_view found = word(name);
+    if (found != name)
+      refuse("it begins with " + quoted(found) + ", and has to begin with " + quoted(name));
+  }
+
   // Reads a line of this word and one more, and returns the second one.
   std::string_view entry(const char* name)
   {
-    next_line();
-    expect(name);
+    begin_entry(name);
     const std::string_view value = word(name);
     end_line();
     return value;
@@ -223,11 +239,20 @@ public:
   template <class Integer>
   Integer number_entry(const char* name, Integer lowest, Integer highest)
   {
-    next_line();
-    expect(name);
+    begin_entry(name);
     const Integer value = number(name, lowest, highest);
     end_line();
     return value;
+  }
+
+  // The same, but the second word is one of these two. Returns whether it is the first of them.
+  bool flag_entry(const char* name, std::string_view yes, std::string_view no)
+  {
+    const std::string_view value = entry(name);
+    if (value != yes && value != no)
+      refuse(std::string(name) + " is " + quoted(value) + ", and has to be " + std::string(yes) +
+             " or " + std::string(no));
+    return value == yes;
   }
 
   void finish()
@@ -255,13 +280,6 @@ public:
   }
 
 private:
-  void expect(const char* name)
-  {
-    const std::string_view found = word(name);
-    if (found != name)
-      refuse("it begins with " + quoted(found) + ", and has to begin with " + quoted(name));
-  }
-
   std::istream& m_in;
   Checkpoint_sum_2 m_sum; // of the lines before the current one
   std::string m_text;

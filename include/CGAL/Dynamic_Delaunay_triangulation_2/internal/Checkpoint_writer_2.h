@@ -7,13 +7,11 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_costs_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
-#include <ios>
-#include <istream>
 #include <ostream>
 #include <string_view>
 #include <type_traits>
@@ -54,7 +52,11 @@ public:
     file.line("hopeless_share", m_experience.hopeless_share());
     file.line("dimension", m_maintained.triangulation().dimension());
     file.line("ids", m_maintained.ids().number_of_ids());
-    write_points(file);
+    write_checkpoint_points(
+        file, m_maintained.ids(), [&](Index v) { write_vertex(file, v); },
+        [&](const Point& p) {
+          return std::make_pair(Coordinate::text(p.x()), Coordinate::text(p.y()));
+        });
     if (m_maintained.is_mirrored())
       write_topology(file);
     append(file);
@@ -62,8 +64,6 @@ public:
   }
 
 private:
-  // An exception in the middle of an update can leave a state that the next update repairs. It must
-  // not be written, because no reader could tell it from nonsense.
   void check_completeness() const
   {
     bool is_complete = m_is_certified || m_maintained.is_mirrored();
@@ -71,23 +71,7 @@ private:
       is_complete = is_complete &&
                     duplicate.point == m_maintained.point(m_maintained.ids().vertex(duplicate.id));
     if (!is_complete)
-      throw Checkpoint_error_2(0, "an exception has ended the last call before each point had its "
-                                  "vertex: write after the next update()");
-  }
-
-  void write_points(Checkpoint_output_2& file) const
-  {
-    const auto& ids = m_maintained.ids();
-    file.line("vertices", m_maintained.number_of_vertices());
-    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
-      write_vertex(file, v);
-    file.line("duplicates", ids.duplicates().size());
-    for (const auto& [id, p] : ids.duplicates())
-      file.line(id, ids.vertex(id), Coordinate::text(p.x()), Coordinate::text(p.y()));
-    file.line("free_ids", ids.number_of_ids() - ids.number_of_points());
-    for (Index id = 0; id < ids.number_of_ids(); ++id)
-      if (!ids.is_taken(id))
-        file.line(id);
+      refuse_incomplete_triangulation();
   }
 
   // Rounded coordinates are written as well: how a number was rounded depends on how it was
@@ -135,34 +119,6 @@ private:
   bool m_is_certified;
   Repair_experience_2 m_experience;
 };
-
-// `operator<<` and `operator>>` for everything that has checkpoints. Users of streams test the
-// stream's state, so these set `failbit` where the functions throw.
-
-template <class Written>
-std::ostream& write_to_stream(std::ostream& out, const Written& written)
-{
-  try {
-    written.write_checkpoint(out);
-  } catch (const Checkpoint_error_2&) {
-    out.setstate(std::ios_base::failbit);
-  }
-  return out;
-}
-
-template <class Read>
-std::istream& read_from_stream(std::istream& in, Read& target)
-{
-  const std::istream::sentry has_text(in); // skips white space, as every operator>> does
-  if (!has_text)
-    return in;
-  try {
-    target.read_checkpoint(in);
-  } catch (const Checkpoint_error_2&) {
-    in.setstate(std::ios_base::failbit);
-  }
-  return in;
-}
 
 } // namespace internal
 } // namespace Dynamic_Delaunay_triangulations_2
