@@ -9,10 +9,14 @@
 #include <CGAL/Always_dynamic_policy_2.h>
 #include <CGAL/Circumcircle_classifier_2.h>
 #include <CGAL/Default.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_streams_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_periodic_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_change_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_checkpoint_reader_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_checkpoint_writer_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_update_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
@@ -28,8 +32,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <istream>
 #include <iterator>
 #include <memory>
+#include <ostream>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -578,6 +585,81 @@ public:
   }
 
   /// @}
+  /// \name Checkpoints
+  /// Writes and reads the triangulation as a file, \ref DynamicDelaunayTriangulation2Checkpoints. A
+  /// run continues from a checkpoint as if it had not been interrupted.
+  /// @{
+
+  /// writes the cell, the triangulation and the ids of its points. Cost: linear, about 160 bytes a
+  /// point. \throws Checkpoint_error_2 if the stream fails; what was written is then unusable. It
+  /// is also thrown, before anything is written, if an exception ended the last change before each
+  /// point had its vertex.
+  void write_checkpoint(std::ostream& out) const
+  {
+    write_checkpoint(out, checkpoint_subject, [](auto&) {});
+  }
+
+  /// replaces everything but the settings, also the cell, which may become a slab or cease to be
+  /// one. The file is validated: its faces must be a triangulated torus with all points, which
+  /// covers the space once, each number and id must occur exactly once, and a triangulation that is
+  /// marked as certified must be Delaunay by exact predicates. The classifier is told that
+  /// everything is new. Reads exactly what was written, and
+  /// leaves the rest of the stream unread. Cost: linear; memory in proportion to what is read.
+  /// \throws Checkpoint_error_2 if the file is refused. Whatever is thrown, nothing changes, unless
+  /// the visitor throws it while it is told what has changed.
+  void read_checkpoint(std::istream& in)
+  {
+    read_checkpoint(in, checkpoint_subject, [](auto&, const auto&) {});
+  }
+
+  /// writes a checkpoint. Where `write_checkpoint()` would throw `Checkpoint_error_2`, the stream
+  /// fails (`failbit`).
+  friend std::ostream& operator<<(std::ostream& out,
+                                  const Dynamic_periodic_Delaunay_triangulation_2& dt)
+  {
+    return Dynamic_Delaunay_triangulations_2::internal::write_to_stream(out, dt);
+  }
+
+  /// skips white space, then reads a checkpoint. Where `read_checkpoint()` would throw
+  /// `Checkpoint_error_2`, the stream fails (`failbit`), and the triangulation does not change.
+  friend std::istream& operator>>(std::istream& in, Dynamic_periodic_Delaunay_triangulation_2& dt)
+  {
+    return Dynamic_Delaunay_triangulations_2::internal::read_from_stream(in, dt);
+  }
+
+  /// \cond
+  // The same, but `append` writes, and `read_more` reads, additional lines of the file.
+  template <class Append>
+  void write_checkpoint(std::ostream& out, std::string_view subject, const Append& append) const
+  {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    const Floating_point floating_point;
+    Periodic_checkpoint_writer_2<Maintained>(m_core->maintained, is_certified(),
+                                             m_core->update.memory())
+        .write(out, subject, append);
+  }
+
+  template <class ReadAppendix>
+  void read_checkpoint(std::istream& in, std::string_view subject, const ReadAppendix& read_more)
+  {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    const Floating_point floating_point;
+    Checkpoint_input_2 file(in, subject);
+    Periodic_checkpoint_reader_2<Maintained> reader(
+        file, [](const Periodic_cell_2& cell) { check(cell); });
+    Maintained maintained = reader.read();
+    read_more(file, maintained.ids());
+    file.finish();
+    if constexpr (has_visitor)
+      m_visitor.before_update(std::as_const(*this));
+    const Update_report_2 report =
+        m_core->update.restore(m_classifier, maintained, reader.is_certified(), reader.memory());
+    if constexpr (has_visitor)
+      tell_visitor(report);
+  }
+  /// \endcond
+
+  /// @}
   /// \name Settings
   /// @{
 
@@ -607,6 +689,9 @@ public:
   /// @}
 
 private:
+  static constexpr std::string_view checkpoint_subject =
+      "Dynamic_periodic_Delaunay_triangulation_2";
+
   struct Core
   {
     explicit Core(const Periodic_cell_2& cell)
@@ -736,15 +821,14 @@ private:
     m_told.swap(m_core->update.log());
     for (const Change_of_edges& change : m_told) {
       const Periodic_shift_2& shift = change.shifts[0];
-      const bool is_edge = !cell().is_slab() || shift[1] == 0;
       if (change.kind == Kind::CELL_EXCHANGED)
         m_visitor.after_cell_exchange(std::as_const(*this), change.shifts);
       else if (change.kind == Kind::POINT_TRANSLATED)
         m_visitor.after_translation(std::as_const(*this), size_type(change.i), shift);
-      else if (is_edge && change.kind == Kind::EDGE_REMOVED)
+      else if (change.kind == Kind::EDGE_REMOVED)
         m_visitor.after_edge_removal(std::as_const(*this), size_type(change.i), size_type(change.j),
                                      shift);
-      else if (is_edge)
+      else
         m_visitor.after_edge_creation(std::as_const(*this), size_type(change.i),
                                       size_type(change.j), shift);
     }

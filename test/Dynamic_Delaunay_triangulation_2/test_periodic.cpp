@@ -21,7 +21,9 @@
 #include <map>
 #include <random>
 #include <set>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -1069,6 +1071,27 @@ TEST(Edge_changes, turn_the_edges_of_before_into_those_of_now)
   }
 }
 
+TEST(Edge_changes, of_a_checkpoint_are_all_edges_also_where_a_slab_becomes_a_torus)
+{
+  std::mt19937_64 random(28);
+  const auto checkpoint = [&](std::size_t points, const Cell& cell) {
+    std::ostringstream file;
+    file << Triangulation(random_points(random, points, 3), cell);
+    return file.str();
+  };
+  const std::string torus = checkpoint(20, Cell(3, 0, 1, 3)),
+                    slab = checkpoint(15, Cell(Vector(3, 1))), empty = checkpoint(0, Cell(1, 1));
+  CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Ledger> pt(random_points(random, 10, 3),
+                                                                     Cell(3, 3));
+  for (const std::string* text : {&slab, &torus, &torus, &slab, &slab, &empty, &slab}) {
+    std::istringstream file(*text);
+    ASSERT_TRUE(file >> pt);
+    ASSERT_EQ(pt.visitor().edges(), Ledger::edges_of(pt));
+    pt.insert(Point(1, 1));
+    ASSERT_EQ(pt.visitor().edges(), Ledger::edges_of(pt));
+  }
+}
+
 struct Thrower : CGAL::Periodic_update_visitor_base_2
 {
   template <class Dynamic>
@@ -1098,6 +1121,20 @@ TEST(A_visitor_that_throws, changes_nothing_or_hears_no_more)
   pt.visitor().throws_before = false;
   pt.visitor().throws_after = true;
   EXPECT_THROW(pt.insert(Point(1, 1)), std::runtime_error);
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+  EXPECT_EQ(pt.number_of_points(), 2u);
+
+  std::stringstream file;
+  file << pt;
+  pt.visitor().throws_after = false;
+  pt.remove(1);
+  pt.visitor().throws_before = true;
+  EXPECT_THROW(pt.read_checkpoint(file), std::runtime_error);
+  EXPECT_EQ(pt.number_of_points(), 1u);
+  file.seekg(0);
+  pt.visitor().throws_before = false;
+  pt.visitor().throws_after = true;
+  EXPECT_THROW(pt.read_checkpoint(file), std::runtime_error);
   ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
   EXPECT_EQ(pt.number_of_points(), 2u);
 }

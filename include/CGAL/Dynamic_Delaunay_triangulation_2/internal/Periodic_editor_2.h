@@ -202,21 +202,29 @@ public:
   // edges are not logged.
   void build(const Periodic_faces_2& faces, const std::vector<Position_2>& points)
   {
-    changes().everything_is_new = true;
-    const Index vertices = Index(faces.points.size() - 1);
-    mirror().resize(vertices, 2 * vertices);
-    for (Index v = 1; v <= vertices; ++v) {
+    std::vector<Position_2> positions;
+    for (std::size_t v = 1; v < faces.points.size(); ++v) {
       ids().append_vertex();
-      m_maintained.m_positions.push_back(points[faces.points[v]]);
+      positions.push_back(points[faces.points[v]]);
     }
-    shifts() = faces.shifts;
-    for (Index h = 0; h < 6 * vertices; ++h) {
-      mirror().set_apex(h, faces.apexes[h]);
-      mirror().set_twin(h, faces.twins[h]);
-    }
+    write_faces(faces, positions);
     mirror().number_edges();
-    for (Index f = 0; f < 2 * vertices; ++f)
-      write_face(f);
+    hide_shifted_edges();
+  }
+
+  // Makes what a checkpoint has kept, where there is nothing: with these ids of the vertices, and
+  // with these half-edges stored for the vertices and for the edges.
+  void restore(const Periodic_faces_2& faces, const std::vector<Position_2>& positions,
+               const Ids& ids_of_vertices, const std::vector<Index>& corners,
+               const std::vector<Index>& halfedges)
+  {
+    write_faces(faces, positions);
+    for (Index e = 0; e < Index(halfedges.size()); ++e)
+      mirror().set_edge(e, halfedges[e]);
+    for (Index v = 1; v <= Index(corners.size()); ++v)
+      mirror().set_corner(v, corners[v - 1]);
+    hide_shifted_edges();
+    ids() = ids_of_vertices;
   }
 
   // Makes a vertex outside of all faces. Its point has no id yet.
@@ -312,14 +320,16 @@ private:
       m_log.push_back(change());
   }
 
+  // Edges across the gap of a slab are none of the user's.
   void note_edge(Kind kind, Index h)
   {
-    note([&] {
+    if constexpr (is_logged) {
       const Index from = Mirror::next(h), to = Mirror::previous(h);
-      return Periodic_change_2::edge(kind, ids().representative(mirror().apex(from)),
-                                     ids().representative(mirror().apex(to)),
-                                     shifts()[to] - shifts()[from]);
-    });
+      if (!m_maintained.torus().are_across(shifts()[from], shifts()[to]))
+        m_log.push_back(Periodic_change_2::edge(kind, ids().representative(mirror().apex(from)),
+                                                ids().representative(mirror().apex(to)),
+                                                shifts()[to] - shifts()[from]));
+    }
   }
 
   // Edges from the vertex to itself are met twice, and noted once.
@@ -358,6 +368,27 @@ private:
     shifts()[3 * f] = a;
     shifts()[3 * f + 1] = b;
     shifts()[3 * f + 2] = c;
+  }
+
+  // Writes all but the edges, and the ids of the vertices, which have these positions.
+  void write_faces(const Periodic_faces_2& faces, const std::vector<Position_2>& positions)
+  {
+    changes().everything_is_new = true;
+    const Index vertices = Index(positions.size());
+    mirror().resize(vertices, 2 * vertices);
+    m_maintained.m_positions.insert(m_maintained.m_positions.end(), positions.begin(),
+                                    positions.end());
+    shifts() = faces.shifts;
+    for (Index h = 0; h < 6 * vertices; ++h) {
+      mirror().set_apex(h, faces.apexes[h]);
+      mirror().set_twin(h, faces.twins[h]);
+    }
+  }
+
+  void hide_shifted_edges()
+  {
+    for (Index f = 0; f < mirror().number_of_faces(); ++f)
+      write_face(f);
   }
 
   // Moves the frame of face f to its first corner, and writes its edges.

@@ -66,6 +66,10 @@ public:
     return jumpers;
   }
 
+  // Of all vertices, in the last frame.
+  const Position_2& mean_way() const { return m_mean_way; }
+  void set_mean_way(const Position_2& way) { m_mean_way = way; }
+
   // Moves the vertices where they were staged.
   void move_vertices(const Periodic_cell_2& cell)
   {

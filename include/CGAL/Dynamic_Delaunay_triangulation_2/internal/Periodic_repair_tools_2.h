@@ -55,6 +55,10 @@ public:
   const Static_engines_2& engines() const { return m_engines; }
   void set_engines(const Static_engines_2& engines) { m_engines = engines; }
 
+  // Where the next walk starts.
+  Index hint() const { return m_hint; }
+  void set_hint(Index v) { m_hint = v; }
+
   // A CALL --------------------------------------------------------------------------------------
 
   // `has_to_prove`: whether the call has to end with a certified triangulation.
@@ -231,7 +235,7 @@ public:
   // Whether two points differ by a vector of the lattice.
   bool coincide(const Position_2& p, const Position_2& q) const
   {
-    return m_maintained.torus().coincide({p, no_shift}, {q, shift_of_step(q, p)});
+    return m_maintained.torus().coincide(p, q);
   }
 
   // If this point represents others at its vertex, one of them becomes the representative instead.

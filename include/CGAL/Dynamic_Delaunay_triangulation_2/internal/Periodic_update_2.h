@@ -9,7 +9,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_periodic_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_editor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_memory_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_motion_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_repair_tools_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_slacks_2.h>
@@ -18,10 +20,9 @@
 #include <CGAL/Dynamic_mender_2.h>
 #include <CGAL/Flip_and_splice_repair_2.h>
 #include <CGAL/inform_classifier.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/Update_report_2.h>
 
-#include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -37,7 +38,6 @@ class Periodic_update_2
 {
   using Tools = Periodic_repair_tools_2<Maintained, Editor>;
   using Mender = Dynamic_mender_2<Tools>;
-  using Edge_test = typename Maintained::Edge_test;
 
 public:
   using Frame = Dynamic_frame_2<Maintained>;
@@ -54,6 +54,7 @@ public:
   void copy_state(const Periodic_update_2& update)
   {
     set_engines(update.engines());
+    set_memory(update.memory());
     m_is_certified = update.m_is_certified;
     m_is_whole = update.m_is_whole;
   }
@@ -82,9 +83,7 @@ public:
     change(report);
     m_is_whole = true;
     report.certified = m_is_certified;
-    m_editor.end_changes();
-    inform_classifier(classifier, Frame(m_maintained));
-    m_editor.begin_changes();
+    inform(classifier);
     return report;
   }
 
@@ -192,7 +191,7 @@ public:
   bool certify()
   {
     if (m_is_whole && !m_is_certified)
-      m_is_certified = are_duplicates_in_place() && are_all_edges_delaunay();
+      m_is_certified = Periodic_certificate_2<Maintained>(m_maintained).is_delaunay();
     return is_certified();
   }
 
@@ -206,6 +205,30 @@ public:
     prove(report);
   }
 
+  // CHECKPOINTS ---------------------------------------------------------------------------------
+
+  Periodic_memory_2 memory() const { return {m_tools.hint(), m_motion.mean_way()}; }
+
+  // Exchanges everything for what was read. If it throws, nothing has changed, unless the
+  // classifier throws it.
+  template <class Classifier>
+  Update_report_2 restore(Classifier& classifier, Maintained& maintained, bool is_certified,
+                          const Periodic_memory_2& memory)
+  {
+    m_editor.provide_for_log(std::size_t(m_maintained.mirror().number_of_edges()) +
+                             maintained.mirror().number_of_edges());
+    m_editor.note_all_edges(Periodic_change_2::Kind::EDGE_REMOVED);
+    m_editor.swap(maintained);
+    m_editor.note_all_edges(Periodic_change_2::Kind::EDGE_CREATED);
+    Update_report_2 report;
+    m_tools.start(report, true);
+    set_memory(memory);
+    report.certified = m_is_certified = is_certified;
+    m_is_whole = true;
+    inform(classifier);
+    return report;
+  }
+
   // CERTIFICATE ---------------------------------------------------------------------------------
 
   // Tests everything again, exactly: that the shifts agree, and that the areas of the faces,
@@ -214,50 +237,25 @@ public:
   // representatives are.
   bool is_valid() const
   {
-    const Index n = m_maintained.number_of_vertices();
-    const auto& mirror = m_maintained.mirror();
-    if (mirror.number_of_faces() != 2 * n || mirror.number_of_edges() != 3 * n ||
-        ids().number_of_representatives() != n)
-      return false;
-    Torus_2::Polynomial<1> area{0, 0}, area_of_cell = m_maintained.torus().exact_double_area();
-    for (Index h = 0; h < 6 * n; ++h) {
-      const Index g = mirror.twin(h);
-      if (mirror.twin(g) != h || mirror.source(h) != mirror.target(g) ||
-          m_maintained.transition(h) != no_shift - m_maintained.transition(g))
-        return false;
-      if (h % 3 != 0)
-        continue;
-      const auto face = m_maintained.torus().exact_double_area(
-          m_maintained.image(h), m_maintained.image(h + 1), m_maintained.image(h + 2));
-      area = {area[0] + face[0], area[1] + face[1]};
-    }
-    if (m_is_certified && !(are_all_edges_delaunay() && are_duplicates_in_place()))
-      return false;
-    if (CGAL::is_negative(area_of_cell[0]))
-      area_of_cell[0] = -area_of_cell[0];
-    return n == 0 || area == area_of_cell;
+    const Periodic_certificate_2<Maintained> certificate(m_maintained);
+    return certificate.is_triangulation() && (!m_is_certified || certificate.is_delaunay());
   }
 
 private:
   const typename Maintained::Ids& ids() const { return m_maintained.ids(); }
 
-  bool are_all_edges_delaunay() const
+  void set_memory(const Periodic_memory_2& memory)
   {
-    const Edge_test test(m_maintained);
-    for (Index e = 0; e < m_maintained.mirror().number_of_edges(); ++e)
-      if (test.state(e) != Edge_state_2::DELAUNAY)
-        return false;
-    return true;
+    m_tools.set_hint(memory.hint);
+    m_motion.set_mean_way(memory.mean_way);
   }
 
-  bool is_in_place(const typename Maintained::Ids::Duplicate& duplicate) const
+  template <class Classifier>
+  void inform(Classifier& classifier)
   {
-    return m_tools.coincide(duplicate.point, m_maintained.positions()[ids().vertex(duplicate.id)]);
-  }
-  bool are_duplicates_in_place() const
-  {
-    return std::all_of(ids().duplicates().begin(), ids().duplicates().end(),
-                       [this](const auto& duplicate) { return is_in_place(duplicate); });
+    m_editor.end_changes();
+    inform_classifier(classifier, Frame(m_maintained));
+    m_editor.begin_changes();
   }
 
   // Returns the duplicates that are no longer where their vertices are.
@@ -267,7 +265,7 @@ private:
     std::vector<Index> parted;
     for (auto& duplicate : m_editor.ids().duplicates()) {
       duplicate.point = next(duplicate.id);
-      if (!is_in_place(duplicate))
+      if (!m_tools.coincide(duplicate.point, m_maintained.positions()[ids().vertex(duplicate.id)]))
         parted.push_back(duplicate.id);
     }
     return parted;

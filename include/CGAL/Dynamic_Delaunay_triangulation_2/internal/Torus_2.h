@@ -155,6 +155,12 @@ public:
     return CGAL::is_zero(exact.x) && CGAL::is_zero(exact.y);
   }
 
+  // Whether two positions differ by a vector of the lattice.
+  bool coincide(const Position_2& p, const Position_2& q) const
+  {
+    return coincide({p, no_shift}, {q, nearest_shift(multiples({p.x - q.x, p.y - q.y}))});
+  }
+
   Orientation orientation(const Image_2& a, const Image_2& b, const Image_2& c) const
   {
     if (are_across(a.shift, c.shift) || are_across(b.shift, c.shift))

@@ -1,0 +1,740 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A periodic triangulation that was written and read goes on as the original does, and what is no
+// checkpoint of one is refused and changes nothing.
+
+#include "checkpoint_files.h"
+#include "periodic_oracle.h"
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_population_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using CGAL::Checkpoint_error_2;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_2;
+using Cell = CGAL::Periodic_cell_2;
+using Shift = CGAL::Periodic_shift_2;
+using Triangulation = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel>;
+using Population = CGAL::Dynamic_population_2<Triangulation>;
+
+double random_between(std::mt19937_64& random, double low, double high)
+{
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+// With a grid, on its multiples.
+std::vector<Point> random_points(std::mt19937_64& random, std::size_t number, double extent,
+                                 double grid = 0)
+{
+  const auto coordinate = [&] {
+    const double x = random_between(random, 0, extent);
+    return grid > 0 ? std::floor(x / grid) * grid : x;
+  };
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < number; ++i) {
+    const double x = coordinate();
+    points.push_back(Point(x, coordinate()));
+  }
+  return points;
+}
+
+Triangulation restored(const Triangulation& original)
+{
+  Triangulation copy(Cell(1, 1));
+  read(copy, checkpoint_of(original));
+  return copy;
+}
+
+// In the order in which they are listed.
+template <class For_each>
+auto edges_in_order(const For_each& for_each)
+{
+  std::vector<std::tuple<std::size_t, std::size_t, Shift>> edges;
+  for_each(
+      [&](std::size_t i, std::size_t j, const Shift& shift) { edges.emplace_back(i, j, shift); });
+  return edges;
+}
+
+auto edges_of(const Triangulation& pt)
+{
+  return edges_in_order([&](const auto& f) { pt.for_each_edge(f); });
+}
+
+auto boundary_of(const Triangulation& pt)
+{
+  return edges_in_order([&](const auto& f) { pt.for_each_boundary_edge(f); });
+}
+
+auto neighbors_of(const Triangulation& pt, std::size_t id)
+{
+  return edges_in_order([&](const auto& f) {
+    pt.for_each_neighbor(id, [&](std::size_t j, const Shift& shift) { f(id, j, shift); });
+  });
+}
+
+auto faces_of(const Triangulation& pt)
+{
+  std::vector<std::pair<std::array<std::size_t, 3>, std::array<Shift, 3>>> faces;
+  pt.for_each_face([&](const auto& ids, const auto& shifts) { faces.emplace_back(ids, shifts); });
+  return faces;
+}
+
+void expect_equal(const Triangulation& pt, const Triangulation& other)
+{
+  ASSERT_EQ(pt.is_certified(), other.is_certified());
+  ASSERT_TRUE(pt.cell() == other.cell());
+  ASSERT_EQ(pt.number_of_ids(), other.number_of_ids());
+  ASSERT_EQ(pt.number_of_vertices(), other.number_of_vertices());
+  ASSERT_EQ(edges_of(pt), edges_of(other));
+  ASSERT_EQ(faces_of(pt), faces_of(other));
+  ASSERT_EQ(boundary_of(pt), boundary_of(other));
+  for (std::size_t id = 0; id < pt.number_of_ids(); ++id) {
+    ASSERT_EQ(pt.has_id(id), other.has_id(id));
+    if (pt.has_id(id)) {
+      ASSERT_EQ(pt.point(id), other.point(id));
+      ASSERT_EQ(pt.representative(id), other.representative(id));
+      ASSERT_EQ(neighbors_of(pt, id), neighbors_of(other, id));
+    }
+  }
+}
+
+// The same random calls for a run and for one that is written and read again and again.
+class Interrupted_run
+{
+public:
+  // Up to about this number of points.
+  Interrupted_run(std::uint64_t seed, std::size_t points)
+    : m_random(seed)
+    , m_points(points)
+    , m_is_slab(seed % 3 == 0)
+    , m_grid(seed % 2 == 0 ? 0.25 : 0)
+    , m_run(random_cell())
+    , m_interrupted(m_run.cell())
+  {
+    insert(below(m_points + 1));
+  }
+
+  void go_on(int calls)
+  {
+    for (int call = 0; call < calls; ++call) {
+      SCOPED_TRACE(testing::Message() << "call " << call);
+      if (below(3) == 0)
+        m_interrupted = restored(m_interrupted);
+      ASSERT_NO_FATAL_FAILURE(any_call());
+      ASSERT_TRUE(m_interrupted.is_valid());
+      ASSERT_NO_FATAL_FAILURE(expect_equal(m_run, m_interrupted));
+    }
+    ASSERT_EQ(checkpoint_of(m_run), checkpoint_of(m_interrupted));
+  }
+
+private:
+  static double side() { return 3; }
+  std::size_t below(std::size_t end) { return std::size_t(m_random() % end); }
+
+  Cell random_cell()
+  {
+    if (m_is_slab)
+      return Cell::slab(random_between(m_random, 1, 4), below(2) == 0 ? 0 : side());
+    return below(2) == 0 ? Cell(side(), side())
+                         : Cell(side(), random_between(m_random, -1, 1),
+                                random_between(m_random, -4, 4), 0.7 * side());
+  }
+
+  template <class Call>
+  void both(const Call& call)
+  {
+    const CGAL::Update_report_2 report = call(m_run), other_report = call(m_interrupted);
+    ASSERT_EQ(all_of(report), all_of(other_report));
+  }
+
+  void any_call()
+  {
+    const bool has_points = m_run.number_of_points() > 0;
+    switch (below(has_points ? 9 : 1)) {
+    case 0:
+      return insert(m_run.number_of_points() < m_points ? 1 + below(4) : 0);
+    case 1: {
+      const std::size_t id = any_id();
+      return both([&](Triangulation& t) { return t.remove(id); });
+    }
+    case 2: { // to where another point is, or an image of it
+      const Point p = image(m_run.point(any_id()));
+      const std::size_t id = any_id();
+      return both([&](Triangulation& t) { return t.move(id, p); });
+    }
+    case 3: {
+      const std::size_t id = any_id();
+      const Point p = moved(m_run.point(id), 0.1);
+      return both([&](Triangulation& t) { return t.move(id, p); });
+    }
+    case 4:
+      return frame(random_cell());
+    case 5:
+      return frame(m_is_slab ? Cell::slab(m_run.cell().ax() * 1.02, m_run.cell().ay())
+                             : Cell(m_run.cell().ax(), m_run.cell().ay(), m_run.cell().bx() + 0.1,
+                                    m_run.cell().by() * 0.99));
+    default:
+      return frame(m_run.cell());
+    }
+  }
+
+  void insert(std::size_t number)
+  {
+    const auto points = random_points(m_random, number, side(), below(2) == 0 ? m_grid : 0);
+    std::vector<std::size_t> ids, other_ids;
+    const auto report = m_run.insert(points.begin(), points.end(), std::back_inserter(ids));
+    const auto other_report =
+        m_interrupted.insert(points.begin(), points.end(), std::back_inserter(other_ids));
+    ASSERT_EQ(all_of(report), all_of(other_report));
+    ASSERT_EQ(ids, other_ids);
+  }
+
+  // All move; some jump, some are wrapped, and some go to a grid, where many are on one circle.
+  void frame(const Cell& cell)
+  {
+    const double step = std::pow(10.0, random_between(m_random, -4, 0));
+    std::vector<Point> points(m_run.number_of_ids());
+    for (std::size_t id = 0; id < points.size(); ++id) {
+      if (!m_run.has_id(id))
+        continue;
+      points[id] = below(3) == 0 ? m_run.point(id) : moved(m_run.point(id), step);
+      if (below(10) == 0)
+        points[id] = random_points(m_random, 1, side(), m_grid)[0];
+      if (below(5) == 0)
+        points[id] = image(points[id]);
+    }
+    both([&](Triangulation& t) { return t.update(points, cell); });
+  }
+
+  Point moved(const Point& p, double step)
+  {
+    const double x = p.x() + random_between(m_random, -step, step);
+    return Point(x, p.y() + random_between(m_random, -step, step));
+  }
+
+  Point image(const Point& p)
+  {
+    const int i = int(below(3)) - 1, j = m_is_slab ? 0 : int(below(3)) - 1;
+    const Cell& cell = m_run.cell();
+    return Point(p.x() + i * cell.ax() + j * cell.bx(), p.y() + i * cell.ay() + j * cell.by());
+  }
+
+  std::size_t any_id()
+  {
+    std::vector<std::size_t> ids;
+    for (std::size_t id = 0; id < m_run.number_of_ids(); ++id)
+      if (m_run.has_id(id))
+        ids.push_back(id);
+    return ids[below(ids.size())];
+  }
+
+  std::mt19937_64 m_random;
+  std::size_t m_points;
+  bool m_is_slab;
+  double m_grid;
+  Triangulation m_run, m_interrupted;
+};
+
+TEST(Periodic_checkpoints, a_run_goes_on_as_if_it_had_not_been_interrupted)
+{
+  for (std::uint64_t seed = 1; seed <= 24; ++seed)
+    ASSERT_NO_FATAL_FAILURE(Interrupted_run(seed, 12).go_on(150)) << "seed " << seed;
+  for (std::uint64_t seed = 25; seed <= 30; ++seed)
+    ASSERT_NO_FATAL_FAILURE(Interrupted_run(seed, 250).go_on(30)) << "seed " << seed;
+}
+
+// Points that stream, where some jump: who counts as jumping depends on the mean of the last frame.
+TEST(Periodic_checkpoints, the_mean_motion_is_kept)
+{
+  std::mt19937_64 random(2);
+  auto points = random_points(random, 200, 14);
+  Triangulation run(points, Cell(14, 14));
+  std::size_t relocated = 0;
+  for (int frame = 0; frame < 30; ++frame) {
+    Triangulation interrupted = restored(run);
+    const double way = frame % 2 == 0 ? 0.6 : -0.3;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      points[i] = Point(points[i].x() + way + random_between(random, -0.3, 0.3), points[i].y());
+    const CGAL::Update_report_2 report = run.update(points);
+    ASSERT_EQ(all_of(interrupted.update(points)), all_of(report));
+    ASSERT_NO_FATAL_FAILURE(expect_equal(run, interrupted));
+    relocated += report.relocated;
+  }
+  EXPECT_GT(relocated, 0u);
+}
+
+// The uninterrupted run skips edges that it has proved safe; the other one has to prove them first.
+TEST(Periodic_checkpoints, edges_that_are_skipped_make_no_difference)
+{
+  std::mt19937_64 random(3);
+  for (const Cell& cell : {Cell(20, 20), Cell::slab(20, 4)}) {
+    auto points = random_points(random, 400, 20);
+    Triangulation run(points, cell), interrupted(points, cell);
+    std::size_t flips = 0;
+    for (int frame = 0; frame < 150; ++frame) {
+      if (frame % 50 == 30)
+        interrupted = restored(interrupted);
+      for (Point& p : points)
+        p = Point(p.x() + random_between(random, -1e-3, 1e-3), p.y());
+      const CGAL::Update_report_2 report = run.update(points);
+      ASSERT_EQ(all_of(interrupted.update(points)), all_of(report));
+      ASSERT_EQ(edges_of(run), edges_of(interrupted));
+      flips += report.flips;
+    }
+    EXPECT_GT(flips, 10u);
+    ASSERT_EQ(checkpoint_of(run), checkpoint_of(interrupted));
+  }
+}
+
+TEST(Periodic_checkpoints, any_double_is_kept_to_the_bit)
+{
+  using Limits = std::numeric_limits<double>;
+  const std::vector<Point> points = {
+      {-0., 0.1}, {Limits::denorm_min(), -(Limits::min)()}, {1. / 3, -2. / 3}, {1e5, 1e-300}};
+  const Triangulation pt(points, Cell(1, 1e-17, -0.3, 1));
+  const Triangulation other = restored(pt);
+  for (std::size_t id = 0; id < points.size(); ++id) {
+    EXPECT_EQ(other.point(id), points[id]);
+    EXPECT_EQ(std::signbit(other.point(id).x()), std::signbit(points[id].x()));
+  }
+  EXPECT_TRUE(other.cell() == pt.cell());
+}
+
+TEST(Periodic_checkpoints, a_slab_is_kept_also_where_its_points_are_as_far_across_as_can_be)
+{
+  constexpr double far = (std::numeric_limits<double>::max)();
+  Triangulation pt(std::vector<Point>{{0, 0}, {1, 1}, {2, 3}}, Cell::slab(3, 0));
+  const std::vector<Point> next{{0, far}, {1, far}, {2, far}};
+  pt.update(next);
+  Triangulation other = restored(pt);
+  expect_equal(pt, other);
+}
+
+TEST(Periodic_checkpoints, a_file_replaces_whatever_is_there)
+{
+  std::mt19937_64 random(4);
+  const Triangulation slab(random_points(random, 20, 3), Cell::slab(3, 1));
+  const Triangulation torus(random_points(random, 30, 3), Cell(3, 3));
+  const Triangulation empty(Cell(2, 1));
+  Triangulation pt(Cell(1, 1));
+  for (const Triangulation* file : {&slab, &torus, &empty, &torus, &slab, &slab, &empty}) {
+    read(pt, checkpoint_of(*file));
+    ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+    ASSERT_NO_FATAL_FAILURE(expect_equal(*file, pt));
+  }
+}
+
+TEST(Periodic_checkpoints, the_example_in_the_manual_is_a_checkpoint)
+{
+  Triangulation pt(Cell(4, 4));
+  for (const Point& p : {Point(1, 1), Point(3, 2), Point(2, 3), Point(7, 2)})
+    pt.insert(p);
+  pt.remove(2);
+  EXPECT_EQ(checkpoint_of(pt), "Dynamic_periodic_Delaunay_triangulation_2 checkpoint 1\n"
+                               "slab no\ncell 4 0 0 4\ncertified yes\nmean_way 0 0\n"
+                               "walk_start 3\nids 4\nvertices 2\n0 1 1\n1 3 2\n"
+                               "duplicates 1\n3 2 7 2\nfree_ids 1\n2\n"
+                               "faces 4\n2 1 1 1 0 1 1\n2 2 1 0 -1 1 0\n2 1 2 0 0 0 -1\n"
+                               "1 1 2 0 -1 0 -1\ncorners 2\n2\n0\n"
+                               "edges 6\n11 0\n5 7\n6 10\n3 1\n4 2\n8 9\n"
+                               "checksum 090f6fd0\n");
+}
+
+// A run in which memory ran out is to be mended by the next change, here as there.
+TEST(Periodic_checkpoints, what_an_exception_has_left_is_kept_or_not_written_at_all)
+{
+  std::mt19937_64 random(5);
+  auto points = random_points(random, 30, 3);
+  points[1] = points[0];
+  auto next = points;
+  for (Point& p : next) // the first two part
+    p = Point(p.x() + random_between(random, -0.2, 0.2), p.y());
+  next[2] = points[3];
+  int kept = 0, not_written = 0;
+  bool is_done = false;
+  for (long allocations = 0; !is_done; ++allocations) {
+    Triangulation pt(points, Cell(3, 3));
+    try {
+      const replaced_heap::Scarcity scarcity(allocations);
+      pt.update(next);
+      is_done = true;
+    } catch (const std::bad_alloc&) {
+    }
+    if (pt.is_certified())
+      continue;
+    std::ostringstream out;
+    try {
+      pt.write_checkpoint(out);
+      ++kept;
+    } catch (const Checkpoint_error_2& error) {
+      EXPECT_EQ(error.line(), 0u);
+      EXPECT_EQ(out.str(), "");
+      ++not_written;
+      continue;
+    }
+    Triangulation other = restored(pt);
+    EXPECT_FALSE(other.is_certified());
+    ASSERT_EQ(all_of(pt.update(next)), all_of(other.update(next)));
+    ASSERT_NO_FATAL_FAILURE(expect_equal(pt, other));
+    ASSERT_TRUE(other.is_valid());
+  }
+  EXPECT_GT(kept, 0);
+  EXPECT_GT(not_written, 0);
+}
+
+// POPULATIONS -------------------------------------------------------------------------------------
+
+TEST(Periodic_checkpoints, a_population_goes_on_with_the_ids_of_its_user)
+{
+  std::mt19937_64 random(6);
+  std::vector<std::pair<std::int64_t, Point>> crowd;
+  std::int64_t next_id = -20;
+  Population population(Triangulation(Cell(5, 5)));
+  for (int stage = 0; stage < 5; ++stage) {
+    Population other(Triangulation(Cell(1, 1)));
+    std::stringstream file;
+    file << population;
+    file >> other;
+    for (int frame = 0; frame < 10; ++frame) {
+      for (auto& [id, p] : crowd)
+        p = Point(p.x() + random_between(random, -0.1, 0.1), p.y() + 5);
+      for (int i = 0; i < 3 && !crowd.empty(); ++i)
+        crowd.erase(crowd.begin() + std::ptrdiff_t(random() % crowd.size()));
+      for (const Point& p : random_points(random, 5, 5, 0.5))
+        crowd.emplace_back(next_id++ * 1000000007, p);
+      const Cell cell(5, 0, 0.1 * frame, 5);
+      ASSERT_EQ(all_of(population.update(crowd, cell)), all_of(other.update(crowd, cell)));
+      ASSERT_NO_FATAL_FAILURE(expect_equal(population.triangulation(), other.triangulation()));
+      ASSERT_EQ(other.size(), crowd.size());
+      for (const auto& [id, p] : crowd)
+        ASSERT_EQ(other.point(id), p);
+    }
+    ASSERT_EQ(checkpoint_of(population), checkpoint_of(other));
+  }
+}
+
+// REFUSALS ----------------------------------------------------------------------------------------
+
+// Small, and with everything that a file can have.
+Triangulation specimen(const Cell& cell = Cell(3, 0, 1, 3))
+{
+  std::mt19937_64 random(7);
+  auto points = random_points(random, 7, 3);
+  points[4] = Point(points[2].x() + cell.ax(), points[2].y() + cell.ay());
+  Triangulation pt(points, cell);
+  pt.move(4, Point(points[2].x(), points[2].y())); // the sum above may be rounded
+  pt.remove(5);
+  return pt;
+}
+
+// That of point 0, which is the only one at its vertex.
+std::string vertex_line(const std::string& text)
+{
+  const std::size_t begin = text.find("\n0 ", text.find("\nvertices"));
+  return text.substr(begin, text.find('\n', begin + 1) + 1 - begin);
+}
+
+std::size_t line_of_refusal(const std::string& text)
+{
+  Triangulation pt(Cell(1, 1));
+  const std::size_t line = refusal(pt, text).line();
+  EXPECT_EQ(pt.number_of_points(), 0u);
+  return line;
+}
+
+TEST(Periodic_checkpoints, a_file_that_is_cut_off_anywhere_is_refused)
+{
+  for (const Cell& cell : {Cell(3, 0, 1, 3), Cell::slab(3, 1)}) {
+    const std::string text = checkpoint_of(specimen(cell));
+    for (std::size_t size = 0; size < text.size(); ++size)
+      ASSERT_GT(line_of_refusal(text.substr(0, size)), 0u) << size;
+  }
+}
+
+TEST(Periodic_checkpoints, a_file_with_any_byte_changed_or_missing_is_refused)
+{
+  const std::string text = checkpoint_of(specimen());
+  for (std::size_t place = 0; place < text.size(); ++place) {
+    for (const char c : {'0', '7', ' ', '\n', '-', '.', 'x', '\0', '\xff'}) {
+      std::string edited = text;
+      edited[place] = c;
+      if (edited != text) {
+        ASSERT_GT(line_of_refusal(edited), 0u) << place << " " << int(c);
+      }
+    }
+    std::string shorter = text;
+    shorter.erase(place, 1);
+    ASSERT_GT(line_of_refusal(shorter), 0u) << place;
+  }
+}
+
+TEST(Periodic_checkpoints, nothing_changes_if_a_file_is_refused)
+{
+  const std::string text = checkpoint_of(specimen());
+  Triangulation pt = specimen(Cell::slab(3, 1));
+  for (std::size_t size = 0; size < text.size(); size += 7)
+    ASSERT_TRUE(state_after_reading(pt, text.substr(0, size)) & std::ios::failbit);
+  EXPECT_EQ(state_after_reading(pt, "garbage\n" + text), std::ios::failbit);
+}
+
+TEST(Periodic_checkpoints, nothing_changes_if_memory_runs_out)
+{
+  Triangulation pt = specimen(Cell::slab(3, 1));
+  expect_nothing_to_change_without_memory(pt, checkpoint_of(specimen()));
+  EXPECT_TRUE(pt.is_valid());
+}
+
+TEST(Periodic_checkpoints, a_refusal_says_where_and_why)
+{
+  const std::string text = checkpoint_of(specimen());
+  Triangulation pt(Cell(1, 1));
+  const auto message = [&](const std::string& edited) {
+    return std::string(refusal(pt, edited).what());
+  };
+  EXPECT_EQ(message(replaced(text, "slab no", "slab yes")),
+            "checkpoint, line 3: \"1 3\" is too much in this line");
+  EXPECT_EQ(message(replaced(text, "certified yes", "certified maybe")),
+            "checkpoint, line 4: certified is \"maybe\", and has to be yes or no");
+  EXPECT_EQ(message(replaced(text, "mean_way 0 0", "mean_way here 0")),
+            "checkpoint, line 5: the coordinate is \"here\", and has to be a number");
+  EXPECT_EQ(message(replaced(text, "walk_start", "start")),
+            "checkpoint, line 6: it begins with \"start\", and has to begin with \"walk_start\"");
+}
+
+TEST(Periodic_checkpoints, files_of_the_plane_are_refused_here_and_periodic_ones_there)
+{
+  using Plane = CGAL::Dynamic_Delaunay_triangulation_2<Kernel>;
+  using Population_of_the_plane = CGAL::Dynamic_population_2<Plane>;
+  Plane plane;
+  Population_of_the_plane population_of_the_plane;
+  Triangulation pt(Cell(1, 1));
+  Population population(Triangulation(Cell(1, 1)));
+  const auto expect_refusal = [](auto& target, const std::string& file, const std::string& found,
+                                 const std::string& expected) {
+    EXPECT_EQ(std::string(refusal(target, file).what()), "checkpoint, line 1: it is \"" + found +
+                                                             " checkpoint 1\", and has to be \"" +
+                                                             expected + " checkpoint 1\"");
+  };
+  const std::string periodic = "Dynamic_periodic_Delaunay_triangulation_2",
+                    planar = "Dynamic_Delaunay_triangulation_2";
+  expect_refusal(pt, checkpoint_of(plane), planar, periodic);
+  expect_refusal(plane, checkpoint_of(pt), periodic, planar);
+  expect_refusal(population, checkpoint_of(population_of_the_plane), "Dynamic_population_2",
+                 "periodic Dynamic_population_2");
+  expect_refusal(population_of_the_plane, checkpoint_of(population),
+                 "periodic Dynamic_population_2", "Dynamic_population_2");
+  expect_refusal(pt, checkpoint_of(population), "periodic Dynamic_population_2", periodic);
+}
+
+TEST(Periodic_checkpoints, cells_that_cannot_be_used_are_refused)
+{
+  const std::string text = checkpoint_of(Triangulation(Cell(3, 3)));
+  for (const char* cell : {"3 0 6 0", "0 0 0 3", "1e-300 0 0 1e-300", "nan 0 0 3", "3 0 0 1e999",
+                           "3 0 0", "3 0 0 3 0", "1 0 1e-20 1e-40"})
+    EXPECT_EQ(line_of_refusal(replaced(text, "cell 3 0 0 3", "cell " + std::string(cell))), 3u)
+        << cell;
+  const std::string slab = checkpoint_of(Triangulation(Cell::slab(3, 0)));
+  for (const char* cell : {"0 0", "inf 0", "3", "3 0 0 1", "1.7e308 1.7e308"})
+    EXPECT_EQ(line_of_refusal(replaced(slab, "cell 3 0", "cell " + std::string(cell))), 3u) << cell;
+}
+
+TEST(Periodic_checkpoints, a_triangulation_that_is_not_delaunay_is_not_believed_to_be_certified)
+{
+  const std::string text = checkpoint_of(specimen());
+  const std::string moved = replaced(text, vertex_line(text), "\n0 100 200\n");
+  EXPECT_EQ(line_of_refusal(moved), 4u);
+  // points may be anywhere in a triangulation that is not certified
+  Triangulation pt(Cell(1, 1));
+  read(pt, replaced(moved, "certified yes", "certified no"));
+  EXPECT_FALSE(pt.is_certified());
+  EXPECT_EQ(pt.point(0), Point(100, 200));
+  EXPECT_FALSE(pt.is_valid());
+  EXPECT_TRUE(pt.mend().certified);
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+}
+
+TEST(Periodic_checkpoints, points_have_to_be_in_range_and_duplicates_where_their_vertices_are)
+{
+  const std::string text = checkpoint_of(specimen());
+  const std::string vertex = vertex_line(text);
+  const auto lines =
+      std::count(text.begin(), text.begin() + std::ptrdiff_t(text.find(vertex)), '\n');
+  for (const char* point : {"nan 1", "1 inf", "1e9 1", "1 -1e9", "1", "1 1 1"})
+    EXPECT_EQ(line_of_refusal(replaced(text, vertex, "\n0 " + std::string(point) + '\n')),
+              std::size_t(lines) + 2)
+        << point;
+  const std::string duplicate = '\n' + line_below(text, "duplicates") + '\n';
+  EXPECT_EQ(line_of_refusal(replaced(text, duplicate, duplicate.substr(0, 5) + "1 1\n")), 15u);
+}
+
+TEST(Periodic_checkpoints, what_is_announced_costs_no_memory)
+{
+  const std::string text = checkpoint_of(specimen());
+  for (const char* announced :
+       {"700000000", "4000000000", "1000000000000000000", "-1", "715827882"})
+    for (const char* name :
+         {"ids", "vertices", "duplicates", "free_ids", "faces", "corners", "edges"}) {
+      const std::size_t place = text.find(std::string(1, '\n') + name + ' ') + 1;
+      std::string edited = text;
+      edited.replace(place, text.find('\n', place) - place, std::string(name) + ' ' + announced);
+      replaced_heap::largest_allocation = 0;
+      ASSERT_GT(line_of_refusal(resealed(edited)), 0u) << name << " " << announced;
+      EXPECT_LT(replaced_heap::largest_allocation, 100000u) << name << " " << announced;
+    }
+}
+
+// SURFACES ----------------------------------------------------------------------------------------
+
+// A file about as many points, in a cell of 4 times 4.
+std::string file_of(const std::vector<std::string>& points, const std::vector<std::string>& faces,
+                    const std::vector<std::string>& corners, const std::vector<std::string>& edges,
+                    const std::string& certified = "no")
+{
+  std::ostringstream out;
+  out << "Dynamic_periodic_Delaunay_triangulation_2 checkpoint 1\nslab no\ncell 4 0 0 4\n"
+      << "certified " << certified << "\nmean_way 0 0\nwalk_start 1\nids " << points.size()
+      << "\nvertices " << points.size() << '\n';
+  for (std::size_t i = 0; i < points.size(); ++i)
+    out << i << ' ' << points[i] << '\n';
+  out << "duplicates 0\nfree_ids 0\n";
+  const auto list = [&](const char* name, const std::vector<std::string>& lines) {
+    out << name << ' ' << lines.size() << '\n';
+    for (const std::string& line : lines)
+      out << line << '\n';
+  };
+  list("faces", faces);
+  list("corners", corners);
+  list("edges", edges);
+  return sealed(out.str());
+}
+
+std::string reason(const std::string& text)
+{
+  Triangulation pt(Cell(1, 1));
+  return refusal(pt, text).what();
+}
+
+TEST(Periodic_checkpoints, one_point_has_two_faces_over_a_basis_of_the_lattice)
+{
+  const std::vector<std::string> edges{"0 4", "1 5", "2 3"};
+  const auto of_faces = [&](const std::string& f, const std::string& g) {
+    return file_of({"1 1"}, {"1 1 1 " + f, "1 1 1 " + g}, {"0"}, edges, "yes");
+  };
+  EXPECT_EQ(reason(of_faces("1 0 1 1", "1 1 0 1")), "checkpoint: accepted");
+  const std::string not_once = "checkpoint, line 20: the faces above do not cover the space once";
+  EXPECT_EQ(reason(of_faces("2 0 2 1", "2 1 0 1")), not_once); // twice, and else all is right
+  EXPECT_EQ(reason(of_faces("0 1 1 1", "1 1 1 0")), not_once); // turned over
+  EXPECT_EQ(reason(of_faces("1 0 2 0", "2 0 1 0")), not_once);
+  EXPECT_EQ(reason(of_faces("1 0 1 0", "1 0 0 0")),
+            "checkpoint, line 13: the face has a corner twice");
+  EXPECT_EQ(reason(of_faces("1 0 1 1", "1 1 0 2")),
+            "checkpoint, line 18: these are half-edges of two edges");
+  EXPECT_EQ(reason(of_faces("1 0 1 4194304", "1 1 0 1")),
+            "checkpoint, line 13: the shift is \"4194304\", and has to be a number from -4194303 "
+            "to 4194303");
+}
+
+TEST(Periodic_checkpoints, every_half_edge_is_there_once)
+{
+  const auto of_edges = [](const std::vector<std::string>& edges) {
+    return file_of({"1 1"}, {"1 1 1 1 0 1 1", "1 1 1 1 1 0 1"}, {"5"}, edges);
+  };
+  EXPECT_EQ(reason(of_edges({"4 0", "5 1", "3 2"})), "checkpoint: accepted");
+  const std::string twice = ": a half-edge is there more than once";
+  EXPECT_EQ(reason(of_edges({"4 0", "0 4", "3 2"})), "checkpoint, line 19" + twice);
+  EXPECT_EQ(reason(of_edges({"4 0", "5 1", "2 2"})), "checkpoint, line 20" + twice);
+  EXPECT_EQ(reason(of_edges({"1 0", "5 4", "3 2"})),
+            "checkpoint, line 18: these are half-edges of two edges");
+}
+
+TEST(Periodic_checkpoints, corners_are_at_their_vertices)
+{
+  const std::string text = checkpoint_of(specimen());
+  const std::string corner = line_below(text, "corners");
+  const std::size_t place = text.find("\ncorners ");
+  const std::size_t begin = text.find('\n', place + 1) + 1;
+  const std::size_t second = text.find('\n', begin) + 1;
+  std::string edited = text;
+  edited.replace(begin, second - begin, text.substr(second, text.find('\n', second) + 1 - second));
+  Triangulation pt(Cell(1, 1));
+  EXPECT_NE(std::string(refusal(pt, resealed(edited)).what()).find("this is no corner of vertex 1"),
+            std::string::npos)
+      << corner;
+}
+
+TEST(Periodic_checkpoints, faces_that_are_no_torus_are_refused)
+{
+  // two tori, of one point each
+  EXPECT_EQ(reason(file_of({"1 1", "2 2"},
+                           {"1 1 1 1 0 1 1", "1 1 1 1 1 0 1", "2 2 2 1 0 1 1", "2 2 2 1 1 0 1"},
+                           {"0", "6"}, {"0 4", "1 5", "2 3", "6 10", "7 11", "8 9"})),
+            "checkpoint, line 16: the face hangs together with the first one by no edges");
+  // a tetrahedron of which two pairs of vertices are images of one point each
+  EXPECT_EQ(reason(file_of({"1 1", "2 2"},
+                           {"1 2 1 0 0 1 0", "1 2 2 1 0 0 0", "1 1 2 1 0 1 0", "2 2 1 1 0 1 0"},
+                           {"0", "1"}, {"2 4", "1 8", "0 10", "5 7", "3 11", "6 9"})),
+            "checkpoint, line 17: the faces at a vertex of the face are not one cycle");
+}
+
+TEST(Periodic_checkpoints, a_forged_file_is_refused_or_harmless)
+{
+  for (const Cell& cell : {Cell(3, 0, 1, 3), Cell::slab(3, 1)})
+    for (const bool is_certified : {true, false}) {
+      std::string text = checkpoint_of(specimen(cell));
+      if (!is_certified)
+        text = replaced(text, "certified yes", "certified no");
+      Forger forger(text, unsigned(is_certified));
+      int accepted = 0;
+      for (int i = 0; i < 2500; ++i) {
+        const std::string forged = forger.forged();
+        Triangulation pt(Cell(1, 1));
+        if (refusal(pt, forged).line() > 0) {
+          ASSERT_EQ(pt.number_of_points(), 0u);
+          continue;
+        }
+        ++accepted;
+        ASSERT_TRUE(!pt.is_certified() || pt.is_valid()) << forged;
+        Triangulation other = restored(pt);
+        ASSERT_EQ(checkpoint_of(pt), checkpoint_of(other));
+        std::vector<Point> points(pt.number_of_ids());
+        for (std::size_t id = 0; id < points.size(); ++id)
+          if (pt.has_id(id))
+            points[id] = Point(pt.point(id).x() + 0.01 * double(id), pt.point(id).y());
+        ASSERT_EQ(all_of(pt.update(points)), all_of(other.update(points))) << forged;
+        ASSERT_TRUE(pt.is_valid()) << forged;
+        ASSERT_NO_FATAL_FAILURE(expect_equal(pt, other));
+      }
+      EXPECT_GT(accepted, 0);
+    }
+}
+
+TEST(Periodic_checkpoints, a_full_disk_is_noticed)
+{
+  const Triangulation pt = specimen();
+  const std::size_t size = checkpoint_of(pt).size();
+  for (std::size_t bytes = 0; bytes < size; ++bytes) {
+    Full_disk disk(bytes);
+    std::ostream out(&disk);
+    ASSERT_THROW(pt.write_checkpoint(out), Checkpoint_error_2) << bytes;
+    Full_disk other_disk(bytes);
+    std::ostream other_out(&other_disk);
+    ASSERT_FALSE(other_out << pt) << bytes;
+  }
+}
+
+} // namespace
