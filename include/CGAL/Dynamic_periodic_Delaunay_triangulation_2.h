@@ -590,7 +590,7 @@ public:
   /// run continues from a checkpoint as if it had not been interrupted.
   /// @{
 
-  /// writes the cell, the triangulation and the ids of its points. Cost: linear, about 160 bytes a
+  /// writes the cell, the triangulation and the ids of its points. Cost: linear, about 140 bytes a
   /// point. \throws Checkpoint_error_2 if the stream fails; what was written is then unusable. It
   /// is also thrown, before anything is written, if an exception ended the last change before each
   /// point had its vertex.

@@ -14,7 +14,9 @@ Every call that can change the triangulation begins with `before_update()`. When
 and certified, the visitor is told what has happened, in the order in which it happened, and at last
 `after_update()` is called. So the triangulation can be asked for anything in each of the functions:
 it is the old one in the first, and the new one in all others. In between an edge may come and go
-several times. Where everything is triangulated anew, all edges are removed and created.
+several times. Where everything is triangulated anew, or read from a checkpoint, all edges are
+removed and created; those that a checkpoint replaces are removed with the shifts that they had in
+the cell of before.
 
 Edges are given as by `for_each_edge()`, in either direction: (i, j, shift) and (j, i, -shift) are
 the same edge. The ids may be those of points that are no longer there.

@@ -5,10 +5,12 @@
 #include "fuzz_target.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_population_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Nearly_delaunay_classifier_2.h>
+#include <CGAL/Periodic_cell_2.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,7 +26,19 @@ using Exact = CGAL::Dynamic_Delaunay_triangulation_2<CGAL::Epick>;
 using Heuristic =
     CGAL::Dynamic_Delaunay_triangulation_2<CGAL::Epick, CGAL::Nearly_delaunay_classifier_2>;
 using Rational = CGAL::Dynamic_Delaunay_triangulation_2<CGAL::Epeck>;
-using Population = CGAL::Dynamic_population_2<Exact>;
+using Periodic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<CGAL::Epick>;
+
+// Without points. A periodic triangulation cannot do without a cell.
+template <class Dynamic>
+Dynamic empty()
+{
+  return Dynamic();
+}
+template <>
+Periodic empty<Periodic>()
+{
+  return Periodic(CGAL::Periodic_cell_2(1, 1));
+}
 
 // The lines before the first checksum. What comes after it would always be refused.
 std::string lines_of(const std::string& input)
@@ -78,42 +92,67 @@ auto next_frame(const Dynamic& dt)
 }
 
 template <class Dynamic>
+bool is_sound(const Dynamic& dt)
+{
+  return dt.is_valid(true);
+}
+
+// What is not certified need not be Delaunay.
+bool is_sound(const Periodic& pt)
+{
+  return !pt.is_certified() || pt.is_valid();
+}
+
+template <class Dynamic>
+void insert_anywhere(Dynamic& dt)
+{
+  dt.insert(typename Dynamic::Point(1, 2));
+}
+
+// In the cell, since too many cells away is not allowed.
+void insert_anywhere(Periodic& pt)
+{
+  pt.insert(Periodic::Point(0.7 * pt.cell().ax(), 0.7 * pt.cell().ay()));
+}
+
+template <class Dynamic>
 void require_usable(Dynamic& dt)
 {
-  fuzz::require(dt.is_valid(true), "a checkpoint was read that is not valid");
-  Dynamic copy;
+  fuzz::require(is_sound(dt), "a checkpoint was read that is not valid");
+  Dynamic copy = empty<Dynamic>();
   const std::string text = checkpoint_of(dt);
   fuzz::require(is_read(copy, text), "what was written is refused");
   fuzz::require(checkpoint_of(copy) == text, "what was written is not what was read");
   const auto points = next_frame(dt);
   dt.update(points.begin(), points.end());
-  fuzz::require(dt.is_valid(true), "an update has spoilt what was read");
-  dt.insert(typename Dynamic::Point(1, 2));
+  fuzz::require(is_sound(dt), "an update has spoilt what was read");
+  insert_anywhere(dt);
   dt.mend();
-  fuzz::require(dt.is_certified() && dt.is_valid(true), "what was read cannot be mended");
+  fuzz::require(dt.is_certified() && is_sound(dt), "what was read cannot be mended");
 }
 
 template <class Dynamic>
 void examine_triangulation(const std::string& text)
 {
-  Dynamic dt;
+  Dynamic dt = empty<Dynamic>();
   if (is_read(dt, text))
     require_usable(dt);
 }
 
+template <class Dynamic>
 void examine_population(const std::string& text)
 {
-  Population population;
+  CGAL::Dynamic_population_2<Dynamic> population(empty<Dynamic>());
   if (!is_read(population, text))
     return;
-  fuzz::require(population.triangulation().is_valid(true), "a population is not valid");
+  fuzz::require(is_sound(population.triangulation()), "a population is not valid");
   std::vector<std::pair<std::int64_t, CGAL::Epick::Point_2>> crowd;
   for (std::size_t id = 0; id < population.triangulation().number_of_ids(); ++id)
     if (population.triangulation().has_id(id))
       crowd.emplace_back(population.user_id(id), population.triangulation().point(id));
   fuzz::require(crowd.size() == population.size(), "somebody has no id");
   population.update(crowd.begin(), crowd.end());
-  fuzz::require(population.triangulation().is_valid(true), "an update has spoilt a population");
+  fuzz::require(is_sound(population.triangulation()), "an update has spoilt a population");
 }
 
 } // namespace
@@ -124,5 +163,7 @@ void fuzz::examine(const std::string& input)
   examine_triangulation<Exact>(text);
   examine_triangulation<Heuristic>(text);
   examine_triangulation<Rational>(text);
-  examine_population(text);
+  examine_population<Exact>(text);
+  examine_triangulation<Periodic>(text);
+  examine_population<Periodic>(text);
 }
