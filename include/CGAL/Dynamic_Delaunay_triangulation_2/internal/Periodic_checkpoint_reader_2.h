@@ -128,7 +128,7 @@ private:
   {
     const Position_2 p = read_vector(), multiples = m_torus.periodic(m_torus.multiples(p));
     if (!(std::abs(multiples.x) < max_shift && std::abs(multiples.y) < max_shift))
-      m_file.refuse("the point is too many cells from the origin");
+      m_file.refuse("the point is 2^20 cells or more from the origin, and has to be nearer");
     return p;
   }
 

@@ -88,7 +88,7 @@ private:
 
   const Maintained& m_maintained;
   bool m_is_certified;
-  const Periodic_memory_2& m_memory;
+  Periodic_memory_2 m_memory;
 };
 
 } // namespace internal
