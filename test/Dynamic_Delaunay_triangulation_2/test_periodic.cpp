@@ -534,7 +534,7 @@ TEST(Vectors_between_neighbors, are_those_to_the_nearest_images)
 // PREDICATES ------------------------------------------------------------------------------------
 
 // Four images near a circle, or nearly on it, in cells of all sizes: where the filter claims a sign
-// it is that of exact arithmetic.
+// it is that of exact arithmetic, for one edge and for four at once.
 TEST(Predicates_of_the_torus, are_those_of_exact_arithmetic)
 {
   using namespace CGAL::Dynamic_Delaunay_triangulations_2;
@@ -583,6 +583,8 @@ TEST(Predicates_of_the_torus, are_those_of_exact_arithmetic)
                            CGAL::ON_POSITIVE_SIDE;
     ASSERT_EQ(torus.edge_state(corners),
               is_inside ? Edge_state_2::ILLEGAL : Edge_state_2::DELAUNAY);
+    ASSERT_TRUE(!is_inside ||
+                torus.filter_proves_delaunay({corners, corners, corners, corners}) == 0);
     undecided += !is_inside && !torus.filter_proves_delaunay(corners);
   }
   EXPECT_GT(undecided, 100u); // or the test had nothing hard
@@ -614,9 +616,11 @@ TEST(Predicates_of_the_torus, see_flat_faces_of_edges_with_empty_circles)
                                    Exact::FT(shift[1]) * Exact::Vector_2(cell.bx(), cell.by());
     const bool is_left =
         CGAL::left_turn(exact_a, Exact::Point_2(b.x(), b.y()), Exact::Point_2(c.x(), c.y()));
-    const Edge_state_2 state = torus.edge_state(
-        {{a, shift}, {{b.x(), b.y()}, {0, 0}}, {{c.x(), c.y()}, {0, 0}}, {{d.x(), d.y()}, {0, 0}}});
+    const Edge_images_2 corners{
+        {a, shift}, {{b.x(), b.y()}, {0, 0}}, {{c.x(), c.y()}, {0, 0}}, {{d.x(), d.y()}, {0, 0}}};
+    const Edge_state_2 state = torus.edge_state(corners);
     ASSERT_EQ(state == Edge_state_2::DELAUNAY, is_left) << i;
+    ASSERT_TRUE(is_left || torus.filter_proves_delaunay({corners, corners, corners, corners}) == 0);
     flat += !is_left;
   }
   EXPECT_GT(flat, 500u);
@@ -649,6 +653,39 @@ TEST(Predicates_of_the_torus, see_ties_that_roundings_hide)
   EXPECT_EQ(torus.orientation({p, {-7, -3}}, {p, {0, 0}}, {p, {7, 3}}), CGAL::COLLINEAR);
   EXPECT_EQ(torus.edge_state(square), Edge_state_2::DELAUNAY);
   EXPECT_FALSE(torus.filter_proves_delaunay(square));
+}
+
+// Each of the four edges has the answer that it has alone, also where images are across a slab.
+TEST(Predicates_of_the_torus, are_the_same_for_four_edges_at_once)
+{
+  using namespace CGAL::Dynamic_Delaunay_triangulations_2::internal;
+  std::mt19937_64 random(15);
+  for (const Cell& cell : {Cell(3, 1, -0.5, 4), Cell(Vector(4, 0.5))}) {
+    const Torus_2 torus(cell);
+    std::size_t proved = 0;
+    for (int i = 0; i < 2000; ++i) {
+      std::array<Edge_images_2, 4> edges;
+      for (Edge_images_2& edge : edges) {
+        const auto place = [&](Image_2& image, double x, double y) {
+          image.shift = {int(random() % 5) - 2, int(random() % 3 == 0)};
+          const Position_2 way =
+              torus.vector({double(image.shift[0]), cell.is_slab() ? 0 : double(image.shift[1])});
+          image.position = {x - way.x, y - way.y};
+        };
+        place(edge.left, random_between(random, -1, 1), random_between(random, -0.1, 2));
+        place(edge.source, -1, 0);
+        place(edge.target, 1, 0);
+        place(edge.right, random_between(random, -1, 1), random_between(random, -2, 0.1));
+      }
+      const int of_four = torus.filter_proves_delaunay(edges);
+      for (std::size_t k = 0; k < 4; ++k) {
+        const bool is_proved = torus.filter_proves_delaunay(edges[k]);
+        ASSERT_EQ(bool(of_four >> k & 1), is_proved) << i << ' ' << k;
+        proved += is_proved;
+      }
+    }
+    EXPECT_GT(proved, 500u);
+  }
 }
 
 // SLABS -------------------------------------------------------------------------------------------

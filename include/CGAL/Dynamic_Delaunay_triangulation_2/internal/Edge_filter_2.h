@@ -141,10 +141,25 @@ struct Four_corners_2
   Four_positions_2 left, source, target, right;
 };
 
+CGAL_DYNAMIC_DELAUNAY_AVX2 Four_positions_2 load_four(const Position_2& p, const Position_2& q,
+                                                      const Position_2& r, const Position_2& s)
+{
+  const __m256d pr =
+      _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(&p.x)), _mm_loadu_pd(&r.x), 1);
+  const __m256d qs =
+      _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(&q.x)), _mm_loadu_pd(&s.x), 1);
+  return {_mm256_unpacklo_pd(pr, qs), _mm256_unpackhi_pd(pr, qs)};
+}
+
 // Edge_filter_2 on four edges at once, by the same operations, so that both prove the same edges.
 class Edge_filter_avx2_2
 {
+public:
   using Four = Four_positions_2;
+  struct Signs
+  {
+    __m256d s, left, right, in_circle;
+  };
 
   CGAL_DYNAMIC_DELAUNAY_AVX2 Four minus(const Four& p, const Four& q)
   {
@@ -161,32 +176,47 @@ class Edge_filter_avx2_2
   {
     return plus(times(p.x, p.x), times(p.y, p.y));
   }
+  CGAL_DYNAMIC_DELAUNAY_AVX2 __m256d negative(__m256d a)
+  {
+    return _mm256_xor_pd(_mm256_set1_pd(-0.0), a);
+  }
 
-public:
+  // Of the vectors from the right corners to the others.
+  CGAL_DYNAMIC_DELAUNAY_AVX2 Signs signs(const Four& a, const Four& b, const Four& c)
+  {
+    const __m256d bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+    const __m256d aa = squared_length(a), bb = squared_length(b), cc = squared_length(c);
+    return {plus(plus(aa, bb), cc), plus(plus(ab, bc), ca), negative(bc),
+            plus(plus(times(aa, bc), times(bb, ca)), times(cc, ab))};
+  }
+
+  CGAL_DYNAMIC_DELAUNAY_AVX2 __m256d orientation_bound(const Signs& signs)
+  {
+    return times(_mm256_set1_pd(Edge_filter_2::orientation_factor), signs.s);
+  }
+  CGAL_DYNAMIC_DELAUNAY_AVX2 __m256d in_circle_bound(const Signs& signs)
+  {
+    return times(_mm256_set1_pd(Edge_filter_2::in_circle_factor), times(signs.s, signs.s));
+  }
+
   // Bit i of the result is set if the i-th edge is proved Delaunay.
   CGAL_DYNAMIC_DELAUNAY_AVX2 int prove(const Four_corners_2& corners)
   {
     const Four& d = corners.right;
-    const Four a = minus(corners.left, d);
-    const Four b = minus(corners.source, d);
-    const Four c = minus(corners.target, d);
+    const Signs four =
+        signs(minus(corners.left, d), minus(corners.source, d), minus(corners.target, d));
+    return prove(four, orientation_bound(four), in_circle_bound(four));
+  }
 
-    const __m256d bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
-    const __m256d aa = squared_length(a), bb = squared_length(b), cc = squared_length(c);
-    const __m256d s = plus(plus(aa, bb), cc);
-    const __m256d left = plus(plus(ab, bc), ca);
-    const __m256d in_circle = plus(plus(times(aa, bc), times(bb, ca)), times(cc, ab));
-
-    const __m256d bound = times(_mm256_set1_pd(Edge_filter_2::orientation_factor), s);
-    const __m256d in_circle_bound =
-        times(_mm256_set1_pd(Edge_filter_2::in_circle_factor), times(s, s));
-    const __m256d sign = _mm256_set1_pd(-0.0);
-    const __m256d is_left = _mm256_cmp_pd(left, bound, _CMP_GT_OQ);
-    const __m256d is_right = _mm256_cmp_pd(_mm256_xor_pd(sign, bc), bound, _CMP_GT_OQ);
-    const __m256d is_empty =
-        _mm256_cmp_pd(in_circle, _mm256_xor_pd(sign, in_circle_bound), _CMP_LT_OQ);
+  // The same with other bounds.
+  CGAL_DYNAMIC_DELAUNAY_AVX2 int prove(const Signs& signs, __m256d orientation_bound,
+                                       __m256d in_circle_bound)
+  {
+    const __m256d is_left = _mm256_cmp_pd(signs.left, orientation_bound, _CMP_GT_OQ);
+    const __m256d is_right = _mm256_cmp_pd(signs.right, orientation_bound, _CMP_GT_OQ);
+    const __m256d is_empty = _mm256_cmp_pd(signs.in_circle, negative(in_circle_bound), _CMP_LT_OQ);
     const __m256d is_large =
-        _mm256_cmp_pd(s, _mm256_set1_pd(Edge_filter_2::smallest_s), _CMP_GT_OQ);
+        _mm256_cmp_pd(signs.s, _mm256_set1_pd(Edge_filter_2::smallest_s), _CMP_GT_OQ);
     return _mm256_movemask_pd(
         _mm256_and_pd(_mm256_and_pd(is_empty, is_large), _mm256_and_pd(is_left, is_right)));
   }

@@ -62,11 +62,7 @@ private:
   CGAL_DYNAMIC_DELAUNAY_AVX2 Four_positions_2 load(const Position_2* positions, Index i, Index j,
                                                    Index k, Index l)
   {
-    const __m256d ik = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(&positions[i].x)),
-                                            _mm_loadu_pd(&positions[k].x), 1);
-    const __m256d jl = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(&positions[j].x)),
-                                            _mm_loadu_pd(&positions[l].x), 1);
-    return {_mm256_unpacklo_pd(ik, jl), _mm256_unpackhi_pd(ik, jl)};
+    return load_four(positions[i], positions[j], positions[k], positions[l]);
   }
 
 #endif // CGAL_DYNAMIC_DELAUNAY_HAS_AVX2

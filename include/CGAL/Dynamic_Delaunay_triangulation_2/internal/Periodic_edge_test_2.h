@@ -11,7 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Torus_2.h>
 
-#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -84,13 +84,31 @@ private:
   // Of the edges from place `first` on, which the pass in the plane did not prove.
   void keep_unproved(std::vector<Index>& unproved, std::size_t first) const
   {
-    const auto is_proved = [&](Index e) {
-      return m_maintained.mirror().is_empty_edge(e) ||
-             (m_maintained.is_shifted(e) && proves_delaunay(e));
-    };
-    unproved.erase(
-        std::remove_if(unproved.begin() + std::ptrdiff_t(first), unproved.end(), is_proved),
-        unproved.end());
+    const auto& mirror = m_maintained.mirror();
+    const auto corners = [&](Index e) { return m_maintained.corners_at(mirror.halfedge(e)); };
+    std::array<Index, 4> shifted;
+    std::size_t kept = first, waiting = 0;
+    for (std::size_t i = first; i < unproved.size(); ++i) {
+      const Index e = unproved[i];
+      if (mirror.is_empty_edge(e))
+        continue;
+      if (!m_maintained.is_shifted(e)) {
+        unproved[kept++] = e;
+        continue;
+      }
+      shifted[waiting++] = e;
+      if (waiting < 4)
+        continue;
+      const int proved = m_maintained.torus().filter_proves_delaunay(
+          {corners(shifted[0]), corners(shifted[1]), corners(shifted[2]), corners(shifted[3])});
+      for (waiting = 4; waiting > 0; --waiting)
+        if (!(proved >> (waiting - 1) & 1))
+          unproved[kept++] = shifted[waiting - 1];
+    }
+    while (waiting > 0)
+      if (!proves_delaunay(shifted[--waiting]))
+        unproved[kept++] = shifted[waiting];
+    unproved.resize(kept);
   }
 
   const Maintained& m_maintained;

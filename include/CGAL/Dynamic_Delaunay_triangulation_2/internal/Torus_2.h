@@ -9,6 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_filter_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/Number_types/internal/Exact_type_selector.h>
 #include <CGAL/Periodic_cell_2.h>
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
@@ -198,6 +200,19 @@ public:
     return Filter(*this, corners).proves_delaunay();
   }
 
+  // The same for four edges: bit i of the result is set if the i-th one is proved Delaunay.
+  int filter_proves_delaunay(const std::array<Edge_images_2, 4>& edges) const
+  {
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+    if (has_avx2())
+      return Filter_avx2::prove(*this, edges);
+#endif
+    int proved = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      proved |= int(filter_proves_delaunay(edges[i])) << i;
+    return proved;
+  }
+
   bool filter_proves_counterclockwise(const Edge_images_2& corners) const
   {
     return Filter(*this, corners).proves_counterclockwise();
@@ -273,6 +288,7 @@ public:
 
 private:
   static constexpr double smallest_products = 1e-280;
+  static constexpr double error_share = 5, largest_error = 0x1p-20; // of the filter, in r
 
   class Filter
   {
@@ -295,9 +311,9 @@ private:
                   torus.vector(corners.right, corners.target, m), Position_2{0, 0}})
     {
       const double s = m_filter.s, r = std::sqrt(s), e = error_factor * m;
-      const double bound = Edge_filter_2::orientation_factor * s + 5 * r * e;
-      m_in_circle_bound = Edge_filter_2::in_circle_factor * (s * s) + 5 * (s * r) * e;
-      is_usable = (s > Edge_filter_2::smallest_s) & (e < 0x1p-20 * r) &
+      const double bound = Edge_filter_2::orientation_factor * s + error_share * r * e;
+      m_in_circle_bound = Edge_filter_2::in_circle_factor * (s * s) + error_share * (s * r) * e;
+      is_usable = (s > Edge_filter_2::smallest_s) & (e < largest_error * r) &
                   !(torus.are_across(corners.left.shift, corners.right.shift) ||
                     torus.are_across(corners.source.shift, corners.right.shift) ||
                     torus.are_across(corners.target.shift, corners.right.shift));
@@ -308,6 +324,91 @@ private:
     double m_in_circle_bound;
     bool is_usable, is_counterclockwise;
   };
+
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+
+  // Filter on four edges at once, by the same operations, so that both prove the same edges.
+  class Filter_avx2
+  {
+    using Plane = Edge_filter_avx2_2;
+    using Four = Four_positions_2;
+
+  public:
+    __attribute__((target("avx2"))) static int prove(const Torus_2& torus,
+                                                     const std::array<Edge_images_2, 4>& edges)
+    {
+      const auto& [e, f, g, h] = edges;
+      const Four_images d = load(e.right, f.right, g.right, h.right);
+      __m256d m = _mm256_setzero_pd(), rows = _mm256_setzero_pd();
+      const Four a = vector(torus, d, load(e.left, f.left, g.left, h.left), m, rows);
+      const Four b = vector(torus, d, load(e.source, f.source, g.source, h.source), m, rows);
+      const Four c = vector(torus, d, load(e.target, f.target, g.target, h.target), m, rows);
+      const Plane::Signs signs = Plane::signs(a, b, c);
+      const __m256d r = _mm256_sqrt_pd(signs.s), error = times(error_factor, m);
+      const __m256d bound = Plane::times(times(error_share, r), error);
+      const __m256d in_circle_bound =
+          Plane::times(times(error_share, Plane::times(signs.s, r)), error);
+      const __m256d is_small = _mm256_cmp_pd(error, times(largest_error, r), _CMP_LT_OQ);
+      const int is_across =
+          torus.m_cell.is_slab()
+              ? _mm256_movemask_pd(_mm256_cmp_pd(rows, _mm256_setzero_pd(), _CMP_NEQ_UQ))
+              : 0;
+      return Plane::prove(signs, Plane::plus(Plane::orientation_bound(signs), bound),
+                          Plane::plus(Plane::in_circle_bound(signs), in_circle_bound)) &
+             _mm256_movemask_pd(is_small) & ~is_across;
+    }
+
+  private:
+    struct Four_images
+    {
+      Four position, shift;
+    };
+
+    CGAL_DYNAMIC_DELAUNAY_AVX2 __m256d times(double a, __m256d b)
+    {
+      return Plane::times(_mm256_set1_pd(a), b);
+    }
+    CGAL_DYNAMIC_DELAUNAY_AVX2 __m256d magnitude(__m256d a)
+    {
+      return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a);
+    }
+    CGAL_DYNAMIC_DELAUNAY_AVX2 __m256d magnitude(__m256d a, __m256d b, __m256d c)
+    {
+      return Plane::plus(Plane::plus(magnitude(a), magnitude(b)), magnitude(c));
+    }
+
+    CGAL_DYNAMIC_DELAUNAY_AVX2 __m128i load_shifts(const Image_2& p, const Image_2& q)
+    {
+      return _mm_unpacklo_epi64(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(p.shift.data())),
+                                _mm_loadl_epi64(reinterpret_cast<const __m128i*>(q.shift.data())));
+    }
+
+    CGAL_DYNAMIC_DELAUNAY_AVX2 Four_images load(const Image_2& p, const Image_2& q,
+                                                const Image_2& r, const Image_2& s)
+    {
+      const __m128 pq = _mm_castsi128_ps(load_shifts(p, q));
+      const __m128 rs = _mm_castsi128_ps(load_shifts(r, s));
+      return {load_four(p.position, q.position, r.position, s.position),
+              {_mm256_cvtepi32_pd(_mm_castps_si128(_mm_shuffle_ps(pq, rs, 0x88))),
+               _mm256_cvtepi32_pd(_mm_castps_si128(_mm_shuffle_ps(pq, rs, 0xdd)))}};
+    }
+
+    // Also raises `rows` where the images are in different rows of cells.
+    CGAL_DYNAMIC_DELAUNAY_AVX2 Four vector(const Torus_2& torus, const Four_images& from,
+                                           const Four_images& to, __m256d& m, __m256d& rows)
+    {
+      const Periodic_cell_2& cell = torus.m_cell;
+      const auto [dx, dy] = Plane::minus(to.position, from.position);
+      const auto [i, j] = Plane::minus(to.shift, from.shift);
+      const __m256d iax = times(cell.ax(), i), jbx = times(cell.bx(), j);
+      const __m256d iay = times(cell.ay(), i), jby = times(cell.by(), j);
+      m = _mm256_max_pd(m, _mm256_max_pd(magnitude(dx, iax, jbx), magnitude(dy, iay, jby)));
+      rows = Plane::plus(rows, magnitude(j));
+      return {Plane::plus(dx, Plane::plus(iax, jbx)), Plane::plus(dy, Plane::plus(iay, jby))};
+    }
+  };
+
+#endif // CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
 
   // The cross product.
   Polynomial<1> product(const Exact_vector& p, const Exact_vector& q) const
