@@ -463,6 +463,19 @@ TEST(Wrong_input, is_refused_and_changes_nothing)
   ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
 }
 
+TEST(Wrong_input, is_refused_also_where_points_walk_out_of_range_in_small_steps)
+{
+  const double limit = 0x1p20; // in cells
+  std::vector<Point> points{Point(limit - 0.1, 0), Point(0.4, 0.3)};
+  Triangulation pt(points, Cell(1, 1));
+  points[0] = Point(limit - 0.05, 0);
+  EXPECT_NO_THROW(pt.update(points));
+  points[0] = Point(limit + 0.05, 0);
+  EXPECT_THROW(pt.update(points), CGAL::Periodic_range_error_2);
+  EXPECT_EQ(pt.point(0), Point(limit - 0.05, 0));
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+}
+
 TEST(The_rounding_mode_of_the_caller, changes_nothing_and_is_given_back)
 {
   std::mt19937_64 random(15);

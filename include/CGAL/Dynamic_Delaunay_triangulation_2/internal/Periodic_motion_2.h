@@ -100,6 +100,7 @@ private:
     m_translated.clear();
     m_far.clear();
     const double long_way = squared_long_way();
+    const Usual_step usual = is_same ? usual_step(now, long_way) : Usual_step{-1, 0};
     const Index* const representatives = ids().representatives();
     const Index vertices = m_maintained.number_of_vertices();
     const Index end_of_prefetching =
@@ -110,10 +111,16 @@ private:
       if (v < end_of_prefetching)
         next.prefetch(representatives[v + prefetched_ahead]);
       const Position_2& p = m_maintained.positions()[v];
-      const Position_2 q = next(representatives[v]), multiples = now.multiples(q);
-      are_in_range &= is_in_range(multiples, now);
+      const Position_2 q = next(representatives[v]);
       staged[v] = q;
       Position_2 way{q.x - p.x, q.y - p.y};
+      if (squared_distance(way, m_mean_way) <= usual.squared_way &&
+          std::abs(q.x) + std::abs(q.y) <= usual.coordinates) {
+        sum = {sum.x + way.x, sum.y + way.y};
+        continue;
+      }
+      const Position_2 multiples = now.multiples(q);
+      are_in_range &= is_in_range(multiples, now);
       const Position_2 step = is_same ? now.multiples(way) : step_to_new_cell(p, multiples);
       if (!is_same || !(std::abs(step.x) <= 0.5 && std::abs(step.y) <= 0.5)) {
         if (!are_in_range)
@@ -129,6 +136,20 @@ private:
     }
     m_mean_way = vertices > 0 ? Position_2{sum.x / vertices, sum.y / vertices} : Position_2{0, 0};
     return are_in_range;
+  }
+
+  // Points that go no farther from the mean motion, to coordinates whose sum is no larger, go less
+  // than half through the cell, not far, and stay in range.
+  struct Usual_step
+  {
+    double squared_way, coordinates;
+  };
+  Usual_step usual_step(const Torus_2& torus, double long_way) const
+  {
+    constexpr double rounding = 0.99;
+    const double way = std::hypot(m_mean_way.x, m_mean_way.y) + std::sqrt(long_way);
+    return {torus.largest_multiple(way) < rounding / 2 ? long_way : -1,
+            rounding * max_shift / torus.largest_multiple(1)};
   }
 
   static bool is_in_range(const Position_2& multiples, const Torus_2& torus)

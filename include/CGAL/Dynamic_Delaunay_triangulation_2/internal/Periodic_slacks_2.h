@@ -18,11 +18,12 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// The proofs of Edge_slack_2 for edges between images, while the cell stays the same. The corners
-// are taken relative to one of them, which rounds them: each is off by at most some `error`. An
-// image goes as far as its point. So within a tolerance t of their references, the corners are
-// within t + error of the rounded ones, where the circle separates them. That the faces are
-// counterclockwise is proved at the references themselves.
+// The proofs of Edge_slack_2 for edges between images, while the cell stays the same. Where the
+// corners have no shifts they are as in the plane. Elsewhere they are taken relative to one of
+// them, which rounds them: each is off by at most some `error`. An image goes as far as its point.
+// So within a tolerance t of their references, the corners are within t + error of the rounded
+// ones, where the circle separates them. That the faces are counterclockwise is proved at the
+// references themselves.
 struct Periodic_slacks_2
 {
   static constexpr bool has_hull = false;
@@ -42,8 +43,12 @@ struct Periodic_slacks_2
   static bool is_safe(const Frame& frame, Index e, const std::vector<Position_2>& references,
                       double tolerance)
   {
-    return !frame.maintained().mirror().is_empty_edge(e) &&
-           is_safe(torus(frame), corners_of(frame, e, references), tolerance);
+    const auto& maintained = frame.maintained();
+    if (maintained.mirror().is_empty_edge(e))
+      return false;
+    if (maintained.is_shifted(e))
+      return is_safe(maintained.torus(), corners_of(frame, e, references), tolerance);
+    return Edge_slack_2(frame.corners(e, references)).is_safe(tolerance);
   }
 
   static bool is_safe(const Torus_2& torus, const Edge_images_2& references, double tolerance)

@@ -117,6 +117,15 @@ public:
     return {s.x * m_cell.ax() + s.y * m_cell.bx(), s.x * m_cell.ay() + s.y * m_cell.by()};
   }
 
+  // What no multiple of a vector of this length exceeds by which the lattice can translate, but for
+  // rounding.
+  double largest_multiple(double length) const
+  {
+    const double x = std::hypot(m_inverse_x.x, m_inverse_x.y);
+    const double y = m_cell.is_slab() ? 0 : std::hypot(m_inverse_y.x, m_inverse_y.y);
+    return length * (std::max)(x, y);
+  }
+
   // The multiples by which the lattice can translate: none across a slab.
   Position_2 periodic(const Position_2& multiples) const
   {
