@@ -1131,8 +1131,9 @@ TEST(Edge_changes, of_a_checkpoint_are_all_edges_also_where_a_slab_becomes_a_tor
   };
   const std::string torus = checkpoint(20, Cell(3, 0, 1, 3)),
                     slab = checkpoint(15, Cell(Vector(3, 1))), empty = checkpoint(0, Cell(1, 1));
-  CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Ledger> pt(random_points(random, 10, 3),
-                                                                     Cell(3, 3));
+  CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::Default,
+                                                  CGAL::Default, Ledger>
+      pt(random_points(random, 10, 3), Cell(3, 3));
   for (const std::string* text : {&slab, &torus, &torus, &slab, &slab, &empty, &slab}) {
     std::istringstream file(*text);
     ASSERT_TRUE(file >> pt);

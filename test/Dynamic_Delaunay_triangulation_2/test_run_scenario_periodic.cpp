@@ -475,18 +475,38 @@ TEST(Box, that_changes_between_slabs_along_x_and_y_turns_the_slab)
   expect_exact_report(report_of({write_file("turned.dump", along_x + along_y)}), 1);
 }
 
-TEST(Periodic_run, refuses_what_only_the_plane_has)
+TEST(Periodic_run, follows_with_any_exact_classifier_and_any_repair_policy_and_engine)
 {
   for (const Words& words :
-       {Words{"--repair", "flip"}, Words{"--padding", "1"}, Words{"--policy", "hybrid"},
-        Words{"--engine", "insertion"}, Words{"--threads", "2"},
-        Words{"--classifier", "safe_region"}, Words{"--classifier", "point_distance"}}) {
-    Words all = {"brownian_periodic", "--frames", "2"};
+       {Words{"--repair", "flip"}, Words{"--repair", "splice", "--padding", "2"},
+        Words{"--repair", "relocate"}, Words{"--repair", "rebuild"}, Words{"--policy", "hybrid"},
+        Words{"--policy", "always_static"}, Words{"--engine", "insertion"},
+        Words{"--classifier", "safe_region"}}) {
+    Words all = {"brownian_periodic", "--points", "100", "--frames", "5"};
     all.insert(all.end(), words.begin(), words.end());
-    expect_refusal(all, {"periodic", words[0]});
+    const Json report = report_of(all);
+    expect_exact_report(report, 5);
+    EXPECT_EQ(report["cell"], "torus");
+    EXPECT_EQ(report[words[0].substr(2)], words[1]);
   }
-  report_of(
-      {"brownian_periodic", "--points", "50", "--frames", "2", "--classifier", "circumcircle"});
+}
+
+TEST(Periodic_run, says_how_much_a_heuristic_classifier_misses)
+{
+  const Json blind = report_of({"brownian_periodic", "--points", "200", "--frames", "40",
+                                "--classifier", "random:0", "--time-step", "1"});
+  EXPECT_EQ(blind["exact"], false);
+  EXPECT_EQ(blind["cell"], "torus");
+  EXPECT_EQ(blind["repair"], "splice");
+  EXPECT_LT(blind["certified_frames"], 40);
+  EXPECT_LT(blind["mcc_min"], 1);
+  const Json nearly_exact = report_of({"brownian_periodic", "--points", "200", "--frames", "40",
+                                       "--classifier", "voronoi_circumcenter"});
+  EXPECT_EQ(nearly_exact["certified_frames"], 40);
+  EXPECT_EQ(nearly_exact["mcc_min"], 1);
+  EXPECT_GT(nearly_exact["classified_mean"], 0);
+  EXPECT_GT(nearly_exact["padded_mean"], 0);
+  EXPECT_GT(nearly_exact["border_mean"], 0);
 }
 
 TEST(Periodic_scenarios, are_followed_without_a_rebuild)
@@ -498,7 +518,7 @@ TEST(Periodic_scenarios, are_followed_without_a_rebuild)
       60, "torus");
 }
 
-std::vector<run::Periodic_face> faces_of(const run::Periodic_run& periodic)
+std::vector<run::Periodic_face> faces_of(const run::Run_view& periodic)
 {
   std::vector<run::Periodic_face> faces;
   for (const run::Shown_triangle& triangle : periodic.triangles()) {
@@ -514,7 +534,7 @@ TEST(Agreement_in_periodic_space, is_perfect_for_the_right_faces_alone)
 {
   for (const auto kind : {scenario::Cell_kind::periodic, scenario::Cell_kind::channel}) {
     scenario::Brownian_motion motion("cloud", {80, {1.0, 2.0}, 0.01, kind}, 1, 3);
-    run::Periodic_run periodic(motion);
+    run::Periodic_run<CGAL::Circumcircle_classifier_2> periodic(motion, {}, {}, {}, {});
     std::vector<std::uint32_t> representatives(80);
     std::iota(representatives.begin(), representatives.end(), 0U);
     run::Ghost_opponents ghosts;
