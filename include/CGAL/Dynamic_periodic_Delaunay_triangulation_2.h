@@ -419,7 +419,7 @@ public:
       m_next.push_back({first->x(), first->y()});
     check_positions(Read_positions{m_next}, cell);
     std::vector<size_type> ids(change.coming.begin(), change.coming.end());
-    return run([&](Update_report_2& report) {
+    return run_frame([&](Update_report_2& report) {
       for (const Index id : change.gone)
         m_core->update.remove(id, report);
       coming_ids.swap(ids);
@@ -576,8 +576,9 @@ public:
     return m_core->update.certify();
   }
 
-  /// tests everything again by exact predicates, and by exact arithmetic that the areas of the
-  /// faces sum up to that of the cell. Meant for tests. Cost: linear, microseconds a point.
+  /// tests whether it is what it says to be: a triangulation of the torus with all points, the
+  /// areas of whose faces sum up, in exact arithmetic, to that of the cell; and if it is certified,
+  /// one that is Delaunay by exact predicates. Meant for tests. Cost: linear, microseconds a point.
   bool is_valid() const
   {
     const Floating_point floating_point;
@@ -785,11 +786,9 @@ private:
   {
     if (!m_core->update.stage(next, cell))
       check_positions(next, cell); // throws
-    const Update_report_2 report = run([&](Update_report_2& changes) {
-      m_core->update.update(next, cell, m_classifier, m_repair, m_policy, changes);
+    return run_frame([&](Update_report_2& report) {
+      m_core->update.update(next, cell, m_classifier, m_repair, m_policy, report);
     });
-    m_policy.after_update(frame(), report);
-    return report;
   }
 
   template <class Next>
@@ -801,6 +800,14 @@ private:
         const Position p = next(id);
         checked(Point(p.x, p.y), id, torus);
       }
+  }
+
+  template <class Function>
+  Update_report_2 run_frame(const Function& change)
+  {
+    const Update_report_2 report = run(change);
+    m_policy.after_update(frame(), report);
+    return report;
   }
 
   template <class Function>

@@ -534,7 +534,8 @@ TEST(Agreement_in_periodic_space, is_perfect_for_the_right_faces_alone)
 {
   for (const auto kind : {scenario::Cell_kind::periodic, scenario::Cell_kind::channel}) {
     scenario::Brownian_motion motion("cloud", {80, {1.0, 2.0}, 0.01, kind}, 1, 3);
-    run::Periodic_run<CGAL::Circumcircle_classifier_2> periodic(motion, {}, {}, {}, {});
+    run::Periodic_run<CGAL::Circumcircle_classifier_2> periodic(
+        motion, CGAL::Circumcircle_classifier_2(), run::Any_repair(), {}, run::Any_policy());
     std::vector<std::uint32_t> representatives(80);
     std::iota(representatives.begin(), representatives.end(), 0U);
     run::Ghost_opponents ghosts;

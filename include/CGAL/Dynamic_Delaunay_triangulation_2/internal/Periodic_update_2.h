@@ -163,7 +163,7 @@ public:
               Policy& policy, Update_report_2& report)
   {
     m_tools.start(report, Classifier::is_exact);
-    m_is_certified = std::exchange(m_is_certified, false) && Classifier::is_exact;
+    m_is_certified = m_is_certified && Classifier::is_exact;
     // at their old places, because the faces there are proved
     const std::vector<Index> jumpers =
         m_is_certified ? m_motion.find_jumpers() : std::vector<Index>();
