@@ -1,0 +1,29 @@
+# Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Delaunay triangulations of moving points, kept exact while the points move.
+
+``DynamicDelaunay`` for points in the plane, ``PeriodicDelaunay`` for periodic cells, ``Population`` for points that
+come and go, and ``track()`` for whole trajectories.
+"""
+
+from . import errors
+from ._core import ClassifierFrame, UpdateReport
+from ._triangulations import CellMeasures, DynamicDelaunay, PeriodicDelaunay, PeriodicPopulation, Population
+from .errors import *  # noqa: F403
+from .neighbors import NeighborList
+from .trajectory import Frame, track
+
+__all__ = [
+    "CellMeasures",
+    "ClassifierFrame",
+    "DynamicDelaunay",
+    "Frame",
+    "NeighborList",
+    "PeriodicDelaunay",
+    "PeriodicPopulation",
+    "Population",
+    "UpdateReport",
+    "errors",
+    "track",
+]

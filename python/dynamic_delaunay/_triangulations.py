@@ -1,0 +1,474 @@
+# Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from typing import Any, NamedTuple, Optional, TypeVar, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._core import ClassifierFrame, Group, UpdateReport
+from .errors import PeriodicCellError
+from .neighbors import NeighborList
+
+Classifier = Union[str, Callable[[ClassifierFrame], Any]]
+_PERIODIC_SETTINGS: dict[str, Any] = dict(classifier="", repair="", policy="", threads=1, seed=1, changes=False)
+Self = TypeVar("Self", bound="_Triangulation")
+
+
+class CellMeasures(NamedTuple):
+    """Measures of Voronoi cells, a row for each id."""
+
+    areas: NDArray[np.float64]
+    """float64 (rows,)"""
+    perimeters: NDArray[np.float64]
+    """float64 (rows,)"""
+    centroids: NDArray[np.float64]
+    """float64 (rows, 2)"""
+    shape_indices: NDArray[np.float64]
+    """float64 (rows,): perimeter / sqrt(area)"""
+
+
+def _rows(points: ArrayLike) -> ArrayLike:
+    """One point (2,) becomes (1, 2)."""
+    array = np.asarray(points)
+    return array[np.newaxis] if array.shape == (2,) else points
+
+
+def _cell(cell: ArrayLike) -> _core.Cell:
+    """From two sides, two vectors as rows, or one vector as one row."""
+    array = np.asarray(cell, dtype=np.float64)
+    if array.shape == (2,):
+        return _core.Cell(array[0], 0.0, 0.0, array[1], False)
+    if array.shape == (2, 2):
+        (ax, ay), (bx, by) = array.tolist()
+        return _core.Cell(ax, ay, bx, by, False)
+    if array.shape == (1, 2):
+        return _core.Cell(array[0, 0], array[0, 1], 0.0, 0.0, True)
+    raise PeriodicCellError(
+        f"a cell has the shape {array.shape}: it must be (2,) for the sides of a rectangle, "
+        "(2, 2) for two vectors, a row each, or (1, 2) for the vector of a slab"
+    )
+
+
+def _cell_array(cell: _core.Cell) -> NDArray[np.float64]:
+    vectors = np.array(cell.numbers).reshape(2, 2)
+    return vectors[:1] if cell.is_slab else vectors
+
+
+class _Triangulation(_core.Triangulation):
+    """What all triangulations have in common.
+
+    Arrays are read-only, and are computed when they are first asked for after a change. They own their numbers: an
+    array that is kept stays as it was, and ``is_current()`` says whether it still describes the triangulation.
+    """
+
+    _settings: dict[str, Any]
+
+    def _init(self, population: bool, cell: Optional[_core.Cell], settings: dict[str, Any]) -> None:
+        super().__init__(population=population, cell=cell, **settings)
+        self._settings = settings
+
+    def is_current(self, array: NDArray[Any]) -> bool:
+        """Whether an array is one of this triangulation's, and nothing has changed since it was made. Views of an
+        array, such as slices, are not known: ask for the array itself."""
+        return self._is_current(array)
+
+    @property
+    def ids(self) -> NDArray[np.int64]:
+        """int64 (n,): the ids of all points, in ascending order."""
+        return self._arrays(Group.IDS)[0]
+
+    @property
+    def points(self) -> NDArray[np.float64]:
+        """float64 (rows, 2): the position of each row, NaN for a removed id."""
+        return self._arrays(Group.POINTS)[0]
+
+    @property
+    def duplicates(self) -> NDArray[np.int32]:
+        """int32 (m, 2): rows of points that coincide with another one, and of that one, which represents them. Only
+        the other one is in edges and triangles."""
+        return self._arrays(Group.DUPLICATES)[0]
+
+    @property
+    def edges(self) -> NDArray[np.int32]:
+        """int32 (edges, 2): rows of both ends of each edge."""
+        return self._arrays(Group.EDGES)[0]
+
+    @property
+    def triangles(self) -> NDArray[np.int32]:
+        """int32 (triangles, 3): rows of the corners, counterclockwise."""
+        return self._arrays(Group.TRIANGLES)[0]
+
+    @property
+    def indptr(self) -> NDArray[np.int32]:
+        """int32 (rows + 1,): where the neighbors of each row begin in ``indices``, as in SciPy's CSR matrices."""
+        return self._arrays(Group.NEIGHBOR_LISTS)[0]
+
+    @property
+    def indices(self) -> NDArray[np.int32]:
+        """int32 (pairs,): the neighbors of all rows, counterclockwise around each."""
+        return self._arrays(Group.NEIGHBOR_LISTS)[1]
+
+    def neighbors_of(self, row: int) -> NDArray[np.int32]:
+        """int32 (k,): the rows of the neighbors of one row, counterclockwise."""
+        if not 0 <= row < len(self.indptr) - 1:
+            raise IndexError(f"there is no row {row}: they are 0 to {len(self.indptr) - 2}")
+        return self.indices[self.indptr[row] : self.indptr[row + 1]]
+
+    @property
+    def areas(self) -> NDArray[np.float64]:
+        """float64 (rows,): areas of the Voronoi cells, in the squared unit of the coordinates; infinite on the hull, 0
+        for removed ids. Points that coincide share their cell's area."""
+        return self._arrays(Group.CELLS)[0]
+
+    @property
+    def perimeters(self) -> NDArray[np.float64]:
+        """float64 (rows,): perimeters of the Voronoi cells, in the unit of the coordinates."""
+        return self._arrays(Group.CELLS)[1]
+
+    @property
+    def centroids(self) -> NDArray[np.float64]:
+        """float64 (rows, 2): centroids of the Voronoi cells; an unbounded one has its point instead."""
+        return self._arrays(Group.CELLS)[2]
+
+    @property
+    def shape_indices(self) -> NDArray[np.float64]:
+        """float64 (rows,): perimeter over the square root of the area: 3.72 of a regular hexagon."""
+        return self._arrays(Group.CELLS)[3]
+
+    @property
+    def ridges(self) -> tuple[NDArray[np.int32], NDArray[np.float64]]:
+        """int32 (ridges, 2), float64 (ridges,): rows of neighbors, and the length of the edge between their Voronoi
+        cells, infinite on the hull."""
+        pairs, lengths, _ = self._arrays(Group.RIDGES)
+        return pairs, lengths
+
+    def voronoi_cell(self, id: int) -> NDArray[np.float64]:
+        """float64 (k, 2): the corners of the Voronoi cell of a point, counterclockwise; none if it is unbounded."""
+        return self._cell_corners(id)
+
+    def neighbor_list(self) -> NeighborList:
+        """Pairs of neighbors with vectors and the lengths of Voronoi edges, as freud's. Of points that coincide, only
+        the one that represents them has neighbors."""
+        pairs, lengths, shifts = self._arrays(Group.RIDGES)
+        first, second = np.concatenate([pairs, pairs[:, ::-1]]).T
+        vectors = self.points[second] - self.points[first]
+        cell = self._cell()
+        if cell is not None:
+            vectors += np.concatenate([shifts, -shifts]) @ np.array(cell.numbers).reshape(2, 2)
+        order = np.lexsort((second, first))
+        counts = np.bincount(first, minlength=len(self.indptr) - 1)
+        weights = np.concatenate([lengths, lengths])
+        return NeighborList(first[order], second[order], vectors[order], weights[order], counts)
+
+    def checkpoint(self) -> bytes:
+        """The triangulation with all its numbers, as text. A run goes on from it as if it had not been interrupted."""
+        return self._checkpoint()
+
+    def restore(self, checkpoint: bytes) -> None:
+        """Replace everything by a checkpoint of the same kind. CheckpointError if it is damaged; nothing changes."""
+        self._restore(checkpoint)
+
+    def save(self, path: Union[str, os.PathLike[str]]) -> None:
+        """Write a checkpoint to a file."""
+        with open(path, "wb") as file:
+            file.write(self.checkpoint())
+
+    def load(self, path: Union[str, os.PathLike[str]]) -> None:
+        """Replace everything by the checkpoint in a file."""
+        with open(path, "rb") as file:
+            self.restore(file.read())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        if self._cell() is not None:
+            raise TypeError("periodic triangulations have no checkpoints, and cannot be pickled or copied")
+        return _restored, (type(self), self._settings, self.checkpoint())
+
+    def __len__(self) -> int:
+        return self.number_of_points
+
+    def __contains__(self, id: int) -> bool:
+        return self._has_id(id)
+
+    def __repr__(self) -> str:
+        certified = "certified" if self.is_certified else "not certified"
+        return f"<{type(self).__name__} of {self.number_of_points} points, {certified}>"
+
+
+def _restored(kind: type[Self], settings: dict[str, Any], checkpoint: bytes) -> Self:
+    triangulation = kind.__new__(kind)
+    triangulation._init(kind is Population, None, settings)
+    triangulation.restore(checkpoint)
+    return triangulation
+
+
+class _Planar(_Triangulation):
+    """What triangulations in the plane have in common, beside what SciPy's have."""
+
+    @property
+    def neighbors(self) -> NDArray[np.int32]:
+        """int32 (triangles, 3): the triangle opposite to each corner, -1 on the hull, as scipy.spatial.Delaunay has
+        it."""
+        return self._arrays(Group.TRIANGLES)[1]
+
+    @property
+    def simplices(self) -> NDArray[np.int32]:
+        """int32 (triangles, 3): ``triangles``, by the name that SciPy has for them."""
+        return self.triangles
+
+    @property
+    def npoints(self) -> int:
+        """The number of rows, as SciPy calls it."""
+        return len(self.points)
+
+    @property
+    def vertex_neighbor_vertices(self) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
+        """``indptr`` and ``indices``, by the name that SciPy has for them."""
+        return self.indptr, self.indices
+
+    @property
+    def convex_hull(self) -> NDArray[np.int32]:
+        """int32 (k, 2): rows of both ends of each edge of the convex hull, with the inside on the left."""
+        triangle, opposite = np.nonzero(self.neighbors < 0)
+        corners = self.triangles[triangle]
+        at = np.arange(len(triangle))
+        return np.column_stack([corners[at, (opposite + 1) % 3], corners[at, (opposite + 2) % 3]])
+
+    def find_simplex(self, places: ArrayLike) -> Union[int, NDArray[np.int32]]:
+        """int32 (m,) for places (m, 2), an int for one place (2,): the triangle in which each place is, boundary
+        included; -1 outside of all. Decided exactly. Cost: about n**(1/3) for each place."""
+        if not self.is_certified:
+            self.mend()
+        found = self._find_simplex(_rows(places))
+        return int(found[0]) if np.ndim(places) == 1 and len(found) == 1 else found
+
+    def clipped_cells(self, box: ArrayLike) -> CellMeasures:
+        """Measures of the parts of the Voronoi cells inside a box (xmin, ymin, xmax, ymax). Cells of the hull are
+        bounded there. Cost: linear."""
+        xmin, ymin, xmax, ymax = np.asarray(box, dtype=np.float64)
+        return CellMeasures(*self._clipped_cells(xmin, ymin, xmax, ymax))
+
+
+class _Periodic(_Triangulation):
+    """What triangulations of a periodic space have in common."""
+
+    @property
+    def cell(self) -> NDArray[np.float64]:
+        """float64 (2, 2): the vectors of the cell, a row each; (1, 2) of a slab."""
+        cell = self._cell()
+        assert cell is not None
+        return _cell_array(cell)
+
+    @property
+    def edge_shifts(self) -> NDArray[np.int32]:
+        """int32 (edges, 2): the shift of the second end of each edge."""
+        return self._arrays(Group.EDGES)[1]
+
+    @property
+    def triangle_shifts(self) -> NDArray[np.int32]:
+        """int32 (triangles, 3, 2): the shifts of the corners; those of the first ones are 0."""
+        return self._arrays(Group.TRIANGLES)[1]
+
+    @property
+    def neighbor_shifts(self) -> NDArray[np.int32]:
+        """int32 (pairs, 2): the shift of each neighbor in ``indices``."""
+        return self._arrays(Group.NEIGHBOR_LISTS)[2]
+
+
+class DynamicDelaunay(_Planar):
+    """The Delaunay triangulation of moving points in the plane.
+
+    Points have the ids 0, 1, 2, ... in the order in which they are given, and keep them; the id of a removed point is
+    free, and the next point gets the smallest free id. Arrays have a row for each id that was ever in use.
+
+    Parameters
+    ----------
+    points : array_like, float (n, 2)
+        x and y of each point. Any strided array of float64 is read in place, other numbers are converted first.
+    classifier : str or callable
+        What finds the edges that the motion broke: "circumcircle" and "safe_region" are exact, "point_distance:0.7",
+        "inflation_aware", "voronoi_circumcenter", "voronoi_circumcenter_estimated", "voronoi_edge_length",
+        "nearly_delaunay", "random" and "refined:FIRST+SECOND" may miss some. A callable gets a ClassifierFrame and
+        returns None, the vertices to examine, or a tuple of vertices and edges; it may have a method
+        ``after_update(frame)``.
+    repair : str, optional
+        "flip_and_splice", "splice", "flip", "relocate" or "rebuild"; without it, what suits the classifier.
+    policy : str
+        "always_dynamic", "always_static", "hybrid" or "key_frames:K".
+    changes : bool
+        Whether to record created and removed edges. That costs time for each edge that is flipped.
+    threads : int
+        Threads of the circumcircle classifier; 0 for all.
+    seed : int
+        Of the classifier "random".
+
+    With an exact classifier every call ends with a proof by exact predicates. Calls release the interpreter's lock;
+    different objects run in threads at once, and calls of one object wait for each other. Do not write to an array
+    while it is read.
+    """
+
+    def __init__(
+        self,
+        points: Optional[ArrayLike] = None,
+        *,
+        classifier: Classifier = "circumcircle",
+        repair: Optional[str] = None,
+        policy: str = "always_dynamic",
+        changes: bool = False,
+        threads: int = 1,
+        seed: int = 1,
+    ) -> None:
+        settings = dict(
+            classifier=classifier, repair=repair or "", policy=policy, threads=threads, seed=seed, changes=changes
+        )
+        self._init(False, None, settings)
+        if points is not None:
+            self._insert(points, None)
+
+    def update(self, points: ArrayLike) -> UpdateReport:
+        """Move point i to row i of ``points``, float (number_of_ids, 2), and repair what that breaks. Rows of removed
+        ids are ignored. Cost: a pass over the edges, of which most are skipped where all is calm."""
+        return self._update(points, None, None)
+
+    def insert(self, points: ArrayLike) -> NDArray[np.int64]:
+        """Add points, float (m, 2), or one, (2,); return their ids, int64 (m,)."""
+        return self._insert(_rows(points), None)
+
+    def remove(self, ids: ArrayLike) -> UpdateReport:
+        """Remove points by their ids, int (m,), or one."""
+        return self._remove(np.atleast_1d(ids))
+
+    def move(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport:
+        """Move some points, int (m,), or one, to positions, float (m, 2) or (2,). All others stay."""
+        return self._move(np.atleast_1d(ids), _rows(points))
+
+    @property
+    def created_edges(self) -> NDArray[np.int32]:
+        """int32 (k, 2): edges of now that were not there before the last call. Needs ``changes=True``."""
+        return self._arrays(Group.CHANGES)[0]
+
+    @property
+    def removed_edges(self) -> NDArray[np.int32]:
+        """int32 (k, 2): edges before the last call that are not there now. Needs ``changes=True``."""
+        return self._arrays(Group.CHANGES)[1]
+
+
+class PeriodicDelaunay(_Periodic):
+    """The Delaunay triangulation of moving points in a periodic cell, which may change with every frame.
+
+    It is of one sheet, and exact: n points have 3n edges and 2n triangles. An edge goes from a point to the image of
+    another one by a shift (i, j), which is moved by i times the first vector of the cell and j times the second one.
+
+    Parameters
+    ----------
+    points : array_like, float (n, 2)
+        Positions, wrapped or not.
+    cell : array_like
+        (2,) the sides of a rectangle; (2, 2) two vectors, a row each; (1, 2) the one vector of a slab, which is open
+        across it.
+    changes : bool
+        Whether created and removed edges are recorded.
+    """
+
+    def __init__(self, points: Optional[ArrayLike] = None, cell: ArrayLike = (1.0, 1.0), *, changes: bool = False):
+        self._init(False, _cell(cell), {**_PERIODIC_SETTINGS, "changes": changes})
+        if points is not None:
+            self._insert(points, None)
+
+    def update(self, points: ArrayLike, cell: Optional[ArrayLike] = None) -> UpdateReport:
+        """Move point i to row i of ``points``, float (number_of_ids, 2), in the same cell, or in one that has changed.
+        Where a point is wrapped, it has gone to the nearest image."""
+        return self._update(points, None, None if cell is None else _cell(cell))
+
+    insert = DynamicDelaunay.insert
+    remove = DynamicDelaunay.remove
+    move = DynamicDelaunay.move
+    created_edges = DynamicDelaunay.created_edges
+    removed_edges = DynamicDelaunay.removed_edges
+
+    @property
+    def created_edge_shifts(self) -> NDArray[np.int32]:
+        """int32 (k, 2): the shifts of ``created_edges``."""
+        return self._arrays(Group.CHANGES)[2]
+
+    @property
+    def removed_edge_shifts(self) -> NDArray[np.int32]:
+        """int32 (k, 2): the shifts of ``removed_edges``, as they would be called now."""
+        return self._arrays(Group.CHANGES)[3]
+
+
+class _ByIds(_Triangulation):
+    """Points that come and go, by any integers of 64 bits as ids.
+
+    Arrays have a row for each point: row k is the point ``ids[k]``. So ``population.ids[population.edges]`` has the
+    edges by ids. Rows change when points come or go.
+    """
+
+    def insert(self, id: int, point: ArrayLike) -> None:
+        """Add one point, float (2,), by a new id."""
+        self._insert(_rows(point), np.atleast_1d(id))
+
+    def remove(self, id: int) -> UpdateReport:
+        """Remove one point."""
+        return self._remove(np.atleast_1d(id))
+
+    def move(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport:
+        """Move some points, int (m,), or one, to positions, float (m, 2) or (2,). All others stay."""
+        return self._move(np.atleast_1d(ids), _rows(points))
+
+
+class Population(_ByIds, _Planar):
+    """The Delaunay triangulation of points in the plane that come and go, by any integers of 64 bits as ids.
+
+    Arrays have a row for each point: row k is the point ``ids[k]``. So ``population.ids[population.edges]`` has the
+    edges by ids. Rows change when points come or go.
+
+    Parameters are the ids, int (n,), the points, float (n, 2), and those of DynamicDelaunay; changed edges are not
+    recorded.
+    """
+
+    def __init__(
+        self,
+        ids: Optional[ArrayLike] = None,
+        points: Optional[ArrayLike] = None,
+        *,
+        classifier: Classifier = "circumcircle",
+        repair: Optional[str] = None,
+        policy: str = "always_dynamic",
+        threads: int = 1,
+        seed: int = 1,
+    ) -> None:
+        settings = dict(
+            classifier=classifier, repair=repair or "", policy=policy, threads=threads, seed=seed, changes=False
+        )
+        self._init(True, None, settings)
+        if ids is not None and points is not None:
+            self._update(points, ids, None)
+
+    def update(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport:
+        """Take a whole frame, ids int (n,) and positions float (n, 2) in any order: insert points with new ids, remove
+        those whose ids are missing, and move the others. Nothing changes if an id is there twice."""
+        return self._update(points, ids, None)
+
+
+class PeriodicPopulation(_ByIds, _Periodic):
+    """A Population in a periodic cell; see PeriodicDelaunay."""
+
+    def __init__(
+        self,
+        ids: Optional[ArrayLike] = None,
+        points: Optional[ArrayLike] = None,
+        cell: ArrayLike = (1.0, 1.0),
+    ) -> None:
+        self._init(True, _cell(cell), dict(_PERIODIC_SETTINGS))
+        if ids is not None and points is not None:
+            self._update(points, ids, None)
+
+    def update(self, ids: ArrayLike, points: ArrayLike, cell: Optional[ArrayLike] = None) -> UpdateReport:
+        """Take a whole frame, as Population.update() does, in the same cell, or in one that has changed."""
+        return self._update(points, ids, None if cell is None else _cell(cell))

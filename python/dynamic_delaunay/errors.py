@@ -1,0 +1,70 @@
+# Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""What is raised for bad input and wrong use, before anything changes. Messages say what is allowed."""
+
+
+class DynamicDelaunayError(Exception):
+    """The base of all of them."""
+
+
+class NonFiniteCoordinateError(DynamicDelaunayError, ValueError):
+    """A coordinate is NaN or infinite. ``id`` of the point, ``x``, ``y``. Where ids are given: its place."""
+
+    id: int
+    x: float
+    y: float
+
+
+class CoordinateRangeError(DynamicDelaunayError, ValueError):
+    """A coordinate is too large. ``id`` of the point, ``x``, ``y``, ``limit``."""
+
+    id: int
+    x: float
+    y: float
+    limit: float
+
+
+class PointCountError(DynamicDelaunayError, ValueError):
+    """A frame has too few or too many points. ``expected``; ``given``, where one more means that many or more."""
+
+    expected: int
+    given: int
+
+
+class UnknownIdError(DynamicDelaunayError, LookupError):
+    """No point has this ``id``."""
+
+    id: int
+
+
+class RepeatedIdError(DynamicDelaunayError, ValueError):
+    """An ``id`` is given more than once, or belongs to a point already."""
+
+    id: int
+
+
+class UncertifiedTriangulationError(DynamicDelaunayError, RuntimeError):
+    """What is asked for needs an exact triangulation: call ``mend()`` after a heuristic update."""
+
+
+class ParameterError(DynamicDelaunayError, ValueError):
+    """A parameter is out of range. ``value``."""
+
+    value: float
+
+
+class PeriodicCellError(DynamicDelaunayError, ValueError):
+    """A periodic cell has parallel vectors, numbers that are not finite, or is too thin."""
+
+
+class PeriodicRangeError(DynamicDelaunayError, ValueError):
+    """A point is 2**20 cells or more from the origin. ``id``."""
+
+    id: int
+
+
+class CheckpointError(DynamicDelaunayError, ValueError):
+    """A checkpoint is damaged, or cannot be written. ``line``, or 0 if the error concerns no line."""
+
+    line: int

@@ -1,0 +1,376 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PYTHON_ARRAY_READING_H
+#define PYTHON_ARRAY_READING_H
+
+#include "python/src/Subject.h"
+
+#include <CGAL/Delaunay_neighbor_lists_2.h>
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
+#include <CGAL/Periodic_cell_2.h>
+#include <CGAL/Voronoi_cell_measures_2.h>
+#include <CGAL/Voronoi_cells_2.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace python {
+
+template <class Dynamic>
+constexpr bool is_periodic_triangulation = false;
+template <class... Parameters>
+constexpr bool
+    is_periodic_triangulation<CGAL::Dynamic_periodic_Delaunay_triangulation_2<Parameters...>> =
+        true;
+
+using Integers = std::vector<std::int32_t>;
+using Doubles = std::vector<double>;
+
+// As SciPy's, arrays have 32 bits for each number. Checked once, for the longest array.
+inline void check_length(std::size_t length)
+{
+  if (length > std::size_t((std::numeric_limits<std::int32_t>::max)())) {
+    throw std::length_error("there are too many neighbors for arrays of 32 bits");
+  }
+}
+
+// The rows of ids: the id itself, or the number of smaller ids that exist.
+class Row_numbers
+{
+public:
+  template <class Dynamic>
+  Row_numbers(const Dynamic& dt, bool are_dense)
+    : m_size(are_dense ? dt.number_of_points() : dt.number_of_ids())
+  {
+    check_length(6 * m_size);
+    if (m_size == dt.number_of_ids()) {
+      return;
+    }
+    std::int32_t row = 0;
+    for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
+      m_rows.push_back(row);
+      row += dt.has_id(id);
+    }
+  }
+
+  std::size_t size() const { return m_size; }
+  bool are_dense() const { return !m_rows.empty(); }
+  std::int32_t operator[](std::size_t id) const
+  {
+    return m_rows.empty() ? std::int32_t(id) : m_rows[id];
+  }
+
+private:
+  std::size_t m_size;
+  Integers m_rows; // empty if they are the ids
+};
+
+inline void append(Integers& numbers, const CGAL::Periodic_shift_2& shift)
+{
+  numbers.insert(numbers.end(), {shift[0], shift[1]});
+}
+
+template <class Dynamic, class User_id>
+Array id_array(const Dynamic& dt, const User_id& user_id)
+{
+  std::vector<std::int64_t> ids;
+  ids.reserve(dt.number_of_points());
+  for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
+    if (dt.has_id(id)) {
+      ids.push_back(std::int64_t(user_id(id)));
+    }
+  }
+  return {std::move(ids)};
+}
+
+template <class Dynamic>
+Array point_array(const Dynamic& dt, const Row_numbers& rows)
+{
+  Doubles points;
+  points.reserve(2 * rows.size());
+  for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
+    if (dt.has_id(id)) {
+      const auto& p = dt.point(id);
+      points.insert(points.end(), {p.x(), p.y()});
+    } else if (!rows.are_dense()) {
+      constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+      points.insert(points.end(), {nan, nan});
+    }
+  }
+  return {std::move(points), {2}};
+}
+
+// Points that share a vertex with another one, and that one.
+template <class Dynamic>
+Array duplicate_array(const Dynamic& dt, const Row_numbers& rows)
+{
+  Integers duplicates;
+  if constexpr (is_periodic_triangulation<Dynamic>) {
+    for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
+      if (dt.has_id(id) && dt.representative(id) != id) {
+        duplicates.insert(duplicates.end(), {rows[id], rows[dt.representative(id)]});
+      }
+    }
+  } else {
+    const auto frame = dt.frame();
+    frame.for_each_duplicate([&](std::size_t id) {
+      duplicates.insert(duplicates.end(), {rows[id], rows[frame.id(frame.vertex(id))]});
+    });
+  }
+  return {std::move(duplicates), {2}};
+}
+
+// Edges, and in periodic space shifts.
+template <class Dynamic>
+std::vector<Array> edge_arrays(const Dynamic& dt, const Row_numbers& rows)
+{
+  Integers edges, shifts;
+  edges.reserve(6 * dt.number_of_vertices());
+  if constexpr (is_periodic_triangulation<Dynamic>) {
+    shifts.reserve(6 * dt.number_of_vertices());
+    dt.for_each_edge([&](std::size_t i, std::size_t j, const CGAL::Periodic_shift_2& shift) {
+      edges.insert(edges.end(), {rows[i], rows[j]});
+      append(shifts, shift);
+    });
+    return {{std::move(edges), {2}}, {std::move(shifts), {2}}};
+  } else {
+    dt.for_each_edge([&](std::size_t i, std::size_t j) {
+      edges.insert(edges.end(), {rows[i], rows[j]});
+    });
+    return {{std::move(edges), {2}}};
+  }
+}
+
+// Sets what is across an edge of a face, beside the corner that is opposite to the edge.
+template <class Frame>
+void set_neighbor(const Frame& frame, const Integers& numbers, typename Frame::Index face,
+                  typename Frame::Index opposite, std::int32_t neighbor, Integers& neighbors)
+{
+  if (numbers[face] < 0) {
+    return;
+  }
+  const auto corners = frame.face(face);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (corners[k] == opposite) {
+      neighbors[3 * std::size_t(numbers[face]) + k] = neighbor;
+    }
+  }
+}
+
+// Finite faces and their neighbors.
+template <class Dynamic>
+std::vector<Array> planar_triangle_arrays(const Dynamic& dt, const Row_numbers& rows)
+{
+  using Index = typename Dynamic::Frame::Index;
+  const auto frame = dt.frame();
+  const bool has_faces = dt.tds().dimension() == 2;
+  Integers corners, numbers(has_faces ? frame.number_of_faces() : 0, -1);
+  corners.reserve(3 * numbers.size());
+  for (Index f = 0; f < numbers.size(); ++f) {
+    const auto vertices = frame.face(f);
+    if (frame.is_infinite(vertices[0]) || frame.is_infinite(vertices[1]) ||
+        frame.is_infinite(vertices[2])) {
+      continue;
+    }
+    numbers[f] = std::int32_t(corners.size() / 3);
+    for (const Index v : vertices) {
+      corners.push_back(rows[frame.id(v)]);
+    }
+  }
+  Integers neighbors(corners.size(), -1);
+  for (Index e = 0; has_faces && e < frame.number_of_edges(); ++e) {
+    const auto& edge = frame.edge(e);
+    const auto [left, right] = frame.faces_at(e);
+    set_neighbor(frame, numbers, left, edge.left, numbers[right], neighbors);
+    set_neighbor(frame, numbers, right, edge.right, numbers[left], neighbors);
+  }
+  return {{std::move(corners), {3}}, {std::move(neighbors), {3}}};
+}
+
+// Faces and the shifts of their corners.
+template <class Dynamic>
+std::vector<Array> periodic_triangle_arrays(const Dynamic& dt, const Row_numbers& rows)
+{
+  Integers corners, shifts;
+  corners.reserve(6 * dt.number_of_vertices());
+  shifts.reserve(12 * dt.number_of_vertices());
+  dt.for_each_face([&](const std::array<std::size_t, 3>& ids,
+                       const std::array<CGAL::Periodic_shift_2, 3>& its_shifts) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners.push_back(rows[ids[k]]);
+      append(shifts, its_shifts[k]);
+    }
+  });
+  return {{std::move(corners), {3}}, {std::move(shifts), {3, 2}}};
+}
+
+// Where each list begins, neighbors, and in periodic space their shifts.
+template <class Dynamic>
+std::vector<Array> neighbor_list_arrays(const Dynamic& dt, const Row_numbers& rows)
+{
+  Integers begins{0}, neighbors, shifts;
+  begins.reserve(rows.size() + 1);
+  neighbors.reserve(6 * dt.number_of_points());
+  if constexpr (is_periodic_triangulation<Dynamic>) {
+    shifts.reserve(12 * dt.number_of_points());
+    for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
+      if (dt.has_id(id) && dt.representative(id) == id) {
+        dt.for_each_neighbor(id, [&](std::size_t j, const CGAL::Periodic_shift_2& shift) {
+          neighbors.push_back(rows[j]);
+          append(shifts, shift);
+        });
+      }
+      if (dt.has_id(id) || !rows.are_dense()) {
+        begins.push_back(std::int32_t(neighbors.size()));
+      }
+    }
+    return {{std::move(begins)}, {std::move(neighbors)}, {std::move(shifts), {2}}};
+  } else {
+    CGAL::Delaunay_neighbor_lists_2 lists;
+    lists.compute(dt);
+    for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
+      for (const auto j : lists.neighbors(id)) {
+        neighbors.push_back(rows[j]);
+      }
+      if (dt.has_id(id) || !rows.are_dense()) {
+        begins.push_back(std::int32_t(neighbors.size()));
+      }
+    }
+    return {{std::move(begins)}, {std::move(neighbors)}};
+  }
+}
+
+// Areas, perimeters, centroids and shape indices.
+template <class Dynamic>
+std::vector<Array> measure_arrays(const Dynamic& dt, const Row_numbers& rows,
+                                  const CGAL::Voronoi_cell_measures_2& measures)
+{
+  Doubles areas, perimeters, centroids, shape_indices;
+  for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
+    if (rows.are_dense() && !dt.has_id(id)) {
+      continue;
+    }
+    areas.push_back(measures.areas()[id]);
+    perimeters.push_back(measures.perimeters()[id]);
+    centroids.insert(centroids.end(), {measures.centroids()[id].x, measures.centroids()[id].y});
+    shape_indices.push_back(measures.shape_indices()[id]);
+  }
+  return {{std::move(areas)},
+          {std::move(perimeters)},
+          {std::move(centroids), {2}},
+          {std::move(shape_indices)}};
+}
+
+// Pairs of neighbors, in periodic space shifts, and the lengths of their Voronoi edges.
+template <class Dynamic>
+std::vector<Array> ridge_arrays(const Dynamic& dt, const Row_numbers& rows)
+{
+  Integers pairs, shifts;
+  Doubles lengths;
+  if constexpr (is_periodic_triangulation<Dynamic>) {
+    CGAL::for_each_voronoi_edge(
+        dt, [&](std::size_t i, std::size_t j, const CGAL::Periodic_shift_2& shift, double length) {
+          pairs.insert(pairs.end(), {rows[i], rows[j]});
+          append(shifts, shift);
+          lengths.push_back(length);
+        });
+  } else {
+    CGAL::for_each_voronoi_edge(dt, [&](std::size_t i, std::size_t j, double length) {
+      pairs.insert(pairs.end(), {rows[i], rows[j]});
+      lengths.push_back(length);
+    });
+  }
+  return {{std::move(pairs), {2}}, {std::move(lengths)}, {std::move(shifts), {2}}};
+}
+
+// Of an unbounded cell there are none.
+template <class Dynamic>
+Array corner_array(const Dynamic& dt, std::size_t id)
+{
+  std::vector<CGAL::Voronoi_cell_measures_2::Position> corners;
+  CGAL::voronoi_cell_corners(dt, id, std::back_inserter(corners));
+  Doubles numbers;
+  for (const auto& corner : corners) {
+    numbers.insert(numbers.end(), {corner.x, corner.y});
+  }
+  return {std::move(numbers), {2}};
+}
+
+// Created edges, removed edges, and in periodic space the shifts of both.
+template <class Dynamic>
+std::vector<Array> change_arrays(const Dynamic& dt)
+{
+  std::array<Integers, 2> edges, shifts;
+  const auto read = [](const auto& changed, Integers& its_edges, Integers& its_shifts) {
+    for (const auto& edge : changed) {
+      if constexpr (is_periodic_triangulation<Dynamic>) {
+        its_edges.insert(its_edges.end(), {std::int32_t(edge.i), std::int32_t(edge.j)});
+        append(its_shifts, edge.shift);
+      } else {
+        its_edges.insert(its_edges.end(), {std::int32_t(edge.first), std::int32_t(edge.second)});
+      }
+    }
+  };
+  read(dt.visitor().created_edges(), edges[0], shifts[0]);
+  read(dt.visitor().removed_edges(), edges[1], shifts[1]);
+  return {{std::move(edges[0]), {2}},
+          {std::move(edges[1]), {2}},
+          {std::move(shifts[0]), {2}},
+          {std::move(shifts[1]), {2}}};
+}
+
+template <class Dynamic>
+std::vector<Array> cell_arrays(const Dynamic& dt, const Row_numbers& rows)
+{
+  CGAL::Voronoi_cell_measures_2 measures;
+  measures.compute(dt);
+  return measure_arrays(dt, rows, measures);
+}
+
+template <class Dynamic>
+std::vector<Array> triangle_arrays(const Dynamic& dt, const Row_numbers& rows)
+{
+  if constexpr (is_periodic_triangulation<Dynamic>) {
+    return periodic_triangle_arrays(dt, rows);
+  } else {
+    return planar_triangle_arrays(dt, rows);
+  }
+}
+
+template <class Dynamic>
+std::vector<Array> read_arrays(const Dynamic& dt, const Row_numbers& rows, Group group)
+{
+  switch (group) {
+  case Group::IDS:
+    return {id_array(dt, [](std::size_t id) { return id; })};
+  case Group::POINTS:
+    return {point_array(dt, rows)};
+  case Group::DUPLICATES:
+    return {duplicate_array(dt, rows)};
+  case Group::EDGES:
+    return edge_arrays(dt, rows);
+  case Group::TRIANGLES:
+    return triangle_arrays(dt, rows);
+  case Group::NEIGHBOR_LISTS:
+    return neighbor_list_arrays(dt, rows);
+  case Group::CELLS:
+    return cell_arrays(dt, rows);
+  case Group::RIDGES:
+    return ridge_arrays(dt, rows);
+  case Group::CHANGES:
+    return change_arrays(dt);
+  }
+  return {};
+}
+
+} // namespace python
+
+#endif // PYTHON_ARRAY_READING_H

@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PYTHON_ERRORS_H
+#define PYTHON_ERRORS_H
+
+#include <cstddef>
+#include <cstdint>
+
+namespace python {
+
+// Translates the package's exceptions to those of errors.py, with the same data.
+void register_errors();
+
+// A negative id, which the package's exceptions cannot hold.
+[[noreturn]] void throw_unknown_id(std::int64_t id, std::size_t number_of_ids);
+
+} // namespace python
+
+#endif // PYTHON_ERRORS_H

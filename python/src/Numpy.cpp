@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "python/src/Numpy.h"
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace py = pybind11;
+
+namespace python {
+
+namespace {
+
+std::string shape_text(const py::array& array)
+{
+  return py::str(array.attr("shape"));
+}
+
+// Whatever NumPy makes an array of, if its numbers are of one of these kinds.
+py::array numbers(py::handle object, const std::string& kinds, const std::string& name)
+{
+  const py::array array = py::array::ensure(object);
+  if (!array) {
+    throw py::type_error(name + " cannot be read as an array of numbers");
+  }
+  if (array.size() > 0 && kinds.find(array.dtype().kind()) == std::string::npos) {
+    throw py::type_error(name + " have the type " + std::string(py::str(array.dtype())) + ": " +
+                         (kinds == "iu" ? "integers" : "real numbers") + " are needed");
+  }
+  return array;
+}
+
+template <class Number>
+py::array of_type(const py::array& array)
+{
+  if (py::isinstance<py::array_t<Number>>(array)) {
+    return array;
+  }
+  const py::array converted = py::array_t<Number, py::array::forcecast>::ensure(array);
+  if (!converted) {
+    throw py::error_already_set();
+  }
+  return converted;
+}
+
+Input input(py::array array)
+{
+  Rows rows;
+  rows.data = static_cast<const char*>(array.data());
+  rows.size = std::size_t(array.shape(0));
+  rows.to_next_row = array.strides(0);
+  rows.to_next_column = array.ndim() > 1 ? array.strides(1) : 0;
+  return {std::move(array), rows};
+}
+
+} // namespace
+
+Input points_input(py::handle object, const std::string& name)
+{
+  const py::array array = numbers(object, "fiu", name);
+  if (array.ndim() == 1 && array.size() == 0) {
+    return {};
+  }
+  if (array.ndim() != 2 || array.shape(1) != 2) {
+    throw py::value_error(name + " have the shape " + shape_text(array) +
+                          ": it must be (n, 2), a row of x and y for each point");
+  }
+  return input(of_type<double>(array));
+}
+
+Input ids_input(py::handle object, const std::string& name)
+{
+  const py::array array = numbers(object, "iu", name);
+  if (array.ndim() != 1) {
+    throw py::value_error(name + " have the shape " + shape_text(array) + ": it must be (n,)");
+  }
+  if (array.size() > 0 && array.dtype().kind() == 'u' && array.itemsize() == 8 &&
+      array.attr("max")().cast<std::uint64_t>() > std::uint64_t(INT64_MAX)) {
+    throw py::value_error(name + " must be smaller than 2**63");
+  }
+  return input(of_type<std::int64_t>(array));
+}
+
+Input ids_input(py::handle object, std::size_t size, const std::string& name)
+{
+  Input ids = ids_input(object, name);
+  if (ids.rows.size != size) {
+    throw py::value_error("there are " + std::to_string(ids.rows.size) + ' ' + name + " and " +
+                          std::to_string(size) + " points: there must be as many");
+  }
+  return ids;
+}
+
+py::array to_numpy(Array array)
+{
+  return std::visit(
+      [&](auto& numbers) -> py::array {
+        using Numbers = std::decay_t<decltype(numbers)>;
+        std::size_t size_of_row = 1;
+        for (const std::size_t extent : array.shape_of_row) {
+          size_of_row *= extent;
+        }
+        std::vector<py::ssize_t> shape{py::ssize_t(numbers.size() / size_of_row)};
+        shape.insert(shape.end(), array.shape_of_row.begin(), array.shape_of_row.end());
+        auto owned = std::make_unique<Numbers>(std::move(numbers));
+        const auto* const data = owned->data();
+        const py::capsule owner(
+            owned.release(), [](void* its_numbers) { delete static_cast<Numbers*>(its_numbers); });
+        py::array result(py::dtype::of<typename Numbers::value_type>(), shape, data, owner);
+        py::detail::array_proxy(result.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+        return result;
+      },
+      array.numbers);
+}
+
+} // namespace python

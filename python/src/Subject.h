@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PYTHON_SUBJECT_H
+#define PYTHON_SUBJECT_H
+
+#include <CGAL/Update_report_2.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace python {
+
+// Rows of numbers where NumPy has them, with any strides in bytes, also negative ones.
+struct Rows
+{
+  template <class Number>
+  Number at(std::size_t i, std::size_t j) const
+  {
+    Number number; // the array may be unaligned
+    std::memcpy(&number,
+                data + std::ptrdiff_t(i) * to_next_row + std::ptrdiff_t(j) * to_next_column,
+                sizeof number);
+    return number;
+  }
+
+  const char* data = nullptr;
+  std::ptrdiff_t to_next_row = 0;
+  std::ptrdiff_t to_next_column = 0;
+  std::size_t size = 0;
+};
+
+struct Cell
+{
+  double ax, ay, bx, by; // of a slab, bx and by do not count
+  bool is_slab;
+};
+
+struct Box
+{
+  double xmin, ymin, xmax, ymax;
+};
+
+// What becomes a NumPy array, whose rows have this shape: {} of numbers, {2} of pairs.
+struct Array
+{
+  std::variant<std::vector<std::int32_t>, std::vector<std::int64_t>, std::vector<double>> numbers;
+  std::vector<std::size_t> shape_of_row{};
+};
+
+// What is computed together.
+enum class Group {
+  IDS,
+  POINTS,
+  DUPLICATES,
+  EDGES,
+  TRIANGLES,
+  NEIGHBOR_LISTS,
+  CELLS,
+  RIDGES,
+  CHANGES
+};
+
+class Python_function;
+
+struct Settings
+{
+  std::string classifier;
+  std::shared_ptr<const Python_function> function; // the classifier, if it is written in Python
+  std::string repair;                              // empty for the usual one
+  std::string policy;
+  unsigned threads;
+  std::uint64_t seed;
+  bool records_changes;
+};
+
+// A triangulation as the module uses it, whatever its type is. The ids of a population are the
+// user's, and its arrays speak of rows, which are the places in `Group::IDS`. Others have no ids of
+// the user, and their rows are the ids.
+class Subject
+{
+public:
+  using Report = CGAL::Update_report_2;
+
+  Subject() = default;
+  Subject(const Subject&) = delete;
+  Subject& operator=(const Subject&) = delete;
+  virtual ~Subject() = default;
+
+  virtual bool is_population() const = 0;
+  virtual Report update(const Rows& ids, const Rows& points, const std::optional<Cell>& cell) = 0;
+  virtual Report move(const Rows& ids, const Rows& points) = 0;
+  // Ids of the user if it is a population, or else new ids are appended.
+  virtual Report insert(const Rows& ids, const Rows& points,
+                        std::vector<std::int64_t>& new_ids) = 0;
+  virtual Report remove(const Rows& ids) = 0;
+  virtual Report mend() = 0;
+  virtual bool certify() = 0;
+
+  virtual bool is_certified() const = 0;
+  virtual bool is_valid() const = 0;
+  virtual std::size_t number_of_points() const = 0;
+  virtual std::size_t number_of_ids() const = 0;
+  virtual std::size_t number_of_vertices() const = 0;
+  virtual bool has_id(std::int64_t id) const = 0;
+  virtual std::optional<Cell> cell() const = 0;
+
+  virtual std::vector<Array> arrays(Group group) const = 0;
+  virtual std::vector<Array> clipped_cells(const Box& box) const = 0;
+  virtual Array cell_corners(std::int64_t id) const = 0;
+
+  virtual std::string checkpoint() const = 0;
+  virtual void restore(const std::string& checkpoint) = 0;
+};
+
+// Empty ones.
+std::unique_ptr<Subject> make_exact(const Settings& settings, bool is_population);
+std::unique_ptr<Subject> make_heuristic(const Settings& settings, bool is_population);
+std::unique_ptr<Subject> make_periodic(const Settings& settings, const Cell& cell,
+                                       bool is_population);
+
+} // namespace python
+
+#endif // PYTHON_SUBJECT_H

@@ -1,0 +1,229 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PYTHON_SUBJECT_OF_H
+#define PYTHON_SUBJECT_OF_H
+
+#include "python/src/Array_reading.h"
+#include "python/src/Row_iterator.h"
+#include "python/src/Subject.h"
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_population_2.h>
+#include <CGAL/Periodic_cell_2.h>
+
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+namespace python {
+
+inline CGAL::Periodic_cell_2 periodic_cell(const Cell& cell)
+{
+  return cell.is_slab ? CGAL::Periodic_cell_2::slab(cell.ax, cell.ay)
+                      : CGAL::Periodic_cell_2(cell.ax, cell.ay, cell.bx, cell.by);
+}
+
+// The triangulation, and the ids of the user if there are any.
+template <class Dynamic>
+struct Without_user_ids
+{
+  explicit Without_user_ids(Dynamic its_triangulation)
+    : triangulation(std::move(its_triangulation))
+  {
+  }
+  Dynamic triangulation;
+};
+template <class Dynamic>
+using With_user_ids = CGAL::Dynamic_population_2<Dynamic>;
+
+template <class Dynamic, bool has_user_ids>
+class Subject_of : public Subject
+{
+  using Owner = std::conditional_t<has_user_ids, With_user_ids<Dynamic>, Without_user_ids<Dynamic>>;
+  using Point = typename Dynamic::Point;
+  static constexpr bool is_periodic = is_periodic_triangulation<Dynamic>;
+
+public:
+  explicit Subject_of(Dynamic triangulation)
+    : m_owner(std::move(triangulation))
+  {
+  }
+
+  bool is_population() const override { return has_user_ids; }
+
+  Report update(const Rows& ids, const Rows& points, const std::optional<Cell>& cell) override
+  {
+    const auto update = [&](const auto& rows) {
+      if constexpr (is_periodic) {
+        if (cell) {
+          return changing().update(rows, periodic_cell(*cell));
+        }
+      }
+      return changing().update(rows);
+    };
+    if constexpr (has_user_ids) {
+      return update(identified(ids, points));
+    } else {
+      return update(row_range(points.size, Read_point<Point>{points}));
+    }
+  }
+
+  Report move(const Rows& ids, const Rows& points) override
+  {
+    const auto movers = identified(ids, points);
+    return changing().move(movers.begin(), movers.end());
+  }
+
+  Report insert(const Rows& ids, const Rows& points, std::vector<std::int64_t>& new_ids) override
+  {
+    if constexpr (has_user_ids) {
+      return m_owner.insert(ids.at<std::int64_t>(0, 0), Read_point<Point>{points}(0));
+    } else {
+      const auto newcomers = row_range(points.size, Read_point<Point>{points});
+      return changing().insert(newcomers.begin(), newcomers.end(), std::back_inserter(new_ids));
+    }
+  }
+
+  Report remove(const Rows& ids) override
+  {
+    if constexpr (has_user_ids) {
+      return m_owner.remove(ids.at<std::int64_t>(0, 0));
+    } else {
+      const auto gone = row_range(ids.size, Read_id{ids});
+      return changing().remove(gone.begin(), gone.end());
+    }
+  }
+
+  Report mend() override { return changing().mend(); }
+  bool certify() override { return changing().certify(); }
+
+  bool is_certified() const override { return dt().is_certified(); }
+  bool is_valid() const override { return dt().is_valid(); }
+  std::size_t number_of_points() const override { return dt().number_of_points(); }
+  std::size_t number_of_ids() const override { return dt().number_of_ids(); }
+  std::size_t number_of_vertices() const override { return dt().number_of_vertices(); }
+
+  bool has_id(std::int64_t id) const override
+  {
+    if constexpr (has_user_ids) {
+      return m_owner.has(id);
+    } else {
+      return dt().has_id(std::size_t(id));
+    }
+  }
+
+  std::optional<Cell> cell() const override
+  {
+    if constexpr (is_periodic) {
+      const CGAL::Periodic_cell_2& c = dt().cell();
+      return Cell{c.ax(), c.ay(), c.bx(), c.by(), c.is_slab()};
+    } else {
+      return std::nullopt;
+    }
+  }
+
+  std::vector<Array> arrays(Group group) const override
+  {
+    const Row_numbers rows(dt(), has_user_ids);
+    if constexpr (has_user_ids) {
+      if (group == Group::CHANGES) {
+        throw std::invalid_argument("a population records no changed edges");
+      }
+      if (group == Group::IDS) {
+        return {id_array(dt(), [&](std::size_t id) { return m_owner.user_id(id); })};
+      }
+    }
+    return read_arrays(dt(), rows, group);
+  }
+
+  std::vector<Array> clipped_cells(const Box& box) const override
+  {
+    if constexpr (is_periodic) {
+      throw std::invalid_argument("cells of a periodic triangulation cannot be clipped to a box");
+    } else {
+      CGAL::Voronoi_cell_measures_2 measures;
+      measures.compute(dt(), CGAL::Bbox_2(box.xmin, box.ymin, box.xmax, box.ymax));
+      return measure_arrays(dt(), Row_numbers(dt(), has_user_ids), measures);
+    }
+  }
+
+  Array cell_corners(std::int64_t id) const override
+  {
+    if constexpr (has_user_ids) {
+      return corner_array(dt(), m_owner.id(id));
+    } else {
+      return corner_array(dt(), std::size_t(id));
+    }
+  }
+
+  std::string checkpoint() const override
+  {
+    if constexpr (is_periodic) {
+      throw std::invalid_argument("a periodic triangulation has no checkpoints");
+    } else {
+      std::ostringstream out;
+      owner().write_checkpoint(out);
+      return out.str();
+    }
+  }
+
+  void restore(const std::string& checkpoint) override
+  {
+    if constexpr (is_periodic) {
+      throw std::invalid_argument("a periodic triangulation has no checkpoints");
+    } else {
+      std::istringstream in(checkpoint);
+      changing().read_checkpoint(in);
+    }
+  }
+
+private:
+  const auto& owner() const
+  {
+    if constexpr (has_user_ids) {
+      return m_owner;
+    } else {
+      return m_owner.triangulation;
+    }
+  }
+  auto& changing()
+  {
+    if constexpr (has_user_ids) {
+      return m_owner;
+    } else {
+      return m_owner.triangulation;
+    }
+  }
+  const Dynamic& dt() const
+  {
+    if constexpr (has_user_ids) {
+      return m_owner.triangulation();
+    } else {
+      return m_owner.triangulation;
+    }
+  }
+
+  static auto identified(const Rows& ids, const Rows& points)
+  {
+    return row_range(points.size, Read_identified_point<Point>{ids, points});
+  }
+
+  Owner m_owner;
+};
+
+template <class Dynamic>
+std::unique_ptr<Subject> make_subject(Dynamic triangulation, bool is_population)
+{
+  if (is_population) {
+    return std::make_unique<Subject_of<Dynamic, true>>(std::move(triangulation));
+  }
+  return std::make_unique<Subject_of<Dynamic, false>>(std::move(triangulation));
+}
+
+} // namespace python
+
+#endif // PYTHON_SUBJECT_OF_H

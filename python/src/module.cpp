@@ -1,0 +1,397 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "python/src/Errors.h"
+#include "python/src/Function_in_python.h"
+#include "python/src/Numpy.h"
+#include "python/src/Subject.h"
+#include "python/src/Triangle_walk.h"
+#include "scenario_runner/Method_choice.h"
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace py = pybind11;
+
+namespace python {
+
+namespace {
+
+using Report = Subject::Report;
+
+// What Python holds. All work is done without the interpreter's lock, and by one thread at a time.
+class Triangulation
+{
+public:
+  Triangulation(const py::object& classifier, const std::string& repair, const std::string& policy,
+                unsigned threads, std::uint64_t seed, bool changes, bool is_population,
+                const std::optional<Cell>& cell)
+  {
+    Settings settings{"", nullptr, repair, policy, threads, seed, changes};
+    if (cell) {
+      m_subject = make_periodic(settings, *cell, is_population);
+    } else if (!py::isinstance<py::str>(classifier)) {
+      settings.function = function_in_python(classifier);
+      m_subject = make_heuristic(settings, is_population);
+    } else {
+      settings.classifier = classifier.cast<std::string>();
+      m_subject = run::classifier_choice(settings.classifier).is_exact
+                      ? make_exact(settings, is_population)
+                      : make_heuristic(settings, is_population);
+    }
+  }
+
+  Report update(const py::object& points, const py::object& ids, const std::optional<Cell>& cell)
+  {
+    const Input its_points = points_input(points), its_ids = input_of_ids(ids, its_points);
+    return change(
+        [&](Subject& subject) { return subject.update(its_ids.rows, its_points.rows, cell); });
+  }
+
+  Report move(const py::object& ids, const py::object& points)
+  {
+    const Input its_points = points_input(points);
+    const Input its_ids = ids_input(ids, its_points.rows.size);
+    check(its_ids.rows);
+    return change([&](Subject& subject) { return subject.move(its_ids.rows, its_points.rows); });
+  }
+
+  py::array insert(const py::object& points, const py::object& ids)
+  {
+    const Input its_points = points_input(points), its_ids = input_of_ids(ids, its_points);
+    std::vector<std::int64_t> new_ids;
+    change(
+        [&](Subject& subject) { return subject.insert(its_ids.rows, its_points.rows, new_ids); });
+    return to_numpy({std::move(new_ids)});
+  }
+
+  Report remove(const py::object& ids)
+  {
+    const Input its_ids = ids_input(ids);
+    check(its_ids.rows);
+    return change([&](Subject& subject) { return subject.remove(its_ids.rows); });
+  }
+
+  Report mend()
+  {
+    return change([](Subject& subject) { return subject.mend(); });
+  }
+
+  void restore(const py::bytes& checkpoint)
+  {
+    const std::string text = checkpoint;
+    change([&](Subject& subject) {
+      subject.restore(text);
+      Report report;
+      report.certified = subject.is_certified();
+      return report;
+    });
+  }
+
+  // Calls `f(subject)`, which changes nothing, or nothing that arrays show.
+  template <class Function>
+  auto read(const Function& f)
+  {
+    check_caller();
+    const py::gil_scoped_release release;
+    const std::lock_guard<std::mutex> guard(m_mutex);
+    const Caller caller(m_caller);
+    return f(*m_subject);
+  }
+
+  // The arrays of a group: those of the last time if nothing has changed since.
+  py::tuple arrays(Group group)
+  {
+    Cached& cached = m_cache[std::size_t(group)];
+    if (!cached.arrays || cached.version != m_version) {
+      std::uint64_t version = 0;
+      std::vector<Array> arrays = read([&](const Subject& subject) {
+        version = m_version;
+        return subject.arrays(group);
+      });
+      py::tuple tuple(arrays.size());
+      for (std::size_t i = 0; i < arrays.size(); ++i) {
+        tuple[i] = to_numpy(std::move(arrays[i]));
+      }
+      cached = {std::move(tuple), version};
+    }
+    return cached.arrays;
+  }
+
+  bool is_current(const py::object& array) const
+  {
+    for (const Cached& cached : m_cache) {
+      if (cached.arrays && cached.version == m_version) {
+        for (const py::handle& its_array : cached.arrays) {
+          if (its_array.is(array)) {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  py::array find_simplex(const py::object& places)
+  {
+    const Input input = points_input(places, "places");
+    const py::tuple triangles = arrays(Group::TRIANGLES);
+    const py::array points = arrays(Group::POINTS)[0], corners = triangles[0],
+                    neighbors = triangles[1];
+    const Flat_triangles flat{
+        static_cast<const double*>(points.data()), static_cast<const std::int32_t*>(corners.data()),
+        static_cast<const std::int32_t*>(neighbors.data()), std::size_t(corners.shape(0))};
+    std::vector<std::int32_t> found;
+    {
+      const py::gil_scoped_release release;
+      found = triangles_at(input.rows, flat);
+    }
+    return to_numpy({std::move(found)});
+  }
+
+private:
+  struct Cached
+  {
+    py::tuple arrays{py::reinterpret_steal<py::tuple>(py::handle())};
+    std::uint64_t version = 0;
+  };
+
+  // Remembers which thread is at work.
+  class Caller
+  {
+  public:
+    explicit Caller(std::atomic<std::thread::id>& caller)
+      : m_caller(caller)
+    {
+      m_caller = std::this_thread::get_id();
+    }
+    Caller(const Caller&) = delete;
+    Caller& operator=(const Caller&) = delete;
+    ~Caller() { m_caller = std::thread::id(); }
+
+  private:
+    std::atomic<std::thread::id>& m_caller;
+  };
+
+  void check_caller() const
+  {
+    if (m_caller == std::this_thread::get_id()) {
+      throw std::runtime_error("a triangulation cannot be used by its own classifier, which is "
+                               "given all that it may ask for");
+    }
+  }
+
+  template <class Function>
+  Report change(const Function& f)
+  {
+    m_report = read([&](Subject& subject) {
+      ++m_version; // also if it throws
+      return f(subject);
+    });
+    return m_report;
+  }
+
+  Input input_of_ids(const py::object& ids, const Input& points) const
+  {
+    return m_subject->is_population() ? ids_input(ids, points.rows.size) : Input{};
+  }
+
+  void check(const Rows& ids) const
+  {
+    for (std::size_t i = 0; i < ids.size && !m_subject->is_population(); ++i) {
+      const std::int64_t id = ids.at<std::int64_t>(i, 0);
+      if (id < 0) {
+        throw_unknown_id(id, m_subject->number_of_ids());
+      }
+    }
+  }
+
+public:
+  const Report& last_report() const { return m_report; }
+
+private:
+  std::unique_ptr<Subject> m_subject;
+  std::mutex m_mutex;
+  std::atomic<std::thread::id> m_caller{};
+  std::atomic<std::uint64_t> m_version{0};
+  std::array<Cached, std::size_t(Group::CHANGES) + 1> m_cache{};
+  Report m_report{};
+};
+
+const char* reason_text(CGAL::Rebuild_reason_2 reason)
+{
+  using Reason = CGAL::Rebuild_reason_2;
+  switch (reason) {
+  case Reason::NONE:
+    return nullptr;
+  case Reason::REPAIR:
+    return "repair";
+  case Reason::TOO_MUCH_BROKEN:
+    return "too_much_broken";
+  case Reason::STUCK:
+    return "stuck";
+  case Reason::COINCIDENCE:
+    return "coincidence";
+  case Reason::POPULATION:
+    return "population";
+  case Reason::DIMENSION:
+    return "dimension";
+  case Reason::POLICY:
+    return "policy";
+  case Reason::BUDGET_SPENT:
+    return "budget_spent";
+  }
+  return nullptr;
+}
+
+void bind_report(py::module_& module)
+{
+  py::class_<Report>(module, "UpdateReport", "What one call did. All counts are integers.")
+      .def_readonly("classified", &Report::classified, "vertices that the classifier picked")
+      .def_readonly("padded", &Report::padded, "vertices in the layers around them (splices only)")
+      .def_readonly("border", &Report::border, "vertices in the layer beyond (splices only)")
+      .def_readonly("flips", &Report::flips, "edges flipped")
+      .def_readonly("splices", &Report::splices, "regions triangulated anew")
+      .def_readonly("spliced", &Report::spliced, "vertices of these regions")
+      .def_readonly("enlargements", &Report::enlargements, "how often a region was enlarged")
+      .def_readonly("relocated", &Report::relocated, "vertices that jumped and were inserted anew")
+      .def_readonly("inserted", &Report::inserted, "points inserted")
+      .def_readonly("removed", &Report::removed, "points removed")
+      .def_readonly("merged", &Report::merged, "vertices that came to coincide with others")
+      .def_readonly("parted", &Report::parted, "points that left a vertex that they had shared")
+      .def_readonly("certified", &Report::certified,
+                    "bool: whether the triangulation is proved Delaunay")
+      .def_property_readonly("rebuilt", &Report::rebuilt,
+                             "bool: whether everything was triangulated anew")
+      .def_property_readonly(
+          "rebuild_reason", [](const Report& report) { return reason_text(report.rebuild_reason); },
+          "str: why everything was triangulated anew; None if it was not")
+      .def("__repr__", [](const Report& report) {
+        std::ostringstream out;
+        out << "UpdateReport(flips=" << report.flips << ", classified=" << report.classified
+            << ", inserted=" << report.inserted << ", removed=" << report.removed
+            << ", relocated=" << report.relocated << ", rebuild_reason="
+            << (report.rebuilt() ? "'" + std::string(reason_text(report.rebuild_reason)) + "'"
+                                 : "None")
+            << ", certified=" << (report.certified ? "True" : "False") << ')';
+        return out.str();
+      });
+}
+
+// A call that asks the subject.
+template <class Answer>
+auto asking(Answer (Subject::*question)() const)
+{
+  return [=](Triangulation& triangulation) {
+    return triangulation.read([&](const Subject& subject) { return (subject.*question)(); });
+  };
+}
+
+void bind_triangulation(py::module_& module)
+{
+  py::enum_<Group>(module, "Group")
+      .value("IDS", Group::IDS)
+      .value("POINTS", Group::POINTS)
+      .value("DUPLICATES", Group::DUPLICATES)
+      .value("EDGES", Group::EDGES)
+      .value("TRIANGLES", Group::TRIANGLES)
+      .value("NEIGHBOR_LISTS", Group::NEIGHBOR_LISTS)
+      .value("CELLS", Group::CELLS)
+      .value("RIDGES", Group::RIDGES)
+      .value("CHANGES", Group::CHANGES);
+  py::class_<Cell>(module, "Cell")
+      .def(py::init([](double ax, double ay, double bx, double by, bool is_slab) {
+        return Cell{ax, ay, bx, by, is_slab};
+      }))
+      .def_property_readonly("numbers",
+                             [](const Cell& c) {
+                               return std::array<double, 4>{c.ax, c.ay, c.bx, c.by};
+                             })
+      .def_readonly("is_slab", &Cell::is_slab);
+  py::class_<Triangulation>(module, "Triangulation")
+      .def(py::init<const py::object&, const std::string&, const std::string&, unsigned,
+                    std::uint64_t, bool, bool, const std::optional<Cell>&>(),
+           py::arg("classifier"), py::arg("repair"), py::arg("policy"), py::arg("threads"),
+           py::arg("seed"), py::arg("changes"), py::arg("population"), py::arg("cell"))
+      .def("_update", &Triangulation::update)
+      .def("_move", &Triangulation::move)
+      .def("_insert", &Triangulation::insert)
+      .def("_remove", &Triangulation::remove)
+      .def("_restore", &Triangulation::restore)
+      .def("_arrays", &Triangulation::arrays)
+      .def("_find_simplex", &Triangulation::find_simplex)
+      .def("_is_current", &Triangulation::is_current)
+      .def("_cell", asking(&Subject::cell))
+      .def("_checkpoint",
+           [](Triangulation& t) {
+             return py::bytes(t.read([](const Subject& subject) { return subject.checkpoint(); }));
+           })
+      .def("_clipped_cells",
+           [](Triangulation& t, double xmin, double ymin, double xmax, double ymax) {
+             py::list arrays;
+             for (Array& array : t.read([&](const Subject& subject) {
+                    return subject.clipped_cells({xmin, ymin, xmax, ymax});
+                  })) {
+               arrays.append(to_numpy(std::move(array)));
+             }
+             return arrays;
+           })
+      .def("_cell_corners",
+           [](Triangulation& t, std::int64_t id) {
+             return to_numpy(t.read([&](const Subject& s) { return s.cell_corners(id); }));
+           })
+      .def("_has_id",
+           [](Triangulation& t, std::int64_t id) {
+             return t.read([&](const Subject& subject) { return subject.has_id(id); });
+           })
+      .def("mend", &Triangulation::mend,
+           "Make the triangulation exactly Delaunay after a heuristic update, and return a "
+           "report.\n\n"
+           "Does nothing if it is certified.")
+      .def(
+          "certify",
+          [](Triangulation& t) {
+            return t.read([](Subject& subject) { return subject.certify(); });
+          },
+          "Test by exact predicates whether the triangulation is Delaunay, and certify it if "
+          "so.\n\n"
+          "Cost: one pass over the edges; none if it is certified.")
+      .def("is_valid", asking(&Subject::is_valid),
+           "Whether everything is as it must be, tested exactly. For tests. Cost: linear.")
+      .def_property_readonly("last_report", &Triangulation::last_report,
+                             "UpdateReport: what the last call that changed something did.")
+      .def_property_readonly("is_certified", asking(&Subject::is_certified),
+                             "bool: whether exact predicates have proved it Delaunay.")
+      .def_property_readonly("number_of_points", asking(&Subject::number_of_points),
+                             "int: points, coincident ones included.")
+      .def_property_readonly("number_of_ids", asking(&Subject::number_of_ids),
+                             "int: one more than the largest id ever in use.")
+      .def_property_readonly("number_of_vertices", asking(&Subject::number_of_vertices),
+                             "int: places that differ.");
+}
+
+} // namespace
+
+PYBIND11_MODULE(_core, module)
+{
+  register_errors();
+  bind_report(module);
+  bind_classifier_frame(module);
+  bind_triangulation(module);
+}
+
+} // namespace python

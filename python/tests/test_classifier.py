@@ -1,0 +1,129 @@
+# Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+import pickle
+
+import numpy as np
+import pytest
+from agreement import assert_is_delaunay
+
+from dynamic_delaunay import DynamicDelaunay
+
+POINTS = np.random.default_rng(1).random((300, 2))
+
+
+def next_frame(points, seed=2):
+    return points + np.random.default_rng(seed).normal(0, 0.003, points.shape)
+
+
+def everything(frame):
+    return np.arange(1, len(frame.positions))
+
+
+def broken_edges(frame):
+    """Those that a determinant says are not locally Delaunay."""
+    edges, p = frame.edges, frame.positions
+    finite = np.flatnonzero((edges > 0).all(axis=1))
+    a, b, c, d = p[edges[finite].T]
+    rows = [np.column_stack([q - d, ((q - d) ** 2).sum(axis=1)]) for q in (a, b, c)]
+    determinant = np.linalg.det(np.stack(rows, axis=1))
+    return [], finite[determinant > 0]
+
+
+def test_a_classifier_in_python_names_vertices():
+    dt = DynamicDelaunay(POINTS, classifier=everything, repair="flip")
+    points = next_frame(POINTS)
+    report = dt.update(points)
+    assert report.classified == 300 and not report.certified
+    assert dt.certify()
+    assert_is_delaunay(dt, points)
+
+
+def test_a_classifier_in_python_names_edges():
+    dt = DynamicDelaunay(POINTS, classifier=broken_edges, repair="flip")
+    points = next_frame(POINTS)
+    report = dt.update(points)
+    assert 0 < report.classified < 300
+    dt.mend()
+    assert_is_delaunay(dt, points)
+
+
+def test_nothing_named_leaves_everything_as_it_is():
+    dt = DynamicDelaunay(POINTS, classifier=lambda frame: None)
+    triangles = dt.triangles
+    assert dt.update(next_frame(POINTS)).classified == 0
+    assert np.array_equal(dt.triangles, triangles) and not dt.certify()
+
+
+def test_a_frame_shows_positions_edges_and_ids():
+    seen = {}
+
+    def look(frame):
+        for name in ("positions", "previous_positions", "edges", "ids"):
+            seen[name] = getattr(frame, name)
+        seen["frame"] = frame
+
+    dt = DynamicDelaunay(POINTS, classifier=look)
+    points = next_frame(POINTS)
+    dt.update(points)
+    ids = seen["ids"][1:]
+    assert sorted(ids) == list(range(300)) and seen["ids"][0] == -1
+    assert np.array_equal(seen["positions"][1:], points[ids])
+    assert np.array_equal(seen["previous_positions"][1:], POINTS[ids])
+    assert np.isnan(seen["positions"][0]).all()
+    assert seen["edges"].shape == (3 * 300 - 3, 4) and seen["edges"].max() == 300
+    with pytest.raises(RuntimeError, match="only while its classifier is called"):
+        seen["frame"].positions
+
+
+class Counting:
+    def __init__(self):
+        self.updates = []
+
+    def __call__(self, frame):
+        return everything(frame)
+
+    def after_update(self, frame):
+        self.updates.append((frame.everything_is_new, len(frame.new_edges)))
+
+
+def test_an_object_hears_what_is_new():
+    classifier = Counting()
+    dt = DynamicDelaunay(POINTS, classifier=classifier, repair="flip")
+    assert classifier.updates[-1][0]
+    dt.update(next_frame(POINTS))
+    assert not dt.last_report.rebuilt and not classifier.updates[-1][0] and classifier.updates[-1][1] > 0
+
+
+def fails(frame):
+    raise KeyError("nothing there")
+
+
+def test_an_exception_of_a_classifier_leaves_everything_as_it_was():
+    dt = DynamicDelaunay(POINTS, classifier=fails)
+    with pytest.raises(KeyError, match="nothing there"):
+        dt.update(next_frame(POINTS))
+    assert np.array_equal(dt.points, POINTS) and dt.is_valid()
+
+
+@pytest.mark.parametrize(
+    "answer, error",
+    [([1.5], TypeError), ("x", TypeError), ([[1]], ValueError), (([], [], []), ValueError), ([301], IndexError),
+     ([-1], IndexError), (([], [10**10]), IndexError)],
+)
+def test_refuses_other_answers(answer, error):
+    dt = DynamicDelaunay(POINTS, classifier=lambda frame: answer)
+    with pytest.raises(error, match="classifier"):
+        dt.update(next_frame(POINTS))
+    assert np.array_equal(dt.points, POINTS)
+
+
+def test_a_classifier_cannot_use_its_own_triangulation():
+    dt = DynamicDelaunay(POINTS, classifier=lambda frame: dt.edges)
+    with pytest.raises(RuntimeError, match="its own classifier"):
+        dt.update(next_frame(POINTS))
+
+
+def test_pickles_with_a_function_of_a_module():
+    twin = pickle.loads(pickle.dumps(DynamicDelaunay(POINTS, classifier=everything)))
+    assert twin.update(next_frame(POINTS)).classified == 300

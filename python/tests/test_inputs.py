@@ -1,0 +1,227 @@
+# Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+import threading
+
+import numpy as np
+import pytest
+
+from dynamic_delaunay import DynamicDelaunay, PeriodicDelaunay, Population, errors
+
+POINTS = np.random.default_rng(1).random((60, 2))
+OTHERS = np.random.default_rng(2).random((60, 2))
+
+
+def unaligned(points):
+    data = bytearray(1) + points.tobytes()
+    return np.frombuffer(data, dtype=np.uint8)[1:].view(np.float64).reshape(points.shape)
+
+
+def read_only(points):
+    points = points.copy()
+    points.flags.writeable = False
+    return points
+
+
+@pytest.mark.parametrize(
+    "arranged",
+    [
+        np.asfortranarray,
+        lambda points: np.repeat(points, 3, axis=0)[::3],
+        lambda points: np.ascontiguousarray(points[::-1])[::-1],
+        lambda points: np.ascontiguousarray(points[:, ::-1])[:, ::-1],
+        lambda points: np.column_stack([points, points, points])[:, ::5][:, [0, 1]] * 0 + points,
+        lambda points: np.column_stack([np.zeros(60), points[:, 0], np.zeros(60), points[:, 1]])[:, 1::2],
+        unaligned,
+        read_only,
+        lambda points: points.astype(">f8"),
+        lambda points: points.tolist(),
+        lambda points: points.astype(np.longdouble),
+    ],
+)
+def test_reads_numbers_wherever_they_are(arranged):
+    points = arranged(POINTS)
+    for triangulation in (DynamicDelaunay(points), Population(np.arange(60), points), PeriodicDelaunay(points, (2, 2))):
+        assert np.array_equal(triangulation.points, POINTS)
+    dt = DynamicDelaunay(POINTS * 2)
+    dt.update(points)
+    assert np.array_equal(dt.points, POINTS)
+
+
+@pytest.mark.parametrize("type", [np.float32, np.float16, np.int32, np.uint8])
+def test_converts_other_numbers(type):
+    points = (POINTS * 100).astype(type)
+    assert np.array_equal(DynamicDelaunay(points).points, points.astype(np.float64))
+
+
+def test_reads_a_frame_in_place_without_copying_it():
+    points = np.random.default_rng(1).random((200_000, 4))[:, ::3]
+    dt = DynamicDelaunay(points)
+    dt.update(points)
+    import tracemalloc
+
+    tracemalloc.start()
+    dt.update(points)
+    assert tracemalloc.get_traced_memory()[1] < 10_000  # NumPy tells it of its arrays
+    tracemalloc.stop()
+
+
+@pytest.mark.parametrize("points", [np.zeros(3), np.zeros((3, 3)), np.zeros((2, 2, 2)), 1.0, np.zeros((5, 1))])
+def test_refuses_other_shapes(points):
+    for refuse in (DynamicDelaunay, DynamicDelaunay(POINTS).update, DynamicDelaunay().insert):
+        with pytest.raises(ValueError, match=r"shape .*: it must be \(n, 2\)"):
+            refuse(points)
+
+
+@pytest.mark.parametrize("points", ["points", [("a", "b")], np.zeros((3, 2), complex), np.ones((3, 2), bool), None, [{}]])
+def test_refuses_what_is_no_number(points):
+    dt = DynamicDelaunay(POINTS)
+    with pytest.raises(TypeError, match="points "):
+        dt.update(points)
+    assert np.array_equal(dt.points, POINTS)
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+def test_refuses_numbers_that_are_not_finite(bad):
+    dt = DynamicDelaunay(POINTS)
+    points = POINTS.copy()
+    points[17, 1] = bad
+    edges = dt.edges.copy()
+    with pytest.raises(errors.NonFiniteCoordinateError, match="point 17 has the coordinates") as refused:
+        dt.update(points)
+    assert refused.value.id == 17 and refused.value.x == POINTS[17, 0]
+    assert isinstance(refused.value, ValueError)
+    assert np.array_equal(dt.points, POINTS) and np.array_equal(dt.edges, edges) and dt.is_certified
+
+
+def test_refuses_frames_of_another_length():
+    dt = DynamicDelaunay(POINTS)
+    with pytest.raises(errors.PointCountError) as refused:
+        dt.update(POINTS[:50])
+    assert (refused.value.expected, refused.value.given) == (60, 50)
+    with pytest.raises(errors.PointCountError):
+        dt.update(np.concatenate([POINTS, POINTS]))
+
+
+@pytest.mark.parametrize("id", [60, 10**12, -1, -(2**63)])
+def test_refuses_unknown_ids(id):
+    dt = DynamicDelaunay(POINTS)
+    for refuse in (dt.remove, lambda ids: dt.move(ids, (0, 0)), dt.voronoi_cell):
+        with pytest.raises(errors.UnknownIdError, match="there is no point with id") as refused:
+            refuse(id)
+        if id >= 0:
+            assert refused.value.id == id
+    assert id not in dt
+
+
+@pytest.mark.parametrize("ids", [[1.0], ["1"], [True], [None]])
+def test_refuses_ids_that_are_no_integers(ids):
+    with pytest.raises(TypeError, match="integers are needed"):
+        DynamicDelaunay(POINTS).remove(ids)
+
+
+def test_refuses_ids_that_do_not_fit():
+    with pytest.raises(ValueError, match="smaller than 2"):
+        Population(np.array([2**63], np.uint64), [(0, 0)])
+    assert Population(np.array([2**63 - 1], np.uint64), [(0, 0)]).ids[0] == 2**63 - 1
+    with pytest.raises(ValueError, match="there must be as many"):
+        Population([1, 2], [(0, 0)])
+    with pytest.raises(ValueError, match="shape"):
+        Population([[1]], [(0, 0)])
+
+
+def test_refuses_an_id_that_is_given_twice():
+    dt = DynamicDelaunay(POINTS)
+    with pytest.raises(errors.RepeatedIdError) as refused:
+        dt.remove([3, 4, 3])
+    assert refused.value.id == 3 and len(dt) == 60
+
+
+def test_arrays_stay_as_they_were_and_say_so():
+    dt = DynamicDelaunay(POINTS, changes=True)
+    names = ["edges", "triangles", "neighbors", "indptr", "indices", "areas", "perimeters", "centroids", "points", "ids"]
+    names += ["duplicates", "created_edges", "removed_edges", "shape_indices"]
+    old = {name: getattr(dt, name) for name in names}
+    copies = {name: array.copy() for name, array in old.items()}
+    for name, array in old.items():
+        assert getattr(dt, name) is array and dt.is_current(array)
+        with pytest.raises(ValueError, match="read-only"):
+            array[...] = 0
+    with pytest.raises(errors.NonFiniteCoordinateError):
+        dt.update(POINTS * np.nan)
+    dt.update(np.random.default_rng(9).random((60, 2)))
+    for name, array in old.items():
+        assert not dt.is_current(array)
+        assert np.array_equal(array, copies[name])
+        assert getattr(dt, name) is not array and dt.is_current(getattr(dt, name))
+    del dt
+    assert np.array_equal(old["edges"], copies["edges"])
+
+
+def test_runs_in_threads():
+    def follow(seed, results):
+        random = np.random.default_rng(seed)
+        points = random.random((2000, 2))
+        dt = DynamicDelaunay(points)
+        for _ in range(30):
+            points = points + random.normal(0, 0.001, points.shape)
+            dt.update(points)
+        results[seed] = dt.triangles
+
+    together, alone = {}, {}
+    threads = [threading.Thread(target=follow, args=(seed, together)) for seed in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for seed in range(8):
+        follow(seed, alone)
+        assert np.array_equal(together[seed], alone[seed])
+
+
+def test_calls_of_one_object_wait_for_each_other():
+    points = np.random.default_rng(1).random((3000, 2))
+    dt = DynamicDelaunay(points)
+    failures = []
+
+    def use(seed):
+        random = np.random.default_rng(seed)
+        try:
+            for _ in range(20):
+                dt.update(points + random.normal(0, 0.001, points.shape))
+                triangles, positions = dt.triangles, dt.points
+                assert triangles.max() < len(positions) and len(dt.areas) == 3000
+        except BaseException as error:
+            failures.append(error)
+
+    threads = [threading.Thread(target=use, args=(seed,)) for seed in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not failures and dt.is_valid()
+
+
+def resident_kilobytes():
+    with open("/proc/self/statm") as file:
+        return int(file.read().split()[1]) * 4
+
+
+def test_leaks_nothing_over_ten_thousand_objects():
+    def use():
+        dt = DynamicDelaunay(POINTS, changes=True)
+        dt.update(POINTS + OTHERS * 0.05)
+        population = Population(np.arange(60), POINTS, classifier=lambda frame: frame.ids[1:3])
+        population.update(np.arange(1, 61), POINTS)
+        periodic = PeriodicDelaunay(POINTS, (1, 1))
+        for array in (dt.triangles, dt.areas, dt.created_edges, population.edges, periodic.indices):
+            assert len(array)
+        with pytest.raises(errors.PointCountError):
+            dt.update(POINTS[1:])
+
+    for _ in range(500):
+        use()
+    before = resident_kilobytes()
+    for _ in range(10_000):
+        use()
+    assert resident_kilobytes() - before < 4000  # less than half a byte for each number of one object
