@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Builds the extension module by CMake, which needs the repository around this folder. The rest is in pyproject.toml."""
+"""Builds the module by CMake, which needs the repository around this folder. The rest is in pyproject.toml."""
 
 import pathlib
 import re

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._core import ClassifierFrame, Group, UpdateReport
-from .errors import PeriodicCellError
+from .errors import PeriodicCellError, UncertifiedTriangulationError
 from .neighbors import NeighborList
 
 Classifier = Union[str, Callable[[ClassifierFrame], Any]]
@@ -202,7 +202,7 @@ class _Triangulation(_core.Triangulation):
 
 def _restored(kind: type[Self], settings: dict[str, Any], checkpoint: bytes) -> Self:
     triangulation = kind.__new__(kind)
-    triangulation._init(kind is Population, None, settings)
+    triangulation._init(issubclass(kind, Population), None, settings)
     triangulation.restore(checkpoint)
     return triangulation
 
@@ -243,7 +243,7 @@ class _Planar(_Triangulation):
         """int32 (m,) for places (m, 2), an int for one place (2,): the triangle in which each place is, boundary
         included; -1 outside of all. Decided exactly. Cost: about n**(1/3) for each place."""
         if not self.is_certified:
-            self.mend()
+            raise UncertifiedTriangulationError("places are found in a certified triangulation only: call mend()")
         found = self._find_simplex(_rows(places))
         return int(found[0]) if np.ndim(places) == 1 and len(found) == 1 else found
 

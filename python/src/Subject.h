@@ -96,7 +96,7 @@ public:
   virtual bool is_population() const = 0;
   virtual Report update(const Rows& ids, const Rows& points, const std::optional<Cell>& cell) = 0;
   virtual Report move(const Rows& ids, const Rows& points) = 0;
-  // Ids of the user if it is a population, or else new ids are appended.
+  // A population inserts and removes one point, by the user's id. Else new ids are appended.
   virtual Report insert(const Rows& ids, const Rows& points,
                         std::vector<std::int64_t>& new_ids) = 0;
   virtual Report remove(const Rows& ids) = 0;

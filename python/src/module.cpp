@@ -73,6 +73,7 @@ public:
   py::array insert(const py::object& points, const py::object& ids)
   {
     const Input its_points = points_input(points), its_ids = input_of_ids(ids, its_points);
+    check_single(its_points.rows);
     std::vector<std::int64_t> new_ids;
     change(
         [&](Subject& subject) { return subject.insert(its_ids.rows, its_points.rows, new_ids); });
@@ -82,6 +83,7 @@ public:
   Report remove(const py::object& ids)
   {
     const Input its_ids = ids_input(ids);
+    check_single(its_ids.rows);
     check(its_ids.rows);
     return change([&](Subject& subject) { return subject.remove(its_ids.rows); });
   }
@@ -163,6 +165,8 @@ public:
     return to_numpy({std::move(found)});
   }
 
+  const Report& last_report() const { return m_report; }
+
 private:
   struct Cached
   {
@@ -210,6 +214,14 @@ private:
     return m_subject->is_population() ? ids_input(ids, points.rows.size) : Input{};
   }
 
+  void check_single(const Rows& rows) const
+  {
+    if (m_subject->is_population() && rows.size != 1) {
+      throw std::invalid_argument("a population inserts and removes one point at a time; update() "
+                                  "takes a whole frame");
+    }
+  }
+
   void check(const Rows& ids) const
   {
     for (std::size_t i = 0; i < ids.size && !m_subject->is_population(); ++i) {
@@ -220,10 +232,6 @@ private:
     }
   }
 
-public:
-  const Report& last_report() const { return m_report; }
-
-private:
   std::unique_ptr<Subject> m_subject;
   std::mutex m_mutex;
   std::atomic<std::thread::id> m_caller{};

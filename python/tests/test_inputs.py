@@ -73,7 +73,9 @@ def test_refuses_other_shapes(points):
             refuse(points)
 
 
-@pytest.mark.parametrize("points", ["points", [("a", "b")], np.zeros((3, 2), complex), np.ones((3, 2), bool), None, [{}]])
+@pytest.mark.parametrize(
+    "points", ["points", [("a", "b")], np.zeros((3, 2), complex), np.ones((3, 2), bool), None, [{}]]
+)
 def test_refuses_what_is_no_number(points):
     dt = DynamicDelaunay(POINTS)
     with pytest.raises(TypeError, match="points "):
@@ -139,8 +141,8 @@ def test_refuses_an_id_that_is_given_twice():
 
 def test_arrays_stay_as_they_were_and_say_so():
     dt = DynamicDelaunay(POINTS, changes=True)
-    names = ["edges", "triangles", "neighbors", "indptr", "indices", "areas", "perimeters", "centroids", "points", "ids"]
-    names += ["duplicates", "created_edges", "removed_edges", "shape_indices"]
+    names = ["edges", "triangles", "neighbors", "indptr", "indices", "points", "ids", "duplicates", "areas"]
+    names += ["perimeters", "centroids", "shape_indices", "created_edges", "removed_edges"]
     old = {name: getattr(dt, name) for name in names}
     copies = {name: array.copy() for name, array in old.items()}
     for name, array in old.items():

@@ -214,6 +214,8 @@ def test_certifies_what_a_heuristic_left_right():
     assert not dt.is_certified
     with pytest.raises(errors.UncertifiedTriangulationError, match="mend"):
         dt.areas
+    with pytest.raises(errors.UncertifiedTriangulationError, match="mend"):
+        dt.find_simplex((0.5, 0.5))
     assert dt.certify() and dt.is_certified
 
 

@@ -35,7 +35,8 @@ def test_follows_points_that_come_and_go():
         rows = [place[id] for id in population.ids]
         assert np.array_equal(population.points, points[rows])
         theirs = Delaunay(population.points)
-        assert {frozenset(t) for t in population.triangles.tolist()} == {frozenset(t) for t in theirs.simplices.tolist()}
+        expected = {frozenset(t) for t in theirs.simplices.tolist()}
+        assert {frozenset(t) for t in population.triangles.tolist()} == expected
         indptr, indices = theirs.vertex_neighbor_vertices
         assert len(population.indptr) == len(population) + 1
         for row in range(len(population)):
@@ -65,6 +66,16 @@ def test_inserts_removes_and_moves_by_the_users_ids():
     assert len(population.voronoi_cell(10)) == 0
     with pytest.raises(errors.UnknownIdError):
         population.voronoi_cell(11)
+
+
+def test_inserts_and_removes_one_point_at_a_time():
+    population = Population([1, 2, 3], [(0, 0), (1, 0), (0, 1)])
+    with pytest.raises(ValueError, match="one point at a time"):
+        population.insert([4, 5], [(1, 1), (2, 2)])
+    for ids in ([], [1, 2]):
+        with pytest.raises(ValueError, match="one point at a time"):
+            population.remove(np.array(ids, int))
+    assert len(population) == 3
 
 
 def test_changes_nothing_if_a_frame_is_refused():

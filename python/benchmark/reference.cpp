@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the benchmark of the Python package needs of C++: the motion of scenarios and recordings,
+// and the same updates without Python.
+
+#include "scenario_runner/Open_motion.h"
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_population_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace py = pybind11;
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_2;
+using Triangulation = CGAL::Dynamic_Delaunay_triangulation_2<Kernel>;
+using Population = CGAL::Dynamic_population_2<Triangulation>;
+using Points = py::array_t<double, py::array::c_style>;
+using Ids = py::array_t<std::int64_t, py::array::c_style>;
+
+// Nanoseconds that `work()` takes.
+template <class Work>
+double duration(const Work& work)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count();
+}
+
+std::vector<Point> to_points(const Points& points)
+{
+  std::vector<Point> copy;
+  for (py::ssize_t i = 0; i < points.shape(0); ++i) {
+    copy.emplace_back(points.at(i, 0), points.at(i, 1));
+  }
+  return copy;
+}
+
+// The frames of a scenario or of a recording, whose name tells which, one by one.
+class Motion
+{
+public:
+  Motion(const std::string& path, const std::optional<std::size_t>& points)
+    : m_motion(scenario::open_motion(scenario::scenario_path(path), overrides(points)))
+  {
+    const auto& first = positions();
+    if (m_motion->uses_neighbors()) {
+      m_neighbors = std::make_unique<Triangulation>(first);
+    }
+  }
+
+  std::string name() const { return m_motion->name(); }
+  bool has_fixed_population() const { return m_motion->has_fixed_population(); }
+  bool is_periodic() const { return m_motion->cell().has_value(); }
+
+  Ids ids() const { return Ids(py::ssize_t(m_motion->ids().size()), m_motion->ids().data()); }
+
+  Points points() const
+  {
+    Points points({py::ssize_t(m_motion->points().size()), py::ssize_t(2)});
+    auto place = points.mutable_unchecked<2>();
+    for (std::size_t i = 0; i < m_motion->points().size(); ++i) {
+      place(py::ssize_t(i), 0) = m_motion->points()[i].x;
+      place(py::ssize_t(i), 1) = m_motion->points()[i].y;
+    }
+    return points;
+  }
+
+  bool advance()
+  {
+    scenario::Neighbor_edges edges;
+    if (m_neighbors) {
+      m_neighbors->for_each_edge([&](std::size_t i, std::size_t j) {
+        edges.emplace_back(std::uint32_t(i), std::uint32_t(j));
+      });
+    }
+    const bool goes_on = m_motion->advance(edges);
+    if (goes_on && m_neighbors) {
+      m_neighbors->update(positions());
+    }
+    return goes_on;
+  }
+
+private:
+  static scenario::Overrides overrides(const std::optional<std::size_t>& points)
+  {
+    scenario::Overrides overrides;
+    overrides.points = points;
+    return overrides;
+  }
+
+  std::vector<Point> positions() const
+  {
+    std::vector<Point> positions;
+    for (const auto& p : m_motion->points()) {
+      positions.emplace_back(p.x, p.y);
+    }
+    return positions;
+  }
+
+  std::unique_ptr<scenario::Motion> m_motion;
+  std::unique_ptr<Triangulation> m_neighbors; // if the motion asks for them
+};
+
+// Both return nanoseconds.
+class Reference
+{
+public:
+  explicit Reference(const Points& points)
+    : m_triangulation(to_points(points))
+  {
+  }
+  double update(const Points& points)
+  {
+    const std::vector<Point> frame = to_points(points);
+    return duration([&] { m_triangulation.update(frame); });
+  }
+
+private:
+  Triangulation m_triangulation;
+};
+
+class Population_reference
+{
+public:
+  double update(const Ids& ids, const Points& points)
+  {
+    std::vector<std::pair<std::int64_t, Point>> frame;
+    for (const Point& p : to_points(points)) {
+      frame.emplace_back(ids.at(py::ssize_t(frame.size())), p);
+    }
+    return duration([&] { m_population.update(frame); });
+  }
+
+private:
+  Population m_population;
+};
+
+} // namespace
+
+PYBIND11_MODULE(reference, module)
+{
+  py::class_<Motion>(module, "Motion")
+      .def(py::init<const std::string&, const std::optional<std::size_t>&>(), py::arg("path"),
+           py::arg("points") = py::none())
+      .def_property_readonly("name", &Motion::name)
+      .def_property_readonly("has_fixed_population", &Motion::has_fixed_population)
+      .def_property_readonly("is_periodic", &Motion::is_periodic)
+      .def_property_readonly("ids", &Motion::ids)
+      .def_property_readonly("points", &Motion::points)
+      .def("advance", &Motion::advance);
+  py::class_<Reference>(module, "Reference")
+      .def(py::init<const Points&>())
+      .def("update", &Reference::update);
+  py::class_<Population_reference>(module, "PopulationReference")
+      .def(py::init<>())
+      .def("update", &Population_reference::update);
+  module.def("recordings", [] { return scenario::recordings(); });
+}
