@@ -5,8 +5,9 @@
 
     python.py [--frames N] [NAME ...]
 
-In each frame the three take turns, in one process; SciPy, which takes long, in 20 of the frames. Times are medians a
-point. Last come the fixed costs of calls, at 10 points, and those of arrays at 10,000 points.
+Python and C++ follow 20 frames in turn, in one process; SciPy, which takes long, triangulates 20 of all frames. Times
+are medians over the frames, a point. Last come the fixed cost of a call, at 10 points, and the costs of arrays at
+10,000 points.
 """
 
 import argparse
@@ -22,6 +23,7 @@ from dynamic_delaunay import DynamicDelaunay, Population
 
 SCENARIOS = [("dam_break", None), ("spinning", None), ("explosion", None), ("static", None)]
 LARGE = [("dam_break", 10_000), ("spinning", 10_000), ("explosion", 10_000), ("static", 10_000), ("brownian", 10_000)]
+BLOCK = 20  # frames
 SCIPY_FRAMES = 20
 
 
@@ -32,47 +34,57 @@ def nanoseconds(work):
 
 
 class Fixed:
-    def __init__(self, motion):
-        self.python, self.cpp = DynamicDelaunay(motion.points), reference.Reference(motion.points)
+    def __init__(self, ids, points):
+        self.python, self.cpp = DynamicDelaunay(points), reference.Reference(points)
 
-    def times(self, ids, points, python_first):
-        if python_first:
-            python = nanoseconds(lambda: self.python.update(points))
-            return python, self.cpp.update(points)
-        cpp = self.cpp.update(points)
-        return nanoseconds(lambda: self.python.update(points)), cpp
+    def follow_by_python(self, frames):
+        return [nanoseconds(lambda: self.python.update(points)) for _, points in frames]
+
+    def follow_by_cpp(self, frames):
+        return self.cpp.follow([points for _, points in frames])
 
 
 class Changing:
-    def __init__(self, motion):
-        self.python, self.cpp = Population(motion.ids, motion.points), reference.PopulationReference()
-        self.cpp.update(motion.ids, motion.points)
+    def __init__(self, ids, points):
+        self.python, self.cpp = Population(ids, points), reference.PopulationReference()
+        self.cpp.follow([(ids, points)])
 
-    def times(self, ids, points, python_first):
-        if python_first:
-            python = nanoseconds(lambda: self.python.update(ids, points))
-            return python, self.cpp.update(ids, points)
-        cpp = self.cpp.update(ids, points)
-        return nanoseconds(lambda: self.python.update(ids, points)), cpp
+    def follow_by_python(self, frames):
+        return [nanoseconds(lambda: self.python.update(ids, points)) for ids, points in frames]
+
+    def follow_by_cpp(self, frames):
+        return self.cpp.follow(frames)
+
+
+def blocks(motion, frames):
+    block = []
+    for _ in range(frames):
+        if not motion.advance():
+            break
+        block.append((motion.ids, motion.points))
+        if len(block) == BLOCK:
+            yield block
+            block = []
+    if block:
+        yield block
 
 
 def follow(path, points, frames):
     motion = reference.Motion(path, points)
     if motion.is_periodic:
         return
-    followed = Fixed(motion) if motion.has_fixed_population else Changing(motion)
+    kind = Fixed if motion.has_fixed_population else Changing
+    followed = kind(motion.ids, motion.points)
     python, cpp, theirs, sizes = [], [], [], []
-    for frame in range(frames):
-        if not motion.advance():
-            break
-        ids, positions = motion.ids, motion.points
-        times = followed.times(ids, positions, frame % 2 == 0)
-        size = max(len(positions), 1)
-        python.append(times[0] / size)
-        cpp.append(times[1] / size)
-        sizes.append(size)
-        if frame % max(frames // SCIPY_FRAMES, 1) == 0 and len(positions) > 3:
-            theirs.append(nanoseconds(lambda: Delaunay(positions)) / size)
+    for number, block in enumerate(blocks(motion, frames)):
+        first, second = (python, followed.follow_by_python), (cpp, followed.follow_by_cpp)
+        for times, follow_by in (first, second) if number % 2 else (second, first):
+            times += follow_by(block)
+        sizes += [max(len(positions), 1) for _, positions in block]
+        positions = block[-1][1]
+        if number % max(frames // BLOCK // SCIPY_FRAMES, 1) == 0 and len(positions) > 3:
+            theirs.append(nanoseconds(lambda: Delaunay(positions)) / len(positions))
+    python, cpp = (np.array(times) / sizes for times in (python, cpp))
     assert followed.python.is_certified and followed.python.is_valid()
     size, ours, plain, scipy_time = (np.median(values) for values in (sizes, python, cpp, theirs))
     print(
@@ -86,7 +98,7 @@ def fixed_costs():
     points = np.random.default_rng(1).random((10, 2))
     dt, plain = DynamicDelaunay(points), reference.Reference(points)
     python = np.median([nanoseconds(lambda: dt.update(points)) for _ in range(20_000)])
-    cpp = np.median([plain.update(points) for _ in range(20_000)])
+    cpp = np.median(plain.follow([points] * 20_000))
     nothing = np.median([nanoseconds(lambda: None) for _ in range(20_000)])
     print(f"\na call of update() at 10 points costs {(python - cpp - nothing) / 1000:.2f} us more than in C++")
     points = np.random.default_rng(1).random((10_000, 2))

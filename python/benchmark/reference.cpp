@@ -118,7 +118,7 @@ private:
   std::unique_ptr<Triangulation> m_neighbors; // if the motion asks for them
 };
 
-// Both return nanoseconds.
+// Both follow some frames, which are read beforehand, and return nanoseconds for each.
 class Reference
 {
 public:
@@ -126,10 +126,17 @@ public:
     : m_triangulation(to_points(points))
   {
   }
-  double update(const Points& points)
+  std::vector<double> follow(const std::vector<Points>& points)
   {
-    const std::vector<Point> frame = to_points(points);
-    return duration([&] { m_triangulation.update(frame); });
+    std::vector<std::vector<Point>> frames;
+    for (const Points& its_points : points) {
+      frames.push_back(to_points(its_points));
+    }
+    std::vector<double> times;
+    for (const auto& frame : frames) {
+      times.push_back(duration([&] { m_triangulation.update(frame); }));
+    }
+    return times;
   }
 
 private:
@@ -139,13 +146,20 @@ private:
 class Population_reference
 {
 public:
-  double update(const Ids& ids, const Points& points)
+  std::vector<double> follow(const std::vector<std::pair<Ids, Points>>& pairs)
   {
-    std::vector<std::pair<std::int64_t, Point>> frame;
-    for (const Point& p : to_points(points)) {
-      frame.emplace_back(ids.at(py::ssize_t(frame.size())), p);
+    std::vector<std::vector<std::pair<std::int64_t, Point>>> frames;
+    for (const auto& [ids, points] : pairs) {
+      frames.emplace_back();
+      for (const Point& p : to_points(points)) {
+        frames.back().emplace_back(ids.at(py::ssize_t(frames.back().size())), p);
+      }
     }
-    return duration([&] { m_population.update(frame); });
+    std::vector<double> times;
+    for (const auto& frame : frames) {
+      times.push_back(duration([&] { m_population.update(frame); }));
+    }
+    return times;
   }
 
 private:
@@ -167,9 +181,9 @@ PYBIND11_MODULE(reference, module)
       .def("advance", &Motion::advance);
   py::class_<Reference>(module, "Reference")
       .def(py::init<const Points&>())
-      .def("update", &Reference::update);
+      .def("follow", &Reference::follow);
   py::class_<Population_reference>(module, "PopulationReference")
       .def(py::init<>())
-      .def("update", &Population_reference::update);
+      .def("follow", &Population_reference::follow);
   module.def("recordings", [] { return scenario::recordings(); });
 }
