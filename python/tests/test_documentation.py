@@ -1,0 +1,71 @@
+# Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+import ast
+import inspect
+import pathlib
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import dynamic_delaunay
+from dynamic_delaunay import DynamicDelaunay, PeriodicDelaunay, PeriodicPopulation, Population, _core, errors
+
+PACKAGE = pathlib.Path(dynamic_delaunay.__file__).parent
+ARRAYS = (DynamicDelaunay, Population, PeriodicDelaunay, PeriodicPopulation)
+
+
+def test_stubs_have_all_that_the_module_has():
+    stubs = {node.name: node for node in ast.parse((PACKAGE / "_core.pyi").read_text()).body if hasattr(node, "name")}
+    kinds = {name: kind for name, kind in vars(_core).items() if inspect.isclass(kind)}
+    assert stubs.keys() == kinds.keys()
+    for name, kind in kinds.items():
+        if name == "Group":  # an enumeration
+            continue
+        stubbed = {node.name for node in stubs[name].body if isinstance(node, ast.FunctionDef)} - {"__init__"}
+        assert stubbed == {member for member in vars(kind) if not member.startswith("__")}
+
+
+@pytest.mark.parametrize("kind", ARRAYS)
+def test_everything_public_is_documented(kind):
+    assert inspect.getdoc(kind)
+    for name, member in inspect.getmembers(kind):
+        if not name.startswith("_"):
+            assert inspect.getdoc(member), name
+
+
+@pytest.mark.parametrize("kind", ARRAYS)
+def test_documented_types_and_shapes_are_those_of_the_arrays(kind):
+    points = np.random.default_rng(1).random((20, 2))
+    ids = [] if kind in (DynamicDelaunay, PeriodicDelaunay) else [np.arange(20)]
+    changes = {} if ids else {"changes": True}
+    triangulation = kind(*ids, points, **changes)
+    seen = 0
+    for name, member in inspect.getmembers(kind, lambda member: isinstance(member, property)):
+        documented = inspect.getdoc(member)
+        array = None if ids and "changes=True" in documented else getattr(triangulation, name)
+        if isinstance(array, np.ndarray):
+            assert documented.startswith(f"{array.dtype} ("), name
+            dimensions = documented[documented.index("(") + 1 : documented.index(")")].strip(",").split(",")
+            assert len(dimensions) == array.ndim, name
+            for extent, dimension in zip(array.shape, dimensions):
+                assert not dimension.strip().isdigit() or extent == int(dimension), name
+            seen += 1
+    assert seen >= 14
+
+
+def test_exceptions_are_documented_and_have_one_base():
+    kinds = [kind for kind in vars(errors).values() if inspect.isclass(kind)]
+    assert len(kinds) == 11
+    for kind in kinds:
+        assert kind.__doc__ and issubclass(kind, errors.DynamicDelaunayError)
+        assert getattr(dynamic_delaunay, kind.__name__) is kind
+
+
+def test_type_checkers_find_no_fault():
+    pytest.importorskip("mypy")
+    command = [sys.executable, "-m", "mypy", "--strict", "--cache-dir=/dev/null", str(PACKAGE)]
+    checked = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert checked.returncode == 0, checked.stdout
