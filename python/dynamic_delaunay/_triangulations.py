@@ -185,8 +185,6 @@ class _Triangulation(_core.Triangulation):
             self.restore(file.read())
 
     def __reduce__(self) -> tuple[Any, ...]:
-        if self._cell() is not None:
-            raise TypeError("periodic triangulations have no checkpoints, and cannot be pickled or copied")
         return _restored, (type(self), self._settings, self.checkpoint())
 
     def __len__(self) -> int:
@@ -202,7 +200,8 @@ class _Triangulation(_core.Triangulation):
 
 def _restored(kind: type[Self], settings: dict[str, Any], checkpoint: bytes) -> Self:
     triangulation = kind.__new__(kind)
-    triangulation._init(issubclass(kind, Population), None, settings)
+    cell = _cell((1.0, 1.0)) if issubclass(kind, _Periodic) else None  # the checkpoint has another one
+    triangulation._init(issubclass(kind, _ByIds), cell, settings)
     triangulation.restore(checkpoint)
     return triangulation
 

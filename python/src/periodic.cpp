@@ -15,9 +15,11 @@ std::unique_ptr<Subject> make_periodic(const Settings& settings, const Cell& cel
 {
   using Visitor = Recorded_changes<CGAL::Periodic_edge_changes_visitor_2>;
   using Dynamic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<
-      CGAL::Exact_predicates_inexact_constructions_kernel, Visitor>;
-  return make_subject(Dynamic(periodic_cell(cell), Visitor(settings.records_changes)),
-                      is_population);
+      CGAL::Exact_predicates_inexact_constructions_kernel, CGAL::Default, CGAL::Default,
+      CGAL::Default, Visitor>;
+  Dynamic::Settings its_settings;
+  its_settings.visitor = Visitor(settings.records_changes);
+  return make_subject(Dynamic(periodic_cell(cell), its_settings), is_population);
 }
 
 } // namespace python

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.spatial import Delaunay
 
-from dynamic_delaunay import PeriodicDelaunay, errors
+from dynamic_delaunay import PeriodicDelaunay, PeriodicPopulation, errors
 
 
 def images_by_scipy(points, cell):
@@ -106,9 +106,26 @@ def test_refuses_what_is_no_cell(cell):
         PeriodicDelaunay([(0, 0)], cell)
 
 
-def test_says_that_it_cannot_be_pickled():
-    with pytest.raises(TypeError, match="no checkpoints"):
-        pickle.dumps(PeriodicDelaunay([(0, 0)], (1, 1)))
+@pytest.mark.parametrize("cell", [(1, 1), [(1, 0.2), (0.3, 1)], [(1, 0)]])
+def test_pickles_and_goes_on_as_it_would_have(cell):
+    random = np.random.default_rng(2)
+    points = random.random((60, 2))
+    dt = PeriodicDelaunay(points, cell)
+    twin = pickle.loads(pickle.dumps(dt))
+    assert twin.cell.tolist() == dt.cell.tolist()
+    for _ in range(5):
+        points = points + random.normal(0, 0.02, points.shape)
+        assert dt.update(points).flips == twin.update(points).flips
+        assert twin.is_valid()
+        assert np.array_equal(dt.edges, twin.edges) and np.array_equal(dt.edge_shifts, twin.edge_shifts)
+
+
+def test_population_pickles():
+    population = PeriodicPopulation([7, -3, 5], [(0.1, 0.2), (0.5, 0.6), (0.9, 0.1)], (1, 1))
+    twin = pickle.loads(pickle.dumps(population))
+    assert twin.ids.tolist() == population.ids.tolist()
+    twin.remove(7)
+    assert len(twin) == 2 and len(population) == 3
 
 
 def test_refuses_points_that_are_too_far():
