@@ -678,7 +678,8 @@ public:
   /// the visitor throws it while it is told what changes.
   void read_checkpoint(std::istream& in)
   {
-    read_checkpoint(in, checkpoint_subject, [](auto&, const auto&) {});
+    read_checkpoint(
+        in, checkpoint_subject, [](auto&, const auto&) {}, [] {});
   }
 
   /// writes a checkpoint, whatever mode CGAL's `set_mode()` has given to the stream. Where
@@ -696,7 +697,8 @@ public:
   }
 
   /// \cond
-  // The same, but `append` writes, and `read_more` reads, additional lines of the file.
+  // The same, but `append` writes, and `read_more` reads, additional lines of the file; when
+  // nothing can be refused any more, `exchange_more` takes what they say, and throws nothing.
   template <class Append>
   void write_checkpoint(std::ostream& out, std::string_view subject, const Append& append) const
   {
@@ -706,8 +708,9 @@ public:
         .write(out, subject, append);
   }
 
-  template <class ReadAppendix>
-  void read_checkpoint(std::istream& in, std::string_view subject, const ReadAppendix& read_more)
+  template <class ReadAppendix, class Exchange>
+  void read_checkpoint(std::istream& in, std::string_view subject, const ReadAppendix& read_more,
+                       const Exchange& exchange_more)
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     const Floating_point floating_point;
@@ -724,6 +727,7 @@ public:
     m_core->update.tools().exchange(maintained);
     m_core->update.restore(reader.is_certified(), reader.experience());
     m_is_classifier_informed = true;
+    exchange_more();
     Update_report_2 report;
     report.certified = is_certified();
     finish_visit(report);

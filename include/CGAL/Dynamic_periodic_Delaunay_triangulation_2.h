@@ -23,6 +23,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Usual_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Dynamic_triangulation_settings_2.h>
+#include <CGAL/inform_classifier.h>
 #include <CGAL/Periodic_cell_2.h>
 #include <CGAL/Periodic_update_visitor_base_2.h>
 #include <CGAL/property_map.h>
@@ -610,7 +611,8 @@ public:
   /// the visitor throws it while it is told what has changed.
   void read_checkpoint(std::istream& in)
   {
-    read_checkpoint(in, checkpoint_subject, [](auto&, const auto&) {});
+    read_checkpoint(
+        in, checkpoint_subject, [](auto&, const auto&) {}, [] {});
   }
 
   /// writes a checkpoint. Where `write_checkpoint()` would throw `Checkpoint_error_2`, the stream
@@ -629,7 +631,8 @@ public:
   }
 
   /// \cond
-  // The same, but `append` writes, and `read_more` reads, additional lines of the file.
+  // The same, but `append` writes, and `read_more` reads, additional lines of the file; when
+  // nothing can be refused any more, `exchange_more` takes what they say, and throws nothing.
   template <class Append>
   void write_checkpoint(std::ostream& out, std::string_view subject, const Append& append) const
   {
@@ -640,8 +643,9 @@ public:
         .write(out, subject, append);
   }
 
-  template <class ReadAppendix>
-  void read_checkpoint(std::istream& in, std::string_view subject, const ReadAppendix& read_more)
+  template <class ReadAppendix, class Exchange>
+  void read_checkpoint(std::istream& in, std::string_view subject, const ReadAppendix& read_more,
+                       const Exchange& exchange_more)
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     const Floating_point floating_point;
@@ -651,10 +655,14 @@ public:
     Maintained maintained = reader.read();
     read_more(file, maintained.ids());
     file.finish();
+    Delaunay_classifier classifier = m_classifier;
+    inform_classifier(classifier, Frame(maintained));
     if constexpr (has_visitor)
       m_visitor.before_update(std::as_const(*this));
     const Update_report_2 report =
-        m_core->update.restore(m_classifier, maintained, reader.is_certified(), reader.memory());
+        m_core->update.restore(maintained, reader.is_certified(), reader.memory());
+    m_classifier = std::move(classifier); // nothing throws from here on
+    exchange_more();
     if constexpr (has_visitor)
       tell_visitor(report);
   }

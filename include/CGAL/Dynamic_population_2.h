@@ -268,7 +268,8 @@ public:
   /// replaces this population by one that it reads, as the triangulation's `read_checkpoint()`
   /// does.
   /// \throws Checkpoint_error_2 if the file is refused, also if a user's id does not fit into
-  /// `User_id`. Whatever is thrown, nothing changes.
+  /// `User_id`. Whatever is thrown, nothing changes, unless the visitor throws it while it is told
+  /// what changes.
   void read_checkpoint(std::istream& in)
   {
     Table ids;
@@ -276,9 +277,11 @@ public:
     const auto read_more = [&](auto& file, const auto& ids_read) {
       read_user_ids(file, ids_read, ids, user_ids);
     };
-    m_triangulation.read_checkpoint(in, Traits::checkpoint_subject, read_more);
-    m_ids.swap(ids);
-    m_user_ids.swap(user_ids);
+    const auto exchange_more = [&] {
+      m_ids.swap(ids);
+      m_user_ids.swap(user_ids);
+    };
+    m_triangulation.read_checkpoint(in, Traits::checkpoint_subject, read_more, exchange_more);
   }
 
   /// writes a checkpoint. Where `write_checkpoint()` would throw `Checkpoint_error_2`, the stream

@@ -428,6 +428,34 @@ TEST(Periodic_checkpoints, a_population_goes_on_with_the_ids_of_its_user)
   }
 }
 
+struct Failure_of_a_user
+{
+};
+
+struct Faulty_visitor : CGAL::Periodic_update_visitor_base_2
+{
+  template <class Dynamic>
+  void after_update(const Dynamic&, const CGAL::Update_report_2&)
+  {
+    if (throws)
+      throw Failure_of_a_user();
+  }
+  bool throws = false;
+};
+
+TEST(Periodic_checkpoints, a_population_has_the_ids_of_its_file_also_if_the_visitor_throws)
+{
+  using Visited = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Faulty_visitor>;
+  CGAL::Dynamic_population_2<Visited> population(Visited(Cell(1, 1))), other(Visited(Cell(1, 1)));
+  other.insert(7, Point(0.5, 0.5));
+  population.insert(8, Point(0, 0));
+  population.visitor().throws = true;
+  EXPECT_THROW(read(population, checkpoint_of(other)), Failure_of_a_user);
+  EXPECT_TRUE(population.has(7));
+  EXPECT_FALSE(population.has(8));
+  EXPECT_EQ(checkpoint_of(population), checkpoint_of(other));
+}
+
 // REFUSALS ----------------------------------------------------------------------------------------
 
 // Small, and with everything that a file can have.

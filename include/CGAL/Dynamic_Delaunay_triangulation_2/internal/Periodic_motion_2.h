@@ -49,7 +49,7 @@ public:
     m_multiples = is_same ? unit_multiples : multiples_in_new_cell(m_maintained.torus(), now);
     return (is_same ? stage_vertices<true>(next, now) : stage_vertices<false>(next, now)) &&
            std::all_of(ids().duplicates().begin(), ids().duplicates().end(),
-                       [&](const auto& d) { return is_in_range(now.multiples(next(d.id)), now); });
+                       [&](const auto& d) { return is_in_range(next(d.id), now); });
   }
 
   // After stage(): points that go farther than half the way to their nearest neighbors, and would
@@ -59,7 +59,7 @@ public:
     std::vector<Index> jumpers;
     const double long_way = squared_long_way();
     for (const auto& [v, way] : m_far) {
-      const double squared = squared_distance(way, m_mean_way);
+      const double squared = squared_distance(way, m_next_mean_way);
       if (squared > long_way && 4 * squared > squared_distance_to_neighbors(v))
         jumpers.push_back(v);
     }
@@ -76,6 +76,7 @@ public:
     if (cell != m_maintained.torus().cell())
       m_editor.set_cell(cell, m_multiples);
     m_editor.exchange_positions();
+    m_mean_way = m_next_mean_way;
     for (const auto& [v, shift] : m_translated)
       if (!m_maintained.mirror().is_outside(v))
         m_editor.shift_images(v, shift);
@@ -120,7 +121,7 @@ private:
         continue;
       }
       const Position_2 multiples = now.multiples(q);
-      are_in_range &= is_in_range(multiples, now);
+      are_in_range &= is_in_range(q, now);
       const Position_2 step = is_same ? now.multiples(way) : step_to_new_cell(p, multiples);
       if (!is_same || !(std::abs(step.x) <= 0.5 && std::abs(step.y) <= 0.5)) {
         if (!are_in_range)
@@ -134,7 +135,8 @@ private:
       if (squared_distance(way, m_mean_way) > long_way)
         m_far.push_back({v, way});
     }
-    m_mean_way = vertices > 0 ? Position_2{sum.x / vertices, sum.y / vertices} : Position_2{0, 0};
+    m_next_mean_way =
+        vertices > 0 ? Position_2{sum.x / vertices, sum.y / vertices} : Position_2{0, 0};
     return are_in_range;
   }
 
@@ -149,13 +151,14 @@ private:
     constexpr double rounding = 0.99;
     const double way = std::hypot(m_mean_way.x, m_mean_way.y) + std::sqrt(long_way);
     return {torus.largest_multiple(way) < rounding / 2 ? long_way : -1,
-            rounding * max_shift / torus.largest_multiple(1)};
+            (std::min)(rounding * max_shift / torus.largest_multiple(1), coordinate_limit / 2)};
   }
 
-  static bool is_in_range(const Position_2& multiples, const Torus_2& torus)
+  static bool is_in_range(const Position_2& p, const Torus_2& torus)
   {
-    const Position_2 m = torus.periodic(multiples);
-    return std::abs(m.x) < max_shift && std::abs(m.y) < max_shift;
+    const Position_2 m = torus.periodic(torus.multiples(p));
+    return std::abs(m.x) < max_shift && std::abs(m.y) < max_shift && is_within_limit(p.x) &&
+           is_within_limit(p.y);
   }
 
   // From p in the old cell to a position in the new one, in multiples of the new cell's vectors.
@@ -205,7 +208,7 @@ private:
   Editor& m_editor;
   std::vector<std::pair<Index, Periodic_shift_2>> m_translated;
   std::vector<std::pair<Index, Position_2>> m_far; // vertices and their ways
-  Position_2 m_mean_way{0, 0};
+  Position_2 m_mean_way{0, 0}, m_next_mean_way{0, 0};
   std::array<Periodic_shift_2, 2> m_multiples = unit_multiples; // of the old cell's vectors
 };
 

@@ -83,7 +83,9 @@ public:
     change(report);
     m_is_whole = true;
     report.certified = m_is_certified;
-    inform(classifier);
+    m_editor.end_changes();
+    inform_classifier(classifier, Frame(m_maintained));
+    m_editor.begin_changes();
     return report;
   }
 
@@ -209,10 +211,9 @@ public:
 
   Periodic_memory_2 memory() const { return {m_tools.hint(), m_motion.mean_way()}; }
 
-  // Exchanges everything for what was read. If it throws, nothing has changed, unless the
-  // classifier throws it.
-  template <class Classifier>
-  Update_report_2 restore(Classifier& classifier, Maintained& maintained, bool is_certified,
+  // Exchanges everything for what was read, of which the classifier was told. If it throws, nothing
+  // has changed.
+  Update_report_2 restore(Maintained& maintained, bool is_certified,
                           const Periodic_memory_2& memory)
   {
     m_editor.provide_for_log(std::size_t(m_maintained.mirror().number_of_edges()) +
@@ -225,7 +226,7 @@ public:
     set_memory(memory);
     report.certified = m_is_certified = is_certified;
     m_is_whole = true;
-    inform(classifier);
+    m_editor.begin_changes();
     return report;
   }
 
@@ -248,14 +249,6 @@ private:
   {
     m_tools.set_hint(memory.hint);
     m_motion.set_mean_way(memory.mean_way);
-  }
-
-  template <class Classifier>
-  void inform(Classifier& classifier)
-  {
-    m_editor.end_changes();
-    inform_classifier(classifier, Frame(m_maintained));
-    m_editor.begin_changes();
   }
 
   // Returns the duplicates that are no longer where their vertices are.
