@@ -70,6 +70,8 @@ class _Triangulation(_core.Triangulation):
     _settings: dict[str, Any]
 
     def _init(self, population: bool, cell: Optional[_core.Cell], settings: dict[str, Any]) -> None:
+        if not isinstance(settings["classifier"], str) and not callable(settings["classifier"]):
+            raise TypeError(f"the classifier is {settings['classifier']!r}: it must be a name or a function")
         super().__init__(population=population, cell=cell, **settings)
         self._settings = settings
 
@@ -191,7 +193,7 @@ class _Triangulation(_core.Triangulation):
         return self.number_of_points
 
     def __contains__(self, id: int) -> bool:
-        return self._has_id(id)
+        return -(2**63) <= id < 2**63 and self._has_id(id)
 
     def __repr__(self) -> str:
         certified = "certified" if self.is_certified else "not certified"

@@ -27,6 +27,10 @@ py::array numbers(py::handle object, const std::string& kinds, const std::string
   if (!array) {
     throw py::type_error(name + " cannot be read as an array of numbers");
   }
+  if (!array.is(object) && py::isinstance<py::array>(object) &&
+      py::isinstance(object, py::module_::import("numpy.ma").attr("MaskedArray"))) {
+    throw py::type_error(name + " are a masked array, whose mask would be lost");
+  }
   if (array.size() > 0 && kinds.find(array.dtype().kind()) == std::string::npos) {
     throw py::type_error(name + " have the type " + std::string(py::str(array.dtype())) + ": " +
                          (kinds == "iu" ? "integers" : "real numbers") + " are needed");

@@ -79,6 +79,17 @@ struct Read_point
   Rows rows;
 };
 
+// The rows as points, if they are as those are in memory: one after the other, and aligned.
+template <class Point>
+const Point* points_in_memory(const Rows& rows)
+{
+  static_assert(sizeof(Point) == 2 * sizeof(double), "a point is two doubles");
+  const bool are_points = rows.to_next_row == std::ptrdiff_t(sizeof(Point)) &&
+                          rows.to_next_column == std::ptrdiff_t(sizeof(double)) &&
+                          reinterpret_cast<std::uintptr_t>(rows.data) % alignof(Point) == 0;
+  return are_points ? reinterpret_cast<const Point*>(rows.data) : nullptr;
+}
+
 struct Read_id
 {
   std::int64_t operator()(std::size_t i) const { return rows.at<std::int64_t>(i, 0); }

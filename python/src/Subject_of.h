@@ -11,6 +11,7 @@
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_population_2.h>
+#include <CGAL/Iterator_range.h>
 #include <CGAL/Periodic_cell_2.h>
 
 #include <iterator>
@@ -67,6 +68,8 @@ public:
     };
     if constexpr (has_user_ids) {
       return update(identified(ids, points));
+    } else if (const Point* const first = points_in_memory<Point>(points)) {
+      return update(CGAL::make_range(first, first + points.size)); // these are prefetched
     } else {
       return update(row_range(points.size, Read_point<Point>{points}));
     }

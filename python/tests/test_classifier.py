@@ -118,6 +118,11 @@ def test_refuses_other_answers(answer, error):
     assert np.array_equal(dt.points, POINTS)
 
 
+def test_refuses_what_is_neither_a_name_nor_a_function():
+    with pytest.raises(TypeError, match="a name or a function"):
+        DynamicDelaunay(POINTS, classifier=3)
+
+
 def test_a_classifier_cannot_use_its_own_triangulation():
     dt = DynamicDelaunay(POINTS, classifier=lambda frame: dt.edges)
     with pytest.raises(RuntimeError, match="its own classifier"):

@@ -113,13 +113,18 @@ def test_refuses_unknown_ids(id):
             refuse(id)
         if id >= 0:
             assert refused.value.id == id
-    assert id not in dt
+    assert id not in dt and 10**30 not in dt
 
 
 @pytest.mark.parametrize("ids", [[1.0], ["1"], [True], [None]])
 def test_refuses_ids_that_are_no_integers(ids):
     with pytest.raises(TypeError, match="integers are needed"):
         DynamicDelaunay(POINTS).remove(ids)
+
+
+def test_refuses_masked_points():
+    with pytest.raises(TypeError, match="mask would be lost"):
+        DynamicDelaunay(np.ma.masked_array(POINTS, POINTS > 0.5))
 
 
 def test_refuses_ids_that_do_not_fit():
