@@ -267,13 +267,14 @@ public:
   ///
   /// Cost: one pass over all points and edges, of which most are skipped where all is calm, and the
   /// repair of what is broken. Where many points jump, a sample of the edges decides whether
-  /// triangulating everything anew is cheaper. If classifier, repair or policy throw, the points
-  /// are where they were moved to, and the next call triangulates everything anew. \throws
-  /// Point_count_error_2 if the number of positions is not `number_of_ids()`. \throws
-  /// Non_finite_coordinate_error_2 if a coordinate is NaN or infinite. \throws
-  /// Periodic_range_error_2 if a point is 2<sup>20</sup> cells or more from the origin.
+  /// triangulating everything anew is cheaper.
+  /// \throws Point_count_error_2 if the number of positions is not `number_of_ids()`.
+  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
+  /// \throws Periodic_range_error_2 if a point is 2<sup>20</sup> cells or more from the origin.
   ///
-  /// If it throws one of these, or if the range throws, nothing has changed.
+  /// If it throws one of these, or if the range throws, or the policy or the classifier when it is
+  /// asked, nothing has changed. If the repair throws, the points have moved, and the next call
+  /// triangulates everything anew.
   template <class InputIterator>
   Update_report_2 update(InputIterator first, InputIterator beyond)
   {

@@ -56,8 +56,7 @@ public:
   `CGAL::Flip_and_splice_repair_2` as the repair, if a sample of the edges shows that too much is
   broken. It is not called by `insert()`, `remove()` and `move()`.
 
-  If it throws, the update changes nothing and rethrows the exception. In periodic space the points
-  have moved then, and the next call triangulates everything anew.
+  If it throws, the update changes nothing and rethrows the exception.
 
   \param frame the points at the positions of the current frame, with the topology of the last one.
   It is valid until the call ends.

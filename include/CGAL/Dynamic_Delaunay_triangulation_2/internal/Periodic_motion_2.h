@@ -82,6 +82,17 @@ public:
         m_editor.shift_images(v, shift);
   }
 
+  // Undoes that; this was the cell before.
+  void move_vertices_back(const Periodic_cell_2& cell)
+  {
+    for (const auto& [v, shift] : m_translated)
+      if (!m_maintained.mirror().is_outside(v))
+        m_editor.shift_images(v, no_shift - shift);
+    m_editor.exchange_positions();
+    if (cell != m_maintained.torus().cell())
+      m_editor.set_cell(cell, inverse(m_multiples));
+  }
+
 private:
   static constexpr std::array<Periodic_shift_2, 2> unit_multiples{{{1, 0}, {0, 1}}};
   static constexpr Index prefetched_ahead = 64; // points
@@ -167,6 +178,15 @@ private:
     const Position_2 s = m_maintained.torus().multiples(p);
     return {multiples.x - (s.x * m_multiples[0][0] + s.y * m_multiples[1][0]),
             multiples.y - (s.x * m_multiples[0][1] + s.y * m_multiples[1][1])};
+  }
+
+  // Of an integer matrix with determinant 1 or -1.
+  static std::array<Periodic_shift_2, 2> inverse(const std::array<Periodic_shift_2, 2>& matrix)
+  {
+    const auto [a, b] = matrix[0];
+    const auto [c, d] = matrix[1];
+    const int determinant = a * d - b * c;
+    return {{{determinant * d, -determinant * b}, {-determinant * c, determinant * a}}};
   }
 
   double squared_distance_to_neighbors(Index v) const

@@ -165,6 +165,8 @@ public:
               Policy& policy, Update_report_2& report)
   {
     m_tools.start(report, Classifier::is_exact);
+    const bool was_certified = m_is_certified;
+    const Periodic_cell_2 cell_before = m_maintained.torus().cell();
     m_is_certified = m_is_certified && Classifier::is_exact;
     // at their old places, because the faces there are proved
     const std::vector<Index> jumpers =
@@ -174,12 +176,23 @@ public:
     if (is_out)
       m_tools.legalize();
     m_motion.move_vertices(cell);
+    Rebuild_reason_2 reason;
+    try {
+      reason = reason_to_rebuild(policy, is_out, are_many);
+      if (reason == Rebuild_reason_2::NONE)
+        classify(classifier);
+    } catch (...) {
+      m_motion.move_vertices_back(cell_before);
+      m_tools.put_back_all();
+      m_is_certified = was_certified;
+      m_is_whole = true;
+      throw;
+    }
     const std::vector<Index> parted = move_duplicates(next);
-    const Rebuild_reason_2 reason = reason_to_rebuild(policy, is_out, are_many);
     if (reason != Rebuild_reason_2::NONE)
       m_tools.rebuild(reason);
-    else if (m_maintained.number_of_vertices() > 0)
-      mend(classifier, repair);
+    else
+      mend(repair);
     if (!parted.empty() && !m_tools.has_to_prove())
       mend_everything();
     prove(report);
@@ -275,11 +288,19 @@ private:
                                                 : Rebuild_reason_2::NONE;
   }
 
-  template <class Classifier, class Repair>
-  void mend(Classifier& classifier, Repair& repair)
+  // No classifier is asked where there are no edges.
+  template <class Classifier>
+  void classify(Classifier& classifier)
   {
+    if (m_maintained.number_of_vertices() == 0)
+      return;
     classifier(Frame(m_maintained), m_tools.classification());
     m_tools.take_classification();
+  }
+
+  template <class Repair>
+  void mend(Repair& repair)
+  {
     Mender mender(m_tools);
     if (!m_tools.classification().empty() || m_tools.number_of_open_edges() > 0)
       repair(mender);
