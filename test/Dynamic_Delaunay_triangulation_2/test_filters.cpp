@@ -45,7 +45,7 @@ struct One_edge
 
   const std::vector<Position_2>& positions() const { return m_positions; }
   const Position_2& position(Index v) const { return m_positions[v]; }
-  bool positions_are_exact() const { return true; }
+  bool corners_are_exact(Index) const { return true; }
   const Edge_2& edge(Index) const { return m_edge; }
   CGAL::Dynamic_Delaunay_triangulations_2::Edge_corners_2 corners(Index) const
   {
@@ -345,7 +345,7 @@ TEST_F(Tolerances, are_chosen_among_those_that_are_numbers)
         points.emplace_back(x, y);
     const CGAL::Dynamic_Delaunay_triangulation_2<Epick> dt(points.begin(), points.end());
     for (const std::size_t share : {16u, 32u}) {
-      internal::Safe_edges_2<> safe_edges;
+      internal::Safe_edges_2 safe_edges;
       safe_edges.start(dt.frame(), share);
       EXPECT_TRUE(safe_edges.holds()) << "one edge in " << share << " may be tight";
     }
