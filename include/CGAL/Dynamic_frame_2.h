@@ -26,8 +26,9 @@ nothing, and is valid until the next update.
 It is the same for the plane and for periodic space. There is no infinite vertex in periodic space,
 and the corners of edges and faces are images of points: so take the lengths and directions of edges
 from `edge_vector()`, `corners()` and `face_corners()`, not from `position()`. Vertices that jump
-are outside of all faces while an exact classifier is asked there, and their former edges are
-Delaunay.
+are outside of all faces while an exact classifier is asked there. They have no edges then; the
+numbers of their former edges and faces are those of edges and faces at the infinite vertex, which
+need no repair.
 
 Vertices are numbered from 1 to `number_of_vertices()`, in a spatial order; 0 is the infinite
 vertex. Edges and faces are numbered from 0. A rebuild may change all of these numbers, and an
@@ -123,13 +124,15 @@ public:
     return is_infinite(edge.source) || is_infinite(edge.target);
   }
   /// the three vertices of face `f`. They were counterclockwise when the face was made.
-  std::array<Index, 3> face(Index f) const { return m_maintained->mirror().face(f); }
+  std::array<Index, 3> face(Index f) const { return m_maintained->face(f); }
 
   /// the two faces at edge `e`: first the one with the vertex `left` of `edge(e)`, then the one
   /// with `right`.
   std::array<Index, 2> faces_at(Index e) const
   {
     const auto& mirror = m_maintained->mirror();
+    if (mirror.is_empty_edge(e))
+      return {0, 0};
     const Index h = mirror.halfedge(e);
     const Index f = mirror.face_of(h), g = mirror.face_of(mirror.twin(h));
     return m_maintained->is_along(e, h) ? std::array<Index, 2>{f, g} : std::array<Index, 2>{g, f};

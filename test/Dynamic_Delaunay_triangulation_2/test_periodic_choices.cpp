@@ -377,6 +377,58 @@ TEST(A_classifier_of_ones_own, sees_edges_across_the_border_as_short_as_they_are
   EXPECT_GT(across, 50u);
 }
 
+// Looks at all that a frame shows, also where vertices that jump are outside of all faces.
+struct Curious
+{
+  static constexpr bool is_exact = true;
+  std::size_t outside = 0;
+
+  template <class Frame, class Classification>
+  void operator()(const Frame& frame, Classification& classified)
+  {
+    using Index = typename Frame::Index;
+    for (Index f = 0; f < frame.number_of_faces(); ++f) {
+      const auto corners = frame.face_corners(f);
+      const auto vertices = frame.face(f);
+      EXPECT_EQ(frame.is_infinite(vertices[0]), std::isnan(corners[0].x));
+      for (const Index v : vertices)
+        EXPECT_LE(v, frame.number_of_vertices());
+    }
+    for (Index e = 0; e < frame.number_of_edges(); ++e) {
+      for (const Index f : frame.faces_at(e))
+        EXPECT_LT(f, frame.number_of_faces());
+      frame.for_each_side(e, [&](Index side) { EXPECT_LT(side, frame.number_of_edges()); });
+      if (frame.is_infinite(frame.edge(e))) {
+        ++outside;
+        EXPECT_TRUE(frame.is_at_infinity(e) && !frame.breaks_hull(e) && frame.is_delaunay(e));
+        EXPECT_TRUE(std::isnan(frame.edge_vector(e).x) && std::isnan(frame.corners(e).left.x));
+        if (e % 2 == 0)
+          classified.add_edge(e); // which does no harm
+      }
+      classified.add_unless_delaunay(frame, e);
+    }
+    for (Index v = 1; v <= frame.number_of_vertices(); ++v) {
+      frame.for_each_neighbor(v, [&](Index w) { EXPECT_LE(w, frame.number_of_vertices()); });
+      EXPECT_FALSE(std::isnan(frame.previous_position(v).x));
+    }
+  }
+};
+
+TEST(A_classifier_of_ones_own, may_look_at_everything_where_points_jump)
+{
+  for (const Cell& cell : {Cell(10, 10), Cell(10, 2, 1, 10), Cell(Vector(10, 1))}) {
+    Cloud cloud(14, 60, 10);
+    Triangulation<Curious> pt(cloud.points, cell);
+    for (int frame = 0; frame < 20; ++frame) {
+      cloud.shake(0.05);
+      cloud.jump();
+      EXPECT_TRUE(pt.update(cloud.points).certified);
+      ASSERT_TRUE(pt.is_valid());
+    }
+    EXPECT_GT(pt.classifier().outside, 10u);
+  }
+}
+
 struct Thrower
 {
   static constexpr bool is_exact = true;

@@ -93,7 +93,7 @@ public:
 
   std::size_t number_of_cell_changes() const { return m_cell_changes; }
 
-  // FRAMES, as Dynamic_frame_2 shows them. Empty edges look like edges between infinite vertices.
+  // FRAMES, as Dynamic_frame_2 shows them. Empty edges and faces have infinite vertices.
 
   static constexpr bool positions_are_exact() { return true; }
   const Position_2& previous_position(Index v) const { return m_other_positions[v]; }
@@ -108,6 +108,12 @@ public:
     const Index h = m_mirror.halfedge(e);
     return {m_mirror.apex(Mirror::next(h)), m_mirror.apex(Mirror::previous(h)), m_mirror.apex(h),
             m_mirror.apex(m_mirror.twin(h))};
+  }
+  std::array<Index, 3> face(Index f) const
+  {
+    return m_mirror.is_empty_face(f)
+               ? std::array<Index, 3>{infinite_index, infinite_index, infinite_index}
+               : m_mirror.face(f);
   }
   static constexpr bool is_along(Index, Index) { return true; } // halfedge(e) goes along edge(e)
 

@@ -221,6 +221,7 @@ public:
   bool points_are_written() const { return m_positions.are_written(); }
 
   const Edge_2& edge(Index e) const { return mirror().edge(e); }
+  std::array<Index, 3> face(Index f) const { return mirror().face(f); }
   // Whether half-edge h of edge e goes from its source to its target.
   bool is_along(Index e, Index h) const { return mirror().source(h) == edge(e).source; }
   bool is_at_infinity(Index e) const { return internal::is_at_infinity(edge(e)); }

@@ -89,6 +89,9 @@ public:
           mirror.for_each_corner(
               v, [&](Index h) { m_open.push_back(mirror.edge_of(Mirror::previous(h))); });
     }
+    // in the order of space: in another one 1,000 points at steps of 0.03 spacings took 3.1 instead
+    // of 2.7 relocations a frame
+    make_distinct(m_open);
     close_empty();
   }
 
