@@ -1004,6 +1004,22 @@ TEST(Safe_edges_of_a_torus, are_found_anew_around_points_that_jump_in_calm_motio
   }
 }
 
+// Its reference follows it with each image: the edges around must not stay what they were.
+TEST(Safe_edges_of_a_torus, are_found_anew_around_a_point_that_walks_from_image_to_image)
+{
+  std::mt19937_64 random(35);
+  const Cell cell(20, 20);
+  std::vector<Point> points = random_points(random, 400, 20);
+  Skipping triangulation(points, cell);
+  for (int frame = 0; frame < 200; ++frame) {
+    move_randomly(random, points, 1e-4);
+    if (frame > 40)
+      points[7] = image(points[7] + Vector(0.004, 0), cell, frame % 2 == 0 ? 1 : -1, 0);
+    ASSERT_NO_FATAL_FAILURE(triangulation.update(points, cell)) << frame;
+  }
+  EXPECT_GT(triangulation.frames_skipping(), 50u);
+}
+
 TEST(Safe_edges_of_a_torus, are_forgotten_where_the_cell_changes)
 {
   std::mt19937_64 random(32);
