@@ -682,7 +682,7 @@ public:
   /// what the classifier gets: points, edges and faces as flat arrays.
   Frame frame() const { return Frame(m_core->maintained); }
   /// the Classified set of the last update, as vertices of `frame()`. Empty if vertices have got
-  /// other numbers since.
+  /// other numbers since, or if points came apart and all edges were examined for that.
   const std::vector<Index>& classified_vertices() const
   {
     return m_core->update.tools().classification().vertices();

@@ -7,6 +7,9 @@
 #include "quadruples.h"
 #include "sealed_checkpoint.h"
 
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
+
+#include <cstddef>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -50,6 +53,22 @@ TEST(Numbers_of_new_instructions, beyond_the_limit_are_refused_and_nothing_chang
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
     EXPECT_THROW(Dynamic(beyond.begin(), beyond.end()), CGAL::Coordinate_range_error_2);
   }
+}
+
+TEST(Numbers_of_new_instructions, beyond_the_limit_are_refused_across_a_slab)
+{
+  Points points = Cloud<Epick>(2).uniform(30);
+  points[8] = points[7]; // also where points coincide
+  CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick> pt(
+      points, CGAL::Periodic_cell_2(Epick::Vector_2(2, 0)));
+  for (const std::size_t id : {7, 8, 20})
+    for (const double y : {largest, -coordinate_limit}) {
+      Points beyond = points;
+      beyond[id] = Epick::Point_2(1, y);
+      EXPECT_THROW(pt.update(beyond), CGAL::Coordinate_range_error_2);
+      EXPECT_EQ(pt.point(id), points[id]);
+      ASSERT_TRUE(pt.is_certified() && pt.is_valid());
+    }
 }
 
 TEST(Numbers_of_new_instructions, beyond_the_limit_are_refused_in_a_checkpoint)

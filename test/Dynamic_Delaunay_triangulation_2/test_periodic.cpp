@@ -4,6 +4,7 @@
 // Triangulations of flat tori whose points and cells move.
 
 #include "periodic_oracle.h"
+#include "random_points.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Torus_2.h>
 #include <CGAL/Dynamic_population_2.h>
@@ -39,28 +40,6 @@ namespace internal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
 using CGAL::Dynamic_Delaunay_triangulations_2::Edge_state_2;
 using CGAL::Dynamic_Delaunay_triangulations_2::Index;
 using CGAL::Dynamic_Delaunay_triangulations_2::Position_2;
-
-double random_between(std::mt19937_64& random, double low, double high)
-{
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
-
-// Points of the cell; with a grid, on its multiples, where many are on circles, lines and each
-// other.
-std::vector<Point> random_points(std::mt19937_64& random, std::size_t number, double extent,
-                                 double grid = 0)
-{
-  const auto coordinate = [&] {
-    const double x = random_between(random, 0, extent);
-    return grid > 0 ? std::floor(x / grid) * grid : x;
-  };
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < number; ++i) {
-    const double x = coordinate();
-    points.push_back(Point(x, coordinate()));
-  }
-  return points;
-}
 
 void move_randomly(std::mt19937_64& random, std::vector<Point>& points, double step)
 {

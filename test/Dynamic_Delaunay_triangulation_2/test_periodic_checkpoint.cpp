@@ -6,6 +6,7 @@
 
 #include "checkpoint_files.h"
 #include "periodic_oracle.h"
+#include "random_points.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_population_2.h>
@@ -31,27 +32,6 @@ using Cell = CGAL::Periodic_cell_2;
 using Shift = CGAL::Periodic_shift_2;
 using Triangulation = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel>;
 using Population = CGAL::Dynamic_population_2<Triangulation>;
-
-double random_between(std::mt19937_64& random, double low, double high)
-{
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
-
-// With a grid, on its multiples.
-std::vector<Point> random_points(std::mt19937_64& random, std::size_t number, double extent,
-                                 double grid = 0)
-{
-  const auto coordinate = [&] {
-    const double x = random_between(random, 0, extent);
-    return grid > 0 ? std::floor(x / grid) * grid : x;
-  };
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < number; ++i) {
-    const double x = coordinate();
-    points.push_back(Point(x, coordinate()));
-  }
-  return points;
-}
 
 Triangulation restored(const Triangulation& original)
 {
@@ -258,7 +238,8 @@ TEST(Periodic_checkpoints, a_run_goes_on_as_if_it_had_not_been_interrupted)
     ASSERT_NO_FATAL_FAILURE(Interrupted_run(seed, 250).go_on(30)) << "seed " << seed;
 }
 
-// Points that stream, where some jump: who counts as jumping depends on the mean of the last frame.
+// Points that stream, where some jump: which points count as jumping depends on the mean of the
+// last frame.
 TEST(Periodic_checkpoints, the_mean_motion_is_kept)
 {
   std::mt19937_64 random(2);

@@ -283,7 +283,7 @@ TEST(A_point_distance_classifier, with_x_of_1_examines_all_edges)
   }
 }
 
-TEST(A_point_distance_classifier, names_nobody_while_all_flow_across_the_border)
+TEST(A_point_distance_classifier, names_no_vertex_while_all_flow_across_the_border)
 {
   Cloud cloud(9, 300, 20);
   Triangulation<CGAL::Point_distance_classifier_2> pt(cloud.points, Cell(20, 20));
@@ -295,7 +295,7 @@ TEST(A_point_distance_classifier, names_nobody_while_all_flow_across_the_border)
   }
 }
 
-TEST(An_inflation_aware_classifier, names_nobody_while_the_cell_grows)
+TEST(An_inflation_aware_classifier, names_no_vertex_while_the_cell_grows)
 {
   Cloud cloud(10, 300, 20);
   const std::vector<Point> initial = cloud.points;

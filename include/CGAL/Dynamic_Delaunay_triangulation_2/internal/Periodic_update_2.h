@@ -193,8 +193,6 @@ public:
       m_tools.rebuild(reason);
     else
       mend(repair);
-    if (!parted.empty() && !m_tools.has_to_prove())
-      mend_everything();
     prove(report);
     for (const Index id : parted)
       if (!ids().is_representative(id))
