@@ -6,7 +6,7 @@
 
 #include "../common/Cases.h"
 #include "../common/Contest.h"
-#include "Counted_heap.h"
+#include "../common/Counted_heap.h"
 #include "scenario_runner/Motion.h"
 #include "scenario_runner/Static_triangulation.h"
 
@@ -23,9 +23,9 @@ using Exact_triangulation = CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel>;
 template <class Make>
 double heap_bytes_of(Make make)
 {
-  const std::size_t before = live_heap_bytes();
+  const std::size_t before = common::live_heap_bytes();
   const auto made = make();
-  return static_cast<double>(live_heap_bytes() - before);
+  return static_cast<double>(common::live_heap_bytes() - before);
 }
 
 inline Exact_triangulation triangulation_of(const std::vector<scenario::Point>& points)
@@ -66,9 +66,9 @@ inline void shift(std::vector<scenario::Point>& points, double distance)
 inline std::size_t allocations_of_update(Exact_triangulation& triangulation,
                                          const std::vector<scenario::Point>& points)
 {
-  const std::size_t before = number_of_allocations();
+  const std::size_t before = common::number_of_allocations();
   const auto report = triangulation.update(points.begin(), points.end(), run::Point_map());
-  const std::size_t allocations = number_of_allocations() - before;
+  const std::size_t allocations = common::number_of_allocations() - before;
   common::require(report.flips == 0 && report.splices == 0 && !report.rebuilt(),
                   "an edge changed where none should");
   return allocations;

@@ -6,10 +6,11 @@
 
 #include "../common/Cases.h"
 #include "../common/Contest.h"
+#include "../common/Timed_phases.h"
+#include "scenario_runner/Frame_record.h"
 #include "scenario_runner/Measurement.h"
 #include "scenario_runner/Motion.h"
 #include "scenario_runner/Scenario_run.h"
-#include "Timed_phases.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 
@@ -24,6 +25,14 @@
 namespace speed {
 
 using common::Figures;
+using common::Phase_times;
+
+struct Speed_record
+{
+  run::Frame_record frame{};
+  Phase_times phases{};
+};
+
 using Speed_records = std::vector<Speed_record>;
 
 // Frames that can be compared: without points there is no time a point.
@@ -119,8 +128,8 @@ public:
     : m_motion(motion)
   {
     check_coordinates();
-    m_kept.emplace(motion,
-                   Dynamic(Dynamic::Settings{Timed_classifier(m_marks), Timed_repair(m_marks)}));
+    m_kept.emplace(motion, Dynamic(Dynamic::Settings{common::Timed_classifier(m_marks),
+                                                     common::Timed_repair(m_marks)}));
   }
   Speed_run(const Speed_run&) = delete;
   Speed_run& operator=(const Speed_run&) = delete;
@@ -159,8 +168,8 @@ public:
   }
 
 private:
-  using Dynamic =
-      CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, Timed_classifier, Timed_repair>;
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, common::Timed_classifier,
+                                                         common::Timed_repair>;
 
   bool go_on()
   {
@@ -223,7 +232,7 @@ private:
   }
 
   scenario::Motion& m_motion;
-  Phase_marks m_marks;
+  common::Phase_marks m_marks;
   std::optional<run::Kept_triangulation<Dynamic>> m_kept;
   Opponents m_opponents;
   run::Neighbor_reader m_neighbors;

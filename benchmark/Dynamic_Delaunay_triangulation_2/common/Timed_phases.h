@@ -1,10 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef SPEED_TIMED_PHASES_H
-#define SPEED_TIMED_PHASES_H
-
-#include "scenario_runner/Frame_record.h"
+#ifndef COMMON_TIMED_PHASES_H
+#define COMMON_TIMED_PHASES_H
 
 #include <CGAL/Circumcircle_classifier_2.h>
 #include <CGAL/Flip_and_splice_repair_2.h>
@@ -12,7 +10,7 @@
 #include <chrono>
 #include <optional>
 
-namespace speed {
+namespace common {
 
 // Nanoseconds of an update.
 struct Phase_times
@@ -23,16 +21,19 @@ struct Phase_times
   double certify = 0.0; // all the rest
 };
 
-// When an update entered and left its classifier and its repair.
+// When an update asked its policy, and entered and left its classifier and its repair.
 class Phase_marks
 {
 public:
   void start()
   {
+    m_asked.reset();
     m_classify.reset();
     m_repair.reset();
     m_start = Clock::now();
   }
+
+  void ask_policy() { m_asked = Clock::now(); }
 
   template <class Work>
   void classify(Work work)
@@ -46,12 +47,14 @@ public:
     m_repair = span_of(work);
   }
 
-  // An update that has not come to its classifier is a rebuild, and counts as repair.
+  // An update that has not come to its classifier is a rebuild, and counts as repair, from its
+  // policy on if that was asked.
   Phase_times times(double total) const
   {
     Phase_times times;
     if (!m_classify) {
-      times.repair = total;
+      times.read = m_asked ? nanoseconds(m_start, *m_asked) : 0.0;
+      times.repair = total - times.read;
       return times;
     }
     times.read = nanoseconds(m_start, m_classify->begin);
@@ -86,6 +89,7 @@ private:
   }
 
   Clock::time_point m_start;
+  std::optional<Clock::time_point> m_asked;
   std::optional<Span> m_classify;
   std::optional<Span> m_repair;
 };
@@ -95,8 +99,9 @@ private:
 class Timed_classifier : public CGAL::Circumcircle_classifier_2
 {
 public:
-  explicit Timed_classifier(Phase_marks& marks)
-    : m_marks(&marks)
+  explicit Timed_classifier(Phase_marks& marks, unsigned threads = 1)
+    : CGAL::Circumcircle_classifier_2(threads)
+    , m_marks(&marks)
   {
   }
 
@@ -129,12 +134,6 @@ private:
   Phase_marks* m_marks;
 };
 
-struct Speed_record
-{
-  run::Frame_record frame{};
-  Phase_times phases{};
-};
+} // namespace common
 
-} // namespace speed
-
-#endif // SPEED_TIMED_PHASES_H
+#endif // COMMON_TIMED_PHASES_H

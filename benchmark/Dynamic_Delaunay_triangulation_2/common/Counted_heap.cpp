@@ -14,6 +14,7 @@
 namespace {
 
 std::atomic<std::size_t> live_bytes{0};
+std::atomic<std::size_t> peak_bytes{0};
 std::atomic<std::size_t> allocations{0};
 
 void* counted(void* memory)
@@ -22,7 +23,11 @@ void* counted(void* memory)
     throw std::bad_alloc();
   }
   allocations.fetch_add(1, std::memory_order_relaxed);
-  live_bytes.fetch_add(malloc_usable_size(memory), std::memory_order_relaxed);
+  const std::size_t bytes = malloc_usable_size(memory);
+  const std::size_t live = live_bytes.fetch_add(bytes, std::memory_order_relaxed) + bytes;
+  std::size_t peak = peak_bytes.load(std::memory_order_relaxed);
+  while (peak < live && !peak_bytes.compare_exchange_weak(peak, live, std::memory_order_relaxed)) {
+  }
   return memory;
 }
 
@@ -34,7 +39,7 @@ void give_back(void* memory)
 
 } // namespace
 
-namespace speed {
+namespace common {
 
 std::size_t live_heap_bytes()
 {
@@ -46,7 +51,17 @@ std::size_t number_of_allocations()
   return allocations.load(std::memory_order_relaxed);
 }
 
-} // namespace speed
+std::size_t peak_heap_bytes()
+{
+  return peak_bytes.load(std::memory_order_relaxed);
+}
+
+void start_peak()
+{
+  peak_bytes.store(live_heap_bytes(), std::memory_order_relaxed);
+}
+
+} // namespace common
 
 // The other forms, for arrays and without exceptions, call these.
 

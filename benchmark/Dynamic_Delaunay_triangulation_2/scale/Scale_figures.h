@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SCALE_SCALE_FIGURES_H
+#define SCALE_SCALE_FIGURES_H
+
+#include "Scale_run.h"
+#include "scenario_runner/Measurement.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace scale {
+
+// Nanoseconds a point: medians over the frames, and the slowest frame.
+struct Figures
+{
+  double total;
+  double worst;
+  double read;
+  double classify;
+  double repair;
+  double certify;
+  double flips; // a point and frame, mean
+
+  std::array<double, 6> times() const { return {total, worst, read, classify, repair, certify}; }
+};
+
+template <class Value>
+std::vector<double> per_point(const Series& series, std::size_t points, const Value& value)
+{
+  std::vector<double> values;
+  for (const Frame_times& frame : series.frames) {
+    values.push_back(static_cast<double>(value(frame)) / static_cast<double>(points));
+  }
+  return values;
+}
+
+inline Figures figures_of(const Series& series, std::size_t points)
+{
+  const auto values = [&](const auto& value) { return per_point(series, points, value); };
+  const auto phase = [&](double common::Phase_times::*member) {
+    return run::spread(values([&](const Frame_times& frame) { return frame.phases.*member; }))
+        ->median;
+  };
+  const std::vector<double> totals = values([](const Frame_times& frame) { return frame.total; });
+  double flips = 0.0;
+  for (const double number : values([](const Frame_times& frame) { return frame.update.flips; })) {
+    flips += number / static_cast<double>(series.frames.size());
+  }
+  return {run::spread(totals)->median,
+          *std::max_element(totals.begin(), totals.end()),
+          phase(&common::Phase_times::read),
+          phase(&common::Phase_times::classify),
+          phase(&common::Phase_times::repair),
+          phase(&common::Phase_times::certify),
+          flips};
+}
+
+// The bytes a point that a frame has to move, by the sizes of the arrays, each of them once: the
+// caller's point (16) and the number of its vertex (4) are read, its position (16) is written, and
+// in the end a vertex handle (8) is read and the point in CGAL's vertex (16) written. In between
+// lies a proof of every edge. The shortest that is known reads the reference (16) of each vertex,
+// the position where its edges were examined last, to find those that may be skipped; the other one
+// reads every edge, three to a point (48). Whatever is read twice, whole cache lines around eight
+// or sixteen bytes, and all repairs come on top and are not counted, as they need not be.
+constexpr double bytes_of_skipping = 16 + 4 + 16 + 8 + 16 + 16;
+constexpr double bytes_of_passing = 16 + 4 + 16 + 8 + 16 + 48;
+
+} // namespace scale
+
+#endif // SCALE_SCALE_FIGURES_H

@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SCALE_SCALE_MEMORY_H
+#define SCALE_SCALE_MEMORY_H
+
+#include "../common/Counted_heap.h"
+#include "Scale_motion.h"
+#include "scenario_runner/Static_triangulation.h"
+#include "Threaded_triangulation.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace scale {
+
+// Bytes on the heap, without the points that the caller has. Peaks are the most at any time of a
+// construction, and of an update while the triangulation lives.
+struct Memory_record
+{
+  std::size_t points = 0;
+  double cgal = 0.0; // CGAL's own triangulation of the same points
+  double constructed = 0.0;
+  double construction_peak = 0.0;
+  double calm = 0.0; // after some calm frames
+  double rough = 0.0;
+  double frame_peak = 0.0;
+  double rebuilt = 0.0;
+  double rebuild_peak = 0.0;
+
+  double largest() const { return (std::max)({construction_peak, frame_peak, rebuild_peak}); }
+};
+
+class Memory_run
+{
+public:
+  Memory_run(std::size_t points, unsigned threads)
+    : m_points(points)
+    , m_threads(threads)
+  {
+  }
+
+  // After so many frames of each kind.
+  Memory_record measure(const Motion_kind& calm, const Motion_kind& rough, std::size_t frames) const
+  {
+    Memory_record record;
+    record.points = m_points;
+    Scale_motion motion(m_points);
+    record.cgal = bytes_of_cgal(motion.points());
+    const Meter meter;
+    Threaded_triangulation triangulation(m_threads);
+    common::start_peak();
+    triangulation.build(motion.points());
+    record.constructed = meter.live();
+    record.construction_peak = meter.peak();
+    const auto follow = [&](const Motion_kind& kind) {
+      for (std::size_t frame = 0; frame != frames; ++frame) {
+        motion.advance(kind);
+        triangulation.update(motion.points(), false);
+      }
+      return meter.live();
+    };
+    common::start_peak();
+    record.calm = follow(calm);
+    record.rough = follow(rough);
+    record.frame_peak = meter.peak();
+    common::start_peak();
+    triangulation.update(motion.points(), true);
+    record.rebuilt = meter.live();
+    record.rebuild_peak = meter.peak();
+    return record;
+  }
+
+private:
+  // What has come to the heap since it was made.
+  class Meter
+  {
+  public:
+    double live() const { return static_cast<double>(common::live_heap_bytes() - m_before); }
+    double peak() const { return static_cast<double>(common::peak_heap_bytes() - m_before); }
+
+  private:
+    std::size_t m_before = common::live_heap_bytes();
+  };
+
+  static double bytes_of_cgal(const Points& points)
+  {
+    const Meter meter;
+    const run::Static_triangulation triangulation(points.begin(), points.end());
+    return meter.live();
+  }
+
+  std::size_t m_points;
+  unsigned m_threads;
+};
+
+} // namespace scale
+
+#endif // SCALE_SCALE_MEMORY_H

@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SCALE_THREADED_TRIANGULATION_H
+#define SCALE_THREADED_TRIANGULATION_H
+
+#include "../common/Contest.h"
+#include "../common/Timed_phases.h"
+#include "Scale_motion.h"
+#include "scenario_runner/Measurement.h"
+
+#include <CGAL/Default.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/tags.h>
+#include <CGAL/Update_report_2.h>
+
+#include <tbb/task_arena.h>
+
+#include <optional>
+
+namespace scale {
+
+// Nanoseconds.
+struct Frame_times
+{
+  double total = 0.0;
+  common::Phase_times phases{};
+  CGAL::Update_report_2 update{};
+};
+
+// An update policy that rebuilds when the benchmark wants it, and notes when it was asked.
+class Rebuild_on_demand
+{
+public:
+  Rebuild_on_demand(common::Phase_marks& marks, const bool& is_demanded)
+    : m_marks(&marks)
+    , m_is_demanded(&is_demanded)
+  {
+  }
+
+  template <class Frame>
+  bool wants_rebuild(const Frame&) const
+  {
+    m_marks->ask_policy();
+    return *m_is_demanded;
+  }
+
+  template <class Frame>
+  void after_update(const Frame&, const CGAL::Update_report_2&) const
+  {
+  }
+
+private:
+  common::Phase_marks* m_marks;
+  const bool* m_is_demanded;
+};
+
+// An exact triangulation that may use so many threads, whatever it does.
+class Threaded_triangulation
+{
+public:
+  using Dynamic =
+      CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, common::Timed_classifier,
+                                             common::Timed_repair, CGAL::Default, Rebuild_on_demand,
+                                             CGAL::Default, CGAL::Parallel_tag>;
+
+  explicit Threaded_triangulation(unsigned threads)
+    : m_threads(threads)
+    , m_arena(static_cast<int>(threads))
+  {
+  }
+  Threaded_triangulation(const Threaded_triangulation&) = delete;
+  Threaded_triangulation& operator=(const Threaded_triangulation&) = delete;
+
+  unsigned threads() const { return m_threads; }
+
+  // Nanoseconds.
+  double build(const Points& points)
+  {
+    const Dynamic::Settings settings{common::Timed_classifier(m_marks, m_threads),
+                                     common::Timed_repair(m_marks),
+                                     {},
+                                     Rebuild_on_demand(m_marks, m_is_rebuild_demanded)};
+    return run::nanoseconds_of([&] {
+      m_arena.execute([&] { m_dynamic.emplace(points.begin(), points.end(), settings); });
+    });
+  }
+
+  Frame_times update(const Points& points, bool is_rebuild_demanded)
+  {
+    m_is_rebuild_demanded = is_rebuild_demanded;
+    Frame_times times;
+    times.total = run::nanoseconds_of([&] {
+      m_arena.execute([&] {
+        m_marks.start();
+        times.update = m_dynamic->update(points.begin(), points.end());
+      });
+    });
+    times.phases = m_marks.times(times.total);
+    common::require(m_dynamic->is_certified(), "the triangulation is not certified");
+    return times;
+  }
+
+  void clear() { m_dynamic.reset(); }
+
+  const Dynamic& dynamic() const { return *m_dynamic; }
+
+private:
+  unsigned m_threads;
+  tbb::task_arena m_arena;
+  common::Phase_marks m_marks;
+  bool m_is_rebuild_demanded = false;
+  std::optional<Dynamic> m_dynamic;
+};
+
+} // namespace scale
+
+#endif // SCALE_THREADED_TRIANGULATION_H
