@@ -248,6 +248,13 @@ TYPED_TEST(Exact_motion, is_not_deceived_by_a_star_that_winds_twice)
   }
   typename TestFixture::Dynamic dt(once.begin(), once.end());
   this->update(dt, twice);
+
+  typename TestFixture::Dynamic one_by_one(once.begin(), once.end());
+  std::vector<std::pair<std::size_t, typename TestFixture::Points::value_type>> movers;
+  for (std::size_t i = 0; i < twice.size(); ++i)
+    movers.emplace_back(i, twice[i]);
+  one_by_one.move(movers);
+  expect_exact(one_by_one, twice);
 }
 
 TEST(Exact_coordinates, that_are_no_doubles_leave_the_signs_to_the_kernel)

@@ -8,8 +8,11 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -33,6 +36,7 @@ public:
     // Lawson's proof of termination needs counterclockwise faces; with inverted ones, flips can
     // cycle. Recorded motion took at most 3 flips per initial edge.
     const std::size_t limit = (std::min)(100 + 20 * open.size(), most);
+    const bool prefetches = maintained.positions().size() >= min_vertices_to_prefetch;
     std::size_t flips = 0;
     m_touched.clear(); // an exception may have ended the last run
     editor.flip_in_series([&](const auto& flip) {
@@ -47,7 +51,7 @@ public:
         m_seeds.swap(open);
         open.clear();
         for (std::size_t i = 0; i < m_seeds.size(); ++i) {
-          if (i % stretch == 0)
+          if (prefetches && i % stretch == 0)
             prefetch_stretch(maintained, i);
           flips += flip_from(maintained, m_seeds[i], limit - flips, try_flip, open);
         }
@@ -55,6 +59,52 @@ public:
       }
     });
     return flips;
+  }
+
+  // Flips around vertex v, which was put into a face of a Delaunay triangulation. Returns whether
+  // everything is Delaunay again, and adds the number of flips, at most `most`. If not, nothing is
+  // known of the edges around v: it is not strictly inside of a finite face, or `most` was reached.
+  //
+  // Only edges opposite to v can be illegal (C. Lawson 1977; Guibas and Stolfi 1985). An edge from
+  // v to w comes into being when a face with corner w that was Delaunay before is divided or
+  // flipped away, and v is strictly inside of its circle: inside of that face, or beyond an illegal
+  // edge. The circle through v that touches this one in w from inside contains no other vertex, so
+  // the edge is Delaunay in every triangulation with v. All other faces stay Delaunay. Faces are
+  // counterclockwise all the time, so no flip doubles an edge.
+  template <class Maintained, class Editor>
+  bool run_around(const Maintained& maintained, Editor& editor, Index v, std::size_t most,
+                  std::size_t& flips)
+  {
+    const auto& mirror = maintained.mirror();
+    const typename Maintained::Edge_test test(maintained);
+    bool is_inside = true;
+    m_touched.clear();
+    mirror.for_each_corner(v, [&](Index h) {
+      const Index e = mirror.edge_of(h);
+      const bool is_finite =
+          mirror.source(h) != infinite_index && mirror.target(h) != infinite_index;
+      const Edge_state_2 state = is_finite ? test.state(e) : Edge_state_2::TWISTED;
+      is_inside &= state == Edge_state_2::DELAUNAY || state == Edge_state_2::ILLEGAL;
+      if (state == Edge_state_2::ILLEGAL)
+        m_touched.push_back(e);
+    });
+    if (!is_inside)
+      return false;
+    editor.flip_in_series([&](const auto& flip) {
+      for (; !m_touched.empty() && most > 0; --most, ++flips) {
+        const Index h = mirror.halfedge(m_touched.back());
+        const Index beyond = mirror.apex(h) == v ? mirror.twin(h) : h;
+        m_touched.pop_back();
+        const std::array<Index, 2> opposite{
+            mirror.edge_of(Neighborhood_mirror_2::next(beyond)),
+            mirror.edge_of(Neighborhood_mirror_2::previous(beyond))};
+        flip(h);
+        for (const Index e : opposite)
+          if (test.state(e) == Edge_state_2::ILLEGAL)
+            m_touched.push_back(e);
+      }
+    });
+    return m_touched.empty();
   }
 
 private:

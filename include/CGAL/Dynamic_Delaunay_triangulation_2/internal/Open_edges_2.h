@@ -74,23 +74,23 @@ public:
   {
     const auto& mirror = maintained.mirror();
     const auto& new_edges = maintained.changes().new_edges;
-    m_opened_last.clear();
+    m_opened_last.clear(mirror.number_of_edges()); // each occurs some five times
     for (; i < new_edges.size(); ++i)
       if (!mirror.is_empty_edge(new_edges[i])) {
-        m_opened_last.push_back(new_edges[i]);
-        mirror.for_each_side(new_edges[i], [this](Index e) { m_opened_last.push_back(e); });
+        m_opened_last.insert(new_edges[i]);
+        mirror.for_each_side(new_edges[i], [this](Index e) { m_opened_last.insert(e); });
       }
-    make_distinct(m_opened_last); // each occurs some five times
-    m_uncertain.insert(m_uncertain.end(), m_opened_last.begin(), m_opened_last.end());
     const auto is_empty = [&](Index e) { return mirror.is_empty_edge(e); };
-    for (std::vector<Index>* edges : {&m_uncertain, &m_illegal})
-      edges->erase(std::remove_if(edges->begin(), edges->end(), is_empty), edges->end());
-    make_distinct(m_uncertain);
+    const auto is_listed = [&](Index e) { return is_empty(e) || m_opened_last.contains(e); };
+    m_illegal.erase(std::remove_if(m_illegal.begin(), m_illegal.end(), is_empty), m_illegal.end());
+    m_uncertain.erase(std::remove_if(m_uncertain.begin(), m_uncertain.end(), is_listed),
+                      m_uncertain.end());
+    m_uncertain.insert(m_uncertain.end(), m_opened_last.begin(), m_opened_last.end());
     m_faces_tile_hull = false;
   }
 
   // The edges that the last call of open_new_edges() has opened.
-  const std::vector<Index>& opened_last() const { return m_opened_last; }
+  const std::vector<Index>& opened_last() const { return m_opened_last.members(); }
 
   // From now on, treats the illegal edges like the others.
   void open_illegal()
@@ -140,7 +140,7 @@ public:
 
 private:
   std::vector<Index> m_uncertain, m_illegal;
-  std::vector<Index> m_opened_last;
+  Index_set_2 m_opened_last;
   bool m_faces_tile_hull = false;
 };
 

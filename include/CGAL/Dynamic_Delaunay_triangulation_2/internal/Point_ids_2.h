@@ -79,7 +79,11 @@ public:
         std::push_heap(places.begin(), places.end(), comes_later);
       }
     };
-    consider(0);
+    ids.reserve(number);
+    if (number == 1 && !m_free_ids.empty()) // most points come alone
+      ids.push_back(m_free_ids.front());
+    else
+      consider(0);
     while (ids.size() < number && !places.empty()) {
       std::pop_heap(places.begin(), places.end(), comes_later);
       const std::size_t place = places.back();

@@ -89,6 +89,16 @@ public:
     m_open.take(m_classification, m_maintained);
     m_classified_edges = m_open.size();
     m_changes = changes;
+    m_movers = m_maintained.number_of_vertices();
+    m_hull_stays = false;
+  }
+
+  // To be called after it if so few points have moved, and all others are where they were.
+  // `hull_stays`: whether the hull turned around once, and none of its vertices has moved.
+  void set_movers(std::size_t movers, bool hull_stays)
+  {
+    m_movers = movers;
+    m_hull_stays = hull_stays;
   }
 
   // Removes the points with these ids.
@@ -96,6 +106,7 @@ public:
   {
     const std::size_t first_new = m_maintained.changes().new_edges.size();
     const std::vector<Index> moved = m_traffic.remove(ids);
+    m_hull_stays = m_hull_stays && moved.empty();
     m_open.open_new_edges(m_maintained, first_new);
     for (const Index v : moved)
       Dynamic_frame_2<Maintained>(m_maintained).for_each_edge_that_sees(v, [this](Index e) {
@@ -106,6 +117,8 @@ public:
   // Puts in vertices outside of faces, new points and parted duplicates, with flips around each.
   void put_in(const std::vector<Index>& parted_duplicates)
   {
+    bool is_delaunay =
+        m_has_to_prove && m_open.empty() && (m_open.faces_tile_hull() || hull_turns_once());
     m_open.set_planar(false);
     m_may_take_out = false;
     m_budget.allow((parted_duplicates.size() + m_traffic.number_to_put_in()) *
@@ -115,7 +128,9 @@ public:
       m_budget.spend(Repair_budget_2::relocation / 2 +
                      Repair_budget_2::step_of_a_walk * (steps - steps_before));
       steps_before = steps;
-      settle(v);
+      is_delaunay = is_delaunay && settle_inside(v);
+      if (!is_delaunay)
+        settle(v);
       return !m_budget.is_spent();
     });
     m_report->relocated += counts.relocated;
@@ -130,8 +145,7 @@ public:
   bool is_proved() const
   {
     CGAL_precondition(!m_open.empty() || m_traffic.number_waiting() == 0);
-    return m_open.empty() &&
-           (m_open.faces_tile_hull() || Certificate(m_maintained).hull_turns_once());
+    return m_open.empty() && (m_open.faces_tile_hull() || hull_turns_once());
   }
 
   // Gives the numbers of removed vertices to others.
@@ -184,7 +198,8 @@ public:
   {
     // where several neighbors jumped, some seem to have stayed until the others are out
     constexpr unsigned max_rounds = 4;
-    for (unsigned round = 0; round < max_rounds && can_take_out(); ++round) {
+    const auto may_others_jump = [this] { return m_traffic.number_waiting() < m_movers; };
+    for (unsigned round = 0; round < max_rounds && can_take_out() && may_others_jump(); ++round) {
       const std::vector<Index>& edges = round == 0 ? m_open.uncertain() : m_open.opened_last();
       m_budget.spend(edges.size() * Repair_budget_2::look_for_jumpers);
       const std::vector<Index>& jumpers = m_jumpers.find_jumpers(edges);
@@ -221,7 +236,7 @@ public:
       flip_uncertain();
     }
     m_open.set_planar(!has_rebuilt() && m_has_to_prove && m_open.uncertain().empty() &&
-                      Certificate(m_maintained).hull_turns_once());
+                      hull_turns_once());
   }
 
   void splice_classified(unsigned padding)
@@ -276,6 +291,25 @@ public:
   }
 
 private:
+  // Condition 4 of the certificate. A hull that has turned around once still does so if its
+  // vertices are the same and have not moved. They are the same if no face at infinity is new. Of a
+  // new face at least one edge is in the log: a flip logs the diagonal, which is in both its faces,
+  // a vertex that is put in logs all edges of its faces, and one that is taken out those of the
+  // face that it leaves. So no face at infinity is new if no edge in the log is part of one.
+  // Splices are not considered. Walking around a long hull costs more than all the rest.
+  bool hull_turns_once() const
+  {
+    const Change_log_2& changes = m_maintained.changes();
+    const auto is_at_hull = [this](Index e) {
+      const Edge_2& edge = m_maintained.mirror().edge(e);
+      return edge.source == infinite_index || edge.target == infinite_index ||
+             edge.left == infinite_index || edge.right == infinite_index;
+    };
+    return (m_hull_stays && !changes.everything_is_new &&
+            std::none_of(changes.new_edges.begin(), changes.new_edges.end(), is_at_hull)) ||
+           Certificate(m_maintained).hull_turns_once();
+  }
+
   void forget()
   {
     m_open.clear();
@@ -335,15 +369,14 @@ private:
 
   void flip_uncertain()
   {
-    if (has_rebuilt())
+    if (has_rebuilt() || m_open.uncertain().empty())
       return;
     std::vector<Index>& edges = m_open.uncertain();
     // a heuristic classifier treats examined edges as triangulated anew
     if (!m_is_exact)
       m_editor.note_examined(edges);
-    const std::size_t most = m_budget.left() / Repair_budget_2::flip + 1;
     const std::size_t flips =
-        m_lawson.run(m_maintained, m_editor, edges, m_open.faces_tile_hull(), most);
+        m_lawson.run(m_maintained, m_editor, edges, m_open.faces_tile_hull(), most_flips());
     m_report->flips += flips;
     m_budget.spend(flips * Repair_budget_2::flip);
     if (m_budget.is_spent())
@@ -359,13 +392,28 @@ private:
       m_around.push_back(mirror.edge_of(h));
       m_around.push_back(mirror.edge_of(Neighborhood_mirror_2::previous(h)));
     });
-    const std::size_t most = m_budget.left() / Repair_budget_2::flip + 1;
-    const std::size_t flips = m_lawson.run(m_maintained, m_editor, m_around, false, most);
-    m_report->flips += flips;
-    // the price of putting v in includes the first flips
-    constexpr std::size_t few = 8;
-    m_budget.spend(flips > few ? (flips - few) * Repair_budget_2::flip : 0);
+    const std::size_t flips = m_lawson.run(m_maintained, m_editor, m_around, false, most_flips());
+    note_settling(flips);
     m_open.uncertain().insert(m_open.uncertain().end(), m_around.begin(), m_around.end());
+  }
+
+  // The same where everything was Delaunay before. False if it is not so again.
+  bool settle_inside(Index v)
+  {
+    std::size_t flips = 0;
+    const bool is_delaunay = m_lawson.run_around(m_maintained, m_editor, v, most_flips(), flips);
+    note_settling(flips);
+    return is_delaunay;
+  }
+
+  std::size_t most_flips() const { return m_budget.left() / Repair_budget_2::flip + 1; }
+
+  // The price of putting a vertex in includes the first flips.
+  void note_settling(std::size_t flips)
+  {
+    constexpr std::size_t few = 8;
+    m_report->flips += flips;
+    m_budget.spend(flips > few ? (flips - few) * Repair_budget_2::flip : 0);
   }
 
   // SPLICES -------------------------------------------------------------------------------------
@@ -377,6 +425,7 @@ private:
     if (has_rebuilt())
       return false;
     m_open.set_planar(false);
+    m_hull_stays = false;
     const std::size_t most = m_budget.left() / Repair_budget_2::spliced_vertex;
     typename Border_splice_2<Maintained>::Limits limits{max_enlargements, most};
     const Splice_result_2 result = m_splice.run(m_editor, vertices, padding, limits);
@@ -464,6 +513,8 @@ private:
   bool m_was_certified = false;
   bool m_is_exact = true;     // whether the classifier is
   bool m_may_take_out = true; // until a vertex is put in
+  bool m_hull_stays = false;  // see set_movers(); until a splice
+  std::size_t m_movers = 0;
   std::size_t m_classified_edges = 0;
   std::size_t m_changes = 0;
 };

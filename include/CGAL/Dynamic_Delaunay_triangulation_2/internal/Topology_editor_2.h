@@ -10,6 +10,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 #include <CGAL/Triangulation_utils_2.h>
 
 #include <algorithm>
@@ -634,8 +635,9 @@ private:
   {
     auto& tds = m_topology.m_triangulation.tds();
     const auto& faces = m_topology.m_faces;
+    const bool prefetches = m_topology.m_vertices.size() >= min_vertices_to_prefetch;
     for (std::size_t i = 0; i < m_flipped.size(); ++i) {
-      if (i % stretch == 0)
+      if (prefetches && i % stretch == 0)
         prefetch_stretch(i);
       const Face_handle f = faces[m_flipped[i] / 3];
       const int place = int(m_flipped[i] % 3);

@@ -285,6 +285,7 @@ private:
     } else {
       classify_around(change.moved);
       m_tools.take_classification(was_certified, was_certified, changes);
+      m_tools.set_movers(change.moved.size(), was_certified && !is_any_on_hull(change.moved));
     }
   }
 
@@ -292,11 +293,24 @@ private:
   void classify_around(const std::vector<Index>& ids)
   {
     const Frame frame(m_maintained);
-    std::vector<Index> edges;
+    m_edges_around.clear();
     for (const Index id : ids)
-      frame.for_each_edge_that_sees(frame.vertex(id), [&](Index e) { edges.push_back(e); });
-    make_distinct(edges);
-    m_tools.classification().add_unless_delaunay(frame, edges);
+      frame.for_each_edge_that_sees(frame.vertex(id),
+                                    [&](Index e) { m_edges_around.push_back(e); });
+    if (ids.size() > 1)
+      make_distinct(m_edges_around);
+    m_tools.classification().add_unless_delaunay(frame, m_edges_around);
+  }
+
+  bool is_any_on_hull(const std::vector<Index>& ids) const
+  {
+    const auto is_on_hull = [&](Index id) {
+      bool sees_infinity = false;
+      m_maintained.mirror().for_each_neighbor(
+          m_maintained.ids().vertex(id), [&](Index w) { sees_infinity |= w == infinite_index; });
+      return sees_infinity;
+    };
+    return std::any_of(ids.begin(), ids.end(), is_on_hull);
   }
 
   // MENDING -------------------------------------------------------------------------------------
@@ -305,12 +319,13 @@ private:
   void mend(const Change& change, Repair& repair)
   {
     Mender mender(m_tools);
-    if (change.is_frame && m_tools.classification().empty() && m_tools.open_edges().empty())
-      return;
-    if (change.is_frame)
-      repair(mender);
-    else
+    const bool is_nothing_open = m_tools.open_edges().empty();
+    if (!change.is_frame && is_nothing_open)
+      m_tools.limit_cost(); // of putting in
+    else if (!change.is_frame)
       Flip_and_splice_repair_2()(mender);
+    else if (!is_nothing_open || !m_tools.classification().empty())
+      repair(mender);
   }
 
   // Puts in vertices outside of faces, new points and parted duplicates, and mends around them.
@@ -319,7 +334,8 @@ private:
     if (report.rebuilt() || (m_tools.has_to_prove() && !m_tools.open_edges().empty()))
       return;
     const std::vector<Index> parted = parted_duplicates();
-    if (!parted.empty() || m_tools.traffic().is_under_way()) {
+    const bool has_left_open = m_tools.traffic().is_under_way() && !m_tools.open_edges().empty();
+    if (!parted.empty() || m_tools.traffic().number_to_put_in() > 0 || has_left_open) {
       m_tools.put_in(parted);
       Mender mender(m_tools);
       Flip_and_splice_repair_2().mend(mender);
@@ -353,6 +369,7 @@ private:
 
   const Maintained& m_maintained;
   Tools m_tools;
+  std::vector<Index> m_edges_around; // points that moved alone
   bool m_is_certified = true;
   bool m_has_removed = true;
   Repair_experience_2 m_experience; // learned from whole frames

@@ -128,10 +128,13 @@ private:
       constexpr double infinity = std::numeric_limits<double>::infinity();
       double difference = infinity, distance = infinity;
       for (std::size_t k = 0; k < size; ++k)
-        if (k != i) {
+        if (k != i)
           difference = (std::min)(difference, squared_distance(steps[i], steps[k]));
+      if (difference == 0)
+        continue;
+      for (std::size_t k = 0; k < size; ++k)
+        if (k != i)
           distance = (std::min)(distance, squared_distance(places[i], places[k]));
-        }
       if (16 * difference > distance && m_seen.insert(vertices[i]) && has_jumped(vertices[i]))
         m_jumpers.push_back(vertices[i]);
     }
