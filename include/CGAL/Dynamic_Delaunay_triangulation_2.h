@@ -190,6 +190,7 @@ public:
   /// `Point`.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
   /// \throws Coordinate_range_error_2 if a coordinate is too large for this program.
+  /// \throws Point_limit_error_2 if there are more points than 32 bits allow.
   template <class InputIterator>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond)
     : Dynamic_Delaunay_triangulation_2(first, beyond, Identity_map(), Settings())
@@ -224,6 +225,7 @@ public:
   /// \tparam PointMap a model of `ReadablePropertyMap` from the range's values to `Point`.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
   /// \throws Coordinate_range_error_2 if a coordinate is too large for this program.
+  /// \throws Point_limit_error_2 if there are more points than 32 bits allow.
   template <class InputIterator, class PointMap,
             class = typename boost::property_traits<PointMap>::key_type>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond, PointMap point_map)
@@ -420,7 +422,7 @@ public:
   /// while the points do not span the plane.
   ///
   /// \throws Non_finite_coordinate_error_2 or Coordinate_range_error_2 if a coordinate cannot be
-  /// used; nothing changes.
+  /// used, Point_limit_error_2 if there would be too many points; nothing changes.
   /// \post `is_certified()`, if it was, or if the classifier is exact.
   size_type insert(const Point& p)
   {

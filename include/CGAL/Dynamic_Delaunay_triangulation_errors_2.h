@@ -148,6 +148,41 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
+There would be more points than the indices of 32 bits allow: 536,870,911. Points of a random-access
+range are counted before any of them is read.
+*/
+class Point_limit_error_2 : public Dynamic_Delaunay_triangulation_error_2
+{
+public:
+  /// \cond
+  Point_limit_error_2(std::size_t number, std::size_t limit)
+    : Dynamic_Delaunay_triangulation_error_2(message(number, limit))
+    , m_number(number)
+    , m_limit(limit)
+  {
+  }
+  /// \endcond
+
+  /// the number of points that there would be; `limit() + 1` means that many or more.
+  std::size_t number() const { return m_number; }
+  /// the largest number of points that is allowed.
+  std::size_t limit() const { return m_limit; }
+
+private:
+  static std::string message(std::size_t number, std::size_t limit)
+  {
+    std::ostringstream out;
+    out << "there would be " << number << (number == limit + 1 ? " or more" : "")
+        << " points: a triangulation holds at most " << limit;
+    return out.str();
+  }
+
+  std::size_t m_number, m_limit;
+};
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Errors
+
 No point has this id.
 */
 class Unknown_id_error_2 : public Dynamic_Delaunay_triangulation_error_2

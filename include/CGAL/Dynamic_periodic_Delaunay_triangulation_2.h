@@ -178,6 +178,7 @@ public:
   /// \tparam InputIterator its values are convertible to `Point`.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
   /// \throws Periodic_range_error_2 if a point is 2<sup>20</sup> cells or more from the origin.
+  /// \throws Point_limit_error_2 if there are more points than 32 bits allow.
   /// \throws Periodic_cell_error_2 as above.
   template <class InputIterator>
   Dynamic_periodic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
@@ -357,8 +358,8 @@ public:
   /// @{
 
   /// adds a point, and returns its id: the smallest free one. If it coincides with another point,
-  /// it shares that one's vertex. \throws Non_finite_coordinate_error_2 or Periodic_range_error_2;
-  /// nothing has changed then.
+  /// it shares that one's vertex. \throws Non_finite_coordinate_error_2, Periodic_range_error_2, or
+  /// Point_limit_error_2 if there would be too many points; nothing has changed then.
   size_type insert(const Point& p)
   {
     size_type id = 0;

@@ -126,6 +126,7 @@ public:
   /// \throws Repeated_id_error_2 if an id is given more than once.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite, or
   /// Coordinate_range_error_2 if it is too large; the `id()` of these is the place in the range.
+  /// \throws Point_limit_error_2 if there are more points than 32 bits allow.
   template <class InputIterator>
   Update_report_2 update(InputIterator first, InputIterator beyond)
   {
@@ -365,6 +366,7 @@ private:
   void read(InputIterator first, InputIterator beyond, const IdMap& id_map,
             const PointMap& point_map)
   {
+    Dynamic_Delaunay_triangulations_2::internal::length_within_limit(first, beyond, 0);
     forget_newcomers();
     m_is_there.assign(m_triangulation.number_of_ids(), false);
     m_positions.resize(m_triangulation.number_of_ids());

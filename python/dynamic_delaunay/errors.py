@@ -32,6 +32,13 @@ class PointCountError(DynamicDelaunayError, ValueError):
     given: int
 
 
+class PointLimitError(DynamicDelaunayError, ValueError):
+    """There would be more points than a triangulation holds. ``number`` of them, ``limit``."""
+
+    number: int
+    limit: int
+
+
 class UnknownIdError(DynamicDelaunayError, LookupError):
     """No point has this ``id``."""
 

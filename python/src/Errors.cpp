@@ -45,6 +45,9 @@ void translate(std::exception_ptr exception)
   } catch (const CGAL::Point_count_error_2& e) {
     set_error("PointCountError", e.what(),
               py::dict("expected"_a = e.expected(), "given"_a = e.given()));
+  } catch (const CGAL::Point_limit_error_2& e) {
+    set_error("PointLimitError", e.what(),
+              py::dict("number"_a = e.number(), "limit"_a = e.limit()));
   } catch (const CGAL::Unknown_id_error_2& e) {
     set_error("UnknownIdError", e.what(),
               py::dict("id"_a = e.id(), "number_of_ids"_a = e.number_of_ids()));

@@ -10,7 +10,9 @@
 #include <CGAL/accepts_inexact_predicates_2.h>
 #include <CGAL/Cartesian.h>
 #include <CGAL/Delaunay_point_queries_2.h>
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_population_2.h>
+#include <CGAL/iterator.h>
 #include <CGAL/Point_distance_classifier_2.h>
 #include <CGAL/Projection_traits_xy_3.h>
 #include <CGAL/property_map.h>
@@ -32,6 +34,8 @@
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -338,6 +342,98 @@ TEST(Ranges, are_taken_as_a_whole)
   EXPECT_TRUE(people.update(crowd).certified);
   people.move(std::vector<std::pair<int, Point>>{{9, {0.25, 0}}});
   EXPECT_EQ(people.point(9), Point(0.25, 0));
+}
+
+// LIMITS ------------------------------------------------------------------------------------------
+
+// Of a range that is longer than any memory, and must not be read.
+template <class Value>
+class Unreadable_iterator
+{
+public:
+  using iterator_category = std::random_access_iterator_tag;
+  using value_type = Value;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const Value*;
+  using reference = const Value&;
+
+  explicit Unreadable_iterator(std::ptrdiff_t i)
+    : m_i(i)
+  {
+  }
+
+  reference operator*() const { throw std::logic_error("a point was read"); }
+  Unreadable_iterator& operator++()
+  {
+    ++m_i;
+    return *this;
+  }
+  friend Unreadable_iterator operator+(Unreadable_iterator i, std::ptrdiff_t n)
+  {
+    return Unreadable_iterator(i.m_i + n);
+  }
+  friend std::ptrdiff_t operator-(const Unreadable_iterator& i, const Unreadable_iterator& j)
+  {
+    return i.m_i - j.m_i;
+  }
+  friend bool operator==(const Unreadable_iterator& i, const Unreadable_iterator& j)
+  {
+    return i.m_i == j.m_i;
+  }
+  friend bool operator!=(const Unreadable_iterator& i, const Unreadable_iterator& j)
+  {
+    return i.m_i != j.m_i;
+  }
+
+private:
+  std::ptrdiff_t m_i;
+};
+
+constexpr std::size_t most_points = 536'870'911; // half-edges have numbers of 32 bits
+
+template <class Call>
+void expect_too_many(std::size_t points, const Call& call)
+{
+  try {
+    call();
+    ADD_FAILURE() << "too many points were taken";
+  } catch (const CGAL::Point_limit_error_2& error) {
+    EXPECT_EQ(error.number(), points);
+    EXPECT_EQ(error.limit(), most_points);
+    EXPECT_NE(std::string(error.what()).find(std::to_string(points)), std::string::npos);
+  }
+}
+
+TEST(Too_many_points, are_refused_before_any_is_read)
+{
+  using Iterator = Unreadable_iterator<Point>;
+  const std::ptrdiff_t many = most_points + 1, far_more = std::ptrdiff_t(1) << 40;
+  expect_too_many(many, [&] { Dynamic(Iterator(0), Iterator(many)); });
+  expect_too_many(far_more, [&] { Dynamic(Iterator(0), Iterator(far_more)); });
+  const CGAL::Periodic_cell_2 cell(1, 1);
+  using Periodic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick>;
+  expect_too_many(many, [&] { Periodic(Iterator(0), Iterator(many), cell); });
+}
+
+TEST(Too_many_points, are_refused_beside_those_that_are_there)
+{
+  using Iterator = Unreadable_iterator<Point>;
+  Cloud<Epick> cloud(9);
+  const Points points = cloud.uniform(20);
+  Dynamic dt(points.begin(), points.end());
+  const std::ptrdiff_t many = most_points - 19;
+  expect_too_many(most_points + 1,
+                  [&] { dt.insert(Iterator(0), Iterator(many), CGAL::Emptyset_iterator()); });
+  expect_exact(dt, points);
+
+  Population people;
+  people.update(std::vector<std::pair<int, Point>>{{9, {0, 0}}, {4, {1, 0}}, {7, {0, 1}}});
+  using Crowd_iterator = Unreadable_iterator<std::pair<int, Point>>;
+  expect_too_many(most_points + 1, [&] {
+    people.update(Crowd_iterator(0), Crowd_iterator(std::ptrdiff_t(most_points) + 1));
+  });
+  EXPECT_EQ(people.triangulation().number_of_points(), 3u);
+  EXPECT_EQ(people.point(4), Point(1, 0));
 }
 
 // WRONG USES --------------------------------------------------------------------------------------

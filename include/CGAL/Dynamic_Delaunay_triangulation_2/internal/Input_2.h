@@ -20,8 +20,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -63,6 +61,31 @@ constexpr bool is_in_memory = std::is_pointer_v<Iterator> ||
 // iterators over bool: std::vector<bool> has no values to point to
 template <class Iterator>
 constexpr bool is_in_memory<Iterator, bool> = false;
+
+template <class Iterator>
+constexpr bool is_random_access =
+    std::is_convertible_v<typename std::iterator_traits<Iterator>::iterator_category,
+                          std::random_access_iterator_tag>;
+
+// Throws if a triangulation cannot hold so many points.
+inline void check_limit(std::size_t number)
+{
+  if (number > max_vertices)
+    throw Point_limit_error_2(number, max_vertices);
+}
+
+// The length of a random-access range of points, which are to join so many others. 0 of other
+// ranges, which can only be counted by reading them.
+template <class InputIterator>
+std::size_t length_within_limit(const InputIterator& first, const InputIterator& beyond,
+                                std::size_t others)
+{
+  if constexpr (is_random_access<InputIterator>) {
+    check_limit(others + std::size_t(beyond - first));
+    return std::size_t(beyond - first);
+  }
+  return 0;
+}
 
 // Reads and checks the positions of a frame before anything changes. Afterwards takes them back, or
 // writes them to CGAL's vertices. Only this class has the key to the points of duplicates.
@@ -129,8 +152,7 @@ private:
   template <class InputIterator, class PointMap>
   void stage_all(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
-    using Category = typename std::iterator_traits<InputIterator>::iterator_category;
-    if constexpr (std::is_convertible_v<Category, std::random_access_iterator_tag>)
+    if constexpr (is_random_access<InputIterator>)
       if (m_maintained.ids().duplicates().empty())
         return stage_all_representatives(first, beyond, point_map);
     stage_one_by_one(first, beyond, point_map);
@@ -246,11 +268,12 @@ public:
                              const Maintained& maintained, Change_2<Point>& change)
   {
     std::vector<Point>& points = change.coming_points;
-    for (; first != beyond; ++first)
+    const std::size_t present = maintained.ids().number_of_points();
+    points.reserve(length_within_limit(first, beyond, present));
+    for (; first != beyond; ++first) {
+      check_limit(present + points.size() + 1);
       points.push_back(get(point_map, *first));
-    if (points.size() > max_vertices - maintained.ids().number_of_points())
-      throw std::length_error("a triangulation holds at most " + std::to_string(max_vertices) +
-                              " points");
+    }
     change.coming = maintained.ids().next_ids(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
       checked_position(points[i], change.coming[i], change.are_exact);
