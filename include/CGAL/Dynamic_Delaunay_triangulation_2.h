@@ -366,7 +366,7 @@ public:
   /// repair uses exact predicates, whatever the classifier is; the policy is not asked.
   ///
   /// Cost: proportional to the number of points in the range and to what they break, plus a walk
-  /// around the hull; if points coincide, also proportional to the number of those.
+  /// around the hull if it changes; if points coincide, also proportional to the number of those.
   ///
   /// \tparam InputIterator its values are pairs of an id, which is an integer, and a `Point`.
   /// \throws Unknown_id_error_2 if an id belongs to no point.
@@ -418,8 +418,8 @@ public:
 
   /// adds a point, and returns its id: the smallest free one. If it coincides with another point,
   /// it shares that one's vertex. Cost: O(n<sup>1/3</sup>) expected for evenly spread points to
-  /// find its place, plus the repair of what it breaks, plus a walk around the hull; a rebuild
-  /// while the points do not span the plane.
+  /// find its place, plus the repair of what it breaks, plus a walk around the hull if it changes;
+  /// a rebuild while the points do not span the plane.
   ///
   /// \throws Non_finite_coordinate_error_2 or Coordinate_range_error_2 if a coordinate cannot be
   /// used, Point_limit_error_2 if there would be too many points; nothing changes.
@@ -460,9 +460,9 @@ public:
   }
 
   /// removes a point; its id is free from then on. Cost: proportional to the number of its
-  /// neighbors and to what that breaks, plus a walk around the hull; if points coincide, also
-  /// proportional to the number of those; a rebuild if the points do not span the plane before or
-  /// after.
+  /// neighbors and to what that breaks, plus a walk around the hull if it changes; if points
+  /// coincide, also proportional to the number of those; a rebuild if the points do not span the
+  /// plane before or after.
   ///
   /// \throws Unknown_id_error_2 if no point has this id; nothing changes.
   /// \post `is_certified()`, if it was, or if the classifier is exact.
@@ -794,7 +794,7 @@ private:
 
   // Every change of the triangulation runs through here, after its input was read and checked.
   // CGAL's vertices get their points at the end, even if a repair throws.
-  Update_report_2 run(const Change& change)
+  Update_report_2 run(Change& change)
   {
     const auto take_back = [&] {
       if (change.is_frame)
@@ -814,7 +814,7 @@ private:
   }
 
   template <class Take_back>
-  Update_report_2 run_phases(const Change& change, const Take_back& take_back)
+  Update_report_2 run_phases(Change& change, const Take_back& take_back)
   {
     const bool is_informed = std::exchange(m_is_classifier_informed, false);
     Update_report_2 report =

@@ -4,6 +4,7 @@
 #ifndef SCALE_SCALE_MEMORY_H
 #define SCALE_SCALE_MEMORY_H
 
+#include "../common/Contest.h"
 #include "../common/Counted_heap.h"
 #include "Scale_motion.h"
 #include "scenario_runner/Static_triangulation.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 
 namespace scale {
 
@@ -68,6 +70,7 @@ public:
     triangulation.update(motion.points(), true);
     record.rebuilt = meter.live();
     record.rebuild_peak = meter.peak();
+    require_little(record);
     return record;
   }
 
@@ -82,6 +85,16 @@ private:
   private:
     std::size_t m_before = common::live_heap_bytes();
   };
+
+  // What is at rest, and 64 bytes a point of faces under construction, need not be there twice.
+  static void require_little(const Memory_record& record)
+  {
+    constexpr std::size_t many_points = 10'000; // of fewer, what is constant counts as well
+    constexpr double most_bytes = 450;          // a point
+    common::require(record.points < many_points ||
+                        record.largest() <= most_bytes * static_cast<double>(record.points),
+                    std::to_string(record.points) + " points need more than 450 bytes each");
+  }
 
   static double bytes_of_cgal(const Points& points)
   {

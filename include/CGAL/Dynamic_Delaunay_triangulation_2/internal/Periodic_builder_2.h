@@ -155,7 +155,7 @@ private:
       if (u != 0 && v != 0)
         add(torus, points[i], i, k + combination(basis, {u, v}));
     }
-    return true;
+    return m_cloud.size() <= max_vertices; // of the plane, whose numbers have 32 bits as well
   }
 
   // In which direction the images of a point are around the cell.

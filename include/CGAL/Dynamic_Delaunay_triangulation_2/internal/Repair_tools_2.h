@@ -492,7 +492,7 @@ private:
     if (ids.empty())
       m_builder.rebuild();
     else
-      m_builder.build_with({}, ids, points);
+      m_builder.build_with({}, std::move(ids), std::move(points));
   }
 
   const Maintained& m_maintained;

@@ -88,13 +88,20 @@ public:
   Ids& ids() { return m_ids; }
   const Point& point(Index vertex) const { return m_points[m_place_of_vertex[vertex - 1]]; }
 
-  void release()
+  // Free memory that is not needed any more: the points, the order, and all the rest. Throw
+  // nothing.
+  void release_points()
   {
-    m_order.release();
-    m_ids = Ids();
     std::vector<Point>().swap(m_points);
     std::vector<Index>().swap(m_point_ids);
     std::vector<Index>().swap(m_place_of_vertex);
+  }
+  void release_order() { m_order.release(); }
+  void release()
+  {
+    release_points();
+    release_order();
+    m_ids = Ids();
   }
 
 private:
@@ -195,20 +202,25 @@ public:
   }
 
   // The same for the present points except those in `gone`, and for the points that come.
-  void build_with(const std::vector<Index>& gone, const std::vector<Index>& coming_ids,
-                  const std::vector<Point>& coming_points)
+  void build_with(const std::vector<Index>& gone, std::vector<Index> coming_ids,
+                  std::vector<Point> coming_points)
   {
     try {
-      std::vector<Index> ids = ids_without(gone);
-      std::vector<Point> points;
-      points.reserve(ids.size() + coming_ids.size());
-      for (const Index id : ids)
-        points.push_back(m_maintained.point_of_id(id));
-      points.insert(points.end(), coming_points.begin(), coming_points.end());
-      ids.insert(ids.end(), coming_ids.begin(), coming_ids.end());
       Index number_of_ids = m_topology.m_ids.number_of_ids();
       for (const Index id : coming_ids)
         number_of_ids = (std::max)(number_of_ids, id + 1);
+      std::vector<Index> ids = ids_without(gone);
+      std::vector<Point> points;
+      if (ids.empty()) { // as at a construction, where memory counts
+        ids = std::move(coming_ids);
+        points = std::move(coming_points);
+      } else {
+        points.reserve(ids.size() + coming_ids.size());
+        for (const Index id : ids)
+          points.push_back(m_maintained.point_of_id(id));
+        points.insert(points.end(), coming_points.begin(), coming_points.end());
+        ids.insert(ids.end(), coming_ids.begin(), coming_ids.end());
+      }
       build(std::move(ids), std::move(points), number_of_ids);
     } catch (...) {
       m_goes.clear();
@@ -453,6 +465,7 @@ private:
     Vertices fresh(m_topology, ids.number_of_representatives(), m_positions.m_are_exact);
     try {
       collect_vertices(fresh);
+      m_numbering.release_points();
       exchange_vertices(fresh, ids);
       try {
         triangulate(m_numbering.order());
@@ -567,12 +580,13 @@ private:
   void triangulate(const Spatial_order_2& order)
   {
     m_triangulator.run(order);
+    m_vertex_order.release();
+    m_numbering.release_order();
     if (m_triangulator.faces().number_of_faces() > 0)
       take_faces(m_triangulator.faces());
     else
       triangulate_line();
     m_triangulator.release();
-    m_vertex_order.release();
   }
 
   void take_faces(const Flat_faces_2& faces)

@@ -71,11 +71,12 @@ public:
   Tools& tools() { return m_tools; }
   const Tools& tools() const { return m_tools; }
 
+  // A rebuild takes the points that come out of `change`, as memory for both might not be there.
   // `is_informed`: whether the classifier was told what the last call triangulated anew.
   // `take_back()` is called if the policy or the classifier throws. It returns whether it undid the
   // staging.
   template <class Classifier, class Repair, class Policy, class Take_back>
-  Update_report_2 run(const Change& change, Classifier& classifier, Repair& repair, Policy& policy,
+  Update_report_2 run(Change& change, Classifier& classifier, Repair& repair, Policy& policy,
                       bool is_informed, const Take_back& take_back)
   {
     try {
@@ -117,8 +118,8 @@ private:
   // PHASES --------------------------------------------------------------------------------------
 
   template <class Classifier, class Repair, class Policy, class Take_back>
-  Update_report_2 run_phases(const Change& change, Classifier& classifier, Repair& repair,
-                             Policy& policy, bool is_informed, const Take_back& take_back)
+  Update_report_2 run_phases(Change& change, Classifier& classifier, Repair& repair, Policy& policy,
+                             bool is_informed, const Take_back& take_back)
   {
     Update_report_2 report;
     const bool was_certified = std::exchange(m_is_certified, false);
@@ -254,13 +255,14 @@ private:
     return taken;
   }
 
-  void rebuild(const Change& change, Rebuild_reason_2 reason, Update_report_2& report)
+  void rebuild(Change& change, Rebuild_reason_2 reason, Update_report_2& report)
   {
     const bool spanned_plane = m_maintained.is_mirrored();
     if (change.gone.empty() && change.coming.empty()) {
       m_tools.rebuild(reason);
     } else {
-      m_tools.builder().build_with(change.gone, change.coming, change.coming_points);
+      m_tools.builder().build_with(change.gone, std::move(change.coming),
+                                   std::move(change.coming_points));
       report.rebuild_reason =
           spanned_plane && m_maintained.is_mirrored() ? reason : Rebuild_reason_2::DIMENSION;
     }
