@@ -99,9 +99,8 @@ private:
 class Timed_classifier : public CGAL::Circumcircle_classifier_2
 {
 public:
-  explicit Timed_classifier(Phase_marks& marks, unsigned threads = 1)
-    : CGAL::Circumcircle_classifier_2(threads)
-    , m_marks(&marks)
+  explicit Timed_classifier(Phase_marks& marks)
+    : m_marks(&marks)
   {
   }
 

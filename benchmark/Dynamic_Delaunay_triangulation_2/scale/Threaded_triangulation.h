@@ -77,7 +77,7 @@ public:
   // Nanoseconds.
   double build(const Points& points)
   {
-    const Dynamic::Settings settings{common::Timed_classifier(m_marks, m_threads),
+    const Dynamic::Settings settings{common::Timed_classifier(m_marks),
                                      common::Timed_repair(m_marks),
                                      {},
                                      Rebuild_on_demand(m_marks, m_is_rebuild_demanded)};
