@@ -169,6 +169,7 @@ class Topology_builder_2
   using Vertex_handle = typename Maintained::Vertex_handle;
   using Face_handle = typename Maintained::Face_handle;
   using Ids = Point_ids_2<Point>;
+  using Parts = typename Maintained::Parts;
   using Static_triangulation = Static_triangulation_2<typename Maintained::Traits>;
 
 public:
@@ -278,7 +279,7 @@ public:
     bool all_arrived = false;
     write_all_anew([&] {
       all_arrived = relocate_one_by_one(relocated);
-      m_positions.write(m_topology.m_vertices);
+      m_positions.template write<Parts>(m_topology.m_vertices);
       read_back();
     });
     return all_arrived;
@@ -464,7 +465,7 @@ private:
       delete_vertices(fresh.handles, ids, m_topology.m_ids);
       throw;
     }
-    m_positions.write(m_topology.m_vertices);
+    m_positions.template write<Parts>(m_topology.m_vertices);
     tell_of_vertices(fresh.handles, ids);
     delete_vertices(fresh.handles, ids, m_topology.m_ids);
     m_numbering.release();
@@ -623,7 +624,7 @@ private:
     std::copy(kept.positions.begin(), kept.positions.end(),
               fresh.positions.m_positions.begin() + 1);
     exchange_vertices(fresh, kept.ids);
-    m_positions.write(m_topology.m_vertices);
+    m_positions.template write<Parts>(m_topology.m_vertices);
   }
 
   // Restores the numbers of edges, the corners, and the faces that CGAL's vertices store.
