@@ -49,10 +49,11 @@ public:
   // pass takes a few nanoseconds for each of them.
   static constexpr std::size_t usual_size = 1 << 13;
 
+  static constexpr std::size_t max_parts = 128;
+
   // Into how many parts a range is divided: each of at least `least` elements, if there are two.
   static std::size_t number(std::size_t size, std::size_t least = usual_size)
   {
-    constexpr std::size_t max_parts = 128;
     return (std::min)((std::max)(size / least, std::size_t(1)), max_parts);
   }
 
@@ -104,6 +105,12 @@ public:
     return total;
   }
 
+  // Whether several threads would share so many parts.
+  static bool are_shared(std::size_t parts)
+  {
+    return number_of_workers(parts) > 1;
+  }
+
   // Calls f(part) for all parts.
   template <class Function>
   static void run(std::size_t parts, const Function& f)
@@ -118,14 +125,18 @@ public:
   }
 
 private:
-#ifdef CGAL_LINKED_WITH_TBB
-  static std::size_t number_of_workers(std::size_t parts)
+  static std::size_t number_of_workers([[maybe_unused]] std::size_t parts)
   {
-    return parts < 2
-               ? 1
-               : (std::min)(parts,
-                            std::size_t((std::max)(tbb::this_task_arena::max_concurrency(), 1)));
+#ifdef CGAL_LINKED_WITH_TBB
+    if constexpr (is_parallel)
+      if (parts > 1)
+        return (std::min)(parts,
+                          std::size_t((std::max)(tbb::this_task_arena::max_concurrency(), 1)));
+#endif
+    return 1;
   }
+
+#ifdef CGAL_LINKED_WITH_TBB
 
   template <class Function>
   static void run_by_threads(std::size_t parts, std::size_t workers, const Function& f)

@@ -184,7 +184,7 @@ private:
   const Maintained& m_maintained;
   Static_engine_2 m_engine = Static_engine_2::GUIBAS_STOLFI;
   Flat_faces_2 m_faces;
-  Guibas_stolfi_2<Predicates> m_guibas_stolfi;
+  Guibas_stolfi_2<Predicates, typename Maintained::Parts> m_guibas_stolfi;
   Static_triangulation m_triangulation;
 };
 

@@ -37,6 +37,7 @@ class Point_numbering_2
 {
   using Point = typename Maintained::Point;
   using Ids = Point_ids_2<Point>;
+  using Parts = typename Maintained::Parts;
 
 public:
   explicit Point_numbering_2(const Maintained& maintained)
@@ -61,10 +62,12 @@ public:
     m_order = std::move(order);
     m_point_ids.resize(vertices + std::size_t(1)); // the infinite vertex has no point
     m_points.resize(vertices + std::size_t(1));
-    for (Index v = 1; v <= vertices; ++v) {
-      m_point_ids[v] = m_maintained.ids().representative(v);
-      m_points[v] = m_maintained.point(v);
-    }
+    Parts::for_each(vertices, [&](std::size_t, std::size_t first, std::size_t beyond) {
+      for (Index v = Index(first) + 1; v <= beyond; ++v) {
+        m_point_ids[v] = m_maintained.ids().representative(v);
+        m_points[v] = m_maintained.point(v);
+      }
+    });
     number_points(m_maintained.ids().number_of_ids());
   }
 
@@ -101,26 +104,46 @@ private:
   // Replaces the indices of points in the order by numbers of vertices.
   void number_points(Index number_of_ids)
   {
+    const auto are_in_one_place = [this](Index i, Index j) {
+      return coincide(m_maintained.traits(), m_points[i], m_points[j]);
+    };
     m_ids.reset(number_of_ids);
     m_place_of_vertex.clear();
     m_place_of_vertex.reserve(m_points.size());
-    m_order.merge_coincident(
-        [this](Index i, Index j) {
-          return coincide(m_maintained.traits(), m_points[i], m_points[j]);
-        },
-        [this](std::size_t first, std::size_t beyond) { return add_vertex(first, beyond); });
+    if (m_order.template are_distinct<Parts>(are_in_one_place))
+      number_distinct_points();
+    else
+      m_order.merge_coincident(are_in_one_place, [this](std::size_t first, std::size_t beyond) {
+        return add_vertex(first, beyond);
+      });
     m_ids.settle();
+  }
+
+  // Each point gets a vertex, so threads need not know of each other's.
+  void number_distinct_points()
+  {
+    m_place_of_vertex.resize(m_order.size());
+    m_ids.resize(Index(m_order.size()));
+    Parts::for_each(m_order.size(), [&](std::size_t, std::size_t i, std::size_t beyond) {
+      for (; i < beyond; ++i) {
+        const Index place = m_order[i], vertex = Index(i) + 1;
+        m_place_of_vertex[i] = place;
+        m_ids.set_representative(vertex, m_point_ids[place]);
+        m_order.renumber(i, vertex);
+      }
+    });
   }
 
   void sort_points()
   {
     const boost::counting_iterator<Index> first(0), beyond(Index(m_points.size()));
     if (m_maintained.positions_are_exact()) {
-      std::vector<Position_2> positions;
-      positions.reserve(m_points.size());
-      for (const Point& p : m_points)
-        positions.push_back(approximation(p));
-      m_order.sort(positions, first, beyond);
+      std::vector<Position_2> positions(m_points.size());
+      Parts::for_each(m_points.size(), [&](std::size_t, std::size_t i, std::size_t end) {
+        for (; i < end; ++i)
+          positions[i] = approximation(m_points[i]);
+      });
+      m_order.template sort<Parts>(positions, first, beyond);
     } else
       m_order.sort_by_comparisons(first, beyond, [this](Index i, Index j) {
         return compare_xy(m_maintained.traits(), m_points[i], m_points[j]) == SMALLER;
