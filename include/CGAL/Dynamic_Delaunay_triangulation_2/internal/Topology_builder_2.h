@@ -529,10 +529,16 @@ private:
     const Ids &ids = m_numbering.ids(), &old_ids = m_topology.m_ids;
     for (Index v = 1; v <= ids.number_of_representatives(); ++v) {
       const Index id = ids.representative(v);
-      fresh.append(keeps_vertex(id, old_ids) ? m_topology.m_vertices[old_ids.vertex(id)]
-                                             : m_topology.m_triangulation.tds().create_vertex(),
-                   m_numbering.point(v));
+      fresh.handles.push_back(keeps_vertex(id, old_ids)
+                                  ? m_topology.m_vertices[old_ids.vertex(id)]
+                                  : m_topology.m_triangulation.tds().create_vertex());
     }
+    fresh.positions.resize(fresh.handles.size());
+    Parts::for_each(fresh.handles.size() - 1,
+                    [&](std::size_t, std::size_t first, std::size_t beyond) {
+                      for (Index v = Index(first) + 1; v <= beyond; ++v)
+                        fresh.positions.stage(v, m_numbering.point(v));
+                    });
   }
 
   // Calls f(vertex, id of its representative) if the visitor listens.
@@ -607,13 +613,16 @@ private:
     provide_faces(number); // nothing throws from here on
     drop_faces(number);
     mirror.resize(m_maintained.number_of_vertices(), number);
-    for (Index f = 0; f < number; ++f)
-      for (Index i = 0; i < 3; ++i) {
-        const Index h = Flat_faces_2::first_halfedge(f) + i;
-        mirror.set_apex(3 * f + i, faces.apex(h));
-        mirror.set_twin(3 * f + i, Flat_faces_2::number_in_mirror(faces.twin(h)));
-      }
-    mirror.number_edges();
+    Parts::for_each(number, [&](std::size_t, std::size_t first, std::size_t beyond) {
+      for (Index f = Index(first); f < beyond; ++f)
+        for (Index i = 0; i < 3; ++i) {
+          const Index h = Flat_faces_2::first_halfedge(f) + i;
+          mirror.set_apex_and_twin(3 * f + i, faces.apex(h),
+                                   Flat_faces_2::number_in_mirror(faces.twin(h)));
+        }
+    });
+    mirror.template find_corners<Parts>();
+    mirror.template number_edges<Parts>();
     m_topology.m_triangulation.tds().set_dimension(2);
     write_all_faces();
   }
@@ -695,21 +704,25 @@ private:
     const auto& mirror = m_topology.m_mirror;
     const auto& vertices = m_topology.m_vertices;
     const auto& faces = m_topology.m_faces;
-    for (Index f = 0; f < Index(faces.size()); ++f) {
-      const Index h = 3 * f;
-      faces[f]->set_vertices(vertices[mirror.apex(h)], vertices[mirror.apex(h + 1)],
-                             vertices[mirror.apex(h + 2)]);
-      faces[f]->set_neighbors(faces[mirror.twin(h) / 3], faces[mirror.twin(h + 1) / 3],
-                              faces[mirror.twin(h + 2) / 3]);
-    }
+    Parts::for_each(faces.size(), [&](std::size_t, std::size_t first, std::size_t beyond) {
+      for (Index f = Index(first); f < beyond; ++f) {
+        const Index h = 3 * f;
+        faces[f]->set_vertices(vertices[mirror.apex(h)], vertices[mirror.apex(h + 1)],
+                               vertices[mirror.apex(h + 2)]);
+        faces[f]->set_neighbors(faces[mirror.twin(h) / 3], faces[mirror.twin(h + 1) / 3],
+                                faces[mirror.twin(h + 2) / 3]);
+      }
+    });
     // a vertex stays where it is in memory, wherever it has moved in the plane
     constexpr Index ahead = 16;
-    for (Index v = 0; v < Index(vertices.size()); ++v) {
-      if (v + ahead < Index(vertices.size()))
-        prefetch(&*vertices[v + ahead]);
-      vertices[v]->set_mirror_index(v);
-      vertices[v]->set_face(faces[mirror.corner(v) / 3]);
-    }
+    Parts::for_each(vertices.size(), [&](std::size_t, std::size_t first, std::size_t beyond) {
+      for (Index v = Index(first); v < beyond; ++v) {
+        if (v + ahead < beyond)
+          prefetch(&*vertices[v + ahead]);
+        vertices[v]->set_mirror_index(v);
+        vertices[v]->set_face(faces[mirror.corner(v) / 3]);
+      }
+    });
   }
 
   template <class Static_face_handle>
@@ -742,10 +755,11 @@ private:
     for (Index f = 0; f < Index(faces.size()); ++f)
       for (int i = 0; i < 3; ++i) {
         const Face_handle g = faces[f]->neighbor(i);
-        mirror.set_apex(3 * f + Index(i), faces[f]->vertex(i)->mirror_index());
-        mirror.set_twin(3 * f + Index(i), 3 * number_of_face[g] + Index(g->index(faces[f])));
+        mirror.set_apex_and_twin(3 * f + Index(i), faces[f]->vertex(i)->mirror_index(),
+                                 3 * number_of_face[g] + Index(g->index(faces[f])));
       }
-    mirror.number_edges();
+    mirror.template find_corners<Parts>();
+    mirror.template number_edges<Parts>();
     for (Index v = 0; v < Index(m_topology.m_vertices.size()); ++v)
       m_topology.m_vertices[v]->set_face(faces[mirror.corner(v) / 3]);
   }
