@@ -13,6 +13,7 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <limits>
@@ -63,7 +64,7 @@ public:
     set_twin(g, h);
   }
 
-  void release() { std::vector<Halfedge>().swap(m_halfedges); }
+  void release() { Uninitialized_vector_2<Halfedge>().swap(m_halfedges); }
 
 private:
   struct Halfedge
@@ -71,7 +72,7 @@ private:
     Index apex, twin;
   };
 
-  std::vector<Halfedge> m_halfedges;
+  Uninitialized_vector_2<Halfedge> m_halfedges;
 };
 
 // The Delaunay triangulation by divide and conquer (thesis 3.2; L. Guibas and J. Stolfi, ACM
@@ -100,18 +101,24 @@ public:
   {
   }
 
-  // Triangulates vertices that are in a spatial order. No two of them may coincide.
-  void run(const Spatial_order_2& order)
+  // Triangulates vertices that are in a spatial order. No two of them may coincide. If threads
+  // share the work, one of them calls `companion()`.
+  template <class Companion>
+  void run(const Spatial_order_2& order, const Companion& companion)
   {
     const std::size_t n = order.size();
     m_has_finite_faces = false;
     m_faces.resize(n < 2 ? 0 : 2 * n - 2);
     m_stretches.clear();
     if (Parts::are_shared(Parts::number(n)))
-      triangulate_stretches(order);
+      triangulate_stretches(order, companion);
     triangulate(order, 0, n);
     if (!m_has_finite_faces)
       m_faces.resize(0);
+  }
+  void run(const Spatial_order_2& order)
+  {
+    run(order, [] {});
   }
 
 private:
@@ -163,12 +170,15 @@ private:
 
   // STRETCHES -----------------------------------------------------------------------------------
 
-  void triangulate_stretches(const Spatial_order_2& order)
+  template <class Companion>
+  void triangulate_stretches(const Spatial_order_2& order, const Companion& companion)
   {
     find_stretches(order);
     std::atomic<bool> has_finite_faces{false};
-    Parts::run(m_stretches.size(), [&](std::size_t i) {
-      Stretch& stretch = m_stretches[i];
+    Parts::run(m_stretches.size() + 1, [&](std::size_t i) {
+      if (i == 0)
+        return companion();
+      Stretch& stretch = m_stretches[i - 1];
       Guibas_stolfi_2 other(m_predicates, m_faces);
       stretch.part = other.triangulate(order, stretch.first, stretch.beyond);
       if (other.m_has_finite_faces)
@@ -182,12 +192,13 @@ private:
   {
     std::size_t first;
     int rank;        // of the cut before them
-    int rank_inside; // the highest one
+    int rank_inside; // the highest one at which two such were merged
     bool is_divided; // whether they are too many for a stretch, or some of them are one
   };
 
   // Divides the points as merges join them, and stops where few are left. With so many points in
-  // a stretch at least, make_part() never joins points on both sides of its borders.
+  // a stretch at least, make_part() never joins points on both sides of its borders. Most cuts have
+  // low ranks, and no stretch begins there.
   void find_stretches(const Spatial_order_2& order)
   {
     constexpr std::size_t least = 16, stretches = 64;
@@ -197,9 +208,12 @@ private:
       if (!s.is_divided && beyond - s.first >= least && s.rank_inside < s.rank)
         m_stretches.push_back({s.first, beyond, Part()});
     };
+    const int least_rank = usually_highest_rank(order);
     std::vector<Open_stretch> open{{0, rank(order, 0), lowest, false}};
     for (std::size_t i = 1; i <= order.size(); ++i) {
       const int next_rank = rank(order, i);
+      if (next_rank < least_rank)
+        continue;
       while (open.back().rank < next_rank) { // the last two are merged
         const Open_stretch right = open.back();
         open.pop_back();
@@ -215,6 +229,17 @@ private:
     }
     std::sort(m_stretches.begin(), m_stretches.end(),
               [](const Stretch& s, const Stretch& t) { return s.first < t.first; });
+  }
+
+  // Only about one cut in sixteen has this rank or a higher one.
+  static int usually_highest_rank(const Spatial_order_2& order)
+  {
+    std::array<int, 1024> sample;
+    for (std::size_t i = 0; i < sample.size(); ++i)
+      sample[i] = rank(order, 1 + i * (order.size() - 1) / sample.size());
+    const auto place = sample.end() - sample.size() / 16;
+    std::nth_element(sample.begin(), place, sample.end());
+    return *place;
   }
 
   // PARTS ---------------------------------------------------------------------------------------

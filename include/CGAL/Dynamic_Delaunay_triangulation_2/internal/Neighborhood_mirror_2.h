@@ -226,8 +226,8 @@ private:
 
   // Makes the last half-edge with apex v the corner of v. Each part of the half-edges finds the
   // corners of a part of the vertices; the others are left over: few, where faces and vertices are
-  // numbered in the same order. They form a list, through the numbers of edges, which are not
-  // needed yet.
+  // numbered in the same order and the parts are large. They form a list, through the numbers of
+  // edges, which are not needed yet.
   template <class Parts>
   void find_corners()
   {
@@ -237,9 +237,11 @@ private:
         m_corner[apex(h)] = h;
       return;
     }
-    const std::size_t parts = Parts::number(halfedges);
+    constexpr std::size_t few_parts = 16;
+    const std::size_t least = (std::max)(Parts::usual_size, halfedges / few_parts);
+    const std::size_t parts = Parts::number(halfedges, least);
     std::array<Index, Parts::max_parts> left_over;
-    Parts::for_each(halfedges, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+    Parts::for_each(halfedges, least, [&](std::size_t part, std::size_t first, std::size_t beyond) {
       const std::size_t low = Parts::begin(part, parts, vertices),
                         high = Parts::begin(part + 1, parts, vertices);
       left_over[part] = no_index;
@@ -372,9 +374,9 @@ private:
     const Index faces = number_of_faces(), edges = number_of_edges();
     const Slot slot{Index(m_corner.size()), {faces, faces + 1}, {edges, edges + 1, edges + 2}};
     m_corner.push_back(no_index);
-    m_halfedges.resize(m_halfedges.size() + 6);
+    m_halfedges.resize(m_halfedges.size() + 6, Halfedge{no_index, no_index, no_index});
     m_edges.resize(m_edges.size() + 3);
-    m_halfedge_of_edge.resize(m_halfedge_of_edge.size() + 3);
+    m_halfedge_of_edge.resize(m_halfedge_of_edge.size() + 3, no_index);
     empty(slot);
     return slot;
   }
@@ -508,9 +510,9 @@ private:
     (edge.left == from ? edge.left : edge.right) = to;
   }
 
-  std::vector<Halfedge> m_halfedges;
+  Uninitialized_vector_2<Halfedge> m_halfedges;
   std::vector<Edge_2> m_edges;
-  std::vector<Index> m_halfedge_of_edge;
+  Uninitialized_vector_2<Index> m_halfedge_of_edge;
   std::vector<Index> m_corner;
 };
 

@@ -596,7 +596,13 @@ private:
   // triangulation. If memory runs out, nothing has changed.
   void triangulate(const Spatial_order_2& order)
   {
-    m_triangulator.run(order);
+    const std::size_t faces_before = m_topology.m_faces.size();
+    try {
+      m_triangulator.run(order, [&] { provide_faces(2 * order.size() - 2); });
+    } catch (...) {
+      drop_faces(faces_before);
+      throw;
+    }
     if (m_triangulator.faces().number_of_faces() > 0)
       take_faces(m_triangulator.faces());
     else
