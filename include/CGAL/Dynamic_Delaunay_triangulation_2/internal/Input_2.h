@@ -189,8 +189,9 @@ private:
       prefetch(&m_maintained.positions()[i]);
     };
     constexpr std::size_t ahead = 128;
+    const std::size_t points = m_maintained.number_of_vertices();
     const std::size_t end_of_prefetching =
-        m_maintained.number_of_vertices() < min_vertices_to_prefetch ? 0 : end - ahead - 2;
+        points < min_vertices_to_prefetch ? 0 : points - ahead - 1;
     Position_2 odd{0, 0}, even{0, 0};
     for (; v + 1 < end; v += 2) {
       if (v < end_of_prefetching) {

@@ -46,8 +46,12 @@ public:
 #endif
 
   // So many points cost as much as some wake-ups of a thread, 5 to 20 microseconds each, where a
-  // pass takes a few nanoseconds for each of them.
+  // pass takes a few nanoseconds for each of them. Tests want many parts of few points.
+#ifdef CGAL_DYNAMIC_DELAUNAY_POINTS_OF_PART
+  static constexpr std::size_t usual_size = CGAL_DYNAMIC_DELAUNAY_POINTS_OF_PART;
+#else
   static constexpr std::size_t usual_size = 1 << 13;
+#endif
 
   static constexpr std::size_t max_parts = 128;
 
