@@ -116,16 +116,13 @@ public:
 // What a classifier needs beyond its choice.
 struct Classifier_settings
 {
-  unsigned threads; // of the circumcircle classifier
   std::uint64_t seed;
 };
 
 template <class Classifier>
 Classifier make_classifier(const Classifier_choice& choice, const Classifier_settings& settings)
 {
-  if constexpr (std::is_same_v<Classifier, CGAL::Circumcircle_classifier_2>) {
-    return Classifier(settings.threads);
-  } else if constexpr (std::is_same_v<Classifier, CGAL::Random_classifier_2>) {
+  if constexpr (std::is_same_v<Classifier, CGAL::Random_classifier_2>) {
     return Classifier(*choice.parameter, settings.seed);
   } else if constexpr (std::is_constructible_v<Classifier, double>) {
     return Classifier(*choice.parameter);

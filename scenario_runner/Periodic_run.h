@@ -7,6 +7,7 @@
 #include "scenario_runner/Ghost_opponents.h"
 #include "scenario_runner/Motion_run.h"
 #include "scenario_runner/Repairs_and_policies.h"
+#include "scenario_runner/Threads.h"
 
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/iterator.h>
@@ -77,7 +78,8 @@ struct Periodic_space
 
 template <class Classifier>
 using Dynamic_periodic =
-    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Classifier, Any_repair, Any_policy>;
+    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Classifier, Any_repair, Any_policy,
+                                                    CGAL::Default, Concurrency_tag>;
 
 // Of a motion that has a cell.
 template <class Classifier>

@@ -42,7 +42,7 @@ void add_method_options(CLI::App& app, Run_options& options)
                  "what triangulates anew, everything or a region; default " + options.engine)
       ->type_name("NAME")
       ->check(CLI::IsMember(engine_names()));
-  app.add_option("--threads", options.threads, "threads of the circumcircle classifier; default 1")
+  app.add_option("--threads", options.threads, "threads that keep the triangulation; default 1")
       ->type_name("N")
       ->transform(whole_number(1, max_threads));
 }

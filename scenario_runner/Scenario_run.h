@@ -7,6 +7,7 @@
 #include "scenario_runner/Motion_run.h"
 #include "scenario_runner/Repairs_and_policies.h"
 #include "scenario_runner/Static_triangulation.h"
+#include "scenario_runner/Threads.h"
 
 #include <CGAL/delaunay_agreement.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
@@ -54,8 +55,9 @@ template <class Dynamic>
 using Kept_triangulation = Kept_motion<Dynamic, Open_space>;
 
 template <class Classifier>
-using Open_dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, Any_repair,
-                                                            CGAL::Default, Any_policy>;
+using Open_dynamic =
+    CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, Any_repair, CGAL::Default,
+                                           Any_policy, CGAL::Default, Concurrency_tag>;
 
 // Of a motion in the plane.
 template <class Classifier>

@@ -14,6 +14,7 @@
 #include "scenario_runner/Run_options.h"
 #include "scenario_runner/Run_report.h"
 #include "scenario_runner/Scenario_run.h"
+#include "scenario_runner/Threads.h"
 
 #include <CLI/CLI.hpp>
 
@@ -175,7 +176,7 @@ run::Run_summary run_frames(scenario::Motion& motion, const Classifier& classifi
 run::Run_summary run_frames(const run::Run_options& options, const run::Run_subject& subject,
                             scenario::Motion& motion, std::size_t frames, Outputs& outputs)
 {
-  const run::Classifier_settings settings{options.threads, subject.seed.value_or(0)};
+  const run::Classifier_settings settings{subject.seed.value_or(0)};
   if (subject.classifier.is_exact) {
     return run_frames(motion, run::Exact_classifiers::make(subject.classifier, settings), subject,
                       frames, outputs);
@@ -219,7 +220,9 @@ int run_scenario(const run::Run_options& options)
   run::Run_summary summary;
   {
     Outputs outputs(options, motion->name(), frames, facts.box);
-    summary = run_frames(options, subject, *motion, frames, outputs);
+    summary = run::Threads(options.threads).execute([&] {
+      return run_frames(options, subject, *motion, frames, outputs);
+    });
     outputs.finish(subject, summary);
   }
   if (!options.quiet) {

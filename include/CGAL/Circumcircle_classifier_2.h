@@ -6,20 +6,9 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Safe_edges_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
-#include <CGAL/tags.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-#endif
-
-#include <algorithm>
 #include <cstddef>
-#include <memory>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -36,8 +25,9 @@ Classifies the vertices of every edge that is not Delaunay (thesis 4.2.5), that 
 It is *exact*: it misses none. The signs come from floating-point evaluations over the flat arrays,
 with proved error bounds, and from the kernel's exact predicates where these do not decide.
 
-Cost: one pass over all edges. While vertices hardly move: one pass over all vertices and a few
-edges, since it finds out which edges are proved to stay Delaunay
+Cost: one pass over all edges, which threads share if the triangulation has the `Parallel_tag`.
+While vertices hardly move: one pass over all vertices and a few edges, since it finds out which
+edges are proved to stay Delaunay
 (\ref DynamicDelaunayTriangulation2SafeEdges). A classifier that wraps this one must forward
 `after_update()` always, or never.
 
@@ -48,35 +38,6 @@ class Circumcircle_classifier_2
 public:
   /// it misses no edge.
   static constexpr bool is_exact = true;
-
-  /// \param threads how many threads may share the pass, from 1 to 1024. More than one needs TBB
-  ///   (`CGAL::TBB_support`). The result does not depend on it.
-  /// \throws Parameter_error_2 if `threads` is out of its range, or not 1 without TBB.
-  explicit Circumcircle_classifier_2(unsigned threads = 1)
-    : m_threads(threads)
-  {
-    if (threads < 1 || threads > max_threads)
-      throw Parameter_error_2("the number of threads of circumcircle", threads, 1, max_threads);
-#ifdef CGAL_LINKED_WITH_TBB
-    if (threads > 1)
-      m_arena = std::make_shared<tbb::task_arena>(int(threads));
-#endif
-  }
-
-#if defined CGAL_LINKED_WITH_TBB || defined DOXYGEN_RUNNING
-  /// uses as many threads as the machine has, up to 1024. Needs TBB.
-  explicit Circumcircle_classifier_2(Parallel_tag)
-    : Circumcircle_classifier_2(
-          (std::min)((std::max)(std::thread::hardware_concurrency(), 1u), max_threads))
-  {
-  }
-#endif
-
-  /// the number of threads.
-  unsigned threads() const
-  {
-    return m_threads;
-  }
 
   /// classifies the vertices of broken edges; if nearly all edges are broken, classifies every
   /// vertex.
@@ -128,19 +89,11 @@ public:
   }
 
 private:
-#ifdef CGAL_LINKED_WITH_TBB
-  static constexpr unsigned max_threads = 1024;
-#else
-  static constexpr unsigned max_threads = 1;
-#endif
-
   using Index = Dynamic_Delaunay_triangulations_2::Index;
 
   static constexpr std::size_t sample_size = 64;
 
-  // The edges are divided into equal parts, each with its own list, so that their order is the same
-  // for any number of threads. A part of fewer than `min_edges` edges costs more to hand out than
-  // to process.
+  // Each part of the edges has a list of its own.
   template <class Frame>
   void find_unproved(const Frame& frame)
   {
@@ -150,29 +103,12 @@ private:
       if (m_safe_edges.append_unproved(frame, m_unproved.front()))
         return;
     }
-    constexpr Index min_edges = 1 << 14;
-    const unsigned parts = (std::min)(m_threads, 1 + frame.number_of_edges() / min_edges);
-    m_unproved.resize(parts);
-#ifdef CGAL_LINKED_WITH_TBB
-    if (parts > 1) {
-      m_arena->execute([&] {
-        tbb::parallel_for(0u, parts, [&](unsigned part) { find_unproved(frame, part, parts); });
-      });
-      return;
-    }
-#endif
-    find_unproved(frame, 0, parts);
-  }
-
-  template <class Frame>
-  void find_unproved(const Frame& frame, unsigned part, unsigned parts)
-  {
-    // each thread has its own floating-point mode
-    const Dynamic_Delaunay_triangulations_2::internal::Default_floating_point_2 floating_point;
-    const std::size_t edges = frame.number_of_edges();
-    m_unproved[part].clear();
-    frame.append_unproved(Index(edges * part / parts), Index(edges * (part + 1) / parts),
-                          m_unproved[part]);
+    m_unproved.resize(Frame::Parts::number(frame.number_of_edges()));
+    Frame::Parts::for_each(frame.number_of_edges(),
+                           [&](std::size_t part, std::size_t first, std::size_t beyond) {
+                             m_unproved[part].clear();
+                             frame.append_unproved(Index(first), Index(beyond), m_unproved[part]);
+                           });
   }
 
   // Estimated from a sample.
@@ -204,15 +140,11 @@ private:
     return 4 * broken > 3 * sampled;
   }
 
-  unsigned m_threads;
   Dynamic_Delaunay_triangulations_2::internal::Safe_edges_2 m_safe_edges;
   bool m_was_asked = true;          // since the last update
   bool m_nearly_all_broken = false; // in the last frame
   Dynamic_Delaunay_triangulations_2::internal::Safe_edges_schedule_2 m_schedule;
   std::vector<std::vector<Index>> m_unproved; // of each part
-#ifdef CGAL_LINKED_WITH_TBB
-  std::shared_ptr<tbb::task_arena> m_arena;
-#endif
 };
 
 } // namespace CGAL

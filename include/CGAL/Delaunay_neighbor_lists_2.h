@@ -178,10 +178,13 @@ private:
   {
     const auto frame = dt.frame();
     const Dynamic_Delaunay_triangulations_2::internal::Finite_neighbors_2<Dynamic> around(dt);
-    for (Id v = 1; v <= frame.number_of_vertices(); ++v) {
-      size_type place = m_offsets[frame.id(v)];
-      around.for_each(v, [&](Id w) { m_neighbors[place++] = frame.id(w); });
-    }
+    Dynamic::Frame::Parts::for_each(
+        frame.number_of_vertices(), [&](size_type, size_type first, size_type beyond) {
+          for (Id v = Id(first) + 1; v <= beyond; ++v) {
+            size_type place = m_offsets[frame.id(v)];
+            around.for_each(v, [&](Id w) { m_neighbors[place++] = frame.id(w); });
+          }
+        });
   }
 
   void write_duplicates()

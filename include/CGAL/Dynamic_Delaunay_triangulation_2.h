@@ -82,9 +82,10 @@ valid triangulated sphere with all its vertices.
   instead; `Default` for `Always_dynamic_policy_2`.
 \tparam Visitor a model of `DelaunayUpdateVisitor_2`, which is told what changes; `Default` for
   `Delaunay_update_visitor_base_2`, which ignores it.
-\tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag`, which needs TBB (`CGAL::TBB_support`).
-  With `Parallel_tag` a classifier that is constructed by default uses all threads of the machine,
-  if it can. No result depends on it.
+\tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag`, which needs TBB (`CGAL::TBB_support`):
+then the threads of the TBB arena in which a function is called share its passes over many points,
+  edges or faces (\ref DynamicDelaunaySubsection_Threads). Random-access ranges of points, and
+  property maps of points, are read by several threads at once. No result depends on it.
 */
 template <class Traits, class Classifier = Circumcircle_classifier_2, class Repair = Default,
           class Tds = Default, class UpdatePolicy = Always_dynamic_policy_2,
@@ -113,7 +114,8 @@ class Dynamic_Delaunay_triangulation_2
   using Maintained = Dynamic_Delaunay_triangulations_2::internal::Maintained_triangulation_2<
       Traits, Data_structure,
       Dynamic_Delaunay_triangulations_2::internal::Visitor_calls_2<Chosen_visitor,
-                                                                   Shown_to_visitor>>;
+                                                                   Shown_to_visitor>,
+      ConcurrencyTag>;
   using Update = Dynamic_Delaunay_triangulations_2::internal::Update_2<Maintained>;
   using Input = Dynamic_Delaunay_triangulations_2::internal::Input_frame_2<Maintained>;
   using Population_input =
@@ -137,8 +139,8 @@ public:
   /// the visitor.
   using Delaunay_update_visitor = Chosen_visitor;
   /// classifier, repair, engines, policy and visitor, as one object.
-  using Settings = Dynamic_triangulation_settings_2<Chosen_classifier, Delaunay_repair, Policy,
-                                                    Chosen_visitor, ConcurrencyTag>;
+  using Settings =
+      Dynamic_triangulation_settings_2<Chosen_classifier, Delaunay_repair, Policy, Chosen_visitor>;
   /// whether work is shared among threads.
   using Concurrency_tag = ConcurrencyTag;
   /// the CGAL triangulation that is maintained.
@@ -757,11 +759,6 @@ private:
   using Identity_map = boost::typed_identity_property_map<Point>;
   using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point_2;
 
-  static constexpr bool is_parallel = std::is_convertible_v<ConcurrencyTag, Parallel_tag>;
-#ifndef CGAL_LINKED_WITH_TBB
-  static_assert(!is_parallel, "Parallel_tag needs TBB: link with CGAL::TBB_support");
-#endif
-
   static constexpr std::string_view checkpoint_subject = "Dynamic_Delaunay_triangulation_2";
 
   // Must not move in memory: its parts refer to each other.
@@ -787,10 +784,7 @@ private:
 
   using Change = Dynamic_Delaunay_triangulations_2::internal::Change_2<Point>;
 
-  const auto& tools() const
-  {
-    return std::as_const(m_core->update).tools();
-  }
+  const auto& tools() const { return std::as_const(m_core->update).tools(); }
 
   // Every change of the triangulation runs through here, after its input was read and checked.
   // CGAL's vertices get their points at the end, even if a repair throws.

@@ -342,6 +342,8 @@ public:
   /// \cond
   // The proofs of tolerances for edges.
   using Slacks = typename Maintained::Slacks;
+  // How passes are divided among threads.
+  using Parts = typename Maintained::Parts;
   const Maintained& maintained() const { return *m_maintained; }
   /// \endcond
 

@@ -83,8 +83,8 @@ Classifiers, repairs and policies are the same as in the plane; `Dynamic_frame_2
 \tparam UpdatePolicy a model of `DelaunayUpdatePolicy_2`; `Default` for `Always_dynamic_policy_2`.
 \tparam Visitor a model of `PeriodicUpdateVisitor_2`, which is told of all changes of edges;
   `Default` for `Periodic_update_visitor_base_2`, which ignores them.
-\tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag`, which needs TBB (`CGAL::TBB_support`):
-  then a classifier that is constructed by default uses all threads of the machine, if it can.
+\tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag`, as for
+`Dynamic_Delaunay_triangulation_2`.
 */
 template <class Kernel, class Classifier = Circumcircle_classifier_2, class Repair = Default,
           class UpdatePolicy = Always_dynamic_policy_2,
@@ -97,7 +97,7 @@ class Dynamic_periodic_Delaunay_triangulation_2
 
   using Maintained =
       Dynamic_Delaunay_triangulations_2::internal::Maintained_periodic_triangulation_2<
-          typename Kernel::Point_2>;
+          typename Kernel::Point_2, ConcurrencyTag>;
   using Chosen_classifier = typename Default::Get<Classifier, Circumcircle_classifier_2>::type;
   using Chosen_visitor = typename Default::Get<Visitor, Periodic_update_visitor_base_2>::type;
   using Default_repair =
@@ -141,8 +141,8 @@ public:
   using Periodic_update_visitor = Chosen_visitor;
   /// classifier, repair, engines, policy and visitor, as one object. Of the engines only that for
   /// whole triangulations is used; if it is not `GUIBAS_STOLFI`, points are inserted one by one.
-  using Settings = Dynamic_triangulation_settings_2<Chosen_classifier, Delaunay_repair, Policy,
-                                                    Chosen_visitor, ConcurrencyTag>;
+  using Settings =
+      Dynamic_triangulation_settings_2<Chosen_classifier, Delaunay_repair, Policy, Chosen_visitor>;
   /// whether work is shared among threads.
   using Concurrency_tag = ConcurrencyTag;
   /// the read-only view that classifiers get.

@@ -7,9 +7,6 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Static_engine_2.h>
-#include <CGAL/tags.h>
-
-#include <type_traits>
 
 namespace CGAL {
 
@@ -25,14 +22,12 @@ triangulation:
 \tparam Classifier, Repair, UpdatePolicy, Visitor as those of `Dynamic_Delaunay_triangulation_2`.
   One without a default constructor has to be given when the settings are created, in the order of
   the members: `Settings settings{classifier, repair, engines, policy, visitor}`.
-\tparam ConcurrencyTag with `Parallel_tag` the default classifier uses all threads of the machine,
-  if it can.
 */
-template <class Classifier, class Repair, class UpdatePolicy, class Visitor, class ConcurrencyTag>
+template <class Classifier, class Repair, class UpdatePolicy, class Visitor>
 struct Dynamic_triangulation_settings_2
 {
   /// the classifier.
-  Classifier classifier = default_classifier();
+  Classifier classifier = Classifier();
   /// the repair.
   Repair repair = Repair();
   /// the engines that triangulate from scratch.
@@ -41,16 +36,6 @@ struct Dynamic_triangulation_settings_2
   UpdatePolicy policy = UpdatePolicy();
   /// the visitor.
   Visitor visitor = Visitor();
-
-  /// the classifier that is used if none is given.
-  static Classifier default_classifier()
-  {
-    constexpr bool is_parallel = std::is_convertible_v<ConcurrencyTag, Parallel_tag>;
-    if constexpr (is_parallel && std::is_constructible_v<Classifier, Parallel_tag>)
-      return Classifier(Parallel_tag());
-    else
-      return Classifier();
-  }
 };
 
 } // namespace CGAL

@@ -304,7 +304,7 @@ class DynamicDelaunay(_Planar):
     changes : bool
         Whether to record created and removed edges. That costs time for each edge that is flipped.
     threads : int
-        Threads of the circumcircle classifier; 0 for all.
+        Threads that share the work; 0 for all.
     seed : int
         Of the classifier "random".
 

@@ -8,6 +8,7 @@
 #include "python/src/Subject_of.h"
 #include "scenario_runner/Method_choice.h"
 #include "scenario_runner/Repairs_and_policies.h"
+#include "scenario_runner/Threads.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Edge_changes_visitor_2.h>
@@ -26,7 +27,7 @@ std::unique_ptr<Subject> make_planar(const Classifier& classifier, const std::st
   using Dynamic =
       CGAL::Dynamic_Delaunay_triangulation_2<CGAL::Exact_predicates_inexact_constructions_kernel,
                                              Classifier, run::Any_repair, CGAL::Default,
-                                             run::Any_policy, Visitor>;
+                                             run::Any_policy, Visitor, run::Concurrency_tag>;
   constexpr unsigned padding = 1;
   const std::string repair = settings.repair.empty() ? usual_repair : settings.repair;
   return make_subject(Dynamic(typename Dynamic::Settings{

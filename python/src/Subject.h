@@ -75,7 +75,6 @@ struct Settings
   std::shared_ptr<const Python_function> function; // the classifier, if it is written in Python
   std::string repair;                              // empty for the usual one
   std::string policy;
-  unsigned threads;
   std::uint64_t seed;
   bool records_changes;
 };

@@ -7,6 +7,7 @@
 #include "python/src/Subject.h"
 #include "python/src/Triangle_walk.h"
 #include "scenario_runner/Method_choice.h"
+#include "scenario_runner/Threads.h"
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -40,8 +41,9 @@ public:
   Triangulation(const py::object& classifier, const std::string& repair, const std::string& policy,
                 unsigned threads, std::uint64_t seed, bool changes, bool is_population,
                 const std::optional<Cell>& cell)
+    : m_threads(threads)
   {
-    Settings settings{"", nullptr, repair, policy, threads, seed, changes};
+    Settings settings{"", nullptr, repair, policy, seed, changes};
     if (cell) {
       m_subject = make_periodic(settings, *cell, is_population);
     } else if (!py::isinstance<py::str>(classifier)) {
@@ -112,7 +114,7 @@ public:
     const py::gil_scoped_release release;
     const std::lock_guard<std::mutex> guard(m_mutex);
     const Caller caller(m_caller);
-    return f(*m_subject);
+    return m_threads.execute([&] { return f(*m_subject); });
   }
 
   // The arrays of a group: those of the last time if nothing has changed since.
@@ -233,6 +235,7 @@ private:
   }
 
   std::unique_ptr<Subject> m_subject;
+  run::Threads m_threads; // that share its work
   std::mutex m_mutex;
   std::atomic<std::thread::id> m_caller{};
   std::atomic<std::uint64_t> m_version{0};

@@ -9,7 +9,7 @@ namespace python {
 std::unique_ptr<Subject> make_exact(const Settings& settings, bool is_population)
 {
   const run::Classifier_choice choice = run::classifier_choice(settings.classifier);
-  return make_planar(run::Exact_classifiers::make(choice, {settings.threads, settings.seed}),
+  return make_planar(run::Exact_classifiers::make(choice, {settings.seed}),
                      run::usual_repair(choice), settings, is_population);
 }
 

@@ -16,9 +16,8 @@ std::unique_ptr<Subject> make_heuristic(const Settings& settings, bool is_popula
                        is_population);
   }
   const run::Classifier_choice choice = run::classifier_choice(settings.classifier);
-  return make_planar(
-      Classifier(run::All_classifiers::make(choice, {settings.threads, settings.seed})),
-      run::usual_repair(choice), settings, is_population);
+  return make_planar(Classifier(run::All_classifiers::make(choice, {settings.seed})),
+                     run::usual_repair(choice), settings, is_population);
 }
 
 } // namespace python

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <chrono>
 #include <set>
-#include <thread>
 #include <vector>
 
 namespace {
@@ -173,45 +172,6 @@ TEST(Edge_filter, proves_the_same_edges_plain_and_vectorised)
   EXPECT_GT(edges.size() - plain.size(), 1000u); // both answers occur
   EXPECT_GT(plain.size(), 1000u);
 }
-
-TEST(Circumcircle_classifier, gives_the_same_frames_on_any_number_of_threads)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  Cloud<Epick> cloud(8);
-  auto points = cloud.uniform(20000);
-  Exact one(points.begin(), points.end());
-  Exact three(points.begin(), points.end(), CGAL::Circumcircle_classifier_2(3));
-  for (int frame = 0; frame < 4; ++frame) {
-    cloud.shake(points, 0.02);
-    const auto report = one.update(points.begin(), points.end());
-    const auto same = three.update(points.begin(), points.end());
-    EXPECT_EQ(report.classified, same.classified);
-    EXPECT_EQ(report.flips, same.flips);
-    EXPECT_EQ(one.classified_vertices(), three.classified_vertices());
-    ASSERT_NO_FATAL_FAILURE(expect_exact(three, points));
-  }
-#else
-  EXPECT_THROW(CGAL::Circumcircle_classifier_2(2), CGAL::Parameter_error_2);
-#endif
-  EXPECT_THROW(CGAL::Circumcircle_classifier_2(0), CGAL::Parameter_error_2);
-}
-
-#ifdef CGAL_LINKED_WITH_TBB
-TEST(Circumcircle_classifier, uses_all_threads_where_the_triangulation_has_the_parallel_tag)
-{
-  using Parallel = CGAL::Dynamic_Delaunay_triangulation_2<
-      Epick, CGAL::Circumcircle_classifier_2, CGAL::Default, CGAL::Default, CGAL::Default,
-      CGAL::Delaunay_update_visitor_base_2, CGAL::Parallel_tag>;
-  Cloud<Epick> cloud(9);
-  auto points = cloud.uniform(20000);
-  Parallel dt(points.begin(), points.end());
-  EXPECT_EQ(dt.classifier().threads(), (std::max)(std::thread::hardware_concurrency(), 1u));
-  EXPECT_EQ(Parallel(CGAL::Circumcircle_classifier_2(3)).classifier().threads(), 3u);
-  cloud.shake(points, 0.02);
-  dt.update(points.begin(), points.end());
-  expect_exact(dt, points);
-}
-#endif
 
 TEST(Point_distance_classifier, picks_the_ends_of_edges_that_left_their_range)
 {

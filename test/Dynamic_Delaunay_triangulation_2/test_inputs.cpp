@@ -25,6 +25,10 @@
 #include <boost/property_map/property_map.hpp>
 #include <boost/range/irange.hpp>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/task_arena.h>
+#endif
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -639,7 +643,7 @@ TEST_P(Floating_point, of_the_caller_changes_nothing_on_two_threads)
   std::vector<Points> frames;
   check([&] {
     Cloud<Epick> cloud(13);
-    Points points = cloud.uniform(12000);
+    Points points = cloud.uniform(20000);
     for (Point& p : points)
       p = Point(std::ldexp(p.x(), -1040), std::ldexp(p.y(), -1040));
     for (int frame = 0; frame < 4; ++frame) {
@@ -648,9 +652,14 @@ TEST_P(Floating_point, of_the_caller_changes_nothing_on_two_threads)
         p = cloud.shifted(p, std::ldexp(0.003, -1040));
     }
   });
-  Dynamic dt(frames.front().begin(), frames.front().end(), CGAL::Circumcircle_classifier_2(2));
+  using Parallel =
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default, CGAL::Default, CGAL::Default,
+                                             CGAL::Default, CGAL::Default, CGAL::Parallel_tag>;
+  tbb::task_arena two_threads(2);
+  Parallel dt;
+  two_threads.execute([&] { dt.insert(frames.front(), CGAL::Emptyset_iterator()); });
   for (const Points& frame : frames) {
-    dt.update(frame);
+    two_threads.execute([&] { dt.update(frame); });
     check([&] { expect_exact(dt, frame); });
     ASSERT_FALSE(HasFatalFailure());
   }

@@ -30,11 +30,11 @@ constexpr std::size_t number = 500;
 // OBJECTS THAT WERE MOVED FROM --------------------------------------------------------------------
 
 template <class Classifier>
-void expect_to_work_after_a_move(const Classifier& classifier, std::size_t size = number)
+void expect_to_work_after_a_move(const Classifier& classifier)
 {
   using Moved = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier>;
   Cloud<Epick> cloud(6);
-  Points points = cloud.uniform(size), others = cloud.uniform(size - 40);
+  Points points = cloud.uniform(number), others = cloud.uniform(number - 40);
   Moved dt(points.begin(), points.end(), classifier);
   for (int frame = 0; frame < 20; ++frame) { // until a classifier knows the points
     cloud.shake(points, 1e-5);
@@ -68,9 +68,6 @@ TEST(Objects, that_were_moved_from_are_empty_and_work)
 {
   ASSERT_NO_FATAL_FAILURE(expect_to_work_after_a_move(CGAL::Circumcircle_classifier_2()));
   ASSERT_NO_FATAL_FAILURE(expect_to_work_after_a_move(CGAL::Point_distance_classifier_2(0.5)));
-#ifdef CGAL_LINKED_WITH_TBB
-  ASSERT_NO_FATAL_FAILURE(expect_to_work_after_a_move(CGAL::Circumcircle_classifier_2(2), 8000));
-#endif
 }
 
 TEST(Objects, that_are_moved_to_themselves_stay_as_they_are)

@@ -190,7 +190,7 @@ void time_again(const Recorded_frames& recording, const Classifier& classifier,
 template <class Use>
 auto with_method(const Method& method, Use use)
 {
-  const run::Classifier_settings settings{1, method.seed};
+  const run::Classifier_settings settings{method.seed};
   if (method.classifier.is_exact) {
     return use(run::Exact_classifiers::make(method.classifier, settings));
   }
@@ -227,7 +227,7 @@ inline void run_pass(const Recorded_frames& recording, const std::vector<std::st
     Method chosen = method("circumcircle");
     chosen.policy = run::policy_choice(policy);
     subjects.push_back(std::make_unique<Observed_subject<Classifier>>(
-        recording.front(), run::Exact_classifiers::make(chosen.classifier, {1, 1}), chosen));
+        recording.front(), run::Exact_classifiers::make(chosen.classifier, {1}), chosen));
     subjects.back()->set_keeps_sets(false);
   }
   for (Policy_record& record : records) {

@@ -39,7 +39,7 @@ inline std::unique_ptr<scenario::Motion> open(const Trial& trial)
   return scenario::open_motion(scenario::scenario_file(trial.scenario), overrides);
 }
 
-// Calls `use(run)` with the run of the trial at its first frame.
+// Calls `use(run)` with the run of the trial at its first frame, on one thread.
 template <class Use>
 void with_run(const Trial& trial, scenario::Motion& motion, Use use)
 {
@@ -47,10 +47,12 @@ void with_run(const Trial& trial, scenario::Motion& motion, Use use)
   method.seed = trial.seed;
   classifiers::with_method(method, [&](const auto& classifier) {
     using Classifier = std::decay_t<decltype(classifier)>;
-    run::Scenario_run<Classifier> run(motion, classifier,
-                                      run::make_repair(method.repair, method.padding),
-                                      CGAL::Static_engines_2(), run::make_policy(method.policy));
-    use(run);
+    run::Threads(1).execute([&] {
+      run::Scenario_run<Classifier> run(motion, classifier,
+                                        run::make_repair(method.repair, method.padding),
+                                        CGAL::Static_engines_2(), run::make_policy(method.policy));
+      use(run);
+    });
   });
 }
 

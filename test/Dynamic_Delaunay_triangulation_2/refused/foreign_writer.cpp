@@ -16,7 +16,8 @@ struct Silent_calls
 {
   static constexpr bool is_heard = false;
 };
-using Maintained = internal::Maintained_triangulation_2<Kernel, Tds, Silent_calls>;
+using Maintained =
+    internal::Maintained_triangulation_2<Kernel, Tds, Silent_calls, CGAL::Sequential_tag>;
 using Positions = Maintained::Positions;
 using Topology = Maintained::Topology;
 

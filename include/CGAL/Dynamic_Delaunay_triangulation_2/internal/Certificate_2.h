@@ -10,6 +10,8 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/enum.h>
 
+#include <cstddef>
+
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
@@ -52,10 +54,14 @@ public:
   bool holds() const
   {
     const Edge_test_2<Maintained> test(m_maintained); // conditions 1 to 3 at one edge
-    for (Index e = 0; e < m_maintained.mirror().number_of_edges(); ++e)
-      if (test.state(e) != Edge_state_2::DELAUNAY)
-        return false;
-    return hull_turns_once();
+    return Maintained::Parts::all_of(m_maintained.mirror().number_of_edges(),
+                                     [&](std::size_t first, std::size_t beyond) {
+                                       for (std::size_t e = first; e < beyond; ++e)
+                                         if (test.state(Index(e)) != Edge_state_2::DELAUNAY)
+                                           return false;
+                                       return true;
+                                     }) &&
+           hull_turns_once();
   }
 
 private:

@@ -14,7 +14,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <numeric>
+#include <type_traits>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -52,12 +54,38 @@ constexpr Index no_index = (std::numeric_limits<Index>::max)();
 
 // Makes room for `more` further elements, so that appending them cannot throw. Grows by doubling,
 // which `reserve()` alone does not.
-template <class T>
-void provide(std::vector<T>& data, std::size_t more)
+template <class Vector>
+void provide(Vector& data, std::size_t more)
 {
   if (data.capacity() < data.size() + more)
     data.reserve(2 * data.size() + more);
 }
+
+// Leaves elements that a vector appends by their number alone without a value. The operating system
+// then gives memory to the threads that write them first, and not page by page to one of them.
+template <class T>
+struct Uninitialized_allocator_2 : std::allocator<T>
+{
+  template <class U>
+  struct rebind
+  {
+    using other = Uninitialized_allocator_2<U>;
+  };
+
+  template <class U>
+  void construct(U* place) noexcept
+  {
+    static_assert(std::is_trivially_destructible_v<U>);
+    ::new (static_cast<void*>(place)) U;
+  }
+  template <class U, class... Arguments>
+  void construct(U* place, Arguments&&... arguments)
+  {
+    ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
+  }
+};
+template <class T>
+using Uninitialized_vector_2 = std::vector<T, Uninitialized_allocator_2<T>>;
 
 // A set of indices below a bound, in the order of insertion. Membership is stored as bits, so that
 // random look-ups stay in the cache. Clearing takes time proportional to the number of members.

@@ -7,10 +7,14 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Parallel_parts_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Spatial_order_2.h>
 #include <CGAL/enum.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -60,7 +64,7 @@ public:
     set_twin(g, h);
   }
 
-  void release() { std::vector<Halfedge>().swap(m_halfedges); }
+  void release() { Uninitialized_vector_2<Halfedge>().swap(m_halfedges); }
 
 private:
   struct Halfedge
@@ -68,7 +72,7 @@ private:
     Index apex, twin;
   };
 
-  std::vector<Halfedge> m_halfedges;
+  Uninitialized_vector_2<Halfedge> m_halfedges;
 };
 
 // The Delaunay triangulation by divide and conquer (thesis 3.2; L. Guibas and J. Stolfi, ACM
@@ -81,8 +85,13 @@ private:
 // keep their places. The half-edge of an infinite face that is opposite to infinity, here called a
 // hull edge, runs clockwise along the hull.
 //
+// Threads share stretches of the order. A stretch in which all cuts have lower ranks than the two
+// around it becomes a part of its own before it is merged with another one. Until then the points
+// from the i-th to before the j-th have the faces from 2i to before 2j - 2. So stretches touch no
+// data of each other, and the result is the same bit by bit.
+//
 // Cost: O(n log n).
-template <class Predicates>
+template <class Predicates, class Parts = Parallel_parts_2<Sequential_tag>>
 class Guibas_stolfi_2
 {
 public:
@@ -92,25 +101,24 @@ public:
   {
   }
 
-  // Triangulates vertices that are in a spatial order. No two of them may coincide.
-  void run(const Spatial_order_2& order)
+  // Triangulates vertices that are in a spatial order. No two of them may coincide. If threads
+  // share the work, one of them calls `companion()`.
+  template <class Companion>
+  void run(const Spatial_order_2& order, const Companion& companion)
   {
     const std::size_t n = order.size();
     m_has_finite_faces = false;
     m_faces.resize(n < 2 ? 0 : 2 * n - 2);
-    m_waiting.clear();
-    for (std::size_t i = 0; i < n;) {
-      Part part = make_part(order, i);
-      while (!m_waiting.empty() && m_waiting.back().cut.rank < rank(order, i)) {
-        const Waiting_part& before = m_waiting.back();
-        part = merge(before.part, part, before.cut, Index(2 * before.beyond - 2));
-        m_waiting.pop_back();
-      }
-      if (i < n)
-        m_waiting.push_back({part, order.cut(i), i});
-    }
+    m_stretches.clear();
+    if (Parts::are_shared(Parts::number(n)))
+      triangulate_stretches(order, companion);
+    triangulate(order, 0, n);
     if (!m_has_finite_faces)
       m_faces.resize(0);
+  }
+  void run(const Spatial_order_2& order)
+  {
+    run(order, [] {});
   }
 
 private:
@@ -129,6 +137,112 @@ private:
     Cut_2 cut; // between this part and the next one
     std::size_t beyond;
   };
+
+  struct Stretch
+  {
+    std::size_t first, beyond;
+    Part part;
+  };
+
+  // The part of the points from `first` to before `beyond`, which are all points or a stretch. The
+  // parts of stretches among them are there already.
+  Part triangulate(const Spatial_order_2& order, std::size_t first, std::size_t beyond)
+  {
+    Part part{no_index, no_index, no_index};
+    auto stretch = m_stretches.begin();
+    m_waiting.clear();
+    for (std::size_t i = first; i < beyond;) {
+      if (stretch != m_stretches.end() && stretch->first == i) {
+        part = stretch->part;
+        i = stretch++->beyond;
+      } else
+        part = make_part(order, i);
+      while (!m_waiting.empty() && m_waiting.back().cut.rank < rank(order, i)) {
+        const Waiting_part& before = m_waiting.back();
+        part = merge(before.part, part, before.cut, Index(2 * before.beyond - 2));
+        m_waiting.pop_back();
+      }
+      if (i < beyond)
+        m_waiting.push_back({part, order.cut(i), i});
+    }
+    return part;
+  }
+
+  // STRETCHES -----------------------------------------------------------------------------------
+
+  template <class Companion>
+  void triangulate_stretches(const Spatial_order_2& order, const Companion& companion)
+  {
+    find_stretches(order);
+    std::atomic<bool> has_finite_faces{false};
+    Parts::run(m_stretches.size() + 1, [&](std::size_t i) {
+      if (i == 0)
+        return companion();
+      Stretch& stretch = m_stretches[i - 1];
+      Guibas_stolfi_2 other(m_predicates, m_faces);
+      stretch.part = other.triangulate(order, stretch.first, stretch.beyond);
+      if (other.m_has_finite_faces)
+        has_finite_faces.store(true, std::memory_order_relaxed);
+    });
+    m_has_finite_faces = has_finite_faces;
+  }
+
+  // The points between two cuts, while it is not known when they become a part.
+  struct Open_stretch
+  {
+    std::size_t first;
+    int rank;        // of the cut before them
+    int rank_inside; // the highest one at which two such were merged
+    bool is_divided; // whether they are too many for a stretch, or some of them are one
+  };
+
+  // Divides the points as merges join them, and stops where few are left. With so many points in
+  // a stretch at least, make_part() never joins points on both sides of its borders. Most cuts have
+  // low ranks, and no stretch begins there.
+  void find_stretches(const Spatial_order_2& order)
+  {
+    constexpr std::size_t least = 16, stretches = 64;
+    constexpr int lowest = (std::numeric_limits<int>::min)();
+    const std::size_t most = order.size() / stretches;
+    const auto close = [&](const Open_stretch& s, std::size_t beyond) {
+      if (!s.is_divided && beyond - s.first >= least && s.rank_inside < s.rank)
+        m_stretches.push_back({s.first, beyond, Part()});
+    };
+    const int least_rank = usually_highest_rank(order);
+    std::vector<Open_stretch> open{{0, rank(order, 0), lowest, false}};
+    for (std::size_t i = 1; i <= order.size(); ++i) {
+      const int next_rank = rank(order, i);
+      if (next_rank < least_rank)
+        continue;
+      while (open.back().rank < next_rank) { // the last two are merged
+        const Open_stretch right = open.back();
+        open.pop_back();
+        Open_stretch& left = open.back();
+        if (left.is_divided || right.is_divided || i - left.first > most) {
+          close(left, right.first);
+          close(right, i);
+          left.is_divided = true;
+        }
+        left.rank_inside = right.rank;
+      }
+      open.push_back({i, next_rank, lowest, false});
+    }
+    std::sort(m_stretches.begin(), m_stretches.end(),
+              [](const Stretch& s, const Stretch& t) { return s.first < t.first; });
+  }
+
+  // Only about one cut in sixteen has this rank or a higher one.
+  static int usually_highest_rank(const Spatial_order_2& order)
+  {
+    std::array<int, 1024> sample;
+    for (std::size_t i = 0; i < sample.size(); ++i)
+      sample[i] = rank(order, 1 + i * (order.size() - 1) / sample.size());
+    const auto place = sample.end() - sample.size() / 16;
+    std::nth_element(sample.begin(), place, sample.end());
+    return *place;
+  }
+
+  // PARTS ---------------------------------------------------------------------------------------
 
   static Index first_halfedge(Index face) { return Flat_faces_2::first_halfedge(face); }
   static Index next(Index h) { return Flat_faces_2::next(h); }
@@ -384,6 +498,7 @@ private:
   Predicates m_predicates;
   Flat_faces_2& m_faces;
   std::vector<Waiting_part> m_waiting;
+  std::vector<Stretch> m_stretches;
   bool m_has_finite_faces = false;
 };
 

@@ -18,6 +18,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <iterator>
 #include <type_traits>
@@ -94,6 +95,7 @@ class Input_frame_2
 {
   using Point = typename Maintained::Point;
   using Ids = typename Maintained::Ids;
+  using Parts = typename Maintained::Parts;
 
 public:
   class Key
@@ -133,7 +135,7 @@ public:
   }
 
   // Writes the points of the frame to CGAL's vertices.
-  void write() { m_positions.write(m_maintained.vertices()); }
+  void write() { m_positions.template write<Parts>(m_maintained.vertices()); }
 
   // The same if only the points with these ids have moved. Ids may be removed by now.
   void write(const std::vector<Index>& moved_ids)
@@ -159,8 +161,7 @@ private:
   }
 
   // For random-access input where each point has a vertex of its own: stages in the order of the
-  // vertices, without branches. A coordinate x is finite if 0x is 0, and within the limit if its
-  // product with the factor is finite. Two sums alternate, so that no addition waits for the last.
+  // vertices.
   template <class RandomAccessIterator, class PointMap>
   void stage_all_representatives(RandomAccessIterator first, RandomAccessIterator beyond,
                                  const PointMap& point_map)
@@ -169,33 +170,52 @@ private:
     const std::size_t given = std::size_t(beyond - first);
     if (given != ids)
       throw Point_count_error_2(ids, (std::min)(given, ids + 1));
-    using Difference = typename std::iterator_traits<RandomAccessIterator>::difference_type;
     const Index points = m_maintained.ids().number_of_representatives();
+    std::atomic<bool> are_right{true}, are_exact{true};
+    Parts::for_each(points, [&](std::size_t, std::size_t begin, std::size_t end) {
+      bool are_exact_here = true;
+      if (!stage_part(first, point_map, begin + 1, end + 1, are_exact_here))
+        are_right.store(false, std::memory_order_relaxed);
+      if (!are_exact_here)
+        are_exact.store(false, std::memory_order_relaxed);
+    });
+    if (!are_right)
+      throw_refused(first, beyond, point_map);
+    m_positions.m_are_exact = are_exact;
+  }
+
+  // Stages the vertices from v to before `end`, without branches. False if a coordinate is refused:
+  // a coordinate x is finite if 0x is 0, and within the limit if its product with the factor is
+  // finite. Two sums alternate, so that no addition waits for the last.
+  template <class RandomAccessIterator, class PointMap>
+  bool stage_part(RandomAccessIterator first, const PointMap& point_map, std::size_t v,
+                  std::size_t end, bool& are_exact)
+  {
+    using Difference = typename std::iterator_traits<RandomAccessIterator>::difference_type;
     const Index* const representatives = m_maintained.ids().representatives();
-    bool are_exact = true;
-    const auto stage = [&](std::size_t v, Position_2& zero) {
+    const auto stage = [&](std::size_t i, Position_2& zero) {
       // iterators may store or make their values, and maps may refer into these: keep them alive
-      const RandomAccessIterator iterator = first + Difference(representatives[v]);
+      const RandomAccessIterator iterator = first + Difference(representatives[i]);
       auto&& value = *iterator;
       const Point& p = get(point_map, value);
       const Position_2 position{CGAL::to_double(p.x()), CGAL::to_double(p.y())};
       zero.x += 0 * (factor_beyond_limit * position.x);
       zero.y += 0 * (factor_beyond_limit * position.y);
       are_exact = are_exact && has_exact_position(p);
-      m_positions.stage(Index(v), position, p);
+      m_positions.stage(Index(i), position, p);
     };
     // consecutive in the plane, the points are scattered over the range
-    const auto prefetch_point = [&](std::size_t v) {
+    const auto prefetch_point = [&](std::size_t i) {
       if constexpr (is_in_memory<RandomAccessIterator>)
-        prefetch(&*(first + Difference(representatives[v])));
-      prefetch(&m_maintained.positions()[v]);
+        prefetch(&*(first + Difference(representatives[i])));
+      prefetch(&m_maintained.positions()[i]);
     };
     constexpr std::size_t ahead = 128;
+    const std::size_t points = m_maintained.number_of_vertices();
     const std::size_t end_of_prefetching =
         points < min_vertices_to_prefetch ? 0 : points - ahead - 1;
     Position_2 odd{0, 0}, even{0, 0};
-    std::size_t v = 1;
-    for (; v < points; v += 2) {
+    for (; v + 1 < end; v += 2) {
       if (v < end_of_prefetching) {
         prefetch_point(v + ahead);
         prefetch_point(v + ahead + 1);
@@ -203,11 +223,9 @@ private:
       stage(v, odd);
       stage(v + 1, even);
     }
-    if (v == points)
+    if (v < end)
       stage(v, odd);
-    if (!(odd.x + odd.y + even.x + even.y == 0))
-      throw_refused(first, beyond, point_map);
-    m_positions.m_are_exact = are_exact;
+    return odd.x + odd.y + even.x + even.y == 0;
   }
 
   template <class InputIterator, class PointMap>

@@ -9,6 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Parallel_parts_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_ids_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
@@ -37,7 +38,7 @@ struct Periodic_slacks_2;
 // vertices. There is no infinite vertex. Where the four corners of an edge have the same shift, the
 // edge stands in the mirror as in the plane, so that the pass over the edges can test it there.
 // Elsewhere all its vertices there are infinite: the pass in the plane never proves these.
-template <class Point_>
+template <class Point_, class ConcurrencyTag>
 class Maintained_periodic_triangulation_2
 {
 public:
@@ -46,6 +47,8 @@ public:
   using Edge_test = Periodic_edge_test_2<Maintained_periodic_triangulation_2>;
   using Slacks = Periodic_slacks_2;
   using Ids = Point_ids_2<Position_2>;
+
+  using Parts = Parallel_parts_2<ConcurrencyTag>; // how passes are divided
 
   static constexpr bool is_periodic = true;
 

@@ -11,14 +11,18 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Parallel_parts_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_2.h>
 #include <CGAL/number_type_basic.h>
+#include <CGAL/tags.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -75,26 +79,27 @@ private:
   }
 
   // Writes the staged points to CGAL's vertices.
-  template <class Vertex_handle>
+  template <class Parts, class Vertex_handle>
   void write(const std::vector<Vertex_handle>& vertices)
   {
-    if (!std::exchange(m_are_written, true)) {
-      if (vertices.size() < min_vertices_to_prefetch)
-        write_all<false>(vertices);
-      else
-        write_all<true>(vertices);
-    }
+    if (!std::exchange(m_are_written, true))
+      Parts::for_each(vertices.size(), [&](std::size_t, std::size_t first, std::size_t beyond) {
+        first = (std::max)(first, std::size_t(1)); // the infinite vertex has no point
+        if (vertices.size() < min_vertices_to_prefetch)
+          write_part<false>(vertices, Index(first), Index(beyond));
+        else
+          write_part<true>(vertices, Index(first), Index(beyond));
+      });
   }
 
   // The vertices are stored in the order of their creation; after much motion, vertices that are
   // consecutive here are scattered over memory.
   template <bool prefetches, class Vertex_handle>
-  void write_all(const std::vector<Vertex_handle>& vertices) const
+  void write_part(const std::vector<Vertex_handle>& vertices, Index first, Index beyond) const
   {
     constexpr Index ahead = 16;
-    const Index bound = Index(vertices.size());
-    for (Index v = 1; v < bound; ++v) {
-      if (prefetches && v + ahead < bound)
+    for (Index v = first; v < beyond; ++v) {
+      if (prefetches && v + ahead < beyond)
         prefetch(&*vertices[v + ahead]);
       write_one(v, vertices[v]);
     }
@@ -170,7 +175,7 @@ private:
 
 // What an update works on: the topology and the positions of its vertices. Reading is public; only
 // the friends of each class can write.
-template <class Traits_, class Tds_, class Visitor_calls_>
+template <class Traits_, class Tds_, class Visitor_calls_, class ConcurrencyTag>
 class Maintained_triangulation_2
 {
 public:
@@ -191,6 +196,11 @@ public:
   static constexpr bool is_periodic = false;
 
   static constexpr bool coordinates_are_doubles = has_double_coordinates<Point>;
+
+  // How passes are divided. Numbers that are computed when they are needed, and shared by points,
+  // are left to one thread.
+  using Parts =
+      Parallel_parts_2<std::conditional_t<coordinates_are_doubles, ConcurrencyTag, Sequential_tag>>;
 
   explicit Maintained_triangulation_2(const Traits& traits = Traits())
     : m_topology(traits)

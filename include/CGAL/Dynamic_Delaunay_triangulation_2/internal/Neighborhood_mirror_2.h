@@ -10,7 +10,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -212,21 +214,86 @@ private:
   void set_halfedge(Index e, Index h) { m_halfedge_of_edge[e] = h; }
   void set_corner(Index v, Index h) { m_corner[v] = h; }
 
-  // Numbers the edges along the faces, so that edges close in space are close in memory. Has no
-  // branch on which half-edge comes first, because it would be unpredictable.
+  // WRITING EVERYTHING --------------------------------------------------------------------------
+  //
+  // In this order, with the apex and the twin of each half-edge first.
+
+  void set_apex_and_twin(Index h, Index v, Index g)
+  {
+    m_halfedges[h].apex = v;
+    m_halfedges[h].twin = g;
+  }
+
+  // Makes the last half-edge with apex v the corner of v. Each part of the half-edges finds the
+  // corners of a part of the vertices; the others are left over: few, where faces and vertices are
+  // numbered in the same order and the parts are large. They form a list, through the numbers of
+  // edges, which are not needed yet.
+  template <class Parts>
+  void find_corners()
+  {
+    const std::size_t halfedges = m_halfedges.size(), vertices = m_corner.size();
+    if (!Parts::are_shared(Parts::number(halfedges))) {
+      for (Index h = 0; h < halfedges; ++h)
+        m_corner[apex(h)] = h;
+      return;
+    }
+    constexpr std::size_t few_parts = 16;
+    const std::size_t least = (std::max)(Parts::usual_size, halfedges / few_parts);
+    const std::size_t parts = Parts::number(halfedges, least);
+    std::array<Index, Parts::max_parts> left_over;
+    Parts::for_each(halfedges, least, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      const std::size_t low = Parts::begin(part, parts, vertices),
+                        high = Parts::begin(part + 1, parts, vertices);
+      left_over[part] = no_index;
+      for (Index h = Index(first); h < beyond; ++h)
+        if (apex(h) >= low && apex(h) < high)
+          m_corner[apex(h)] = h;
+        else
+          m_halfedges[h].edge = std::exchange(left_over[part], h);
+    });
+    for (std::size_t part = 0; part < parts; ++part)
+      for (Index h = left_over[part]; h != no_index; h = edge_of(h)) {
+        Index& corner = m_corner[apex(h)];
+        corner = corner == no_index ? h : (std::max)(corner, h);
+      }
+  }
+
+  // Numbers the edges along the faces, so that edges close in space are close in memory.
+  template <class Parts>
   void number_edges()
   {
-    Index edges = 0;
-    for (Index h = 0; h < Index(m_halfedges.size()); ++h) {
-      const Index g = twin(h);
-      const Index number_of_twin = m_halfedges[g].edge;
-      const Index e = h < g ? edges : number_of_twin;
-      edges += h < g;
-      m_halfedges[h].edge = e;
-      m_halfedge_of_edge[e] = h;
-      m_edges[e] = Edge_2{source(h), target(h), apex(h), apex(g)};
+    const std::size_t halfedges = m_halfedges.size();
+    if (!Parts::are_shared(Parts::number(halfedges)))
+      return number_edges_of(0, Index(halfedges), 0);
+    std::array<Index, Parts::max_parts> edges;
+    Parts::for_each(halfedges, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      edges[part] = 0;
+      for (Index h = Index(first); h < beyond; ++h)
+        edges[part] += h < twin(h);
+    });
+    Index sum = 0;
+    for (std::size_t part = 0; part < Parts::number(halfedges); ++part)
+      sum += std::exchange(edges[part], sum);
+    Parts::for_each(halfedges, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      number_edges_of(Index(first), Index(beyond), edges[part]);
+    });
+  }
+
+  // Numbers the edges whose first half-edges are in a range, from e on. Lists these half-edges
+  // without a branch on which of two is the first, because it would be unpredictable.
+  void number_edges_of(Index first, Index beyond, Index e)
+  {
+    constexpr Index stretch = 256;
+    std::array<Index, stretch> firsts;
+    for (Index h = first; h < beyond;) {
+      Index number = 0;
+      for (const Index end = (std::min)(beyond, h + stretch); h < end; ++h) {
+        firsts[number] = h;
+        number += h < twin(h);
+      }
+      for (Index i = 0; i < number; ++i)
+        set_edge(e++, twin(firsts[i]));
     }
-    CGAL_postcondition(edges == number_of_edges());
   }
 
   // Exchanges the diagonal at half-edge h, vertex by vertex as CGAL's TDS_2::flip(face, i) does:
@@ -307,9 +374,9 @@ private:
     const Index faces = number_of_faces(), edges = number_of_edges();
     const Slot slot{Index(m_corner.size()), {faces, faces + 1}, {edges, edges + 1, edges + 2}};
     m_corner.push_back(no_index);
-    m_halfedges.resize(m_halfedges.size() + 6);
+    m_halfedges.resize(m_halfedges.size() + 6, Halfedge{no_index, no_index, no_index});
     m_edges.resize(m_edges.size() + 3);
-    m_halfedge_of_edge.resize(m_halfedge_of_edge.size() + 3);
+    m_halfedge_of_edge.resize(m_halfedge_of_edge.size() + 3, no_index);
     empty(slot);
     return slot;
   }
@@ -443,9 +510,9 @@ private:
     (edge.left == from ? edge.left : edge.right) = to;
   }
 
-  std::vector<Halfedge> m_halfedges;
+  Uninitialized_vector_2<Halfedge> m_halfedges;
   std::vector<Edge_2> m_edges;
-  std::vector<Index> m_halfedge_of_edge;
+  Uninitialized_vector_2<Index> m_halfedge_of_edge;
   std::vector<Index> m_corner;
 };
 

@@ -13,6 +13,7 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <cstddef>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
@@ -57,10 +58,13 @@ public:
   bool is_delaunay() const
   {
     const typename Maintained::Edge_test test(m_maintained);
-    for (Index e = 0; e < mirror().number_of_edges(); ++e)
-      if (test.state(e) != Edge_state_2::DELAUNAY)
-        return false;
-    return true;
+    return Maintained::Parts::all_of(mirror().number_of_edges(),
+                                     [&](std::size_t first, std::size_t beyond) {
+                                       for (std::size_t e = first; e < beyond; ++e)
+                                         if (test.state(Index(e)) != Edge_state_2::DELAUNAY)
+                                           return false;
+                                       return true;
+                                     });
   }
 
 private:

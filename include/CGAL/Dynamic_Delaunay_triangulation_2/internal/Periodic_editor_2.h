@@ -193,7 +193,7 @@ public:
     mirror().link(0, 4);
     mirror().link(1, 5);
     mirror().link(2, 3);
-    mirror().number_edges();
+    mirror().template number_edges<typename Maintained::Parts>();
     write_face(0);
     write_face(1);
   }
@@ -208,7 +208,7 @@ public:
       positions.push_back(points[faces.points[v]]);
     }
     write_faces(faces, positions);
-    mirror().number_edges();
+    mirror().template number_edges<typename Maintained::Parts>();
     hide_shifted_edges();
   }
 

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -31,6 +32,7 @@ template <class Maintained, class Editor>
 class Periodic_motion_2
 {
   using Mirror = Neighborhood_mirror_2;
+  using Parts = typename Maintained::Parts;
 
 public:
   Periodic_motion_2(const Maintained& maintained, Editor& editor)
@@ -99,58 +101,6 @@ private:
 
   const typename Maintained::Ids& ids() const { return m_maintained.ids(); }
 
-  // Stages the positions of the vertices, and finds which of them come nearest to where they were
-  // by a translation, in multiples of the new cell's vectors: points that leave the cell and come
-  // in at the other side do not go far. Also finds those that go far otherwise, compared to the
-  // last frame's mean motion. The result is that of stage().
-  template <bool is_same, class Next>
-  bool stage_vertices(const Next& next, const Torus_2& now)
-  {
-    std::vector<Position_2>& staged = m_editor.next_positions();
-    staged.resize(m_maintained.positions().size());
-    staged[infinite_index] = nowhere();
-    m_translated.clear();
-    m_far.clear();
-    const double long_way = squared_long_way();
-    const Usual_step usual = is_same ? usual_step(now, long_way) : Usual_step{-1, 0};
-    const Index* const representatives = ids().representatives();
-    const Index vertices = m_maintained.number_of_vertices();
-    const Index end_of_prefetching =
-        vertices < min_vertices_to_prefetch ? 0 : vertices - prefetched_ahead;
-    bool are_in_range = true;
-    Position_2 sum{0, 0};
-    for (Index v = 1; v <= vertices; ++v) {
-      if (v < end_of_prefetching)
-        next.prefetch(representatives[v + prefetched_ahead]);
-      const Position_2& p = m_maintained.positions()[v];
-      const Position_2 q = next(representatives[v]);
-      staged[v] = q;
-      Position_2 way{q.x - p.x, q.y - p.y};
-      if (squared_distance(way, m_mean_way) <= usual.squared_way &&
-          std::abs(q.x) + std::abs(q.y) <= usual.coordinates) {
-        sum = {sum.x + way.x, sum.y + way.y};
-        continue;
-      }
-      const Position_2 multiples = now.multiples(q);
-      are_in_range &= is_in_range(q, now);
-      const Position_2 step = is_same ? now.multiples(way) : step_to_new_cell(p, multiples);
-      if (!is_same || !(std::abs(step.x) <= 0.5 && std::abs(step.y) <= 0.5)) {
-        if (!are_in_range)
-          return false; // a shift may be no integer
-        const Periodic_shift_2 shift = now.nearest_shift(step);
-        if (!are_equal(shift, no_shift))
-          m_translated.push_back({v, shift});
-        way = now.vector({step.x - shift[0], step.y - shift[1]});
-      }
-      sum = {sum.x + way.x, sum.y + way.y};
-      if (squared_distance(way, m_mean_way) > long_way)
-        m_far.push_back({v, way});
-    }
-    m_next_mean_way =
-        vertices > 0 ? Position_2{sum.x / vertices, sum.y / vertices} : Position_2{0, 0};
-    return are_in_range;
-  }
-
   // Points that go no farther from the mean motion, to coordinates whose sum is no larger, go less
   // than half through the cell, not far, and stay in range.
   struct Usual_step
@@ -163,6 +113,98 @@ private:
     const double way = std::hypot(m_mean_way.x, m_mean_way.y) + std::sqrt(long_way);
     return {torus.largest_multiple(way) < rounding / 2 ? long_way : -1,
             (std::min)(rounding * max_shift / torus.largest_multiple(1), coordinate_limit / 2)};
+  }
+
+  // Stages the positions of the vertices, and finds which of them come nearest to where they were
+  // by a translation, in multiples of the new cell's vectors: points that leave the cell and come
+  // in at the other side do not go far. Also finds those that go far otherwise, compared to the
+  // last frame's mean motion. The result is that of stage().
+  template <bool is_same, class Next>
+  bool stage_vertices(const Next& next, const Torus_2& now)
+  {
+    std::vector<Position_2>& staged = m_editor.next_positions();
+    staged.resize(m_maintained.positions().size());
+    staged[infinite_index] = nowhere();
+    const Index vertices = m_maintained.number_of_vertices();
+    const double long_way = squared_long_way();
+    const Usual_step usual = is_same ? usual_step(now, long_way) : Usual_step{-1, 0};
+    m_parts.resize(Parts::number(vertices));
+    Parts::for_each(vertices, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      stage_part<is_same>(next, now, long_way, usual, Index(first) + 1, Index(beyond) + 1,
+                          m_parts[part]);
+    });
+    return join_parts();
+  }
+
+  // What was found out about a part of the vertices.
+  struct Part
+  {
+    std::vector<std::pair<Index, Periodic_shift_2>> translated;
+    std::vector<std::pair<Index, Position_2>> far_movers;
+    Position_2 sum;
+    bool are_in_range;
+  };
+
+  bool join_parts()
+  {
+    m_translated.clear();
+    m_far.clear();
+    bool are_in_range = true;
+    Position_2 sum{0, 0};
+    for (const Part& part : m_parts) {
+      m_translated.insert(m_translated.end(), part.translated.begin(), part.translated.end());
+      m_far.insert(m_far.end(), part.far_movers.begin(), part.far_movers.end());
+      sum = {sum.x + part.sum.x, sum.y + part.sum.y};
+      are_in_range &= part.are_in_range;
+    }
+    const Index vertices = m_maintained.number_of_vertices();
+    m_next_mean_way =
+        vertices > 0 ? Position_2{sum.x / vertices, sum.y / vertices} : Position_2{0, 0};
+    return are_in_range;
+  }
+
+  template <bool is_same, class Next>
+  void stage_part(const Next& next, const Torus_2& now, double long_way, const Usual_step& usual,
+                  Index first, Index beyond, Part& part)
+  {
+    std::vector<Position_2>& staged = m_editor.next_positions();
+    const Index* const representatives = ids().representatives();
+    const Index vertices = m_maintained.number_of_vertices();
+    const Index end_of_prefetching =
+        vertices < min_vertices_to_prefetch ? 0 : vertices - prefetched_ahead;
+    part.translated.clear();
+    part.far_movers.clear();
+    part.sum = {0, 0};
+    part.are_in_range = true;
+    Position_2 sum{0, 0};
+    for (Index v = first; v < beyond; ++v) {
+      if (v < end_of_prefetching)
+        next.prefetch(representatives[v + prefetched_ahead]);
+      const Position_2& p = m_maintained.positions()[v];
+      const Position_2 q = next(representatives[v]);
+      staged[v] = q;
+      Position_2 way{q.x - p.x, q.y - p.y};
+      if (squared_distance(way, m_mean_way) <= usual.squared_way &&
+          std::abs(q.x) + std::abs(q.y) <= usual.coordinates) {
+        sum = {sum.x + way.x, sum.y + way.y};
+        continue;
+      }
+      const Position_2 multiples = now.multiples(q);
+      part.are_in_range &= is_in_range(q, now);
+      const Position_2 step = is_same ? now.multiples(way) : step_to_new_cell(p, multiples);
+      if (!is_same || !(std::abs(step.x) <= 0.5 && std::abs(step.y) <= 0.5)) {
+        if (!part.are_in_range)
+          return; // a shift may be no integer
+        const Periodic_shift_2 shift = now.nearest_shift(step);
+        if (!are_equal(shift, no_shift))
+          part.translated.push_back({v, shift});
+        way = now.vector({step.x - shift[0], step.y - shift[1]});
+      }
+      sum = {sum.x + way.x, sum.y + way.y};
+      if (squared_distance(way, m_mean_way) > long_way)
+        part.far_movers.push_back({v, way});
+    }
+    part.sum = sum;
   }
 
   static bool is_in_range(const Position_2& p, const Torus_2& torus)
@@ -228,6 +270,7 @@ private:
   Editor& m_editor;
   std::vector<std::pair<Index, Periodic_shift_2>> m_translated;
   std::vector<std::pair<Index, Position_2>> m_far; // vertices and their ways
+  std::vector<Part> m_parts;                       // of the vertices, while they are staged
   Position_2 m_mean_way{0, 0}, m_next_mean_way{0, 0};
   std::array<Periodic_shift_2, 2> m_multiples = unit_multiples; // of the old cell's vectors
 };

@@ -127,6 +127,14 @@ public:
     return m_vertex_of_id[id];
   }
 
+  // Has so many vertices instead, whose representatives have to be set.
+  void resize(Index vertices) { m_representative.resize(vertices + std::size_t(1)); }
+  void set_representative(Index vertex, Index id)
+  {
+    m_vertex_of_id[id] = vertex;
+    m_representative[vertex] = id;
+  }
+
   void add_duplicate(Index id, Index representative, const Point& point)
   {
     m_vertex_of_id[id] = m_vertex_of_id[representative];

@@ -8,12 +8,15 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Parallel_parts_2.h>
 #include <CGAL/enum.h>
+#include <CGAL/tags.h>
 
 #include <boost/integer/integer_log2.hpp>
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -106,14 +109,15 @@ inline Cut_2 hilbert_cut(std::uint32_t before, std::uint32_t after)
 class Spatial_order_2
 {
 public:
-  // Sorts the points with the numbers in [first, beyond).
-  template <class Iterator>
+  // Sorts the points with the numbers in [first, beyond). Threads share the passes over many
+  // points.
+  template <class Parts = Parallel_parts_2<Sequential_tag>, class Iterator>
   void sort(const std::vector<Position_2>& positions, Iterator first, Iterator beyond)
   {
     m_positions = positions.data();
     m_places.assign(first, beyond);
     m_cuts.resize(m_places.size());
-    sort_by_grid(0, m_places.size(), 0);
+    sort_by_grid<Parts>(0, m_places.size(), 0);
   }
 
   // The same by comparisons, where only these are exact: by x, then y, then number. All lines are
@@ -131,6 +135,21 @@ public:
   Index operator[](std::size_t i) const { return Index(m_places[i]); }
   // The line between the i-th point and the one before; i > 0.
   const Cut_2& cut(std::size_t i) const { return m_cuts[i]; }
+
+  // Whether no points coincide.
+  template <class Parts, class Coincide>
+  bool are_distinct(const Coincide& coincide) const
+  {
+    return Parts::all_of(size(), [&](std::size_t first, std::size_t beyond) {
+      for (std::size_t i = (std::max)(first, std::size_t(1)); i < beyond; ++i)
+        if (coincide((*this)[i - 1], (*this)[i]))
+          return false;
+      return true;
+    });
+  }
+
+  // Replaces the number of the i-th point.
+  void renumber(std::size_t i, Index number) { m_places[i] = number; }
 
   // Keeps one number for each stretch of coincident points: `merge(first, beyond)` for the stretch
   // from `first` to below `beyond`.
@@ -163,14 +182,51 @@ private:
   const Position_2& position(std::size_t i) const { return m_positions[Index(m_places[i])]; }
   std::uint32_t place(std::size_t i) const { return std::uint32_t(m_places[i] >> 32); }
 
+  template <class Parts>
   void sort_by_grid(std::size_t first, std::size_t beyond, int depth)
   {
-    if (beyond - first <= few || !find_places(first, beyond))
+    if (beyond - first <= few || !find_places<Parts>(first, beyond))
       return sort_by_coordinates(first, beyond, depth);
-    boost::sort::spreadsort::integer_sort(m_places.begin() + std::ptrdiff_t(first),
-                                          m_places.begin() + std::ptrdiff_t(beyond));
-    std::uint32_t last_place = 0;
-    for (std::size_t i = first, next; i < beyond; i = next) {
+    sort_places<Parts>(first, beyond);
+    // parts that begin where a cell does; the places of earlier cells are lost when these are
+    // sorted
+    struct Border
+    {
+      std::size_t begin;
+      std::uint32_t last_place;
+    };
+    std::array<Border, Parts::max_parts + 1> borders;
+    const std::size_t size = beyond - first, parts = Parts::number(size);
+    for (std::size_t part = 0; part <= parts; ++part) {
+      const std::size_t begin =
+          begin_of_cell(first, first + Parts::begin(part, parts, size), beyond);
+      borders[part] = {begin, begin > first ? place(begin - 1) : 0};
+    }
+    Parts::run(parts, [&](std::size_t part) {
+      sort_cells<Parts>(first, borders[part].begin, borders[part + 1].begin,
+                        borders[part].last_place, depth);
+    });
+  }
+
+  // Where the first cell that does not begin before i begins.
+  std::size_t begin_of_cell(std::size_t first, std::size_t i, std::size_t beyond) const
+  {
+    if (i == first)
+      return i;
+    const auto begin = m_places.begin();
+    return std::size_t(
+        std::upper_bound(begin + std::ptrdiff_t(i), begin + std::ptrdiff_t(beyond), place(i - 1),
+                         [](std::uint32_t before, std::uint64_t p) { return before < p >> 32; }) -
+        begin);
+  }
+
+  // Finds the lines between the cells of a grid over the points from `first` on, and sorts within
+  // the cells from that at i to before that at `beyond`.
+  template <class Parts>
+  void sort_cells(std::size_t first, std::size_t i, std::size_t beyond, std::uint32_t last_place,
+                  int depth)
+  {
+    for (std::size_t next; i < beyond; i = next) {
       const std::uint32_t this_place = place(i);
       for (next = i + 1; next < beyond && place(next) == this_place;)
         ++next;
@@ -179,32 +235,98 @@ private:
         m_cuts[i].rank = std::int16_t(m_cuts[i].rank + ranks / 2 - ranks * depth);
       }
       if (next - i > 1)
-        sort_by_grid(i, next, depth + 1);
+        sort_by_grid<Parts>(i, next, depth + 1);
       last_place = this_place;
     }
   }
 
+  // All places are different, as they contain the numbers of the points: there is one order.
+  // Threads sort what has the same first digits.
+  template <class Parts>
+  void sort_places(std::size_t first, std::size_t beyond)
+  {
+    using boost::sort::spreadsort::integer_sort;
+    const auto begin = m_places.begin() + std::ptrdiff_t(first);
+    const std::size_t size = beyond - first, parts = Parts::number(size);
+    if (!Parts::are_shared(parts))
+      return integer_sort(begin, begin + std::ptrdiff_t(size));
+    constexpr unsigned digits = 256;
+    const auto digit = [](std::uint64_t p) { return std::size_t(p >> 56); };
+    std::vector<std::array<std::size_t, digits>> next(parts, std::array<std::size_t, digits>{});
+    Parts::for_each(size, [&](std::size_t part, std::size_t i, std::size_t end) {
+      for (; i < end; ++i)
+        ++next[part][digit(begin[std::ptrdiff_t(i)])];
+    });
+    std::array<std::size_t, digits + 1> borders;
+    std::size_t sum = 0;
+    for (std::size_t d = 0; d < digits; ++d) {
+      borders[d] = sum;
+      for (auto& of_part : next)
+        sum += std::exchange(of_part[d], sum);
+    }
+    borders[digits] = sum;
+    std::vector<std::uint64_t> sorted(size);
+    Parts::for_each(size, [&](std::size_t part, std::size_t i, std::size_t end) {
+      for (; i < end; ++i) {
+        const std::uint64_t p = begin[std::ptrdiff_t(i)];
+        sorted[next[part][digit(p)]++] = p;
+      }
+    });
+    Parts::run(digits, [&](std::size_t d) {
+      const auto low = sorted.begin() + std::ptrdiff_t(borders[d]);
+      const auto high = sorted.begin() + std::ptrdiff_t(borders[d + 1]);
+      integer_sort(low, high);
+      std::copy(low, high, begin + std::ptrdiff_t(borders[d]));
+    });
+  }
+
+  struct Box
+  {
+    Position_2 low, high;
+
+    void add(const Box& other)
+    {
+      low = {(std::min)(low.x, other.low.x), (std::min)(low.y, other.low.y)};
+      high = {(std::max)(high.x, other.high.x), (std::max)(high.y, other.high.y)};
+    }
+  };
+
+  // Of points with at least one among them.
+  template <class Parts>
+  Box bounding_box(std::size_t first, std::size_t size) const
+  {
+    std::array<Box, Parts::max_parts> boxes;
+    Parts::for_each(size, [&](std::size_t part, std::size_t i, std::size_t end) {
+      Box box{position(first + i), position(first + i)};
+      for (; i < end; ++i)
+        box.add({position(first + i), position(first + i)});
+      boxes[part] = box;
+    });
+    for (std::size_t part = 1; part < Parts::number(size); ++part)
+      boxes[0].add(boxes[part]);
+    return boxes[0];
+  }
+
   // False if there is no grid: the extent of the points, or its inverse, is not a finite number.
   // Differences and products are rounded monotonically, so different cells separate the points.
+  template <class Parts>
   bool find_places(std::size_t first, std::size_t beyond)
   {
-    Position_2 low = position(first), high = low;
-    for (std::size_t i = first + 1; i < beyond; ++i) {
-      const Position_2& p = position(i);
-      low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y)};
-      high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y)};
-    }
+    const auto [low, high] = bounding_box<Parts>(first, beyond - first);
     const double extent = (std::max)(high.x - low.x, high.y - low.y);
     const double scale = 65535 / extent;
     if (!std::isfinite(extent) || !std::isfinite(scale) || scale == 0)
       return false;
     static const Hilbert_curve_2 curve;
-    for (std::size_t i = first; i < beyond; ++i) {
-      const Position_2& p = position(i);
-      const std::uint64_t place =
-          curve.place(std::uint32_t((p.x - low.x) * scale), std::uint32_t((p.y - low.y) * scale));
-      m_places[i] = place << 32 | Index(m_places[i]);
-    }
+    const Position_2 origin = low;
+    Parts::for_each(beyond - first, [&](std::size_t, std::size_t i, std::size_t end) {
+      for (i += first, end += first; i < end; ++i) {
+        const Position_2& p = position(i);
+        const std::uint64_t place = curve.place(std::uint32_t((p.x - origin.x) * scale),
+                                                std::uint32_t((p.y - origin.y) * scale));
+        m_places[i] = place << 32 | Index(m_places[i]);
+      }
+    });
     return true;
   }
 
@@ -248,6 +370,8 @@ private:
 template <class Maintained>
 class Vertex_order_2
 {
+  using Parts = typename Maintained::Parts;
+
 public:
   explicit Vertex_order_2(const Maintained& maintained)
     : m_maintained(maintained)
@@ -259,7 +383,7 @@ public:
   void sort(Iterator first, Iterator beyond)
   {
     if (m_maintained.positions_are_exact())
-      m_order.sort(m_maintained.positions(), first, beyond);
+      m_order.template sort<Parts>(m_maintained.positions(), first, beyond);
     else
       m_order.sort_by_comparisons(first, beyond, [this](Index v, Index w) {
         return m_predicates.compare_xy(v, w) == SMALLER;
@@ -273,10 +397,8 @@ public:
   // Whether vertices coincide. Those that do are consecutive.
   bool has_coincident_vertices() const
   {
-    for (std::size_t i = 1; i < m_order.size(); ++i)
-      if (is_where_the_last_one_is(i))
-        return true;
-    return false;
+    return !m_order.template are_distinct<Parts>(
+        [this](Index v, Index w) { return m_predicates.compare_xy(v, w) == EQUAL; });
   }
 
   // Calls f(v, w) for every vertex w with the place of the one before it. v is the first one there.
@@ -294,10 +416,12 @@ public:
   std::size_t number_of_far_steps() const
   {
     constexpr Index far_away = 64;
-    std::size_t steps = 0;
-    for (std::size_t i = 1; i < m_order.size(); ++i)
-      steps += m_order[i - 1] + far_away < m_order[i] || m_order[i] + far_away < m_order[i - 1];
-    return steps;
+    return Parts::sum(m_order.size(), [this](std::size_t first, std::size_t beyond) {
+      std::size_t steps = 0;
+      for (std::size_t i = (std::max)(first, std::size_t(1)); i < beyond; ++i)
+        steps += m_order[i - 1] + far_away < m_order[i] || m_order[i] + far_away < m_order[i - 1];
+      return steps;
+    });
   }
 
   void release() { m_order.release(); }

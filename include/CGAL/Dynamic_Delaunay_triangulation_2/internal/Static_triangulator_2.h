@@ -131,17 +131,24 @@ public:
 
   void set_engine(Static_engine_2 engine) { m_engine = engine; }
 
-  // No two of the vertices may coincide.
-  void run(const Spatial_order_2& order)
+  // No two of the vertices may coincide. If threads share the work, one of them calls
+  // `companion()`.
+  template <class Companion>
+  void run(const Spatial_order_2& order, const Companion& companion)
   {
     switch (m_engine) {
     case Static_engine_2::GUIBAS_STOLFI:
-      return m_guibas_stolfi.run(order);
+      return m_guibas_stolfi.run(order, companion);
     case Static_engine_2::INSERTION:
       return insert(order, [this](const auto& p, Index v) { m_triangulation.insert(p, v); });
     case Static_engine_2::BOWYER_WATSON:
       return insert(order, [this](const auto& p, Index v) { m_triangulation.insert_star(p, v); });
     }
+  }
+
+  void run(const Spatial_order_2& order)
+  {
+    run(order, [] {});
   }
 
   // Empty if the vertices do not span the plane.
@@ -184,7 +191,7 @@ private:
   const Maintained& m_maintained;
   Static_engine_2 m_engine = Static_engine_2::GUIBAS_STOLFI;
   Flat_faces_2 m_faces;
-  Guibas_stolfi_2<Predicates> m_guibas_stolfi;
+  Guibas_stolfi_2<Predicates, typename Maintained::Parts> m_guibas_stolfi;
   Static_triangulation m_triangulation;
 };
 

@@ -37,6 +37,7 @@ class Point_numbering_2
 {
   using Point = typename Maintained::Point;
   using Ids = Point_ids_2<Point>;
+  using Parts = typename Maintained::Parts;
 
 public:
   explicit Point_numbering_2(const Maintained& maintained)
@@ -61,10 +62,12 @@ public:
     m_order = std::move(order);
     m_point_ids.resize(vertices + std::size_t(1)); // the infinite vertex has no point
     m_points.resize(vertices + std::size_t(1));
-    for (Index v = 1; v <= vertices; ++v) {
-      m_point_ids[v] = m_maintained.ids().representative(v);
-      m_points[v] = m_maintained.point(v);
-    }
+    Parts::for_each(vertices, [&](std::size_t, std::size_t first, std::size_t beyond) {
+      for (Index v = Index(first) + 1; v <= beyond; ++v) {
+        m_point_ids[v] = m_maintained.ids().representative(v);
+        m_points[v] = m_maintained.point(v);
+      }
+    });
     number_points(m_maintained.ids().number_of_ids());
   }
 
@@ -108,26 +111,46 @@ private:
   // Replaces the indices of points in the order by numbers of vertices.
   void number_points(Index number_of_ids)
   {
+    const auto are_in_one_place = [this](Index i, Index j) {
+      return coincide(m_maintained.traits(), m_points[i], m_points[j]);
+    };
     m_ids.reset(number_of_ids);
     m_place_of_vertex.clear();
     m_place_of_vertex.reserve(m_points.size());
-    m_order.merge_coincident(
-        [this](Index i, Index j) {
-          return coincide(m_maintained.traits(), m_points[i], m_points[j]);
-        },
-        [this](std::size_t first, std::size_t beyond) { return add_vertex(first, beyond); });
+    if (m_order.template are_distinct<Parts>(are_in_one_place))
+      number_distinct_points();
+    else
+      m_order.merge_coincident(are_in_one_place, [this](std::size_t first, std::size_t beyond) {
+        return add_vertex(first, beyond);
+      });
     m_ids.settle();
+  }
+
+  // Each point gets a vertex, so threads need not know of each other's.
+  void number_distinct_points()
+  {
+    m_place_of_vertex.resize(m_order.size());
+    m_ids.resize(Index(m_order.size()));
+    Parts::for_each(m_order.size(), [&](std::size_t, std::size_t i, std::size_t beyond) {
+      for (; i < beyond; ++i) {
+        const Index place = m_order[i], vertex = Index(i) + 1;
+        m_place_of_vertex[i] = place;
+        m_ids.set_representative(vertex, m_point_ids[place]);
+        m_order.renumber(i, vertex);
+      }
+    });
   }
 
   void sort_points()
   {
     const boost::counting_iterator<Index> first(0), beyond(Index(m_points.size()));
     if (m_maintained.positions_are_exact()) {
-      std::vector<Position_2> positions;
-      positions.reserve(m_points.size());
-      for (const Point& p : m_points)
-        positions.push_back(approximation(p));
-      m_order.sort(positions, first, beyond);
+      std::vector<Position_2> positions(m_points.size());
+      Parts::for_each(m_points.size(), [&](std::size_t, std::size_t i, std::size_t end) {
+        for (; i < end; ++i)
+          positions[i] = approximation(m_points[i]);
+      });
+      m_order.template sort<Parts>(positions, first, beyond);
     } else
       m_order.sort_by_comparisons(first, beyond, [this](Index i, Index j) {
         return compare_xy(m_maintained.traits(), m_points[i], m_points[j]) == SMALLER;
@@ -176,6 +199,7 @@ class Topology_builder_2
   using Vertex_handle = typename Maintained::Vertex_handle;
   using Face_handle = typename Maintained::Face_handle;
   using Ids = Point_ids_2<Point>;
+  using Parts = typename Maintained::Parts;
   using Static_triangulation = Static_triangulation_2<typename Maintained::Traits>;
 
 public:
@@ -290,7 +314,7 @@ public:
     bool all_arrived = false;
     write_all_anew([&] {
       all_arrived = relocate_one_by_one(relocated);
-      m_positions.write(m_topology.m_vertices);
+      m_positions.template write<Parts>(m_topology.m_vertices);
       read_back();
     });
     return all_arrived;
@@ -477,7 +501,7 @@ private:
       delete_vertices(fresh.handles, ids, m_topology.m_ids);
       throw;
     }
-    m_positions.write(m_topology.m_vertices);
+    m_positions.template write<Parts>(m_topology.m_vertices);
     tell_of_vertices(fresh.handles, ids);
     delete_vertices(fresh.handles, ids, m_topology.m_ids);
     m_numbering.release();
@@ -518,10 +542,16 @@ private:
     const Ids &ids = m_numbering.ids(), &old_ids = m_topology.m_ids;
     for (Index v = 1; v <= ids.number_of_representatives(); ++v) {
       const Index id = ids.representative(v);
-      fresh.append(keeps_vertex(id, old_ids) ? m_topology.m_vertices[old_ids.vertex(id)]
-                                             : m_topology.m_triangulation.tds().create_vertex(),
-                   m_numbering.point(v));
+      fresh.handles.push_back(keeps_vertex(id, old_ids)
+                                  ? m_topology.m_vertices[old_ids.vertex(id)]
+                                  : m_topology.m_triangulation.tds().create_vertex());
     }
+    fresh.positions.resize(fresh.handles.size());
+    Parts::for_each(fresh.handles.size() - 1,
+                    [&](std::size_t, std::size_t first, std::size_t beyond) {
+                      for (Index v = Index(first) + 1; v <= beyond; ++v)
+                        fresh.positions.stage(v, m_numbering.point(v));
+                    });
   }
 
   // Calls f(vertex, id of its representative) if the visitor listens.
@@ -579,7 +609,13 @@ private:
   // triangulation. If memory runs out, nothing has changed.
   void triangulate(const Spatial_order_2& order)
   {
-    m_triangulator.run(order);
+    const std::size_t faces_before = m_topology.m_faces.size();
+    try {
+      m_triangulator.run(order, [&] { provide_faces(2 * order.size() - 2); });
+    } catch (...) {
+      drop_faces(faces_before);
+      throw;
+    }
     m_vertex_order.release();
     m_numbering.release_order();
     if (m_triangulator.faces().number_of_faces() > 0)
@@ -597,13 +633,16 @@ private:
     provide_faces(number); // nothing throws from here on
     drop_faces(number);
     mirror.resize(m_maintained.number_of_vertices(), number);
-    for (Index f = 0; f < number; ++f)
-      for (Index i = 0; i < 3; ++i) {
-        const Index h = Flat_faces_2::first_halfedge(f) + i;
-        mirror.set_apex(3 * f + i, faces.apex(h));
-        mirror.set_twin(3 * f + i, Flat_faces_2::number_in_mirror(faces.twin(h)));
-      }
-    mirror.number_edges();
+    Parts::for_each(number, [&](std::size_t, std::size_t first, std::size_t beyond) {
+      for (Index f = Index(first); f < beyond; ++f)
+        for (Index i = 0; i < 3; ++i) {
+          const Index h = Flat_faces_2::first_halfedge(f) + i;
+          mirror.set_apex_and_twin(3 * f + i, faces.apex(h),
+                                   Flat_faces_2::number_in_mirror(faces.twin(h)));
+        }
+    });
+    mirror.template find_corners<Parts>();
+    mirror.template number_edges<Parts>();
     m_topology.m_triangulation.tds().set_dimension(2);
     write_all_faces();
   }
@@ -637,7 +676,7 @@ private:
     std::copy(kept.positions.begin(), kept.positions.end(),
               fresh.positions.m_positions.begin() + 1);
     exchange_vertices(fresh, kept.ids);
-    m_positions.write(m_topology.m_vertices);
+    m_positions.template write<Parts>(m_topology.m_vertices);
   }
 
   // Restores the numbers of edges, the corners, and the faces that CGAL's vertices store.
@@ -685,21 +724,25 @@ private:
     const auto& mirror = m_topology.m_mirror;
     const auto& vertices = m_topology.m_vertices;
     const auto& faces = m_topology.m_faces;
-    for (Index f = 0; f < Index(faces.size()); ++f) {
-      const Index h = 3 * f;
-      faces[f]->set_vertices(vertices[mirror.apex(h)], vertices[mirror.apex(h + 1)],
-                             vertices[mirror.apex(h + 2)]);
-      faces[f]->set_neighbors(faces[mirror.twin(h) / 3], faces[mirror.twin(h + 1) / 3],
-                              faces[mirror.twin(h + 2) / 3]);
-    }
+    Parts::for_each(faces.size(), [&](std::size_t, std::size_t first, std::size_t beyond) {
+      for (Index f = Index(first); f < beyond; ++f) {
+        const Index h = 3 * f;
+        faces[f]->set_vertices(vertices[mirror.apex(h)], vertices[mirror.apex(h + 1)],
+                               vertices[mirror.apex(h + 2)]);
+        faces[f]->set_neighbors(faces[mirror.twin(h) / 3], faces[mirror.twin(h + 1) / 3],
+                                faces[mirror.twin(h + 2) / 3]);
+      }
+    });
     // a vertex stays where it is in memory, wherever it has moved in the plane
     constexpr Index ahead = 16;
-    for (Index v = 0; v < Index(vertices.size()); ++v) {
-      if (v + ahead < Index(vertices.size()))
-        prefetch(&*vertices[v + ahead]);
-      vertices[v]->set_mirror_index(v);
-      vertices[v]->set_face(faces[mirror.corner(v) / 3]);
-    }
+    Parts::for_each(vertices.size(), [&](std::size_t, std::size_t first, std::size_t beyond) {
+      for (Index v = Index(first); v < beyond; ++v) {
+        if (v + ahead < beyond)
+          prefetch(&*vertices[v + ahead]);
+        vertices[v]->set_mirror_index(v);
+        vertices[v]->set_face(faces[mirror.corner(v) / 3]);
+      }
+    });
   }
 
   template <class Static_face_handle>
@@ -732,10 +775,11 @@ private:
     for (Index f = 0; f < Index(faces.size()); ++f)
       for (int i = 0; i < 3; ++i) {
         const Face_handle g = faces[f]->neighbor(i);
-        mirror.set_apex(3 * f + Index(i), faces[f]->vertex(i)->mirror_index());
-        mirror.set_twin(3 * f + Index(i), 3 * number_of_face[g] + Index(g->index(faces[f])));
+        mirror.set_apex_and_twin(3 * f + Index(i), faces[f]->vertex(i)->mirror_index(),
+                                 3 * number_of_face[g] + Index(g->index(faces[f])));
       }
-    mirror.number_edges();
+    mirror.template find_corners<Parts>();
+    mirror.template number_edges<Parts>();
     for (Index v = 0; v < Index(m_topology.m_vertices.size()); ++v)
       m_topology.m_vertices[v]->set_face(faces[mirror.corner(v) / 3]);
   }

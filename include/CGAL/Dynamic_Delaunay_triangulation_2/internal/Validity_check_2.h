@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
 #include <CGAL/exceptions.h>
 
+#include <cstddef>
 #include <iostream>
 #include <vector>
 
@@ -45,6 +46,18 @@ private:
     if (!is_right && m_verbose)
       std::cerr << complaint << std::endl;
     return is_right;
+  }
+
+  // Whether is(i) for all numbers from `first` to before `beyond`.
+  template <class Predicate>
+  static bool all_of(Index first, std::size_t beyond, const Predicate& is)
+  {
+    return Maintained::Parts::all_of(beyond - first, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        if (!is(Index(first + i)))
+          return false;
+      return true;
+    });
   }
 
   // CGAL's own check throws instead of answering where its assertions are enabled.
@@ -90,15 +103,13 @@ private:
   // Users can set the points of vertices through handles.
   bool is_nobody_moved() const
   {
-    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v) {
+    return all_of(1, m_maintained.vertices().size(), [this](Index v) {
       const auto& p = m_maintained.vertices()[v]->point();
-      if constexpr (Maintained::coordinates_are_doubles) {
-        if (p.x() != m_maintained.positions()[v].x || p.y() != m_maintained.positions()[v].y)
-          return false;
-      } else if (!coincide(m_maintained.traits(), p, m_maintained.points()[v]))
-        return false;
-    }
-    return true;
+      if constexpr (Maintained::coordinates_are_doubles)
+        return p.x() == m_maintained.positions()[v].x && p.y() == m_maintained.positions()[v].y;
+      else
+        return coincide(m_maintained.traits(), p, m_maintained.points()[v]);
+    });
   }
 
   bool is_mirror_in_step() const
@@ -109,13 +120,9 @@ private:
       return mirror.number_of_faces() == 0;
     if (faces.size() != m_maintained.triangulation().tds().number_of_faces())
       return false;
-    for (Index h = 0; h < 3 * Index(faces.size()); ++h)
-      if (!is_halfedge_in_step(h))
-        return false;
-    for (Index v = 0; v < Index(m_maintained.vertices().size()); ++v)
-      if (mirror.apex(mirror.corner(v)) != v)
-        return false;
-    return true;
+    return all_of(0, 3 * faces.size(), [this](Index h) { return is_halfedge_in_step(h); }) &&
+           all_of(0, m_maintained.vertices().size(),
+                  [&](Index v) { return mirror.apex(mirror.corner(v)) == v; });
   }
 
   bool is_simplicial() const

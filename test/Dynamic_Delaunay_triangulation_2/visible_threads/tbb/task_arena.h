@@ -8,16 +8,61 @@
 
 namespace tbb {
 
+namespace this_task_arena {
+
+inline int& concurrency()
+{
+  thread_local int threads = 2;
+  return threads;
+}
+
+inline int max_concurrency()
+{
+  return concurrency();
+}
+
+template <class Function>
+void isolate(const Function& function)
+{
+  function();
+}
+
+} // namespace this_task_arena
+
 class task_arena
 {
 public:
-  explicit task_arena(int) {}
+  static constexpr int automatic = -1;
+
+  explicit task_arena(int threads)
+    : m_threads(threads)
+  {
+  }
 
   template <class Function>
-  void execute(const Function& function)
+  auto execute(const Function& function)
   {
-    function();
+    const Concurrency concurrency(m_threads);
+    return function();
   }
+
+private:
+  struct Concurrency
+  {
+    explicit Concurrency(int threads)
+      : before(this_task_arena::concurrency())
+    {
+      if (threads != automatic)
+        this_task_arena::concurrency() = threads;
+    }
+    Concurrency(const Concurrency&) = delete;
+    Concurrency& operator=(const Concurrency&) = delete;
+    ~Concurrency() { this_task_arena::concurrency() = before; }
+
+    int before;
+  };
+
+  int m_threads;
 };
 
 } // namespace tbb

@@ -1,0 +1,445 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Threads change nothing but the time: results to the last bit, reports, what visitors are told,
+// and what is thrown.
+
+#define CGAL_DYNAMIC_DELAUNAY_POINTS_OF_PART 64
+
+#include "oracle.h"
+#include "random_points.h"
+
+#include <CGAL/Delaunay_neighbor_lists_2.h>
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_population_2.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+#include <boost/property_map/function_property_map.hpp>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace internal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
+using Point = Epick::Point_2;
+using Points = std::vector<Point>;
+
+// So many that every pass has many parts.
+constexpr std::size_t many = 2000;
+
+// How often each comparison is made: DYNAMIC_DELAUNAY_THREAD_RUNS=1000 for a longer look.
+int number_of_runs()
+{
+  const char* const text = std::getenv("DYNAMIC_DELAUNAY_THREAD_RUNS");
+  return text == nullptr ? 1 : std::atoi(text);
+}
+
+// Also more than the machine has.
+template <class Function>
+void with_threads(int number, const Function& f)
+{
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 8);
+  tbb::task_arena(number).execute(f);
+}
+
+// All that was seen, and its order, in one number (Fowler, Noll and Vo).
+class Diary
+{
+public:
+  void note(std::string_view text)
+  {
+    for (const char c : text)
+      m_hash = (m_hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  }
+  template <class Number>
+  void note_number(Number number)
+  {
+    note({reinterpret_cast<const char*>(&number), sizeof number});
+  }
+  template <class T>
+  void note_all(const std::vector<T>& numbers)
+  {
+    note_number(numbers.size());
+    note({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)});
+  }
+  void note(const CGAL::Update_report_2& report)
+  {
+    for (const std::size_t count :
+         {report.classified, report.padded, report.border, report.flips, report.splices,
+          report.spliced, report.enlargements, report.relocated, report.inserted, report.removed,
+          report.merged, report.parted, std::size_t(report.rebuild_reason),
+          std::size_t(report.certified)})
+      note_number(count);
+  }
+  // With all numbers of vertices, edges and faces, and all bits of the coordinates.
+  template <class Dynamic>
+  void note_state(const Dynamic& dt)
+  {
+    std::stringstream state;
+    dt.write_checkpoint(state);
+    note(state.str());
+  }
+
+  std::uint64_t hash() const { return m_hash; }
+
+private:
+  std::uint64_t m_hash = 0xcbf29ce484222325u;
+};
+
+// Notes what it is told.
+class Noting_visitor : public CGAL::Delaunay_update_visitor_base_2
+{
+public:
+  explicit Noting_visitor(Diary* diary = nullptr)
+    : m_diary(diary)
+  {
+  }
+
+  template <class Dynamic>
+  void before_flip(const Dynamic& dt, const typename Dynamic::Edge& e)
+  {
+    note_face(dt, e.first, 'f');
+  }
+  template <class Dynamic>
+  void before_face_removal(const Dynamic& dt, typename Dynamic::Face_handle f)
+  {
+    note_face(dt, f, 'r');
+  }
+  template <class Dynamic>
+  void after_face_creation(const Dynamic& dt, typename Dynamic::Face_handle f)
+  {
+    note_face(dt, f, 'c');
+  }
+  template <class Dynamic>
+  void after_vertex_creation(const Dynamic&, typename Dynamic::Vertex_handle, std::size_t id)
+  {
+    m_diary->note("v");
+    m_diary->note_number(id);
+  }
+  template <class Dynamic>
+  void before_vertex_removal(const Dynamic&, typename Dynamic::Vertex_handle, std::size_t id)
+  {
+    m_diary->note("d");
+    m_diary->note_number(id);
+  }
+
+private:
+  template <class Dynamic>
+  void note_face(const Dynamic& dt, typename Dynamic::Face_handle f, char kind)
+  {
+    m_diary->note({&kind, 1});
+    for (int i = 0; i < 3; ++i) {
+      const auto v = f->vertex(i);
+      const bool is_finite = v != typename Dynamic::Vertex_handle() && v != dt.infinite_vertex();
+      m_diary->note_number(is_finite ? dt.id(v) : std::size_t(-1));
+    }
+  }
+
+  Diary* m_diary;
+};
+
+template <class Tag, class Visitor = CGAL::Default>
+using Planar = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default, CGAL::Default,
+                                                      CGAL::Default, CGAL::Default, Visitor, Tag>;
+template <class Tag>
+using Periodic =
+    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick, CGAL::Default, CGAL::Default,
+                                                    CGAL::Default, CGAL::Default, Tag>;
+using Parallel = Planar<CGAL::Parallel_tag>;
+
+// `play.run<Tag>(diary)` has to be the same with any number of threads, and without the tag.
+template <class Play>
+void expect_equal_diaries(const Play& play)
+{
+  Diary sequential;
+  play.template run<CGAL::Sequential_tag>(sequential);
+  for (int run = 0; run < number_of_runs(); ++run)
+    for (const int threads : {1, 2, 3, 8}) {
+      Diary diary;
+      with_threads(threads, [&] { play.template run<CGAL::Parallel_tag>(diary); });
+      ASSERT_EQ(diary.hash(), sequential.hash()) << threads << " threads, run " << run;
+    }
+}
+
+// A population of points that are moved all together in some frames, then changes one by one.
+struct Motion
+{
+  Points points;
+  double step;
+  int frames = 3;
+
+  template <class Tag>
+  void run(Diary& diary) const
+  {
+    play<Planar<Tag>>(diary, Planar<Tag>());
+    using Told = Planar<Tag, Noting_visitor>;
+    typename Told::Settings settings;
+    settings.visitor = Noting_visitor(&diary);
+    play<Told>(diary, Told(settings));
+  }
+
+private:
+  template <class Dynamic>
+  void play(Diary& diary, Dynamic dt) const
+  {
+    Cloud<Epick> cloud(5);
+    Points moved = points;
+    dt.insert(moved, CGAL::Emptyset_iterator());
+    diary.note_state(dt);
+    for (int frame = 0; frame < frames; ++frame) {
+      if (step > 0)
+        cloud.shake(moved, step);
+      diary.note(dt.update(moved));
+      diary.note_all(dt.classified_vertices());
+      diary.note_state(dt);
+    }
+    CGAL::Delaunay_neighbor_lists_2 neighbors;
+    neighbors.compute(dt);
+    diary.note_all(neighbors.neighbors());
+    EXPECT_TRUE(dt.is_certified());
+    EXPECT_TRUE(dt.is_valid());
+    Dynamic copy(dt);
+    EXPECT_TRUE(copy.is_valid());
+  }
+};
+
+// TRIANGULATIONS ----------------------------------------------------------------------------------
+
+TEST(Threads, change_nothing_while_points_hardly_move)
+{
+  expect_equal_diaries(Motion{Cloud<Epick>(1).uniform(many), 1e-6, 12});
+}
+
+TEST(Threads, change_nothing_where_edges_are_flipped)
+{
+  expect_equal_diaries(Motion{Cloud<Epick>(2).uniform(many), 0.03});
+}
+
+TEST(Threads, change_nothing_where_everything_is_rebuilt)
+{
+  expect_equal_diaries(Motion{Cloud<Epick>(3).uniform(many), 30});
+}
+
+TEST(Threads, change_nothing_where_all_numbers_fit_after_a_rebuild)
+{
+  expect_equal_diaries(Motion{Cloud<Epick>(4).uniform(many), 0.7});
+}
+
+TEST(Threads, change_nothing_on_a_grid_full_of_ties)
+{
+  expect_equal_diaries(Motion{Cloud<Epick>::grid(50, 40), 0});
+}
+
+TEST(Threads, change_nothing_on_a_line)
+{
+  Points line;
+  for (std::size_t i = 0; i < many; ++i)
+    line.emplace_back(double(i * 7919 % many), 0);
+  expect_equal_diaries(Motion{line, 0, 1});
+}
+
+TEST(Threads, change_nothing_where_points_coincide)
+{
+  Cloud<Epick> cloud(6);
+  Points points = cloud.uniform(many);
+  for (Point& p : points)
+    p = Point(std::floor(p.x() * 2) / 2, std::floor(p.y() * 2) / 2);
+  expect_equal_diaries(Motion{points, 0, 1});
+  expect_equal_diaries(Motion{points, 0.001, 1}); // all part
+}
+
+TEST(Threads, change_nothing_where_points_are_dense_in_some_places)
+{
+  Cloud<Epick> cloud(7);
+  Points points = cloud.uniform(many);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double scale = std::ldexp(1.0, -int(i % 60));
+    points[i] = Point(points[i].x() * scale, points[i].y() * scale);
+  }
+  expect_equal_diaries(Motion{points, 0, 1});
+  expect_equal_diaries(Motion{points, 0.01, 1});
+}
+
+// Points come and go with every frame.
+struct Population_motion
+{
+  template <class Tag>
+  void run(Diary& diary) const
+  {
+    Cloud<Epick> cloud(8);
+    CGAL::Dynamic_population_2<Planar<Tag>> population;
+    std::vector<std::pair<std::int64_t, Point>> crowd;
+    std::int64_t next = 0;
+    for (const Point& p : cloud.uniform(many))
+      crowd.emplace_back(next++, p);
+    for (int frame = 0; frame < 4; ++frame) {
+      diary.note(population.update(crowd));
+      diary.note_state(population.triangulation());
+      for (auto& [id, p] : crowd)
+        p = cloud.shifted(p, 1e-3);
+      for (std::size_t i = std::size_t(frame); i < crowd.size(); i += 97)
+        crowd[i] = {next++, cloud.shifted(crowd[i].second, 1)};
+    }
+  }
+};
+
+TEST(Threads, change_nothing_where_points_come_and_go)
+{
+  expect_equal_diaries(Population_motion());
+}
+
+struct Periodic_motion
+{
+  double step;
+
+  template <class Tag>
+  void run(Diary& diary) const
+  {
+    std::mt19937_64 random(9);
+    Points points = random_points(random, many, 100);
+    Periodic<Tag> dt(points.begin(), points.end(), CGAL::Periodic_cell_2(100, 100));
+    diary.note_state(dt);
+    for (int frame = 0; frame < 5; ++frame) {
+      for (Point& p : points)
+        p = Point(p.x() + random_between(random, -step, step),
+                  p.y() + random_between(random, -step, step));
+      diary.note(dt.update(points));
+      diary.note_state(dt);
+    }
+    EXPECT_TRUE(dt.is_valid());
+  }
+};
+
+TEST(Threads, change_nothing_in_periodic_space)
+{
+  expect_equal_diaries(Periodic_motion{1e-5});
+  expect_equal_diaries(Periodic_motion{0.1});
+}
+
+// INPUT THAT IS REFUSED ---------------------------------------------------------------------------
+
+TEST(Threads, refuse_the_first_wrong_coordinate_and_change_nothing)
+{
+  Cloud<Epick> cloud(10);
+  Points points = cloud.uniform(many);
+  Parallel dt(points);
+  Diary before;
+  before.note_state(dt);
+  Points moved = points;
+  cloud.shake(moved, 0.1);
+  for (const std::size_t id : {many - 500, many / 2, std::size_t(3)}) {
+    moved[id] = Point(std::numeric_limits<double>::quiet_NaN(), 0);
+    for (const int threads : {1, 2, 8}) {
+      with_threads(threads, [&] {
+        try {
+          dt.update(moved);
+          ADD_FAILURE() << "was accepted";
+        } catch (const CGAL::Non_finite_coordinate_error_2& error) {
+          EXPECT_EQ(error.id(), id);
+        }
+      });
+      Diary after;
+      after.note_state(dt);
+      ASSERT_EQ(after.hash(), before.hash());
+    }
+  }
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+}
+
+TEST(Threads, pass_on_what_a_point_map_throws_and_change_nothing)
+{
+  Cloud<Epick> cloud(11);
+  Points points = cloud.uniform(many);
+  Parallel dt(points);
+  Diary before;
+  before.note_state(dt);
+  Points moved = points;
+  cloud.shake(moved, 0.1);
+  for (const int threads : {1, 2, 8}) {
+    const auto read = [&](const Point& p) {
+      if (&p == &moved[777])
+        throw std::bad_alloc();
+      return p;
+    };
+    with_threads(threads, [&] {
+      EXPECT_THROW(dt.update(moved.begin(), moved.end(),
+                             boost::make_function_property_map<Point, Point>(read)),
+                   std::bad_alloc);
+    });
+    Diary after;
+    after.note_state(dt);
+    ASSERT_EQ(after.hash(), before.hash());
+  }
+  dt.update(moved);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, moved));
+}
+
+// PARTS -------------------------------------------------------------------------------------------
+
+TEST(Parts, are_a_partition_that_depends_on_the_size_alone)
+{
+  using Parts = internal::Parallel_parts_2<CGAL::Parallel_tag>;
+  for (const std::size_t size : {0u, 1u, 99u, 1000u, 65536u, 1234567u}) {
+    for (const int threads : {1, 2, 8})
+      with_threads(threads, [&] {
+        std::vector<std::pair<std::size_t, std::size_t>> ranges(Parts::number(size, 100));
+        Parts::for_each(size, 100, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+          ranges.at(part) = {first, beyond};
+        });
+        std::size_t end = 0;
+        for (const auto& [first, beyond] : ranges) {
+          EXPECT_EQ(first, end);
+          EXPECT_TRUE(ranges.size() == 1 || beyond - first >= 100);
+          end = beyond;
+        }
+        EXPECT_EQ(end, size);
+      });
+  }
+}
+
+TEST(Parts, throw_what_the_first_one_throws)
+{
+  using Parts = internal::Parallel_parts_2<CGAL::Parallel_tag>;
+  for (const int threads : {1, 2, 3, 8})
+    for (int run = 0; run < 200; ++run)
+      with_threads(threads, [&] {
+        try {
+          Parts::run(40, [](std::size_t part) {
+            if (part % 7 == 5)
+              throw std::runtime_error(std::to_string(part));
+          });
+          ADD_FAILURE() << "nothing was thrown";
+        } catch (const std::runtime_error& error) {
+          EXPECT_STREQ(error.what(), "5");
+        }
+      });
+}
+
+TEST(Parts, can_be_divided_again)
+{
+  using Parts = internal::Parallel_parts_2<CGAL::Parallel_tag>;
+  for (const int threads : {1, 2, 8})
+    with_threads(threads, [&] {
+      std::atomic<std::size_t> sum{0};
+      Parts::run(10, [&](std::size_t i) { Parts::run(i, [&](std::size_t k) { sum += k; }); });
+      EXPECT_EQ(sum, 120u);
+    });
+}
+
+} // namespace
+
+#endif // CGAL_LINKED_WITH_TBB
