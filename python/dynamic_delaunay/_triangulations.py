@@ -16,7 +16,6 @@ from .errors import PeriodicCellError, UncertifiedTriangulationError
 from .neighbors import NeighborList
 
 Classifier = Union[str, Callable[[ClassifierFrame], Any]]
-_PERIODIC_SETTINGS: dict[str, Any] = dict(classifier="", repair="", policy="", threads=1, seed=1, changes=False)
 Self = TypeVar("Self", bound="_Triangulation")
 
 
@@ -31,6 +30,14 @@ class CellMeasures(NamedTuple):
     """float64 (rows, 2)"""
     shape_indices: NDArray[np.float64]
     """float64 (rows,): perimeter / sqrt(area)"""
+
+
+def _settings(
+    classifier: Classifier, repair: Optional[str], policy: str, changes: bool, threads: int, seed: int
+) -> dict[str, Any]:
+    return dict(
+        classifier=classifier, repair=repair or "", policy=policy, changes=changes, threads=threads, seed=seed
+    )
 
 
 def _rows(points: ArrayLike) -> ArrayLike:
@@ -280,6 +287,16 @@ class _Periodic(_Triangulation):
         """int32 (pairs, 2): the shift of each neighbor in ``indices``."""
         return self._arrays(Group.NEIGHBOR_LISTS)[2]
 
+    @property
+    def created_edge_shifts(self) -> NDArray[np.int32]:
+        """int32 (k, 2): the shifts of ``created_edges``."""
+        return self._arrays(Group.CHANGES)[2]
+
+    @property
+    def removed_edge_shifts(self) -> NDArray[np.int32]:
+        """int32 (k, 2): the shifts of ``removed_edges``, as they would be called now."""
+        return self._arrays(Group.CHANGES)[3]
+
 
 class DynamicDelaunay(_Planar):
     """The Delaunay triangulation of moving points in the plane.
@@ -324,10 +341,7 @@ class DynamicDelaunay(_Planar):
         threads: int = 1,
         seed: int = 1,
     ) -> None:
-        settings = dict(
-            classifier=classifier, repair=repair or "", policy=policy, threads=threads, seed=seed, changes=changes
-        )
-        self._init(False, None, settings)
+        self._init(False, None, _settings(classifier, repair, policy, changes, threads, seed))
         if points is not None:
             self._insert(points, None)
 
@@ -372,12 +386,23 @@ class PeriodicDelaunay(_Periodic):
     cell : array_like
         (2,) the sides of a rectangle; (2, 2) two vectors, a row each; (1, 2) the one vector of a slab, which is open
         across it.
-    changes : bool
-        Whether created and removed edges are recorded.
+    classifier, repair, policy, changes, threads, seed
+        As of DynamicDelaunay.
     """
 
-    def __init__(self, points: Optional[ArrayLike] = None, cell: ArrayLike = (1.0, 1.0), *, changes: bool = False):
-        self._init(False, _cell(cell), {**_PERIODIC_SETTINGS, "changes": changes})
+    def __init__(
+        self,
+        points: Optional[ArrayLike] = None,
+        cell: ArrayLike = (1.0, 1.0),
+        *,
+        classifier: Classifier = "circumcircle",
+        repair: Optional[str] = None,
+        policy: str = "always_dynamic",
+        changes: bool = False,
+        threads: int = 1,
+        seed: int = 1,
+    ) -> None:
+        self._init(False, _cell(cell), _settings(classifier, repair, policy, changes, threads, seed))
         if points is not None:
             self._insert(points, None)
 
@@ -391,16 +416,6 @@ class PeriodicDelaunay(_Periodic):
     move = DynamicDelaunay.move
     created_edges = DynamicDelaunay.created_edges
     removed_edges = DynamicDelaunay.removed_edges
-
-    @property
-    def created_edge_shifts(self) -> NDArray[np.int32]:
-        """int32 (k, 2): the shifts of ``created_edges``."""
-        return self._arrays(Group.CHANGES)[2]
-
-    @property
-    def removed_edge_shifts(self) -> NDArray[np.int32]:
-        """int32 (k, 2): the shifts of ``removed_edges``, as they would be called now."""
-        return self._arrays(Group.CHANGES)[3]
 
 
 class _ByIds(_Triangulation):
@@ -422,6 +437,18 @@ class _ByIds(_Triangulation):
         """Move some points, int (m,), or one, to positions, float (m, 2) or (2,). All others stay."""
         return self._move(np.atleast_1d(ids), _rows(points))
 
+    @property
+    def created_edges(self) -> NDArray[np.int64]:
+        """int64 (k, 2): edges of now, by the ids of both ends, that were not there before the last call. Needs
+        ``changes=True``."""
+        return self._arrays(Group.CHANGES)[0]
+
+    @property
+    def removed_edges(self) -> NDArray[np.int64]:
+        """int64 (k, 2): edges before the last call, by the ids of both ends, that are not there now; the points may
+        have left. Needs ``changes=True``."""
+        return self._arrays(Group.CHANGES)[1]
+
 
 class Population(_ByIds, _Planar):
     """The Delaunay triangulation of points in the plane that come and go, by any integers of 64 bits as ids.
@@ -429,8 +456,8 @@ class Population(_ByIds, _Planar):
     Arrays have a row for each point: row k is the point ``ids[k]``. So ``population.ids[population.edges]`` has the
     edges by ids. Rows change when points come or go.
 
-    Parameters are the ids, int (n,), the points, float (n, 2), and those of DynamicDelaunay; changed edges are not
-    recorded.
+    Parameters are the ids, int (n,), the points, float (n, 2), and those of DynamicDelaunay. With ``changes=True`` each
+    call also looks up all ids.
     """
 
     def __init__(
@@ -441,13 +468,11 @@ class Population(_ByIds, _Planar):
         classifier: Classifier = "circumcircle",
         repair: Optional[str] = None,
         policy: str = "always_dynamic",
+        changes: bool = False,
         threads: int = 1,
         seed: int = 1,
     ) -> None:
-        settings = dict(
-            classifier=classifier, repair=repair or "", policy=policy, threads=threads, seed=seed, changes=False
-        )
-        self._init(True, None, settings)
+        self._init(True, None, _settings(classifier, repair, policy, changes, threads, seed))
         if ids is not None and points is not None:
             self._update(points, ids, None)
 
@@ -458,15 +483,23 @@ class Population(_ByIds, _Planar):
 
 
 class PeriodicPopulation(_ByIds, _Periodic):
-    """A Population in a periodic cell; see PeriodicDelaunay."""
+    """A Population in a periodic cell: parameters are the ids, int (n,), the points, float (n, 2), the cell, as of
+    PeriodicDelaunay, and those of DynamicDelaunay."""
 
     def __init__(
         self,
         ids: Optional[ArrayLike] = None,
         points: Optional[ArrayLike] = None,
         cell: ArrayLike = (1.0, 1.0),
+        *,
+        classifier: Classifier = "circumcircle",
+        repair: Optional[str] = None,
+        policy: str = "always_dynamic",
+        changes: bool = False,
+        threads: int = 1,
+        seed: int = 1,
     ) -> None:
-        self._init(True, _cell(cell), dict(_PERIODIC_SETTINGS))
+        self._init(True, _cell(cell), _settings(classifier, repair, policy, changes, threads, seed))
         if ids is not None and points is not None:
             self._update(points, ids, None)
 

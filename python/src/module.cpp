@@ -6,7 +6,6 @@
 #include "python/src/Numpy.h"
 #include "python/src/Subject.h"
 #include "python/src/Triangle_walk.h"
-#include "scenario_runner/Method_choice.h"
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -41,18 +40,14 @@ public:
                 unsigned threads, std::uint64_t seed, bool changes, bool is_population,
                 const std::optional<Cell>& cell)
   {
-    Settings settings{"", nullptr, repair, policy, threads, seed, changes};
-    if (cell) {
-      m_subject = make_periodic(settings, *cell, is_population);
-    } else if (!py::isinstance<py::str>(classifier)) {
-      settings.function = function_in_python(classifier);
-      m_subject = make_heuristic(settings, is_population);
-    } else {
+    Settings settings{"", nullptr, repair, policy, threads, seed, changes, is_population, cell};
+    if (py::isinstance<py::str>(classifier)) {
       settings.classifier = classifier.cast<std::string>();
-      m_subject = run::classifier_choice(settings.classifier).is_exact
-                      ? make_exact(settings, is_population)
-                      : make_heuristic(settings, is_population);
+    } else {
+      m_function = std::make_shared<py::object>(classifier);
+      settings.function = function_in_python(m_function);
     }
+    m_subject = make_subject(settings);
   }
 
   Report update(const py::object& points, const py::object& ids, const std::optional<Cell>& cell)
@@ -167,6 +162,25 @@ public:
 
   const Report& last_report() const { return m_report; }
 
+  // For the garbage collector: a classifier may refer to its triangulation.
+  int visit_objects(visitproc visit, void* arg) const
+  {
+    if (m_function) {
+      Py_VISIT(m_function->ptr());
+    }
+    for (const Cached& cached : m_cache) {
+      Py_VISIT(cached.arrays.ptr());
+    }
+    return 0;
+  }
+  void clear_objects()
+  {
+    if (m_function) {
+      *m_function = py::none();
+    }
+    m_cache = {};
+  }
+
 private:
   struct Cached
   {
@@ -232,6 +246,7 @@ private:
     }
   }
 
+  Shared_reference m_function; // the classifier, if it is written in Python
   std::unique_ptr<Subject> m_subject;
   std::mutex m_mutex;
   std::atomic<std::thread::id> m_caller{};
@@ -300,6 +315,31 @@ void bind_report(py::module_& module)
       });
 }
 
+// None while Python is constructing the object.
+Triangulation* triangulation_of(PyObject* object)
+{
+  auto* const instance = reinterpret_cast<py::detail::instance*>(object);
+  const bool is_there = instance->simple_layout && instance->simple_holder_constructed;
+  return is_there ? instance->get_value_and_holder().value_ptr<Triangulation>() : nullptr;
+}
+
+void let_garbage_be_collected(PyHeapTypeObject* heap_type)
+{
+  PyTypeObject& type = heap_type->ht_type;
+  type.tp_flags |= Py_TPFLAGS_HAVE_GC;
+  type.tp_traverse = [](PyObject* object, visitproc visit, void* arg) {
+    Py_VISIT(Py_TYPE(object));
+    const Triangulation* const triangulation = triangulation_of(object);
+    return triangulation == nullptr ? 0 : triangulation->visit_objects(visit, arg);
+  };
+  type.tp_clear = [](PyObject* object) {
+    if (Triangulation* const triangulation = triangulation_of(object)) {
+      triangulation->clear_objects();
+    }
+    return 0;
+  };
+}
+
 // A call that asks the subject.
 template <class Answer>
 auto asking(Answer (Subject::*question)() const)
@@ -330,7 +370,8 @@ void bind_triangulation(py::module_& module)
                                return std::array<double, 4>{c.ax, c.ay, c.bx, c.by};
                              })
       .def_readonly("is_slab", &Cell::is_slab);
-  py::class_<Triangulation>(module, "Triangulation")
+  py::class_<Triangulation>(module, "Triangulation",
+                            py::custom_type_setup(let_garbage_be_collected))
       .def(py::init<const py::object&, const std::string&, const std::string&, unsigned,
                     std::uint64_t, bool, bool, const std::optional<Cell>&>(),
            py::arg("classifier"), py::arg("repair"), py::arg("policy"), py::arg("threads"),
