@@ -74,7 +74,8 @@ class Cell:
     def is_slab(self) -> bool: ...
 
 class Triangulation:
-    def __init__(
+    def __init__(self) -> None: ...
+    def _start(
         self,
         classifier: Union[str, Callable[[ClassifierFrame], Any]],
         repair: str,

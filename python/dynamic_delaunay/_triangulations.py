@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import operator
 import os
 from collections.abc import Callable
 from typing import Any, NamedTuple, Optional, TypeVar, Union
@@ -12,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._core import ClassifierFrame, Group, UpdateReport
-from .errors import PeriodicCellError, UncertifiedTriangulationError
+from .errors import PeriodicCellError, UnknownIdError
 from .neighbors import NeighborList
 
 Classifier = Union[str, Callable[[ClassifierFrame], Any]]
@@ -35,9 +36,36 @@ class CellMeasures(NamedTuple):
 def _settings(
     classifier: Classifier, repair: Optional[str], policy: str, changes: bool, threads: int, seed: int
 ) -> dict[str, Any]:
+    if not isinstance(classifier, str) and not callable(classifier):
+        raise TypeError(f"the classifier is {classifier!r}: it must be a name or a function")
+    if repair is not None and not isinstance(repair, str):
+        raise TypeError(f"the repair is {repair!r}: it must be a name or None")
+    if not isinstance(policy, str):
+        raise TypeError(f"the policy is {policy!r}: it must be a name")
+    if not isinstance(changes, (bool, np.bool_)):
+        raise TypeError(f"changes is {changes!r}: it must be True or False")
     return dict(
-        classifier=classifier, repair=repair or "", policy=policy, changes=changes, threads=threads, seed=seed
+        classifier=classifier,
+        repair=repair or "",
+        policy=policy,
+        changes=bool(changes),
+        threads=_integer("threads", threads, 2**31),
+        seed=_integer("seed", seed, 2**64),
     )
+
+
+def _integer(name: str, number: Any, bound: int) -> int:
+    try:
+        integer = operator.index(number)
+    except TypeError:
+        raise TypeError(f"{name} is {number!r}: it must be an integer") from None
+    if not 0 <= integer < bound:
+        raise ValueError(f"{name} is {integer}: it must be from 0 to {bound - 1}")
+    return integer
+
+
+def _processors() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _rows(points: ArrayLike) -> ArrayLike:
@@ -76,10 +104,14 @@ class _Triangulation(_core.Triangulation):
 
     _settings: dict[str, Any]
 
+    def __new__(cls: type[Self], *_arguments: Any, **_named: Any) -> Self:
+        self = super().__new__(cls)
+        _core.Triangulation.__init__(self)  # so that there is something, whatever a derived class does
+        return self
+
     def _init(self, population: bool, cell: Optional[_core.Cell], settings: dict[str, Any]) -> None:
-        if not isinstance(settings["classifier"], str) and not callable(settings["classifier"]):
-            raise TypeError(f"the classifier is {settings['classifier']!r}: it must be a name or a function")
-        super().__init__(population=population, cell=cell, **settings)
+        chosen: dict[str, Any] = {**settings, "threads": settings["threads"] or _processors()}
+        self._start(population=population, cell=cell, **chosen)
         self._settings = settings
 
     def is_current(self, array: NDArray[Any]) -> bool:
@@ -125,9 +157,11 @@ class _Triangulation(_core.Triangulation):
 
     def neighbors_of(self, row: int) -> NDArray[np.int32]:
         """int32 (k,): the rows of the neighbors of one row, counterclockwise."""
-        if not 0 <= row < len(self.indptr) - 1:
-            raise IndexError(f"there is no row {row}: they are 0 to {len(self.indptr) - 2}")
-        return self.indices[self.indptr[row] : self.indptr[row + 1]]
+        indptr, indices = self._arrays(Group.NEIGHBOR_LISTS)[:2]
+        if not 0 <= row < len(indptr) - 1:
+            raise IndexError(f"there is no row {row}: they are from 0 to before {len(indptr) - 1}")
+        neighbors: NDArray[np.int32] = indices[indptr[row] : indptr[row + 1]]
+        return neighbors
 
     @property
     def areas(self) -> NDArray[np.float64]:
@@ -159,19 +193,25 @@ class _Triangulation(_core.Triangulation):
 
     def voronoi_cell(self, id: int) -> NDArray[np.float64]:
         """float64 (k, 2): the corners of the Voronoi cell of a point, counterclockwise; none if it is unbounded."""
-        return self._cell_corners(id)
+        integer = operator.index(id)
+        if not -(2**63) <= integer < 2**63:
+            raise UnknownIdError(f"there is no point with id {integer}: ids have 64 bits")
+        return self._cell_corners(integer)
 
     def neighbor_list(self) -> NeighborList:
         """Pairs of neighbors with vectors and the lengths of Voronoi edges, as freud's. Of points that coincide, only
         the one that represents them has neighbors."""
-        pairs, lengths, shifts = self._arrays(Group.RIDGES)
+        while True:
+            pairs, lengths, shifts = self._arrays(Group.RIDGES)
+            points, cell = self.points, self._cell()
+            if self._is_current(pairs):  # else another thread has changed the triangulation in between
+                break
         first, second = np.concatenate([pairs, pairs[:, ::-1]]).T
-        vectors = self.points[second] - self.points[first]
-        cell = self._cell()
+        vectors = points[second] - points[first]
         if cell is not None:
             vectors += np.concatenate([shifts, -shifts]) @ np.array(cell.numbers).reshape(2, 2)
         order = np.lexsort((second, first))
-        counts = np.bincount(first, minlength=len(self.indptr) - 1)
+        counts = np.bincount(first, minlength=len(points))
         weights = np.concatenate([lengths, lengths])
         return NeighborList(first[order], second[order], vectors[order], weights[order], counts)
 
@@ -181,7 +221,7 @@ class _Triangulation(_core.Triangulation):
 
     def restore(self, checkpoint: bytes) -> None:
         """Replace everything by a checkpoint of the same kind. CheckpointError if it is damaged; nothing changes."""
-        self._restore(checkpoint)
+        self._restore(bytes(memoryview(checkpoint)))
 
     def save(self, path: Union[str, os.PathLike[str]]) -> None:
         """Write a checkpoint to a file."""
@@ -194,13 +234,18 @@ class _Triangulation(_core.Triangulation):
             self.restore(file.read())
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, (type(self), self._settings, self.checkpoint())
+        others = {name: value for name, value in vars(self).items() if name != "_settings"}
+        return _restored, (type(self), self._settings, self.checkpoint()), others or None
 
     def __len__(self) -> int:
         return self.number_of_points
 
-    def __contains__(self, id: int) -> bool:
-        return -(2**63) <= id < 2**63 and self._has_id(id)
+    def __contains__(self, id: object) -> bool:
+        try:
+            integer = operator.index(id)  # type: ignore[arg-type]
+        except TypeError:
+            return False
+        return -(2**63) <= integer < 2**63 and self._has_id(integer)
 
     def __repr__(self) -> str:
         certified = "certified" if self.is_certified else "not certified"
@@ -237,29 +282,31 @@ class _Planar(_Triangulation):
     @property
     def vertex_neighbor_vertices(self) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
         """``indptr`` and ``indices``, by the name that SciPy has for them."""
-        return self.indptr, self.indices
+        indptr, indices = self._arrays(Group.NEIGHBOR_LISTS)[:2]
+        return indptr, indices
 
     @property
     def convex_hull(self) -> NDArray[np.int32]:
         """int32 (k, 2): rows of both ends of each edge of the convex hull, with the inside on the left."""
-        triangle, opposite = np.nonzero(self.neighbors < 0)
-        corners = self.triangles[triangle]
+        triangles, neighbors = self._arrays(Group.TRIANGLES)
+        triangle, opposite = np.nonzero(neighbors < 0)
+        corners = triangles[triangle]
         at = np.arange(len(triangle))
         return np.column_stack([corners[at, (opposite + 1) % 3], corners[at, (opposite + 2) % 3]])
 
     def find_simplex(self, places: ArrayLike) -> Union[int, NDArray[np.int32]]:
         """int32 (m,) for places (m, 2), an int for one place (2,): the triangle in which each place is, boundary
         included; -1 outside of all. Decided exactly. Cost: about n**(1/3) for each place."""
-        if not self.is_certified:
-            raise UncertifiedTriangulationError("places are found in a certified triangulation only: call mend()")
         found = self._find_simplex(_rows(places))
         return int(found[0]) if np.ndim(places) == 1 and len(found) == 1 else found
 
     def clipped_cells(self, box: ArrayLike) -> CellMeasures:
         """Measures of the parts of the Voronoi cells inside a box (xmin, ymin, xmax, ymax). Cells of the hull are
         bounded there. Cost: linear."""
-        xmin, ymin, xmax, ymax = np.asarray(box, dtype=np.float64)
-        return CellMeasures(*self._clipped_cells(xmin, ymin, xmax, ymax))
+        sides = np.asarray(box, dtype=np.float64)
+        if sides.shape != (4,):
+            raise ValueError(f"a box has the shape {sides.shape}: it must be (4,), for xmin, ymin, xmax and ymax")
+        return CellMeasures(*self._clipped_cells(*sides))
 
 
 class _Periodic(_Triangulation):
@@ -450,6 +497,12 @@ class _ByIds(_Triangulation):
         return self._arrays(Group.CHANGES)[1]
 
 
+def _given(name: str, array: Optional[ArrayLike]) -> ArrayLike:
+    if array is None:
+        raise TypeError(f"ids and points must be given together, or neither: there are no {name}")
+    return array
+
+
 class Population(_ByIds, _Planar):
     """The Delaunay triangulation of points in the plane that come and go, by any integers of 64 bits as ids.
 
@@ -473,8 +526,8 @@ class Population(_ByIds, _Planar):
         seed: int = 1,
     ) -> None:
         self._init(True, None, _settings(classifier, repair, policy, changes, threads, seed))
-        if ids is not None and points is not None:
-            self._update(points, ids, None)
+        if ids is not None or points is not None:
+            self._update(_given("points", points), _given("ids", ids), None)
 
     def update(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport:
         """Take a whole frame, ids int (n,) and positions float (n, 2) in any order: insert points with new ids, remove
@@ -500,8 +553,8 @@ class PeriodicPopulation(_ByIds, _Periodic):
         seed: int = 1,
     ) -> None:
         self._init(True, _cell(cell), _settings(classifier, repair, policy, changes, threads, seed))
-        if ids is not None and points is not None:
-            self._update(points, ids, None)
+        if ids is not None or points is not None:
+            self._update(_given("points", points), _given("ids", ids), None)
 
     def update(self, ids: ArrayLike, points: ArrayLike, cell: Optional[ArrayLike] = None) -> UpdateReport:
         """Take a whole frame, as Population.update() does, in the same cell, or in one that has changed."""

@@ -94,6 +94,12 @@ Input points_input(py::handle object, const std::string& name)
   return input(of_type<double>(array));
 }
 
+Input copied_points_input(py::handle object)
+{
+  const Input original = points_input(object);
+  return original.rows.size == 0 ? original : input(original.array.attr("copy")());
+}
+
 Input ids_input(py::handle object, const std::string& name)
 {
   if (is_plain<std::int64_t>(object, 1)) {

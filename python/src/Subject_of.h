@@ -9,11 +9,13 @@
 #include "python/src/Subject.h"
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_population_2.h>
 #include <CGAL/Iterator_range.h>
 #include <CGAL/Periodic_cell_2.h>
 
+#include <algorithm>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
@@ -78,6 +80,9 @@ public:
 
   Report move(const Rows& ids, const Rows& points) override
   {
+    if constexpr (has_user_ids) {
+      check_distinct(ids);
+    }
     const auto movers = identified(ids, points);
     return changing().move(movers.begin(), movers.end());
   }
@@ -211,6 +216,20 @@ private:
       return m_owner.triangulation();
     } else {
       return m_owner.triangulation;
+    }
+  }
+
+  // The triangulation would name the point by its own id.
+  static void check_distinct(const Rows& ids)
+  {
+    std::vector<std::int64_t> sorted;
+    for (std::size_t i = 0; i < ids.size; ++i) {
+      sorted.push_back(ids.at<std::int64_t>(i, 0));
+    }
+    std::sort(sorted.begin(), sorted.end());
+    const auto repeated = std::adjacent_find(sorted.begin(), sorted.end());
+    if (repeated != sorted.end()) {
+      throw CGAL::Repeated_id_error_2(*repeated);
     }
   }
 

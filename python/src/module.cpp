@@ -7,9 +7,12 @@
 #include "python/src/Subject.h"
 #include "python/src/Triangle_walk.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -36,10 +39,13 @@ using Report = Subject::Report;
 class Triangulation
 {
 public:
-  Triangulation(const py::object& classifier, const std::string& repair, const std::string& policy,
-                unsigned threads, std::uint64_t seed, bool changes, bool is_population,
-                const std::optional<Cell>& cell)
+  void start(const py::object& classifier, const std::string& repair, const std::string& policy,
+             unsigned threads, std::uint64_t seed, bool changes, bool is_population,
+             const std::optional<Cell>& cell)
   {
+    if (m_subject) {
+      throw std::runtime_error("a triangulation is initialized once; restore() replaces all of it");
+    }
     Settings settings{"", nullptr, repair, policy, threads, seed, changes, is_population, cell};
     if (py::isinstance<py::str>(classifier)) {
       settings.classifier = classifier.cast<std::string>();
@@ -52,7 +58,9 @@ public:
 
   Report update(const py::object& points, const py::object& ids, const std::optional<Cell>& cell)
   {
-    const Input its_points = points_input(points), its_ids = input_of_ids(ids, its_points);
+    // a classifier in Python may write to the array that is being read
+    const Input its_points = m_function ? copied_points_input(points) : points_input(points),
+                its_ids = input_of_ids(ids, its_points);
     return change(
         [&](Subject& subject) { return subject.update(its_ids.rows, its_points.rows, cell); });
   }
@@ -107,7 +115,7 @@ public:
     const py::gil_scoped_release release;
     const std::lock_guard<std::mutex> guard(m_mutex);
     const Caller caller(m_caller);
-    return f(*m_subject);
+    return f(subject());
   }
 
   // The arrays of a group: those of the last time if nothing has changed since.
@@ -146,9 +154,19 @@ public:
   py::array find_simplex(const py::object& places)
   {
     const Input input = points_input(places, "places");
-    const py::tuple triangles = arrays(Group::TRIANGLES);
-    const py::array points = arrays(Group::POINTS)[0], corners = triangles[0],
-                    neighbors = triangles[1];
+    py::array points, corners, neighbors;
+    bool is_certified = false;
+    while (!is_current(corners)) { // another thread may change the triangulation in between
+      const py::tuple triangles = arrays(Group::TRIANGLES);
+      corners = triangles[0];
+      neighbors = triangles[1];
+      points = arrays(Group::POINTS)[0];
+      is_certified = read([](const Subject& subject) { return subject.is_certified(); });
+    }
+    if (!is_certified) {
+      throw CGAL::Uncertified_triangulation_error_2(
+          "places are found in a certified triangulation only: call mend()");
+    }
     const Flat_triangles flat{
         static_cast<const double*>(points.data()), static_cast<const std::int32_t*>(corners.data()),
         static_cast<const std::int32_t*>(neighbors.data()), std::size_t(corners.shape(0))};
@@ -160,7 +178,7 @@ public:
     return to_numpy({std::move(found)});
   }
 
-  const Report& last_report() const { return m_report; }
+  Report last_report() const { return m_report; }
 
   // For the garbage collector: a classifier may refer to its triangulation.
   int visit_objects(visitproc visit, void* arg) const
@@ -205,6 +223,15 @@ private:
     std::atomic<std::thread::id>& m_caller;
   };
 
+  Subject& subject() const
+  {
+    if (!m_subject) {
+      throw std::runtime_error(
+          "the triangulation is not initialized: its __init__() was not called");
+    }
+    return *m_subject;
+  }
+
   void check_caller() const
   {
     if (m_caller == std::this_thread::get_id()) {
@@ -225,12 +252,12 @@ private:
 
   Input input_of_ids(const py::object& ids, const Input& points) const
   {
-    return m_subject->is_population() ? ids_input(ids, points.rows.size) : Input{};
+    return subject().is_population() ? ids_input(ids, points.rows.size) : Input{};
   }
 
   void check_single(const Rows& rows) const
   {
-    if (m_subject->is_population() && rows.size != 1) {
+    if (subject().is_population() && rows.size != 1) {
       throw std::invalid_argument("a population inserts and removes one point at a time; update() "
                                   "takes a whole frame");
     }
@@ -238,10 +265,10 @@ private:
 
   void check(const Rows& ids) const
   {
-    for (std::size_t i = 0; i < ids.size && !m_subject->is_population(); ++i) {
+    for (std::size_t i = 0; i < ids.size && !subject().is_population(); ++i) {
       const std::int64_t id = ids.at<std::int64_t>(i, 0);
       if (id < 0) {
-        throw_unknown_id(id, m_subject->number_of_ids());
+        throw_unknown_id(id, subject().number_of_ids());
       }
     }
   }
@@ -281,6 +308,18 @@ const char* reason_text(CGAL::Rebuild_reason_2 reason)
   return nullptr;
 }
 
+constexpr std::array counts_of_reports = {
+    &Report::classified, &Report::padded,  &Report::border,       &Report::flips,
+    &Report::splices,    &Report::spliced, &Report::enlargements, &Report::relocated,
+    &Report::inserted,   &Report::removed, &Report::merged,       &Report::parted};
+
+bool are_equal(const Report& a, const Report& b)
+{
+  return std::all_of(counts_of_reports.begin(), counts_of_reports.end(),
+                     [&](auto count) { return a.*count == b.*count; }) &&
+         a.rebuild_reason == b.rebuild_reason && a.certified == b.certified;
+}
+
 void bind_report(py::module_& module)
 {
   py::class_<Report>(module, "UpdateReport", "What one call did. All counts are integers.")
@@ -303,6 +342,25 @@ void bind_report(py::module_& module)
       .def_property_readonly(
           "rebuild_reason", [](const Report& report) { return reason_text(report.rebuild_reason); },
           "str: why everything was triangulated anew; None if it was not")
+      .def(py::pickle(
+          [](const Report& report) {
+            py::list counts;
+            for (const auto count : counts_of_reports) {
+              counts.append(report.*count);
+            }
+            return py::make_tuple(counts, int(report.rebuild_reason), report.certified);
+          },
+          [](const py::tuple& state) {
+            Report report;
+            const py::list counts = state[0];
+            for (std::size_t i = 0; i < counts_of_reports.size(); ++i) {
+              report.*counts_of_reports[i] = counts[i].cast<std::size_t>();
+            }
+            report.rebuild_reason = CGAL::Rebuild_reason_2(state[1].cast<int>());
+            report.certified = state[2].cast<bool>();
+            return report;
+          }))
+      .def("__eq__", are_equal, py::is_operator())
       .def("__repr__", [](const Report& report) {
         std::ostringstream out;
         out << "UpdateReport(flips=" << report.flips << ", classified=" << report.classified
@@ -372,10 +430,10 @@ void bind_triangulation(py::module_& module)
       .def_readonly("is_slab", &Cell::is_slab);
   py::class_<Triangulation>(module, "Triangulation",
                             py::custom_type_setup(let_garbage_be_collected))
-      .def(py::init<const py::object&, const std::string&, const std::string&, unsigned,
-                    std::uint64_t, bool, bool, const std::optional<Cell>&>(),
-           py::arg("classifier"), py::arg("repair"), py::arg("policy"), py::arg("threads"),
-           py::arg("seed"), py::arg("changes"), py::arg("population"), py::arg("cell"))
+      .def(py::init<>())
+      .def("_start", &Triangulation::start, py::arg("classifier"), py::arg("repair"),
+           py::arg("policy"), py::arg("threads"), py::arg("seed"), py::arg("changes"),
+           py::arg("population"), py::arg("cell"))
       .def("_update", &Triangulation::update)
       .def("_move", &Triangulation::move)
       .def("_insert", &Triangulation::insert)
