@@ -7,6 +7,8 @@ from typing import Any, Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+__version__: str
+
 class UpdateReport:
     @property
     def classified(self) -> int: ...

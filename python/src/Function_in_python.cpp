@@ -40,7 +40,11 @@ private:
 
 std::vector<std::int64_t> integers(py::handle object, const char* name)
 {
-  const Rows rows = ids_input(object, name).rows;
+  if (object.is_none()) {
+    return {};
+  }
+  const Input input = ids_input(object, name);
+  const Rows& rows = input.rows;
   std::vector<std::int64_t> numbers;
   for (std::size_t i = 0; i < rows.size; ++i) {
     numbers.push_back(rows.at<std::int64_t>(i, 0));

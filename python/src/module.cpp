@@ -7,6 +7,7 @@
 #include "python/src/Subject.h"
 #include "python/src/Triangle_walk.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 #include <pybind11/pybind11.h>
@@ -495,6 +496,7 @@ void bind_triangulation(py::module_& module)
 
 PYBIND11_MODULE(_core, module)
 {
+  module.attr("__version__") = CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VERSION;
   register_errors();
   bind_report(module);
   bind_classifier_frame(module);

@@ -79,6 +79,11 @@ def test_a_frame_shows_positions_edges_and_ids():
         seen["frame"].positions
 
 
+@pytest.mark.parametrize("answer", [None, [], (None, None), ([], None), (None, [0, 1]), np.array([], np.uint8)])
+def test_nothing_has_many_names(answer):
+    assert DynamicDelaunay(POINTS, classifier=lambda frame: answer).update(POINTS).rebuild_reason is None
+
+
 class Counting:
     def __init__(self):
         self.updates = []

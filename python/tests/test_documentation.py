@@ -55,6 +55,10 @@ def test_documented_types_and_shapes_are_those_of_the_arrays(kind):
     assert seen >= 14
 
 
+def test_has_the_version_of_the_headers():
+    assert [part.isdigit() for part in dynamic_delaunay.__version__.split(".")] == [True] * 3
+
+
 def test_exceptions_are_documented_and_have_one_base():
     kinds = [kind for kind in vars(errors).values() if inspect.isclass(kind)]
     assert len(kinds) == 11
