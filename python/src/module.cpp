@@ -165,8 +165,7 @@ public:
       is_certified = read([](const Subject& subject) { return subject.is_certified(); });
     }
     if (!is_certified) {
-      throw CGAL::Uncertified_triangulation_error_2(
-          "places are found in a certified triangulation only: call mend()");
+      throw CGAL::Uncertified_triangulation_error_2();
     }
     const Flat_triangles flat{
         static_cast<const double*>(points.data()), static_cast<const std::int32_t*>(corners.data()),

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from agreement import assert_is_delaunay
 
-from dynamic_delaunay import DynamicDelaunay, PeriodicDelaunay, PeriodicPopulation, Population
+from dynamic_delaunay import DynamicDelaunay, PeriodicDelaunay, PeriodicPopulation, Population, errors
 
 POINTS = np.random.default_rng(1).random((300, 2))
 
@@ -49,6 +49,22 @@ def test_a_classifier_in_python_names_edges():
     assert 0 < report.classified < 300
     dt.mend()
     assert_is_delaunay(dt, points)
+
+
+@pytest.mark.parametrize("kind", [DynamicDelaunay, PeriodicDelaunay])
+def test_what_needs_a_delaunay_triangulation_is_refused_until_it_is_mended(kind):
+    dt = kind(POINTS, classifier=lambda frame: None)
+    dt.update(next_frame(POINTS))
+    asked = [lambda: dt.areas, lambda: dt.ridges, dt.neighbor_list, lambda: dt.voronoi_cell(3)]
+    if kind is DynamicDelaunay:
+        asked += [lambda: dt.find_simplex(POINTS), lambda: dt.clipped_cells((0, 0, 1, 1))]
+    for ask in asked:
+        with pytest.raises(errors.UncertifiedTriangulationError, match="call mend().* edges, triangles and indices"):
+            ask()
+    assert len(dt.edges) and len(dt.triangles) and len(dt.indices) and len(dt.points) == 300
+    dt.mend()
+    for ask in asked:
+        ask()
 
 
 def test_nothing_named_leaves_everything_as_it_is():
