@@ -115,13 +115,20 @@ public:
       }
     } while (++w != first);
   }
-  /// \endcond
 
-private:
+protected:
   // An edge has two faces, and each face contributes half of it.
   static constexpr int half = 1;
   static constexpr int whole = 2;
 
+  void note(std::size_t i, std::size_t j, int sign)
+  {
+    m_is_summed_up = false;
+    m_changes.note(std::minmax(i, j), sign);
+  }
+  /// \endcond
+
+private:
   // While there are no faces, all edges are removed before an update and created after it.
   template <class Dynamic>
   void note_line(const Dynamic& dt, int sign)
@@ -136,12 +143,6 @@ private:
     const auto v = f->vertex(dt.tds().ccw(i)), w = f->vertex(dt.tds().cw(i));
     if (v != dt.infinite_vertex() && w != dt.infinite_vertex())
       note(dt.id(v), dt.id(w), sign);
-  }
-
-  void note(std::size_t i, std::size_t j, int sign)
-  {
-    m_is_summed_up = false;
-    m_changes.note(std::minmax(i, j), sign);
   }
 
   void sum_up() const

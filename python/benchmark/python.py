@@ -5,8 +5,8 @@
 
     python.py [--frames N] [NAME ...]
 
-Python and C++ follow 20 frames in turn, in one process; SciPy, which takes long, triangulates 20 of all frames. Times
-are medians over the frames, a point. Last come the fixed cost of a call, at 10 points, and the costs of arrays at
+Python and C++ follow 20 frames in turn, in one process, and read the same arrays; SciPy, which takes long, triangulates
+20 of all frames. Times are medians over the frames, a point. Last come the fixed cost of a call, at 10 points, and the costs of arrays at
 10,000 points.
 """
 
@@ -23,6 +23,7 @@ from dynamic_delaunay import DynamicDelaunay, Population
 
 SCENARIOS = [("dam_break", None), ("spinning", None), ("explosion", None), ("static", None)]
 LARGE = [("dam_break", 10_000), ("spinning", 10_000), ("explosion", 10_000), ("static", 10_000), ("brownian", 10_000)]
+FRAMES, LARGE_FRAMES = 1000, 300
 BLOCK = 20  # frames
 SCIPY_FRAMES = 20
 
@@ -33,12 +34,22 @@ def nanoseconds(work):
     return time.perf_counter_ns() - begin
 
 
+def each(follow, arguments):
+    """Nanoseconds of each call. Read in place: a function around it would take as long as a small frame."""
+    clock, times = time.perf_counter_ns, []
+    for argument in arguments:
+        begin = clock()
+        follow(*argument)
+        times.append(clock() - begin)
+    return times
+
+
 class Fixed:
     def __init__(self, ids, points):
         self.python, self.cpp = DynamicDelaunay(points), reference.Reference(points)
 
     def follow_by_python(self, frames):
-        return [nanoseconds(lambda: self.python.update(points)) for _, points in frames]
+        return each(self.python.update, [(points,) for _, points in frames])
 
     def follow_by_cpp(self, frames):
         return self.cpp.follow([points for _, points in frames])
@@ -50,7 +61,7 @@ class Changing:
         self.cpp.follow([(ids, points)])
 
     def follow_by_python(self, frames):
-        return [nanoseconds(lambda: self.python.update(ids, points)) for ids, points in frames]
+        return each(self.python.update, frames)
 
     def follow_by_cpp(self, frames):
         return self.cpp.follow(frames)
@@ -77,6 +88,7 @@ def follow(path, points, frames):
     followed = kind(motion.ids, motion.points)
     python, cpp, theirs, sizes = [], [], [], []
     for number, block in enumerate(blocks(motion, frames)):
+        assert all(np.isfinite(positions).all() for _, positions in block)  # and they are in the cache for both
         first, second = (python, followed.follow_by_python), (cpp, followed.follow_by_cpp)
         for times, follow_by in (first, second) if number % 2 else (second, first):
             times += follow_by(block)
@@ -97,10 +109,11 @@ def follow(path, points, frames):
 def fixed_costs():
     points = np.random.default_rng(1).random((10, 2))
     dt, plain = DynamicDelaunay(points), reference.Reference(points)
-    python = np.median([nanoseconds(lambda: dt.update(points)) for _ in range(20_000)])
-    cpp = np.median(plain.follow([points] * 20_000))
-    nothing = np.median([nanoseconds(lambda: None) for _ in range(20_000)])
-    print(f"\na call of update() at 10 points costs {(python - cpp - nothing) / 1000:.2f} us more than in C++")
+    python, cpp = [], []
+    for _ in range(100):
+        python += each(dt.update, [(points,)] * 200)
+        cpp += plain.follow([points] * 200)
+    print(f"\na call of update() at 10 points costs {(np.median(python) - np.median(cpp)) / 1000:.2f} us more than in C++")
     points = np.random.default_rng(1).random((10_000, 2))
     dt = DynamicDelaunay(points)
     print("\narrays of 10,000 points, ns a point:")
@@ -114,7 +127,8 @@ def fixed_costs():
 
 def main():
     options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    options.add_argument("--frames", type=int, default=1000, help="of each motion, at most (default: 1000)")
+    frames = f"of each motion, at most (default: {FRAMES}, {LARGE_FRAMES} of scenarios that are made larger)"
+    options.add_argument("--frames", type=int, help=frames)
     options.add_argument("names", nargs="*", help="scenarios or files; all scenarios and recordings if there is none")
     options = options.parse_args()
     cases = [(name, None) for name in options.names]
@@ -126,7 +140,7 @@ def main():
     for line, first in enumerate(("", "motion")):
         print(f"{first:28}" + "".join(f"{head[line]:>10}" for head in heads))
     for path, points in cases:
-        follow(path, points, options.frames)
+        follow(path, points, options.frames or (LARGE_FRAMES if points else FRAMES))
     fixed_costs()
 
 

@@ -9,6 +9,10 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_population_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Iterator_range.h>
+
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/iterator/transform_iterator.hpp>
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -41,15 +45,6 @@ double duration(const Work& work)
   const auto begin = std::chrono::steady_clock::now();
   work();
   return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count();
-}
-
-std::vector<Point> to_points(const Points& points)
-{
-  std::vector<Point> copy;
-  for (py::ssize_t i = 0; i < points.shape(0); ++i) {
-    copy.emplace_back(points.at(i, 0), points.at(i, 1));
-  }
-  return copy;
 }
 
 // The frames of a scenario or of a recording, whose name tells which, one by one.
@@ -118,23 +113,27 @@ private:
   std::unique_ptr<Triangulation> m_neighbors; // if the motion asks for them
 };
 
-// Both follow some frames, which are read beforehand, and return nanoseconds for each.
+// The rows, as a program in C++ has them.
+CGAL::Iterator_range<const Point*> as_points(const Points& points)
+{
+  static_assert(sizeof(Point) == 2 * sizeof(double), "a point is two doubles");
+  const auto* const first = reinterpret_cast<const Point*>(points.data());
+  return {first, first + points.shape(0)};
+}
+
+// Both follow some frames, and return nanoseconds for each.
 class Reference
 {
 public:
   explicit Reference(const Points& points)
-    : m_triangulation(to_points(points))
+    : m_triangulation(as_points(points))
   {
   }
-  std::vector<double> follow(const std::vector<Points>& points)
+  std::vector<double> follow(const std::vector<Points>& frames)
   {
-    std::vector<std::vector<Point>> frames;
-    for (const Points& its_points : points) {
-      frames.push_back(to_points(its_points));
-    }
     std::vector<double> times;
-    for (const auto& frame : frames) {
-      times.push_back(duration([&] { m_triangulation.update(frame); }));
+    for (const Points& frame : frames) {
+      times.push_back(duration([&] { m_triangulation.update(as_points(frame)); }));
     }
     return times;
   }
@@ -146,18 +145,19 @@ private:
 class Population_reference
 {
 public:
-  std::vector<double> follow(const std::vector<std::pair<Ids, Points>>& pairs)
+  std::vector<double> follow(const std::vector<std::pair<Ids, Points>>& frames)
   {
-    std::vector<std::vector<std::pair<std::int64_t, Point>>> frames;
-    for (const auto& [ids, points] : pairs) {
-      frames.emplace_back();
-      for (const Point& p : to_points(points)) {
-        frames.back().emplace_back(ids.at(py::ssize_t(frames.back().size())), p);
-      }
-    }
     std::vector<double> times;
-    for (const auto& frame : frames) {
-      times.push_back(duration([&] { m_population.update(frame); }));
+    for (const auto& [ids, points] : frames) {
+      const auto its_points = as_points(points);
+      times.push_back(duration([&, first_id = ids.data()] {
+        const auto pair = [&](std::size_t i) {
+          return std::pair(first_id[i], its_points.begin()[i]);
+        };
+        m_population.update(
+            boost::make_transform_iterator(boost::counting_iterator<std::size_t>(0), pair),
+            boost::make_transform_iterator(boost::counting_iterator(its_points.size()), pair));
+      }));
     }
     return times;
   }

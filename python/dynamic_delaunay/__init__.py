@@ -8,7 +8,7 @@ come and go, and ``track()`` for whole trajectories.
 """
 
 from . import errors
-from ._core import ClassifierFrame, UpdateReport
+from ._core import ClassifierFrame, UpdateReport, __version__
 from ._triangulations import CellMeasures, DynamicDelaunay, PeriodicDelaunay, PeriodicPopulation, Population
 from .errors import *  # noqa: F403
 from .neighbors import NeighborList
@@ -24,6 +24,7 @@ __all__ = [
     "PeriodicPopulation",
     "Population",
     "UpdateReport",
+    "__version__",
     "errors",
     "track",
 ]

@@ -7,6 +7,8 @@ from typing import Any, Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+__version__: str
+
 class UpdateReport:
     @property
     def classified(self) -> int: ...
@@ -47,6 +49,8 @@ class ClassifierFrame:
     @property
     def edges(self) -> NDArray[np.int32]: ...
     @property
+    def corners(self) -> NDArray[np.float64]: ...
+    @property
     def ids(self) -> NDArray[np.int32]: ...
     @property
     def new_edges(self) -> NDArray[np.int32]: ...
@@ -72,7 +76,8 @@ class Cell:
     def is_slab(self) -> bool: ...
 
 class Triangulation:
-    def __init__(
+    def __init__(self) -> None: ...
+    def _start(
         self,
         classifier: Union[str, Callable[[ClassifierFrame], Any]],
         repair: str,

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import operator
 import os
 from collections.abc import Callable
 from typing import Any, NamedTuple, Optional, TypeVar, Union
@@ -12,11 +13,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._core import ClassifierFrame, Group, UpdateReport
-from .errors import PeriodicCellError, UncertifiedTriangulationError
+from .errors import PeriodicCellError, UnknownIdError
 from .neighbors import NeighborList
 
 Classifier = Union[str, Callable[[ClassifierFrame], Any]]
-_PERIODIC_SETTINGS: dict[str, Any] = dict(classifier="", repair="", policy="", threads=1, seed=1, changes=False)
 Self = TypeVar("Self", bound="_Triangulation")
 
 
@@ -31,6 +31,41 @@ class CellMeasures(NamedTuple):
     """float64 (rows, 2)"""
     shape_indices: NDArray[np.float64]
     """float64 (rows,): perimeter / sqrt(area)"""
+
+
+def _settings(
+    classifier: Classifier, repair: Optional[str], policy: str, changes: bool, threads: int, seed: int
+) -> dict[str, Any]:
+    if not isinstance(classifier, str) and not callable(classifier):
+        raise TypeError(f"the classifier is {classifier!r}: it must be a name or a function")
+    if repair is not None and not isinstance(repair, str):
+        raise TypeError(f"the repair is {repair!r}: it must be a name or None")
+    if not isinstance(policy, str):
+        raise TypeError(f"the policy is {policy!r}: it must be a name")
+    if not isinstance(changes, (bool, np.bool_)):
+        raise TypeError(f"changes is {changes!r}: it must be True or False")
+    return dict(
+        classifier=classifier,
+        repair=repair or "",
+        policy=policy,
+        changes=bool(changes),
+        threads=_integer("threads", threads, 2**31),
+        seed=_integer("seed", seed, 2**64),
+    )
+
+
+def _integer(name: str, number: Any, bound: int) -> int:
+    try:
+        integer = operator.index(number)
+    except TypeError:
+        raise TypeError(f"{name} is {number!r}: it must be an integer") from None
+    if not 0 <= integer < bound:
+        raise ValueError(f"{name} is {integer}: it must be from 0 to {bound - 1}")
+    return integer
+
+
+def _processors() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _rows(points: ArrayLike) -> ArrayLike:
@@ -69,10 +104,14 @@ class _Triangulation(_core.Triangulation):
 
     _settings: dict[str, Any]
 
+    def __new__(cls: type[Self], *_arguments: Any, **_named: Any) -> Self:
+        self = super().__new__(cls)
+        _core.Triangulation.__init__(self)  # so that there is something, whatever a derived class does
+        return self
+
     def _init(self, population: bool, cell: Optional[_core.Cell], settings: dict[str, Any]) -> None:
-        if not isinstance(settings["classifier"], str) and not callable(settings["classifier"]):
-            raise TypeError(f"the classifier is {settings['classifier']!r}: it must be a name or a function")
-        super().__init__(population=population, cell=cell, **settings)
+        chosen: dict[str, Any] = {**settings, "threads": settings["threads"] or _processors()}
+        self._start(population=population, cell=cell, **chosen)
         self._settings = settings
 
     def is_current(self, array: NDArray[Any]) -> bool:
@@ -118,9 +157,11 @@ class _Triangulation(_core.Triangulation):
 
     def neighbors_of(self, row: int) -> NDArray[np.int32]:
         """int32 (k,): the rows of the neighbors of one row, counterclockwise."""
-        if not 0 <= row < len(self.indptr) - 1:
-            raise IndexError(f"there is no row {row}: they are 0 to {len(self.indptr) - 2}")
-        return self.indices[self.indptr[row] : self.indptr[row + 1]]
+        indptr, indices = self._arrays(Group.NEIGHBOR_LISTS)[:2]
+        if not 0 <= row < len(indptr) - 1:
+            raise IndexError(f"there is no row {row}: they are from 0 to before {len(indptr) - 1}")
+        neighbors: NDArray[np.int32] = indices[indptr[row] : indptr[row + 1]]
+        return neighbors
 
     @property
     def areas(self) -> NDArray[np.float64]:
@@ -152,19 +193,25 @@ class _Triangulation(_core.Triangulation):
 
     def voronoi_cell(self, id: int) -> NDArray[np.float64]:
         """float64 (k, 2): the corners of the Voronoi cell of a point, counterclockwise; none if it is unbounded."""
-        return self._cell_corners(id)
+        integer = operator.index(id)
+        if not -(2**63) <= integer < 2**63:
+            raise UnknownIdError(f"there is no point with id {integer}: ids have 64 bits")
+        return self._cell_corners(integer)
 
     def neighbor_list(self) -> NeighborList:
         """Pairs of neighbors with vectors and the lengths of Voronoi edges, as freud's. Of points that coincide, only
         the one that represents them has neighbors."""
-        pairs, lengths, shifts = self._arrays(Group.RIDGES)
+        while True:
+            pairs, lengths, shifts = self._arrays(Group.RIDGES)
+            points, cell = self.points, self._cell()
+            if self._is_current(pairs):  # else another thread has changed the triangulation in between
+                break
         first, second = np.concatenate([pairs, pairs[:, ::-1]]).T
-        vectors = self.points[second] - self.points[first]
-        cell = self._cell()
+        vectors = points[second] - points[first]
         if cell is not None:
             vectors += np.concatenate([shifts, -shifts]) @ np.array(cell.numbers).reshape(2, 2)
         order = np.lexsort((second, first))
-        counts = np.bincount(first, minlength=len(self.indptr) - 1)
+        counts = np.bincount(first, minlength=len(points))
         weights = np.concatenate([lengths, lengths])
         return NeighborList(first[order], second[order], vectors[order], weights[order], counts)
 
@@ -174,7 +221,7 @@ class _Triangulation(_core.Triangulation):
 
     def restore(self, checkpoint: bytes) -> None:
         """Replace everything by a checkpoint of the same kind. CheckpointError if it is damaged; nothing changes."""
-        self._restore(checkpoint)
+        self._restore(bytes(memoryview(checkpoint)))
 
     def save(self, path: Union[str, os.PathLike[str]]) -> None:
         """Write a checkpoint to a file."""
@@ -187,13 +234,18 @@ class _Triangulation(_core.Triangulation):
             self.restore(file.read())
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, (type(self), self._settings, self.checkpoint())
+        others = {name: value for name, value in vars(self).items() if name != "_settings"}
+        return _restored, (type(self), self._settings, self.checkpoint()), others or None
 
     def __len__(self) -> int:
         return self.number_of_points
 
-    def __contains__(self, id: int) -> bool:
-        return -(2**63) <= id < 2**63 and self._has_id(id)
+    def __contains__(self, id: object) -> bool:
+        try:
+            integer = operator.index(id)  # type: ignore[arg-type]
+        except TypeError:
+            return False
+        return -(2**63) <= integer < 2**63 and self._has_id(integer)
 
     def __repr__(self) -> str:
         certified = "certified" if self.is_certified else "not certified"
@@ -230,29 +282,31 @@ class _Planar(_Triangulation):
     @property
     def vertex_neighbor_vertices(self) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
         """``indptr`` and ``indices``, by the name that SciPy has for them."""
-        return self.indptr, self.indices
+        indptr, indices = self._arrays(Group.NEIGHBOR_LISTS)[:2]
+        return indptr, indices
 
     @property
     def convex_hull(self) -> NDArray[np.int32]:
         """int32 (k, 2): rows of both ends of each edge of the convex hull, with the inside on the left."""
-        triangle, opposite = np.nonzero(self.neighbors < 0)
-        corners = self.triangles[triangle]
+        triangles, neighbors = self._arrays(Group.TRIANGLES)
+        triangle, opposite = np.nonzero(neighbors < 0)
+        corners = triangles[triangle]
         at = np.arange(len(triangle))
         return np.column_stack([corners[at, (opposite + 1) % 3], corners[at, (opposite + 2) % 3]])
 
     def find_simplex(self, places: ArrayLike) -> Union[int, NDArray[np.int32]]:
         """int32 (m,) for places (m, 2), an int for one place (2,): the triangle in which each place is, boundary
         included; -1 outside of all. Decided exactly. Cost: about n**(1/3) for each place."""
-        if not self.is_certified:
-            raise UncertifiedTriangulationError("places are found in a certified triangulation only: call mend()")
         found = self._find_simplex(_rows(places))
         return int(found[0]) if np.ndim(places) == 1 and len(found) == 1 else found
 
     def clipped_cells(self, box: ArrayLike) -> CellMeasures:
         """Measures of the parts of the Voronoi cells inside a box (xmin, ymin, xmax, ymax). Cells of the hull are
         bounded there. Cost: linear."""
-        xmin, ymin, xmax, ymax = np.asarray(box, dtype=np.float64)
-        return CellMeasures(*self._clipped_cells(xmin, ymin, xmax, ymax))
+        sides = np.asarray(box, dtype=np.float64)
+        if sides.shape != (4,):
+            raise ValueError(f"a box has the shape {sides.shape}: it must be (4,), for xmin, ymin, xmax and ymax")
+        return CellMeasures(*self._clipped_cells(*sides))
 
 
 class _Periodic(_Triangulation):
@@ -279,6 +333,16 @@ class _Periodic(_Triangulation):
     def neighbor_shifts(self) -> NDArray[np.int32]:
         """int32 (pairs, 2): the shift of each neighbor in ``indices``."""
         return self._arrays(Group.NEIGHBOR_LISTS)[2]
+
+    @property
+    def created_edge_shifts(self) -> NDArray[np.int32]:
+        """int32 (k, 2): the shifts of ``created_edges``."""
+        return self._arrays(Group.CHANGES)[2]
+
+    @property
+    def removed_edge_shifts(self) -> NDArray[np.int32]:
+        """int32 (k, 2): the shifts of ``removed_edges``, as they would be called now."""
+        return self._arrays(Group.CHANGES)[3]
 
 
 class DynamicDelaunay(_Planar):
@@ -324,10 +388,7 @@ class DynamicDelaunay(_Planar):
         threads: int = 1,
         seed: int = 1,
     ) -> None:
-        settings = dict(
-            classifier=classifier, repair=repair or "", policy=policy, threads=threads, seed=seed, changes=changes
-        )
-        self._init(False, None, settings)
+        self._init(False, None, _settings(classifier, repair, policy, changes, threads, seed))
         if points is not None:
             self._insert(points, None)
 
@@ -372,12 +433,23 @@ class PeriodicDelaunay(_Periodic):
     cell : array_like
         (2,) the sides of a rectangle; (2, 2) two vectors, a row each; (1, 2) the one vector of a slab, which is open
         across it.
-    changes : bool
-        Whether created and removed edges are recorded.
+    classifier, repair, policy, changes, threads, seed
+        As of DynamicDelaunay.
     """
 
-    def __init__(self, points: Optional[ArrayLike] = None, cell: ArrayLike = (1.0, 1.0), *, changes: bool = False):
-        self._init(False, _cell(cell), {**_PERIODIC_SETTINGS, "changes": changes})
+    def __init__(
+        self,
+        points: Optional[ArrayLike] = None,
+        cell: ArrayLike = (1.0, 1.0),
+        *,
+        classifier: Classifier = "circumcircle",
+        repair: Optional[str] = None,
+        policy: str = "always_dynamic",
+        changes: bool = False,
+        threads: int = 1,
+        seed: int = 1,
+    ) -> None:
+        self._init(False, _cell(cell), _settings(classifier, repair, policy, changes, threads, seed))
         if points is not None:
             self._insert(points, None)
 
@@ -391,16 +463,6 @@ class PeriodicDelaunay(_Periodic):
     move = DynamicDelaunay.move
     created_edges = DynamicDelaunay.created_edges
     removed_edges = DynamicDelaunay.removed_edges
-
-    @property
-    def created_edge_shifts(self) -> NDArray[np.int32]:
-        """int32 (k, 2): the shifts of ``created_edges``."""
-        return self._arrays(Group.CHANGES)[2]
-
-    @property
-    def removed_edge_shifts(self) -> NDArray[np.int32]:
-        """int32 (k, 2): the shifts of ``removed_edges``, as they would be called now."""
-        return self._arrays(Group.CHANGES)[3]
 
 
 class _ByIds(_Triangulation):
@@ -422,6 +484,24 @@ class _ByIds(_Triangulation):
         """Move some points, int (m,), or one, to positions, float (m, 2) or (2,). All others stay."""
         return self._move(np.atleast_1d(ids), _rows(points))
 
+    @property
+    def created_edges(self) -> NDArray[np.int64]:
+        """int64 (k, 2): edges of now, by the ids of both ends, that were not there before the last call. Needs
+        ``changes=True``."""
+        return self._arrays(Group.CHANGES)[0]
+
+    @property
+    def removed_edges(self) -> NDArray[np.int64]:
+        """int64 (k, 2): edges before the last call, by the ids of both ends, that are not there now; the points may
+        have left. Needs ``changes=True``."""
+        return self._arrays(Group.CHANGES)[1]
+
+
+def _given(name: str, array: Optional[ArrayLike]) -> ArrayLike:
+    if array is None:
+        raise TypeError(f"ids and points must be given together, or neither: there are no {name}")
+    return array
+
 
 class Population(_ByIds, _Planar):
     """The Delaunay triangulation of points in the plane that come and go, by any integers of 64 bits as ids.
@@ -429,8 +509,8 @@ class Population(_ByIds, _Planar):
     Arrays have a row for each point: row k is the point ``ids[k]``. So ``population.ids[population.edges]`` has the
     edges by ids. Rows change when points come or go.
 
-    Parameters are the ids, int (n,), the points, float (n, 2), and those of DynamicDelaunay; changed edges are not
-    recorded.
+    Parameters are the ids, int (n,), the points, float (n, 2), and those of DynamicDelaunay. With ``changes=True`` each
+    call also looks up all ids.
     """
 
     def __init__(
@@ -441,15 +521,13 @@ class Population(_ByIds, _Planar):
         classifier: Classifier = "circumcircle",
         repair: Optional[str] = None,
         policy: str = "always_dynamic",
+        changes: bool = False,
         threads: int = 1,
         seed: int = 1,
     ) -> None:
-        settings = dict(
-            classifier=classifier, repair=repair or "", policy=policy, threads=threads, seed=seed, changes=False
-        )
-        self._init(True, None, settings)
-        if ids is not None and points is not None:
-            self._update(points, ids, None)
+        self._init(True, None, _settings(classifier, repair, policy, changes, threads, seed))
+        if ids is not None or points is not None:
+            self._update(_given("points", points), _given("ids", ids), None)
 
     def update(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport:
         """Take a whole frame, ids int (n,) and positions float (n, 2) in any order: insert points with new ids, remove
@@ -458,17 +536,25 @@ class Population(_ByIds, _Planar):
 
 
 class PeriodicPopulation(_ByIds, _Periodic):
-    """A Population in a periodic cell; see PeriodicDelaunay."""
+    """A Population in a periodic cell: parameters are the ids, int (n,), the points, float (n, 2), the cell, as of
+    PeriodicDelaunay, and those of DynamicDelaunay."""
 
     def __init__(
         self,
         ids: Optional[ArrayLike] = None,
         points: Optional[ArrayLike] = None,
         cell: ArrayLike = (1.0, 1.0),
+        *,
+        classifier: Classifier = "circumcircle",
+        repair: Optional[str] = None,
+        policy: str = "always_dynamic",
+        changes: bool = False,
+        threads: int = 1,
+        seed: int = 1,
     ) -> None:
-        self._init(True, _cell(cell), dict(_PERIODIC_SETTINGS))
-        if ids is not None and points is not None:
-            self._update(points, ids, None)
+        self._init(True, _cell(cell), _settings(classifier, repair, policy, changes, threads, seed))
+        if ids is not None or points is not None:
+            self._update(_given("points", points), _given("ids", ids), None)
 
     def update(self, ids: ArrayLike, points: ArrayLike, cell: Optional[ArrayLike] = None) -> UpdateReport:
         """Take a whole frame, as Population.update() does, in the same cell, or in one that has changed."""

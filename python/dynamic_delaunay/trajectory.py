@@ -83,7 +83,9 @@ def _frames_of_table(table: Any) -> Iterator[tuple[Any, NDArray[np.int64], NDArr
         raise ValueError(f"the table has no column {', '.join(sorted(missing))}: it must have frame, id, x and y")
     numbers = table["frame"].to_numpy()
     order = np.argsort(numbers, kind="stable")
-    ids = table["id"].to_numpy()[order]
+    ids = table["id"]
+    is_integer = ids.dtype.kind == "i"  # pandas has integers of its own, of which NumPy would make objects
+    ids = (ids.to_numpy(dtype=np.int64) if is_integer else ids.to_numpy())[order]
     points = table[["x", "y"]].to_numpy(dtype=np.float64)[order]
     numbers, begins = np.unique(numbers[order], return_index=True)
     for number, begin, end in zip(numbers, begins, [*begins[1:], len(ids)]):

@@ -4,6 +4,7 @@
 #ifndef PYTHON_ARRAY_READING_H
 #define PYTHON_ARRAY_READING_H
 
+#include "python/src/Change_reading.h"
 #include "python/src/Subject.h"
 
 #include <CGAL/Delaunay_neighbor_lists_2.h>
@@ -304,29 +305,6 @@ Array corner_array(const Dynamic& dt, std::size_t id)
   return {std::move(numbers), {2}};
 }
 
-// Created edges, removed edges, and in periodic space the shifts of both.
-template <class Dynamic>
-std::vector<Array> change_arrays(const Dynamic& dt)
-{
-  std::array<Integers, 2> edges, shifts;
-  const auto read = [](const auto& changed, Integers& its_edges, Integers& its_shifts) {
-    for (const auto& edge : changed) {
-      if constexpr (is_periodic_triangulation<Dynamic>) {
-        its_edges.insert(its_edges.end(), {std::int32_t(edge.i), std::int32_t(edge.j)});
-        append(its_shifts, edge.shift);
-      } else {
-        its_edges.insert(its_edges.end(), {std::int32_t(edge.first), std::int32_t(edge.second)});
-      }
-    }
-  };
-  read(dt.visitor().created_edges(), edges[0], shifts[0]);
-  read(dt.visitor().removed_edges(), edges[1], shifts[1]);
-  return {{std::move(edges[0]), {2}},
-          {std::move(edges[1]), {2}},
-          {std::move(shifts[0]), {2}},
-          {std::move(shifts[1]), {2}}};
-}
-
 template <class Dynamic>
 std::vector<Array> cell_arrays(const Dynamic& dt, const Row_numbers& rows)
 {
@@ -366,7 +344,8 @@ std::vector<Array> read_arrays(const Dynamic& dt, const Row_numbers& rows, Group
   case Group::RIDGES:
     return ridge_arrays(dt, rows);
   case Group::CHANGES:
-    return change_arrays(dt);
+    return change_arrays<std::int32_t>(dt.visitor(),
+                                       [](std::size_t id) { return std::int32_t(id); });
   }
   return {};
 }

@@ -55,8 +55,13 @@ void translate(std::exception_ptr exception)
     set_error("UnknownIdError", e.what(), py::dict("id"_a = number(e.id())));
   } catch (const CGAL::Repeated_id_error_2& e) {
     set_error("RepeatedIdError", e.what(), py::dict("id"_a = number(e.id())));
-  } catch (const CGAL::Uncertified_triangulation_error_2& e) {
-    set_error("UncertifiedTriangulationError", e.what(), {});
+  } catch (const CGAL::Uncertified_triangulation_error_2&) {
+    set_error(
+        "UncertifiedTriangulationError", // that of C++ names what Python has not
+        "the triangulation is not certified, as after a heuristic update: call mend() to make "
+        "it Delaunay, or certify() to find out whether it is; points, edges, triangles and "
+        "indices can be read as they are",
+        {});
   } catch (const CGAL::Parameter_error_2& e) {
     set_error("ParameterError", e.what(), py::dict("value"_a = e.value()));
   } catch (const CGAL::Periodic_cell_error_2& e) {

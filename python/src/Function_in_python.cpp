@@ -40,7 +40,11 @@ private:
 
 std::vector<std::int64_t> integers(py::handle object, const char* name)
 {
-  const Rows rows = ids_input(object, name).rows;
+  if (object.is_none()) {
+    return {};
+  }
+  const Input input = ids_input(object, name);
+  const Rows& rows = input.rows;
   std::vector<std::int64_t> numbers;
   for (std::size_t i = 0; i < rows.size; ++i) {
     numbers.push_back(rows.at<std::int64_t>(i, 0));
@@ -51,21 +55,16 @@ std::vector<std::int64_t> integers(py::handle object, const char* name)
 class Function_in_python : public Python_function
 {
 public:
-  explicit Function_in_python(const py::object& function)
-    : m_function(function)
-    , m_wants_updates(py::hasattr(function, "after_update"))
+  explicit Function_in_python(Shared_reference function)
+    : m_function(std::move(function))
+    , m_wants_updates(py::hasattr(*m_function, "after_update"))
   {
-  }
-  ~Function_in_python() override
-  {
-    const py::gil_scoped_acquire lock;
-    m_function = py::object();
   }
 
   Named classify(const Frame_copies& frame) const override
   {
     const py::gil_scoped_acquire lock;
-    const py::object answer = call(m_function, frame);
+    const py::object answer = call(*m_function, frame);
     if (answer.is_none()) {
       return {};
     }
@@ -85,7 +84,7 @@ public:
   {
     if (m_wants_updates) {
       const py::gil_scoped_acquire lock;
-      call(m_function.attr("after_update"), frame);
+      call(m_function->attr("after_update"), frame);
     }
   }
 
@@ -101,7 +100,7 @@ private:
     return function(shown);
   }
 
-  py::object m_function;
+  Shared_reference m_function;
   bool m_wants_updates;
 };
 
@@ -115,9 +114,9 @@ auto array_of(Function Frame_copies::*copy, std::vector<std::size_t> shape_of_ro
 
 } // namespace
 
-std::shared_ptr<const Python_function> function_in_python(const py::object& function)
+std::shared_ptr<const Python_function> function_in_python(Shared_reference function)
 {
-  return std::make_shared<Function_in_python>(function);
+  return std::make_shared<Function_in_python>(std::move(function));
 }
 
 void bind_classifier_frame(py::module_& module)
@@ -137,6 +136,10 @@ void bind_classifier_frame(py::module_& module)
           "edges", array_of(&Frame_copies::edges, {4}),
           "int32 (edges, 4): both ends of each edge, and the vertices on its left\n"
           "and right. Edges to the infinite vertex are there, too.")
+      .def_property_readonly(
+          "corners", array_of(&Frame_copies::corners, {4, 2}),
+          "float64 (edges, 4, 2): where the vertices in ``edges`` are, in periodic space as seen\n"
+          "from the edge; NaN for vertex 0. A classifier that asks for these works in both spaces.")
       .def_property_readonly("ids", array_of(&Frame_copies::ids, {}),
                              "int32 (vertices + 1,): the id of each vertex; -1 for vertex 0.")
       .def_property_readonly(

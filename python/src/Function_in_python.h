@@ -12,7 +12,11 @@
 
 namespace python {
 
-std::shared_ptr<const Python_function> function_in_python(const pybind11::object& function);
+// The only reference to an object of Python, which several objects of C++ share. The garbage
+// collector can count it, and replace it by None.
+using Shared_reference = std::shared_ptr<pybind11::object>;
+
+std::shared_ptr<const Python_function> function_in_python(Shared_reference function);
 
 // What the function is called with.
 void bind_classifier_frame(pybind11::module_& module);

@@ -51,6 +51,21 @@ py::array of_type(const py::array& array)
   return converted;
 }
 
+// What most calls are given: nothing is to be asked or converted. The detours through NumPy take
+// longer than a small frame.
+template <class Number>
+bool is_plain(py::handle object, py::ssize_t dimensions)
+{
+  const auto& numpy = py::detail::npy_api::get();
+  if (Py_TYPE(object.ptr()) != reinterpret_cast<PyTypeObject*>(numpy.PyArray_Type_)) {
+    return false;
+  }
+  const auto* const array = py::detail::array_proxy(object.ptr());
+  const auto* const type = py::detail::array_descriptor_proxy(array->descr);
+  return array->nd == dimensions && type->byteorder == '=' &&
+         type->type_num == py::detail::npy_format_descriptor<Number>::value;
+}
+
 Input input(py::array array)
 {
   Rows rows;
@@ -65,6 +80,9 @@ Input input(py::array array)
 
 Input points_input(py::handle object, const std::string& name)
 {
+  if (is_plain<double>(object, 2) && py::detail::array_proxy(object.ptr())->dimensions[1] == 2) {
+    return input(py::reinterpret_borrow<py::array>(object));
+  }
   const py::array array = numbers(object, "fiu", name);
   if (array.ndim() == 1 && array.size() == 0) {
     return {};
@@ -76,8 +94,17 @@ Input points_input(py::handle object, const std::string& name)
   return input(of_type<double>(array));
 }
 
+Input copied_points_input(py::handle object)
+{
+  const Input original = points_input(object);
+  return original.rows.size == 0 ? original : input(original.array.attr("copy")());
+}
+
 Input ids_input(py::handle object, const std::string& name)
 {
+  if (is_plain<std::int64_t>(object, 1)) {
+    return input(py::reinterpret_borrow<py::array>(object));
+  }
   const py::array array = numbers(object, "iu", name);
   if (array.ndim() != 1) {
     throw py::value_error(name + " have the shape " + shape_text(array) + ": it must be (n,)");

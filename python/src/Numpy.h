@@ -24,6 +24,9 @@ struct Input
 // Of the shape (n, 2). `name` is for messages.
 Input points_input(pybind11::handle object, const std::string& name = "points");
 
+// The same, but the numbers are copied.
+Input copied_points_input(pybind11::handle object);
+
 // Integers of the shape (n,).
 Input ids_input(pybind11::handle object, const std::string& name = "ids");
 Input ids_input(pybind11::handle object, std::size_t size, const std::string& name = "ids");

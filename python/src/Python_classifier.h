@@ -18,7 +18,7 @@ namespace python {
 // What a classifier in Python can ask for: copies, so that it may keep them.
 struct Frame_copies
 {
-  std::function<std::vector<double>()> positions, previous_positions;
+  std::function<std::vector<double>()> positions, previous_positions, corners;
   std::function<std::vector<std::int32_t>()> edges, ids, new_edges;
   bool everything_is_new;
 };
@@ -115,12 +115,24 @@ private:
     copies.edges = [=] {
       std::vector<std::int32_t> vertices;
       vertices.reserve(4 * std::size_t(frame.number_of_edges()));
-      for (const auto& edge : frame.edges()) {
+      for (std::uint32_t e = 0; e < frame.number_of_edges(); ++e) {
+        const auto edge = frame.edge(e);
         for (const std::uint32_t v : {edge.source, edge.target, edge.left, edge.right}) {
           vertices.push_back(std::int32_t(v));
         }
       }
       return vertices;
+    };
+    copies.corners = [=] {
+      std::vector<double> numbers;
+      numbers.reserve(8 * std::size_t(frame.number_of_edges()));
+      for (std::uint32_t e = 0; e < frame.number_of_edges(); ++e) {
+        const auto corners = frame.corners(e);
+        for (const auto& p : {corners.source, corners.target, corners.left, corners.right}) {
+          append(numbers, p);
+        }
+      }
+      return numbers;
     };
     copies.ids = [=] {
       std::vector<std::int32_t> ids{-1};

@@ -4,119 +4,93 @@
 #ifndef PYTHON_RECORDED_CHANGES_H
 #define PYTHON_RECORDED_CHANGES_H
 
-#include <stdexcept>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace python {
 
-// One of the visitors that list changed edges. It lists those of the last call, and none unless it
-// is asked to when it is created.
+// A point that leaves a population.
+struct Leaving_point
+{
+  std::size_t id;
+  std::int64_t user_id;
+};
+
+// A visitor that lists changed edges: those of the last call alone. A point that comes to a
+// population in that call may get the id of one that leaves it. So the latter gets another name
+// first, as if it had been called so before the call.
 template <class Visitor>
 class Recorded_changes : public Visitor
 {
 public:
-  Recorded_changes() = default;
-  explicit Recorded_changes(bool is_on)
-    : m_is_on(is_on)
-  {
-  }
+  // To be called before the call in which these points leave.
+  void expect(std::vector<Leaving_point> leaving) { m_expected = std::move(leaving); }
 
-  const auto& created_edges() const { return checked().created_edges(); }
-  const auto& removed_edges() const { return checked().removed_edges(); }
+  static bool is_name(std::size_t id) { return id >= first_name; }
+  std::int64_t user_id(std::size_t name) const { return m_left[name - first_name].user_id; }
 
   template <class Dynamic>
   void before_update(const Dynamic& dt)
   {
-    if (m_is_on) {
-      Visitor::clear();
-      Visitor::before_update(dt);
-    }
-  }
-  template <class... Arguments>
-  void after_update(const Arguments&... arguments)
-  {
-    if (m_is_on) {
-      Visitor::after_update(arguments...);
-    }
-  }
-
-  // in the plane
-  template <class... Arguments>
-  void before_flip(const Arguments&... arguments)
-  {
-    if (m_is_on) {
-      Visitor::before_flip(arguments...);
-    }
-  }
-  template <class... Arguments>
-  void after_flip(const Arguments&... arguments)
-  {
-    if (m_is_on) {
-      Visitor::after_flip(arguments...);
-    }
-  }
-  template <class... Arguments>
-  void before_face_removal(const Arguments&... arguments)
-  {
-    if (m_is_on) {
-      Visitor::before_face_removal(arguments...);
-    }
-  }
-  template <class... Arguments>
-  void after_face_creation(const Arguments&... arguments)
-  {
-    if (m_is_on) {
-      Visitor::after_face_creation(arguments...);
-    }
-  }
-  template <class... Arguments>
-  void after_id_change(const Arguments&... arguments)
-  {
-    if (m_is_on) {
-      Visitor::after_id_change(arguments...);
-    }
-  }
-
-  // in periodic space
-  template <class... Arguments>
-  void after_edge_removal(const Arguments&... arguments)
-  {
-    if (m_is_on) {
-      Visitor::after_edge_removal(arguments...);
-    }
-  }
-  template <class... Arguments>
-  void after_edge_creation(const Arguments&... arguments)
-  {
-    if (m_is_on) {
-      Visitor::after_edge_creation(arguments...);
-    }
-  }
-  template <class... Arguments>
-  void after_translation(const Arguments&... arguments)
-  {
-    if (m_is_on) {
-      Visitor::after_translation(arguments...);
-    }
-  }
-  template <class... Arguments>
-  void after_cell_exchange(const Arguments&... arguments)
-  {
-    if (m_is_on) {
-      Visitor::after_cell_exchange(arguments...);
+    Visitor::clear();
+    Visitor::before_update(dt);
+    m_left = std::exchange(m_expected, {});
+    if (!m_left.empty()) {
+      rename(dt);
     }
   }
 
 private:
-  const Visitor& checked() const
+  static constexpr std::size_t first_name = std::size_t(1) << 31; // more than any id
+
+  template <class Dynamic>
+  void rename(const Dynamic& dt)
   {
-    if (!m_is_on) {
-      throw std::invalid_argument("changed edges are recorded only with changes=True");
+    std::vector<std::size_t> names(dt.number_of_ids());
+    for (std::size_t id = 0; id < names.size(); ++id) {
+      names[id] = id;
     }
-    return *this;
+    for (std::size_t k = 0; k < m_left.size(); ++k) {
+      names[m_left[k].id] = first_name + k;
+    }
+    dt.for_each_edge([&](std::size_t i, std::size_t j, const auto&... shift) {
+      if (is_name(names[i]) || is_name(names[j])) {
+        note_removal(dt, names[i], names[j], shift...);
+        note_creation(dt, i, j, shift...);
+      }
+    });
   }
 
-  bool m_is_on = false;
+  template <class Dynamic>
+  void note_removal(const Dynamic&, std::size_t i, std::size_t j)
+  {
+    Visitor::note(i, j, -Visitor::whole);
+  }
+  template <class Dynamic>
+  void note_creation(const Dynamic&, std::size_t i, std::size_t j)
+  {
+    Visitor::note(i, j, Visitor::whole);
+  }
+  template <class Dynamic, class Shift>
+  void note_removal(const Dynamic& dt, std::size_t i, std::size_t j, const Shift& shift)
+  {
+    Visitor::after_edge_removal(dt, i, j, shift);
+  }
+  template <class Dynamic, class Shift>
+  void note_creation(const Dynamic& dt, std::size_t i, std::size_t j, const Shift& shift)
+  {
+    Visitor::after_edge_creation(dt, i, j, shift);
+  }
+
+  std::vector<Leaving_point> m_expected, m_left;
 };
+
+template <class Visitor>
+constexpr bool records_changes = false;
+template <class Visitor>
+constexpr bool records_changes<Recorded_changes<Visitor>> = true;
 
 } // namespace python
 

@@ -77,6 +77,8 @@ struct Settings
   std::string policy;
   std::uint64_t seed;
   bool records_changes;
+  bool is_population;
+  std::optional<Cell> cell; // of periodic space
 };
 
 // A triangulation as the module uses it, whatever its type is. The ids of a population are the
@@ -118,11 +120,8 @@ public:
   virtual void restore(const std::string& checkpoint) = 0;
 };
 
-// Empty ones.
-std::unique_ptr<Subject> make_exact(const Settings& settings, bool is_population);
-std::unique_ptr<Subject> make_heuristic(const Settings& settings, bool is_population);
-std::unique_ptr<Subject> make_periodic(const Settings& settings, const Cell& cell,
-                                       bool is_population);
+// Without points.
+std::unique_ptr<Subject> make_subject(const Settings& settings);
 
 } // namespace python
 

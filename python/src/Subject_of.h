@@ -9,11 +9,13 @@
 #include "python/src/Subject.h"
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_population_2.h>
 #include <CGAL/Iterator_range.h>
 #include <CGAL/Periodic_cell_2.h>
 
+#include <algorithm>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
@@ -67,7 +69,8 @@ public:
       return changing().update(rows);
     };
     if constexpr (has_user_ids) {
-      return update(identified(ids, points));
+      return with_leaving([&] { return points_missing_in(ids); },
+                          [&] { return update(identified(ids, points)); });
     } else if (const Point* const first = points_in_memory<Point>(points)) {
       return update(CGAL::make_range(first, first + points.size)); // these are prefetched
     } else {
@@ -77,6 +80,9 @@ public:
 
   Report move(const Rows& ids, const Rows& points) override
   {
+    if constexpr (has_user_ids) {
+      check_distinct(ids);
+    }
     const auto movers = identified(ids, points);
     return changing().move(movers.begin(), movers.end());
   }
@@ -94,7 +100,12 @@ public:
   Report remove(const Rows& ids) override
   {
     if constexpr (has_user_ids) {
-      return m_owner.remove(ids.at<std::int64_t>(0, 0));
+      const std::int64_t user_id = ids.at<std::int64_t>(0, 0);
+      return with_leaving(
+          [&] {
+            return Leaving{{m_owner.id(user_id), user_id}};
+          },
+          [&] { return m_owner.remove(user_id); });
     } else {
       const auto gone = row_range(ids.size, Read_id{ids});
       return changing().remove(gone.begin(), gone.end());
@@ -134,7 +145,8 @@ public:
     const Row_numbers rows(dt(), has_user_ids);
     if constexpr (has_user_ids) {
       if (group == Group::CHANGES) {
-        throw std::invalid_argument("a population records no changed edges");
+        return change_arrays<std::int64_t>(m_owner.visitor(),
+                                           [&](std::size_t id) { return user_id_then(id); });
       }
       if (group == Group::IDS) {
         return {id_array(dt(), [&](std::size_t id) { return m_owner.user_id(id); })};
@@ -173,7 +185,12 @@ public:
   void restore(const std::string& checkpoint) override
   {
     std::istringstream in(checkpoint);
-    changing().read_checkpoint(in);
+    if constexpr (has_user_ids) {
+      with_leaving([&] { return points_missing_in(Rows()); },
+                   [&] { return m_owner.read_checkpoint(in); });
+    } else {
+      m_owner.triangulation.read_checkpoint(in);
+    }
   }
 
 private:
@@ -202,6 +219,72 @@ private:
     }
   }
 
+  // The triangulation would name the point by its own id.
+  static void check_distinct(const Rows& ids)
+  {
+    std::vector<std::int64_t> sorted;
+    for (std::size_t i = 0; i < ids.size; ++i) {
+      sorted.push_back(ids.at<std::int64_t>(i, 0));
+    }
+    std::sort(sorted.begin(), sorted.end());
+    const auto repeated = std::adjacent_find(sorted.begin(), sorted.end());
+    if (repeated != sorted.end()) {
+      throw CGAL::Repeated_id_error_2(*repeated);
+    }
+  }
+
+  using Leaving = std::vector<Leaving_point>;
+
+  // Makes a change, of which a visitor that records changes has to know beforehand who leaves.
+  template <class Find_leaving, class Change>
+  auto with_leaving(const Find_leaving& find_leaving, const Change& change)
+  {
+    if constexpr (records_changes<std::decay_t<decltype(m_owner.visitor())>>) {
+      const Leaving leaving = find_leaving();
+      m_owner.visitor().expect(leaving);
+      try {
+        return change();
+      } catch (...) {
+        m_owner.visitor().expect({});
+        if (!leaving.empty() && m_owner.has(leaving.front().user_id)) {
+          m_owner.visitor().clear(); // all was taken back
+        }
+        throw;
+      }
+    } else {
+      return change();
+    }
+  }
+
+  Leaving points_missing_in(const Rows& ids) const
+  {
+    std::vector<bool> is_there(dt().number_of_ids());
+    for (std::size_t i = 0; i < ids.size; ++i) {
+      const std::int64_t user_id = ids.at<std::int64_t>(i, 0);
+      if (m_owner.has(user_id)) {
+        is_there[m_owner.id(user_id)] = true;
+      }
+    }
+    Leaving missing;
+    for (std::size_t id = 0; id < is_there.size(); ++id) {
+      if (!is_there[id] && dt().has_id(id)) {
+        missing.push_back({id, m_owner.user_id(id)});
+      }
+    }
+    return missing;
+  }
+
+  // Of a point that is there, or has left in the last call.
+  std::int64_t user_id_then(std::size_t id) const
+  {
+    if constexpr (records_changes<std::decay_t<decltype(m_owner.visitor())>>) {
+      if (m_owner.visitor().is_name(id)) {
+        return m_owner.visitor().user_id(id);
+      }
+    }
+    return m_owner.user_id(id);
+  }
+
   static auto identified(const Rows& ids, const Rows& points)
   {
     return row_range(points.size, Read_identified_point<Point>{ids, points});
@@ -211,7 +294,7 @@ private:
 };
 
 template <class Dynamic>
-std::unique_ptr<Subject> make_subject(Dynamic triangulation, bool is_population)
+std::unique_ptr<Subject> make_subject_of(Dynamic triangulation, bool is_population)
 {
   if (is_population) {
     return std::make_unique<Subject_of<Dynamic, true>>(std::move(triangulation));

@@ -6,12 +6,15 @@
 #include "python/src/Numpy.h"
 #include "python/src/Subject.h"
 #include "python/src/Triangle_walk.h"
-#include "scenario_runner/Method_choice.h"
 #include "scenario_runner/Threads.h"
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -38,28 +41,29 @@ using Report = Subject::Report;
 class Triangulation
 {
 public:
-  Triangulation(const py::object& classifier, const std::string& repair, const std::string& policy,
-                unsigned threads, std::uint64_t seed, bool changes, bool is_population,
-                const std::optional<Cell>& cell)
-    : m_threads(threads)
+  void start(const py::object& classifier, const std::string& repair, const std::string& policy,
+             unsigned threads, std::uint64_t seed, bool changes, bool is_population,
+             const std::optional<Cell>& cell)
   {
-    Settings settings{"", nullptr, repair, policy, seed, changes};
-    if (cell) {
-      m_subject = make_periodic(settings, *cell, is_population);
-    } else if (!py::isinstance<py::str>(classifier)) {
-      settings.function = function_in_python(classifier);
-      m_subject = make_heuristic(settings, is_population);
-    } else {
-      settings.classifier = classifier.cast<std::string>();
-      m_subject = run::classifier_choice(settings.classifier).is_exact
-                      ? make_exact(settings, is_population)
-                      : make_heuristic(settings, is_population);
+    if (m_subject) {
+      throw std::runtime_error("a triangulation is initialized once; restore() replaces all of it");
     }
+    Settings settings{"", nullptr, repair, policy, seed, changes, is_population, cell};
+    if (py::isinstance<py::str>(classifier)) {
+      settings.classifier = classifier.cast<std::string>();
+    } else {
+      m_function = std::make_shared<py::object>(classifier);
+      settings.function = function_in_python(m_function);
+    }
+    m_threads.emplace(threads);
+    m_subject = make_subject(settings);
   }
 
   Report update(const py::object& points, const py::object& ids, const std::optional<Cell>& cell)
   {
-    const Input its_points = points_input(points), its_ids = input_of_ids(ids, its_points);
+    // a classifier in Python may write to the array that is being read
+    const Input its_points = m_function ? copied_points_input(points) : points_input(points),
+                its_ids = input_of_ids(ids, its_points);
     return change(
         [&](Subject& subject) { return subject.update(its_ids.rows, its_points.rows, cell); });
   }
@@ -114,7 +118,8 @@ public:
     const py::gil_scoped_release release;
     const std::lock_guard<std::mutex> guard(m_mutex);
     const Caller caller(m_caller);
-    return m_threads.execute([&] { return f(*m_subject); });
+    Subject& mine = subject();
+    return m_threads->execute([&] { return f(mine); });
   }
 
   // The arrays of a group: those of the last time if nothing has changed since.
@@ -153,9 +158,18 @@ public:
   py::array find_simplex(const py::object& places)
   {
     const Input input = points_input(places, "places");
-    const py::tuple triangles = arrays(Group::TRIANGLES);
-    const py::array points = arrays(Group::POINTS)[0], corners = triangles[0],
-                    neighbors = triangles[1];
+    py::array points, corners, neighbors;
+    bool is_certified = false;
+    while (!is_current(corners)) { // another thread may change the triangulation in between
+      const py::tuple triangles = arrays(Group::TRIANGLES);
+      corners = triangles[0];
+      neighbors = triangles[1];
+      points = arrays(Group::POINTS)[0];
+      is_certified = read([](const Subject& subject) { return subject.is_certified(); });
+    }
+    if (!is_certified) {
+      throw CGAL::Uncertified_triangulation_error_2();
+    }
     const Flat_triangles flat{
         static_cast<const double*>(points.data()), static_cast<const std::int32_t*>(corners.data()),
         static_cast<const std::int32_t*>(neighbors.data()), std::size_t(corners.shape(0))};
@@ -167,7 +181,26 @@ public:
     return to_numpy({std::move(found)});
   }
 
-  const Report& last_report() const { return m_report; }
+  Report last_report() const { return m_report; }
+
+  // For the garbage collector: a classifier may refer to its triangulation.
+  int visit_objects(visitproc visit, void* arg) const
+  {
+    if (m_function) {
+      Py_VISIT(m_function->ptr());
+    }
+    for (const Cached& cached : m_cache) {
+      Py_VISIT(cached.arrays.ptr());
+    }
+    return 0;
+  }
+  void clear_objects()
+  {
+    if (m_function) {
+      *m_function = py::none();
+    }
+    m_cache = {};
+  }
 
 private:
   struct Cached
@@ -193,6 +226,15 @@ private:
     std::atomic<std::thread::id>& m_caller;
   };
 
+  Subject& subject() const
+  {
+    if (!m_subject) {
+      throw std::runtime_error(
+          "the triangulation is not initialized: its __init__() was not called");
+    }
+    return *m_subject;
+  }
+
   void check_caller() const
   {
     if (m_caller == std::this_thread::get_id()) {
@@ -213,12 +255,12 @@ private:
 
   Input input_of_ids(const py::object& ids, const Input& points) const
   {
-    return m_subject->is_population() ? ids_input(ids, points.rows.size) : Input{};
+    return subject().is_population() ? ids_input(ids, points.rows.size) : Input{};
   }
 
   void check_single(const Rows& rows) const
   {
-    if (m_subject->is_population() && rows.size != 1) {
+    if (subject().is_population() && rows.size != 1) {
       throw std::invalid_argument("a population inserts and removes one point at a time; update() "
                                   "takes a whole frame");
     }
@@ -226,16 +268,17 @@ private:
 
   void check(const Rows& ids) const
   {
-    for (std::size_t i = 0; i < ids.size && !m_subject->is_population(); ++i) {
+    for (std::size_t i = 0; i < ids.size && !subject().is_population(); ++i) {
       const std::int64_t id = ids.at<std::int64_t>(i, 0);
       if (id < 0) {
-        throw_unknown_id(id, m_subject->number_of_ids());
+        throw_unknown_id(id, subject().number_of_ids());
       }
     }
   }
 
+  Shared_reference m_function; // the classifier, if it is written in Python
   std::unique_ptr<Subject> m_subject;
-  run::Threads m_threads; // that share its work
+  std::optional<run::Threads> m_threads; // that share its work
   std::mutex m_mutex;
   std::atomic<std::thread::id> m_caller{};
   std::atomic<std::uint64_t> m_version{0};
@@ -269,6 +312,18 @@ const char* reason_text(CGAL::Rebuild_reason_2 reason)
   return nullptr;
 }
 
+constexpr std::array counts_of_reports = {
+    &Report::classified, &Report::padded,  &Report::border,       &Report::flips,
+    &Report::splices,    &Report::spliced, &Report::enlargements, &Report::relocated,
+    &Report::inserted,   &Report::removed, &Report::merged,       &Report::parted};
+
+bool are_equal(const Report& a, const Report& b)
+{
+  return std::all_of(counts_of_reports.begin(), counts_of_reports.end(),
+                     [&](auto count) { return a.*count == b.*count; }) &&
+         a.rebuild_reason == b.rebuild_reason && a.certified == b.certified;
+}
+
 void bind_report(py::module_& module)
 {
   py::class_<Report>(module, "UpdateReport", "What one call did. All counts are integers.")
@@ -291,6 +346,25 @@ void bind_report(py::module_& module)
       .def_property_readonly(
           "rebuild_reason", [](const Report& report) { return reason_text(report.rebuild_reason); },
           "str: why everything was triangulated anew; None if it was not")
+      .def(py::pickle(
+          [](const Report& report) {
+            py::list counts;
+            for (const auto count : counts_of_reports) {
+              counts.append(report.*count);
+            }
+            return py::make_tuple(counts, int(report.rebuild_reason), report.certified);
+          },
+          [](const py::tuple& state) {
+            Report report;
+            const py::list counts = state[0];
+            for (std::size_t i = 0; i < counts_of_reports.size(); ++i) {
+              report.*counts_of_reports[i] = counts[i].cast<std::size_t>();
+            }
+            report.rebuild_reason = CGAL::Rebuild_reason_2(state[1].cast<int>());
+            report.certified = state[2].cast<bool>();
+            return report;
+          }))
+      .def("__eq__", are_equal, py::is_operator())
       .def("__repr__", [](const Report& report) {
         std::ostringstream out;
         out << "UpdateReport(flips=" << report.flips << ", classified=" << report.classified
@@ -301,6 +375,31 @@ void bind_report(py::module_& module)
             << ", certified=" << (report.certified ? "True" : "False") << ')';
         return out.str();
       });
+}
+
+// None while Python is constructing the object.
+Triangulation* triangulation_of(PyObject* object)
+{
+  auto* const instance = reinterpret_cast<py::detail::instance*>(object);
+  const bool is_there = instance->simple_layout && instance->simple_holder_constructed;
+  return is_there ? instance->get_value_and_holder().value_ptr<Triangulation>() : nullptr;
+}
+
+void let_garbage_be_collected(PyHeapTypeObject* heap_type)
+{
+  PyTypeObject& type = heap_type->ht_type;
+  type.tp_flags |= Py_TPFLAGS_HAVE_GC;
+  type.tp_traverse = [](PyObject* object, visitproc visit, void* arg) {
+    Py_VISIT(Py_TYPE(object));
+    const Triangulation* const triangulation = triangulation_of(object);
+    return triangulation == nullptr ? 0 : triangulation->visit_objects(visit, arg);
+  };
+  type.tp_clear = [](PyObject* object) {
+    if (Triangulation* const triangulation = triangulation_of(object)) {
+      triangulation->clear_objects();
+    }
+    return 0;
+  };
 }
 
 // A call that asks the subject.
@@ -333,11 +432,12 @@ void bind_triangulation(py::module_& module)
                                return std::array<double, 4>{c.ax, c.ay, c.bx, c.by};
                              })
       .def_readonly("is_slab", &Cell::is_slab);
-  py::class_<Triangulation>(module, "Triangulation")
-      .def(py::init<const py::object&, const std::string&, const std::string&, unsigned,
-                    std::uint64_t, bool, bool, const std::optional<Cell>&>(),
-           py::arg("classifier"), py::arg("repair"), py::arg("policy"), py::arg("threads"),
-           py::arg("seed"), py::arg("changes"), py::arg("population"), py::arg("cell"))
+  py::class_<Triangulation>(module, "Triangulation",
+                            py::custom_type_setup(let_garbage_be_collected))
+      .def(py::init<>())
+      .def("_start", &Triangulation::start, py::arg("classifier"), py::arg("repair"),
+           py::arg("policy"), py::arg("threads"), py::arg("seed"), py::arg("changes"),
+           py::arg("population"), py::arg("cell"))
       .def("_update", &Triangulation::update)
       .def("_move", &Triangulation::move)
       .def("_insert", &Triangulation::insert)
@@ -399,6 +499,7 @@ void bind_triangulation(py::module_& module)
 
 PYBIND11_MODULE(_core, module)
 {
+  module.attr("__version__") = CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VERSION;
   register_errors();
   bind_report(module);
   bind_classifier_frame(module);

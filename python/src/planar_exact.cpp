@@ -1,16 +1,13 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "python/src/Planar.h"
-#include "scenario_runner/Classifiers.h"
+#include "python/src/Spaces.h"
 
 namespace python {
 
-std::unique_ptr<Subject> make_exact(const Settings& settings, bool is_population)
+std::unique_ptr<Subject> make_planar_exact(const Settings& settings)
 {
-  const run::Classifier_choice choice = run::classifier_choice(settings.classifier);
-  return make_planar(run::Exact_classifiers::make(choice, {settings.seed}),
-                     run::usual_repair(choice), settings, is_population);
+  return make_exact_in<Plane>(settings);
 }
 
 } // namespace python

@@ -1,13 +1,16 @@
 # Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 
+import copy
+import gc
 import pickle
+import weakref
 
 import numpy as np
 import pytest
 from agreement import assert_is_delaunay
 
-from dynamic_delaunay import DynamicDelaunay
+from dynamic_delaunay import DynamicDelaunay, PeriodicDelaunay, PeriodicPopulation, Population, errors
 
 POINTS = np.random.default_rng(1).random((300, 2))
 
@@ -48,6 +51,22 @@ def test_a_classifier_in_python_names_edges():
     assert_is_delaunay(dt, points)
 
 
+@pytest.mark.parametrize("kind", [DynamicDelaunay, PeriodicDelaunay])
+def test_what_needs_a_delaunay_triangulation_is_refused_until_it_is_mended(kind):
+    dt = kind(POINTS, classifier=lambda frame: None)
+    dt.update(next_frame(POINTS))
+    asked = [lambda: dt.areas, lambda: dt.ridges, dt.neighbor_list, lambda: dt.voronoi_cell(3)]
+    if kind is DynamicDelaunay:
+        asked += [lambda: dt.find_simplex(POINTS), lambda: dt.clipped_cells((0, 0, 1, 1))]
+    for ask in asked:
+        with pytest.raises(errors.UncertifiedTriangulationError, match="call mend().* edges, triangles and indices"):
+            ask()
+    assert len(dt.edges) and len(dt.triangles) and len(dt.indices) and len(dt.points) == 300
+    dt.mend()
+    for ask in asked:
+        ask()
+
+
 def test_nothing_named_leaves_everything_as_it_is():
     dt = DynamicDelaunay(POINTS, classifier=lambda frame: None)
     triangles = dt.triangles
@@ -74,6 +93,11 @@ def test_a_frame_shows_positions_edges_and_ids():
     assert seen["edges"].shape == (3 * 300 - 3, 4) and seen["edges"].max() == 300
     with pytest.raises(RuntimeError, match="only while its classifier is called"):
         seen["frame"].positions
+
+
+@pytest.mark.parametrize("answer", [None, [], (None, None), ([], None), (None, [0, 1]), np.array([], np.uint8)])
+def test_nothing_has_many_names(answer):
+    assert DynamicDelaunay(POINTS, classifier=lambda frame: answer).update(POINTS).rebuild_reason is None
 
 
 class Counting:
@@ -127,6 +151,106 @@ def test_a_classifier_cannot_use_its_own_triangulation():
     dt = DynamicDelaunay(POINTS, classifier=lambda frame: dt.edges)
     with pytest.raises(RuntimeError, match="its own classifier"):
         dt.update(next_frame(POINTS))
+
+
+class Referring:
+    def __call__(self, frame):
+        return self.dt and None
+
+
+@pytest.mark.parametrize("make", [DynamicDelaunay, PeriodicDelaunay,
+                                  lambda points, classifier: Population(np.arange(300), points, classifier=classifier)])
+def test_a_classifier_that_refers_to_its_triangulation_is_collected_with_it(make):
+    classifier = Referring()
+    dt = classifier.dt = make(POINTS, classifier=classifier)
+    gone = [weakref.ref(classifier), weakref.ref(dt)]
+    edges = dt.edges
+    del classifier, dt
+    gc.collect()
+    assert [reference() for reference in gone] == [None, None]
+    assert edges.max() == 299
+
+
+def test_a_triangulation_in_use_is_not_collected():
+    dt = DynamicDelaunay(POINTS, classifier=lambda frame: (gc.collect(), everything(frame))[1])
+    edges = dt.edges
+    gc.collect()
+    assert dt.update(next_frame(POINTS)).classified == 300 and dt.edges is not edges
+
+
+def broken_images(frame):
+    """The same as broken_edges(), by what works in both spaces."""
+    corners = frame.corners
+    finite = np.flatnonzero(np.isfinite(corners).all(axis=(1, 2)))
+    a, b, c, d = corners[finite].transpose(1, 0, 2)
+    rows = [np.column_stack([q - d, ((q - d) ** 2).sum(axis=1)]) for q in (a, b, c)]
+    return [], finite[np.linalg.det(np.stack(rows, axis=1)) > 0]
+
+
+@pytest.mark.parametrize("make", [DynamicDelaunay, PeriodicDelaunay])
+def test_corners_work_in_both_spaces(make):
+    dt = make(POINTS, classifier=broken_images, repair="flip")
+    points = POINTS
+    for frame in range(5):
+        points = next_frame(points, frame)
+        assert 0 < dt.update(points).classified < 300
+    assert dt.mend().certified and dt.is_valid()
+    exact = make(points)
+    assert {frozenset(e) for e in dt.edges.tolist()} == {frozenset(e) for e in exact.edges.tolist()}
+
+
+def test_a_classifier_in_python_follows_a_periodic_population():
+    seen = []
+
+    def classifier(frame):
+        seen.append((frame.positions[1:], frame.ids[1:], frame.edges.shape))
+        return everything(frame)
+
+    population = PeriodicPopulation(np.arange(300) + 7, POINTS, classifier=classifier)
+    points = next_frame(POINTS)
+    population.update(np.arange(300) + 7, points)
+    positions, ids, shape = seen[-1]
+    assert np.array_equal(positions % 1, points[ids] % 1) and shape == (900, 4)
+
+
+NAMES = ["circumcircle", "safe_region", "point_distance:0.7", "inflation_aware", "voronoi_circumcenter",
+         "voronoi_circumcenter_estimated", "voronoi_edge_length", "nearly_delaunay", "random:0.9",
+         "refined:point_distance+circumcircle"]
+REPAIRS = ["flip_and_splice", "splice", "flip", "relocate", "rebuild"]
+
+
+@pytest.mark.parametrize("classifier", NAMES)
+@pytest.mark.parametrize("kind", [DynamicDelaunay, PeriodicDelaunay])
+def test_classifiers_have_names(kind, classifier):
+    dt = kind(POINTS, classifier=classifier)
+    points = next_frame(POINTS)
+    report = dt.update(points)
+    assert report.certified or classifier not in NAMES[:2]
+    assert dt.mend().certified and dt.is_valid()
+    twin = copy.deepcopy(dt)
+    assert type(twin) is kind and np.array_equal(twin.triangles, dt.triangles)
+    twin.update(POINTS)
+    assert np.array_equal(dt.points, points)
+
+
+@pytest.mark.parametrize("repair", REPAIRS)
+@pytest.mark.parametrize("policy", ["always_dynamic", "always_static", "hybrid", "key_frames:2"])
+@pytest.mark.parametrize("kind", [DynamicDelaunay, PeriodicDelaunay])
+def test_repairs_and_policies_have_names(kind, repair, policy):
+    dt = kind(POINTS, repair=repair, policy=policy, changes=True)
+    for frame in range(3):
+        report = dt.update(next_frame(POINTS, frame))
+        assert report.certified and dt.is_valid()
+        assert report.rebuild_reason == "policy" or policy != "always_static"
+
+
+@pytest.mark.parametrize("kind", [DynamicDelaunay, Population, PeriodicDelaunay, PeriodicPopulation])
+def test_refuses_unknown_names_and_says_which_there_are(kind):
+    for setting, known in (("classifier", "circumcircle"), ("repair", "relocate"), ("policy", "hybrid")):
+        with pytest.raises(ValueError, match=f"there is no {setting} 'best'; there are .*{known}"):
+            kind(**{setting: "best"})
+    with pytest.raises(ValueError, match="the parameter of point_distance"):
+        kind(classifier="point_distance:7")
 
 
 def test_pickles_with_a_function_of_a_module():

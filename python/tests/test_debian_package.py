@@ -10,7 +10,7 @@ import sys
 import pytest
 
 BUILD = os.environ.get("BUILD", "")
-TOOLS = ("cpack", "dpkg-deb", "dpkg-shlibdeps")
+TOOLS = ("cpack", "dpkg-deb", "dpkg-shlibdeps", "file")
 
 
 def output_of(*command, **options):

@@ -40,12 +40,11 @@ def test_everything_public_is_documented(kind):
 def test_documented_types_and_shapes_are_those_of_the_arrays(kind):
     points = np.random.default_rng(1).random((20, 2))
     ids = [] if kind in (DynamicDelaunay, PeriodicDelaunay) else [np.arange(20)]
-    changes = {} if ids else {"changes": True}
-    triangulation = kind(*ids, points, **changes)
+    triangulation = kind(*ids, points, changes=True)
     seen = 0
     for name, member in inspect.getmembers(kind, lambda member: isinstance(member, property)):
         documented = inspect.getdoc(member)
-        array = None if ids and "changes=True" in documented else getattr(triangulation, name)
+        array = getattr(triangulation, name)
         if isinstance(array, np.ndarray):
             assert documented.startswith(f"{array.dtype} ("), name
             dimensions = documented[documented.index("(") + 1 : documented.index(")")].strip(",").split(",")
@@ -54,6 +53,10 @@ def test_documented_types_and_shapes_are_those_of_the_arrays(kind):
                 assert not dimension.strip().isdigit() or extent == int(dimension), name
             seen += 1
     assert seen >= 14
+
+
+def test_has_the_version_of_the_headers():
+    assert [part.isdigit() for part in dynamic_delaunay.__version__.split(".")] == [True] * 3
 
 
 def test_exceptions_are_documented_and_have_one_base():

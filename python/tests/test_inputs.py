@@ -1,12 +1,10 @@
 # Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-import threading
-
 import numpy as np
 import pytest
 
-from dynamic_delaunay import DynamicDelaunay, PeriodicDelaunay, Population, errors
+from dynamic_delaunay import DynamicDelaunay, PeriodicDelaunay, PeriodicPopulation, Population, errors
 
 POINTS = np.random.default_rng(1).random((60, 2))
 OTHERS = np.random.default_rng(2).random((60, 2))
@@ -37,6 +35,8 @@ def read_only(points):
         lambda points: points.astype(">f8"),
         lambda points: points.tolist(),
         lambda points: points.astype(np.longdouble),
+        lambda points: points.view(type("Kind", (np.ndarray,), {})),
+        lambda points: [tuple(point) for point in points],
     ],
 )
 def test_reads_numbers_wherever_they_are(arranged):
@@ -52,6 +52,27 @@ def test_reads_numbers_wherever_they_are(arranged):
 def test_converts_other_numbers(type):
     points = (POINTS * 100).astype(type)
     assert np.array_equal(DynamicDelaunay(points).points, points.astype(np.float64))
+
+
+def test_reads_files_that_are_mapped_into_memory(tmp_path):
+    points = np.memmap(tmp_path / "points", dtype=np.float64, mode="w+", shape=(60, 2))
+    points[:] = POINTS
+    dt = DynamicDelaunay(np.memmap(tmp_path / "points", dtype=np.float64, mode="r", shape=(60, 2)))
+    dt.update(points)
+    assert np.array_equal(dt.points, POINTS)
+
+
+def test_reads_tables():
+    pandas = pytest.importorskip("pandas")
+    table = pandas.DataFrame(POINTS, columns=["x", "y"])
+    assert np.array_equal(Population(pandas.Series(range(60)), table).points, POINTS)
+
+
+@pytest.mark.parametrize("factor", [1e300, 1e150, 1e-300])
+def test_takes_huge_and_tiny_numbers(factor):
+    dt = DynamicDelaunay(POINTS * factor)
+    dt.update(OTHERS * factor)
+    assert dt.is_valid() and np.array_equal(dt.points, OTHERS * factor)
 
 
 def test_reads_a_frame_in_place_without_copying_it():
@@ -122,6 +143,81 @@ def test_refuses_ids_that_are_no_integers(ids):
         DynamicDelaunay(POINTS).remove(ids)
 
 
+@pytest.mark.parametrize(
+    "setting, error, message",
+    [
+        ({"threads": -1}, ValueError, "threads is -1: it must be from 0"),
+        ({"threads": "two"}, TypeError, "threads is 'two': it must be an integer"),
+        ({"threads": 10**6}, ValueError, "it must be from 1 to 1024"),
+        ({"seed": 1.5}, TypeError, "seed is 1.5: it must be an integer"),
+        ({"seed": 2**64}, ValueError, "seed is 18446744073709551616: it must be from 0"),
+        ({"policy": None}, TypeError, "the policy is None: it must be a name"),
+        ({"repair": 3}, TypeError, "the repair is 3: it must be a name or None"),
+        ({"changes": "no"}, TypeError, "changes is 'no': it must be True or False"),
+        ({"clasifier": "random"}, TypeError, "unexpected keyword argument 'clasifier'"),
+    ],
+)
+@pytest.mark.parametrize("kind", [DynamicDelaunay, PeriodicDelaunay, Population, PeriodicPopulation])
+def test_refuses_settings_that_make_no_sense(kind, setting, error, message):
+    with pytest.raises(error, match=message):
+        kind(**setting)
+
+
+def test_takes_all_threads_of_the_machine():
+    dt = DynamicDelaunay(POINTS, threads=0)
+    assert dt.update(OTHERS).certified
+
+
+@pytest.mark.parametrize("kind", [Population, PeriodicPopulation])
+def test_takes_ids_and_points_together(kind):
+    with pytest.raises(TypeError, match="there are no points"):
+        kind([1, 2])
+    with pytest.raises(TypeError, match="there are no ids"):
+        kind(points=POINTS)
+
+
+def test_says_what_is_no_id():
+    dt = DynamicDelaunay(POINTS)
+    for other in ("a", 1.0, None, 2**70, -1, 60):
+        assert other not in dt
+    assert np.int64(4) in dt
+    with pytest.raises(errors.UnknownIdError, match="ids have 64 bits"):
+        dt.voronoi_cell(2**70)
+    with pytest.raises(TypeError, match="integer"):
+        dt.voronoi_cell(1.5)
+    population = Population([5, 7], [(0, 0), (1, 1)])
+    with pytest.raises(errors.RepeatedIdError) as refused:
+        population.move([7, 7], [(0, 0), (2, 2)])
+    assert refused.value.id == 7
+
+
+def test_refuses_what_is_no_box_or_checkpoint():
+    dt = DynamicDelaunay(POINTS)
+    with pytest.raises(ValueError, match=r"it must be \(4,\), for xmin"):
+        dt.clipped_cells((0, 0, 1))
+    with pytest.raises(TypeError, match="bytes-like"):
+        dt.restore("text")
+    with pytest.raises(errors.CheckpointError, match="line 1"):
+        dt.restore(PeriodicDelaunay(POINTS).checkpoint())
+    assert np.array_equal(dt.points, POINTS)
+
+
+class Unprepared(DynamicDelaunay):
+    def __init__(self):
+        pass
+
+
+def test_objects_are_initialized_once():
+    for unprepared in (Unprepared(), DynamicDelaunay.__new__(DynamicDelaunay)):
+        for use in (lambda: unprepared.edges, lambda: unprepared.update(POINTS), lambda: len(unprepared)):
+            with pytest.raises(RuntimeError, match="was not called"):
+                use()
+    dt = DynamicDelaunay(POINTS)
+    with pytest.raises(RuntimeError, match="initialized once"):
+        dt.__init__(OTHERS)
+    assert np.array_equal(dt.points, POINTS)
+
+
 def test_refuses_masked_points():
     with pytest.raises(TypeError, match="mask would be lost"):
         DynamicDelaunay(np.ma.masked_array(POINTS, POINTS > 0.5))
@@ -163,50 +259,6 @@ def test_arrays_stay_as_they_were_and_say_so():
         assert getattr(dt, name) is not array and dt.is_current(getattr(dt, name))
     del dt
     assert np.array_equal(old["edges"], copies["edges"])
-
-
-def test_runs_in_threads():
-    def follow(seed, results):
-        random = np.random.default_rng(seed)
-        points = random.random((2000, 2))
-        dt = DynamicDelaunay(points)
-        for _ in range(30):
-            points = points + random.normal(0, 0.001, points.shape)
-            dt.update(points)
-        results[seed] = dt.triangles
-
-    together, alone = {}, {}
-    threads = [threading.Thread(target=follow, args=(seed, together)) for seed in range(8)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    for seed in range(8):
-        follow(seed, alone)
-        assert np.array_equal(together[seed], alone[seed])
-
-
-def test_calls_of_one_object_wait_for_each_other():
-    points = np.random.default_rng(1).random((3000, 2))
-    dt = DynamicDelaunay(points)
-    failures = []
-
-    def use(seed):
-        random = np.random.default_rng(seed)
-        try:
-            for _ in range(20):
-                dt.update(points + random.normal(0, 0.001, points.shape))
-                triangles, positions = dt.triangles, dt.points
-                assert triangles.max() < len(positions) and len(dt.areas) == 3000
-        except BaseException as error:
-            failures.append(error)
-
-    threads = [threading.Thread(target=use, args=(seed,)) for seed in range(4)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert not failures and dt.is_valid()
 
 
 def resident_kilobytes():

@@ -48,5 +48,15 @@ def test_follows_a_table():
         next(track(table[["frame", "y"]]))
 
 
+def test_follows_a_table_with_integers_of_pandas():
+    pandas = pytest.importorskip("pandas")
+    rows = [(f, i, *TRAJECTORY[f, i]) for f in range(3) for i in range(100)]
+    table = pandas.DataFrame(rows, columns=["frame", "id", "x", "y"])
+    for frame in track(table.astype({"id": "Int64"}), changes=True):
+        assert frame.triangulation.ids.tolist() == list(range(100))
+    with pytest.raises(TypeError, match="ids have the type float64: integers are needed"):
+        next(track(table.astype({"id": float})))
+
+
 def test_says_nothing_of_an_empty_trajectory():
     assert list(track([])) == []

@@ -18,8 +18,8 @@ void check_certified(const Dynamic& pt)
 {
   if (!pt.is_certified())
     throw Uncertified_triangulation_error_2(
-        "the periodic triangulation is not certified since a change was interrupted: any other "
-        "change triangulates everything anew");
+        "the periodic triangulation is not certified after a heuristic update, or after a change "
+        "that was interrupted: call mend() to make it Delaunay");
 }
 
 } // namespace internal
