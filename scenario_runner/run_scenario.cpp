@@ -173,8 +173,8 @@ run::Run_summary run_frames(scenario::Motion& motion, const Classifier& classifi
              : run_frames_of<run::Scenario_run>(motion, classifier, subject, frames, outputs);
 }
 
-run::Run_summary run_frames(const run::Run_options& options, const run::Run_subject& subject,
-                            scenario::Motion& motion, std::size_t frames, Outputs& outputs)
+run::Run_summary run_frames(const run::Run_subject& subject, scenario::Motion& motion,
+                            std::size_t frames, Outputs& outputs)
 {
   const run::Classifier_settings settings{subject.seed.value_or(0)};
   if (subject.classifier.is_exact) {
@@ -221,7 +221,7 @@ int run_scenario(const run::Run_options& options)
   {
     Outputs outputs(options, motion->name(), frames, facts.box);
     summary = run::Threads(options.threads).execute([&] {
-      return run_frames(options, subject, *motion, frames, outputs);
+      return run_frames(subject, *motion, frames, outputs);
     });
     outputs.finish(subject, summary);
   }

@@ -82,10 +82,10 @@ valid triangulated sphere with all its vertices.
   instead; `Default` for `Always_dynamic_policy_2`.
 \tparam Visitor a model of `DelaunayUpdateVisitor_2`, which is told what changes; `Default` for
   `Delaunay_update_visitor_base_2`, which ignores it.
-\tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag`, which needs TBB (`CGAL::TBB_support`):
-then the threads of the TBB arena in which a function is called share its passes over many points,
-  edges or faces (\ref DynamicDelaunaySubsection_Threads). Random-access ranges of points, and
-  property maps of points, are read by several threads at once. No result depends on it.
+\tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag`, which needs TBB: with it, the threads of
+  the TBB arena in which a function is called share its passes over many points, edges or faces
+  (\ref DynamicDelaunaySubsection_Threads). They use the iterators of random-access ranges, and
+  property maps of points, at the same time. No result depends on it.
 */
 template <class Traits, class Classifier = Circumcircle_classifier_2, class Repair = Default,
           class Tds = Default, class UpdatePolicy = Always_dynamic_policy_2,

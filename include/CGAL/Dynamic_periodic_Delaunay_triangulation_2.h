@@ -83,8 +83,8 @@ Classifiers, repairs and policies are the same as in the plane; `Dynamic_frame_2
 \tparam UpdatePolicy a model of `DelaunayUpdatePolicy_2`; `Default` for `Always_dynamic_policy_2`.
 \tparam Visitor a model of `PeriodicUpdateVisitor_2`, which is told of all changes of edges;
   `Default` for `Periodic_update_visitor_base_2`, which ignores them.
-\tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag`, as for
-`Dynamic_Delaunay_triangulation_2`.
+\tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`, as for a triangulation of the
+  plane.
 */
 template <class Kernel, class Classifier = Circumcircle_classifier_2, class Repair = Default,
           class UpdatePolicy = Always_dynamic_policy_2,
