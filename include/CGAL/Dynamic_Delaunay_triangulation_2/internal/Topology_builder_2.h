@@ -599,14 +599,14 @@ private:
     const std::size_t faces_before = m_topology.m_faces.size();
     try {
       m_triangulator.run(order, [&] { provide_faces(2 * order.size() - 2); });
+      if (m_triangulator.faces().number_of_faces() > 0)
+        take_faces(m_triangulator.faces());
+      else
+        triangulate_line();
     } catch (...) {
       drop_faces(faces_before);
       throw;
     }
-    if (m_triangulator.faces().number_of_faces() > 0)
-      take_faces(m_triangulator.faces());
-    else
-      triangulate_line();
     m_triangulator.release();
     m_vertex_order.release();
   }
