@@ -612,16 +612,16 @@ private:
     const std::size_t faces_before = m_topology.m_faces.size();
     try {
       m_triangulator.run(order, [&] { provide_faces(2 * order.size() - 2); });
+      m_vertex_order.release();
+      m_numbering.release_order();
+      if (m_triangulator.faces().number_of_faces() > 0)
+        take_faces(m_triangulator.faces());
+      else
+        triangulate_line();
     } catch (...) {
       drop_faces(faces_before);
       throw;
     }
-    m_vertex_order.release();
-    m_numbering.release_order();
-    if (m_triangulator.faces().number_of_faces() > 0)
-      take_faces(m_triangulator.faces());
-    else
-      triangulate_line();
     m_triangulator.release();
   }
 
