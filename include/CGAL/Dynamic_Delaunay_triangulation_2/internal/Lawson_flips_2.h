@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/accepts_inexact_predicates_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
@@ -70,7 +71,9 @@ public:
   // flipped away, and v is strictly inside of its circle: inside of that face, or beyond an illegal
   // edge. The circle through v that touches this one in w from inside contains no other vertex, so
   // the edge is Delaunay in every triangulation with v. All other faces stay Delaunay. Faces are
-  // counterclockwise all the time, so no flip doubles an edge.
+  // counterclockwise all the time, and those around v surround it once, so no two edges go from v
+  // in the same direction, and no flip doubles an edge. Predicates that are rounded promise
+  // nothing.
   template <class Maintained, class Editor>
   bool run_around(const Maintained& maintained, Editor& editor, Index v, std::size_t most,
                   std::size_t& flips)
@@ -90,8 +93,12 @@ public:
     });
     if (!is_inside)
       return false;
+    constexpr bool is_rounded = Are_known_to_be_inexact_2<typename Maintained::Traits>::value;
+    const auto can_flip = [&](Index e) {
+      return !is_rounded || editor.can_flip(mirror.halfedge(e));
+    };
     editor.flip_in_series([&](const auto& flip) {
-      for (; !m_touched.empty() && most > 0; --most, ++flips) {
+      for (; !m_touched.empty() && most > 0 && can_flip(m_touched.back()); --most, ++flips) {
         const Index h = mirror.halfedge(m_touched.back());
         const Index beyond = mirror.apex(h) == v ? mirror.twin(h) : h;
         m_touched.pop_back();

@@ -117,8 +117,8 @@ public:
   // Puts in vertices outside of faces, new points and parted duplicates, with flips around each.
   void put_in(const std::vector<Index>& parted_duplicates)
   {
-    bool is_delaunay =
-        m_has_to_prove && m_open.empty() && (m_open.faces_tile_hull() || hull_turns_once());
+    CGAL_precondition(!m_has_to_prove || m_open.empty());
+    bool is_delaunay = m_has_to_prove; // if the hull turns around once: see is_proved()
     m_open.set_planar(false);
     m_may_take_out = false;
     m_budget.allow((parted_duplicates.size() + m_traffic.number_to_put_in()) *
