@@ -79,7 +79,7 @@ inline Heuristic_classifier make_heuristic(const Setup& setup)
     return Heuristic_classifier(
         Predictive_classifier(Steady_velocity(), *setup.classifier.parameter));
   }
-  return Heuristic_classifier(run::All_classifiers::make(setup.classifier, {1, setup.seed}));
+  return Heuristic_classifier(run::All_classifiers::make(setup.classifier, {setup.seed}));
 }
 
 template <class Kernel, class Classifier>
@@ -103,7 +103,7 @@ template <class Kernel>
 std::unique_ptr<Subject> make_subject(const Setup& setup)
 {
   if (setup.classifier.is_exact) {
-    return make_subject<Kernel>(setup, run::Exact_classifiers::make(setup.classifier, {1, 0}));
+    return make_subject<Kernel>(setup, run::Exact_classifiers::make(setup.classifier, {0}));
   }
   return make_subject<Kernel>(setup, make_heuristic(setup));
 }
