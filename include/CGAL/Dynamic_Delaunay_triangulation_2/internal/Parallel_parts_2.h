@@ -45,12 +45,15 @@ public:
   static_assert(!is_parallel, "Parallel_tag needs TBB: link with CGAL::TBB_support");
 #endif
 
-  // So many points cost as much as some wake-ups of a thread, 5 to 20 microseconds each, where a
-  // pass takes a few nanoseconds for each of them. Tests want many parts of few points.
+  // So many elements make a part, and threads share no fewer than so many parts: waking a thread up
+  // takes 5 to 20 microseconds, and a pass a few nanoseconds for each element. Two threads were
+  // slower than one where they shared three parts. Tests want many parts of few points.
 #ifdef CGAL_DYNAMIC_DELAUNAY_POINTS_OF_PART
   static constexpr std::size_t usual_size = CGAL_DYNAMIC_DELAUNAY_POINTS_OF_PART;
+  static constexpr std::size_t least_shared = 2;
 #else
   static constexpr std::size_t usual_size = 1 << 13;
+  static constexpr std::size_t least_shared = 8;
 #endif
 
   static constexpr std::size_t max_parts = 128;
@@ -133,7 +136,7 @@ private:
   {
 #ifdef CGAL_LINKED_WITH_TBB
     if constexpr (is_parallel)
-      if (parts > 1)
+      if (parts >= least_shared)
         return (std::min)(parts,
                           std::size_t((std::max)(tbb::this_task_arena::max_concurrency(), 1)));
 #endif
