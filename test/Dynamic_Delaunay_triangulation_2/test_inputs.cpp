@@ -350,48 +350,19 @@ TEST(Ranges, are_taken_as_a_whole)
 
 // LIMITS ------------------------------------------------------------------------------------------
 
-// Of a range that is longer than any memory, and must not be read.
 template <class Value>
-class Unreadable_iterator
+struct Unreadable
 {
-public:
-  using iterator_category = std::random_access_iterator_tag;
-  using value_type = Value;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const Value*;
-  using reference = const Value&;
-
-  explicit Unreadable_iterator(std::ptrdiff_t i)
-    : m_i(i)
-  {
-  }
-
-  reference operator*() const { throw std::logic_error("a point was read"); }
-  Unreadable_iterator& operator++()
-  {
-    ++m_i;
-    return *this;
-  }
-  friend Unreadable_iterator operator+(Unreadable_iterator i, std::ptrdiff_t n)
-  {
-    return Unreadable_iterator(i.m_i + n);
-  }
-  friend std::ptrdiff_t operator-(const Unreadable_iterator& i, const Unreadable_iterator& j)
-  {
-    return i.m_i - j.m_i;
-  }
-  friend bool operator==(const Unreadable_iterator& i, const Unreadable_iterator& j)
-  {
-    return i.m_i == j.m_i;
-  }
-  friend bool operator!=(const Unreadable_iterator& i, const Unreadable_iterator& j)
-  {
-    return i.m_i != j.m_i;
-  }
-
-private:
-  std::ptrdiff_t m_i;
+  const Value& operator()(std::ptrdiff_t) const { throw std::logic_error("a point was read"); }
 };
+
+// Of a range that may be longer than any memory, and must not be read.
+template <class Value>
+auto unreadable(std::size_t i)
+{
+  return boost::make_transform_iterator(boost::make_counting_iterator(std::ptrdiff_t(i)),
+                                        Unreadable<Value>());
+}
 
 constexpr std::size_t most_points = 536'870'911; // half-edges have numbers of 32 bits
 
@@ -410,34 +381,32 @@ void expect_too_many(std::size_t points, const Call& call)
 
 TEST(Too_many_points, are_refused_before_any_is_read)
 {
-  using Iterator = Unreadable_iterator<Point>;
-  const std::ptrdiff_t many = most_points + 1, far_more = std::ptrdiff_t(1) << 40;
-  expect_too_many(many, [&] { Dynamic(Iterator(0), Iterator(many)); });
-  expect_too_many(far_more, [&] { Dynamic(Iterator(0), Iterator(far_more)); });
+  const auto first = unreadable<Point>(0);
+  const std::size_t one_more = most_points + 1, far_more = std::size_t(1) << 40;
+  expect_too_many(one_more, [&] { Dynamic(first, unreadable<Point>(one_more)); });
+  expect_too_many(far_more, [&] { Dynamic(first, unreadable<Point>(far_more)); });
   const CGAL::Periodic_cell_2 cell(1, 1);
   using Periodic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick>;
-  expect_too_many(many, [&] { Periodic(Iterator(0), Iterator(many), cell); });
+  expect_too_many(one_more, [&] { Periodic(first, unreadable<Point>(one_more), cell); });
 }
 
 TEST(Too_many_points, are_refused_beside_those_that_are_there)
 {
-  using Iterator = Unreadable_iterator<Point>;
-  Cloud<Epick> cloud(9);
-  const Points points = cloud.uniform(20);
+  const Points points = Cloud<Epick>(9).uniform(20);
   Dynamic dt(points.begin(), points.end());
-  const std::ptrdiff_t many = most_points - 19;
-  expect_too_many(most_points + 1,
-                  [&] { dt.insert(Iterator(0), Iterator(many), CGAL::Emptyset_iterator()); });
+  expect_too_many(most_points + 1, [&] {
+    dt.insert(unreadable<Point>(0), unreadable<Point>(most_points - 19), CGAL::Emptyset_iterator());
+  });
   expect_exact(dt, points);
 
-  Population people;
-  people.update(std::vector<std::pair<int, Point>>{{9, {0, 0}}, {4, {1, 0}}, {7, {0, 1}}});
-  using Crowd_iterator = Unreadable_iterator<std::pair<int, Point>>;
+  using Named_point = std::pair<int, Point>;
+  Population population;
+  population.update(std::vector<Named_point>{{9, {0, 0}}, {4, {1, 0}}, {7, {0, 1}}});
   expect_too_many(most_points + 1, [&] {
-    people.update(Crowd_iterator(0), Crowd_iterator(std::ptrdiff_t(most_points) + 1));
+    population.update(unreadable<Named_point>(0), unreadable<Named_point>(most_points + 1));
   });
-  EXPECT_EQ(people.triangulation().number_of_points(), 3u);
-  EXPECT_EQ(people.point(4), Point(1, 0));
+  EXPECT_EQ(population.triangulation().number_of_points(), 3u);
+  EXPECT_EQ(population.point(4), Point(1, 0));
 }
 
 // WRONG USES --------------------------------------------------------------------------------------

@@ -120,7 +120,7 @@ private:
       common::require_equal(first, run::Static_triangulation(points.begin(), points.end()));
     }
     for (const auto& other : group) {
-      const auto edges = first.frame().edges(), other_edges = other->dynamic().frame().edges();
+      const auto &edges = first.frame().edges(), &other_edges = other->dynamic().frame().edges();
       common::require(std::equal(edges.begin(), edges.end(), other_edges.begin(), other_edges.end(),
                                  [](const auto& e, const auto& f) {
                                    return e.source == f.source && e.target == f.target &&

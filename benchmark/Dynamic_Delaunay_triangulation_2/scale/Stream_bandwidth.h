@@ -5,11 +5,11 @@
 #define SCALE_STREAM_BANDWIDTH_H
 
 #include "scenario_runner/Measurement.h"
+#include "scenario_runner/Threads.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -40,9 +40,8 @@ public:
 
   Bandwidth measure(unsigned threads)
   {
-    tbb::task_arena arena(static_cast<int>(threads));
     Bandwidth bandwidth{0.0, 0.0};
-    arena.execute([&] {
+    run::Threads(threads).execute([&] {
       for (int round = 0; round != rounds; ++round) {
         bandwidth.copy = (std::max)(bandwidth.copy, copy());
         bandwidth.triad = (std::max)(bandwidth.triad, triad());

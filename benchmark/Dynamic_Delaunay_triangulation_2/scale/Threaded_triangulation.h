@@ -8,13 +8,12 @@
 #include "../common/Timed_phases.h"
 #include "Scale_motion.h"
 #include "scenario_runner/Measurement.h"
+#include "scenario_runner/Threads.h"
 
 #include <CGAL/Default.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/tags.h>
 #include <CGAL/Update_report_2.h>
-
-#include <tbb/task_arena.h>
 
 #include <optional>
 
@@ -66,13 +65,10 @@ public:
 
   explicit Threaded_triangulation(unsigned threads)
     : m_threads(threads)
-    , m_arena(static_cast<int>(threads))
   {
   }
   Threaded_triangulation(const Threaded_triangulation&) = delete;
   Threaded_triangulation& operator=(const Threaded_triangulation&) = delete;
-
-  unsigned threads() const { return m_threads; }
 
   // Nanoseconds.
   double build(const Points& points)
@@ -82,7 +78,7 @@ public:
                                      {},
                                      Rebuild_on_demand(m_marks, m_is_rebuild_demanded)};
     return run::nanoseconds_of([&] {
-      m_arena.execute([&] { m_dynamic.emplace(points.begin(), points.end(), settings); });
+      m_threads.execute([&] { m_dynamic.emplace(points.begin(), points.end(), settings); });
     });
   }
 
@@ -91,7 +87,7 @@ public:
     m_is_rebuild_demanded = is_rebuild_demanded;
     Frame_times times;
     times.total = run::nanoseconds_of([&] {
-      m_arena.execute([&] {
+      m_threads.execute([&] {
         m_marks.start();
         times.update = m_dynamic->update(points.begin(), points.end());
       });
@@ -106,8 +102,7 @@ public:
   const Dynamic& dynamic() const { return *m_dynamic; }
 
 private:
-  unsigned m_threads;
-  tbb::task_arena m_arena;
+  run::Threads m_threads;
   common::Phase_marks m_marks;
   bool m_is_rebuild_demanded = false;
   std::optional<Dynamic> m_dynamic;

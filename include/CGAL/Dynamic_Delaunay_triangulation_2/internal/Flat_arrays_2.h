@@ -136,28 +136,10 @@ private:
   std::vector<std::uint64_t> m_words;
 };
 
-// Sorts the numbers and removes repeated ones. Of a few, each is put into its place among those
-// before it, or dropped, which takes half the time: mostly there are many repeated ones.
+// Sorts the numbers and removes repeated ones.
 template <class Number>
 void make_distinct(std::vector<Number>& numbers)
 {
-  constexpr std::size_t few = 32;
-  if (numbers.size() <= few) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const Number number = numbers[i];
-      std::size_t place = kept;
-      while (place > 0 && numbers[place - 1] > number)
-        --place;
-      if (place > 0 && numbers[place - 1] == number)
-        continue;
-      for (std::size_t k = kept++; k > place; --k)
-        numbers[k] = numbers[k - 1];
-      numbers[place] = number;
-    }
-    numbers.resize(kept);
-    return;
-  }
   boost::sort::spreadsort::integer_sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }

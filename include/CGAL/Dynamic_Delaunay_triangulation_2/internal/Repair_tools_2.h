@@ -300,11 +300,7 @@ private:
   bool hull_turns_once() const
   {
     const Change_log_2& changes = m_maintained.changes();
-    const auto is_at_hull = [this](Index e) {
-      const Edge_2& edge = m_maintained.mirror().edge(e);
-      return edge.source == infinite_index || edge.target == infinite_index ||
-             edge.left == infinite_index || edge.right == infinite_index;
-    };
+    const auto is_at_hull = [this](Index e) { return m_maintained.is_at_infinity(e); };
     return (m_hull_stays && !changes.everything_is_new &&
             std::none_of(changes.new_edges.begin(), changes.new_edges.end(), is_at_hull)) ||
            Certificate(m_maintained).hull_turns_once();
