@@ -20,6 +20,7 @@
 #include <tbb/task_arena.h>
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -29,6 +30,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -429,6 +431,28 @@ TEST(Parts, throw_what_the_first_one_throws)
           EXPECT_STREQ(error.what(), "5");
         }
       });
+}
+
+// The first part waits until the second one has failed, if that has begun at all.
+TEST(Parts, throw_what_the_first_one_throws_also_where_it_is_not_the_first_to_throw)
+{
+  using Parts = internal::Parallel_parts_2<CGAL::Parallel_tag>;
+  using Clock = std::chrono::steady_clock;
+  std::atomic<bool> has_failed{false};
+  const auto end_of_patience = Clock::now() + std::chrono::seconds(2);
+  with_threads(2, [&] {
+    try {
+      Parts::run(2, [&](std::size_t part) {
+        while (part == 0 && !has_failed && Clock::now() < end_of_patience)
+          std::this_thread::yield();
+        has_failed = true;
+        throw std::runtime_error(std::to_string(part));
+      });
+      ADD_FAILURE() << "nothing was thrown";
+    } catch (const std::runtime_error& error) {
+      EXPECT_STREQ(error.what(), "0");
+    }
+  });
 }
 
 TEST(Parts, can_be_divided_again)

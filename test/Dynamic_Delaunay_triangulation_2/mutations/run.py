@@ -25,7 +25,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
 PACKAGE = "Dynamic_Delaunay_triangulation_2"
 INTERNAL = ROOT / "include" / "CGAL" / PACKAGE / "internal"
-OPTIONS = "-std=c++17 -O0 -frounding-math -D_GLIBCXX_ASSERTIONS -DNOMINMAX -DCGAL_USE_GMPXX=1".split()
+OPTIONS = ("-std=c++17 -O0 -frounding-math -D_GLIBCXX_ASSERTIONS -DNOMINMAX -DCGAL_USE_GMPXX=1 "
+           "-DCGAL_LINKED_WITH_TBB").split()
 COMPILER = os.environ.get("CXX", "g++")
 RUNNER_SOURCES = ["Csv_writer", "Frame_record", "Method_choice", "Number_text", "Output_file", "Progress",
                   "Table", "Text_input"]
@@ -61,7 +62,7 @@ def arguments_of(test):
 
 def command_of(test, overlay, program):
     folders = [overlay, ROOT / "include", ROOT, ROOT / "test" / PACKAGE, ROOT / "benchmark" / PACKAGE]
-    libraries = ["-lgmpxx", "-lgmp", "-lmpfr", "-lpthread"]
+    libraries = ["-lgmpxx", "-lgmp", "-lmpfr", "-ltbb", "-lpthread"]
     if test == "robustness":
         options = ["-DNDEBUG", '-DRESULTS_DIR="."']
         libraries = runner_objects() + libraries
@@ -104,6 +105,8 @@ def verdict(test, overlay, folder):
                              timeout=PATIENCE, errors="replace")
     except subprocess.TimeoutExpired:
         return "does not end"
+    if "Running 0 tests" in run.stdout:
+        sys.exit(f"{test} has no such test")
     if run.returncode == 0:
         return ""
     return first_failure(run.stdout) or (f"ends with signal {-run.returncode}" if run.returncode < 0 else "fails")
