@@ -83,7 +83,7 @@ def main():
     motions = results.values("motion")
     figure, panels = style.new_figure(4)
     draw_motions(panels[0], results, motions, lambda row: float(row["total"]), "ns a point")
-    panels[0].set_yscale("log")
+    style.plain_logarithmic(panels[0].yaxis)
     panels[0].legend(frameon=False, ncols=2, loc="lower center", bbox_to_anchor=(0.45, 1))
     draw_motions(panels[1], results, motions, speedup_of(results), "times faster")
     panels[1].axhline(1, color="gray", linewidth=0.8)
