@@ -12,6 +12,8 @@
 #include <CGAL/Delaunay_neighbor_lists_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_population_2.h>
+#include <CGAL/Voronoi_cell_gradients_2.h>
+#include <CGAL/Voronoi_cell_measures_2.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 
@@ -177,6 +179,25 @@ void expect_equal_diaries(const Play& play)
     }
 }
 
+template <class Dynamic>
+void note_measures(Diary& diary, const Dynamic& dt)
+{
+  const auto note_all = [&diary](const CGAL::Voronoi_cell_measures_2& measures) {
+    diary.note_all(measures.areas());
+    diary.note_all(measures.perimeters());
+    diary.note_all(measures.centroids());
+    diary.note_all(measures.shape_indices());
+  };
+  CGAL::Voronoi_cell_measures_2 measures;
+  measures.compute(dt);
+  note_all(measures);
+  CGAL::Voronoi_cell_gradients_2 gradients;
+  gradients.compute(dt, measures.areas(), measures.perimeters());
+  diary.note_all(gradients.gradients());
+  measures.compute(dt, CGAL::Bbox_2(0, 0, 40, 30));
+  note_all(measures);
+}
+
 // A population of points that are moved all together in some frames, then changes one by one.
 struct Motion
 {
@@ -212,6 +233,7 @@ private:
     CGAL::Delaunay_neighbor_lists_2 neighbors;
     neighbors.compute(dt);
     diary.note_all(neighbors.neighbors());
+    note_measures(diary, dt);
     EXPECT_TRUE(dt.is_certified());
     EXPECT_TRUE(dt.is_valid());
     Dynamic copy(dt);
