@@ -5,6 +5,8 @@
 
 #include "scenario_runner/Number_text.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Decimal_number_2.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
@@ -169,7 +171,8 @@ template <class Number>
 std::errc read_number(std::string_view text, Number& value)
 {
   const char* const end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
+  const auto result =
+      CGAL::Dynamic_Delaunay_triangulations_2::internal::read_number(text.data(), end, value);
   return result.ptr == end ? result.ec : std::errc::invalid_argument;
 }
 
