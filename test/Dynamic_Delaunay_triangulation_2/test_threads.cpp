@@ -12,6 +12,8 @@
 #include <CGAL/Delaunay_neighbor_lists_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_population_2.h>
+#include <CGAL/Flip_repair_2.h>
+#include <CGAL/Random_classifier_2.h>
 #include <CGAL/Voronoi_cell_gradients_2.h>
 #include <CGAL/Voronoi_cell_measures_2.h>
 
@@ -300,6 +302,24 @@ TEST(Threads, change_nothing_where_points_are_dense_in_some_places)
 TEST(Threads, change_nothing_where_faces_are_turned_over)
 {
   expect_equal_diaries(Motion{Cloud<Epick>(10).uniform(many), 0.3, 6});
+}
+
+// Nothing is rebuilt after a heuristic classifier, whatever flips have left.
+TEST(Threads, double_no_edge_where_flips_alone_mend_faces_that_overlap)
+{
+  using Flipping = CGAL::Dynamic_Delaunay_triangulation_2<
+      Epick, CGAL::Random_classifier_2, CGAL::Flip_repair_2, CGAL::Default,
+      CGAL::Always_dynamic_policy_2, CGAL::Delaunay_update_visitor_base_2, CGAL::Parallel_tag>;
+  Cloud<Epick> cloud(12);
+  for (const double step : {0.5, 1., 2.}) {
+    Points points = cloud.uniform(many);
+    Flipping dt(points.begin(), points.end(), CGAL::Random_classifier_2(1));
+    for (int frame = 0; frame < 4; ++frame) {
+      cloud.shake(points, step);
+      with_threads(3, [&] { dt.update(points); });
+      ASSERT_TRUE(dt.is_valid(true)) << "step " << step << ", frame " << frame;
+    }
+  }
 }
 
 // Whole cells are sums over faces, which have parts; clipped cells are not.
