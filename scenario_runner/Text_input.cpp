@@ -265,7 +265,10 @@ void split_at_blanks(std::string_view line, std::vector<std::string_view>& field
 std::string in_quotes(std::string_view text)
 {
   constexpr std::size_t longest = 40;
-  return "'" + std::string(text.substr(0, longest)) + (text.size() > longest ? "...'" : "'");
+  std::string quoted(1, '\'');
+  quoted += text.substr(0, longest);
+  quoted += text.size() > longest ? "...'" : "'";
+  return quoted;
 }
 
 bool is_number(std::string_view text, double& value)
