@@ -193,14 +193,15 @@ private:
   {
     for (Cell& cell : m_cells)
       cell = Cell{0, 0, 0, {0, 0}, cell.is_unbounded};
-    Dynamic_Delaunay_triangulations_2::internal::Cell_sums_2<bool> flat;
-    flat.run(
+    Dynamic_Delaunay_triangulations_2::internal::Cell_sums_2<bool> unbounded;
+    unbounded.run(
         space,
         [](const std::array<Index, 3>& cells, const Face& face, const auto& add) {
-          for (const Index c : cells)
-            add(c, face.is_flat());
+          if (face.is_flat())
+            for (const Index c : cells)
+              add(c, true);
         },
-        [this](Index c, bool is_flat) { m_cells[c].is_unbounded |= is_flat; });
+        [this](Index c, bool is_unbounded) { m_cells[c].is_unbounded = is_unbounded; });
   }
 
   template <class Space>

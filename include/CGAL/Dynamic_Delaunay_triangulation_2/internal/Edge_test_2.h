@@ -114,8 +114,8 @@ void append_unproved_plain(const Edge_2* edges, const Position_2* positions, Ind
 
 #ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
 
-// Prefetches one corner of each edge, which fetches nearly all vertices. All four took as long as
-// what this saves in the cache: a fifth of the pass.
+// Prefetches one corner of each edge, which fetches nearly all vertices: to prefetch all four takes
+// longer than it saves.
 template <class Space, bool prefetches>
 __attribute__((target("avx2"))) void
 append_unproved_avx2(const Edge_2* edges, const Position_2* positions, Index first, Index beyond,

@@ -77,7 +77,7 @@ public:
   {
   }
 
-  // Three calls for each face of a pass; compilers that do not inline them make it half as fast.
+  // Passes over faces are much slower where compilers do not inline this.
   BOOST_FORCEINLINE Position_2 operator()(Index from, Index to) const
   {
     if (m_positions_are_exact)
