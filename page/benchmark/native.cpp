@@ -45,7 +45,8 @@ int main()
     } else {
       triangulation = decltype(triangulation)(points.begin(), points.end());
     }
-    const double nanoseconds = std::chrono::duration<double, std::nano>(Clock::now() - begin).count();
+    const double nanoseconds =
+        std::chrono::duration<double, std::nano>(Clock::now() - begin).count();
     double edges = 0;
     triangulation.for_each_edge([&](std::size_t, std::size_t) { ++edges; });
     const std::array<double, 2> answer{nanoseconds, edges};

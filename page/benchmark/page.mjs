@@ -201,7 +201,7 @@ function cell(size, times) {
 function writeTable(rows) {
   const widths = rows[0].map((_, k) => Math.max(...rows.map(row => row[k].length)));
   for (const row of rows) {
-    console.log(row.map((text, k) => (k === 0 ? text.padStart(widths[k]) : text.padStart(widths[k]))).join("   "));
+    console.log(row.map((text, k) => text.padStart(widths[k])).join("   "));
   }
 }
 
@@ -233,9 +233,10 @@ function writeSizes() {
 }
 
 async function writeRobustness(operations, seed) {
-  const nothing = () => 0;
-  const imports = { env: { emscripten_notify_memory_growth: nothing }, wasi_snapshot_preview1: new Proxy({}, {
-    get: (_, name) => (name === "proc_exit" ? code => { throw new Error(`it has stopped with code ${code}`); } : nothing),
+  const unavailable = () => 8; // as of a file that is not open
+  const imports = { env: { emscripten_notify_memory_growth() {} }, wasi_snapshot_preview1: new Proxy({}, {
+    get: (_, name) => (name === "proc_exit" ? code => { throw new Error(`it has ended with code ${code}`); }
+                                            : unavailable),
   }) };
   const { instance: { exports: core } } = await WebAssembly.instantiate(readFileSync(options.robustness), imports);
   core._initialize();

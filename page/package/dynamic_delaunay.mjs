@@ -7,17 +7,12 @@
 
 const isNode = typeof process !== "undefined" && process.versions?.node !== undefined;
 
-// What the modules need of a system: room, and to write and stop where CGAL finds a defect of its own.
+// All that the modules need of a system. C++ ends only where CGAL finds a defect of its own.
 function systemOf(name) {
-  const stop = code => {
-    throw new Error(`${name} has stopped with code ${code}`);
+  const proc_exit = code => {
+    throw new Error(`${name} has ended with code ${code}`);
   };
-  const nothing = () => 0;
-  return {
-    env: { emscripten_notify_memory_growth: nothing },
-    wasi_snapshot_preview1: { proc_exit: stop, fd_write: nothing, fd_read: nothing, fd_close: nothing,
-                              fd_seek: nothing, environ_sizes_get: nothing, environ_get: nothing },
-  };
+  return { env: { emscripten_notify_memory_growth() {} }, wasi_snapshot_preview1: { proc_exit } };
 }
 
 async function instantiate(name) {
@@ -60,7 +55,7 @@ class Core {
     return new TextDecoder().decode(bytes.subarray(address, bytes.indexOf(0, address)));
   }
 
-  // Calls f with the addresses of texts, null standing for none, and of the numbers of a cell.
+  // Calls f with the addresses of texts.
   withTexts(texts, f) {
     const encoder = new TextEncoder();
     const addresses = texts.map(text => {
@@ -76,6 +71,7 @@ class Core {
     }
   }
 
+  // Calls f with the address of the numbers of a cell, which is null if there is none, and whether it is a slab.
   withCell(cell, f) {
     if (!cell) {
       return f(0, false);
@@ -141,7 +137,7 @@ function checkIds(ids) {
   }
 }
 
-// C++ that is not called any more by a triangulation that nobody has any more.
+// Gives the memory of triangulations back that were collected as garbage.
 const forgotten = new FinalizationRegistry(({ core, address }) => core.functions.dd_destroy(address));
 
 export class Triangulation {

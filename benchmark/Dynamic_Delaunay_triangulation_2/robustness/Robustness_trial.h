@@ -99,6 +99,7 @@ public:
   }
 
   const Family& family() const { return *m_start.family; }
+  const Setup& setup() const { return m_start.setup; }
 
   // Ends with the first fault. Tells a stream what it does, if there is one. Calls
   // `before(operations_done)` before each operation.
@@ -106,30 +107,30 @@ public:
   void run(std::uint64_t number, std::size_t operations, std::ostream* told, Results& results,
            const Before& before)
   {
-    const Setup& setup = m_start.setup;
     if (told != nullptr) {
-      *told << family().name << ": " << setup.text() << std::endl;
+      *told << family().name << ": " << setup().text() << std::endl;
     }
-    const auto subject = make_subject(setup);
+    const auto subject = make_subject(setup());
     Counts counts;
-    Trial trial(family(), setup, *subject, m_start.decisions, counts, {arithmetic_of(setup), told});
+    Trial trial(family(), setup(), *subject, m_start.decisions, counts,
+                {arithmetic_in_use(), told});
     try {
       trial.run(operations, [&] { before(trial.operations_done()); });
     } catch (const Finding& finding) {
-      results.findings.push_back({number, m_seed, family().name, setup.text(),
+      results.findings.push_back({number, m_seed, family().name, setup().text(),
                                   trial.operations_done(), finding.fault(), finding.what()});
     }
     results.families[family().name] += counts;
-    results.classifiers[setup.classifier_name()] += counts;
+    results.classifiers[setup().classifier_name()] += counts;
   }
 
 private:
   // Numbers of exact kernels are intervals first, which are wrong where subnormals are zero, before
   // any triangulation sees them.
-  Arithmetic arithmetic_of(const Setup& setup) const
+  Arithmetic arithmetic_in_use() const
   {
-    return setup.constructs_exactly && m_arithmetic.flushes_subnormals ? Arithmetic()
-                                                                       : m_arithmetic;
+    return setup().constructs_exactly && m_arithmetic.flushes_subnormals ? Arithmetic()
+                                                                         : m_arithmetic;
   }
 
   std::uint64_t m_seed;
