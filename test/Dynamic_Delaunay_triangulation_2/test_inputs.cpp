@@ -34,7 +34,9 @@
 #include <cstddef>
 #include <deque>
 #include <iterator>
+#include <limits>
 #include <list>
+#include <locale>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -474,6 +476,27 @@ constexpr bool CGAL::accepts_inexact_predicates_2<CGAL::Simple_cartesian<double>
 namespace {
 
 using CGAL::Dynamic_Delaunay_triangulations_2::internal::Are_known_to_be_inexact_2;
+
+// Thousands with commas, and a comma before the fraction.
+struct German_commas : std::numpunct<char>
+{
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(Messages, have_the_same_numbers_in_every_locale)
+{
+  const std::locale before = std::locale::global(std::locale(std::locale(), new German_commas));
+  const std::string count = CGAL::Point_count_error_2(10080, 1009).what();
+  const std::string coordinates =
+      CGAL::Non_finite_coordinate_error_2(1234, 0.1, std::numeric_limits<double>::infinity())
+          .what();
+  std::locale::global(before);
+  EXPECT_EQ(count.find("the frame has 1009 points, and the triangulation has 10080 ids"), 0u)
+      << count;
+  EXPECT_EQ(coordinates, "point 1234 has the coordinates (0.1, inf): both must be finite numbers");
+}
 
 TEST(Kernels, whose_predicates_are_rounded_are_known)
 {
