@@ -47,6 +47,7 @@ struct Shown_edge
 {
   std::size_t from;
   std::size_t to;
+  bool is_delaunay; // needs no repair
   scenario::Shift shift{};
 };
 

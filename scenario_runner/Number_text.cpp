@@ -3,6 +3,8 @@
 
 #include "scenario_runner/Number_text.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Decimal_number_2.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -10,22 +12,20 @@
 
 namespace run {
 
+namespace decimal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
+
+#ifdef __cpp_lib_to_chars
+
 namespace {
 
-template <class... Format>
-std::string text_of(double value, Format... format)
+std::string text_of(double value, std::chars_format format, int digits)
 {
   char text[400]; // 1.8e308 has 309 digits before the point
-  const auto result = std::to_chars(text, text + sizeof text, value, format...);
+  const auto result = std::to_chars(text, text + sizeof text, value, format, digits);
   return {text, result.ptr};
 }
 
 } // namespace
-
-std::string number_text(double value)
-{
-  return text_of(value);
-}
 
 std::string number_text(double value, int digits)
 {
@@ -35,6 +35,27 @@ std::string number_text(double value, int digits)
 std::string fixed_text(double value, int digits)
 {
   return text_of(value, std::chars_format::fixed, digits);
+}
+
+#else // libc++ of LLVM before version 14
+
+std::string number_text(double value, int digits)
+{
+  return decimal::printed_number("%.*g", digits, value);
+}
+
+std::string fixed_text(double value, int digits)
+{
+  return decimal::printed_number("%.*f", digits, value);
+}
+
+#endif
+
+std::string number_text(double value)
+{
+  std::string text;
+  decimal::append_number(text, value);
+  return text;
 }
 
 std::string readable(double value)

@@ -105,10 +105,15 @@ public:
   std::vector<Shown_edge> edges() const override
   {
     const std::vector<std::uint32_t> places = places_of_ids();
+    const auto frame = triangulation().frame();
+    typename Dynamic::Frame::Index e = 0;
     std::vector<Shown_edge> edges;
     triangulation().for_each_edge(
         [&](std::size_t i, std::size_t j, const CGAL::Periodic_shift_2& shift) {
-          edges.push_back({places[i], places[j], along_sides(shift)});
+          while (std::isnan(frame.edge_vector(e).x)) { // across the gap of a slab
+            ++e;
+          }
+          edges.push_back({places[i], places[j], frame.is_delaunay(e++), along_sides(shift)});
         });
     return edges;
   }

@@ -30,24 +30,6 @@ Point middle(const Point& p, const Point& q)
   return {0.5 * (p.x + q.x), 0.5 * (p.y + q.y)};
 }
 
-// By which shift the point is outside of the cell. A slab has no sides across if its box is flat.
-Shift shift_out_of_cell(const Point& point, const Cell& cell)
-{
-  std::array<Point, 2> sides = cell.sides;
-  if (cell.area() == 0.0) {
-    const Point& u = cell.period();
-    sides[cell.is_periodic[0] ? 1 : 0] = {-u.y, u.x};
-  }
-  const auto& [a, b] = sides;
-  const Point p = minus(point, cell.corner);
-  const double area = a.x * b.y - a.y * b.x;
-  const auto multiple = [](bool is_periodic, double coordinate) {
-    return is_periodic ? static_cast<int>(std::floor(coordinate)) : 0;
-  };
-  return {multiple(cell.is_periodic[0], (p.x * b.y - p.y * b.x) / area),
-          multiple(cell.is_periodic[1], (a.x * p.y - a.y * p.x) / area)};
-}
-
 Picture_geometry open_geometry(const Run_view& run)
 {
   Picture_geometry geometry{run.motion().points(), {}, {}};
@@ -58,6 +40,31 @@ Picture_geometry open_geometry(const Run_view& run)
 }
 
 } // namespace
+
+Point along_sides(const Point& vector, const Cell& cell)
+{
+  std::array<Point, 2> sides = cell.sides;
+  if (cell.area() == 0.0) {
+    const Point& u = cell.period();
+    sides[cell.is_periodic[0] ? 1 : 0] = {-u.y, u.x};
+  }
+  const auto& [a, b] = sides;
+  const double area = a.x * b.y - a.y * b.x;
+  return {(vector.x * b.y - vector.y * b.x) / area, (a.x * vector.y - a.y * vector.x) / area};
+}
+
+Shift shift_out_of_cell(const Point& point, const Cell& cell)
+{
+  const Point at = along_sides(minus(point, cell.corner), cell);
+  return {cell.is_periodic[0] ? static_cast<int>(std::floor(at.x)) : 0,
+          cell.is_periodic[1] ? static_cast<int>(std::floor(at.y)) : 0};
+}
+
+std::vector<Point> outline_of(const Cell& cell)
+{
+  const auto& [a, b] = cell.sides;
+  return {cell.corner, plus(cell.corner, a), plus(plus(cell.corner, a), b), plus(cell.corner, b)};
+}
 
 Picture_geometry picture_geometry(const Run_view& run)
 {
@@ -83,9 +90,7 @@ Picture_geometry picture_geometry(const Run_view& run)
       geometry.edges.push_back({to, middle(to, minus(from, by))});
     }
   }
-  const auto& [a, b] = cell->sides;
-  geometry.outline = {cell->corner, plus(cell->corner, a), plus(plus(cell->corner, a), b),
-                      plus(cell->corner, b)};
+  geometry.outline = outline_of(*cell);
   return geometry;
 }
 

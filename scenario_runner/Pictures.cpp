@@ -18,21 +18,6 @@ std::string readable_time(double time)
   return number_text(time, 12);
 }
 
-std::string html_text(const std::string& text)
-{
-  std::string html;
-  for (const char c : text) {
-    if (c == '<') {
-      html += "&lt;";
-    } else if (c == '&') {
-      html += "&amp;";
-    } else {
-      html += c;
-    }
-  }
-  return html;
-}
-
 // The controls stand above the pictures, whose heights may differ, so that they stay where they
 // are.
 constexpr const char* const picture_page_style = R"(
@@ -245,6 +230,21 @@ Bounds picture_bounds(const Picture_geometry& geometry, const std::optional<scen
 }
 
 } // namespace
+
+std::string html_text(const std::string& text)
+{
+  std::string html;
+  for (const char c : text) {
+    if (c == '<') {
+      html += "&lt;";
+    } else if (c == '&') {
+      html += "&amp;";
+    } else {
+      html += c;
+    }
+  }
+  return html;
+}
 
 Bounds bounds_of(const std::vector<scenario::Point>& points)
 {

@@ -120,6 +120,9 @@ struct Listed_picture
   double time;
 };
 
+// The same text in an HTML element.
+std::string html_text(const std::string& text);
+
 // A page that shows pictures one after another, by itself: it needs no network and no server, and
 // without scripts it still lists them.
 void write_picture_page(std::ostream& out, const std::string& name,

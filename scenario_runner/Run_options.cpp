@@ -84,6 +84,9 @@ void add_output_options(CLI::App& app, Run_options& options)
                  "draw about 30 frames: classified vertices red, padded green, border cyan; "
                  "index.html shows them one after another")
       ->type_name("DIR");
+  app.add_option("--html", options.html,
+                 "write all frames as one page that plays them in any browser, without a network")
+      ->type_name("FILE.html");
   app.add_option("--vtk", options.vtk,
                  "write about 30 frames for ParaView: triangles in .vtu files, all times in "
                  "frames.pvd")
@@ -94,7 +97,7 @@ void add_output_options(CLI::App& app, Run_options& options)
                  "write the points of all frames as a LAMMPS dump, which can be run again")
       ->type_name("FILE.lammpstrj");
   app.add_option("--every", options.every,
-                 "every N-th frame and the last one for --svg, --vtk, --xyz and --lammps")
+                 "every N-th frame and the last one for --svg, --html, --vtk, --xyz and --lammps")
       ->type_name("N")
       ->transform(whole_number(1, max_frames));
   app.add_flag("--quiet", options.quiet, "no progress, no table");
@@ -116,7 +119,8 @@ void check_files(const Run_options& options)
   }
   for (const auto& [name, file] :
        {std::pair("--report", options.report), std::pair("--csv", options.csv),
-        std::pair("--xyz", options.xyz), std::pair("--lammps", options.lammps)}) {
+        std::pair("--html", options.html), std::pair("--xyz", options.xyz),
+        std::pair("--lammps", options.lammps)}) {
     if (!file) {
       continue;
     }
@@ -131,9 +135,10 @@ void check_files(const Run_options& options)
 
 void check_every(const Run_options& options)
 {
-  if (options.every && !options.svg && !options.vtk && !options.xyz && !options.lammps) {
-    throw CLI::ValidationError("--every", "chooses frames for --svg, --vtk, --xyz or --lammps, "
-                                          "and none of them is there");
+  if (options.every && !options.svg && !options.html && !options.vtk && !options.xyz &&
+      !options.lammps) {
+    throw CLI::ValidationError("--every", "chooses frames for --svg, --html, --vtk, --xyz or "
+                                          "--lammps, and none of them is there");
   }
 }
 

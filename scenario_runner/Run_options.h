@@ -33,6 +33,7 @@ struct Run_options
   std::optional<std::string> report{};
   std::optional<std::string> csv{};
   std::optional<std::string> svg{};
+  std::optional<std::string> html{};
   std::optional<std::string> vtk{};
   std::optional<std::string> xyz{};
   std::optional<std::string> lammps{};

@@ -163,6 +163,11 @@ std::string rebuild_text(const Run_summary& summary)
   return text + (summary.rebuild_reasons.empty() ? "" : ")");
 }
 
+std::string classifier_text(const Classifier_choice& classifier)
+{
+  return classifier.text() + (classifier.is_exact ? " (exact)" : " (heuristic)");
+}
+
 } // namespace
 
 Run_summary summarize(std::size_t points_of_first_frame, const std::vector<Frame_record>& records)
@@ -200,6 +205,12 @@ void write_report(std::ostream& out, const Run_subject& subject, const Run_summa
   out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
+std::string method_text(const Run_subject& subject)
+{
+  return classifier_text(subject.classifier) + ", padding " + std::to_string(subject.padding) +
+         ", " + subject.repair + ", " + subject.policy.text();
+}
+
 void write_table(std::ostream& out, const Run_subject& subject, const Run_summary& summary)
 {
   const Time_summary& times = summary.times;
@@ -209,8 +220,7 @@ void write_table(std::ostream& out, const Run_subject& subject, const Run_summar
   if (subject.cell) {
     table.add("cell", *subject.cell);
   }
-  table.add("classifier", subject.classifier.text() +
-                              (subject.classifier.is_exact ? " (exact)" : " (heuristic)"));
+  table.add("classifier", classifier_text(subject.classifier));
   table.add("repair", subject.repair);
   table.add("policy", subject.policy.text());
   table.add("engine", subject.engine);

@@ -35,6 +35,9 @@ struct Run_subject
   std::optional<std::string> cell{}; // "torus" or "slab" where space is periodic
 };
 
+// What keeps the triangulation, in a line.
+std::string method_text(const Run_subject& subject);
+
 // Nanoseconds a point, over frames.
 struct Time_summary
 {

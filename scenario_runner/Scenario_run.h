@@ -82,10 +82,16 @@ public:
   {
     const std::vector<std::uint32_t> places = places_of_vertices();
     const auto frame = triangulation().frame();
+    const bool is_on_line = frame.number_of_edges() == 0; // where every edge is Delaunay
+    Index e = 0;
     std::vector<Shown_edge> edges;
     triangulation().for_each_edge([&](std::size_t i, std::size_t j) {
+      while (!is_on_line && Frame::is_infinite(frame.edge(e))) {
+        ++e;
+      }
       edges.push_back({places[frame.vertex(static_cast<Index>(i))],
-                       places[frame.vertex(static_cast<Index>(j))]});
+                       places[frame.vertex(static_cast<Index>(j))],
+                       is_on_line || frame.is_delaunay(e++)});
     });
     return edges;
   }

@@ -5,6 +5,8 @@
 
 #include "scenario_runner/Number_text.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Decimal_number_2.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
@@ -169,7 +171,8 @@ template <class Number>
 std::errc read_number(std::string_view text, Number& value)
 {
   const char* const end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
+  const auto result =
+      CGAL::Dynamic_Delaunay_triangulations_2::internal::read_number(text.data(), end, value);
   return result.ptr == end ? result.ec : std::errc::invalid_argument;
 }
 
@@ -262,7 +265,10 @@ void split_at_blanks(std::string_view line, std::vector<std::string_view>& field
 std::string in_quotes(std::string_view text)
 {
   constexpr std::size_t longest = 40;
-  return "'" + std::string(text.substr(0, longest)) + (text.size() > longest ? "...'" : "'");
+  std::string quoted(1, '\'');
+  quoted += text.substr(0, longest);
+  quoted += text.size() > longest ? "...'" : "'";
+  return quoted;
 }
 
 bool is_number(std::string_view text, double& value)

@@ -9,6 +9,7 @@
 #include "scenario_runner/Output_formats.h"
 #include "scenario_runner/Periodic_run.h"
 #include "scenario_runner/Pictures.h"
+#include "scenario_runner/Player_page.h"
 #include "scenario_runner/Progress.h"
 #include "scenario_runner/Repairs_and_policies.h"
 #include "scenario_runner/Run_options.h"
@@ -38,7 +39,7 @@ namespace {
 class Outputs
 {
 public:
-  Outputs(const run::Run_options& options, const std::string& name, std::size_t frames,
+  Outputs(const run::Run_options& options, const run::Run_subject& subject, std::size_t frames,
           const std::optional<scenario::Box>& box)
     : m_progress(frames, !options.quiet)
   {
@@ -52,7 +53,10 @@ public:
         options.every ? run::Frame_choice(frames, *options.every) : run::about_thirty(frames);
     const run::Frame_choice recorded(frames, options.every.value_or(1));
     if (options.svg) {
-      m_pictures.emplace(*options.svg, name, seen, box);
+      m_pictures.emplace(*options.svg, subject.scenario, seen, box);
+    }
+    if (options.html) {
+      m_player.emplace(*options.html, subject.scenario, run::method_text(subject), recorded);
     }
     if (options.vtk) {
       m_grids.emplace(*options.vtk, seen);
@@ -71,6 +75,9 @@ public:
   {
     if (m_pictures) {
       m_pictures->write(run);
+    }
+    if (m_player) {
+      m_player->take(run);
     }
     if (m_grids) {
       m_grids->write(run);
@@ -97,6 +104,9 @@ public:
     if (m_pictures) {
       m_pictures->finish();
     }
+    if (m_player) {
+      m_player->finish();
+    }
     if (m_grids) {
       m_grids->finish();
     }
@@ -113,6 +123,7 @@ private:
   std::optional<run::Output_file> m_report;
   std::optional<run::Frame_log> m_log;
   std::optional<run::Picture_series> m_pictures;
+  std::optional<run::Player_page> m_player;
   std::optional<run::Vtk_series> m_grids;
   std::vector<std::unique_ptr<run::Point_log>> m_point_logs;
   run::Progress_display m_progress;
@@ -219,7 +230,7 @@ int run_scenario(const run::Run_options& options)
   }
   run::Run_summary summary;
   {
-    Outputs outputs(options, motion->name(), frames, facts.box);
+    Outputs outputs(options, subject, frames, facts.box);
     summary = run::Threads(options.threads).execute([&] {
       return run_frames(subject, *motion, frames, outputs);
     });

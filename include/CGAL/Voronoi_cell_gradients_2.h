@@ -6,13 +6,17 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Cell_sums_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Voronoi_face_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Voronoi_space_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
+#include <boost/config.hpp>
+
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <vector>
 
@@ -126,10 +130,11 @@ public:
     m_gradients.clear();
     m_gradients.reserve(space.number_of_ids());
     m_cells.assign(space.number_of_cells(), Cell());
-    find_unbounded(space);
-    read_weights(space, area_weights, perimeter_weights);
-    space.for_each_face(
-        [&](const std::array<Index, 3>& cells, const Face& face) { add_face(cells, face); });
+    space.for_each_open_cell(m_missing_faces, [this](Index c) { m_cells[c].is_unbounded = true; });
+    if (!add_faces(space, area_weights, perimeter_weights)) {
+      find_flat(space);
+      add_faces(space, area_weights, perimeter_weights);
+    }
     settle(space);
   }
 
@@ -159,16 +164,44 @@ private:
       throw Parameter_error_2(name, double(weights.size()), ids, ids);
   }
 
+  // Adds up the faces. False if one is flat: then its cells are unbounded, and their weights, which
+  // others have used, count for nothing.
   template <class Space>
-  void find_unbounded(const Space& space)
+  bool add_faces(const Space& space, const std::vector<double>& area_weights,
+                 const std::vector<double>& perimeter_weights)
   {
-    const auto unbound = [&](Index c) { m_cells[c].is_unbounded = true; };
-    space.for_each_face([&](const std::array<Index, 3>& cells, const Face& face) {
-      if (face.is_flat())
-        for (const Index c : cells)
-          unbound(c);
-    });
-    space.for_each_open_cell(m_missing_faces, unbound);
+    read_weights(space, area_weights, perimeter_weights);
+    std::atomic<bool> is_any_flat{false};
+    m_sums.run(
+        space,
+        [&](const std::array<Index, 3>& cells, const Face& face, const auto& add) {
+          if (!face.is_flat())
+            add_face(cells, face, add);
+          else if (!(m_cells[cells[0]].is_unbounded && m_cells[cells[1]].is_unbounded &&
+                     m_cells[cells[2]].is_unbounded))
+            is_any_flat.store(true, std::memory_order_relaxed);
+        },
+        [this](Index c, const Vector& part) {
+          m_cells[c].gradient.x += part.x;
+          m_cells[c].gradient.y += part.y;
+        });
+    return !is_any_flat;
+  }
+
+  template <class Space>
+  BOOST_NOINLINE void find_flat(const Space& space)
+  {
+    for (Cell& cell : m_cells)
+      cell = Cell{0, 0, 0, {0, 0}, cell.is_unbounded};
+    Dynamic_Delaunay_triangulations_2::internal::Cell_sums_2<bool> unbounded;
+    unbounded.run(
+        space,
+        [](const std::array<Index, 3>& cells, const Face& face, const auto& add) {
+          if (face.is_flat())
+            for (const Index c : cells)
+              add(c, true);
+        },
+        [this](Index c, bool is_unbounded) { m_cells[c].is_unbounded = is_unbounded; });
   }
 
   template <class Space>
@@ -187,52 +220,61 @@ private:
     }
   }
 
-  void add_face(const std::array<Index, 3>& cells, const Face& face)
+  template <class Add>
+  void add_face(const std::array<Index, 3>& cells, const Face& face, const Add& add) const
   {
     using Dynamic_Delaunay_triangulations_2::internal::dot;
-    if (face.is_flat() || !(m_cells[cells[0]].has_weight() || m_cells[cells[1]].has_weight() ||
-                            m_cells[cells[2]].has_weight()))
+    if (!(m_cells[cells[0]].has_weight() || m_cells[cells[1]].has_weight() ||
+          m_cells[cells[2]].has_weight()))
       return;
-    Vector pull{0, 0}; // of the perimeters, on the circumcenter
+    // once each, as divisions take most of the time
+    const std::array<double, 3> cotangents{face.cotangent(0), face.cotangent(1), face.cotangent(2)};
+    std::array<Vector, 3> parts{}; // of the corners
+    Vector pull{0, 0};             // of the perimeters, on the circumcenter
     for (std::size_t k = 0; k < 3; ++k) {
-      Cell &i = m_cells[cells[(k + 1) % 3]], &j = m_cells[cells[(k + 2) % 3]];
-      add_areas(i, j, face, k);
-      const double weight = (i.perimeter_weight + j.perimeter_weight) / face.length(k);
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      const Cell &from = m_cells[cells[i]], &to = m_cells[cells[j]];
+      add_areas(from.area_weight - to.area_weight, cotangents[k], face, k, parts[i], parts[j]);
+      const double weight = (from.perimeter_weight + to.perimeter_weight) / face.length(k);
       pull.x += weight * face.normal(k).x;
       pull.y += weight * face.normal(k).y;
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vector to_center = face.to_circumcenter(k);
+      const Vector to_center = face.to_circumcenter(k, cotangents[(k + 2) % 3]);
       const double share = dot(pull, face.normal(k)) / face.doubled_area();
-      m_cells[cells[k]].gradient.x -= share * to_center.x;
-      m_cells[cells[k]].gradient.y -= share * to_center.y;
+      add(cells[k], Vector{parts[k].x - share * to_center.x, parts[k].y - share * to_center.y});
     }
   }
 
-  // What the face adds for its side k, from i to j.
-  static void add_areas(Cell& i, Cell& j, const Face& face, std::size_t k)
+  // What the face adds for its side k, from i to j, whose weights have this difference; h is the
+  // cotangent of the angle opposite to it.
+  static void add_areas(double difference, double h, const Face& face, std::size_t k, Vector& i,
+                        Vector& j)
   {
-    const double difference = i.area_weight - j.area_weight, h = face.cotangent(k);
     const double along = difference * h / 4, across = difference * h * h / 8;
     const Vector d = face.side(k), n = face.normal(k);
-    i.gradient.x += along * d.x + across * n.x;
-    i.gradient.y += along * d.y + across * n.y;
-    j.gradient.x += along * d.x - across * n.x;
-    j.gradient.y += along * d.y - across * n.y;
+    i.x += along * d.x + across * n.x;
+    i.y += along * d.y + across * n.y;
+    j.x += along * d.x - across * n.x;
+    j.y += along * d.y - across * n.y;
   }
 
   template <class Space>
   void settle(const Space& space)
   {
-    for (Index id = 0; id < space.number_of_ids(); ++id) {
-      const Cell cell = space.has_id(id) ? m_cells[space.cell(id)] : Cell();
-      const double share = cell.points > 0 ? 1 / cell.points : 0;
-      m_gradients.push_back({share * cell.gradient.x, share * cell.gradient.y});
-    }
+    m_gradients.resize(space.number_of_ids()); // throws nothing
+    space.for_each_range(space.number_of_ids(), [&](Index first, Index beyond) {
+      for (Index id = first; id < beyond; ++id) {
+        const Cell cell = space.has_id(id) ? m_cells[space.cell(id)] : Cell();
+        const double share = cell.points > 0 ? 1 / cell.points : 0;
+        m_gradients[id] = {share * cell.gradient.x, share * cell.gradient.y};
+      }
+    });
   }
 
   std::vector<Vector> m_gradients;
   std::vector<Cell> m_cells;
+  Dynamic_Delaunay_triangulations_2::internal::Cell_sums_2<Vector> m_sums;
   std::vector<int> m_missing_faces; // of each cell
 };
 

@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Cell_sums_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_geometry_2.h>
@@ -127,8 +128,14 @@ public:
   {
     const Space<Dynamic> space(dt);
     start(space);
-    space.for_each_face(
-        [&](const std::array<Index, 3>& cells, const Face& face) { add_face(cells, face); });
+    m_sums.run(
+        space,
+        [](const std::array<Index, 3>& cells, const Face& face, const auto& add) {
+          add_face(cells, face, add);
+        },
+        [this](Index c, const Cell& part) {
+          m_cells[c].add(part.area, part.perimeter, part.moment);
+        });
     space.for_each_open_cell(m_missing_faces, [&](Index c) { m_cells[c] = Cell::unbounded(); });
     settle(space, [&](Index id, Index c) {
       const Position p = space.position(id);
@@ -231,24 +238,30 @@ private:
   void settle(const Its_space& space, const Centroid& centroid)
   {
     space.for_each_duplicate([&](Index id) { ++m_cells[space.cell(id)].points; });
-    for (Index id = 0; id < space.number_of_ids(); ++id) {
-      const bool is_there = space.has_id(id);
-      const Index c = is_there ? space.cell(id) : 0;
-      const Cell cell = is_there ? m_cells[c] : Cell();
-      m_areas.push_back(cell.area / cell.points);
-      m_perimeters.push_back(cell.perimeter);
-      m_shape_indices.push_back(cell.shape_index());
-      m_centroids.push_back(is_there ? centroid(id, c) : Position{0, 0});
-    }
+    for (std::vector<double>* measures : {&m_areas, &m_perimeters, &m_shape_indices})
+      measures->resize(space.number_of_ids()); // throws nothing
+    m_centroids.resize(space.number_of_ids());
+    space.for_each_range(space.number_of_ids(), [&](Index first, Index beyond) {
+      for (Index id = first; id < beyond; ++id) {
+        const bool is_there = space.has_id(id);
+        const Index c = is_there ? space.cell(id) : 0;
+        const Cell cell = is_there ? m_cells[c] : Cell();
+        m_areas[id] = cell.area / cell.points;
+        m_perimeters[id] = cell.perimeter;
+        m_shape_indices[id] = cell.shape_index();
+        m_centroids[id] = is_there ? centroid(id, c) : Position{0, 0};
+      }
+    });
   }
 
   // WHOLE CELLS ---------------------------------------------------------------------------------
 
-  void add_face(const std::array<Index, 3>& cells, const Face& face)
+  template <class Add>
+  static void add_face(const std::array<Index, 3>& cells, const Face& face, const Add& add)
   {
     if (face.is_flat()) {
       for (const Index c : cells)
-        m_cells[c] = Cell::unbounded();
+        add(c, Cell::unbounded());
       return;
     }
     std::array<Cell, 3> parts; // of the corners
@@ -263,10 +276,42 @@ private:
       to.add(area, length, {across * n.x - area * d.x, across * n.y - area * d.y});
     }
     for (std::size_t i = 0; i < 3; ++i)
-      m_cells[cells[i]].add(parts[i].area, parts[i].perimeter, parts[i].moment);
+      add(cells[i], parts[i]);
   }
 
   // CLIPPED CELLS -------------------------------------------------------------------------------
+
+  // What is left of the box, around it, and memory for the next cut.
+  struct Polygon
+  {
+    std::vector<Position> corners{}, clipped{};
+
+    // Cuts off the part where the scalar product with `direction` is larger than `bound`. For the
+    // neighbor both numbers have the opposite sign, whatever their rounding errors: it is the same
+    // line.
+    void clip(const Position& direction, double bound)
+    {
+      using Dynamic_Delaunay_triangulations_2::internal::dot;
+      if (corners.empty())
+        return;
+      const auto excess_of = [&](const Position& p) { return dot(direction, p) - bound; };
+      clipped.clear();
+      Position last = corners.back();
+      double last_excess = excess_of(last);
+      for (const Position& corner : corners) {
+        const double excess = excess_of(corner);
+        if ((last_excess > 0) != (excess > 0)) {
+          const double t = last_excess / (last_excess - excess);
+          clipped.push_back({last.x + t * (corner.x - last.x), last.y + t * (corner.y - last.y)});
+        }
+        if (!(excess > 0))
+          clipped.push_back(corner);
+        last = corner;
+        last_excess = excess;
+      }
+      corners.swap(clipped);
+    }
+  };
 
   static void check_extent(const char* name, double extent)
   {
@@ -287,58 +332,39 @@ private:
                           box.ymin() + (box.ymax() - box.ymin()) / 2};
     const Position low = Position{box.xmin(), box.ymin()} - center;
     const Position high = Position{box.xmax(), box.ymax()} - center;
-    for (Index v = 1; v <= frame.number_of_vertices(); ++v) {
-      m_corners = {low, {high.x, low.y}, high, {low.x, high.y}};
+    const auto clip_cell = [&](Index v, Polygon& polygon) {
+      polygon.corners = {low, {high.x, low.y}, high, {low.x, high.y}};
       const Position p = frame.position(v) - center;
       around.for_each(v, [&](Index w) {
         const Position q = frame.position(w) - center;
         const Position middle{p.x / 2 + q.x / 2, p.y / 2 + q.y / 2};
         const Position direction = vector(v, w);
-        clip(direction, dot(direction, middle));
+        polygon.clip(direction, dot(direction, middle));
       });
-      const std::optional<Position> centroid = measure(m_cells[v]);
+      const std::optional<Position> centroid = measure(polygon.corners, m_cells[v]);
       m_cell_centroids[v] =
           centroid ? Position{center.x + centroid->x, center.y + centroid->y} : frame.position(v);
-    }
-  }
-
-  // Cuts off the part where the scalar product with `direction` is larger than `bound`. For the
-  // neighbor both numbers have the opposite sign, whatever their rounding errors: it is the same
-  // line.
-  void clip(const Position& direction, double bound)
-  {
-    using Dynamic_Delaunay_triangulations_2::internal::dot;
-    if (m_corners.empty())
-      return;
-    const auto excess_of = [&](const Position& p) { return dot(direction, p) - bound; };
-    m_clipped.clear();
-    Position last = m_corners.back();
-    double last_excess = excess_of(last);
-    for (const Position& corner : m_corners) {
-      const double excess = excess_of(corner);
-      if ((last_excess > 0) != (excess > 0)) {
-        const double t = last_excess / (last_excess - excess);
-        m_clipped.push_back({last.x + t * (corner.x - last.x), last.y + t * (corner.y - last.y)});
-      }
-      if (!(excess > 0))
-        m_clipped.push_back(corner);
-      last = corner;
-      last_excess = excess;
-    }
-    m_corners.swap(m_clipped);
+    };
+    using Parts = typename Dynamic::Frame::Parts;
+    const std::size_t vertices = frame.number_of_vertices();
+    m_polygons.resize((std::max)(Parts::number(vertices), m_polygons.size()));
+    Parts::for_each(vertices, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      for (std::size_t v = first; v < beyond; ++v)
+        clip_cell(Index(v + 1), m_polygons[part]);
+    });
   }
 
   // Adds up triangles at one corner, which are as small as the cell is, wherever it may be. Returns
   // the centroid, if it exists.
-  std::optional<Position> measure(Cell& cell) const
+  static std::optional<Position> measure(const std::vector<Position>& corners, Cell& cell)
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     double weight = 0;
     Position mean{0, 0}; // of the triangles' centroids, relative to that corner
-    for (std::size_t i = 0; i < m_corners.size(); ++i) {
-      const Position& p = m_corners[i];
-      const Position& q = m_corners[i + 1 < m_corners.size() ? i + 1 : 0];
-      const Position u = p - m_corners[0], v = q - m_corners[0];
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Position& p = corners[i];
+      const Position& q = corners[i + 1 < corners.size() ? i + 1 : 0];
+      const Position u = p - corners[0], v = q - corners[0];
       const double doubled_area = cross(u, v);
       cell.area += doubled_area / 2;
       cell.perimeter += distance(p, q);
@@ -351,15 +377,16 @@ private:
     }
     if (weight == 0)
       return std::nullopt;
-    return Position{m_corners[0].x + mean.x, m_corners[0].y + mean.y};
+    return Position{corners[0].x + mean.x, corners[0].y + mean.y};
   }
 
   std::vector<double> m_areas, m_perimeters, m_shape_indices;
   std::vector<Position> m_centroids;
   std::vector<Cell> m_cells;
-  std::vector<int> m_missing_faces;           // of each cell
-  std::vector<Position> m_cell_centroids;     // of each cell, if cells are clipped
-  std::vector<Position> m_corners, m_clipped; // of one cell, around it
+  Dynamic_Delaunay_triangulations_2::internal::Cell_sums_2<Cell> m_sums;
+  std::vector<int> m_missing_faces;       // of each cell
+  std::vector<Position> m_cell_centroids; // of each cell, if cells are clipped
+  std::vector<Polygon> m_polygons;        // of each part
 };
 
 } // namespace CGAL

@@ -8,14 +8,23 @@
 #include "scenario_runner/Table.h"
 #include "temporary_files.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Decimal_number_2.h>
+
 #include <gtest/gtest.h>
 
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <random>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
+#include <vector>
 
 namespace {
 
@@ -33,6 +42,55 @@ TEST(Numbers, are_read_as_the_same_again)
     EXPECT_EQ(std::stod(run::number_text(value)), value);
   }
   EXPECT_EQ(run::number_text(0.1), "0.1");
+}
+
+// Those of standard libraries that have no std::from_chars() for doubles, which others do not use.
+// Reads it, and compares the result with that of the standard library.
+double read_as_standard(const std::string& text)
+{
+  const char* const beyond = text.data() + text.size();
+  double expected = 7, read = 7;
+  const auto standard = std::from_chars(text.data(), beyond, expected);
+  const auto ours = CGAL::Dynamic_Delaunay_triangulations_2::internal::read_decimal_number(
+      text.data(), beyond, read);
+  EXPECT_EQ(ours.ec, standard.ec) << text;
+  EXPECT_EQ(ours.ptr, standard.ptr) << text;
+  EXPECT_EQ(read, expected) << text;
+  return read;
+}
+
+TEST(Numbers, are_read_and_written_the_same_without_the_standard_librarys_functions)
+{
+  namespace decimal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  constexpr double most = (std::numeric_limits<double>::max)();
+  std::mt19937_64 random(1);
+  std::vector<double> values = {0.0, -0.0, 0.1, 1.0 / 3.0, -1e-300, 154 * 0.3, 1e22, least, -most};
+  while (values.size() < 10000) {
+    const std::uint64_t bits = random();
+    double value;
+    std::memcpy(&value, &bits, sizeof value);
+    if (std::isfinite(value)) {
+      values.push_back(value);
+    }
+  }
+  for (const double value : values) {
+    const std::string shortest = decimal::shortest_decimal_number(value);
+    EXPECT_EQ(std::signbit(value), shortest.front() == '-') << shortest;
+    for (const std::string& text :
+         {shortest, run::number_text(value), run::number_text(value, 5)}) {
+      EXPECT_TRUE(read_as_standard(text) == value || text != shortest) << text;
+    }
+  }
+}
+
+TEST(Numbers, end_where_the_standard_library_says_without_its_functions)
+{
+  for (const std::string text :
+       {"", "-", ".", "e5", "+1", " 1", "0x10", "1e", "1e+", "1.5e-x", "12.5.7", "-.5", "3.",
+        "1e400", "-1e-400", "1e-310", "010", "1,5"}) {
+    read_as_standard(text);
+  }
 }
 
 TEST(Numbers, are_rounded_where_that_is_asked_for)

@@ -12,6 +12,10 @@
 #include <CGAL/Delaunay_neighbor_lists_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_population_2.h>
+#include <CGAL/Flip_repair_2.h>
+#include <CGAL/Random_classifier_2.h>
+#include <CGAL/Voronoi_cell_gradients_2.h>
+#include <CGAL/Voronoi_cell_measures_2.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 
@@ -177,6 +181,25 @@ void expect_equal_diaries(const Play& play)
     }
 }
 
+template <class Dynamic>
+void note_measures(Diary& diary, const Dynamic& dt)
+{
+  const auto note_all = [&diary](const CGAL::Voronoi_cell_measures_2& measures) {
+    diary.note_all(measures.areas());
+    diary.note_all(measures.perimeters());
+    diary.note_all(measures.centroids());
+    diary.note_all(measures.shape_indices());
+  };
+  CGAL::Voronoi_cell_measures_2 measures;
+  measures.compute(dt);
+  note_all(measures);
+  CGAL::Voronoi_cell_gradients_2 gradients;
+  gradients.compute(dt, measures.areas(), measures.perimeters());
+  diary.note_all(gradients.gradients());
+  measures.compute(dt, CGAL::Bbox_2(0, 0, 40, 30));
+  note_all(measures);
+}
+
 // A population of points that are moved all together in some frames, then changes one by one.
 struct Motion
 {
@@ -208,12 +231,12 @@ private:
       diary.note(dt.update(moved));
       diary.note_all(dt.classified_vertices());
       diary.note_state(dt);
+      ASSERT_NO_FATAL_FAILURE(expect_exact(dt, moved)) << "frame " << frame;
     }
     CGAL::Delaunay_neighbor_lists_2 neighbors;
     neighbors.compute(dt);
     diary.note_all(neighbors.neighbors());
-    EXPECT_TRUE(dt.is_certified());
-    EXPECT_TRUE(dt.is_valid());
+    note_measures(diary, dt);
     Dynamic copy(dt);
     EXPECT_TRUE(copy.is_valid());
   }
@@ -274,6 +297,49 @@ TEST(Threads, change_nothing_where_points_are_dense_in_some_places)
   }
   expect_equal_diaries(Motion{points, 0, 1});
   expect_equal_diaries(Motion{points, 0.01, 1});
+}
+
+TEST(Threads, change_nothing_where_faces_are_turned_over)
+{
+  expect_equal_diaries(Motion{Cloud<Epick>(10).uniform(many), 0.3, 6});
+}
+
+// Nothing is rebuilt after a heuristic classifier, whatever flips have left.
+TEST(Threads, double_no_edge_where_flips_alone_mend_faces_that_overlap)
+{
+  using Flipping = CGAL::Dynamic_Delaunay_triangulation_2<
+      Epick, CGAL::Random_classifier_2, CGAL::Flip_repair_2, CGAL::Default,
+      CGAL::Always_dynamic_policy_2, CGAL::Delaunay_update_visitor_base_2, CGAL::Parallel_tag>;
+  Cloud<Epick> cloud(12);
+  for (const double step : {0.5, 1., 2.}) {
+    Points points = cloud.uniform(many);
+    Flipping dt(points.begin(), points.end(), CGAL::Random_classifier_2(1));
+    for (int frame = 0; frame < 4; ++frame) {
+      cloud.shake(points, step);
+      with_threads(3, [&] { dt.update(points); });
+      ASSERT_TRUE(dt.is_valid(true)) << "step " << step << ", frame " << frame;
+    }
+  }
+}
+
+// Whole cells are sums over faces, which have parts; clipped cells are not.
+TEST(Threads, leave_out_no_face_of_a_cell)
+{
+  const Points points = Cloud<Epick>(11).uniform(many);
+  const Parallel dt(points.begin(), points.end());
+  CGAL::Voronoi_cell_measures_2 whole, clipped;
+  with_threads(2, [&] {
+    whole.compute(dt);
+    clipped.compute(dt, CGAL::Bbox_2(-1e3, -1e3, 1e3, 1e3));
+  });
+  std::size_t compared = 0;
+  for (std::size_t id = 0; id < many; ++id)
+    if (whole.areas()[id] < 10 && clipped.areas()[id] < 10) {
+      ASSERT_NEAR(whole.areas()[id], clipped.areas()[id], 1e-6) << id;
+      ASSERT_NEAR(whole.perimeters()[id], clipped.perimeters()[id], 1e-6) << id;
+      ++compared;
+    }
+  EXPECT_GT(compared, many / 2);
 }
 
 // Points come and go with every frame.

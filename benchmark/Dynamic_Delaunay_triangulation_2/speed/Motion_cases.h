@@ -65,8 +65,14 @@ struct Frame_choice
   std::size_t stride = 1;
 };
 
+struct Followed_frames
+{
+  Speed_records records{};
+  std::vector<double> hot{};
+};
+
 template <class Opponents>
-Speed_records run_frames(scenario::Motion& motion, const Frame_choice& frames)
+Followed_frames run_frames(scenario::Motion& motion, const Frame_choice& frames)
 {
   run::Progress_display progress(frames.passed_over + frames.measured * frames.stride, true);
   Speed_run<Opponents> run(motion);
@@ -87,7 +93,7 @@ Speed_records run_frames(scenario::Motion& motion, const Frame_choice& frames)
   if (!records.empty()) {
     run.check_thoroughly();
   }
-  return records;
+  return {records, run.hot()};
 }
 
 inline double seconds_of_updates(const Speed_records& records)
@@ -99,9 +105,14 @@ inline double seconds_of_updates(const Speed_records& records)
   return 1e-9 * nanoseconds;
 }
 
-inline common::Case_result result_of(const Speed_records& records)
+inline common::Case_result result_of(const Followed_frames& frames)
 {
-  return {speed_summary(records), seconds_of_updates(counted(records))};
+  common::Case_result result{speed_summary(frames.records),
+                             seconds_of_updates(counted(frames.records))};
+  if (!frames.hot.empty()) {
+    result.figures["hot"] = run::spread(frames.hot)->median;
+  }
+  return result;
 }
 
 inline common::Case_result motion_case(scenario::Motion& motion, const Frame_choice& frames)
@@ -126,10 +137,10 @@ inline common::Case_result teleport_case(std::size_t points)
 inline common::Case_result recorded_case(const std::string& path)
 {
   const auto motion = scenario::open_motion(path);
-  const Speed_records records = run_frames<run::Static_opponents>(*motion, {0, motion->frames()});
-  common::Case_result result = result_of(records);
+  const Followed_frames frames = run_frames<run::Static_opponents>(*motion, {0, motion->frames()});
+  common::Case_result result = result_of(frames);
   result.figures["changes"] = static_cast<double>(
-      std::count_if(records.begin(), records.end(),
+      std::count_if(frames.records.begin(), frames.records.end(),
                     [](const Speed_record& record) { return record.frame.population_changed; }));
   return result;
 }

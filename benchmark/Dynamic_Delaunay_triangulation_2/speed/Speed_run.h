@@ -7,6 +7,7 @@
 #include "../common/Cases.h"
 #include "../common/Contest.h"
 #include "../common/Timed_phases.h"
+#include "Hot_frames.h"
 #include "scenario_runner/Frame_record.h"
 #include "scenario_runner/Measurement.h"
 #include "scenario_runner/Motion.h"
@@ -99,7 +100,9 @@ inline void add_times(const Speed_records& records, Figures& figures)
     return per_point(records,
                      [&](const Speed_record& record) { return record.frame.nanoseconds.*time; });
   };
-  common::add_spread(figures, "dynamic", "", of_points(&run::Frame_times::dynamic));
+  const std::vector<double> dynamic = of_points(&run::Frame_times::dynamic);
+  common::add_spread(figures, "dynamic", "", dynamic);
+  figures["worst"] = *std::max_element(dynamic.begin(), dynamic.end());
   figures["insert"] = run::spread(of_points(&run::Frame_times::static_insert))->median;
   figures["fastest"] = run::spread(of_points(&run::Frame_times::static_fastest))->median;
   figures["vs_insert"] = figures["insert"] / figures["dynamic"];
@@ -130,6 +133,9 @@ public:
     check_coordinates();
     m_kept.emplace(motion, Dynamic(Dynamic::Settings{common::Timed_classifier(m_marks),
                                                      common::Timed_repair(m_marks)}));
+    if (motion.has_fixed_population()) {
+      m_hot_frames.emplace(motion.points());
+    }
   }
   Speed_run(const Speed_run&) = delete;
   Speed_run& operator=(const Speed_run&) = delete;
@@ -142,7 +148,7 @@ public:
       return false;
     }
     time_dynamic();
-    check_certificate();
+    finish_frame();
     return true;
   }
 
@@ -154,11 +160,18 @@ public:
     }
     m_opponents.prepare(m_motion.points(), m_record.frame.population_changed);
     time_all();
-    check_certificate();
+    finish_frame();
     return true;
   }
 
   const Speed_record& record() const { return m_record; }
+
+  // Nanoseconds a point of all frames, measured or followed, that are hot; none where the
+  // population changes.
+  std::vector<double> hot() const
+  {
+    return m_hot_frames ? m_hot_frames->nanoseconds_per_point() : std::vector<double>();
+  }
 
   // Of a measured frame.
   void check_thoroughly() const
@@ -184,6 +197,14 @@ private:
     m_record.frame.population_changed = m_motion.population_changed();
     check_coordinates();
     return true;
+  }
+
+  void finish_frame()
+  {
+    check_certificate();
+    if (m_hot_frames) {
+      m_hot_frames->add(m_motion.points());
+    }
   }
 
   void time_all()
@@ -236,6 +257,7 @@ private:
   std::optional<run::Kept_triangulation<Dynamic>> m_kept;
   Opponents m_opponents;
   run::Neighbor_reader m_neighbors;
+  std::optional<Hot_frames> m_hot_frames;
   Speed_record m_record;
 };
 

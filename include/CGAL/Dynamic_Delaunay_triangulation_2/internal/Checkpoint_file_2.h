@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Decimal_number_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Guibas_stolfi_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_ids_2.h>
@@ -62,7 +63,7 @@ template <class Number>
 bool read_whole(std::string_view word, Number& number)
 {
   const char* const beyond = word.data() + word.size();
-  const std::from_chars_result result = std::from_chars(word.data(), beyond, number);
+  const std::from_chars_result result = read_number(word.data(), beyond, number);
   return result.ec == std::errc() && result.ptr == beyond;
 }
 
@@ -117,18 +118,10 @@ private:
   void append(const Field& field)
   {
     if constexpr (std::is_arithmetic_v<Field>)
-      append_number(field);
+      append_number(m_text, field);
     else
       m_text += field;
     m_text += ' ';
-  }
-
-  // Appends the shortest digits that are read back as the same number.
-  template <class Number>
-  void append_number(Number number)
-  {
-    char digits[32];
-    m_text.append(digits, std::to_chars(digits, digits + sizeof(digits), number).ptr);
   }
 
   void write()

@@ -10,6 +10,8 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 
+#include <boost/config.hpp>
+
 #include <cmath>
 
 namespace CGAL {
@@ -60,7 +62,7 @@ struct Edge_filter_2
 
   double s, left, right, in_circle;
 
-  explicit Edge_filter_2(const Edge_corners_2& corners)
+  BOOST_FORCEINLINE explicit Edge_filter_2(const Edge_corners_2& corners)
   {
     const auto& [a, b, c, d] = corners;
     const double ax = a.x - d.x, ay = a.y - d.y;

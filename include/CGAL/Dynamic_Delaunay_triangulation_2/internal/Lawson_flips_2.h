@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_parts_2.h>
 
 #include <algorithm>
 #include <array>
@@ -37,29 +38,10 @@ public:
     // Lawson's proof of termination needs counterclockwise faces; with inverted ones, flips can
     // cycle. Recorded motion took at most 3 flips per initial edge.
     const std::size_t limit = (std::min)(100 + 20 * open.size(), most);
-    const bool prefetches = maintained.positions().size() >= min_vertices_to_prefetch;
     std::size_t flips = 0;
-    m_touched.clear(); // an exception may have ended the last run
-    editor.flip_in_series([&](const auto& flip) {
-      const auto try_flip = [&](Index h) {
-        const bool is_right = faces_tile_hull || editor.can_flip(h);
-        if (is_right)
-          flip(h);
-        return is_right;
-      };
-      for (std::size_t before = limit; !open.empty() && flips != before;) {
-        before = flips;
-        m_seeds.swap(open);
-        open.clear();
-        for (std::size_t i = 0; i < m_seeds.size(); ++i) {
-          if (prefetches && i % stretch == 0)
-            prefetch_stretch(maintained, i);
-          flips += flip_from(maintained, m_seeds[i], limit - flips, try_flip, open);
-        }
-        keep_unproved(maintained, open);
-      }
-    });
-    return flips;
+    if constexpr (Editor::can_flip_in_parts)
+      flips = run_in_parts(maintained, editor, open, faces_tile_hull, limit);
+    return flips + run_in_series(maintained, editor, open, faces_tile_hull, limit - flips);
   }
 
   // Flips around vertex v, which was put into a face of a Delaunay triangulation. Returns whether
@@ -81,7 +63,7 @@ public:
     const auto& mirror = maintained.mirror();
     const typename Maintained::Edge_test test(maintained);
     bool is_inside = true;
-    m_touched.clear();
+    m_work.touched.clear();
     mirror.for_each_corner(v, [&](Index h) {
       const Index e = mirror.edge_of(h);
       const bool is_finite =
@@ -89,7 +71,7 @@ public:
       const Edge_state_2 state = is_finite ? test.state(e) : Edge_state_2::TWISTED;
       is_inside &= state == Edge_state_2::DELAUNAY || state == Edge_state_2::ILLEGAL;
       if (state == Edge_state_2::ILLEGAL)
-        m_touched.push_back(e);
+        m_work.touched.push_back(e);
     });
     if (!is_inside)
       return false;
@@ -98,59 +80,141 @@ public:
       return !is_rounded || editor.can_flip(mirror.halfedge(e));
     };
     editor.flip_in_series([&](const auto& flip) {
-      for (; !m_touched.empty() && most > 0 && can_flip(m_touched.back()); --most, ++flips) {
-        const Index h = mirror.halfedge(m_touched.back());
+      for (; !m_work.touched.empty() && most > 0 && can_flip(m_work.touched.back());
+           --most, ++flips) {
+        const Index h = mirror.halfedge(m_work.touched.back());
         const Index beyond = mirror.apex(h) == v ? mirror.twin(h) : h;
-        m_touched.pop_back();
+        m_work.touched.pop_back();
         const std::array<Index, 2> opposite{
             mirror.edge_of(Neighborhood_mirror_2::next(beyond)),
             mirror.edge_of(Neighborhood_mirror_2::previous(beyond))};
         flip(h);
         for (const Index e : opposite)
           if (test.state(e) == Edge_state_2::ILLEGAL)
-            m_touched.push_back(e);
+            m_work.touched.push_back(e);
       }
     });
-    return m_touched.empty();
+    return m_work.touched.empty();
   }
 
 private:
-  // Examines touched edges at once, while they are in the cache. Does at most `limit` flips.
-  template <class Maintained, class Try_flip>
-  std::size_t flip_from(const Maintained& maintained, Index seed, std::size_t limit,
-                        const Try_flip& try_flip, std::vector<Index>& open)
+  // The edges to start from, those to be examined again, those that were not proved, and how many
+  // flips this took.
+  struct Work
+  {
+    std::vector<Index> seeds, touched, open;
+    std::size_t flips = 0;
+  };
+
+  template <class Maintained, class Editor>
+  std::size_t run_in_series(const Maintained& maintained, Editor& editor, std::vector<Index>& open,
+                            bool faces_tile_hull, std::size_t limit)
   {
     std::size_t flips = 0;
-    m_touched.push_back(seed);
-    while (!m_touched.empty() && flips < limit) {
-      const Index e = m_touched.back();
-      m_touched.pop_back();
-      flips += examine(maintained, e, try_flip, open);
-    }
-    open.insert(open.end(), m_touched.begin(), m_touched.end());
-    m_touched.clear();
+    editor.flip_in_series([&](const auto& flip) {
+      const auto try_flip = [&](Index h) {
+        const bool is_right = faces_tile_hull || editor.can_flip(h);
+        if (is_right)
+          flip(h);
+        return is_right;
+      };
+      for (std::size_t before = limit; !open.empty() && flips != before;) {
+        before = flips;
+        m_work.seeds.swap(open);
+        flip_from_seeds(maintained, m_work, limit - flips, try_flip);
+        open.swap(m_work.open);
+        flips += m_work.flips;
+        keep_unproved(maintained, open);
+      }
+    });
     return flips;
+  }
+
+  // Many flips are made in parts, which threads share, as far as they stay inside of a part. What
+  // is left is open. The parts, and so the result, depend on the numbers of faces and edges alone.
+  template <class Maintained, class Editor>
+  std::size_t run_in_parts(const Maintained& maintained, Editor& editor, std::vector<Index>& open,
+                           bool faces_tile_hull, std::size_t limit)
+  {
+    using Parts = typename Maintained::Parts;
+    const std::size_t faces = maintained.mirror().number_of_faces(), seeds = open.size();
+    const std::size_t parts =
+        Parts::number(faces, (std::max)(Parts::usual_size, faces / max_parts));
+    if (parts < Parts::least_shared || seeds < parts * (Parts::usual_size / 256))
+      return 0;
+    const Topology_parts_2 topology(maintained.mirror(), maintained.vertices().size(), parts);
+    divide(topology, parts, open);
+    editor.flip_in_parts(topology, parts, faces_tile_hull,
+                         [&](std::size_t part, const auto& try_flip) {
+                           Work& work = m_parts[part];
+                           const std::size_t share = limit * work.seeds.size() / seeds;
+                           flip_from_seeds(maintained, work, share, try_flip);
+                         });
+    std::size_t flips = 0;
+    for (std::size_t part = 0; part < parts; ++part) {
+      open.insert(open.end(), m_parts[part].open.begin(), m_parts[part].open.end());
+      flips += m_parts[part].flips;
+    }
+    return flips;
+  }
+
+  // Gives each part the edges inside of it; the others remain.
+  void divide(const Topology_parts_2& topology, std::size_t parts, std::vector<Index>& edges)
+  {
+    m_parts.resize((std::max)(parts, m_parts.size()));
+    for (Work& part : m_parts)
+      part.seeds.clear();
+    m_work.seeds.swap(edges);
+    edges.clear();
+    for (std::size_t i = 0; i < m_work.seeds.size(); ++i) {
+      topology.prefetch_some(m_work.seeds, i);
+      const Index e = m_work.seeds[i];
+      const std::size_t part = topology.part_of(e);
+      (topology.is_inside(part, e) ? m_parts[part].seeds : edges).push_back(e);
+    }
+  }
+
+  // Examines touched edges at once, while they are in the cache. Does at most `limit` flips.
+  template <class Maintained, class Try_flip>
+  static void flip_from_seeds(const Maintained& maintained, Work& work, std::size_t limit,
+                              const Try_flip& try_flip)
+  {
+    const bool prefetches = maintained.positions().size() >= min_vertices_to_prefetch;
+    work.open.clear();
+    work.touched.clear(); // an exception may have ended the last run
+    work.flips = 0;
+    for (std::size_t i = 0; i < work.seeds.size(); ++i) {
+      if (prefetches && i % stretch == 0)
+        prefetch_stretch(maintained, work.seeds, i);
+      work.touched.push_back(work.seeds[i]);
+      while (!work.touched.empty() && work.flips < limit) {
+        const Index e = work.touched.back();
+        work.touched.pop_back();
+        work.flips += examine(maintained, e, try_flip, work);
+      }
+      work.open.insert(work.open.end(), work.touched.begin(), work.touched.end());
+      work.touched.clear();
+    }
   }
 
   // Flips e if a flip may help and is possible. Otherwise adds e to `open`, unless it is Delaunay.
   template <class Maintained, class Try_flip>
-  bool examine(const Maintained& maintained, Index e, const Try_flip& try_flip,
-               std::vector<Index>& open)
+  static bool examine(const Maintained& maintained, Index e, const Try_flip& try_flip, Work& work)
   {
     const Edge_state_2 state = typename Maintained::Edge_test(maintained).state(e);
     if (state == Edge_state_2::DELAUNAY)
       return false;
     const auto& mirror = maintained.mirror();
     if (state == Edge_state_2::TWISTED || !try_flip(mirror.halfedge(e))) {
-      open.push_back(e);
+      work.open.push_back(e);
       return false;
     }
     // Between counterclockwise faces the quadrilateral is convex, and the new diagonal Delaunay.
     // Elsewhere the repair has to know of it. The proof does not: its determinant is minus that of
     // the old diagonal, so it is Delaunay as soon as its faces, and thus its sides, are proved.
     if (state == Edge_state_2::CROSSED)
-      m_touched.push_back(e);
-    mirror.for_each_side(e, [this](Index side) { m_touched.push_back(side); });
+      work.touched.push_back(e);
+    mirror.for_each_side(e, [&](Index side) { work.touched.push_back(side); });
     return true;
   }
 
@@ -158,14 +222,15 @@ private:
   // which reads what the one before has fetched. At 10^5 points this saves two thirds of the time
   // of a flip. The last step fetches the positions needed to examine the sides of the new diagonal.
   template <class Maintained>
-  void prefetch_stretch(const Maintained& maintained, std::size_t first) const
+  static void prefetch_stretch(const Maintained& maintained, const std::vector<Index>& seeds,
+                               std::size_t first)
   {
     const auto& mirror = maintained.mirror();
     const Position_2* const positions = maintained.positions().data();
     const auto for_each_seed = [&](const auto& f) {
-      const std::size_t beyond = (std::min)(first + stretch, m_seeds.size());
+      const std::size_t beyond = (std::min)(first + stretch, seeds.size());
       for (std::size_t i = first; i < beyond; ++i)
-        f(m_seeds[i]);
+        f(seeds[i]);
     };
     for_each_seed([&](Index e) { mirror.prefetch_edge(e); });
     for_each_seed([&](Index e) {
@@ -193,10 +258,11 @@ private:
                open.end());
   }
 
-  static constexpr std::size_t stretch = 16; // seeds that are fetched together
+  static constexpr std::size_t stretch = 16;   // seeds that are fetched together
+  static constexpr std::size_t max_parts = 32; // larger ones leave fewer edges between them
 
-  std::vector<Index> m_seeds;   // the edges to start from
-  std::vector<Index> m_touched; // to be examined again
+  Work m_work;
+  std::vector<Work> m_parts;
 };
 
 } // namespace internal

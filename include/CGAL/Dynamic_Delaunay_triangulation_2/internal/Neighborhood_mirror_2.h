@@ -30,6 +30,15 @@ class Topology_editor_2;
 template <class Maintained, bool is_logged>
 class Periodic_editor_2;
 
+// What a flip has changed: faces (a, b, c) and (d, c, b) to (a, b, d) and (d, c, a).
+struct Flip_2
+{
+  Index h, g;               // the half-edges of the old diagonal, which are now those of bd and ca
+  Index outer_bd, outer_ca; // their new twins
+  Index edge;               // the diagonal
+  Index a, b, c, d;
+};
+
 // The topology of a two-dimensional CGAL triangulation in flat arrays.
 //
 // Vertex 0 is the infinite one. Its position is NaN, so that every comparison with it fails and
@@ -296,9 +305,16 @@ private:
     }
   }
 
-  // Exchanges the diagonal at half-edge h, vertex by vertex as CGAL's TDS_2::flip(face, i) does:
-  // from faces (a, b, c) and (d, c, b) to (a, b, d) and (d, c, a).
-  void flip(Index h)
+  // Exchanges the diagonal at half-edge h, vertex by vertex as CGAL's TDS_2::flip(face, i) does.
+  Flip_2 flip(Index h)
+  {
+    return flip(h, [this](Index v, Index corner) { set_corner(v, corner); });
+  }
+
+  // The same with set_corner(v, corner) for the two vertices that leave a face. Their corners are
+  // set even where they do not change: a store is cheaper than a branch.
+  template <class Set_corner>
+  Flip_2 flip(Index h, const Set_corner& set_corner)
   {
     const Index g = twin(h);
     const Index h_next = next(h), h_previous = previous(h);
@@ -313,8 +329,8 @@ private:
     link(h, outer_bd);
     link(g, outer_ca);
     link(h_next, g_next);
-    m_corner[c] = g_next; // even where it does not change: a store is cheaper than a branch
-    m_corner[b] = h_next;
+    set_corner(c, g_next);
+    set_corner(b, h_next);
 
     m_halfedges[h].edge = bd;
     m_halfedges[g].edge = ca;
@@ -327,6 +343,7 @@ private:
     exchange_opposite(bd, c, a);
     exchange_opposite(dc, b, a);
     exchange_opposite(ca, b, d);
+    return {h, g, outer_bd, outer_ca, diagonal, a, b, c, d};
   }
 
   // The same where the two faces may share more edges than that at h, and vertices may have edges

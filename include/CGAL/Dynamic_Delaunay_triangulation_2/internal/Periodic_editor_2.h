@@ -161,6 +161,8 @@ public:
     note_edge(Kind::EDGE_CREATED, Mirror::next(g));
   }
 
+  static constexpr bool can_flip_in_parts = false;
+
   // As `Topology_editor_2` has it: calls f(flip).
   template <class Function>
   void flip_in_series(const Function& f)

@@ -74,9 +74,7 @@ public:
       return;
     m_references = frame.positions();
     m_cell_changes = frame.number_of_cell_changes();
-    m_tight.clear(frame.number_of_edges());
-    for (Index e = 0; e < frame.number_of_edges(); ++e)
-      consider(frame, e);
+    find_tight(frame);
     if constexpr (Frame::Slacks::has_hull)
       check_hull(frame);
     m_holds = m_tight.size() <= max_tight(frame);
@@ -193,6 +191,23 @@ private:
     const auto place = m_sample.begin() + std::ptrdiff_t(m_sample.size() / part);
     std::nth_element(m_sample.begin(), place, m_sample.end());
     return *place;
+  }
+
+  // Each part of the edges has a list of its own.
+  template <class Frame>
+  void find_tight(const Frame& frame)
+  {
+    const std::size_t edges = frame.number_of_edges();
+    std::vector<std::vector<Index>> tight(Frame::Parts::number(edges));
+    Frame::Parts::for_each(edges, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      for (Index e = Index(first); e < beyond; ++e)
+        if (!Frame::Slacks::is_safe(frame, e, m_references, m_tolerance))
+          tight[part].push_back(e);
+    });
+    m_tight.clear(edges);
+    for (const std::vector<Index>& list : tight)
+      for (const Index e : list)
+        m_tight.insert(e);
   }
 
   template <class Frame>

@@ -147,10 +147,11 @@ struct Change_log_2
 // changes. Reading is public. Only two friends can change it: `Topology_editor_2`, which writes
 // parts, and `Topology_builder_2`, which writes everything. They keep its members consistent and
 // tell the visitor.
-template <class Traits, class Tds, class Visitor_calls>
+template <class Traits, class Tds, class VisitorCalls>
 class Topology_2
 {
 public:
+  using Visitor_calls = VisitorCalls;
   using Triangulation = Delaunay_triangulation_2<Traits, Tds>;
   using Vertex_handle = typename Triangulation::Vertex_handle;
   using Face_handle = typename Triangulation::Face_handle;

@@ -11,12 +11,14 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_parts_2.h>
 #include <CGAL/Triangulation_utils_2.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -136,17 +138,44 @@ public:
   void flip_in_series(const Function& f)
   {
     const auto flip = [this](Index h) {
+      provide(m_flipped, 1);
       m_topology.m_changes.new_edges.push_back(m_topology.m_mirror.edge_of(h));
-      m_flipped.push_back(h); // nothing throws from here on
-      m_topology.m_mirror.flip(h);
+      m_flipped.push_back(m_topology.m_mirror.flip(h)); // throws nothing
     };
     try {
       f(flip);
     } catch (...) {
-      write_flips();
+      visit_and_write_flips(m_flipped);
       throw;
     }
-    write_flips();
+    visit_and_write_flips(m_flipped);
+  }
+
+  static constexpr bool can_flip_in_parts = true;
+
+  // Calls f(part, try_flip) for all parts of `topology`, which threads share. try_flip(h) returns
+  // whether the flip of half-edge h stays inside of the part and doubles no edge, which it cannot
+  // if `no_edge_doubles`, and flips it if so. CGAL's structure is flipped at the end of each part,
+  // or, where a visitor hears of it, part by part at the end. The result depends on the parts
+  // alone.
+  template <class Function>
+  void flip_in_parts(const Topology_parts_2& topology, std::size_t parts, bool no_edge_doubles,
+                     const Function& f)
+  {
+    m_parts.resize((std::max)(parts, m_parts.size()));
+    const auto finish = [&] {
+      for (std::size_t part = 0; part < parts; ++part)
+        finish_part(m_parts[part]);
+    };
+    try {
+      Maintained::Parts::run(parts, [&](std::size_t part) {
+        flip_part(topology, part, no_edge_doubles, m_parts[part], f);
+      });
+    } catch (...) {
+      finish();
+      throw;
+    }
+    finish();
   }
 
   // Replaces `old_faces` by the faces of `patch`. Both have equal numbers of faces and equal
@@ -631,48 +660,68 @@ private:
 
   // CGAL ----------------------------------------------------------------------------------------
 
-  void write_flips()
+  void visit_and_write_flips(std::vector<Flip_2>& flips)
   {
-    auto& tds = m_topology.m_triangulation.tds();
-    const auto& faces = m_topology.m_faces;
-    const bool prefetches = m_topology.m_vertices.size() >= min_vertices_to_prefetch;
-    for (std::size_t i = 0; i < m_flipped.size(); ++i) {
-      if (prefetches && i % stretch == 0)
-        prefetch_stretch(i);
-      const Face_handle f = faces[m_flipped[i] / 3];
-      const int place = int(m_flipped[i] % 3);
+    const auto set_face = [this](Index v, Index h) {
+      m_topology.m_vertices[v]->set_face(m_topology.m_faces[h / 3]);
+    };
+    for_each_prefetched(flips, [&](const Flip_2& flip) {
+      const Face_handle f = m_topology.m_faces[flip.h / 3];
+      const int place = int(flip.h % 3);
       m_topology.m_visitor_calls.before_flip(Edge(f, place));
-      tds.flip(f, place);
+      write_flip(flip, set_face);
       m_topology.m_visitor_calls.after_flip(Edge(f, Triangulation_cw_ccw_2::ccw(place)));
-    }
-    m_flipped.clear();
+    });
+    flips.clear();
   }
 
-  // Prefetches in steps, each of which reads what the one before has fetched. If a flip of the
-  // stretch changes what is read, something useless is fetched, which does no harm.
-  void prefetch_stretch(std::size_t first) const
+  // Does in CGAL's structure what the flip has done in the mirror, with set_face(v, h) for the two
+  // vertices that leave a face.
+  template <class Set_face>
+  void write_flip(const Flip_2& flip, const Set_face& set_face)
   {
-    using Place = Triangulation_cw_ccw_2;
-    const auto& faces = m_topology.m_faces;
-    const auto for_each_flip = [&](const auto& f) {
-      const std::size_t beyond = (std::min)(first + stretch, m_flipped.size());
-      for (std::size_t i = first; i < beyond; ++i)
-        f(m_flipped[i]);
+    using Mirror = Neighborhood_mirror_2;
+    const auto set_apex = [this](Index h, Index v) {
+      m_topology.m_faces[h / 3]->set_vertex(int(h % 3), m_topology.m_vertices[v]);
     };
-    for_each_flip([&](Index h) { prefetch(&faces[h / 3]); });
-    for_each_flip([&](Index h) { prefetch_face(faces[h / 3]); });
-    for_each_flip([&](Index h) {
-      const Face_handle f = faces[h / 3];
-      const int i = int(h % 3);
-      prefetch_face(f->neighbor(i));
-      prefetch_face(f->neighbor(Place::ccw(i)));
-      prefetch(&*f->vertex(Place::cw(i)));
-      prefetch(&*f->vertex(Place::ccw(i)));
-    });
-    for_each_flip([&](Index h) {
-      const Face_handle f = faces[h / 3], g = f->neighbor(int(h % 3));
-      prefetch_face(g->neighbor(Place::ccw(g->index(f))));
-    });
+    set_apex(Mirror::previous(flip.h), flip.d);
+    set_apex(Mirror::previous(flip.g), flip.a);
+    write_neighbors(flip.h, flip.outer_bd);
+    write_neighbors(flip.g, flip.outer_ca);
+    write_neighbors(Mirror::next(flip.h), Mirror::next(flip.g));
+    set_face(flip.c, flip.g);
+    set_face(flip.b, flip.h);
+  }
+
+  // Calls f for each flip; fetches what write_flip() writes some flips before.
+  template <class Function>
+  void for_each_prefetched(const std::vector<Flip_2>& flips, const Function& f) const
+  {
+    const bool prefetches = m_topology.m_vertices.size() >= min_vertices_to_prefetch;
+    for (std::size_t i = 0; i < flips.size(); ++i) {
+      if (prefetches && i % stretch == 0)
+        prefetch_stretch(flips.data() + i, (std::min)(stretch, flips.size() - i));
+      f(flips[i]);
+    }
+  }
+
+  // Fetches the handles first, then what they refer to.
+  void prefetch_stretch(const Flip_2* flips, std::size_t number) const
+  {
+    const auto& faces = m_topology.m_faces;
+    const auto& vertices = m_topology.m_vertices;
+    for (std::size_t i = 0; i < number; ++i) {
+      for (const Index h : {flips[i].h, flips[i].g, flips[i].outer_bd, flips[i].outer_ca})
+        prefetch(&faces[h / 3]);
+      for (const Index v : {flips[i].a, flips[i].b, flips[i].c, flips[i].d})
+        prefetch(&vertices[v]);
+    }
+    for (std::size_t i = 0; i < number; ++i) {
+      for (const Index h : {flips[i].h, flips[i].g, flips[i].outer_bd, flips[i].outer_ca})
+        prefetch_face(faces[h / 3]);
+      prefetch(&*vertices[flips[i].b]);
+      prefetch(&*vertices[flips[i].c]);
+    }
   }
 
   static void prefetch_face(Face_handle f)
@@ -688,11 +737,95 @@ private:
   }
 
   // Writes the references of both faces at h to each other.
-  void write_neighbors(Index h)
+  void write_neighbors(Index h) { write_neighbors(h, m_topology.m_mirror.twin(h)); }
+  void write_neighbors(Index h, Index g)
   {
-    const Index g = m_topology.m_mirror.twin(h);
     m_topology.m_faces[h / 3]->set_neighbor(int(h % 3), m_topology.m_faces[g / 3]);
     m_topology.m_faces[g / 3]->set_neighbor(int(g % 3), m_topology.m_faces[h / 3]);
+  }
+
+  // FLIPS IN PARTS ------------------------------------------------------------------------------
+
+  // The flips of a part, and the corners that vertices of other parts have got, in their order.
+  struct Flipped_part
+  {
+    struct Corner
+    {
+      Index vertex, halfedge;
+    };
+
+    std::vector<Flip_2> flips;
+    std::vector<Corner> corners;
+  };
+
+  template <class Function>
+  void flip_part(const Topology_parts_2& topology, std::size_t part, bool no_edge_doubles,
+                 Flipped_part& flipped, const Function& f)
+  {
+    auto& mirror = m_topology.m_mirror;
+    const auto set_corner = [&](Index v, Index h) {
+      if (topology.has_vertex(part, v))
+        mirror.set_corner(v, h);
+      else
+        flipped.corners.push_back({v, h}); // there is memory for it
+    };
+    const auto try_flip = [&](Index h) {
+      if (!topology.stays_inside(part, h) || !(no_edge_doubles || topology.proves_apart(part, h)))
+        return false;
+      provide(flipped.flips, 1);
+      provide(flipped.corners, 2);
+      flipped.flips.push_back(mirror.flip(h, set_corner)); // throws nothing
+      return true;
+    };
+    const auto write = [&] {
+      if constexpr (!Topology::Visitor_calls::is_heard)
+        write_part(topology, part, flipped.flips);
+    };
+    try {
+      f(part, try_flip);
+    } catch (...) {
+      write();
+      throw;
+    }
+    write();
+  }
+
+  void write_part(const Topology_parts_2& topology, std::size_t part,
+                  const std::vector<Flip_2>& flips)
+  {
+    const auto set_face = [&](Index v, Index h) {
+      if (topology.has_vertex(part, v))
+        m_topology.m_vertices[v]->set_face(m_topology.m_faces[h / 3]);
+    };
+    for_each_prefetched(flips, [&](const Flip_2& flip) { write_flip(flip, set_face); });
+  }
+
+  // A vertex gets the corner that the last part has found for it. That is still a corner of it:
+  // whenever a flip takes it out of a face, it gets another one.
+  void finish_part(Flipped_part& flipped)
+  {
+    log_flips(flipped.flips);
+    if constexpr (Topology::Visitor_calls::is_heard)
+      visit_and_write_flips(flipped.flips);
+    for (const auto& [v, h] : flipped.corners) {
+      m_topology.m_mirror.set_corner(v, h);
+      m_topology.m_vertices[v]->set_face(m_topology.m_faces[h / 3]);
+    }
+    flipped.flips.clear();
+    flipped.corners.clear();
+  }
+
+  // Everything is new where there is no memory to list it.
+  void log_flips(const std::vector<Flip_2>& flips)
+  {
+    auto& changes = m_topology.m_changes;
+    try {
+      provide(changes.new_edges, flips.size());
+      for (const Flip_2& flip : flips)
+        changes.new_edges.push_back(flip.edge);
+    } catch (const std::bad_alloc&) {
+      changes.everything_is_new = true;
+    }
   }
 
   static constexpr std::size_t stretch = 16; // flips that are fetched together
@@ -701,7 +834,8 @@ private:
   Topology& m_topology;
   Positions& m_positions;
   std::vector<Index> m_inner_edges;
-  std::vector<Index> m_flipped; // half-edges, in the order of their flips
+  std::vector<Flip_2> m_flipped; // in their order
+  std::vector<Flipped_part> m_parts;
   std::vector<Index> m_empty_vertices, m_empty_faces, m_empty_edges; // to be dropped
 };
 

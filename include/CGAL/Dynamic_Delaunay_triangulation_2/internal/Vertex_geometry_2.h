@@ -13,6 +13,8 @@
 #include <CGAL/enum.h>
 #include <CGAL/number_type_basic.h>
 
+#include <boost/config.hpp>
+
 #include <limits>
 
 namespace CGAL {
@@ -75,7 +77,8 @@ public:
   {
   }
 
-  Position_2 operator()(Index from, Index to) const
+  // Passes over faces are much slower where compilers do not inline this.
+  BOOST_FORCEINLINE Position_2 operator()(Index from, Index to) const
   {
     if (m_positions_are_exact)
       return m_frame.position(to) - m_frame.position(from);

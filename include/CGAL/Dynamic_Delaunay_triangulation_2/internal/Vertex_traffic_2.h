@@ -49,12 +49,18 @@ public:
   // all functions below need the points of the last frame in CGAL's vertices.
   const std::vector<Index>& find_jumpers(const std::vector<Index>& edges)
   {
-    m_jumpers.clear();
-    m_seen.clear(m_maintained.vertices().size());
-    for (std::size_t i = 0; i < edges.size(); ++i) {
+    collect_from_parts(edges.size(), m_suspects, [&](std::size_t i, Work& work) {
       prefetch_edges(edges, i);
-      look_at(m_maintained.mirror().edge(edges[i]));
-    }
+      look_at(m_maintained.mirror().edge(edges[i]), work.found);
+    });
+    m_seen.clear(m_maintained.vertices().size());
+    m_suspects.erase(std::remove_if(m_suspects.begin(), m_suspects.end(),
+                                    [this](Index v) { return !m_seen.insert(v); }),
+                     m_suspects.end());
+    collect_from_parts(m_suspects.size(), m_jumpers, [&](std::size_t i, Work& work) {
+      if (has_jumped(m_suspects[i], work))
+        work.found.push_back(m_suspects[i]);
+    });
     return m_jumpers;
   }
 
@@ -78,18 +84,44 @@ public:
   }
 
 private:
+  using Parts = typename Maintained::Parts;
+
+  // What each thread needs: what it finds, and how the neighbors of a vertex moved.
+  struct Work
+  {
+    std::vector<Index> found;
+    std::vector<double> x, y, squared_lengths;
+  };
+
+  // Calls f(i, work) for each i below `size`, and lists what is found, in the order of i.
+  template <class Function>
+  void collect_from_parts(std::size_t size, std::vector<Index>& found, const Function& f)
+  {
+    constexpr std::size_t least = Parts::usual_size / 64; // an i takes up to a microsecond
+    m_works.resize((std::max)(Parts::number(size, least), m_works.size()));
+    Parts::for_each(size, least, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      m_works[part].found.clear();
+      for (std::size_t i = first; i < beyond; ++i)
+        f(i, m_works[part]);
+    });
+    found.clear();
+    for (std::size_t part = 0; part < Parts::number(size, least); ++part)
+      found.insert(found.end(), m_works[part].found.begin(), m_works[part].found.end());
+  }
+
   // `no_index` if all have moved alike.
   Index farthest_of(const std::array<Index, 4>& vertices)
   {
-    m_x.clear();
-    m_y.clear();
+    Work& work = m_works.front();
+    work.x.clear();
+    work.y.clear();
     for (const Index v : vertices)
       if (v != infinite_index) {
         const Position_2 step = displacement(v);
-        m_x.push_back(step.x);
-        m_y.push_back(step.y);
+        work.x.push_back(step.x);
+        work.y.push_back(step.y);
       }
-    const Position_2 usual{quantile(m_x, 2), quantile(m_y, 2)};
+    const Position_2 usual{quantile(work.x, 2), quantile(work.y, 2)};
     Index farthest = no_index;
     double longest = 0;
     for (const Index v : vertices)
@@ -110,9 +142,9 @@ private:
   // from all its neighbors.
   static constexpr double max_way = 0.9;
 
-  // Checks those vertices that moved differently from each of the others, and not just a little. At
+  // Lists those vertices that moved differently from each of the others, and not just a little. At
   // 100,000 points, reading these scattered data takes most of the search.
-  void look_at(const Edge_2& edge)
+  void look_at(const Edge_2& edge, std::vector<Index>& suspects) const
   {
     std::array<Index, 4> vertices;
     std::array<Position_2, 4> places, steps;
@@ -135,19 +167,20 @@ private:
       for (std::size_t k = 0; k < size; ++k)
         if (k != i)
           distance = (std::min)(distance, squared_distance(places[i], places[k]));
-      if (16 * difference > distance && m_seen.insert(vertices[i]) && has_jumped(vertices[i]))
-        m_jumpers.push_back(vertices[i]);
+      if (16 * difference > distance)
+        suspects.push_back(vertices[i]);
     }
   }
 
-  bool has_jumped(Index v)
+  bool has_jumped(Index v, Work& work) const
   {
-    collect_neighbors(v);
-    if (m_squared_lengths.empty())
+    collect_neighbors(v, work);
+    if (work.squared_lengths.empty())
       return false;
     const Position_2 step = displacement(v);
-    const Position_2 relative{farthest_from_median(step.x, m_x), farthest_from_median(step.y, m_y)};
-    return dot(relative, relative) > max_way * max_way * quantile(m_squared_lengths, 4);
+    const Position_2 relative{farthest_from_median(step.x, work.x),
+                              farthest_from_median(step.y, work.y)};
+    return dot(relative, relative) > max_way * max_way * quantile(work.squared_lengths, 4);
   }
 
   // Prefetches in steps, each of which reads what the one before has fetched.
@@ -175,19 +208,19 @@ private:
   }
 
   // Collects how far each neighbor moved, and its distance from v in the last frame.
-  void collect_neighbors(Index v)
+  void collect_neighbors(Index v, Work& work) const
   {
-    m_x.clear();
-    m_y.clear();
-    m_squared_lengths.clear();
+    work.x.clear();
+    work.y.clear();
+    work.squared_lengths.clear();
     const Position_2 place = previous_position(v);
     m_maintained.mirror().for_each_neighbor(v, [&](Index w) {
       if (w == infinite_index)
         return;
       const Position_2 step = displacement(w);
-      m_x.push_back(step.x);
-      m_y.push_back(step.y);
-      m_squared_lengths.push_back(squared_distance(place, previous_position(w)));
+      work.x.push_back(step.x);
+      work.y.push_back(step.y);
+      work.squared_lengths.push_back(squared_distance(place, previous_position(w)));
     });
   }
 
@@ -224,8 +257,8 @@ private:
 
   const Maintained& m_maintained;
   Index_set_2 m_seen;
-  std::vector<Index> m_jumpers;
-  std::vector<double> m_x, m_y, m_squared_lengths; // of the neighbors of a vertex
+  std::vector<Index> m_suspects, m_jumpers;
+  std::vector<Work> m_works = std::vector<Work>(1);
 };
 
 // POINT LOCATION ----------------------------------------------------------------------------------

@@ -58,8 +58,12 @@ public:
   // The vector from corner i to the circumcenter.
   Position_2 to_circumcenter(std::size_t i) const
   {
+    return to_circumcenter(i, cotangent((i + 2) % 3));
+  }
+  // The same; h is the cotangent of the angle at corner i + 2.
+  Position_2 to_circumcenter(std::size_t i, double h) const
+  {
     const std::size_t k = (i + 2) % 3; // this side begins at corner i
-    const double h = cotangent(k);
     const Position_2 n = normal(k);
     return {(m_sides[k].x + h * n.x) / 2, (m_sides[k].y + h * n.y) / 2};
   }

@@ -14,6 +14,8 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Periodic_cell_2.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -61,6 +63,7 @@ public:
     , m_frame(dt.frame())
     , m_vector(dt)
     , m_neighbors(dt)
+    , m_cells_of_part(number_of_cells() / number_of_face_parts() + 1)
   {
   }
 
@@ -77,17 +80,37 @@ public:
     m_frame.for_each_duplicate(f);
   }
 
-  // Calls f(cells, face).
+  // Threads share the parts of the faces. Each part has some of the cells, most of them around its
+  // own faces.
+  std::size_t number_of_face_parts() const
+  {
+    return Parts::number(m_frame.number_of_faces(), faces_of_part());
+  }
+  bool has_cell(std::size_t part, Index c) const
+  {
+    return c - part * m_cells_of_part < m_cells_of_part; // false if c is smaller: nothing is signed
+  }
+
+  // Calls f(part, cells, face).
   template <class Function>
   void for_each_face(const Function& f) const
   {
     if (m_dimension < 2)
       return;
-    for (Index i = 0; i < m_frame.number_of_faces(); ++i) {
-      const std::array<Index, 3> v = m_frame.face(i);
-      if (std::none_of(v.begin(), v.end(), [&](Index w) { return m_frame.is_infinite(w); }))
-        f(v, Voronoi_face_2({m_vector(v[1], v[2]), m_vector(v[2], v[0]), m_vector(v[0], v[1])}));
-    }
+    Parts::for_each(m_frame.number_of_faces(), faces_of_part(),
+                    [&](std::size_t part, std::size_t first, std::size_t beyond) {
+                      for (std::size_t i = first; i < beyond; ++i)
+                        call_with_face(part, Index(i), f);
+                    });
+  }
+
+  // Calls f(first, beyond) for parts of the ids, or of the cells.
+  template <class Function>
+  static void for_each_range(std::size_t size, const Function& f)
+  {
+    Parts::for_each(size, [&](std::size_t, std::size_t first, std::size_t beyond) {
+      f(Index(first), Index(beyond));
+    });
   }
 
   template <class Function>
@@ -123,6 +146,24 @@ public:
   }
 
 private:
+  using Parts = typename Dynamic::Frame::Parts;
+
+  // Fewer and larger parts have fewer faces between them.
+  std::size_t faces_of_part() const
+  {
+    constexpr std::size_t max_parts = 32;
+    return (std::max)(Parts::usual_size, std::size_t(m_frame.number_of_faces()) / max_parts);
+  }
+
+  template <class Function>
+  BOOST_FORCEINLINE void call_with_face(std::size_t part, Index i, const Function& f) const
+  {
+    const std::array<Index, 3> v = m_frame.face(i);
+    if (std::none_of(v.begin(), v.end(), [&](Index w) { return m_frame.is_infinite(w); }))
+      f(part, v,
+        Voronoi_face_2({m_vector(v[1], v[2]), m_vector(v[2], v[0]), m_vector(v[0], v[1])}));
+  }
+
   Voronoi_neighbor_2 neighbor(Index v, Index w) const
   {
     if (m_frame.is_infinite(w))
@@ -134,6 +175,7 @@ private:
   const typename Dynamic::Frame m_frame;
   const Vertex_differences_2<Dynamic> m_vector;
   const Finite_neighbors_2<Dynamic> m_neighbors;
+  const std::size_t m_cells_of_part;
 };
 
 // PERIODIC SPACE ----------------------------------------------------------------------------------
@@ -171,7 +213,11 @@ public:
         f(id);
   }
 
-  // Calls f(cells, face).
+  // Its faces are visited one after the other, by one thread.
+  static std::size_t number_of_face_parts() { return 1; }
+  static bool has_cell(std::size_t, Index) { return true; }
+
+  // Calls f(part, cells, face).
   template <class Function>
   void for_each_face(const Function& f) const
   {
@@ -181,9 +227,15 @@ public:
           const Position_2 first = vector(p, q, shifts[1]);
           const Position_2 second = vector(q, r, difference(shifts[2], shifts[1]));
           const Position_2 last = vector(r, p, {-shifts[2][0], -shifts[2][1]});
-          f(std::array<Index, 3>{Index(ids[0]), Index(ids[1]), Index(ids[2])},
+          f(std::size_t(0), std::array<Index, 3>{Index(ids[0]), Index(ids[1]), Index(ids[2])},
             Voronoi_face_2({second, last, first}, error(p, first, shifts[1], last, shifts[2])));
         });
+  }
+
+  template <class Function>
+  static void for_each_range(std::size_t size, const Function& f)
+  {
+    f(Index(0), Index(size));
   }
 
   // A closed cell has as many faces as ends of edges.

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SPEED_HOT_FRAMES_H
+#define SPEED_HOT_FRAMES_H
+
+#include "../common/Contest.h"
+#include "../common/Fastest_static.h"
+#include "scenario_runner/Measurement.h"
+#include "scenario_runner/Motion.h"
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace speed {
+
+// Times the same frames in bursts, one update right after the other: what they cost a program that
+// keeps caches and vector units busy with nothing else.
+class Hot_frames
+{
+public:
+  explicit Hot_frames(const std::vector<scenario::Point>& points)
+    : m_dynamic(to_places(points))
+  {
+  }
+
+  void add(const std::vector<scenario::Point>& points)
+  {
+    m_frames.push_back(to_places(points));
+    if (m_frames.size() == burst) {
+      run_burst();
+    }
+  }
+
+  // Of the hot ones.
+  const std::vector<double>& nanoseconds_per_point() const { return m_times; }
+
+private:
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel>;
+
+  static constexpr std::size_t burst = 8; // of 1000 points they fit in a second-level cache
+
+  static common::Points to_places(const std::vector<scenario::Point>& points)
+  {
+    common::Points places;
+    for (const scenario::Point& point : points) {
+      places.emplace_back(point.x, point.y);
+    }
+    return places;
+  }
+
+  // The first update finds everything cold.
+  void run_burst()
+  {
+    for (const common::Points& frame : m_frames) {
+      const double time = run::nanoseconds_of([&] { m_dynamic.update(frame); });
+      if (&frame != &m_frames.front()) {
+        m_times.push_back(time / static_cast<double>(frame.size()));
+      }
+    }
+    common::require(m_dynamic.is_certified(), "the triangulation of hot frames is not certified");
+    m_frames.clear();
+  }
+
+  Dynamic m_dynamic;
+  std::vector<common::Points> m_frames;
+  std::vector<double> m_times;
+};
+
+} // namespace speed
+
+#endif // SPEED_HOT_FRAMES_H
