@@ -7,73 +7,53 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Message_exchange_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_cells_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_order_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_proof_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_ranks_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
-#include <CGAL/enum.h>
+#include <CGAL/Update_report_2.h>
 
 #include <mpi.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
-#include <iterator>
 #include <limits>
-#include <set>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 
 /*!
-\ingroup PkgDynamicDelaunayTriangulation2Errors
-
-Another rank of a distributed triangulation was given bad input, and throws its own error. Nothing
-changes on any rank.
-*/
-class Distributed_input_error_2 : public Dynamic_Delaunay_triangulation_error_2
-{
-public:
-  /// \cond
-  explicit Distributed_input_error_2(int rank)
-    : Dynamic_Delaunay_triangulation_error_2("rank " + std::to_string(rank) +
-                                             " was given bad input, and says which")
-    , m_rank(rank)
-  {
-  }
-  /// \endcond
-
-  /// the first rank with bad input.
-  int rank() const { return m_rank; }
-
-private:
-  int m_rank;
-};
-
-/*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
 The Delaunay triangulation of moving points of the plane that are spread over the ranks of an MPI
 communicator. Each rank owns some points, and holds copies of points of other ranks, its *ghosts*.
-All functions that are called *collective* must be called by all ranks.
+Functions that are called *collective* must be called by all ranks.
 
 After construction and after each update every face with a corner that the rank owns is proved to be
 one of the triangulation of all points: no point of any rank is strictly inside of its circumcircle,
 and all points on that circle are held. Where more than three points are on an empty circle, the
 diagonals go to the one with the smallest id, whatever rank asks. So edges and faces depend only on
-points and ids, not on how many ranks there are or what they own.
+points and ids, not on how many ranks there are or what they own. \ref
+DynamicDelaunaySection_Ranks describes the protocol, and proves this.
 
-Proof: a face whose closed circumdisk has no other points inside is part of a cell of the Delaunay
-complex of all points, and so is an infinite face with no point beyond its hull edge. The faces
-around an owned vertex close around it, so they are all that the complex has there; and as points on
-their circles are held, the rank holds each of these cells whole.
+Each rank owns a stretch of a Hilbert curve through all points. When a rank holds too many points,
+compared with what ranks held after the last distribution, `update()`, `insert()` or `remove()`
+distributes all of them anew at its end: `number_of_distributions()` then is another one,
+`owned_ids()` has other points in another order, and `carry()` brings the user's data along.
 
-Where all points are on a line every rank holds all of them.
+Of MPI it uses its own copy of the communicator, `MPI_Allreduce`, `MPI_Allgather(v)`, and
+synchronous sends with a barrier that does not block; all calls are made by the thread that calls a
+function of this class, so `MPI_THREAD_FUNNELED` is enough. MPI must be initialized before, and
+finalized after the object is gone. An error of MPI ends the program, unless the user gave the
+communicator another error handler. So does an exception on one rank alone that is not caught:
+`mpirun` then ends the other ranks.
 
 \tparam Kernel a CGAL kernel with exact predicates whose points have coordinates of type `double`.
 */
@@ -84,101 +64,242 @@ class Distributed_dynamic_Delaunay_triangulation_2
       Dynamic_Delaunay_triangulations_2::internal::has_double_coordinates<typename Kernel::Point_2>,
       "the coordinates of distributed points must be of type double");
 
-  using Dynamic = Dynamic_Delaunay_triangulation_2<Kernel>;
   using Index = Dynamic_Delaunay_triangulations_2::Index;
-  using Position = Dynamic_Delaunay_triangulations_2::Position_2;
-  using Mirror = Dynamic_Delaunay_triangulations_2::internal::Neighborhood_mirror_2;
+  using Ranks = Dynamic_Delaunay_triangulations_2::internal::Distributed_ranks_2;
+  using Points = Dynamic_Delaunay_triangulations_2::internal::Distributed_points_2<Kernel>;
+  using Proof = Dynamic_Delaunay_triangulations_2::internal::Distributed_proof_2<Kernel>;
+  using Cells = Dynamic_Delaunay_triangulations_2::internal::Distributed_cells_2<Kernel>;
+  using Order = Dynamic_Delaunay_triangulations_2::internal::Distributed_order_2;
+  using Entry = Dynamic_Delaunay_triangulations_2::internal::Distributed_entry_2;
   using Message = Dynamic_Delaunay_triangulations_2::internal::Message_2;
   using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point_2;
 
 public:
+  /// \name Types
+  /// @{
+
   /// a point.
   using Point = typename Kernel::Point_2;
-  /// an id, unique over all ranks.
+  /// an id, unique over all ranks; any number of 64 bits.
   using Id = std::int64_t;
   /// the type of counts.
   using size_type = std::size_t;
+  /// the triangulation of all points that a rank holds.
+  using Held_triangulation = typename Points::Dynamic;
 
-  /// triangulates the points of all ranks. Collective. The rank owns the points of its range, in
-  /// this order. \tparam InputIterator its values are pairs of an `Id` and a `Point`.
-  /// \pre no id is given on two ranks.
+  /// @}
+  /// \name Creation
+  /// @{
+
+  /// the load factor of objects that are given none.
+  static constexpr double default_load_factor = 1.5;
+
+  /// triangulates the points of all ranks. Collective. Any points may be given by any rank; they
+  /// are distributed evenly, unless the load factor is infinite: then each rank owns the points
+  /// that it was given, in their order, for as long as `distribute()` is not called.
+  ///
+  /// Cost: sorting, sending and triangulating all points once, and some rounds of questions.
+  /// \tparam InputIterator its values are pairs of an `Id` and a `Point`. \param load_factor how
+  /// many times as many points a rank may hold as the fullest rank did when that was least since
+  /// the last distribution, and may own as a rank does on average; then all are distributed anew.
+  /// 64 points more are never too many.
   /// \throws Non_finite_coordinate_error_2 or Coordinate_range_error_2 (`id()` is the place in the
-  /// range), Repeated_id_error_2, or Distributed_input_error_2 on the other ranks.
+  /// range), or Distributed_input_error_2 on the other ranks; Repeated_id_error_2 on all ranks;
+  /// Parameter_error_2 on all ranks if the load factor is less than 1.
   template <class InputIterator>
   Distributed_dynamic_Delaunay_triangulation_2(MPI_Comm communicator, InputIterator first,
-                                               InputIterator beyond)
-    : m_communicator(communicator)
-    , m_exchange(m_communicator.handle)
-    , m_rank(rank_in(m_communicator.handle))
-    , m_ranks(size_of(m_communicator.handle))
-    , m_exports(m_ranks)
-    , m_imports(m_ranks)
+                                               InputIterator beyond,
+                                               double load_factor = default_load_factor)
+    : m_ranks(communicator)
+    , m_points(m_ranks)
+    , m_proof(m_ranks, m_points)
+    , m_load_factor(load_factor)
   {
     const Floating_point floating_point;
-    agree([&] {
-      std::set<Id> ids;
-      for (; first != beyond; ++first) {
-        auto&& value = *first;
-        check(value.second, m_points.size());
-        if (!ids.insert(value.first).second)
-          throw Repeated_id_error_2(value.first);
-        m_ids.push_back(value.first);
-        m_points.push_back(value.second);
-      }
+    std::vector<Entry> entries;
+    m_ranks.agree([&] {
+      if (!(load_factor >= 1))
+        throw Parameter_error_2("the load factor", load_factor, 1, infinity);
+      entries = read(first, beyond);
     });
-    m_owned = m_points.size();
-    std::vector<size_type> local;
-    m_dt.insert(m_points.begin(), m_points.end(), std::back_inserter(local));
+    check_ids(entries);
+    if (m_load_factor < infinity)
+      entries = m_order.distribute(m_ranks, entries);
+    m_points.reset(entries);
     prove();
+    settle_load();
   }
+
+  /// @}
+  /// \name Motion
+  /// @{
 
   /// moves the points that this rank owns to these positions, in the order of `owned_ids()`.
   /// Collective.
   ///
   /// Each rank sends the positions of points that others hold as ghosts, and updates its own
-  /// triangulation. Then it asks the ranks whose points may be inside of circumcircles; what they
-  /// answer becomes ghosts, until there are no questions.
+  /// triangulation. If that does not prove all its faces, it asks the ranks that may have points in
+  /// their circumcircles; what they answer becomes ghosts, until there are no questions.
   /// \throws Point_count_error_2, Non_finite_coordinate_error_2 or Coordinate_range_error_2, or
   /// Distributed_input_error_2 on the other ranks; nothing has changed then on any rank.
+  /// \post `is_certified()`
   template <class InputIterator>
   Update_report_2 update(InputIterator first, InputIterator beyond)
   {
     const Floating_point floating_point;
     std::vector<Point> next;
-    agree([&] {
+    m_ranks.agree([&] {
+      const size_type n = number_of_owned_points();
       for (; first != beyond; ++first) {
+        if (next.size() == n)
+          throw Point_count_error_2(n, n + 1);
         const Point& p = *first;
-        if (next.size() == m_owned)
-          throw Point_count_error_2(m_owned, m_owned + 1);
         check(p, next.size());
         next.push_back(p);
       }
-      if (next.size() != m_owned)
-        throw Point_count_error_2(m_owned, next.size());
+      if (next.size() != n)
+        throw Point_count_error_2(n, next.size());
     });
-    std::copy(next.begin(), next.end(), m_points.begin());
-    move_ghosts();
     m_is_certified = false;
-    Update_report_2 report = m_dt.update(m_points.begin(), m_points.end());
+    m_points.move(next);
+    Update_report_2 report = m_points.exchange();
     report += prove();
+    balance();
     return report;
   }
+
+  /// @}
+  /// \name Population
+  /// @{
+
+  /// adds points, which the rank that is given them owns, after those that it owns already.
+  /// Collective; a rank may give none.
+  ///
+  /// Cost: as an update in which the points jump to where they are, and every rank hears of all new
+  /// ids. \tparam InputIterator its values are pairs of an `Id` and a `Point`.
+  /// \throws Non_finite_coordinate_error_2 or Coordinate_range_error_2 (`id()` is the place in the
+  /// range), or Distributed_input_error_2 on the other ranks; Repeated_id_error_2 on all ranks.
+  /// Nothing has changed then on any rank.
+  /// \post `is_certified()`
+  template <class InputIterator>
+  Update_report_2 insert(InputIterator first, InputIterator beyond)
+  {
+    const Floating_point floating_point;
+    std::vector<Entry> entries;
+    m_ranks.agree([&] { entries = read(first, beyond); });
+    std::vector<Id> ids;
+    for (const Entry& entry : entries)
+      ids.push_back(entry.id);
+    check_new(ids);
+    m_is_certified = false;
+    Update_report_2 report = m_points.insert(entries);
+    report += m_points.exchange();
+    report += prove();
+    balance();
+    return report;
+  }
+
+  /// removes points, whatever ranks own them. Collective; a rank may give none.
+  ///
+  /// Cost: as an update, and every rank hears of all these ids. \tparam InputIterator its values
+  /// are ids.
+  /// \throws Repeated_id_error_2 if two ranks, or one rank twice, give the same id,
+  /// Unknown_user_id_error_2 if no point has it: on all ranks, and nothing has changed on any.
+  /// \post `is_certified()`
+  template <class InputIterator>
+  Update_report_2 remove(InputIterator first, InputIterator beyond)
+  {
+    const Floating_point floating_point;
+    std::vector<Id> given;
+    m_ranks.agree([&] { given.assign(first, beyond); });
+    const std::vector<Index> own = own_places(given);
+    m_is_certified = false;
+    Update_report_2 report = m_points.remove(own);
+    report += m_points.exchange();
+    report += prove();
+    balance();
+    return report;
+  }
+
+  /// @}
+  /// \name Distribution
+  /// @{
+
+  /// makes each rank own a stretch of the Hilbert curve, with about equally many points.
+  /// Collective. Cost: as construction.
+  void distribute()
+  {
+    const Floating_point floating_point;
+    m_is_certified = false;
+    std::vector<Entry> entries;
+    for (const Index place : m_points.owned())
+      entries.push_back({m_points.id(place), m_points.point(place).x(), m_points.point(place).y()});
+    m_points.reset(m_order.distribute(m_ranks, entries));
+    m_proof.forget_zone();
+    prove();
+    settle_load();
+    ++m_distributions;
+  }
+
+  /// how often points were distributed since construction. Where this has changed, owned points
+  /// are other ones, in another order.
+  size_type number_of_distributions() const { return m_distributions; }
+
+  /// data of the points that this rank owns, given data of those that it owned before the last
+  /// distribution, each in the order of `owned_ids()` at that time. Collective. To be called before
+  /// points are inserted or removed. After construction, "before" are the points that the rank was
+  /// given.
+  /// \tparam T trivially copyable.
+  /// \throws Point_count_error_2 if there are not as many as points before, or
+  /// Distributed_input_error_2 on the other ranks.
+  template <class T>
+  std::vector<T> carry(const std::vector<T>& data)
+  {
+    m_ranks.agree([&] {
+      if (data.size() != m_order.size_before())
+        throw Point_count_error_2(m_order.size_before(), data.size());
+    });
+    return m_order.carry(m_ranks, data);
+  }
+
+  /// @}
+  /// \name Access
+  /// @{
 
   /// the ids of the points that this rank owns, in the order of updates.
   std::vector<Id> owned_ids() const
   {
-    return std::vector<Id>(m_ids.begin(), m_ids.begin() + std::ptrdiff_t(m_owned));
+    std::vector<Id> ids;
+    for (const Index place : m_points.owned())
+      ids.push_back(m_points.id(place));
+    return ids;
+  }
+  /// their positions, in the same order.
+  std::vector<Point> owned_points() const
+  {
+    std::vector<Point> points;
+    for (const Index place : m_points.owned())
+      points.push_back(m_points.point(place));
+    return points;
   }
   /// the number of points that this rank owns.
-  size_type number_of_owned_points() const { return m_owned; }
+  size_type number_of_owned_points() const { return m_points.owned().size(); }
   /// the number of points of other ranks that this one holds.
-  size_type number_of_ghosts() const { return m_points.size() - m_owned; }
-  /// how often ranks have asked each other since construction.
-  size_type number_of_rounds() const { return m_rounds; }
-  /// messages and bytes that this rank has sent since construction, but for collective calls.
-  size_type number_of_messages() const { return m_exchange.sent_messages(); }
-  /// the same in bytes.
-  size_type number_of_bytes() const { return m_exchange.sent_bytes(); }
+  size_type number_of_ghosts() const { return m_points.number_of_ghosts(); }
+  /// whether this rank holds the point, as its own or as a ghost.
+  bool holds(Id id) const { return m_points.holds(id); }
+  /// the position of a point. \pre `holds(id)`
+  const Point& point(Id id) const { return m_points.point(m_points.place(id)); }
+
+  /// the triangulation of the points that this rank holds. Its faces with an owned corner are those
+  /// of all points; the others may not be. So what it tells about owned points, such as
+  /// `Voronoi_cell_measures_2`, is true for all points. Where four points or more are on a circle
+  /// its diagonals may be others than those of `for_each_edge()`.
+  const Held_triangulation& held_triangulation() const { return m_points.dt(); }
+  /// the id of a held point in `held_triangulation()`, until the next call that changes points.
+  /// \pre `holds(id)`
+  size_type held_id(Id id) const { return m_points.place(id); }
+
   /// whether every face with an owned corner is proved. False only if an exception ended a call.
   bool is_certified() const { return m_is_certified; }
 
@@ -187,434 +308,163 @@ public:
   template <class Function>
   void for_each_edge(const Function& f) const
   {
-    const std::vector<Index> label = labels();
-    if (m_dt.frame().number_of_faces() == 0) {
-      m_dt.for_each_edge([&](size_type i, size_type j) {
-        call(f, label[m_dt.frame().vertex(i)], label[m_dt.frame().vertex(j)]);
-      });
-      return;
-    }
-    for_each_cell(label, [&](const std::vector<Corner>& corners, std::size_t apex) {
-      const std::size_t n = corners.size();
-      for (std::size_t k = 0; k < n; ++k) {
-        const Index a = corners[k].label, b = corners[(k + 1) % n].label;
-        if (m_ids[a] < m_ids[b] || corners[k].is_on_hull)
-          call(f, a, b);
-        if (k >= 2 && k + 1 < n)
-          call(f, corners[apex].label, corners[(apex + k) % n].label);
-      }
+    const Floating_point floating_point;
+    Cells(m_points).for_each_edge([&](Index i, Index j) {
+      if (m_points.id(j) < m_points.id(i))
+        std::swap(i, j);
+      if (m_points.is_owned(i))
+        f(m_points.id(i), m_points.id(j));
     });
   }
 
   /// calls `f(ids)` for each finite face whose smallest id this rank owns: over all ranks, once for
-  /// each face. `ids` is an array of three ids, counterclockwise, the smallest one first.
+  /// each face. `ids` is an array of three ids, counterclockwise.
   template <class Function>
   void for_each_face(const Function& f) const
   {
-    for_each_cell(labels(), [&](const std::vector<Corner>& corners, std::size_t apex) {
-      const std::size_t n = corners.size();
-      if (corners[apex].label >= m_owned)
-        return;
-      for (std::size_t k = 1; k + 1 < n; ++k)
-        f(std::array<Id, 3>{m_ids[corners[apex].label], m_ids[corners[(apex + k) % n].label],
-                            m_ids[corners[(apex + k + 1) % n].label]});
+    const Floating_point floating_point;
+    Cells(m_points).for_each_face([&](Index i, Index j, Index k) {
+      if (m_points.is_owned(i))
+        f(std::array<Id, 3>{m_points.id(i), m_points.id(j), m_points.id(k)});
     });
   }
 
+  /// @}
+  /// \name Figures
+  /// Of this rank, since construction.
+  /// @{
+
+  /// how many calls needed questions of any rank.
+  size_type number_of_asking_frames() const { return m_proof.number_of_asking_frames(); }
+  /// how often ranks have asked each other.
+  size_type number_of_rounds() const { return m_proof.number_of_rounds(); }
+  /// messages that this rank has sent, collective calls of MPI not counted.
+  size_type number_of_messages() const { return m_ranks.exchange().sent_messages(); }
+  /// the same in bytes.
+  size_type number_of_bytes() const { return m_ranks.exchange().sent_bytes(); }
+  /// seconds in which this rank has sent, received or waited.
+  double communication_seconds() const { return m_ranks.exchange().seconds(); }
+
+  /// @}
+
 private:
-  struct Communicator
-  {
-    explicit Communicator(MPI_Comm other) { MPI_Comm_dup(other, &handle); }
-    Communicator(const Communicator&) = delete;
-    Communicator& operator=(const Communicator&) = delete;
-    ~Communicator() { MPI_Comm_free(&handle); }
-    MPI_Comm handle;
-  };
-  struct Box
-  {
-    double x_low, y_low, x_high, y_high;
-
-    static Box of_nothing() { return {infinity, infinity, -infinity, -infinity}; }
-    static Box of_everything() { return {-infinity, -infinity, infinity, infinity}; }
-    void add(double x, double y)
-    {
-      x_low = (std::min)(x_low, x), y_low = (std::min)(y_low, y);
-      x_high = (std::max)(x_high, x), y_high = (std::max)(y_high, y);
-    }
-    bool meets(const Box& b) const
-    {
-      return x_low <= b.x_high && b.x_low <= x_high && y_low <= b.y_high && b.y_low <= y_high;
-    }
-    bool is_empty() const { return !(x_low <= x_high); }
-  };
-  enum Kind : std::int64_t { CIRCLE, HALF_PLANE, EVERYTHING };
-  // Which points are in a region? `focus` is an owned corner: answers begin with what is near it.
-  struct Question
-  {
-    Kind kind;
-    std::array<double, 6> corners;
-    Box box; // around the region
-    double x, y;
-
-    friend bool operator<(const Question& q, const Question& r)
-    {
-      return std::make_pair(q.kind, q.corners) < std::make_pair(r.kind, r.corners);
-    }
-    Point corner(std::size_t i) const { return Point(corners[2 * i], corners[2 * i + 1]); }
-  };
-  struct Entry
-  {
-    Id id;
-    double x, y;
-  };
-  struct Corner
-  {
-    Index label;
-    bool is_on_hull; // the edge to the next corner
-  };
-
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr std::size_t boxes_per_rank = 16;
-  static constexpr std::size_t points_per_answer =
-      16; // in the first round, then four times as many
+  // So many points more are never too many.
+  static constexpr double spare_load = 64;
 
-  static int rank_in(MPI_Comm communicator)
-  {
-    int rank;
-    MPI_Comm_rank(communicator, &rank);
-    return rank;
-  }
-  static std::size_t size_of(MPI_Comm communicator)
-  {
-    int size;
-    MPI_Comm_size(communicator, &size);
-    return std::size_t(size);
-  }
   static void check(const Point& p, size_type place)
   {
     Dynamic_Delaunay_triangulations_2::internal::checked_position(p, place);
   }
 
-  // Reads input; if that throws on any rank it throws on all of them.
-  template <class Read>
-  void agree(const Read& read)
+  template <class InputIterator>
+  static std::vector<Entry> read(InputIterator first, InputIterator beyond)
   {
-    std::exception_ptr error;
-    try {
-      read();
-    } catch (...) {
-      error = std::current_exception();
+    std::vector<Entry> entries;
+    for (; first != beyond; ++first) {
+      auto&& value = *first;
+      const Point& p = value.second;
+      check(p, entries.size());
+      entries.push_back({Id(value.first), p.x(), p.y()});
     }
-    int first = error ? m_rank : int(m_ranks), lowest;
-    MPI_Allreduce(&first, &lowest, 1, MPI_INT, MPI_MIN, m_communicator.handle);
-    if (error)
-      std::rethrow_exception(error);
-    if (lowest < int(m_ranks))
-      throw Distributed_input_error_2(lowest);
+    return entries;
   }
 
-  std::vector<Message> empty_messages() const
+  // Each id is seen by one rank, which hears of it twice if it is given twice.
+  void check_ids(const std::vector<Entry>& entries)
   {
-    std::vector<Message> messages;
-    for (std::size_t r = 0; r < m_ranks; ++r)
-      messages.emplace_back(int(r));
-    return messages;
+    std::vector<Message> messages = m_ranks.empty_messages();
+    for (const Entry& entry : entries)
+      messages[std::uint64_t(entry.id) % m_ranks.size()].write(entry.id);
+    std::vector<Id> ids;
+    for (Message& message : m_ranks.send(std::move(messages)))
+      while (!message.is_read())
+        ids.push_back(message.template read<Id>());
+    refuse_repeated(ids);
   }
 
-  void move_ghosts()
+  // Throws on all ranks if any of them sees an id twice.
+  void refuse_repeated(std::vector<Id> ids)
   {
-    std::vector<Message> messages = empty_messages();
-    for (std::size_t r = 0; r < m_ranks; ++r)
-      for (const Index i : m_exports[r])
-        messages[r].write(Position{m_points[i].x(), m_points[i].y()});
-    for (Message& message : m_exchange(std::move(messages)))
-      for (const Index i : m_imports[std::size_t(message.rank())]) {
-        const Position p = message.template read<Position>();
-        m_points[i] = Point(p.x, p.y);
+    std::sort(ids.begin(), ids.end());
+    const auto repeated = std::adjacent_find(ids.begin(), ids.end());
+    const bool is_any = m_ranks.is_any(repeated != ids.end());
+    const Id none = (std::numeric_limits<Id>::max)();
+    const Id lowest = m_ranks.lowest(repeated != ids.end() ? *repeated : none);
+    if (is_any)
+      throw Repeated_id_error_2(lowest);
+  }
+
+  void check_new(const std::vector<Id>& ids)
+  {
+    std::vector<Id> all = m_ranks.gather(ids).values;
+    const std::vector<Id> given = all;
+    for (const Id id : given)
+      if (is_own(id))
+        all.push_back(id);
+    refuse_repeated(std::move(all));
+  }
+
+  bool is_own(Id id) const { return holds(id) && m_points.is_owned(m_points.place(id)); }
+
+  // Of all ids that any rank has given, those of this rank's points.
+  std::vector<Index> own_places(const std::vector<Id>& given)
+  {
+    std::vector<Id> all = m_ranks.gather(given).values;
+    refuse_repeated(all);
+    std::vector<Index> places;
+    std::vector<Id> own;
+    for (const Id id : all)
+      if (is_own(id)) {
+        places.push_back(m_points.place(id));
+        own.push_back(id);
       }
-  }
-
-  // Boxes around stretches of the owned points, of all ranks.
-  void publish_boxes()
-  {
-    std::array<Box, boxes_per_rank> own;
-    own.fill(Box::of_nothing());
-    for (size_type i = 0; i < m_owned; ++i)
-      own[i * boxes_per_rank / m_owned].add(m_points[i].x(), m_points[i].y());
-    m_boxes.resize(m_ranks * boxes_per_rank);
-    MPI_Allgather(own.data(), int(sizeof(own)), MPI_BYTE, m_boxes.data(), int(sizeof(own)),
-                  MPI_BYTE, m_communicator.handle);
+    std::vector<Id> known = m_ranks.gather(own).values;
+    std::sort(known.begin(), known.end());
+    std::sort(all.begin(), all.end());
+    const auto first = std::mismatch(known.begin(), known.end(), all.begin()).second;
+    if (first != all.end())
+      throw Unknown_user_id_error_2(*first);
+    return places;
   }
 
   Update_report_2 prove()
   {
-    Update_report_2 report;
-    publish_boxes();
-    std::vector<std::set<Question>> answered(m_ranks);
-    for (std::size_t limit = points_per_answer;; limit *= 4) {
-      const std::vector<std::vector<Question>> questions = find_questions(answered);
-      std::uint64_t count = 0, sum;
-      for (const auto& of_rank : questions)
-        count += of_rank.size();
-      MPI_Allreduce(&count, &sum, 1, MPI_UINT64_T, MPI_SUM, m_communicator.handle);
-      if (sum == 0)
-        break;
-      ++m_rounds;
-      ask(questions, limit, answered, report);
-    }
-    report.certified = m_is_certified = m_dt.is_certified();
+    Update_report_2 report = m_proof.run();
+    report.certified = m_is_certified = m_points.dt().is_certified();
     return report;
   }
 
-  void ask(const std::vector<std::vector<Question>>& questions, std::size_t limit,
-           std::vector<std::set<Question>>& answered, Update_report_2& report)
+  // Distributes points if a rank has too many of them.
+  void balance()
   {
-    std::vector<Message> messages = empty_messages(), answers = empty_messages();
-    for (std::size_t r = 0; r < m_ranks; ++r)
-      for (const Question& question : questions[r])
-        messages[r].write(question);
-    for (Message& message : m_exchange(std::move(messages)))
-      answer(message, answers[std::size_t(message.rank())], limit);
-    std::vector<Point> coming;
-    for (Message& message : m_exchange(std::move(answers))) {
-      const auto r = std::size_t(message.rank());
-      for (const Question& question : questions[r]) {
-        if (message.template read<std::uint64_t>() != 0)
-          answered[r].insert(question);
-        for (auto n = message.template read<std::uint64_t>(); n > 0; --n) {
-          const Entry entry = message.template read<Entry>();
-          m_imports[r].push_back(Index(m_points.size()));
-          m_ids.push_back(entry.id);
-          m_points.push_back(Point(entry.x, entry.y));
-          coming.push_back(m_points.back());
-        }
-      }
-    }
-    std::vector<size_type> local;
-    report += m_dt.insert(coming.begin(), coming.end(), std::back_inserter(local));
+    if (!(m_load_factor < infinity))
+      return;
+    const std::array<std::uint64_t, 2> most = m_ranks.largest(load());
+    const double owned = double(m_ranks.sum(number_of_owned_points())) / double(m_ranks.size());
+    if (double(most[0]) > m_load_factor * m_settled_load + spare_load ||
+        double(most[1]) > m_load_factor * owned + spare_load)
+      distribute();
+    else // ghosts that questions have brought are dropped where they are not needed
+      m_settled_load = (std::min)(m_settled_load, double(most[0]));
   }
 
-  // Sends the points in the regions that the other rank does not hold: those near the focus.
-  void answer(Message& questions, Message& answers, std::size_t limit)
+  void settle_load() { m_settled_load = double(m_ranks.largest(load())[0]); }
+
+  // Held points, and own ones.
+  std::array<std::uint64_t, 2> load() const
   {
-    const auto r = std::size_t(questions.rank());
-    std::vector<bool> is_exported(m_owned, false);
-    for (const Index i : m_exports[r])
-      is_exported[i] = true;
-    while (!questions.is_read()) {
-      const Question question = questions.template read<Question>();
-      std::vector<std::pair<double, Index>> found;
-      for (Index i = 0; i < m_owned; ++i)
-        if (!is_exported[i] && contains(question, m_points[i]))
-          found.emplace_back(std::hypot(m_points[i].x() - question.x, m_points[i].y() - question.y),
-                             i);
-      const std::size_t sent = (std::min)(limit, found.size());
-      std::partial_sort(found.begin(), found.begin() + std::ptrdiff_t(sent), found.end());
-      answers.write(std::uint64_t(sent == found.size()));
-      answers.write(std::uint64_t(sent));
-      for (std::size_t k = 0; k < sent; ++k) {
-        const Index i = found[k].second;
-        answers.write(Entry{m_ids[i], m_points[i].x(), m_points[i].y()});
-        m_exports[r].push_back(i);
-        is_exported[i] = true;
-      }
-    }
+    const std::uint64_t own = number_of_owned_points();
+    return {own + number_of_ghosts(), own};
   }
 
-  static bool contains(const Question& question, const Point& p)
-  {
-    const Kernel kernel;
-    switch (question.kind) {
-    case CIRCLE:
-      return question.box.meets(Box{p.x(), p.y(), p.x(), p.y()}) &&
-             kernel.side_of_oriented_circle_2_object()(question.corner(0), question.corner(1),
-                                                       question.corner(2), p) != ON_NEGATIVE_SIDE;
-    case HALF_PLANE:
-      return kernel.orientation_2_object()(question.corner(0), question.corner(1), p) == LEFT_TURN;
-    default:
-      return true;
-    }
-  }
-
-  // Whether the region may contain a point of a box.
-  static bool may_meet(const Question& question, const Box& box)
-  {
-    if (box.is_empty())
-      return false;
-    if (question.kind == CIRCLE)
-      return question.box.meets(box);
-    return contains(question, Point(box.x_low, box.y_low)) ||
-           contains(question, Point(box.x_low, box.y_high)) ||
-           contains(question, Point(box.x_high, box.y_low)) ||
-           contains(question, Point(box.x_high, box.y_high));
-  }
-
-  // A box around the circumcircle. With e = 2^-53 the sides u and v from one corner are off by e
-  // times themselves, so that D = u x v is off by less than 8 e |u||v|. Where |u|^2 + |v|^2 is at
-  // most 2^12 D, that is 2^-38 D. The radius is |u||v||u - v| / 2D; the numerators of the
-  // circumcenter are off by less than 16 e |u||v| (|u| + |v|), and |u| + |v| is at most four radii:
-  // so the circumcenter is off by less than 2^-34 radii. 2^-30 radii cover that, the rounding of
-  // the radius, and second order; 2^-50 of the coordinates cover the last sums. Within the limits
-  // of |u|^2 + |v|^2 nothing overflows, and what underflows is smaller than these by far.
-  static Box box_around(const Position& p, const Position& q, const Position& r)
-  {
-    using namespace Dynamic_Delaunay_triangulations_2::internal;
-    const Position u = q - p, v = r - p;
-    const double squares = dot(u, u) + dot(v, v), doubled_area = cross(u, v);
-    if (!(squares > 0x1p-200 && squares < 0x1p200 && squares <= 0x1p12 * doubled_area))
-      return Box::of_everything();
-    const Position c = circumcenter(u, v);
-    const double radius = std::hypot(c.x, c.y) * (1 + 0x1p-30);
-    const double x = p.x + c.x, y = p.y + c.y;
-    const double pad_x = radius + 0x1p-50 * (std::abs(p.x) + radius);
-    const double pad_y = radius + 0x1p-50 * (std::abs(p.y) + radius);
-    return {x - pad_x, y - pad_y, x + pad_x, y + pad_y};
-  }
-
-  // Those of all faces with an owned corner, by ranks.
-  std::vector<std::vector<Question>>
-  find_questions(const std::vector<std::set<Question>>& answered) const
-  {
-    std::vector<std::vector<Question>> questions(m_ranks);
-    const auto pose = [&](const Question& question) {
-      for (std::size_t r = 0; r < m_ranks; ++r) {
-        const Box* const boxes = &m_boxes[r * boxes_per_rank];
-        if (r != std::size_t(m_rank) && answered[r].count(question) == 0 &&
-            std::any_of(boxes, boxes + boxes_per_rank,
-                        [&](const Box& box) { return may_meet(question, box); }))
-          questions[r].push_back(question);
-      }
-    };
-    const auto frame = m_dt.frame();
-    if (frame.number_of_faces() == 0 && m_owned > 0)
-      pose({EVERYTHING, {}, Box::of_everything(), m_points[0].x(), m_points[0].y()});
-    const std::vector<bool> is_owned = owned_vertices();
-    for (Index f = 0; f < frame.number_of_faces(); ++f) {
-      std::array<Index, 3> face = frame.face(f);
-      const auto owned =
-          std::find_if(face.begin(), face.end(), [&](Index v) { return is_owned[v]; });
-      if (owned == face.end())
-        continue;
-      const Position focus = frame.position(*owned);
-      const auto infinite = std::find(face.begin(), face.end(), Index(0));
-      const bool is_finite = infinite == face.end();
-      if (!is_finite)
-        std::rotate(face.begin(), infinite, face.end());
-      const Position p = frame.position(face[0]), q = frame.position(face[1]),
-                     r = frame.position(face[2]);
-      if (is_finite)
-        pose({CIRCLE, {p.x, p.y, q.x, q.y, r.x, r.y}, box_around(p, q, r), focus.x, focus.y});
-      else
-        pose({HALF_PLANE, {q.x, q.y, r.x, r.y, 0, 0}, Box::of_everything(), focus.x, focus.y});
-    }
-    return questions;
-  }
-
-  // By vertices: whether a point there is owned.
-  std::vector<bool> owned_vertices() const
-  {
-    const auto frame = m_dt.frame();
-    std::vector<bool> is_owned(frame.number_of_vertices() + std::size_t(1), false);
-    for (size_type i = 0; i < m_owned; ++i)
-      is_owned[frame.vertex(i)] = true;
-    return is_owned;
-  }
-
-  // By vertices: the point there with the smallest id.
-  std::vector<Index> labels() const
-  {
-    const auto frame = m_dt.frame();
-    std::vector<Index> labels(frame.number_of_vertices() + std::size_t(1), Index(m_points.size()));
-    for (Index i = 0; i < m_points.size(); ++i) {
-      Index& label = labels[frame.vertex(i)];
-      if (label == m_points.size() || m_ids[i] < m_ids[label])
-        label = i;
-    }
-    return labels;
-  }
-
-  template <class Function>
-  void call(const Function& f, Index i, Index j) const
-  {
-    if (m_ids[j] < m_ids[i])
-      std::swap(i, j);
-    if (i < m_owned)
-      f(m_ids[i], m_ids[j]);
-  }
-
-  // Calls f(corners, apex) for each finite cell of the Delaunay complex with an owned corner: the
-  // points of one empty circle, counterclockwise, and the place of the one with the smallest id.
-  template <class Function>
-  void for_each_cell(const std::vector<Index>& label, const Function& f) const
-  {
-    const auto frame = m_dt.frame();
-    const Mirror& mirror = frame.maintained().mirror();
-    const std::vector<bool> is_owned = owned_vertices(), is_inner = inner_edges();
-    std::vector<bool> is_seen(frame.number_of_faces(), false);
-    std::vector<Corner> corners;
-    for (Index face = 0; face < frame.number_of_faces(); ++face) {
-      const std::array<Index, 3> v = frame.face(face);
-      if (is_seen[face] || v[0] == 0 || v[1] == 0 || v[2] == 0)
-        continue;
-      const auto outward = [&](Index h) {
-        is_seen[Mirror::face_of(h)] = true;
-        while (is_inner[mirror.edge_of(h)]) {
-          h = Mirror::next(mirror.twin(h));
-          is_seen[Mirror::face_of(h)] = true;
-        }
-        return h;
-      };
-      corners.clear();
-      bool has_owned = false;
-      const Index first = outward(3 * face);
-      Index h = first;
-      do {
-        const Index a = mirror.source(h);
-        has_owned = has_owned || is_owned[a];
-        corners.push_back({label[a], mirror.apex(mirror.twin(h)) == 0});
-        h = outward(Mirror::next(h));
-      } while (h != first);
-      if (!has_owned)
-        continue;
-      const auto apex =
-          std::min_element(corners.begin(), corners.end(), [&](const Corner& a, const Corner& b) {
-            return m_ids[a.label] < m_ids[b.label];
-          });
-      f(corners, std::size_t(apex - corners.begin()));
-    }
-  }
-
-  // By edges: whether all four corners are on one circle.
-  std::vector<bool> inner_edges() const
-  {
-    using namespace Dynamic_Delaunay_triangulations_2::internal;
-    const auto frame = m_dt.frame();
-    std::vector<bool> is_inner(frame.number_of_edges(), false);
-    std::vector<Index> unproved;
-    frame.append_unproved(0, frame.number_of_edges(), unproved);
-    const Vertex_predicates_2<std::decay_t<decltype(frame.maintained())>> predicates(
-        frame.maintained());
-    for (const Index e : unproved)
-      if (!frame.is_at_infinity(e)) {
-        const auto& edge = frame.edge(e);
-        is_inner[e] = predicates.side_of_circle(edge.left, edge.source, edge.target, edge.right) ==
-                      ON_ORIENTED_BOUNDARY;
-      }
-    return is_inner;
-  }
-
-  Communicator m_communicator;
-  Dynamic_Delaunay_triangulations_2::internal::Message_exchange_2 m_exchange;
-  int m_rank;
-  std::size_t m_ranks;
-  Dynamic m_dt; // its ids are the places in the two following arrays, owned points first
-  std::vector<Id> m_ids;
-  std::vector<Point> m_points;
-  size_type m_owned = 0;
-  // By ranks: owned points that the other one holds, and ghosts that it owns, in one order.
-  std::vector<std::vector<Index>> m_exports, m_imports;
-  std::vector<Box> m_boxes; // of all ranks
-  size_type m_rounds = 0;
+  Ranks m_ranks;
+  Points m_points;
+  Proof m_proof;
+  Order m_order;
+  double m_load_factor;
+  double m_settled_load = 0; // the most points that a rank holds, at its lowest since distribution
+  size_type m_distributions = 0;
   bool m_is_certified = false;
 };
 

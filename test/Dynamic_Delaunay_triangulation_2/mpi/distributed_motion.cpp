@@ -46,17 +46,28 @@ int main(int argc, char** argv)
   for (int i = 0; i < 400; ++i)
     cloud.push_back(Point(coordinate(random), coordinate(random)));
   std::sort(cloud.begin(), cloud.end());
-  run("Brownian motion", cloud, frames, [&](std::size_t, const Point& p, int) {
-    return Point(p.x() + step(random), p.y() + step(random));
-  });
-  run("jumps", cloud, frames, [&](std::size_t, const Point& p, int) {
-    return random() % 20 ? p : Point(coordinate(random), coordinate(random));
-  });
-  run("an explosion", cloud, frames, [](std::size_t, const Point& p, int) {
-    return Point(10 + 1.1 * (p.x() - 10), 10 + 1.1 * (p.y() - 10));
-  });
-  run("a rank that owns all", cloud, 2, at_rest, on_first);
-  run("points in turn", cloud, 2, at_rest, in_turn);
+  for (const double load_factor : {no_balance, Distributed::default_load_factor}) {
+    run(
+        "Brownian motion", cloud, frames,
+        [&](std::size_t, const Point& p, int) {
+          return Point(p.x() + step(random), p.y() + step(random));
+        },
+        in_order, load_factor);
+    run(
+        "jumps", cloud, frames,
+        [&](std::size_t, const Point& p, int) {
+          return random() % 20 ? p : Point(coordinate(random), coordinate(random));
+        },
+        in_order, load_factor);
+    run(
+        "an explosion", cloud, frames,
+        [](std::size_t, const Point& p, int) {
+          return Point(10 + 1.1 * (p.x() - 10), 10 + 1.1 * (p.y() - 10));
+        },
+        in_order, load_factor);
+  }
+  run("a rank that owns all", cloud, 2, at_rest, on_first, no_balance);
+  run("points in turn", cloud, 2, at_rest, in_turn, no_balance);
   refuse_bad_input();
   MPI_Finalize();
 }

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -28,23 +29,23 @@ using Point = Kernel::Point_2;
 using Distributed = CGAL::Distributed_dynamic_Delaunay_triangulation_2<Kernel>;
 using Id = Distributed::Id;
 using Points = std::vector<Point>;
-using Population = std::map<Id, Point>;       // the same on all ranks
+using Population = std::map<Id, Point>;       // the same on all number_of_ranks
 using Edges = std::vector<std::pair<Id, Id>>; // ascending
 
-inline int rank, ranks;
+inline int this_rank, number_of_ranks;
 
 inline void start(int argc, char** argv)
 {
   MPI_Init(&argc, &argv);
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  MPI_Comm_rank(MPI_COMM_WORLD, &this_rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &number_of_ranks);
 }
 
 inline void expect(bool is_so, const std::string& what)
 {
   if (is_so)
     return;
-  std::fprintf(stderr, "rank %d of %d: not so: %s\n", rank, ranks, what.c_str());
+  std::fprintf(stderr, "rank %d of %d: not so: %s\n", this_rank, number_of_ranks, what.c_str());
   MPI_Abort(MPI_COMM_WORLD, 1);
 }
 
@@ -62,7 +63,7 @@ inline Edges gathered(const Edges& own)
   for (const auto& [i, j] : own)
     flat.insert(flat.end(), {i, j});
   const int size = int(flat.size());
-  std::vector<int> sizes(std::size_t(ranks), 0), places(std::size_t(ranks), 0);
+  std::vector<int> sizes(std::size_t(number_of_ranks), 0), places(std::size_t(number_of_ranks), 0);
   MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, MPI_COMM_WORLD);
   for (std::size_t r = 1; r < places.size(); ++r)
     places[r] = places[r - 1] + sizes[r - 1];
@@ -135,11 +136,11 @@ inline Population numbered(const Points& points)
 using Owner = int (*)(std::size_t i, std::size_t size);
 inline int in_order(std::size_t i, std::size_t size)
 {
-  return int(i * std::size_t(ranks) / size);
+  return int(i * std::size_t(number_of_ranks) / size);
 }
 inline int in_turn(std::size_t i, std::size_t)
 {
-  return int(i % std::size_t(ranks));
+  return int(i % std::size_t(number_of_ranks));
 }
 inline int on_first(std::size_t, std::size_t)
 {
@@ -151,7 +152,7 @@ inline std::vector<std::pair<Id, Point>> own_part(const Population& population, 
   std::vector<std::pair<Id, Point>> own;
   std::size_t i = 0;
   for (const auto& value : population)
-    if (owner(i++, population.size()) == rank)
+    if (owner(i++, population.size()) == this_rank)
       own.push_back(value);
   return own;
 }
@@ -179,7 +180,7 @@ inline void expect_exact(const Distributed& dt, const Population& population,
   expect(sum(dt.number_of_owned_points()) == population.size(), what + ": all points are owned");
   faces = sum(faces);
   const Edges all = gathered(own), sides = gathered(of_faces);
-  if (rank > 0)
+  if (this_rank > 0)
     return;
   expect(all == expected_edges(population), what + ": the edges of all ranks are those of one");
   std::set<Id> ends;
@@ -195,11 +196,11 @@ inline void expect_exact(const Distributed& dt, const Population& population,
 // Moves all points frame by frame: `move(i, p, frame)` is called for all of them on all ranks.
 template <class Move>
 void run(const std::string& what, const Points& points, int frames, const Move& move,
-         Owner owner = in_order)
+         Owner owner = in_order, double load_factor = Distributed::default_load_factor)
 {
   Population population = numbered(points);
   const auto own = own_part(population, owner);
-  Distributed dt(MPI_COMM_WORLD, own.begin(), own.end());
+  Distributed dt(MPI_COMM_WORLD, own.begin(), own.end(), load_factor);
   expect_exact(dt, population, what + ", at the start");
   for (int frame = 1; frame <= frames; ++frame) {
     for (auto& [id, p] : population)
@@ -209,6 +210,9 @@ void run(const std::string& what, const Points& points, int frames, const Move& 
     expect_exact(dt, population, what + ", frame " + std::to_string(frame));
   }
 }
+
+// A load factor: each rank owns what it was given.
+inline constexpr double no_balance = std::numeric_limits<double>::infinity();
 
 inline const auto at_rest = [](std::size_t, const Point& p, int) { return p; };
 
