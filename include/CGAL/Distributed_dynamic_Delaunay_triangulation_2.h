@@ -40,8 +40,8 @@ After construction and after each update every face with a corner that the rank 
 one of the triangulation of all points: no point of any rank is strictly inside of its circumcircle,
 and all points on that circle are held. Where more than three points are on an empty circle, the
 diagonals go to the one with the smallest id, whatever rank asks. So edges and faces depend only on
-points and ids, not on how many ranks there are or what they own. \ref
-DynamicDelaunaySection_Ranks describes the protocol, and proves this.
+points and ids, not on how many ranks there are or what they own. The page
+\ref DynamicDelaunayTriangulation2Ranks describes the protocol, and proves this.
 
 Each rank owns a stretch of a Hilbert curve through all points. When a rank holds too many points,
 compared with what ranks held after the last distribution, `update()`, `insert()` or `remove()`
@@ -98,11 +98,12 @@ public:
   /// are distributed evenly, unless the load factor is infinite: then each rank owns the points
   /// that it was given, in their order, for as long as `distribute()` is not called.
   ///
+  /// The load factor says how many times as many points a rank may hold as the fullest rank did
+  /// when that was least since the last distribution, and may own as a rank does on average; with
+  /// more, and with 64 points more, all are distributed anew.
+  ///
   /// Cost: sorting, sending and triangulating all points once, and some rounds of questions.
-  /// \tparam InputIterator its values are pairs of an `Id` and a `Point`. \param load_factor how
-  /// many times as many points a rank may hold as the fullest rank did when that was least since
-  /// the last distribution, and may own as a rank does on average; then all are distributed anew.
-  /// 64 points more are never too many.
+  /// \tparam InputIterator its values are pairs of an `Id` and a `Point`.
   /// \throws Non_finite_coordinate_error_2 or Coordinate_range_error_2 (`id()` is the place in the
   /// range), or Distributed_input_error_2 on the other ranks; Repeated_id_error_2 on all ranks;
   /// Parameter_error_2 on all ranks if the load factor is less than 1.
