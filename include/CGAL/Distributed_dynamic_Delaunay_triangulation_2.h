@@ -8,6 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_cells_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_checkpoint_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_order_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_proof_2.h>
@@ -23,7 +24,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
+#include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -69,6 +73,7 @@ class Distributed_dynamic_Delaunay_triangulation_2
   using Points = Dynamic_Delaunay_triangulations_2::internal::Distributed_points_2<Kernel>;
   using Proof = Dynamic_Delaunay_triangulations_2::internal::Distributed_proof_2<Kernel>;
   using Cells = Dynamic_Delaunay_triangulations_2::internal::Distributed_cells_2<Kernel>;
+  using Checkpoint = Dynamic_Delaunay_triangulations_2::internal::Distributed_checkpoint_2;
   using Order = Dynamic_Delaunay_triangulations_2::internal::Distributed_order_2;
   using Entry = Dynamic_Delaunay_triangulations_2::internal::Distributed_entry_2;
   using Message = Dynamic_Delaunay_triangulations_2::internal::Message_2;
@@ -123,12 +128,8 @@ public:
         throw Parameter_error_2("the load factor", load_factor, 1, infinity);
       entries = read(first, beyond);
     });
-    check_ids(entries);
-    if (m_load_factor < infinity)
-      entries = m_order.distribute(m_ranks, entries);
-    m_points.reset(entries);
-    prove();
-    settle_load();
+    refuse_repeated(seen_here(ids_of(entries)));
+    reset(std::move(entries));
   }
 
   /// @}
@@ -188,10 +189,7 @@ public:
     const Floating_point floating_point;
     std::vector<Entry> entries;
     m_ranks.agree([&] { entries = read(first, beyond); });
-    std::vector<Id> ids;
-    for (const Entry& entry : entries)
-      ids.push_back(entry.id);
-    check_new(ids);
+    check_new(ids_of(entries));
     m_is_certified = false;
     Update_report_2 report = m_points.insert(entries);
     report += m_points.exchange();
@@ -232,13 +230,7 @@ public:
   {
     const Floating_point floating_point;
     m_is_certified = false;
-    std::vector<Entry> entries;
-    for (const Index place : m_points.owned())
-      entries.push_back({m_points.id(place), m_points.point(place).x(), m_points.point(place).y()});
-    m_points.reset(m_order.distribute(m_ranks, entries));
-    m_proof.forget_zone();
-    prove();
-    settle_load();
+    settle(m_order.distribute(m_ranks, owned_entries()));
     ++m_distributions;
   }
 
@@ -330,6 +322,129 @@ public:
     });
   }
 
+  /// calls `f(k, j)` for each point that this rank owns, the `k`-th of `owned_ids()`, and the id
+  /// `j` of each of its neighbors. Of points that coincide, the one with the smallest id has
+  /// neighbors.
+  template <class Function>
+  void for_each_neighbor(const Function& f) const
+  {
+    const Floating_point floating_point;
+    const std::vector<Index> order = m_points.order();
+    Cells(m_points).for_each_edge([&](Index i, Index j) {
+      if (m_points.is_owned(i))
+        f(size_type(order[i]), m_points.id(j));
+      if (m_points.is_owned(j))
+        f(size_type(order[j]), m_points.id(i));
+    });
+  }
+
+  /// calls `f(k, j)` for each point that this rank owns, the `k`-th of `owned_ids()`, that
+  /// coincides with one of a smaller id, `j` being the smallest; and for the one with the smallest
+  /// id, if this rank owns it, with the ids `j` of each of the others.
+  template <class Function>
+  void for_each_duplicate(const Function& f) const
+  {
+    const Cells cells(m_points);
+    const std::vector<Index> order = m_points.order();
+    m_points.for_each_held([&](Index i) {
+      const Index label = cells.label(i);
+      if (label != i && m_points.is_owned(i))
+        f(size_type(order[i]), m_points.id(label));
+      if (label != i && m_points.is_owned(label))
+        f(size_type(order[label]), m_points.id(i));
+    });
+  }
+
+  /// @}
+  /// \name Checkpoints
+  /// Positions and ids of all points in one file, which all ranks write and read together, by
+  /// `MPI_File`. Edges and faces depend on nothing else, so a run continues with the same ones, on
+  /// any number of ranks.
+  ///
+  /// A file is written under its name with `.unfinished` appended, and renamed when it is complete.
+  /// So the last checkpoint stays readable, whenever a rank dies.
+  /// @{
+
+  /// writes all points. Collective. Cost: 24 bytes a point. \throws Checkpoint_error_2 on all ranks
+  /// if that is impossible; what had the name before is still there.
+  void write_checkpoint(const std::string& path) { write_checkpoint(path, nullptr, 0); }
+
+  /// the same, with the user's data of each point that this rank owns, in the order of
+  /// `owned_ids()`. \tparam T trivially copyable. \throws Point_count_error_2 if there are not as
+  /// many as owned points, or Distributed_input_error_2 on the other ranks.
+  template <class T>
+  void write_checkpoint(const std::string& path, const std::vector<T>& data)
+  {
+    static_assert(std::is_trivially_copyable_v<T>, "only plain data can be written");
+    m_ranks.agree([&] {
+      if (data.size() != number_of_owned_points())
+        throw Point_count_error_2(number_of_owned_points(), data.size());
+    });
+    write_checkpoint(path, reinterpret_cast<const char*>(data.data()), sizeof(T));
+  }
+
+  /// replaces all points by those in a file, and distributes them as the constructor does.
+  /// Collective. \throws Checkpoint_error_2 on all ranks if there is no such file, or if it is not
+  /// as it was written; nothing has changed then on any rank. \post `is_certified()`
+  void read_checkpoint(const std::string& path)
+  {
+    std::vector<char> data;
+    read_checkpoint(path, data, 0);
+  }
+
+  /// the same, and replaces `data` by the user's data of the points that this rank owns.
+  template <class T>
+  void read_checkpoint(const std::string& path, std::vector<T>& data)
+  {
+    static_assert(std::is_trivially_copyable_v<T>, "only plain data can be read");
+    std::vector<char> bytes;
+    read_checkpoint(path, bytes, sizeof(T));
+    std::vector<T> read(bytes.size() / sizeof(T));
+    if (!read.empty())
+      std::memcpy(read.data(), bytes.data(), bytes.size());
+    data = m_load_factor < infinity ? m_order.carry(m_ranks, read) : read;
+  }
+
+  /// @}
+  /// \name Checking
+  /// @{
+
+  /// proves all faces with an owned corner anew, without trust in what ranks have agreed to send.
+  /// Collective, with the same result on all ranks. Cost: a pass over all faces, and questions as
+  /// after a distribution.
+  bool certify()
+  {
+    const Floating_point floating_point;
+    m_proof.run(false);
+    const bool is_proved = m_points.certify();
+    m_is_certified = !m_ranks.is_any(!is_proved);
+    return m_is_certified;
+  }
+
+  /// whether what all ranks hold is valid: their triangulations are, both sides of each link
+  /// between ranks hold the same points, no id is owned twice, and vertices, edges and faces of all
+  /// ranks satisfy Euler's formula. Collective, with the same result on all ranks. Cost: linear,
+  /// and as many bytes as ghosts and ids have.
+  bool is_valid()
+  {
+    const Floating_point floating_point;
+    std::vector<Id> ids = seen_here(owned_ids());
+    std::sort(ids.begin(), ids.end());
+    bool is_valid = std::adjacent_find(ids.begin(), ids.end()) == ids.end();
+    is_valid = m_points.links_are_valid() && is_valid;
+    is_valid = m_points.dt().is_valid() && is_valid;
+    std::uint64_t vertices = number_of_owned_points(), edges = 0, faces = 0;
+    for_each_duplicate(
+        [&](size_type k, Id label) { vertices -= label < m_points.id(m_points.owned()[k]); });
+    for_each_edge([&](Id, Id) { ++edges; });
+    for_each_face([&](const auto&) { ++faces; });
+    vertices = m_ranks.sum(vertices);
+    edges = m_ranks.sum(edges);
+    faces = m_ranks.sum(faces);
+    const bool is_a_disk = vertices == 0 ? edges == 0 && faces == 0 : vertices + faces == edges + 1;
+    return !m_ranks.is_any(!is_valid) && is_a_disk;
+  }
+
   /// @}
   /// \name Figures
   /// Of this rank, since construction.
@@ -347,6 +462,10 @@ public:
   double communication_seconds() const { return m_ranks.exchange().seconds(); }
 
   /// @}
+
+  /// \cond
+  Ranks& ranks() { return m_ranks; }
+  /// \endcond
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -371,17 +490,69 @@ private:
     return entries;
   }
 
+  std::vector<Entry> owned_entries() const
+  {
+    std::vector<Entry> entries;
+    for (const Index place : m_points.owned())
+      entries.push_back({m_points.id(place), m_points.point(place).x(), m_points.point(place).y()});
+    return entries;
+  }
+
+  // Owns these points from now on, or, distributed, others.
+  void reset(std::vector<Entry> entries)
+  {
+    m_is_certified = false;
+    if (m_load_factor < infinity)
+      entries = m_order.distribute(m_ranks, entries);
+    settle(entries);
+  }
+
+  void settle(const std::vector<Entry>& entries)
+  {
+    m_points.reset(entries);
+    m_proof.forget_zone();
+    prove();
+    m_settled_load = double(m_ranks.largest(load())[0]);
+  }
+
+  void write_checkpoint(const std::string& path, const char* data, size_type size)
+  {
+    Checkpoint(m_ranks, path).write(owned_entries(), data, size);
+  }
+
+  void read_checkpoint(const std::string& path, std::vector<char>& data, size_type size)
+  {
+    const Floating_point floating_point;
+    std::vector<Entry> entries;
+    Checkpoint(m_ranks, path).read(entries, data, size);
+    m_ranks.agree([&] {
+      for (size_type k = 0; k < entries.size(); ++k)
+        check(Point(entries[k].x, entries[k].y), k);
+    });
+    refuse_repeated(seen_here(ids_of(entries)));
+    reset(std::move(entries));
+    ++m_distributions;
+  }
+
+  static std::vector<Id> ids_of(const std::vector<Entry>& entries)
+  {
+    std::vector<Id> ids;
+    for (const Entry& entry : entries)
+      ids.push_back(entry.id);
+    return ids;
+  }
+
   // Each id is seen by one rank, which hears of it twice if it is given twice.
-  void check_ids(const std::vector<Entry>& entries)
+  std::vector<Id> seen_here(const std::vector<Id>& ids)
   {
     std::vector<Message> messages = m_ranks.empty_messages();
-    for (const Entry& entry : entries)
-      messages[std::uint64_t(entry.id) % m_ranks.size()].write(entry.id);
-    std::vector<Id> ids;
+    for (const Id id : ids)
+      messages[std::uint64_t(id) % m_ranks.size()].write(id);
+    std::vector<Id> seen;
     for (Message& message : m_ranks.send(std::move(messages)))
       while (!message.is_read())
-        ids.push_back(message.template read<Id>());
-    refuse_repeated(ids);
+        seen.push_back(message.template read<Id>());
+    return seen;
   }
 
   // Throws on all ranks if any of them sees an id twice.
@@ -449,8 +620,6 @@ private:
     else // ghosts that questions have brought are dropped where they are not needed
       m_settled_load = (std::min)(m_settled_load, double(most[0]));
   }
-
-  void settle_load() { m_settled_load = double(m_ranks.largest(load())[0]); }
 
   // Held points, and own ones.
   std::array<std::uint64_t, 2> load() const

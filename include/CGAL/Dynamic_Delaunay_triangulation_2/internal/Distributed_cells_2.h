@@ -90,13 +90,11 @@ private:
   void find_labels()
   {
     m_labels.assign(m_frame.number_of_vertices() + std::size_t(1), no_index);
-    for (Index place = 0; place < m_points.dt().number_of_ids(); ++place) {
-      if (!m_points.dt().has_id(place))
-        continue;
+    m_points.for_each_held([&](Index place) {
       Index& label = m_labels[m_frame.vertex(place)];
       if (label == no_index || m_points.id(place) < m_points.id(label))
         label = place;
-    }
+    });
   }
 
   // An edge is inner if its four corners are on one circle.

@@ -74,6 +74,25 @@ public:
   // \pre `holds(id)`
   Index place(Id id) const { return m_places.at(id); }
 
+  // By places: where the own points are in their order.
+  std::vector<Index> order() const
+  {
+    std::vector<Index> order(m_points.size(), no_index);
+    for (std::size_t k = 0; k < m_owned.size(); ++k)
+      order[m_owned[k]] = Index(k);
+    return order;
+  }
+
+  template <class Function>
+  void for_each_held(const Function& f) const
+  {
+    for (Index place = 0; place < m_points.size(); ++place)
+      if (m_dt.has_id(place))
+        f(place);
+  }
+
+  bool certify() { return m_dt.certify(); }
+
   // Vertices of the triangulation, by their numbers.
   std::vector<bool> owned_vertices() const
   {

@@ -47,7 +47,13 @@ public:
   }
   Distributed_ranks_2(const Distributed_ranks_2&) = delete;
   Distributed_ranks_2& operator=(const Distributed_ranks_2&) = delete;
-  ~Distributed_ranks_2() { MPI_Comm_free(&m_communicator); }
+  ~Distributed_ranks_2()
+  {
+    int is_over = 0;
+    MPI_Finalized(&is_over);
+    if (!is_over)
+      MPI_Comm_free(&m_communicator);
+  }
 
   MPI_Comm communicator() const { return m_communicator; }
   int rank() const { return m_rank; }
