@@ -60,6 +60,11 @@ communicator another error handler. So does an exception on one rank alone that 
 `mpirun` then ends the other ranks.
 
 \tparam Kernel a CGAL kernel with exact predicates whose points have coordinates of type `double`.
+
+\cgalExample{Dynamic_Delaunay_triangulation_2/ranks/distributed_dam_break.cpp}
+
+\sa `Distributed_neighbor_lists_2`
+\sa `Distributed_edge_changes_2`
 */
 template <class Kernel>
 class Distributed_dynamic_Delaunay_triangulation_2
