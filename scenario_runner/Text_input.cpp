@@ -156,7 +156,7 @@ std::string unzipped(const std::string& file, std::string_view)
 std::string read_text(std::istream& stream, const std::string& file, std::uintmax_t size)
 {
   std::string text;
-  text.reserve(size);
+  text.reserve(static_cast<std::size_t>(size));
   char buffer[1 << 16];
   while (stream.read(buffer, sizeof buffer), stream.gcount() > 0) {
     text.append(buffer, static_cast<std::size_t>(stream.gcount()));

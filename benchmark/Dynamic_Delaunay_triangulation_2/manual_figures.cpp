@@ -11,8 +11,10 @@
 //   splice.svg        a border splice, before, in between and after
 //   safe_edge.svg     an edge that is safe, and its annulus
 //   tolerances.svg    how far vertices may go before an edge has to be looked at
+//   motion.svg        the dam break with few points, moving
 
 #include "common/Program.h"
+#include "manual_figures/Motion_figure.h"
 #include "manual_figures/Safety_figures.h"
 #include "manual_figures/Set_figures.h"
 #include "scenario_runner/Output_file.h"
@@ -44,6 +46,7 @@ void draw_all(const std::string& path)
   const Safety_figures safety(600);
   write(directory, "safe_edge.svg", safety.draw_edge());
   write(directory, "tolerances.svg", safety.draw_tolerances(16));
+  write(directory, "motion.svg", Motion_figure::draw(180, 36, 30));
 }
 
 } // namespace

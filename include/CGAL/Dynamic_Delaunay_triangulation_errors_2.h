@@ -6,8 +6,9 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Message_text_2.h>
+
 #include <cstddef>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -54,10 +55,8 @@ public:
 private:
   static std::string message(std::size_t id, double x, double y)
   {
-    std::ostringstream out;
-    out << "point " << id << " has the coordinates (" << x << ", " << y
-        << "): both must be finite numbers";
-    return out.str();
+    return Dynamic_Delaunay_triangulations_2::internal::message_text(
+        "point ", id, " has the coordinates (", x, ", ", y, "): both must be finite numbers");
   }
 
   std::size_t m_id;
@@ -98,11 +97,9 @@ public:
 private:
   static std::string message(std::size_t id, double x, double y, double limit)
   {
-    std::ostringstream out;
-    out << "point " << id << " has the coordinates (" << x << ", " << y
-        << "): both must be smaller than " << limit
-        << " in absolute value where CGAL is compiled for SSE4.1 or AVX";
-    return out.str();
+    return Dynamic_Delaunay_triangulations_2::internal::message_text(
+        "point ", id, " has the coordinates (", x, ", ", y, "): both must be smaller than ", limit,
+        " in absolute value where CGAL is compiled for SSE4.1 or AVX");
   }
 
   std::size_t m_id;
@@ -134,12 +131,11 @@ public:
 private:
   static std::string message(std::size_t expected, std::size_t given)
   {
-    std::ostringstream out;
-    out << "the frame has " << given << (given > expected ? " or more" : "")
-        << " points, and the triangulation has " << expected
-        << " ids: give one position for each id from 0 to the last, any one for those of removed "
-           "points";
-    return out.str();
+    return Dynamic_Delaunay_triangulations_2::internal::message_text(
+        "the frame has ", given, (given > expected ? " or more" : ""),
+        " points, and the triangulation has ", expected,
+        " ids: give one position for each id from 0 to the last, any one for those of removed "
+        "points");
   }
 
   std::size_t m_expected, m_given;
@@ -171,10 +167,9 @@ public:
 private:
   static std::string message(std::size_t number, std::size_t limit)
   {
-    std::ostringstream out;
-    out << "there would be " << number << (number == limit + 1 ? " or more" : "")
-        << " points: a triangulation holds at most " << limit;
-    return out.str();
+    return Dynamic_Delaunay_triangulations_2::internal::message_text(
+        "there would be ", number, (number == limit + 1 ? " or more" : ""),
+        " points: a triangulation holds at most ", limit);
   }
 
   std::size_t m_number, m_limit;
@@ -205,15 +200,13 @@ public:
 private:
   static std::string message(std::size_t id, std::size_t number_of_ids)
   {
-    std::ostringstream out;
-    out << "there is no point with id " << id << ": ";
+    using Dynamic_Delaunay_triangulations_2::internal::message_text;
+    const std::string start = message_text("there is no point with id ", id, ": ");
     if (id < number_of_ids)
-      out << "it was removed";
-    else if (number_of_ids == 0)
-      out << "the triangulation never had any points";
-    else
-      out << "ids run from 0 to " << number_of_ids - 1;
-    return out.str();
+      return start + "it was removed";
+    if (number_of_ids == 0)
+      return start + "the triangulation never had any points";
+    return message_text(start, "ids run from 0 to ", number_of_ids - 1);
   }
 
   std::size_t m_id, m_number_of_ids;
@@ -244,9 +237,8 @@ public:
 private:
   static std::string message(const std::string& what, std::size_t index, std::size_t bound)
   {
-    std::ostringstream out;
-    out << "there is no " << what << ' ' << index << ": their indices are smaller than " << bound;
-    return out.str();
+    return Dynamic_Delaunay_triangulations_2::internal::message_text(
+        "there is no ", what, " ", index, ": their indices are smaller than ", bound);
   }
 
   std::size_t m_index, m_bound;
@@ -352,9 +344,8 @@ public:
 private:
   static std::string message(const std::string& name, double value, double lowest, double highest)
   {
-    std::ostringstream out;
-    out << name << " is " << value << ": it must be from " << lowest << " to " << highest;
-    return out.str();
+    return Dynamic_Delaunay_triangulations_2::internal::message_text(
+        name, " is ", value, ": it must be from ", lowest, " to ", highest);
   }
 
   double m_value;
@@ -379,10 +370,8 @@ public:
 private:
   static std::string message(double ax, double ay, double bx, double by, const std::string& demand)
   {
-    std::ostringstream out;
-    out << "a periodic cell has the vectors (" << ax << ", " << ay << ") and (" << bx << ", " << by
-        << "): " << demand;
-    return out.str();
+    return Dynamic_Delaunay_triangulations_2::internal::message_text(
+        "a periodic cell has the vectors (", ax, ", ", ay, ") and (", bx, ", ", by, "): ", demand);
   }
 };
 
@@ -409,11 +398,10 @@ public:
 private:
   static std::string message(std::size_t id, double x, double y, double limit)
   {
-    std::ostringstream out;
-    out << "point " << id << " has the coordinates (" << x << ", " << y
-        << "): both of its multiples of the cell's vectors must be below " << limit
-        << " in absolute value";
-    return out.str();
+    return Dynamic_Delaunay_triangulations_2::internal::message_text(
+        "point ", id, " has the coordinates (", x, ", ", y,
+        "): both of its multiples of the cell's vectors must be below ", limit,
+        " in absolute value");
   }
 
   std::size_t m_id;

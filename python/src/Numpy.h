@@ -4,7 +4,7 @@
 #ifndef PYTHON_NUMPY_H
 #define PYTHON_NUMPY_H
 
-#include "python/src/Subject.h"
+#include "python/src/Python_settings.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>

@@ -4,7 +4,7 @@
 #ifndef PYTHON_TRIANGLE_WALK_H
 #define PYTHON_TRIANGLE_WALK_H
 
-#include "python/src/Subject.h"
+#include "python/src/Python_settings.h"
 
 #include <cstddef>
 #include <cstdint>

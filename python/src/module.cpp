@@ -1,10 +1,11 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "bindings/Report_texts.h"
 #include "python/src/Errors.h"
 #include "python/src/Function_in_python.h"
 #include "python/src/Numpy.h"
-#include "python/src/Subject.h"
+#include "python/src/Python_settings.h"
 #include "python/src/Triangle_walk.h"
 #include "scenario_runner/Threads.h"
 
@@ -48,7 +49,7 @@ public:
     if (m_subject) {
       throw std::runtime_error("a triangulation is initialized once; restore() replaces all of it");
     }
-    Settings settings{"", nullptr, repair, policy, seed, changes, is_population, cell};
+    Python_settings settings{{"", repair, policy, seed, changes, is_population, cell}, nullptr};
     if (py::isinstance<py::str>(classifier)) {
       settings.classifier = classifier.cast<std::string>();
     } else {
@@ -285,37 +286,6 @@ private:
   std::array<Cached, std::size_t(Group::CHANGES) + 1> m_cache{};
   Report m_report{};
 };
-
-const char* reason_text(CGAL::Rebuild_reason_2 reason)
-{
-  using Reason = CGAL::Rebuild_reason_2;
-  switch (reason) {
-  case Reason::NONE:
-    return nullptr;
-  case Reason::REPAIR:
-    return "repair";
-  case Reason::TOO_MUCH_BROKEN:
-    return "too_much_broken";
-  case Reason::STUCK:
-    return "stuck";
-  case Reason::COINCIDENCE:
-    return "coincidence";
-  case Reason::POPULATION:
-    return "population";
-  case Reason::DIMENSION:
-    return "dimension";
-  case Reason::POLICY:
-    return "policy";
-  case Reason::BUDGET_SPENT:
-    return "budget_spent";
-  }
-  return nullptr;
-}
-
-constexpr std::array counts_of_reports = {
-    &Report::classified, &Report::padded,  &Report::border,       &Report::flips,
-    &Report::splices,    &Report::spliced, &Report::enlargements, &Report::relocated,
-    &Report::inserted,   &Report::removed, &Report::merged,       &Report::parted};
 
 bool are_equal(const Report& a, const Report& b)
 {

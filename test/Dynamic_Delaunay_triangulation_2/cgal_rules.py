@@ -18,8 +18,8 @@ import re
 import sys
 
 PACKAGE = "Dynamic_Delaunay_triangulation_2"
-FOLDERS = ["benchmark", "cmake", "doc", "examples", "include", "package_info", "python", "scenario_runner", "scenarios",
-           "test"]
+FOLDERS = ["benchmark", "bindings", "cmake", "doc", "examples", "include", "package_info", "page", "python",
+           "scenario_runner", "scenarios", "test"]
 TOP_FILES = ["CHANGELOG.md", "CMakeLists.txt", "README.md", "dev"]
 LICENCE = f"CGAL/license/{PACKAGE}.h"
 LICENCE_TEXT = "GPL (v3 or later)"

@@ -74,7 +74,8 @@ inline Panel draw_sets(std::size_t first)
   Followed_motion<Classifier> motion("dam_break", {}, Classifier(0.7));
   for (;;) {
     motion.advance();
-    if (motion.frame() < first || motion.record().update.classified < 6) {
+    const CGAL::Update_report_2& update = motion.record().update;
+    if (motion.frame() < first || update.rebuilt() || update.classified < 6) {
       continue;
     }
     const run::Bounds part = around(ids_in_sets(motion.sets()), motion.points(), 2.0);

@@ -10,6 +10,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Lattice_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Message_text_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/number_utils.h>
@@ -20,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -141,10 +141,7 @@ private:
   [[noreturn]] static void refuse(const std::string& what, const Position_2& p,
                                   const std::string& why)
   {
-    std::ostringstream out;
-    out.precision(17);
-    out << what << '(' << p.x << ", " << p.y << ')' << why;
-    throw Periodic_conversion_error_2(out.str());
+    throw Periodic_conversion_error_2(message_text(what, "(", p.x, ", ", p.y, ")", why));
   }
 
   // FACES -----------------------------------------------------------------------------------------
@@ -184,11 +181,10 @@ private:
       const double squared = CGAL::square(q.x - p.x) + CGAL::square(q.y - p.y);
       if (squared < (1 - 0x1p-40) * longest)
         continue;
-      std::ostringstream out;
-      out << "one sheet is not enough for CGAL's periodic triangulation: the edge from point "
-          << face.ids[i] << " to an image of point " << face.ids[(i + 1) % 3] << " has the length "
-          << std::sqrt(squared) << ", and must be shorter than " << std::sqrt(longest);
-      throw Periodic_conversion_error_2(out.str());
+      throw Periodic_conversion_error_2(message_text(
+          "one sheet is not enough for CGAL's periodic triangulation: the edge from point ",
+          face.ids[i], " to an image of point ", face.ids[(i + 1) % 3], " has the length ",
+          std::sqrt(squared), ", and must be shorter than ", std::sqrt(longest)));
     }
   }
 

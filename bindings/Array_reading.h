@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef PYTHON_ARRAY_READING_H
-#define PYTHON_ARRAY_READING_H
+#ifndef BINDINGS_ARRAY_READING_H
+#define BINDINGS_ARRAY_READING_H
 
-#include "python/src/Change_reading.h"
-#include "python/src/Subject.h"
+#include "bindings/Change_reading.h"
+#include "bindings/Subject.h"
 
 #include <CGAL/Delaunay_neighbor_lists_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
@@ -14,6 +14,7 @@
 #include <CGAL/Voronoi_cells_2.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -23,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace python {
+namespace bindings {
 
 template <class Dynamic>
 constexpr bool is_periodic_triangulation = false;
@@ -323,6 +324,61 @@ std::vector<Array> triangle_arrays(const Dynamic& dt, const Row_numbers& rows)
   }
 }
 
+// Of each row: 3 in the Classified set of the last update, 2 in the Padded set, 1 in the Border
+// set, 0 in none. To be read only after a frame that was not rebuilt: vertices have got other
+// numbers otherwise.
+template <class Dynamic>
+Array set_array(const Dynamic& dt, const Row_numbers& rows)
+{
+  Integers sets(rows.size());
+  const auto frame = dt.frame();
+  const auto assign = [&](const auto& vertices, std::int32_t number) {
+    for (const auto v : vertices) {
+      if (!frame.is_infinite(v) && v <= dt.number_of_vertices()) {
+        sets[std::size_t(rows[frame.id(v)])] = number;
+      }
+    }
+  };
+  assign(dt.border_vertices(), 1);
+  assign(dt.padded_vertices(), 2);
+  assign(dt.classified_vertices(), 3);
+  return {std::move(sets)};
+}
+
+// Whether an edge is one of those that `for_each_edge()` passes over: at infinity, or across the
+// gap of a slab.
+template <bool is_periodic, class Frame>
+bool is_passed_over(const Frame& frame, typename Frame::Index e)
+{
+  if constexpr (is_periodic) {
+    return std::isnan(frame.edge_vector(e).x);
+  } else {
+    return frame.is_infinite(frame.edge(e));
+  }
+}
+
+// The edges that are not locally Delaunay, by exact predicates, and in periodic space shifts.
+template <class Dynamic>
+std::vector<Array> broken_edge_arrays(const Dynamic& dt, const Row_numbers& rows)
+{
+  const auto frame = dt.frame();
+  typename Dynamic::Frame::Index e = 0;
+  Integers edges, shifts;
+  if (dt.is_certified() || frame.number_of_edges() == 0) { // on a line every edge is Delaunay
+    return {{std::move(edges), {2}}, {std::move(shifts), {2}}};
+  }
+  dt.for_each_edge([&](std::size_t i, std::size_t j, const auto&... shift) {
+    while (is_passed_over<is_periodic_triangulation<Dynamic>>(frame, e)) {
+      ++e;
+    }
+    if (!frame.is_delaunay(e++)) {
+      edges.insert(edges.end(), {rows[i], rows[j]});
+      (append(shifts, shift), ...);
+    }
+  });
+  return {{std::move(edges), {2}}, {std::move(shifts), {2}}};
+}
+
 template <class Dynamic>
 std::vector<Array> read_arrays(const Dynamic& dt, const Row_numbers& rows, Group group)
 {
@@ -346,10 +402,14 @@ std::vector<Array> read_arrays(const Dynamic& dt, const Row_numbers& rows, Group
   case Group::CHANGES:
     return change_arrays<std::int32_t>(dt.visitor(),
                                        [](std::size_t id) { return std::int32_t(id); });
+  case Group::SETS:
+    return {set_array(dt, rows)};
+  case Group::BROKEN_EDGES:
+    return broken_edge_arrays(dt, rows);
   }
   return {};
 }
 
-} // namespace python
+} // namespace bindings
 
-#endif // PYTHON_ARRAY_READING_H
+#endif // BINDINGS_ARRAY_READING_H

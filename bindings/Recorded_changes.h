@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef PYTHON_RECORDED_CHANGES_H
-#define PYTHON_RECORDED_CHANGES_H
+#ifndef BINDINGS_RECORDED_CHANGES_H
+#define BINDINGS_RECORDED_CHANGES_H
 
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-namespace python {
+namespace bindings {
 
 // A point that leaves a population.
 struct Leaving_point
@@ -92,6 +92,6 @@ constexpr bool records_changes = false;
 template <class Visitor>
 constexpr bool records_changes<Recorded_changes<Visitor>> = true;
 
-} // namespace python
+} // namespace bindings
 
-#endif // PYTHON_RECORDED_CHANGES_H
+#endif // BINDINGS_RECORDED_CHANGES_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef PYTHON_SUBJECT_H
-#define PYTHON_SUBJECT_H
+#ifndef BINDINGS_SUBJECT_H
+#define BINDINGS_SUBJECT_H
 
 #include <CGAL/Update_report_2.h>
 
@@ -15,9 +15,9 @@
 #include <variant>
 #include <vector>
 
-namespace python {
+namespace bindings {
 
-// Rows of numbers where NumPy has them, with any strides in bytes, also negative ones.
+// Rows of numbers in memory, with any strides in bytes, also negative ones.
 struct Rows
 {
   template <class Number>
@@ -47,7 +47,8 @@ struct Box
   double xmin, ymin, xmax, ymax;
 };
 
-// What becomes a NumPy array, whose rows have this shape: {} of numbers, {2} of pairs.
+// What becomes an array of the other language, whose rows have this shape: {} of numbers, {2} of
+// pairs.
 struct Array
 {
   std::variant<std::vector<std::int32_t>, std::vector<std::int64_t>, std::vector<double>> numbers;
@@ -64,26 +65,26 @@ enum class Group {
   NEIGHBOR_LISTS,
   CELLS,
   RIDGES,
-  CHANGES
+  CHANGES,
+  SETS,
+  BROKEN_EDGES
 };
-
-class Python_function;
 
 struct Settings
 {
   std::string classifier;
-  std::shared_ptr<const Python_function> function; // the classifier, if it is written in Python
-  std::string repair;                              // empty for the usual one
+  std::string repair; // empty for the usual one
   std::string policy;
   std::uint64_t seed;
   bool records_changes;
   bool is_population;
   std::optional<Cell> cell; // of periodic space
+  unsigned padding = 1;
 };
 
-// A triangulation as the module uses it, whatever its type is. The ids of a population are the
-// user's, and its arrays speak of rows, which are the places in `Group::IDS`. Others have no ids of
-// the user, and their rows are the ids.
+// A triangulation as another language uses it, whatever its type is. The ids of a population are
+// the user's, and its arrays speak of rows, which are the places in `Group::IDS`. Others have no
+// ids of the user, and their rows are the ids.
 class Subject
 {
 public:
@@ -120,9 +121,6 @@ public:
   virtual void restore(const std::string& checkpoint) = 0;
 };
 
-// Without points.
-std::unique_ptr<Subject> make_subject(const Settings& settings);
+} // namespace bindings
 
-} // namespace python
-
-#endif // PYTHON_SUBJECT_H
+#endif // BINDINGS_SUBJECT_H

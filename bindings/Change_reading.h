@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef PYTHON_CHANGE_READING_H
-#define PYTHON_CHANGE_READING_H
+#ifndef BINDINGS_CHANGE_READING_H
+#define BINDINGS_CHANGE_READING_H
 
-#include "python/src/Recorded_changes.h"
-#include "python/src/Subject.h"
+#include "bindings/Recorded_changes.h"
+#include "bindings/Subject.h"
 
 #include <CGAL/Periodic_edge_changes_visitor_2.h>
 
@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace python {
+namespace bindings {
 
 // An edge that came or went, by the ids that are shown to the user.
 template <class Id>
@@ -107,6 +107,6 @@ std::vector<Array> change_arrays(const Visitor& visitor, const Shown_id& shown_i
   }
 }
 
-} // namespace python
+} // namespace bindings
 
-#endif // PYTHON_CHANGE_READING_H
+#endif // BINDINGS_CHANGE_READING_H

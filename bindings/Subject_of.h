@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef PYTHON_SUBJECT_OF_H
-#define PYTHON_SUBJECT_OF_H
+#ifndef BINDINGS_SUBJECT_OF_H
+#define BINDINGS_SUBJECT_OF_H
 
-#include "python/src/Array_reading.h"
-#include "python/src/Row_iterator.h"
-#include "python/src/Subject.h"
+#include "bindings/Array_reading.h"
+#include "bindings/Row_iterator.h"
+#include "bindings/Subject.h"
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
@@ -22,7 +22,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace python {
+namespace bindings {
 
 inline CGAL::Periodic_cell_2 periodic_cell(const Cell& cell)
 {
@@ -43,7 +43,7 @@ struct Without_user_ids
 template <class Dynamic>
 using With_user_ids = CGAL::Dynamic_population_2<Dynamic>;
 
-template <class Dynamic, bool has_user_ids>
+template <class Dynamic, class Kinds, bool has_user_ids>
 class Subject_of : public Subject
 {
   using Owner = std::conditional_t<has_user_ids, With_user_ids<Dynamic>, Without_user_ids<Dynamic>>;
@@ -116,7 +116,14 @@ public:
   bool certify() override { return changing().certify(); }
 
   bool is_certified() const override { return dt().is_certified(); }
-  bool is_valid() const override { return dt().is_valid(); }
+  bool is_valid() const override
+  {
+    if constexpr (Kinds::has_extras) {
+      return dt().is_valid();
+    } else {
+      return refuse_extra();
+    }
+  }
   std::size_t number_of_points() const override { return dt().number_of_points(); }
   std::size_t number_of_ids() const override { return dt().number_of_ids(); }
   std::size_t number_of_vertices() const override { return dt().number_of_vertices(); }
@@ -177,23 +184,35 @@ public:
 
   std::string checkpoint() const override
   {
-    std::ostringstream out;
-    owner().write_checkpoint(out);
-    return out.str();
+    if constexpr (Kinds::has_extras) {
+      std::ostringstream out;
+      owner().write_checkpoint(out);
+      return out.str();
+    } else {
+      return refuse_extra(), "";
+    }
   }
 
   void restore(const std::string& checkpoint) override
   {
-    std::istringstream in(checkpoint);
-    if constexpr (has_user_ids) {
+    if constexpr (!Kinds::has_extras) {
+      refuse_extra();
+    } else if constexpr (has_user_ids) {
+      std::istringstream in(checkpoint);
       with_leaving([&] { return points_missing_in(Rows()); },
                    [&] { return m_owner.read_checkpoint(in); });
     } else {
+      std::istringstream in(checkpoint);
       m_owner.triangulation.read_checkpoint(in);
     }
   }
 
 private:
+  [[noreturn]] static bool refuse_extra()
+  {
+    throw std::logic_error("this binding has neither checkpoints nor checks of validity");
+  }
+
   const auto& owner() const
   {
     if constexpr (has_user_ids) {
@@ -293,15 +312,6 @@ private:
   Owner m_owner;
 };
 
-template <class Dynamic>
-std::unique_ptr<Subject> make_subject_of(Dynamic triangulation, bool is_population)
-{
-  if (is_population) {
-    return std::make_unique<Subject_of<Dynamic, true>>(std::move(triangulation));
-  }
-  return std::make_unique<Subject_of<Dynamic, false>>(std::move(triangulation));
-}
+} // namespace bindings
 
-} // namespace python
-
-#endif // PYTHON_SUBJECT_OF_H
+#endif // BINDINGS_SUBJECT_OF_H

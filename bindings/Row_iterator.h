@@ -1,17 +1,17 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef PYTHON_ROW_ITERATOR_H
-#define PYTHON_ROW_ITERATOR_H
+#ifndef BINDINGS_ROW_ITERATOR_H
+#define BINDINGS_ROW_ITERATOR_H
 
-#include "python/src/Subject.h"
+#include "bindings/Subject.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <utility>
 
-namespace python {
+namespace bindings {
 
 // Random access to values that are made from the rows of arrays when they are asked for.
 template <class Read>
@@ -106,6 +106,6 @@ struct Read_identified_point
   Rows ids, points;
 };
 
-} // namespace python
+} // namespace bindings
 
-#endif // PYTHON_ROW_ITERATOR_H
+#endif // BINDINGS_ROW_ITERATOR_H

@@ -1,12 +1,11 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef PYTHON_SPACES_H
-#define PYTHON_SPACES_H
+#ifndef BINDINGS_SPACES_H
+#define BINDINGS_SPACES_H
 
-#include "python/src/Python_classifier.h"
-#include "python/src/Recorded_changes.h"
-#include "python/src/Subject_of.h"
+#include "bindings/Recorded_changes.h"
+#include "bindings/Subject_of.h"
 #include "scenario_runner/Classifiers.h"
 #include "scenario_runner/Repairs_and_policies.h"
 #include "scenario_runner/Threads.h"
@@ -20,8 +19,9 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
-namespace python {
+namespace bindings {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
@@ -66,8 +66,30 @@ private:
   CGAL::Periodic_cell_2 m_cell;
 };
 
+// Which types of a subject there are for each classifier, and whether they have checkpoints and
+// checks of validity, which need streams. A binding that must be small has less.
+struct All_kinds
+{
+  static constexpr bool has_populations = true;
+  static constexpr bool has_extras = true;
+  static constexpr bool can_go_without_visitor = true;
+};
+
+template <class Space, class Kinds, class Dynamic>
+std::unique_ptr<Subject> make_subject(const typename Dynamic::Settings& its_settings,
+                                      const Settings& settings)
+{
+  auto triangulation = Space(settings).template make<Dynamic>(its_settings);
+  if constexpr (Kinds::has_populations) {
+    if (settings.is_population) {
+      return std::make_unique<Subject_of<Dynamic, Kinds, true>>(std::move(triangulation));
+    }
+  }
+  return std::make_unique<Subject_of<Dynamic, Kinds, false>>(std::move(triangulation));
+}
+
 // Without a visitor if it has nothing to record, since each flip would tell it.
-template <class Space, class Classifier, class Repair, class Policy>
+template <class Space, class Kinds = All_kinds, class Classifier, class Repair, class Policy>
 std::unique_ptr<Subject> make_in(const Classifier& classifier, const Repair& repair,
                                  const Policy& policy, const Settings& settings)
 {
@@ -77,48 +99,43 @@ std::unique_ptr<Subject> make_in(const Classifier& classifier, const Repair& rep
     its_settings.classifier = classifier;
     its_settings.repair = repair;
     its_settings.policy = policy;
-    return make_subject_of(Space(settings).template make<Dynamic>(its_settings),
-                           settings.is_population);
+    return make_subject<Space, Kinds, Dynamic>(its_settings, settings);
   };
-  return settings.records_changes ? make(Recorded_changes<typename Space::Edge_changes>())
-                                  : make(CGAL::Default());
+  if constexpr (Kinds::can_go_without_visitor) {
+    if (!settings.records_changes) {
+      return make(CGAL::Default());
+    }
+  }
+  return make(Recorded_changes<typename Space::Edge_changes>());
 }
 
 // Repair and policy by the names of run_scenario.
-template <class Space, class Classifier>
+template <class Space, class Kinds = All_kinds, class Classifier>
 std::unique_ptr<Subject> make_by_names(const Classifier& classifier,
                                        const std::string& usual_repair, const Settings& settings)
 {
-  constexpr unsigned padding = 1;
   const std::string& repair = settings.repair.empty() ? usual_repair : settings.repair;
-  return make_in<Space>(classifier, run::make_repair(repair, padding),
-                        run::make_policy(run::policy_choice(settings.policy)), settings);
+  return make_in<Space, Kinds>(classifier, run::make_repair(repair, settings.padding),
+                               run::make_policy(run::policy_choice(settings.policy)), settings);
+}
+
+// What a program in C++ has by default, which looks at some edges before it decides how to repair.
+template <class Space, class Kinds = All_kinds>
+std::unique_ptr<Subject> make_usual_in(const Settings& settings)
+{
+  return make_in<Space, Kinds>(CGAL::Circumcircle_classifier_2(), CGAL::Flip_and_splice_repair_2(),
+                               CGAL::Always_dynamic_policy_2(), settings);
 }
 
 // With an exact classifier.
-template <class Space>
+template <class Space, class Kinds = All_kinds>
 std::unique_ptr<Subject> make_exact_in(const Settings& settings)
 {
   const run::Classifier_choice choice = run::classifier_choice(settings.classifier);
-  return make_by_names<Space>(run::Exact_classifiers::make(choice, {settings.seed}),
-                              run::usual_repair(choice), settings);
+  return make_by_names<Space, Kinds>(run::Exact_classifiers::make(choice, {settings.seed}),
+                                     run::usual_repair(choice), settings);
 }
 
-// With any classifier, also one in Python.
-template <class Space>
-std::unique_ptr<Subject> make_heuristic_in(const Settings& settings)
-{
-  using Named_classifier = run::All_classifiers::Classifier;
-  using Classifier = run::Any_classifier<Named_classifier, Python_classifier>;
-  if (settings.function) {
-    return make_by_names<Space>(Classifier(Python_classifier(settings.function)), "splice",
-                                settings);
-  }
-  const run::Classifier_choice choice = run::classifier_choice(settings.classifier);
-  return make_by_names<Space>(Classifier(run::All_classifiers::make(choice, {settings.seed})),
-                              run::usual_repair(choice), settings);
-}
+} // namespace bindings
 
-} // namespace python
-
-#endif // PYTHON_SPACES_H
+#endif // BINDINGS_SPACES_H

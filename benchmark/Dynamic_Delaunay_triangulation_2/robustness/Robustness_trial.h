@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef ROBUSTNESS_ROBUSTNESS_TRIAL_H
+#define ROBUSTNESS_ROBUSTNESS_TRIAL_H
+
+#include "../random_operations/Arithmetic.h"
+#include "../random_operations/Counts.h"
+#include "../random_operations/Make_subject.h"
+#include "../random_operations/Trial.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace robustness {
+
+using namespace random_operations;
+
+inline constexpr std::size_t operations_of_trial = 200;
+
+// What one seed decides.
+struct Trial_start
+{
+  Random_decisions decisions;
+  const Family* family;
+  Setup setup;
+
+  // `family_name` is that of the only one that is wanted, or empty.
+  Trial_start(std::uint64_t seed, const std::string& family_name)
+    : decisions(seed)
+    , family(&any_family(decisions))
+  {
+    family = family_name.empty() ? family : &named(families(), family_name, "family");
+    setup = any_setup(*family, decisions);
+  }
+};
+
+struct Found
+{
+  std::uint64_t trial;
+  std::uint64_t seed;
+  std::string family, setup;
+  std::size_t operation;
+  Fault fault;
+  std::string what;
+};
+
+struct Results
+{
+  std::map<std::string, Counts> families;
+  std::map<std::string, Counts> classifiers;
+  std::vector<Found> findings;
+
+  Counts total() const
+  {
+    Counts total;
+    for (const auto& [name, counts] : families) {
+      total += counts;
+    }
+    return total;
+  }
+
+  Results& operator+=(const Results& other)
+  {
+    for (const auto& [name, counts] : other.families) {
+      families[name] += counts;
+    }
+    for (const auto& [name, counts] : other.classifiers) {
+      classifiers[name] += counts;
+    }
+    findings.insert(findings.end(), other.findings.begin(), other.findings.end());
+    return *this;
+  }
+};
+
+// Seeds that have nothing to do with each other (SplitMix64).
+inline std::uint64_t seed_of_trial(std::uint64_t seed, std::uint64_t trial)
+{
+  std::uint64_t x = (seed + 1) * 0x9E3779B97F4A7C15u + trial * 0xD1B54A32D192ED03u;
+  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
+  x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+  return x ^ (x >> 31);
+}
+
+// What one seed decides, on a triangulation of its own.
+class Robustness_trial
+{
+public:
+  // `family_name` is that of the only family that is wanted, or empty.
+  Robustness_trial(std::uint64_t seed, const std::string& family_name, const Arithmetic& arithmetic)
+    : m_seed(seed)
+    , m_start(seed, family_name)
+    , m_arithmetic(arithmetic)
+  {
+  }
+
+  const Family& family() const { return *m_start.family; }
+  const Setup& setup() const { return m_start.setup; }
+
+  // Ends with the first fault. Tells a stream what it does, if there is one. Calls
+  // `before(operations_done)` before each operation.
+  template <class Before>
+  void run(std::uint64_t number, std::size_t operations, std::ostream* told, Results& results,
+           const Before& before)
+  {
+    if (told != nullptr) {
+      *told << family().name << ": " << setup().text() << std::endl;
+    }
+    const auto subject = make_subject(setup());
+    Counts counts;
+    Trial trial(family(), setup(), *subject, m_start.decisions, counts,
+                {arithmetic_in_use(), told});
+    try {
+      trial.run(operations, [&] { before(trial.operations_done()); });
+    } catch (const Finding& finding) {
+      results.findings.push_back({number, m_seed, family().name, setup().text(),
+                                  trial.operations_done(), finding.fault(), finding.what()});
+    }
+    results.families[family().name] += counts;
+    results.classifiers[setup().classifier_name()] += counts;
+  }
+
+private:
+  // Numbers of exact kernels are intervals first, which are wrong where subnormals are zero, before
+  // any triangulation sees them.
+  Arithmetic arithmetic_in_use() const
+  {
+    return setup().constructs_exactly && m_arithmetic.flushes_subnormals ? Arithmetic()
+                                                                         : m_arithmetic;
+  }
+
+  std::uint64_t m_seed;
+  Trial_start m_start;
+  Arithmetic m_arithmetic;
+};
+
+} // namespace robustness
+
+#endif // ROBUSTNESS_ROBUSTNESS_TRIAL_H

@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/** Two coordinates of each point, or two ids of each edge: flat, without rows. */
+export type Numbers = ArrayLike<number>;
+
+/** A parallelogram that repeats itself. Without `b` a slab: periodic along `a`, open across. */
+export interface Cell {
+  a: [number, number];
+  b?: [number, number];
+}
+
+export interface Options {
+  /** Makes the space periodic. */
+  cell?: Cell;
+  /** As `./dev run --classifier` has it: "circumcircle" (exact, the usual one), "point_distance:0.7", ... */
+  classifier?: string;
+  /** "flip_and_splice", ...; by default the one that fits the classifier. */
+  repair?: string;
+  /** "always_dynamic" (the usual one), "hybrid", "always_static", "key_frames:10", ... */
+  policy?: string;
+  /** Rings of neighbors around classified vertices that a splice triangulates anew. */
+  padding?: number;
+  /** Of the classifiers that use random numbers. */
+  seed?: number;
+}
+
+/** Counts of the last change, as in `CGAL::Update_report_2`. */
+export interface Report {
+  classified: number;
+  padded: number;
+  border: number;
+  flips: number;
+  splices: number;
+  spliced: number;
+  enlargements: number;
+  relocated: number;
+  inserted: number;
+  removed: number;
+  merged: number;
+  parted: number;
+  /** Why the frame was triangulated anew: "policy", "too_much_broken", ...; empty if it was not. */
+  rebuildReason: string;
+  certified: boolean;
+}
+
+/** In a periodic triangulation edges lead to images: the second point plus shift[0] times `a` plus shift[1] times `b`. */
+export interface ShiftedEdges {
+  ids: Int32Array;
+  shifts: Int32Array;
+}
+
+export interface NeighborLists {
+  /** The neighbors of id i are neighbors[begins[i]] to before neighbors[begins[i + 1]]. */
+  begins: Int32Array;
+  neighbors: Int32Array;
+  /** Two for each neighbor; empty in the plane. */
+  shifts: Int32Array;
+}
+
+export interface ChangedEdges {
+  created: Int32Array;
+  removed: Int32Array;
+  createdShifts: Int32Array;
+  removedShifts: Int32Array;
+}
+
+/** By id. Cells that are not bounded have infinite areas and perimeters. */
+export interface Cells {
+  areas: Float64Array;
+  perimeters: Float64Array;
+  centroids: Float64Array;
+  /** Perimeter by the square root of the area. */
+  shapeIndices: Float64Array;
+}
+
+export interface VoronoiEdges {
+  /** The two points whose cells meet there. */
+  pairs: Int32Array;
+  lengths: Float64Array;
+  shifts: Int32Array;
+}
+
+export interface Choices {
+  classifiers: {
+    name: string;
+    isExact: boolean;
+    parameter?: { name: string; usual: number };
+  }[];
+  repairs: string[];
+  policies: string;
+}
+
+/** What the package refuses. `name` is that of the error in Python, `details` the numbers that it carries. */
+export class DynamicDelaunayError extends Error {
+  readonly details: Record<string, number>;
+}
+
+/** The Delaunay triangulation of moving points. Ids are 0, 1, ... in the order of insertion. */
+export class Triangulation {
+  /** `points`: two coordinates of each. Loads the WebAssembly module at the first call. */
+  static create(points?: Numbers, options?: Options): Promise<Triangulation>;
+  /** What `classifier`, `repair` and `policy` may be. */
+  static choices(): Promise<Choices>;
+
+  /** The next frame: two coordinates for each id, those of removed ids being ignored; the cell may change. */
+  update(points: Numbers, cell?: Cell): Report;
+  move(ids: Numbers, points: Numbers): Report;
+  /** Returns the new ids. */
+  insert(points: Numbers): Int32Array;
+  remove(ids: Numbers): Report;
+  /** Makes a triangulation Delaunay that a heuristic classifier has left. */
+  mend(): Report;
+  /** Proves by exact predicates that every edge is locally Delaunay, or answers false. */
+  certify(): boolean;
+
+  /** Whether the triangulation is proved to be Delaunay. */
+  readonly isCertified: boolean;
+  readonly isPeriodic: boolean;
+  /** Of the last change. */
+  readonly report: Report;
+  readonly numberOfPoints: number;
+  /** One more than the largest id. */
+  readonly numberOfIds: number;
+  /** Points that coincide have one vertex. */
+  readonly numberOfVertices: number;
+  has(id: number): boolean;
+
+  /** NaN where an id was removed. */
+  points(): Float64Array;
+  /** Pairs: a point without a vertex of its own, and the one that has it. */
+  duplicates(): Int32Array;
+  edges(): Int32Array;
+  /** Counterclockwise. */
+  triangles(): Int32Array;
+  /** In the plane all shifts are zero, and the array is empty. */
+  edgesWithShifts(): ShiftedEdges;
+  trianglesWithShifts(): ShiftedEdges;
+  neighborLists(): NeighborLists;
+  /** In the plane cells can be cut by a box: xmin, ymin, xmax, ymax. */
+  cells(box?: [number, number, number, number]): Cells;
+  /** Counterclockwise; none if the cell is not bounded. */
+  cellCorners(id: number): Float64Array;
+  voronoiEdges(): VoronoiEdges;
+  /** Of the last call that changed points. */
+  changedEdges(): ChangedEdges;
+  /** By id: 3 in the Classified set of the last update, 2 in the Padded set, 1 in the Border set, 0 in none. */
+  sets(): Int32Array;
+  /** Edges that are not locally Delaunay, after an update by a heuristic classifier. */
+  brokenEdges(): ShiftedEdges;
+
+  /** Gives the memory back. Nothing may be called afterwards. */
+  dispose(): void;
+}

@@ -1,0 +1,303 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The package for web developers in Node: node --test with the folder of the built package in PACKAGE_FOLDER.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { gzipSync } from "node:zlib";
+
+const folder = pathToFileURL(process.env.PACKAGE_FOLDER + "/");
+const { DynamicDelaunayError, Triangulation } = await import(new URL("dynamic_delaunay.mjs", folder));
+
+// The same numbers in every run (Park and Miller).
+function randomIntegers(seed) {
+  let state = seed;
+  return beyond => {
+    state = (state * 48271) % 2147483647;
+    return Math.floor((state / 2147483647) * beyond);
+  };
+}
+
+function rows(numbers, size) {
+  return Array.from({ length: numbers.length / size }, (_, i) => Array.from(numbers.subarray(size * i, size * (i + 1))));
+}
+
+// SIGNS BY INTEGERS OF ANY SIZE, for points with integer coordinates
+
+function integers([x, y]) {
+  return [BigInt(x), BigInt(y)];
+}
+
+// Positive if a, b, c turn left.
+function orientation(...points) {
+  const [[ax, ay], [bx, by], [cx, cy]] = points.map(integers);
+  return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+}
+
+// Positive if d is inside of the circle through a, b, c, which turn left (the determinant of Guibas and Stolfi 1985).
+function sideOfCircle(a, b, c, d) {
+  const [dx, dy] = integers(d);
+  const [u, v, w] = [a, b, c].map(integers).map(([x, y]) => [x - dx, y - dy]);
+  const square = ([x, y]) => x * x + y * y, cross = (p, q) => p[0] * q[1] - p[1] * q[0];
+  return square(u) * cross(v, w) + square(v) * cross(w, u) + square(w) * cross(u, v);
+}
+
+// THE ORACLE: a triangulation of a convex polygon is Delaunay if each of its edges is.
+
+function expectDelaunay(triangulation, points) {
+  const apexes = new Map(), triangles = rows(triangulation.triangles(), 3);
+  for (const [i, j, k] of triangles) {
+    assert.ok(orientation(points[i], points[j], points[k]) > 0n, "a triangle is counterclockwise");
+    for (const [from, to, apex] of [[i, j, k], [j, k, i], [k, i, j]]) {
+      assert.ok(!apexes.has(`${from} ${to}`), "a halfedge is in one triangle");
+      apexes.set(`${from} ${to}`, apex);
+    }
+  }
+  const borders = [];
+  for (const [halfedge, apex] of apexes) {
+    const [from, to] = halfedge.split(" ").map(Number), other = apexes.get(`${to} ${from}`);
+    if (other === undefined) {
+      borders.push([from, to]);
+    } else if (from < to) {
+      assert.ok(sideOfCircle(points[from], points[to], points[apex], points[other]) <= 0n, "an edge is Delaunay");
+    }
+  }
+  for (const [from, to] of borders) {
+    assert.ok(points.every(p => p === null || orientation(points[from], points[to], p) >= 0n), "the border is convex");
+  }
+  const used = new Set(triangles.flat());
+  triangulation.duplicates().filter((_, i) => i % 2 === 0).forEach(id => used.add(id));
+  assert.equal(used.size, points.filter(p => p !== null).length, "no point is lost");
+  assert.equal(triangulation.edges().length / 2, (apexes.size + borders.length) / 2);
+}
+
+function integerPoints(random, size, width) {
+  return Array.from({ length: size }, () => [random(width), random(width)]);
+}
+
+function edgeKeys(pairs) {
+  return rows(pairs, 2).map(([i, j]) => (i < j ? `${i} ${j}` : `${j} ${i}`)).sort();
+}
+
+for (const [name, width] of [["few ties", 1 << 20], ["many points on circles, and coinciding ones", 24]]) {
+  test(`every frame is Delaunay by integers of any size: ${name}`, async () => {
+    const random = randomIntegers(11);
+    let points = integerPoints(random, 200, width);
+    const triangulation = await Triangulation.create(points.flat());
+    for (let frame = 0; frame < 40; ++frame) {
+      expectDelaunay(triangulation, points);
+      assert.ok(triangulation.isCertified);
+      const jumps = frame % 5 === 0 ? 5 : 1000;
+      const step = Math.max(2, width >> 7);
+      points = points.map(([x, y]) => random(1000) < jumps && jumps < 1000
+        ? [random(width), random(width)] : [x + random(2 * step) - step, y + random(2 * step) - step]);
+      const report = triangulation.update(new Float64Array(points.flat()));
+      assert.ok(report.certified);
+    }
+  });
+}
+
+test("points come and go, and ids stay", async () => {
+  const random = randomIntegers(12);
+  const points = integerPoints(random, 50, 1000);
+  const triangulation = await Triangulation.create(points.flat());
+  assert.deepEqual(Array.from(triangulation.insert([1, 2, 3, 500])), [50, 51]);
+  points.push([1, 2], [3, 500]);
+  triangulation.remove([7, 50]);
+  points[7] = points[50] = null;
+  assert.equal(triangulation.numberOfPoints, 50);
+  assert.equal(triangulation.numberOfIds, 52);
+  assert.ok(!triangulation.has(7) && triangulation.has(8) && !triangulation.has(1.5) && !triangulation.has(-1));
+  assert.ok(Number.isNaN(triangulation.points()[14]));
+  expectDelaunay(triangulation, points);
+  triangulation.move([51, 3], [400, 400, 10, 990]);
+  points[51] = [400, 400];
+  points[3] = [10, 990];
+  expectDelaunay(triangulation, points);
+  points.forEach((p, i) => { if (p) points[i] = [p[0] + 1, p[1]]; });
+  triangulation.update(points.flatMap(p => p ?? [NaN, NaN]));
+  expectDelaunay(triangulation, points);
+});
+
+test("a triangulation begins with no points, and with points on a line", async () => {
+  const empty = await Triangulation.create();
+  assert.equal(empty.numberOfPoints, 0);
+  assert.equal(empty.edges().length, 0);
+  empty.insert([0, 0, 1, 1, 2, 2]);
+  assert.deepEqual(edgeKeys(empty.edges()), ["0 1", "1 2"]);
+  assert.equal(empty.triangles().length, 0);
+  empty.update([0, 0, 1, 0, 2, 2]);
+  assert.equal(empty.triangles().length, 3);
+});
+
+test("changed edges lead from one frame to the next", async () => {
+  const random = randomIntegers(13);
+  let points = integerPoints(random, 300, 100000);
+  const triangulation = await Triangulation.create(points.flat());
+  const known = new Set(edgeKeys(triangulation.edges()));
+  let changes = 0;
+  for (let frame = 0; frame < 20; ++frame) {
+    points = points.map(([x, y]) => [x + random(2001) - 1000, y + random(2001) - 1000]);
+    triangulation.update(points.flat());
+    const { created, removed } = triangulation.changedEdges();
+    edgeKeys(removed).forEach(key => assert.ok(known.delete(key)));
+    edgeKeys(created).forEach(key => { assert.ok(!known.has(key)); known.add(key); });
+    assert.deepEqual([...known].sort(), edgeKeys(triangulation.edges()));
+    changes += created.length;
+  }
+  assert.ok(changes > 100);
+});
+
+test("neighbor lists are the edges from both ends", async () => {
+  const random = randomIntegers(14);
+  const triangulation = await Triangulation.create(integerPoints(random, 100, 10000).flat());
+  const { begins, neighbors } = triangulation.neighborLists();
+  const pairs = [];
+  for (let i = 0; i < 100; ++i) {
+    neighbors.subarray(begins[i], begins[i + 1]).forEach(j => { if (i < j) pairs.push(i, j); });
+  }
+  assert.equal(neighbors.length, triangulation.edges().length);
+  assert.deepEqual(edgeKeys(Int32Array.from(pairs)), edgeKeys(triangulation.edges()));
+});
+
+test("cells cut by a box fill it, and corners are those of the cell", async () => {
+  const triangulation = await Triangulation.create([0, 0, 4, 0, 0, 4, 4, 4, 2, 2]);
+  const { areas, centroids } = triangulation.cells([0, 0, 4, 4]);
+  assert.ok(Math.abs(areas.reduce((sum, area) => sum + area) - 16) < 1e-12);
+  assert.ok(Math.abs(areas[4] - 8) < 1e-12);
+  assert.deepEqual(Array.from(centroids.slice(8)), [2, 2]);
+  assert.deepEqual(rows(triangulation.cellCorners(4), 2).sort().toString(), "0,2,2,0,2,4,4,2");
+  assert.equal(triangulation.cellCorners(0).length, 0);
+  assert.equal(triangulation.cells().areas[0], Infinity);
+  const { pairs, lengths } = triangulation.voronoiEdges();
+  assert.equal(pairs.length, 2 * lengths.length);
+});
+
+test("periodic space has two triangles a point, and wrapping changes nothing", async () => {
+  const random = randomIntegers(15), size = 60, width = 1000;
+  let points = integerPoints(random, size, width);
+  const triangulation = await Triangulation.create(points.flat(), { cell: { a: [width, 0], b: [0, width] } });
+  assert.ok(triangulation.isPeriodic);
+  for (let frame = 0; frame < 20; ++frame) {
+    points = points.map(([x, y]) => [x + random(41) - 20, y + random(41) - 20]);
+    assert.ok(triangulation.update(points.flat()).certified);
+    const { ids, shifts } = triangulation.trianglesWithShifts();
+    assert.equal(ids.length, 6 * (size - triangulation.duplicates().length / 2));
+    const corners = Array.from(ids, (id, k) => [points[id][0] + width * shifts[2 * k],
+                                                points[id][1] + width * shifts[2 * k + 1]]);
+    let area = 0n;
+    for (let k = 0; k < corners.length; k += 3) {
+      const triangle = corners.slice(k, k + 3), doubled = orientation(...triangle);
+      assert.ok(doubled > 0n);
+      area += doubled;
+      for (const [x, y] of points) {
+        for (let s = -2; s <= 2; ++s) {
+          for (let t = -2; t <= 2; ++t) {
+            assert.ok(sideOfCircle(...triangle, [x + s * width, y + t * width]) <= 0n);
+          }
+        }
+      }
+    }
+    assert.equal(area, 2n * BigInt(width * width));
+  }
+  assert.equal(triangulation.edgesWithShifts().shifts.length, triangulation.edges().length);
+  triangulation.update(points.flat(), { a: [2 * width, 0], b: [0, width] });
+  const { areas } = triangulation.cells();
+  assert.ok(Math.abs(areas.reduce((sum, area) => sum + area) / (2 * width * width) - 1) < 1e-12);
+});
+
+test("a slab is periodic along its side and open across", async () => {
+  const triangulation = await Triangulation.create([0, 0, 5, 1, 2, 8], { cell: { a: [10, 0] } });
+  assert.ok(triangulation.isPeriodic && triangulation.isCertified);
+  assert.ok(triangulation.edges().length > 0);
+});
+
+test("a heuristic leaves broken edges, which are named, and mends them when it is told to", async () => {
+  const random = randomIntegers(16);
+  let points = integerPoints(random, 300, 100000), worst = 0;
+  const triangulation = await Triangulation.create(points.flat(), { classifier: "random:0.01" });
+  for (let frame = 0; frame < 10; ++frame) {
+    points = points.map(([x, y]) => [x + random(3001) - 1500, y + random(3001) - 1500]);
+    triangulation.update(points.flat());
+    const { ids } = triangulation.brokenEdges();
+    assert.equal(ids.length === 0, triangulation.certify());
+    const known = new Set(edgeKeys(triangulation.edges()));
+    edgeKeys(ids).forEach(key => assert.ok(known.has(key)));
+    worst = Math.max(worst, ids.length / 2);
+  }
+  assert.ok(worst > 0);
+  assert.ok(triangulation.mend().certified);
+  expectDelaunay(triangulation, points);
+  assert.equal(triangulation.brokenEdges().ids.length, 0);
+});
+
+test("sets name what the last update looked at", async () => {
+  const random = randomIntegers(17);
+  const points = integerPoints(random, 400, 1 << 20);
+  const triangulation = await Triangulation.create(points.flat(), { classifier: "point_distance:0.7", repair: "splice" });
+  const moved = points.map(([x, y], i) => (i === 5 ? [(x + 60000) % (1 << 20), y] : [x, y]));
+  const report = triangulation.update(moved.flat());
+  const counts = [0, 0, 0, 0];
+  triangulation.sets().forEach(set => ++counts[set]);
+  assert.ok(report.rebuildReason !== "" || (report.classified > 0 && counts[3] === report.classified));
+});
+
+test("choices can all be made", async () => {
+  const { classifiers, repairs, policies } = await Triangulation.choices();
+  assert.ok(classifiers.length >= 9 && repairs.length >= 4 && policies.includes("hybrid"));
+  assert.equal(classifiers.find(({ name }) => name === "point_distance").parameter.usual, 0.7);
+  for (const { name } of classifiers.filter(({ name }) => name !== "refined")) {
+    for (const repair of repairs) {
+      const triangulation = await Triangulation.create([0, 0, 1, 0, 0, 1, 1, 1.5], { classifier: name, repair });
+      triangulation.update([0, 0, 1, 0, 0, 1, 1, 1]);
+      assert.ok(triangulation.mend().certified);
+      triangulation.dispose();
+    }
+  }
+});
+
+test("errors say what is wrong, with its numbers, and change nothing", async () => {
+  const triangulation = await Triangulation.create([0, 0, 1, 0, 0, 1]);
+  const isError = (name, details) => error => {
+    assert.ok(error instanceof DynamicDelaunayError);
+    assert.equal(error.name, name);
+    assert.deepEqual(error.details, details);
+    return true;
+  };
+  assert.throws(() => triangulation.update([0, 0, 1, 0]), isError("PointCountError", { expected: 3, given: 2 }));
+  assert.throws(() => triangulation.update([0, 0, 1, NaN, 0, 1]),
+                isError("NonFiniteCoordinateError", { id: 1, x: 1, y: NaN }));
+  assert.throws(() => triangulation.remove([8]), isError("UnknownIdError", { id: 8, number_of_ids: 3 }));
+  assert.throws(() => triangulation.update([0, 0, 1]), /3 coordinates: give two for each point/);
+  assert.throws(() => triangulation.move([0], [1]), TypeError);
+  assert.throws(() => triangulation.remove([0.5]), /0.5 is no id/);
+  await assert.rejects(Triangulation.create([], { classifier: "none" }), /there is no classifier 'none'/);
+  await assert.rejects(Triangulation.create([], { colour: 1 }), /there is no option 'colour'/);
+  await assert.rejects(Triangulation.create([], { cell: { a: [1, 1], b: [2, 2] } }),
+                       error => error.name === "PeriodicCellError");
+  assert.deepEqual(Array.from(triangulation.points()), [0, 0, 1, 0, 0, 1]);
+  assert.ok(triangulation.isCertified);
+  triangulation.dispose();
+  assert.throws(() => triangulation.edges(), /disposed/);
+});
+
+test("arrays stay when memory grows", async () => {
+  const random = randomIntegers(18);
+  const first = await Triangulation.create([0, 0, 1, 0, 0, 1]);
+  const edges = first.edges();
+  const copy = Array.from(edges);
+  const large = await Triangulation.create(integerPoints(random, 200000, 1 << 30).flat());
+  assert.equal(large.numberOfPoints, 200000);
+  assert.deepEqual(Array.from(edges), copy);
+  assert.equal(first.update([0, 0, 2, 0, 0, 1]).certified, true);
+});
+
+test("a module is at most 200 kB when it is compressed", () => {
+  for (const module of ["dynamic_delaunay.wasm", "dynamic_delaunay_periodic.wasm"]) {
+    const size = gzipSync(readFileSync(new URL(module, folder)), { level: 9 }).length;
+    assert.ok(size <= 200_000, `${module} has ${size} bytes`);
+  }
+});
