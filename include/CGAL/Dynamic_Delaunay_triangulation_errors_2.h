@@ -454,6 +454,31 @@ private:
   std::size_t m_line;
 };
 
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Errors
+
+Another rank of a distributed triangulation was given bad input, and throws its own error. Nothing
+changes on any rank.
+*/
+class Distributed_input_error_2 : public Dynamic_Delaunay_triangulation_error_2
+{
+public:
+  /// \cond
+  explicit Distributed_input_error_2(int rank)
+    : Dynamic_Delaunay_triangulation_error_2("rank " + std::to_string(rank) +
+                                             " was given bad input, and says which")
+    , m_rank(rank)
+  {
+  }
+  /// \endcond
+
+  /// the first rank with bad input.
+  int rank() const { return m_rank; }
+
+private:
+  int m_rank;
+};
+
 } // namespace CGAL
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_ERRORS_2_H

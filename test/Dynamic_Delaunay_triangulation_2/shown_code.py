@@ -30,7 +30,7 @@ def occurs_in(block, example):
 
 
 def examples(root):
-    paths = sorted((root / EXAMPLES).glob("*.cpp"))
+    paths = sorted([*(root / EXAMPLES).glob("*.cpp"), *(root / EXAMPLES / "ranks").glob("*.cpp")])
     return {path.name: path.read_text() for path in paths}
 
 

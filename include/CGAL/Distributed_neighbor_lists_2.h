@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISTRIBUTED_NEIGHBOR_LISTS_2_H
+#define CGAL_DISTRIBUTED_NEIGHBOR_LISTS_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/Iterator_range.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Ref
+
+The neighbors of the points that a rank of a `Distributed_dynamic_Delaunay_triangulation_2` owns, as
+two arrays: what `Delaunay_neighbor_lists_2` is for one process.
+
+The list of a point holds the ids of the other ends of its edges, ascending. Of points that coincide
+the one with the smallest id has the edges, and its list ends with the ids of the others, ascending.
+The list of each of those holds that id alone. So over all ranks the lists are symmetric, and they
+do not depend on the number of ranks.
+*/
+class Distributed_neighbor_lists_2
+{
+public:
+  /// an id.
+  using Id = std::int64_t;
+  /// the type of counts.
+  using size_type = std::size_t;
+  /// the list of one point.
+  using Neighbors = Iterator_range<std::vector<Id>::const_iterator>;
+
+  /// replaces the lists by those of the points that this rank owns. Not collective. Cost: linear,
+  /// and each list is sorted.
+  /// \tparam Distributed a `Distributed_dynamic_Delaunay_triangulation_2`.
+  template <class Distributed>
+  void compute(const Distributed& dt)
+  {
+    m_offsets.assign(dt.number_of_owned_points() + 1, 0);
+    const auto count = [&](size_type k, Id) { ++m_offsets[k + 1]; };
+    dt.for_each_neighbor(count);
+    dt.for_each_duplicate(count);
+    for (size_type k = 1; k < m_offsets.size(); ++k)
+      m_offsets[k] += m_offsets[k - 1];
+    m_neighbors.resize(m_offsets.back());
+    std::vector<size_type> next(m_offsets.begin(), m_offsets.end() - 1);
+    const auto write = [&](size_type k, Id j) { m_neighbors[next[k]++] = j; };
+    dt.for_each_neighbor(write);
+    for (size_type k = 0; k < next.size(); ++k)
+      std::sort(at(m_offsets[k]), at(next[k]));
+    const std::vector<size_type> duplicates = next;
+    dt.for_each_duplicate(write);
+    for (size_type k = 0; k < next.size(); ++k)
+      std::sort(at(duplicates[k]), at(next[k]));
+  }
+
+  /// where the list of each owned point, in the order of `owned_ids()`, begins in `neighbors()`,
+  /// and where the last list ends.
+  const std::vector<size_type>& offsets() const { return m_offsets; }
+  /// all lists.
+  const std::vector<Id>& neighbors() const { return m_neighbors; }
+  /// the list of the `k`-th owned point. It is valid until the next `compute()`.
+  /// \pre `k + 1 < offsets().size()`
+  Neighbors neighbors(size_type k) const
+  {
+    CGAL_precondition(k + 1 < m_offsets.size());
+    const auto place = [&](size_type i) {
+      return m_neighbors.begin() + std::vector<Id>::difference_type(m_offsets[i]);
+    };
+    return Neighbors(place(k), place(k + 1));
+  }
+
+private:
+  std::vector<Id>::iterator at(size_type place)
+  {
+    return m_neighbors.begin() + std::vector<Id>::difference_type(place);
+  }
+
+  std::vector<size_type> m_offsets = {0};
+  std::vector<Id> m_neighbors;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DISTRIBUTED_NEIGHBOR_LISTS_2_H

@@ -1,0 +1,200 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_ZONE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_ZONE_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_question_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Where one rank wants to be told of all points: some cells of a square grid, mostly within a box,
+// and others that are listed. Senders and the rank itself compute the same cells from the same
+// coordinates, and the cell of a place depends monotonically on its coordinates, rounding included.
+// So all places in a box whose corners' cells enclose nothing but cells of the zone are in the
+// zone.
+class Distributed_zone_2
+{
+public:
+  static constexpr long most_cells = 512; // along an axis
+
+  Distributed_zone_2() = default;
+
+  // Without cells yet. \pre `box` has at most `most_cells` cells of this size along each axis.
+  Distributed_zone_2(const Box_2& box, double cell_size)
+    : m_x(box.x_low)
+    , m_y(box.y_low)
+    , m_scale(1 / cell_size)
+    , m_columns(long((box.x_high - box.x_low) / cell_size) + 1)
+    , m_rows(long((box.y_high - box.y_low) / cell_size) + 1)
+    , m_cells(std::size_t(m_columns) * std::size_t(m_rows), 0)
+  {
+  }
+
+  bool is_empty() const { return m_cells.empty(); }
+  double cell_size() const { return 1 / m_scale; }
+
+  bool contains(double x, double y) const
+  {
+    return !is_empty() && contains(Cell{column_of(x), row_of(y)});
+  }
+
+  // Whether it can be seen quickly that all places in the box are in the zone.
+  bool covers(const Box_2& box) const
+  {
+    const Cell low{column_of(box.x_low), row_of(box.y_low)};
+    const Cell high{column_of(box.x_high), row_of(box.y_high)};
+    const long number = (high.column - low.column + 1) * (high.row - low.row + 1);
+    if (is_in_box(low) && is_in_box(high))
+      return sum(high.column + 1, high.row + 1) - sum(low.column, high.row + 1) -
+                 sum(high.column + 1, low.row) + sum(low.column, low.row) ==
+             std::uint32_t(number);
+    if (number > most_single_cells)
+      return false;
+    for (long row = low.row; row <= high.row; ++row)
+      for (long column = low.column; column <= high.column; ++column)
+        if (!contains(Cell{column, row}))
+          return false;
+    return true;
+  }
+
+  // Adds all cells that the box meets; beyond the grid's own box only if they are few.
+  void add(const Box_2& box)
+  {
+    const Cell low{column_of(box.x_low), row_of(box.y_low)};
+    const Cell high{column_of(box.x_high), row_of(box.y_high)};
+    if (!is_in_box(low) || !is_in_box(high))
+      list(low, high);
+    const long left = (std::max)(low.column, 0L), right = (std::min)(high.column, m_columns - 1);
+    const long upper = (std::min)(high.row, m_rows - 1);
+    for (long row = (std::max)(low.row, 0L); row <= upper && left <= right; ++row)
+      std::fill(m_cells.begin() + std::ptrdiff_t(cell(left, row)),
+                m_cells.begin() + std::ptrdiff_t(cell(right, row)) + 1, std::uint8_t(1));
+  }
+
+  // To be called after the last `add()`, before `covers()`.
+  void sum_up()
+  {
+    std::sort(m_listed.begin(), m_listed.end());
+    m_listed.erase(std::unique(m_listed.begin(), m_listed.end()), m_listed.end());
+    m_sums.assign(std::size_t(m_columns + 1) * std::size_t(m_rows + 1), 0);
+    for (long row = 0; row < m_rows; ++row) {
+      std::uint32_t in_row = 0;
+      for (long column = 0; column < m_columns; ++column) {
+        in_row += m_cells[cell(column, row)];
+        m_sums[corner(column + 1, row + 1)] = sum(column + 1, row) + in_row;
+      }
+    }
+  }
+
+  // As numbers, with the cells in the box as the lengths of runs of equal ones.
+  std::vector<std::uint64_t> to_words() const
+  {
+    std::vector<std::uint64_t> words(6);
+    std::memcpy(&words[0], &m_x, 8);
+    std::memcpy(&words[1], &m_y, 8);
+    std::memcpy(&words[2], &m_scale, 8);
+    words[3] = std::uint64_t(m_columns);
+    words[4] = std::uint64_t(m_rows);
+    words[5] = m_listed.size();
+    words.insert(words.end(), m_listed.begin(), m_listed.end());
+    for (std::size_t first = 0; first < m_cells.size();) {
+      std::size_t beyond = first;
+      while (beyond < m_cells.size() && m_cells[beyond] == m_cells[first])
+        ++beyond;
+      words.push_back((beyond - first) << 1 | m_cells[first]);
+      first = beyond;
+    }
+    return words;
+  }
+
+  // For `contains()` alone.
+  template <class Iterator>
+  static Distributed_zone_2 of_words(Iterator words, Iterator beyond)
+  {
+    Distributed_zone_2 zone;
+    const auto number = [&](double& value) {
+      const std::uint64_t word = *words++;
+      std::memcpy(&value, &word, 8);
+    };
+    number(zone.m_x);
+    number(zone.m_y);
+    number(zone.m_scale);
+    zone.m_columns = long(*words++);
+    zone.m_rows = long(*words++);
+    const auto listed = std::ptrdiff_t(*words++);
+    zone.m_listed.assign(words, words + listed);
+    for (words += listed; words != beyond; ++words)
+      zone.m_cells.insert(zone.m_cells.end(), *words >> 1, std::uint8_t(*words & 1));
+    return zone;
+  }
+
+private:
+  struct Cell
+  {
+    long column, row;
+  };
+
+  static constexpr long most_single_cells = 64; // that are looked at one by one
+
+  // The cells beyond the box have numbers, too, as far as there are any.
+  static long place(double t)
+  {
+    constexpr double limit = 0x1p30;
+    const double within = (std::min)((std::max)(t, -limit), limit);
+    const long truncated = long(within); // std::floor() is slow without SSE4.1
+    return truncated - (double(truncated) > within);
+  }
+  long column_of(double x) const { return place((x - m_x) * m_scale); }
+  long row_of(double y) const { return place((y - m_y) * m_scale); }
+  bool is_in_box(Cell c) const
+  {
+    return c.column >= 0 && c.column < m_columns && c.row >= 0 && c.row < m_rows;
+  }
+  bool contains(Cell c) const
+  {
+    return is_in_box(c) ? m_cells[cell(c.column, c.row)] != 0
+                        : std::binary_search(m_listed.begin(), m_listed.end(), packed(c));
+  }
+  static std::uint64_t packed(Cell c)
+  {
+    return std::uint64_t(std::uint32_t(c.row)) << 32 | std::uint32_t(c.column);
+  }
+  void list(Cell low, Cell high)
+  {
+    if ((high.column - low.column + 1) * (high.row - low.row + 1) > most_single_cells)
+      return;
+    for (long row = low.row; row <= high.row; ++row)
+      for (long column = low.column; column <= high.column; ++column)
+        if (!is_in_box({column, row}))
+          m_listed.push_back(packed({column, row}));
+  }
+  std::size_t cell(long column, long row) const { return std::size_t(row * m_columns + column); }
+  std::size_t corner(long column, long row) const
+  {
+    return std::size_t(row * (m_columns + 1) + column);
+  }
+  std::uint32_t sum(long column, long row) const { return m_sums[corner(column, row)]; }
+
+  double m_x = 0, m_y = 0, m_scale = 1;
+  long m_columns = 0, m_rows = 0;
+  std::vector<std::uint8_t> m_cells;   // of the box
+  std::vector<std::uint64_t> m_listed; // beyond it, ascending
+  std::vector<std::uint32_t> m_sums;   // of the cells to the left of and below each corner
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_ZONE_2_H

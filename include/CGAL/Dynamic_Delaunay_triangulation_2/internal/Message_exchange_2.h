@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_MESSAGE_EXCHANGE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_MESSAGE_EXCHANGE_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// What one rank sends to another: words of 64 bits, in which it writes numbers and small structures
+// one after the other, and reads them in the same order.
+class Message_2
+{
+public:
+  explicit Message_2(int rank = 0)
+    : m_rank(rank)
+  {
+  }
+
+  // Where it goes to, or comes from.
+  int rank() const { return m_rank; }
+  bool is_empty() const { return m_words.empty(); }
+  bool is_read() const { return m_next == m_words.size(); }
+  std::vector<std::uint64_t>& words() { return m_words; }
+  const std::vector<std::uint64_t>& words() const { return m_words; }
+
+  template <class T>
+  void write(const T& value)
+  {
+    const std::size_t place = m_words.size();
+    m_words.resize(place + words_of<T>());
+    std::memcpy(&m_words[place], &value, sizeof(T));
+  }
+
+  template <class T>
+  T read()
+  {
+    if (m_words.size() - m_next < words_of<T>())
+      throw std::runtime_error("a message between ranks is too short: they run different programs");
+    T value;
+    std::memcpy(&value, &m_words[m_next], sizeof(T));
+    m_next += words_of<T>();
+    return value;
+  }
+
+private:
+  template <class T>
+  static constexpr std::size_t words_of()
+  {
+    static_assert(std::is_trivially_copyable_v<T>, "only plain data can be sent");
+    return (sizeof(T) + 7) / 8;
+  }
+
+  int m_rank;
+  std::vector<std::uint64_t> m_words;
+  std::size_t m_next = 0;
+};
+
+// Messages between ranks of which only the senders know that there are any. All ranks call
+// `start()`, then `finish()`. Synchronous sends end when their messages have been taken; then a
+// rank enters a barrier, and when all have entered it there is nothing left to take: Hoefler,
+// Siebert, Lumsdaine, *Scalable communication protocols for dynamic sparse data exchange*, 2010.
+// Cost: the messages themselves, and one barrier.
+class Message_exchange_2
+{
+public:
+  explicit Message_exchange_2(MPI_Comm communicator)
+    : m_communicator(communicator)
+  {
+  }
+  Message_exchange_2(const Message_exchange_2&) = delete;
+  Message_exchange_2& operator=(const Message_exchange_2&) = delete;
+
+  // Empty messages are not sent. The program may go on while the others are.
+  void start(std::vector<Message_2> messages)
+  {
+    m_outgoing = std::move(messages);
+    m_requests.clear();
+    // A rank that has left the barrier may send its next message while others still look for the
+    // last ones: two tags in turn keep them apart.
+    m_tag = 1 - m_tag;
+    for (const Message_2& message : m_outgoing) {
+      if (message.is_empty())
+        continue;
+      const std::size_t size = message.words().size();
+      if (size > std::size_t((std::numeric_limits<int>::max)()))
+        throw std::length_error("a message between two ranks is longer than 16 GB");
+      m_requests.emplace_back();
+      MPI_Issend(message.words().data(), int(size), MPI_UINT64_T, message.rank(), m_tag,
+                 m_communicator, &m_requests.back());
+      m_sent_messages += 1;
+      m_sent_bytes += 8 * size;
+    }
+  }
+
+  // What has come, ascending by ranks.
+  std::vector<Message_2> finish()
+  {
+    const double begin = MPI_Wtime();
+    std::vector<Message_2> incoming;
+    MPI_Request barrier = MPI_REQUEST_NULL;
+    bool is_in_barrier = false;
+    for (int is_over = 0; !is_over;) {
+      take(incoming);
+      if (is_in_barrier) {
+        MPI_Test(&barrier, &is_over, MPI_STATUS_IGNORE);
+        continue;
+      }
+      int are_taken = 0;
+      MPI_Testall(int(m_requests.size()), m_requests.data(), &are_taken, MPI_STATUSES_IGNORE);
+      if (are_taken) {
+        MPI_Ibarrier(m_communicator, &barrier);
+        is_in_barrier = true;
+      }
+    }
+    m_outgoing.clear();
+    std::sort(incoming.begin(), incoming.end(),
+              [](const Message_2& m, const Message_2& n) { return m.rank() < n.rank(); });
+    m_seconds += MPI_Wtime() - begin;
+    return incoming;
+  }
+
+  std::vector<Message_2> operator()(std::vector<Message_2> messages)
+  {
+    start(std::move(messages));
+    return finish();
+  }
+
+  // Since it was made: what this rank has sent, and how long it has waited.
+  std::size_t sent_messages() const { return m_sent_messages; }
+  std::size_t sent_bytes() const { return m_sent_bytes; }
+  double seconds() const { return m_seconds; }
+  void add_seconds(double seconds) { m_seconds += seconds; }
+
+private:
+  void take(std::vector<Message_2>& incoming)
+  {
+    for (;;) {
+      int is_there = 0;
+      MPI_Message handle;
+      MPI_Status status;
+      MPI_Improbe(MPI_ANY_SOURCE, m_tag, m_communicator, &is_there, &handle, &status);
+      if (!is_there)
+        return;
+      int size = 0;
+      MPI_Get_count(&status, MPI_UINT64_T, &size);
+      Message_2 message(status.MPI_SOURCE);
+      message.words().resize(std::size_t(size));
+      MPI_Mrecv(message.words().data(), size, MPI_UINT64_T, &handle, MPI_STATUS_IGNORE);
+      incoming.push_back(std::move(message));
+    }
+  }
+
+  MPI_Comm m_communicator;
+  int m_tag = 0;
+  std::vector<Message_2> m_outgoing;
+  std::vector<MPI_Request> m_requests;
+  std::size_t m_sent_messages = 0, m_sent_bytes = 0;
+  double m_seconds = 0;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_MESSAGE_EXCHANGE_2_H

@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Run by several ranks: neighbor lists, measures of Voronoi cells and changes of edges are those of
+// one process; validity and certificates.
+
+#include "distributed_oracle.h"
+
+#include <CGAL/Distributed_edge_changes_2.h>
+#include <CGAL/Distributed_neighbor_lists_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Voronoi_cell_measures_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <random>
+
+void expect_neighbors(const Distributed& dt, const Population& population, const std::string& what)
+{
+  CGAL::Distributed_neighbor_lists_2 lists;
+  lists.compute(dt);
+  std::map<Id, std::vector<Id>> expected, duplicates;
+  for (const auto& [i, j] : expected_edges(population)) {
+    expected[i].push_back(j);
+    expected[j].push_back(i);
+  }
+  std::map<Point, Id> labels;
+  for (const auto& [id, p] : population) {
+    const auto [label, is_new] = labels.emplace(p, id);
+    if (!is_new) {
+      duplicates[label->second].push_back(id);
+      duplicates[id].push_back(label->second);
+    }
+  }
+  const std::vector<Id> ids = dt.owned_ids();
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    std::vector<Id>& list = expected[ids[k]];
+    std::sort(list.begin(), list.end());
+    list.insert(list.end(), duplicates[ids[k]].begin(), duplicates[ids[k]].end());
+    const auto own = lists.neighbors(k);
+    expect(std::equal(own.begin(), own.end(), list.begin(), list.end()),
+           what + ": the neighbors of point " + std::to_string(ids[k]));
+  }
+}
+
+void expect_measures(const Distributed& dt, const Population& population, const std::string& what)
+{
+  CGAL::Dynamic_Delaunay_triangulation_2<Kernel> all;
+  std::map<Id, std::size_t> places;
+  for (const auto& [id, p] : population)
+    places[id] = all.insert(p);
+  CGAL::Voronoi_cell_measures_2 expected, own;
+  expected.compute(all);
+  own.compute(dt.held_triangulation());
+  for (const Id id : dt.owned_ids()) {
+    const double area = own.areas()[dt.held_id(id)], wanted = expected.areas()[places[id]];
+    expect(area == wanted || std::abs(area - wanted) < 1e-9 * (1 + std::abs(wanted)),
+           what + ": the area of the cell of point " + std::to_string(id));
+  }
+}
+
+void expect_changes(const CGAL::Distributed_edge_changes_2& changes, Edges& edges,
+                    const Population& population, const std::string& what)
+{
+  const Edges created = gathered(changes.created_edges()),
+              removed = gathered(changes.removed_edges());
+  if (this_rank > 0)
+    return;
+  const Edges now = expected_edges(population);
+  Edges come, gone;
+  std::set_difference(now.begin(), now.end(), edges.begin(), edges.end(), std::back_inserter(come));
+  std::set_difference(edges.begin(), edges.end(), now.begin(), now.end(), std::back_inserter(gone));
+  expect(created == come, what + ": the created edges");
+  expect(removed == gone, what + ": the removed edges");
+  edges = now;
+}
+
+void expect_queries(const std::string& what, const Points& points, double spread, int frames)
+{
+  std::mt19937 random(17); // the same on all ranks
+  std::normal_distribution<double> step(0, 1);
+  Population population = numbered(points);
+  const auto own = own_part(population, in_turn);
+  Distributed dt(MPI_COMM_WORLD, own.begin(), own.end(), 1.1);
+  CGAL::Distributed_edge_changes_2 changes;
+  Edges edges;
+  for (int frame = 0; frame < frames; ++frame) {
+    changes.compute(dt);
+    expect_changes(changes, edges, population, what);
+    expect_neighbors(dt, population, what);
+    expect_measures(dt, population, what);
+    expect(dt.is_valid(), what + ": valid");
+    if (frame % 4 == 1)
+      dt.distribute();
+    if (frame % 4 == 2) { // a point of one rank goes, and comes back on another
+      const std::vector<Id> ids(this_rank == 0 ? 1 : 0, Id(frame));
+      dt.remove(ids.begin(), ids.end());
+      std::vector<std::pair<Id, Point>> back;
+      if (this_rank == number_of_ranks - 1)
+        back.push_back({frame, population.at(frame)});
+      dt.insert(back.begin(), back.end());
+    }
+    for (auto& [id, p] : population)
+      p = Point(p.x() + spread * step(random), p.y() + spread * step(random));
+    const Points next = own_positions(dt, population);
+    dt.update(next.begin(), next.end());
+  }
+  expect(dt.certify(), what + ": certified without trust in zones");
+  expect_exact(dt, population, what + ", certified anew");
+}
+
+int main(int argc, char** argv)
+{
+  start(argc, argv);
+  std::mt19937 random(19); // the same on all ranks
+  std::uniform_real_distribution<double> coordinate(0, 20);
+  Points cloud, grid, line;
+  for (int i = 0; i < 400; ++i) {
+    cloud.push_back(Point(coordinate(random), coordinate(random)));
+    grid.push_back(Point(7 * i % 20, i / 40)); // each of them twice
+    line.push_back(Point(i % 40, 2 * (i % 40)));
+  }
+  expect_queries("a cloud", cloud, 0.1, 12);
+  expect_queries("a grid", grid, 0, 4);
+  expect_queries("a line", Points(line.begin(), line.begin() + 60), 0, 4);
+  expect_queries("few points", Points(cloud.begin(), cloud.begin() + 4), 0.1, 4);
+  MPI_Finalize();
+}
