@@ -123,17 +123,49 @@ const groups = { points: 1, duplicates: 2, edges: 3, triangles: 4, neighborLists
 const counts = ["classified", "padded", "border", "flips", "splices", "spliced", "enlargements", "relocated",
                 "inserted", "removed", "merged", "parted"]; // as in bindings/Report_texts.h
 
+// INPUT, which is checked here as far as C++ would not see what is wrong with it
+
+const largestId = 2 ** 32 - 2;
+
 function checkPairs(points) {
+  if (typeof points?.length !== "number") {
+    throw new TypeError("points are an array of two coordinates for each of them");
+  }
   if (points.length % 2 !== 0) {
     throw new TypeError(`there are ${points.length} coordinates: give two for each point`);
   }
 }
 
+function isId(id) {
+  return Number.isInteger(id) && id >= 0 && id <= largestId;
+}
+
 function checkIds(ids) {
   for (let i = 0; i < ids.length; ++i) {
-    if (!Number.isInteger(ids[i]) || ids[i] < 0) {
-      throw new TypeError(`${ids[i]} is no id: ids are integers from 0`);
+    if (!isId(ids[i])) {
+      throw new TypeError(`${ids[i]} is no id: ids are integers from 0 to ${largestId}`);
     }
+  }
+}
+
+function checkInteger(name, value, largest) {
+  if (!Number.isInteger(value) || value < 0 || value > largest) {
+    throw new TypeError(`${name} is ${value}: it must be an integer from 0 to ${largest}`);
+  }
+}
+
+function checkCell({ a, b = [0, 0] }) {
+  for (const [name, vector] of [["a", a], ["b", b]]) {
+    if (!(vector?.length === 2 && [0, 1].every(i => typeof vector[i] === "number"))) {
+      throw new TypeError(`cell.${name} must be two numbers`);
+    }
+  }
+}
+
+function checkOptions(options) {
+  const unknown = Object.keys(options).find(key => key !== "cell" && !(key in usual));
+  if (unknown !== undefined) {
+    throw new TypeError(`there is no option '${unknown}'; there are ${[...Object.keys(usual), "cell"].join(", ")}`);
   }
 }
 
@@ -146,13 +178,15 @@ export class Triangulation {
   #isPeriodic;
 
   static async create(points = [], options = {}) {
-    const known = new Set([...Object.keys(usual), "cell"]);
-    const unknown = Object.keys(options).find(key => !known.has(key));
-    if (unknown !== undefined) {
-      throw new TypeError(`there is no option '${unknown}'; there are ${[...known].join(", ")}`);
-    }
+    checkPairs(points);
+    checkOptions(options);
     const all = { ...usual };
     Object.keys(options).filter(key => options[key] !== undefined).forEach(key => { all[key] = options[key]; });
+    checkInteger("padding", all.padding, 100);
+    checkInteger("seed", all.seed, Number.MAX_SAFE_INTEGER);
+    if (all.cell) {
+      checkCell(all.cell);
+    }
     const triangulation = new Triangulation(await loadFor(all), all);
     triangulation.insert(points);
     return triangulation;
@@ -181,7 +215,7 @@ export class Triangulation {
   /** @private */
   constructor(core, { classifier, repair, policy, padding, seed, cell }) {
     this.#core = core;
-    this.#isPeriodic = cell !== undefined;
+    this.#isPeriodic = Boolean(cell);
     this.#address = core.withTexts([classifier, repair, policy], (...texts) =>
       core.withCell(cell, (...itsCell) =>
         core.checked(core.functions.dd_create(...texts, padding, seed, ...itsCell))));
@@ -189,6 +223,12 @@ export class Triangulation {
   }
 
   update(points, cell) {
+    if (cell) {
+      if (!this.#isPeriodic) {
+        throw new TypeError("a triangulation of the plane has no cell");
+      }
+      checkCell(cell);
+    }
     this.#give(points);
     return this.#changed(this.#core.withCell(cell, (...itsCell) =>
       this.#f.dd_update(this.#address, points.length / 2, ...itsCell)));
@@ -245,7 +285,7 @@ export class Triangulation {
     return this.#f.dd_number_of_vertices(this.#address);
   }
   has(id) {
-    return Number.isInteger(id) && id >= 0 && this.#f.dd_has_id(this.#address, id) !== 0;
+    return isId(id) && this.#f.dd_has_id(this.#address, id) !== 0;
   }
 
   points() {
@@ -274,6 +314,9 @@ export class Triangulation {
   }
   cells(box) {
     if (box) {
+      if (box.length !== 4) {
+        throw new TypeError("a box has four numbers: xmin, ymin, xmax, ymax");
+      }
       this.#core.checked(this.#f.dd_read_clipped_cells(this.#address, ...box));
     } else {
       this.#compute("cells");

@@ -18,6 +18,8 @@
 #include <cstdint>
 #include <exception>
 #include <memory>
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
@@ -80,6 +82,8 @@ void keep_error(const std::exception_ptr& exception)
     std::rethrow_exception(exception);
   } catch (const std::bad_alloc&) {
     last_error = {"RangeError", "there is not enough memory", ""};
+  } catch (const std::length_error&) {
+    last_error = {"RangeError", "there are too many points for the memory of WebAssembly", ""};
   } catch (const std::exception& e) {
     last_error = {"TypeError", e.what(), ""};
   }

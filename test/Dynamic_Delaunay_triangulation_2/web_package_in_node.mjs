@@ -278,6 +278,19 @@ test("errors say what is wrong, with its numbers, and change nothing", async () 
   await assert.rejects(Triangulation.create([], { colour: 1 }), /there is no option 'colour'/);
   await assert.rejects(Triangulation.create([], { cell: { a: [1, 1], b: [2, 2] } }),
                        error => error.name === "PeriodicCellError");
+  const ids = [2 ** 40, 2 ** 32, 2 ** 32 - 1, -1]; // of 32 bits some of them would be 0
+  ids.forEach(id => assert.throws(() => triangulation.remove([id]), /is no id/));
+  assert.ok(ids.every(id => !triangulation.has(id)));
+  assert.throws(() => triangulation.remove([2 ** 32 - 2]), error => error.name === "UnknownIdError");
+  assert.throws(() => triangulation.remove([1, 1]), isError("RepeatedIdError", { id: 1 }));
+  assert.throws(() => triangulation.update([0, 0, 1, 0, 0, 1], { a: [1, 0] }), /the plane has no cell/);
+  assert.throws(() => triangulation.cells([0, 0]), /four numbers/);
+  assert.throws(() => triangulation.cells([5, 5, 0, 0]), error => error.name === "ParameterError");
+  assert.throws(() => triangulation.insert({ length: 2 ** 31 }), RangeError);
+  await assert.rejects(Triangulation.create(5), /points are an array/);
+  await assert.rejects(Triangulation.create([], { padding: -1 }), /padding is -1: it must be an integer from 0 to 100/);
+  await assert.rejects(Triangulation.create([], { seed: 0.5 }), /seed is 0.5/);
+  await assert.rejects(Triangulation.create([], { cell: { a: [1], b: [0, 1] } }), /cell.a must be two numbers/);
   assert.deepEqual(Array.from(triangulation.points()), [0, 0, 1, 0, 0, 1]);
   assert.ok(triangulation.isCertified);
   triangulation.dispose();
