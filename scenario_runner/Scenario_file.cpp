@@ -66,6 +66,12 @@ public:
     return value.get<std::uint64_t>();
   }
 
+  // Of things in memory, at least one.
+  std::size_t count(const std::string& key, std::size_t high) const
+  {
+    return static_cast<std::size_t>(integer(key, 1, high));
+  }
+
   bool boolean(const std::string& key) const
   {
     const Json& value = required(key);
@@ -276,7 +282,7 @@ Body_description read_body(const Json_object_reader& reader)
   constexpr Range any{-1e6, 1e6};
   const auto [x, y] = reader.pair("position", any);
   Body_description body{
-      reader.integer("rows", 1, max_points), reader.integer("columns", 1, max_points), {x, y}};
+      reader.count("rows", max_points), reader.count("columns", max_points), {x, y}};
   if (reader.has("velocity")) {
     const auto [vx, vy] = reader.pair("velocity", any);
     body.velocity = {vx, vy};
@@ -379,7 +385,7 @@ Particle_description read_particles(const Json_object_reader& reader)
 Brownian_description read_brownian(const Json_object_reader& reader)
 {
   reader.allow_only({"name", "kind", "seed", "frames", "time_step", "points", "box", "cell"});
-  return {reader.integer("points", 1, max_points), read_box(reader),
+  return {reader.count("points", max_points), read_box(reader),
           reader.number("time_step", positive_up_to(largest_time_step)), read_cell(reader)};
 }
 

@@ -178,8 +178,10 @@ void add_shiver(const Body_lattice& lattice, std::size_t first_index, double spe
   }
 }
 
-Particle_system start(const Particle_description& description, const Scaled_scenario& scaled,
-                      std::uint64_t seed)
+} // namespace
+
+Particle_system make_particle_system(const Particle_description& description,
+                                     const Scaled_scenario& scaled, std::uint64_t seed)
 {
   Random_source random(seed);
   First_frame frame;
@@ -204,8 +206,6 @@ Particle_system start(const Particle_description& description, const Scaled_scen
   return Particle_system(parameters, std::move(frame.positions), std::move(frame.velocities),
                          std::move(frame.bonds));
 }
-
-} // namespace
 
 double Periods::nearest(double offset, double period)
 {
@@ -247,6 +247,13 @@ void Bond_network::add(std::uint32_t partner, double rest_length,
       {partner, rest_length, strain_limit.value_or(std::numeric_limits<double>::infinity())});
 }
 
+void Bond_network::break_all_of(std::uint32_t particle)
+{
+  for_each([particle](std::uint32_t owner, const Bond& bond) {
+    return owner != particle && bond.partner != particle;
+  });
+}
+
 bool Bond_network::connects(std::uint32_t a, std::uint32_t b) const
 {
   const std::uint32_t low = a < b ? a : b;
@@ -269,6 +276,7 @@ Particle_system::Particle_system(const Particle_parameters& parameters,
                                  Bond_network bonds)
   : m_parameters(parameters)
   , m_periods(periods_of(parameters.box, parameters.cell))
+  , m_gravity{0.0, -parameters.gravity}
   , m_positions(std::move(positions))
   , m_velocities(std::move(velocities))
   , m_forces(m_positions.size())
@@ -281,9 +289,25 @@ std::optional<Cell> Particle_system::cell() const
   return m_parameters.box ? cell_of(*m_parameters.box, m_parameters.cell) : std::nullopt;
 }
 
+void Particle_system::add(const Point& position)
+{
+  m_positions.push_back(position);
+  m_velocities.push_back({0.0, 0.0});
+  m_forces.emplace_back();
+  m_bonds.begin_particle();
+}
+
+void Particle_system::remove(std::uint32_t particle)
+{
+  constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+  m_positions[particle] = m_velocities[particle] = {nowhere, nowhere};
+  m_bonds.break_all_of(particle);
+}
+
 void Particle_system::step(const Neighbor_edges& neighbors, double time_step)
 {
   compute_forces(neighbors);
+  m_pushes.clear();
   const double factor = time_step / m_parameters.mass;
   for (std::size_t i = 0; i != m_positions.size(); ++i) {
     m_velocities[i].x += factor * m_forces[i].x;
@@ -311,15 +335,19 @@ Energy Particle_system::energy(const Neighbor_edges& neighbors, double time_step
 
 double Particle_system::compute_forces(const Neighbor_edges& neighbors)
 {
-  const double weight = m_parameters.mass * m_parameters.gravity;
-  std::fill(m_forces.begin(), m_forces.end(), Point{0.0, -weight});
+  const Point weight{m_parameters.mass * m_gravity.x, m_parameters.mass * m_gravity.y};
+  std::fill(m_forces.begin(), m_forces.end(), weight);
+  for (const auto& [particle, force] : m_pushes) {
+    m_forces[particle].x += force.x;
+    m_forces[particle].y += force.y;
+  }
   double potential = bond_forces() + contact_forces(neighbors);
   if (m_parameters.box) {
     potential += wall_forces();
   }
-  if (weight != 0.0) {
+  if (weight.x != 0.0 || weight.y != 0.0) {
     for (const Point& position : m_positions) {
-      potential += weight * position.y;
+      potential -= weight.x * position.x + weight.y * position.y;
     }
   }
   return potential;
@@ -480,7 +508,7 @@ Particle_motion::Particle_motion(std::string name, const Particle_description& d
   , m_frames(frames)
   , m_seconds_per_frame(description.time_step * std::sqrt(description.mass / description.stiffness))
   , m_ids(number_of_points)
-  , m_system(start(description, scaled_to(description, number_of_points), seed))
+  , m_system(make_particle_system(description, scaled_to(description, number_of_points), seed))
 {
   std::iota(m_ids.begin(), m_ids.end(), std::int64_t(0));
 }
@@ -516,14 +544,28 @@ Brownian_motion::Brownian_motion(std::string name, const Brownian_description& d
 bool Brownian_motion::advance(const Neighbor_edges&)
 {
   const double step = m_description.time_step * mean_spacing();
-  const Box& box = m_description.box;
-  const Periods periods = periods_of(box, m_description.cell);
-  for (Point& point : m_points) {
-    point.x = kept_inside(point.x + step * m_random.gaussian(), box.width, periods.x);
-    point.y = kept_inside(point.y + step * m_random.gaussian(), box.height, periods.y);
+  for (std::size_t i = 0; i != m_points.size(); ++i) {
+    const double x = m_points[i].x + step * m_random.gaussian();
+    const double y = m_points[i].y + step * m_random.gaussian();
+    put(i, {x, y});
   }
   m_time += 1.0;
   return true;
+}
+
+void Brownian_motion::put(std::size_t i, const Point& place)
+{
+  const Box& box = m_description.box;
+  const Periods periods = periods_of(box, m_description.cell);
+  m_points[i] = {kept_inside(place.x, box.width, periods.x),
+                 kept_inside(place.y, box.height, periods.y)};
+}
+
+void Brownian_motion::add(const Point& place)
+{
+  m_ids.push_back(static_cast<std::int64_t>(m_ids.size()));
+  m_points.push_back(place);
+  put(m_points.size() - 1, place);
 }
 
 double Brownian_motion::mean_spacing() const

@@ -74,6 +74,8 @@ public:
 
   void add(std::uint32_t partner, double rest_length, const std::optional<double>& strain_limit);
 
+  void break_all_of(std::uint32_t particle);
+
   bool connects(std::uint32_t a, std::uint32_t b) const;
 
   // Calls visit(particle, bond) for every unbroken bond; the bond breaks where it answers false.
@@ -140,6 +142,19 @@ public:
   // kinetic energy is taken with velocities brought to the time of the positions.
   Energy energy(const Neighbor_edges& neighbors, double time_step);
 
+  // What pulls all particles; at first the parameters' gravity, downwards.
+  void set_gravity(const Point& acceleration) { m_gravity = acceleration; }
+
+  // A force of the next step alone.
+  void push(std::uint32_t particle, const Point& force) { m_pushes.emplace_back(particle, force); }
+
+  // At rest, without bonds, and with the next number.
+  void add(const Point& position);
+
+  // Its bonds break, and it is nowhere: its position and velocity are NaN, and so is energy() from
+  // now on. The others keep their numbers; edges must not name it any more.
+  void remove(std::uint32_t particle);
+
   // Of the box; none if it is closed.
   std::optional<Cell> cell() const;
 
@@ -185,14 +200,20 @@ private:
 
   Particle_parameters m_parameters;
   Periods m_periods;
+  Point m_gravity;
   std::vector<Point> m_positions;
   std::vector<Point> m_velocities;
   std::vector<Point> m_forces;
+  std::vector<std::pair<std::uint32_t, Point>> m_pushes;
   Bond_network m_bonds;
   Neighbor_edges m_contacts;
   double m_largest_strain = 0.0;
   std::size_t m_number_put_back = 0;
 };
+
+// The first frame of a scenario.
+Particle_system make_particle_system(const Particle_description& description,
+                                     const Scaled_scenario& scaled, std::uint64_t seed);
 
 // Blocks of discs under the physics of Particle_system.
 class Particle_motion : public Motion
@@ -249,6 +270,12 @@ public:
   bool advance(const Neighbor_edges&) override;
 
   double mean_spacing() const;
+
+  // As a step that leads there would leave it.
+  void put(std::size_t i, const Point& place);
+
+  // With the next id.
+  void add(const Point& place);
 
 private:
   static double kept_inside(double value, double side, double period);
