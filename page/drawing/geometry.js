@@ -11,6 +11,7 @@
 //   sets          Uint8Array: 0 none, 1 Border, 2 Padded, 3 Classified, of each point
 //   speeds        Float32Array, of each point; and speedScale, the speed that has the last color
 //   changed, removed, wrong   Uint32Array: two points for each edge that is new, that is gone, that is not Delaunay
+//   marks         array of [x, y]: places that a ring shows
 //   outline       array of [x, y]: walls or another polygon to draw
 //   cell          { corner: [x, y], sides: [[x, y], [x, y]], isPeriodic: [bool, bool] }: space repeats along these sides
 //   edgeShifts, changedShifts, removedShifts, wrongShifts   only with a cell: Int32Array, two numbers for each edge: how

@@ -15,10 +15,22 @@
 
 import { colorChannels } from "./palettes.js";
 
-export function openPen(canvas, { preferred } = {}) {
-  const gl = preferred === "2d" ? null : canvas.getContext("webgl2",
-    { alpha: false, antialias: false, depth: false, failIfMajorPerformanceCaveat: preferred === undefined });
+export function openPen(canvas, { preferred = hardwareDrawsWebgl() ? "webgl2" : "2d" } = {}) {
+  const gl = preferred === "2d" ? null : canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false });
   return gl ? new WebglPen(canvas, gl) : new CanvasPen(canvas);
+}
+
+// Browsers that have only the processor should refuse, but some say it in the name alone. Asked of another canvas: one
+// that has once been WebGL's is nothing else any more.
+function hardwareDrawsWebgl() {
+  const gl = document.createElement("canvas").getContext("webgl2", { failIfMajorPerformanceCaveat: true });
+  if (!gl) {
+    return false;
+  }
+  const debug = gl.getExtension("WEBGL_debug_renderer_info");
+  const name = gl.getParameter(debug ? debug.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  return !/swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }
 
 function resizeCanvas(canvas, width, height) {

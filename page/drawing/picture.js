@@ -61,6 +61,7 @@ export function paint(pen, scene, view, { layers = usualLayers(), palette = pale
   if (layers.points) {
     paintPoints(pen, shown, view, layers, palette, radius);
   }
+  paintMarks(pen, scene, view, palette, radius);
   return pen.end();
 }
 
@@ -131,6 +132,14 @@ function paintPoints(pen, scene, view, layers, palette, radius) {
                                  radius: set > 0 ? 1.25 * radius : radius });
     }
   }
+}
+
+function paintMarks(pen, { marks = [] }, view, palette, radius) {
+  floats.clear();
+  for (const [x, y] of marks) {
+    floats.push3(view.x(x), view.y(y), 2 * radius + 6);
+  }
+  pen.rings(floats.values, { color: palette.text, width: 2.5 });
 }
 
 function usualRadius(scene, view) {
