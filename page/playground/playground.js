@@ -88,7 +88,8 @@ class Playground {
         this.isWaiting = false;
         this.pause();
       } else if (of === "open" || of === "use") {
-        this.settings = { ...this.accepted };
+        const { tool, layers } = this.settings;
+        this.settings = { ...this.accepted, tool, layers };
         this.settingsChanged();
         this.showSettings();
       }
