@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What draws: WebGL 2, a canvas's 2D context, or text of an SVG file. All three draw the same four things, so that one
+// What draws: WebGL 2, the pixels of a canvas, or text of an SVG file. All three draw the same four things, so that one
 // description of a picture (picture.js) serves all of them. Everything is in CSS pixels.
 //
 //   pen.begin(width, height, ground)                    a new picture on a ground of this color
@@ -10,8 +10,8 @@
 //   pen.rings(values, { color, width, alpha })          Float32Array x, y, radius of each circle
 //   pen.end()                                           the picture is complete; an SvgPen returns its text
 //
-// openPen(canvas) takes WebGL where hardware does it, else the 2D context: WebGL by the processor alone takes many times
-// as long as that. { preferred: "webgl2" } or "2d" takes this one.
+// openPen(canvas) takes WebGL where hardware does it, else pixels: WebGL by the processor alone takes many times as long
+// as that. { preferred: "webgl2" } or "2d" takes this one.
 
 import { colorChannels } from "./palettes.js";
 
@@ -43,6 +43,8 @@ function resizeCanvas(canvas, width, height) {
   return ratio;
 }
 
+// Sets pixels itself: paths of a 2D context take ten times as long for so many short lines. How much of a pixel is covered
+// follows from how far away the line or the rim is, as in the shaders below.
 export class CanvasPen {
   constructor(canvas) {
     this.canvas = canvas;
@@ -51,80 +53,151 @@ export class CanvasPen {
   }
 
   begin(width, height, ground) {
-    const ratio = resizeCanvas(this.canvas, width, height);
-    const c = this.context;
-    c.setTransform(ratio, 0, 0, ratio, 0, 0);
-    c.globalAlpha = 1;
-    c.fillStyle = ground;
-    c.fillRect(0, 0, width, height);
-    c.lineCap = "round";
-    this.width = width;
-    this.height = height;
+    this.ratio = resizeCanvas(this.canvas, width, height);
+    const { width: columns, height: rows } = this.canvas;
+    if (this.image?.width !== columns || this.image.height !== rows) {
+      this.image = this.context.createImageData(columns, rows);
+      this.pixels = new Uint32Array(this.image.data.buffer); // red is the lowest byte on all machines that browsers run on
+    }
+    this.pixels.fill(packed(ground));
   }
 
-  segments(values, { color, width, alpha = 1 }) {
-    const c = this.context;
-    c.strokeStyle = color;
-    c.lineWidth = width;
-    c.globalAlpha = alpha;
-    // One path of everything takes longer to fill than several short ones.
-    const inPath = 4 * 512;
-    for (let start = 0; start < values.length; start += inPath) {
-      const end = Math.min(start + inPath, values.length);
-      c.beginPath();
-      for (let i = start; i !== end; i += 4) {
-        if (this.isSeen(values[i], values[i + 1], values[i + 2], values[i + 3], width)) {
-          c.moveTo(values[i], values[i + 1]);
-          c.lineTo(values[i + 2], values[i + 3]);
+  // Of lines that are thinner than a pixel: they are pale ones of that width.
+  ink({ color, width = 0, alpha = 1 }) {
+    const shown = width * this.ratio;
+    return { color: packed(color), half: Math.max(1, shown) / 2, strength: 256 * alpha * Math.min(1, width === 0 ? 1 : shown) };
+  }
+
+  // Each is walked along x or y, whichever is longer.
+  segments(values, style) {
+    const { color, half, strength } = this.ink(style);
+    for (let i = 0; i !== values.length; i += 4) {
+      const isFlat = Math.abs(values[i + 2] - values[i]) >= Math.abs(values[i + 3] - values[i + 1]);
+      const u = isFlat ? 0 : 1, v = 1 - u; // along and across
+      const isForward = values[i + u] <= values[i + 2 + u];
+      const from = isForward ? i : i + 2, to = isForward ? i + 2 : i;
+      if (half === 0.5) {
+        this.hairline(values[from + u], values[from + v], values[to + u], values[to + v], isFlat, color, strength);
+      } else {
+        this.segment(values[from + u], values[from + v], values[to + u], values[to + v], isFlat, color, half, strength);
+      }
+    }
+  }
+
+  // Of a pixel's width: two pixels across share each step along (Wu 1991). The middles of pixels have integer
+  // coordinates.
+  hairline(fromU, fromV, toU, toV, isFlat, color, strength) {
+    const { ratio, pixels } = this;
+    const { width: columns, height: rows } = this.image;
+    const u0 = fromU * ratio - 0.5, v0 = fromV * ratio - 0.5, u1 = toU * ratio - 0.5;
+    const slope = u1 > u0 ? (toV - fromV) / (toU - fromU) : 0;
+    const endV = (isFlat ? rows : columns) - 1;
+    const stepU = isFlat ? 1 : columns, stepV = isFlat ? columns : 1;
+    const last = Math.min((isFlat ? columns : rows) - 1, Math.round(u1));
+    for (let u = Math.max(0, Math.round(u0)); u <= last; ++u) {
+      const v = v0 + (u - u0) * slope, low = Math.floor(v), share = v - low;
+      if (low >= 0 && low < endV) {
+        const at = u * stepU + low * stepV;
+        blend(pixels, at, color, strength * (1 - share));
+        blend(pixels, at + stepV, color, strength * share);
+      }
+    }
+  }
+
+  segment(fromU, fromV, toU, toV, isFlat, color, half, strength) {
+    const { ratio, pixels } = this;
+    const { width: columns, height: rows } = this.image;
+    const u0 = fromU * ratio - 0.5, v0 = fromV * ratio - 0.5, u1 = toU * ratio - 0.5, v1 = toV * ratio - 0.5;
+    const endU = isFlat ? columns : rows, endV = isFlat ? rows : columns;
+    const stepU = isFlat ? 1 : columns, stepV = isFlat ? columns : 1;
+    const length = Math.hypot(u1 - u0, v1 - v0);
+    const cosine = length > 0 ? (u1 - u0) / length : 1, sine = length > 0 ? (v1 - v0) / length : 0;
+    const room = half + 0.5, across = room / cosine;
+    const last = Math.min(endU - 1, Math.floor(u1 + room));
+    for (let u = Math.max(0, Math.ceil(u0 - room)); u <= last; ++u) {
+      const middle = v0 + (Math.min(Math.max(u, u0), u1) - u0) * sine / cosine;
+      const end = Math.min(endV - 1, Math.floor(middle + across));
+      for (let v = Math.max(0, Math.ceil(middle - across)); v <= end; ++v) {
+        const along = (u - u0) * cosine + (v - v0) * sine;
+        const aside = Math.abs((v - v0) * cosine - (u - u0) * sine);
+        const beyond = Math.max(-along, along - length);
+        const covered = room - (beyond <= 0 ? aside : Math.sqrt(beyond * beyond + aside * aside));
+        if (covered > 0) {
+          blend(pixels, u * stepU + v * stepV, color, strength * Math.min(1, covered));
         }
       }
-      c.stroke();
     }
   }
 
   discs(values, { color, radius, alpha = 1 }) {
-    const c = this.context;
-    c.fillStyle = color;
-    c.globalAlpha = alpha;
-    const isSmall = radius < 1.25;
-    c.beginPath();
+    const { ratio, pixels } = this;
+    const { width: columns, height: rows } = this.image;
+    const ink = packed(color), strength = 256 * alpha, room = radius * ratio + 0.5;
     for (let i = 0; i !== values.length; i += 2) {
-      const x = values[i], y = values[i + 1];
-      if (!this.isSeen(x, y, x, y, radius)) {
-        continue;
-      }
-      if (isSmall) {
-        c.rect(x - radius, y - radius, 2 * radius, 2 * radius);
-      } else {
-        c.moveTo(x + radius, y);
-        c.arc(x, y, radius, 0, 2 * Math.PI);
+      const x = values[i] * ratio - 0.5, y = values[i + 1] * ratio - 0.5;
+      const right = Math.min(columns - 1, Math.floor(x + room)), low = Math.min(rows - 1, Math.floor(y + room));
+      for (let row = Math.max(0, Math.ceil(y - room)); row <= low; ++row) {
+        for (let column = Math.max(0, Math.ceil(x - room)); column <= right; ++column) {
+          const covered = room - Math.sqrt((column - x) * (column - x) + (row - y) * (row - y));
+          if (covered > 0) {
+            blend(pixels, row * columns + column, ink, strength * Math.min(1, covered));
+          }
+        }
       }
     }
-    c.fill();
   }
 
-  rings(values, { color, width, alpha = 1 }) {
-    const c = this.context;
-    c.strokeStyle = color;
-    c.lineWidth = width;
-    c.globalAlpha = alpha;
-    c.beginPath();
+  rings(values, style) {
+    const { color, half, strength } = this.ink(style);
     for (let i = 0; i !== values.length; i += 3) {
-      const x = values[i], y = values[i + 1], radius = values[i + 2];
-      if (this.isSeen(x, y, x, y, radius + width)) {
-        c.moveTo(x + radius, y);
-        c.arc(x, y, radius, 0, 2 * Math.PI);
+      this.ring(values[i] * this.ratio - 0.5, values[i + 1] * this.ratio - 0.5, values[i + 2] * this.ratio, color, half,
+                strength);
+    }
+  }
+
+  // In each row the pixels between the outer and the inner rim, left and right.
+  ring(x, y, radius, color, half, strength) {
+    const { width: columns, height: rows } = this.image;
+    const room = half + 0.5, outer = radius + room, inner = radius - room;
+    const low = Math.min(rows - 1, Math.floor(y + outer));
+    for (let row = Math.max(0, Math.ceil(y - outer)); row <= low; ++row) {
+      const squared = (row - y) * (row - y);
+      const reach = Math.sqrt(outer * outer - squared);
+      const gap = inner > 0 && inner * inner > squared ? Math.sqrt(inner * inner - squared) : 0;
+      const fill = (from, to) => {
+        const end = Math.min(columns - 1, Math.floor(to));
+        for (let column = Math.max(0, Math.ceil(from)); column <= end; ++column) {
+          const covered = room - Math.abs(Math.sqrt((column - x) * (column - x) + squared) - radius);
+          if (covered > 0) {
+            blend(this.pixels, row * columns + column, color, strength * Math.min(1, covered));
+          }
+        }
+      };
+      if (gap < 1) {
+        fill(x - reach, x + reach);
+      } else {
+        fill(x - reach, x - gap);
+        fill(x + gap, x + reach);
       }
     }
-    c.stroke();
   }
 
-  isSeen(x0, y0, x1, y1, more) {
-    return Math.max(x0, x1) >= -more && Math.min(x0, x1) <= this.width + more &&
-      Math.max(y0, y1) >= -more && Math.min(y0, y1) <= this.height + more;
-  }
+  end() { this.context.putImageData(this.image, 0, 0); }
+}
 
-  end() {}
+function packed(color) {
+  const [red, green, blue] = [1, 3, 5].map(at => parseInt(color.slice(at, at + 2), 16));
+  return (0xff000000 | (blue << 16) | (green << 8) | red) >>> 0;
+}
+
+// Red and blue together, then green: what flows from one into the other is cut off.
+function blend(pixels, at, color, strength) {
+  const share = strength | 0; // of 256
+  const before = pixels[at];
+  const redBlue = before & 0xff00ff, green = before & 0x00ff00;
+  pixels[at] = 0xff000000 |
+    ((redBlue + (Math.imul((color & 0xff00ff) - redBlue, share) >> 8)) & 0xff00ff) |
+    ((green + (Math.imul((color & 0x00ff00) - green, share) >> 8)) & 0x00ff00);
 }
 
 // Each thing is a quad with room for its soft edge; the fragment shader asks how far away the line or the rim is.

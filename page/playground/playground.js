@@ -323,12 +323,13 @@ class Playground {
   }
 
   tick(now) {
-    if (this.arrived) {
-      this.show(this.arrived, now);
-      this.arrived = null;
-    }
+    const frame = this.arrived;
+    this.arrived = null;
     if (!this.isWaiting) {
-      this.ask();
+      this.ask(); // the worker works while the page draws
+    }
+    if (frame) {
+      this.show(frame, now);
     }
   }
 
