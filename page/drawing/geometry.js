@@ -96,6 +96,9 @@ export function wrapped(scene) {
   const { cell, triangles } = scene;
   const [a, b] = cell.sides;
   const outside = shiftsOutOfCell(scene.positions, cell);
+  if (!triangles && outside.every(shift => shift === 0)) {
+    return scene;
+  }
   const positions = new Float64Array(scene.positions.length);
   for (let i = 0; i !== positions.length; i += 2) {
     positions[i] = scene.positions[i] - outside[i] * a[0] - outside[i + 1] * b[0];

@@ -37,7 +37,7 @@ class Playground {
     this.picture = new Picture(element("picture"));
     this.curves = new LiveCurves(element("curves"));
     this.hand = new Hand(this.picture, told => this.tell(told));
-    this.isPlaying = true;
+    this.isPlaying = false;
     this.isWaiting = false; // for a frame
     this.stepsWanted = 0;
     this.isStale = false;   // something is to be shown that the last frame does not have
@@ -52,6 +52,9 @@ class Playground {
     this.useTheme();
     this.tell({ name: "choices" });
     this.open();
+    if (!matchMedia("(prefers-reduced-motion: reduce)").matches) {
+      this.play();
+    }
     const tick = now => {
       requestAnimationFrame(tick);
       this.tick(now);

@@ -44,8 +44,10 @@ const readers = {
   layers: layerList,
 };
 
+const usualSteps = { brownian: 1, pendulum: 4 };
+
 export function usualSettings(scenario = "dam_break") {
-  return { scenario, points: scenarios[scenario].points, space: "plane", seed: 1, steps: scenario === "brownian" ? 1 : 2,
+  return { scenario, points: scenarios[scenario].points, space: "plane", seed: 1, steps: usualSteps[scenario] ?? 2,
            classifier: "circumcircle", parameter: "", padding: 1, repair: "", policy: "hybrid", gravity: "", wind: 0,
            tool: "drag", layers: usualLayers() };
 }

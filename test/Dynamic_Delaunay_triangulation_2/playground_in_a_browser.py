@@ -380,6 +380,8 @@ def balances_a_pendulum(page):
     page.press("ArrowLeft")
     page.until(f"playground.picture.scene.marks[0][0] < {before - 1}", "the arrow does not move the hand")
     page.check("upright for" in page.said(), "it does not say how long it stands")
+    page.choose("steps", "8")
+    page.until("playground.state.rod.isUpright === false", "it does not fall when the hand rests")
     page.console()
 
 
