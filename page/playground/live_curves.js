@@ -4,17 +4,22 @@
 // The curves of the last frames, in step with the picture.
 
 import { Curves } from "../drawing/curves.js";
+import { delaunator } from "./opponents.js";
 
 const shownFrames = 240;
 
 const percent = value => Number.isFinite(value) ? (100 * value).toFixed(value < 0.1 ? 2 : 1) + " %" : "–";
 
+const withDelaunator = of => delaunator === null ? [] : [{ name: "delaunator", of }];
+
 // Of each line: what it shows of a frame's state.
 const charts = [
   { title: "Time of an update", unit: "ns a point", isLogarithmic: true,
-    lines: [{ name: "kept", of: state => state.time }, { name: "anew", of: state => state.staticTime }] },
-  { title: "Speedup over triangulating anew", format: value => Number.isFinite(value) ? value.toFixed(1) : "–", low: 0,
-    lines: [{ of: state => state.staticTime / state.time }] },
+    lines: [{ name: "kept", of: state => state.time }, { name: "anew", of: state => state.staticTime },
+            ...withDelaunator(state => state.delaunatorTime)] },
+  { title: "Speedup over", format: value => Number.isFinite(value) ? value.toFixed(1) : "–", low: 0,
+    lines: [{ name: "anew", of: state => state.staticTime / state.time },
+            ...withDelaunator(state => state.delaunatorTime / state.time)] },
   { title: "Right edges", high: 1, format: value => Number.isFinite(value) ? value.toFixed(4) : "–",
     lines: [{ of: state => 1 - state.wrong / Math.max(1, state.edges) }] },
   { title: "Share of the points", low: 0, format: percent,

@@ -15,10 +15,11 @@
 
 import { Motion } from "../motion/motion.mjs";
 import { Triangulation } from "../package/dynamic_delaunay.mjs";
+import { delaunator } from "./opponents.js";
 import { described, gravityOf, loadScenario, pendulum, usualGravityOf } from "./scenarios.js";
 
 const updatesOfMean = { kept: 16, anew: 4 };
-const stepsBetweenStatic = 16; // a static triangulation takes many times as long
+const stepsBetweenComparisons = 16; // triangulating anew takes many times as long
 const reachOfHand = 2.5;       // in spacings, round the point that is grabbed
 
 // The mean of the middle half of the last values: clocks of browsers are too coarse for one update, and sometimes a
@@ -34,6 +35,13 @@ class RecentMean {
     const quarter = Math.floor(sorted.length / 4);
     const middle = sorted.subarray(quarter, sorted.length - quarter);
     return middle.reduce((sum, value) => sum + value, 0) / middle.length;
+  }
+}
+
+// It leaves its class in the global object, as it is no module.
+async function loadOpponents() {
+  if (delaunator !== null && !globalThis.Delaunator) {
+    await import(delaunator);
   }
 }
 
@@ -53,6 +61,7 @@ export class Simulation {
     const motion = await Motion.open(description, settings.points);
     const simulation = new Simulation(settings, scenario, description, motion);
     try {
+      await loadOpponents();
       await simulation.use(settings);
     } catch (error) {
       simulation.close();
@@ -106,6 +115,7 @@ export class Simulation {
     [this.triangulation, this.static] = triangulations;
     this.time = new RecentMean(updatesOfMean.kept);
     this.staticTime = new RecentMean(updatesOfMean.anew);
+    this.delaunatorTime = new RecentMean(updatesOfMean.anew);
     this.report = null;
     this.edges = null;
   }
@@ -216,7 +226,7 @@ export class Simulation {
       this.report = this.triangulation.update(this.positions);
       this.time.add(performance.now() - start);
       this.edges = null;
-      if (this.step % stepsBetweenStatic === 0) {
+      if (this.step % stepsBetweenComparisons === 0) {
         this.compare();
       }
       ++this.step;
@@ -249,6 +259,22 @@ export class Simulation {
     const start = performance.now();
     this.static.update(this.positions);
     this.staticTime.add(performance.now() - start);
+    if (delaunator !== null && !this.cell) { // it knows the plane alone
+      this.compareWithDelaunator();
+    }
+  }
+
+  // Its update() takes the same number of points as before; and it knows no points that were removed.
+  compareWithDelaunator() {
+    const positions = this.positions.filter(coordinate => coordinate === coordinate);
+    if (this.delaunator?.coords.length !== positions.length) {
+      this.delaunator = new globalThis.Delaunator(positions);
+      return;
+    }
+    const start = performance.now();
+    this.delaunator.coords.set(positions);
+    this.delaunator.update();
+    this.delaunatorTime.add(performance.now() - start);
   }
 
   makePendulum() {
@@ -323,7 +349,7 @@ export class Simulation {
     const nanoseconds = time => time.mean * 1e6 / points;
     return { step: this.step, points, edges: scene.edges.length / 2, wrong: scene.wrong.length / 2, isCertified,
              changed: (scene.changed?.length ?? 0) / 2, report: this.report, time: nanoseconds(this.time),
-             staticTime: nanoseconds(this.staticTime), held: this.held.size,
+             staticTime: nanoseconds(this.staticTime), delaunatorTime: nanoseconds(this.delaunatorTime), held: this.held.size,
              rod: this.rod && { isUpright: this.rod.isUpright, steps: this.rod.steps, best: this.rod.best } };
   }
 }

@@ -290,6 +290,12 @@ def changes_the_method(page):
     page.choose("parameter", "0.001")
     page.until("playground.accepted.parameter === 0.001", "the parameter is not taken")
     page.until("playground.state.wrong > 0", "a classifier that misses nearly all leaves no wrong edge")
+    page.press("5")  # Voronoi cells, for which there are triangles
+    page.press(" ")
+    page.until("playground.picture.scene.triangles && playground.picture.scene.wrong.length > 0", "there are no triangles")
+    fault = fault_of(*page.run("const { positions, triangles } = playground.picture.scene; return [[...positions], [...triangles]]"))
+    page.check(fault is not None, "wrong edges are no fault")
+    page.press(" ")
     page.choose("parameter", "7")
     page.until("!document.getElementById('refused').hidden", "a probability of 7 is not refused")
     page.check(page.run("return playground.settings.parameter") == 0.001, "what was refused is kept")
