@@ -463,6 +463,8 @@ public:
   size_type number_of_messages() const { return m_ranks.exchange().sent_messages(); }
   /// the same in bytes.
   size_type number_of_bytes() const { return m_ranks.exchange().sent_bytes(); }
+  /// bytes that all ranks have told all others, in collective calls: outlines, zones and boxes.
+  size_type number_of_gathered_bytes() const { return m_ranks.gathered_bytes(); }
   /// seconds in which this rank has sent, received or waited.
   double communication_seconds() const { return m_ranks.exchange().seconds(); }
 

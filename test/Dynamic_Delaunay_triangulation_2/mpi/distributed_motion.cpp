@@ -5,11 +5,65 @@
 
 #include "distributed_oracle.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <limits>
 #include <random>
 #include <utility>
+#include <vector>
+
+// A block of soft discs falls over in a box. All ranks compute the same motion of all of them, with
+// the contacts that one process finds.
+class Dam_break
+{
+public:
+  explicit Dam_break(const Points& points)
+    : m_dt(points.begin(), points.end())
+    , m_points(points)
+    , m_speeds(points.size(), CGAL::NULL_VECTOR)
+  {
+  }
+
+  const Point& position(std::size_t i, int frame)
+  {
+    for (; m_frame < frame; ++m_frame)
+      step();
+    return m_points[i];
+  }
+
+private:
+  void step()
+  {
+    const double time_step = 0.3, gravity = 0.005;
+    m_dt.for_each_edge([&](std::size_t i, std::size_t j) {
+      const Kernel::Vector_2 apart = m_points[j] - m_points[i];
+      const double distance = std::sqrt(apart.squared_length());
+      if (distance >= 1 || distance == 0)
+        return;
+      const Kernel::Vector_2 kick = time_step * (1 - distance) / distance * apart;
+      m_speeds[i] -= kick;
+      m_speeds[j] += kick;
+    });
+    for (std::size_t i = 0; i < m_points.size(); ++i) {
+      const Point& p = m_points[i];
+      m_speeds[i] =
+          0.999 * m_speeds[i] + time_step * Kernel::Vector_2(push(p.x()), push(p.y()) - gravity);
+      m_points[i] = p + time_step * m_speeds[i];
+    }
+    m_dt.update(m_points.begin(), m_points.end());
+  }
+
+  static double push(double x) { return std::max(0.0, 0.5 - x) - std::max(0.0, x - 39.5); }
+
+  CGAL::Dynamic_Delaunay_triangulation_2<Kernel> m_dt;
+  Points m_points;
+  std::vector<Kernel::Vector_2> m_speeds;
+  int m_frame = 0;
+};
 
 void refuse_bad_input()
 {
@@ -66,6 +120,12 @@ int main(int argc, char** argv)
         },
         in_order, load_factor);
   }
+  Points block;
+  for (int i = 0; i < 400; ++i)
+    block.push_back(Point(0.5 + i % 18 + 0.01 * std::sin(i), 0.5 + i / 18));
+  Dam_break dam_break(block);
+  run("a dam break", block, 5 * frames,
+      [&](std::size_t i, const Point&, int frame) { return dam_break.position(i, frame); });
   run("a rank that owns all", cloud, 2, at_rest, on_first, no_balance);
   run("points in turn", cloud, 2, at_rest, in_turn, no_balance);
   refuse_bad_input();

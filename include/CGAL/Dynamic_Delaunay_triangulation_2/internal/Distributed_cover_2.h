@@ -36,6 +36,9 @@ public:
   {
     if (zone.is_empty())
       return false;
+    const Position_2 p = disk.corner(0);
+    if (zone.is_deep_around(p.x, p.y) && disk.is_narrow(zone.depth()))
+      return true;
     const Box_2 box = disk.box_of_disk();
     if (zone.covers(box))
       return true;

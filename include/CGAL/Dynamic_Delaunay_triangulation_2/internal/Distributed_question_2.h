@@ -126,6 +126,18 @@ struct Distributed_question_2
     return {cx - pad_x, cy - pad_y, cx + pad_x, cy + pad_y};
   }
 
+  // Whether it can be seen quickly that the disk's diameter is at most `diameter`. That is
+  // |u||v||u - v| / D; where |u|^2 + |v|^2 is at most 2^12 D, all parts are accurate to 2^-38, and
+  // 2^-20 covers their product.
+  bool is_narrow(double diameter) const
+  {
+    const Position_2 p = corner(0), u = corner(1) - p, v = corner(2) - p;
+    const double uu = dot(u, u), vv = dot(v, v), doubled_area = cross(u, v);
+    const double most = doubled_area * diameter * (1 - 0x1p-20);
+    return uu + vv > 0x1p-200 && uu + vv < 0x1p200 && uu + vv <= 0x1p12 * doubled_area &&
+           uu * vv * squared_distance(u, v) <= most * most;
+  }
+
 private:
   // With w the vector from the first corner, u and v those to the others, A = u x v > 0, and
   // N = (|u|^2 v_y - |v|^2 u_y, |v|^2 u_x - |u|^2 v_x), the closed disk is where

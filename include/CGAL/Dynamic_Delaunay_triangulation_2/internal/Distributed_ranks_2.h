@@ -59,6 +59,8 @@ public:
   int rank() const { return m_rank; }
   std::size_t size() const { return std::size_t(m_size); }
   const Message_exchange_2& exchange() const { return m_exchange; }
+  // What `gather()` has brought.
+  std::size_t gathered_bytes() const { return m_gathered_bytes; }
 
   std::uint64_t sum(std::uint64_t value) { return reduced(value, MPI_UINT64_T, MPI_SUM); }
   std::uint64_t largest(std::uint64_t value) { return reduced(value, MPI_UINT64_T, MPI_MAX); }
@@ -95,6 +97,7 @@ public:
         throw std::length_error("what all ranks have to know is longer than 2 GB");
     }
     all.values.resize(all.offsets.back());
+    m_gathered_bytes += all.values.size() * sizeof(T);
     if (!all.values.empty())
       MPI_Allgatherv(own.data(), int(size * sizeof(T)), MPI_BYTE, all.values.data(), bytes.data(),
                      places.data(), MPI_BYTE, m_communicator);
@@ -156,6 +159,7 @@ private:
   MPI_Comm m_communicator;
   Message_exchange_2 m_exchange;
   int m_rank = 0, m_size = 1;
+  std::size_t m_gathered_bytes = 0;
 };
 
 } // namespace internal

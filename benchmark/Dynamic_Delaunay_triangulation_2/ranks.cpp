@@ -1,0 +1,210 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What ranks hold, send and wait for: points that are spread over MPI processes, all of them on
+// this machine. `./dev bench ranks` runs it with 1, 2, 4 and 8 processes.
+//
+// Columns, means over ranks and frames unless it says otherwise:
+//
+//   own         points that a rank owns
+//   ghosts      points of others that it holds; `needed` of them are neighbors of its own points
+//   depth       ghosts over 4 sqrt(own): how many layers around a square of unit spacing they are
+//   messages    messages between two ranks, of a frame
+//   bytes       in these messages; `ideal` is 16 bytes for each ghost
+//   gathered    bytes of a frame that all ranks hear of, from all of them
+//   asking      the share of frames in which any rank had to ask, in percent
+//   ms          milliseconds of a frame; `comm` is the share of it in which a rank sends, receives
+//   or
+//               waits, in percent. With more processes than cores these say nothing but that.
+
+#include <CGAL/Distributed_dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Distributed_neighbor_lists_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_2;
+using Distributed = CGAL::Distributed_dynamic_Delaunay_triangulation_2<Kernel>;
+
+int this_rank = 0, number_of_ranks = 1;
+
+double mean(double own)
+{
+  double sum = 0;
+  MPI_Allreduce(&own, &sum, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  return sum / number_of_ranks;
+}
+
+double number_of_needed_ghosts(const Distributed& dt)
+{
+  CGAL::Distributed_neighbor_lists_2 lists;
+  lists.compute(dt);
+  std::vector<std::int64_t> needed = lists.neighbors(), own = dt.owned_ids();
+  std::sort(needed.begin(), needed.end());
+  std::sort(own.begin(), own.end());
+  needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
+  return double(std::count_if(needed.begin(), needed.end(), [&](std::int64_t id) {
+    return !std::binary_search(own.begin(), own.end(), id);
+  }));
+}
+
+// A frame's mean of something that is counted.
+class Frame_mean
+{
+public:
+  Frame_mean(double count, int frames)
+    : m_count(count)
+    , m_frames(frames)
+  {
+  }
+  double until(double count) const { return mean((count - m_count) / m_frames); }
+
+private:
+  double m_count;
+  int m_frames;
+};
+
+struct Figures
+{
+  double own, ghosts, needed, messages, bytes, gathered, asking, seconds, communication;
+};
+
+template <class Move>
+Figures measure(Distributed& dt, int frames, const Move& move)
+{
+  const auto run = [&](int number) {
+    double seconds = 0;
+    for (int frame = 0; frame < number; ++frame) {
+      std::vector<Point> next = dt.owned_points();
+      for (Point& p : next)
+        p = move(p);
+      MPI_Barrier(MPI_COMM_WORLD);
+      const double begin = MPI_Wtime();
+      dt.update(next.begin(), next.end());
+      seconds += MPI_Wtime() - begin;
+    }
+    return seconds;
+  };
+  run(12); // what construction has asked for too much is dropped
+  const Frame_mean messages(double(dt.number_of_messages()), frames);
+  const Frame_mean bytes(double(dt.number_of_bytes()), frames);
+  const Frame_mean gathered(double(dt.number_of_gathered_bytes()), frames);
+  const Frame_mean asking(double(dt.number_of_asking_frames()), frames);
+  const Frame_mean communication(dt.communication_seconds(), frames);
+  const double seconds = mean(run(frames)) / frames;
+  return {mean(double(dt.number_of_owned_points())),
+          mean(double(dt.number_of_ghosts())),
+          mean(number_of_needed_ghosts(dt)),
+          messages.until(double(dt.number_of_messages())),
+          bytes.until(double(dt.number_of_bytes())),
+          gathered.until(double(dt.number_of_gathered_bytes())),
+          asking.until(double(dt.number_of_asking_frames())),
+          seconds,
+          communication.until(dt.communication_seconds())};
+}
+
+void print(const std::string& name, const Figures& f)
+{
+  if (this_rank > 0)
+    return;
+  std::printf("%5d %-16s %8.0f %7.0f %7.0f %6.2f %8.2f %9.0f %9.0f %9.0f %7.1f %8.2f %5.0f\n",
+              number_of_ranks, name.c_str(), f.own, f.ghosts, f.needed,
+              f.ghosts / (4 * std::sqrt(f.own)), f.messages, f.bytes, 16 * f.ghosts, f.gathered,
+              100 * f.asking, 1000 * f.seconds, 100 * f.communication / f.seconds);
+}
+
+// Weak scaling, from the figures of this run. Assumed: a square of evenly spread points, cut into
+// squares, one process to a core; a message takes 2 microseconds and 10 GB/s; a collective call
+// takes 2 microseconds for each doubling of the number of ranks, and 10 GB/s for what it gathers; a
+// frame has 6 of them. Held points take the time that they do here. Of its boundary a rank has as
+// many ghosts and questions as here, in proportion. An asking frame has 2 exchanges and 4
+// collective calls more for each round, of which there is one, and tells all ranks 16 boxes of
+// each, and one zone of 6 bytes for each spacing of its boundary.
+void print_model(const Figures& f, double points_per_rank)
+{
+  const double latency = 2e-6, bandwidth = 1e10;
+  const double per_point = (f.seconds - f.communication) / (f.own + f.ghosts);
+  const double boundary = std::sqrt(points_per_rank / f.own);
+  const double ghosts = f.ghosts * boundary;
+  const double asking_of_one =
+      1 - std::pow((std::max)(1 - f.asking, 1e-3), boundary / double(number_of_ranks));
+  std::printf("\nweak scaling by a model, %.0f points a rank, %.1f ns a point and frame\n",
+              points_per_rank, 1e9 * per_point);
+  std::printf("%6s %12s %9s %9s %9s %9s %11s\n", "ranks", "points", "asking %", "ms", "halo ms",
+              "network ms", "efficiency %");
+  for (int ranks = 1; ranks <= 16384; ranks *= 4) {
+    const double doublings = std::log2(double(ranks)), some = ranks > 1;
+    const double asking = some * (1 - std::pow(1 - asking_of_one, ranks));
+    const double own = points_per_rank * per_point, halo = some * ghosts * per_point;
+    const double calm = some * (8 * latency + 16 * ghosts / bandwidth) + 6 * latency * doublings +
+                        8.0 * ranks / bandwidth;
+    const double told = 512.0 * ranks + asking_of_one * ranks * 24 * std::sqrt(points_per_rank);
+    const double rough = asking * (16 * latency + 4 * latency * doublings + told / bandwidth);
+    const double all = own + halo + calm + rough;
+    std::printf("%6d %12.3g %9.1f %9.2f %9.2f %9.2f %11.1f\n", ranks, ranks * points_per_rank,
+                100 * asking, 1000 * all, 1000 * halo, 1000 * (calm + rough), 100 * own / all);
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  MPI_Init(&argc, &argv);
+  MPI_Comm_rank(MPI_COMM_WORLD, &this_rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &number_of_ranks);
+  const int points = argc > 1 ? std::atoi(argv[1]) : 20000;
+  const int frames = argc > 2 ? std::atoi(argv[2]) : 50;
+  const bool has_model = argc > 3 && std::string(argv[3]) == "--model";
+
+  std::mt19937_64 random(unsigned(this_rank) + 1);
+  const double side = std::sqrt(double(points) * number_of_ranks);
+  std::uniform_real_distribution<double> coordinate(0, side);
+  std::normal_distribution<double> step(0, 1);
+  const auto brownian = [&](double spread) {
+    return [&, spread](const Point& p) {
+      return Point(p.x() + spread * step(random), p.y() + spread * step(random));
+    };
+  };
+  std::vector<std::pair<std::int64_t, Point>> given;
+  for (int i = 0; i < points; ++i)
+    given.emplace_back(std::int64_t(this_rank) * points + i,
+                       Point(coordinate(random), coordinate(random)));
+  Distributed dt(MPI_COMM_WORLD, given.begin(), given.end());
+  if (this_rank == 0)
+    std::printf("%5s %-16s %8s %7s %7s %6s %8s %9s %9s %9s %7s %8s %5s\n", "ranks", "motion", "own",
+                "ghosts", "needed", "depth", "messages", "bytes", "ideal", "gathered", "asking",
+                "ms", "comm");
+  print("Brownian 0.001", measure(dt, frames, brownian(0.001)));
+  const Figures usual = measure(dt, frames, brownian(0.01));
+  print("Brownian 0.01", usual);
+  print("Brownian 0.1", measure(dt, frames, brownian(0.1)));
+  print("shear 0.0002", measure(dt, frames, [&](const Point& p) {
+          return Point(p.x() + 0.0002 * (p.y() - side / 2), p.y());
+        }));
+  print("expansion 0.01",
+        measure(dt, frames, [&](const Point& p) { return Point(1.01 * p.x(), 1.01 * p.y()); }));
+  const bool is_good = dt.is_certified() && dt.is_valid();
+  if (this_rank == 0 && !is_good)
+    std::fprintf(stderr, "the triangulation is not valid\n");
+  if (this_rank == 0 && has_model && number_of_ranks > 1)
+    for (const double points_per_rank : {1e5, 1e6, 1e7})
+      print_model(usual, points_per_rank);
+  MPI_Finalize();
+  return is_good ? 0 : 1;
+}
