@@ -12,9 +12,10 @@
 //   curves.palette = palettes.dark; curves.draw()
 //   curves.onPick = frame => ...         a click or a drag on a chart
 //
-// A line may have a `color`, the name of a color of the palette. Values that are NaN leave a gap. `first`: the number of the frame of the first value (0). `format`: a function from a
-// value to text. `low`, `high`: ends of the scale, else those of the values. A chart with more values than pixels draws
-// the least and the largest value of each pixel, so that no peak is lost.
+// A line may have a `color`, the name of a color of the palette or the number of one of its curves. Values that are NaN
+// leave a gap. `first`: the number of the frame of the first value (0). `format`: a function from a value to text. `low`,
+// `high`: ends of the scale, else those of the values. A chart with more values than pixels draws the least and the largest
+// value of each pixel, so that no peak is lost.
 
 import { palettes, preferredTheme } from "./palettes.js";
 
@@ -221,7 +222,8 @@ export class Curves {
   }
 
   colorOf({ color }, i) {
-    return color ? this.palette[color] : this.palette.curves[i % this.palette.curves.length];
+    const { curves } = this.palette;
+    return typeof color === "string" ? this.palette[color] : curves[(color ?? i) % curves.length];
   }
 
   writeValues({ lines, marks, outputs, format = shortNumber }) {

@@ -10,16 +10,18 @@ const shownFrames = 240;
 
 const percent = value => Number.isFinite(value) ? (100 * value).toFixed(value < 0.1 ? 2 : 1) + " %" : "–";
 
-const withDelaunator = of => delaunator === null ? [] : [{ name: "delaunator", of }];
+// Of a time, what the opponents take; if there is no delaunator, it has no line.
+const opponentLines = of => [
+  { name: "anew", color: 1, of: state => of(state, state.staticTime) },
+  ...(delaunator === null ? [] : [{ name: "delaunator", color: 2, of: state => of(state, state.delaunatorTime) }]),
+];
 
 // Of each line: what it shows of a frame's state.
 const charts = [
   { title: "Time of an update", unit: "ns a point", isLogarithmic: true,
-    lines: [{ name: "kept", of: state => state.time }, { name: "anew", of: state => state.staticTime },
-            ...withDelaunator(state => state.delaunatorTime)] },
+    lines: [{ name: "kept", of: state => state.time }, ...opponentLines((state, time) => time)] },
   { title: "Speedup over", format: value => Number.isFinite(value) ? value.toFixed(1) : "–", low: 0,
-    lines: [{ name: "anew", of: state => state.staticTime / state.time },
-            ...withDelaunator(state => state.delaunatorTime / state.time)] },
+    lines: opponentLines((state, time) => time / state.time) },
   { title: "Right edges", high: 1, format: value => Number.isFinite(value) ? value.toFixed(4) : "–",
     lines: [{ of: state => 1 - state.wrong / Math.max(1, state.edges) }] },
   { title: "Share of the points", low: 0, format: percent,

@@ -5,7 +5,7 @@
 
     playground_in_a_browser.py CHROMIUM CHROMEDRIVER SITE [DIRECTORY]
 
-SITE is the folder that `./dev page` builds. Scenarios run, points are dragged, added and removed by synthetic events, keys
+SITE is the folder that `./dev page` builds. Scenarios run, points are dragged, added and removed by mouse and finger, keys
 are pressed, settings changed and links followed, as a person does it. Every frame of an exact classifier that is shown has
 to be certified, and some are proved here once more, in rational numbers. Nothing may be wider than the screen or cut, or
 be written to the console. With a DIRECTORY pictures of the pages, light and dark, are put there to be looked at, and how
@@ -68,18 +68,15 @@ PLACE = """
 const box = playground.picture.canvas.getBoundingClientRect(), { view, scene } = playground.picture;
 const at = x => [box.left + view.x(x[0]), box.top + view.y(x[1])];
 """
-POINTER = PLACE + """
-const [type, x, y] = arguments;
-playground.picture.canvas.dispatchEvent(new PointerEvent(type, { pointerId: 1, button: 0, clientX: x, clientY: y,
-                                                                bubbles: true, pointerType: "mouse" }));"""
 
 
 class Page:
     """A page in the browser, and what is wrong with it."""
 
-    def __init__(self, browser, address, faults):
-        self.browser, self.address, self.faults = browser, address, faults
+    def __init__(self, browser, address, faults, has_fingers):
+        self.browser, self.address, self.faults, self.has_fingers = browser, address, faults, has_fingers
         self.name = ""
+        self.is_pressed = False
 
     def run(self, script, *arguments):
         return self.browser.execute_script(script, *arguments)
@@ -111,8 +108,26 @@ class Page:
     def press(self, key):
         self.run("document.body.dispatchEvent(new KeyboardEvent('keydown', { key: arguments[0], bubbles: true }))", key)
 
-    def pointer(self, kind, x, y):
-        self.run(POINTER, kind, x, y)
+    def press_at(self, x, y):
+        """With a finger or the mouse, as the screen is."""
+        self.point("touchStart", "mousePressed", x, y)
+
+    def move_to(self, x, y):
+        self.point("touchMove", "mouseMoved", x, y)
+
+    def lift_at(self, x, y):
+        self.point("touchEnd", "mouseReleased", x, y)
+
+    def point(self, touch, mouse, x, y):
+        if self.has_fingers:
+            points = [] if touch == "touchEnd" else [{"x": x, "y": y}]
+            self.browser.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": touch, "touchPoints": points})
+        else:
+            self.is_pressed = mouse == "mousePressed" or (mouse == "mouseMoved" and self.is_pressed)
+            self.browser.execute_cdp_cmd("Input.dispatchMouseEvent", {
+                "type": mouse, "x": x, "y": y, "clickCount": 0 if mouse == "mouseMoved" else 1,
+                "button": "none" if mouse == "mouseMoved" and not self.is_pressed else "left",
+                "buttons": 1 if self.is_pressed else 0})
 
     def choose(self, name, value):
         self.run("""const field = document.getElementById(arguments[0]);
@@ -145,6 +160,7 @@ def opened(chromium, driver, screen, downloads):
     browser = webdriver.Chrome(service=Service(driver), options=options)
     try:
         resize(browser, width, height)
+        browser.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": screen == "phone"})
         yield browser
     finally:
         browser.quit()
@@ -239,15 +255,15 @@ def drags_a_point(page):
         const middle = at([low[0] / 2 + high[0] / 2, low[1] / 2 + high[1] / 2]);
         const number = playground.picture.nearestPoint(middle[0] - box.left, middle[1] - box.top, 100);
         return [number, ...at(scene.positions.slice(2 * number, 2 * number + 2))];""")
-    page.pointer("pointerdown", x, y)
+    page.press_at(x, y)
     for k in range(1, 9):
-        page.pointer("pointermove", x + 5 * k, y - 4 * k)
+        page.move_to(x + 5 * k, y - 4 * k)
         time.sleep(0.03)
     distance = f"""(() => {{ {PLACE} const [x, y] = at(scene.positions.slice({2 * number}, {2 * number + 2}));
                        return Math.hypot(x - {x + 40}, y - {y - 32}); }})()"""
     page.until(f"{distance} < 25", "the point is not dragged")
     page.check(page.run("return playground.state.held") > 0, "it does not say that a point is held")
-    page.pointer("pointerup", x + 40, y - 32)
+    page.lift_at(x + 40, y - 32)
     page.until("playground.state.held === 0", "the point is not let go")
     page.check(page.run("return seen.uncertified") == 0, "a frame is not certified while a point is dragged")
     expect_delaunay(page)
@@ -261,14 +277,14 @@ def adds_and_removes_points(page):
         page.press("a")
         x, y = page.run(PLACE + "const { low, high } = view.fitted;"
                                 "return at([0.3 * low[0] + 0.7 * high[0], 0.3 * low[1] + 0.7 * high[1]]);")
-        page.pointer("pointerdown", x, y)
-        page.pointer("pointermove", x - 40, y)
-        page.pointer("pointerup", x - 40, y)
+        page.press_at(x, y)
+        page.move_to(x - 40, y)
+        page.lift_at(x - 40, y)
         page.until("playground.state.points === 202", "two points are not added")
         page.press("x")
         x, y = page.run(PLACE + "return at(scene.positions.slice(20, 22));")
-        page.pointer("pointerdown", x, y)
-        page.pointer("pointerup", x, y)
+        page.press_at(x, y)
+        page.lift_at(x, y)
         page.until("playground.state.points === 201", "no point is removed")
         step = page.steps()
         page.until(f"playground.state.step > {step + 10}", "it does not go on")
@@ -380,7 +396,9 @@ def balances_a_pendulum(page):
     page.open("pendulum in a hand", "#scenario=pendulum")
     page.until("playground.state.step > 3", "it does not run")
     x, y = page.run(PLACE + "return at(scene.marks[0]);")
-    page.pointer("pointermove", x + 60, y)
+    if page.has_fingers:
+        page.press_at(x, y)
+    page.move_to(x + 60, y)
     page.until(f"(() => {{ {PLACE} return Math.abs(at(scene.marks[0])[0] - {x + 60}) < 2; }})()", "the hand does not follow")
     before = page.run("return playground.picture.scene.marks[0][0]")
     page.press("ArrowLeft")
@@ -439,7 +457,7 @@ def main(chromium, driver, site, directory=None):
             downloads = pathlib.Path(folder) / screen
             downloads.mkdir()
             with opened(chromium, driver, screen, downloads) as browser:
-                page = Page(browser, f"http://127.0.0.1:{served.server_port}/", faults)
+                page = Page(browser, f"http://127.0.0.1:{served.server_port}/", faults, screen == "phone")
                 plays_every_scenario(page, width)
                 proves_its_pictures(page)
                 drags_a_point(page)
