@@ -66,7 +66,7 @@ public:
     return value.get<std::uint64_t>();
   }
 
-  // Of things in memory, at least one.
+  // Of things, at least one.
   std::size_t count(const std::string& key, std::size_t high) const
   {
     return static_cast<std::size_t>(integer(key, 1, high));
@@ -464,7 +464,7 @@ Scenario_description parse_scenario(const std::string& file, const std::string& 
   }
   description.name = reader.word("name");
   description.seed = reader.integer("seed", 0, (std::numeric_limits<std::uint64_t>::max)());
-  description.frames = reader.integer("frames", 1, 1'000'000'000);
+  description.frames = reader.count("frames", 1'000'000'000);
   return description;
 }
 

@@ -311,6 +311,11 @@ def changes_the_method(page):
     page.until("playground.picture.scene.triangles && playground.picture.scene.wrong.length > 0", "there are no triangles")
     fault = fault_of(*page.run("const { positions, triangles } = playground.picture.scene; return [[...positions], [...triangles]]"))
     page.check(fault is not None, "wrong edges are no fault")
+    page.press("a")
+    x, y = page.run(PLACE + "return at(scene.outline[2].map(side => 0.7 * side));")
+    page.press_at(x, y)
+    page.lift_at(x, y)
+    page.until("playground.state.points === 1009", "no point is added to what is not certified")
     page.press(" ")
     page.choose("parameter", "7")
     page.until("!document.getElementById('refused').hidden", "a probability of 7 is not refused")
@@ -426,6 +431,19 @@ def explains(page, width):
     page.console()
 
 
+def begins_with_a_list_of_pages(page, width):
+    page.open("first page", file="index.html")
+    page.look(width)
+    page.console()
+    links = page.run("return [...document.querySelectorAll('a')].map(link => link.getAttribute('href'))")
+    page.check(len(links) == 3, f"it leads to {links}")
+    for link in links:
+        page.open(link, file=link)
+        page.until("document.querySelector('h1, canvas, svg')", "there is nothing")
+        time.sleep(0.5)
+        page.console()
+
+
 def draw(page, screen, directory):
     width, height = SCREENS[screen]
     for name, link in {**LINKS, "large": "#scenario=brownian&points=10000&layers=edges+points+changed",
@@ -458,6 +476,7 @@ def main(chromium, driver, site, directory=None):
             downloads.mkdir()
             with opened(chromium, driver, screen, downloads) as browser:
                 page = Page(browser, f"http://127.0.0.1:{served.server_port}/", faults, screen == "phone")
+                begins_with_a_list_of_pages(page, width)
                 plays_every_scenario(page, width)
                 proves_its_pictures(page)
                 drags_a_point(page)
