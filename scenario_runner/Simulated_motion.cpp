@@ -304,6 +304,12 @@ void Particle_system::remove(std::uint32_t particle)
   m_bonds.break_all_of(particle);
 }
 
+void Particle_system::put(std::uint32_t particle, const Point& position)
+{
+  m_positions[particle] = position;
+  m_velocities[particle] = {0.0, 0.0};
+}
+
 void Particle_system::step(const Neighbor_edges& neighbors, double time_step)
 {
   compute_forces(neighbors);

@@ -151,9 +151,12 @@ public:
   // At rest, without bonds, and with the next number.
   void add(const Point& position);
 
-  // Its bonds break, and it is nowhere: its position and velocity are NaN, and so is energy() from
-  // now on. The others keep their numbers; edges must not name it any more.
+  // Its bonds break, and it is nowhere: its position and velocity are NaN, and so is energy() as
+  // long as it is not put somewhere. The others keep their numbers; edges must not name it.
   void remove(std::uint32_t particle);
+
+  // At rest, with the bonds that it has.
+  void put(std::uint32_t particle, const Point& position);
 
   // Of the box; none if it is closed.
   std::optional<Cell> cell() const;

@@ -45,6 +45,8 @@ public:
   virtual void add(const Point& place) = 0;
   // The point's neighbors are not asked for any more; where it is has no meaning.
   virtual void remove(std::uint32_t point) = 0;
+  // A point that was removed.
+  virtual void put_back(std::uint32_t point, const Point& place) = 0;
   virtual void advance(const Neighbor_edges& neighbors) = 0;
 };
 
@@ -82,6 +84,7 @@ public:
 
   void add(const Point& place) override { m_system.add(place); }
   void remove(std::uint32_t point) override { m_system.remove(point); }
+  void put_back(std::uint32_t point, const Point& place) override { m_system.put(point, place); }
   void advance(const Neighbor_edges& neighbors) override { m_system.step(neighbors, m_time_step); }
 
 private:
@@ -116,6 +119,7 @@ public:
   void hold(std::uint32_t point, const Point& place) override { m_held.emplace_back(point, place); }
   void add(const Point& place) override { m_motion.add(place); }
   void remove(std::uint32_t) override {} // it walks on, unseen
+  void put_back(std::uint32_t point, const Point& place) override { m_motion.put(point, place); }
 
   void advance(const Neighbor_edges& neighbors) override
   {

@@ -102,6 +102,11 @@ EMSCRIPTEN_KEEPALIVE void motion_remove(Player* player, std::uint32_t point)
   player->motion->remove(point);
 }
 
+EMSCRIPTEN_KEEPALIVE void motion_put_back(Player* player, std::uint32_t point, double x, double y)
+{
+  player->motion->put_back(point, {x, y});
+}
+
 // Where two numbers of points are written for each of so many edges, before the next step.
 EMSCRIPTEN_KEEPALIVE void* motion_neighbors(Player* player, std::size_t number_of_edges)
 {

@@ -7,17 +7,17 @@
 //   motion.setField(0, -0.0005);                        acceleration; of Brownian points a drift, in spacings a step
 //   motion.hold(7, x, y);                               draws point 7 to this place in the next step
 //   motion.add(x, y); motion.remove(7);                 numbers of points stay
+//   motion.putBack(7, x, y);                            one that was removed
 //   motion.advance(edges);                              a step; edges: two numbers of points for each
 //   motion.points()                                     Float64Array, a copy
 //   motion.close();
 
+import { read } from "./read.mjs";
+
 let loaded;
 
 async function load() {
-  const address = new URL("motion.wasm", import.meta.url);
-  const bytes = address.protocol === "file:" ? await (await import("node:fs/promises")).readFile(address)
-    : await (await fetch(address)).arrayBuffer();
-  const module = await WebAssembly.compile(bytes);
+  const module = await WebAssembly.compile(await read(new URL("motion.wasm", import.meta.url)));
   // What the standard library would ask of a system: there is none.
   const imports = {};
   for (const { module: from, name } of WebAssembly.Module.imports(module)) {
@@ -58,6 +58,7 @@ export class Motion {
   setField(x, y) { this.wasm.motion_set_field(this.player, x, y); }
   hold(point, x, y) { this.wasm.motion_hold(this.player, this.checked(point), x, y); }
   add(x, y) { this.wasm.motion_add(this.player, x, y); }
+  putBack(point, x, y) { this.wasm.motion_put_back(this.player, this.checked(point), x, y); }
   remove(point) { this.wasm.motion_remove(this.player, this.checked(point)); }
 
   advance(edges) {

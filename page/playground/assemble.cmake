@@ -9,7 +9,7 @@
 
 file(COPY "${ROOT}/page/drawing" "${ROOT}/page/playground" "${ROOT}/page/index.html" "${ROOT}/scenarios" DESTINATION "${SITE}"
   PATTERN "*.cmake" EXCLUDE PATTERN CMakeLists.txt EXCLUDE)
-file(COPY "${ROOT}/page/motion/motion.mjs" DESTINATION "${SITE}/motion")
+file(COPY "${ROOT}/page/motion/motion.mjs" "${ROOT}/page/motion/read.mjs" DESTINATION "${SITE}/motion")
 file(COPY "${PACKAGE}/" DESTINATION "${SITE}/package")
 if(EXISTS "${DELAUNATOR}/delaunator.min.js")
   file(COPY "${DELAUNATOR}/delaunator.min.js" "${DELAUNATOR}/LICENSE" DESTINATION "${SITE}/delaunator")

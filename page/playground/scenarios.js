@@ -4,6 +4,8 @@
 // What can be played: the scenarios of scenarios/*.json, which `./dev run` runs as well, and the pendulum. A person may
 // put any of them into the open plane, a slab or a periodic cell.
 
+import { read } from "../motion/read.mjs";
+
 export const scenarios = {
   dam_break: { text: "Dam break", points: 1008 },
   explosion: { text: "Explosion", points: 968 },
@@ -26,8 +28,8 @@ export const pendulum = { pivot: [45, 16.5], top: [45, 39.5] };
 const usualGravity = { particles: 0.0005, brownian: 0.02 };
 
 export async function loadScenario(name) {
-  const answer = await fetch(new URL((scenarios[name].folder ?? "../scenarios/") + name + ".json", import.meta.url));
-  return answer.json();
+  const address = new URL((scenarios[name].folder ?? "../scenarios/") + name + ".json", import.meta.url);
+  return JSON.parse(new TextDecoder().decode(await read(address)));
 }
 
 export function usualGravityOf({ gravity }) {

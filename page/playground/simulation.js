@@ -180,15 +180,20 @@ export class Simulation {
       return;
     }
     this.mendForChange();
-    this.motion.add(x, y);
-    this.triangulation.insert([x, y]);
+    const [id] = this.triangulation.insert([x, y]);
     this.static.insert([x, y]);
-    const positions = new Float64Array(this.positions.length + 2);
-    positions.set(this.positions);
-    positions.set([x, y], this.positions.length);
-    const speeds = new Float32Array(this.speeds.length + 1);
-    speeds.set(this.speeds);
-    Object.assign(this, { positions, speeds, edges: null });
+    if (this.removed.delete(id)) { // ids of removed points are given again
+      this.motion.putBack(id, x, y);
+    } else {
+      this.motion.add(x, y);
+      const positions = new Float64Array(this.positions.length + 2), speeds = new Float32Array(this.speeds.length + 1);
+      positions.set(this.positions);
+      speeds.set(this.speeds);
+      Object.assign(this, { positions, speeds });
+    }
+    this.positions.set([x, y], 2 * id);
+    this.speeds[id] = 0;
+    this.edges = null;
   }
 
   remove(id) {

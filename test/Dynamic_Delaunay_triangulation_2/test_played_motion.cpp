@@ -120,6 +120,17 @@ TEST(Played_particles, that_are_removed_pull_at_no_bond_and_leave_the_others_the
   EXPECT_EQ(parted->points()[2].x, 2.5);
 }
 
+TEST(Played_particles, that_were_removed_can_be_put_back_and_rest)
+{
+  const auto motion = row_of_discs(2, "true");
+  motion->hold(0, {9.0, 9.0});
+  motion->advance({});
+  motion->remove(0);
+  motion->put_back(0, {5.0, 7.0});
+  motion->advance({});
+  EXPECT_EQ(distance(motion->points()[0], {5.0, 7.0}), 0.0);
+}
+
 TEST(Played_walk, drifts_with_the_wind_in_spacings)
 {
   const auto calm = walk("periodic"), windy = walk("periodic");
