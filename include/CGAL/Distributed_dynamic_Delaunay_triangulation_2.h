@@ -110,7 +110,8 @@ public:
   ///
   /// The load factor says how many times as many points a rank may hold as the fullest rank did
   /// when that was least since the last distribution, and may own as a rank does on average; with
-  /// more, and with 64 points more, all are distributed anew.
+  /// more, and with 64 points more, all are distributed anew; for points that are held, only after
+  /// 32 calls without a distribution.
   ///
   /// Cost: sorting, sending and triangulating all points once, and some rounds of questions.
   /// \tparam InputIterator its values are pairs of an `Id` and a `Point`.
@@ -478,6 +479,9 @@ private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   // So many points more are never too many.
   static constexpr double spare_load = 64;
+  // Where points move so fast that ranks ask in every frame, they hold many ghosts whatever they
+  // own: it is not tried in vain too often.
+  static constexpr int calls_between_distributions = 32;
 
   static void check(const Point& p, size_type place)
   {
@@ -520,6 +524,7 @@ private:
     m_proof.forget_zone();
     prove();
     m_settled_load = double(m_ranks.largest(load())[0]);
+    m_calls_since_distribution = 0;
   }
 
   void write_checkpoint(const std::string& path, const char* data, size_type size)
@@ -621,11 +626,13 @@ private:
       return;
     const std::array<std::uint64_t, 2> most = m_ranks.largest(load());
     const double owned = double(m_ranks.sum(number_of_owned_points())) / double(m_ranks.size());
-    if (double(most[0]) > m_load_factor * m_settled_load + spare_load ||
-        double(most[1]) > m_load_factor * owned + spare_load)
-      distribute();
-    else // ghosts that questions have brought are dropped where they are not needed
-      m_settled_load = (std::min)(m_settled_load, double(most[0]));
+    const bool holds_many = double(most[0]) > m_load_factor * m_settled_load + spare_load;
+    const bool owns_many = double(most[1]) > m_load_factor * owned + spare_load;
+    if (owns_many || (holds_many && m_calls_since_distribution >= calls_between_distributions))
+      return distribute();
+    ++m_calls_since_distribution;
+    // ghosts that questions have brought are dropped where they are not needed
+    m_settled_load = (std::min)(m_settled_load, double(most[0]));
   }
 
   // Held points, and own ones.
@@ -641,6 +648,7 @@ private:
   Order m_order;
   double m_load_factor;
   double m_settled_load = 0; // the most points that a rank holds, at its lowest since distribution
+  int m_calls_since_distribution = 0;
   size_type m_distributions = 0;
   bool m_is_certified = false;
 };

@@ -110,7 +110,7 @@ void mixed_points_are_distributed_anew()
   Distributed dt(MPI_COMM_WORLD, own.begin(), own.end());
   std::size_t distributions = 0;
   std::uniform_real_distribution<double> coordinate(0, 45);
-  for (int frame = 0; frame < 32; ++frame) {
+  for (int frame = 0; frame < 48; ++frame) {
     const std::vector<Id> before = dt.owned_ids();
     for (auto& [id, p] : population)
       if (frame >= 12 && random() % 5 == 0)
@@ -126,6 +126,21 @@ void mixed_points_are_distributed_anew()
   expect(number_of_ranks == 1 || distributions > 0, "points that mix are distributed anew");
   dt.distribute();
   expect_exact(dt, population, "distributed by hand");
+}
+
+void fast_points_are_not_distributed_in_every_frame()
+{
+  std::mt19937 random(9);
+  Population population = random_points(1000, random);
+  const auto own = own_part(population, in_order);
+  Distributed dt(MPI_COMM_WORLD, own.begin(), own.end(), 1);
+  for (int frame = 0; frame < 40; ++frame) {
+    for (auto& [id, p] : population)
+      p = Point(1.05 * p.x(), 1.05 * p.y());
+    update(dt, population);
+  }
+  expect_exact(dt, population, "fast points");
+  expect(dt.number_of_distributions() <= 2, "fast points are seldom distributed");
 }
 
 void bad_load_factors_are_refused()
@@ -147,6 +162,7 @@ int main(int argc, char** argv)
   calm_frames_need_no_questions();
   ghosts_that_went_away_are_dropped();
   mixed_points_are_distributed_anew();
+  fast_points_are_not_distributed_in_every_frame();
   bad_load_factors_are_refused();
   MPI_Finalize();
 }

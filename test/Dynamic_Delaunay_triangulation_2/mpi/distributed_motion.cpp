@@ -57,7 +57,7 @@ private:
     m_dt.update(m_points.begin(), m_points.end());
   }
 
-  static double push(double x) { return std::max(0.0, 0.5 - x) - std::max(0.0, x - 39.5); }
+  static double push(double x) { return (std::max)(0.0, 0.5 - x) - (std::max)(0.0, x - 39.5); }
 
   CGAL::Dynamic_Delaunay_triangulation_2<Kernel> m_dt;
   Points m_points;

@@ -173,7 +173,7 @@ inline void expect_exact(const Distributed& dt, const Population& population,
   std::uint64_t faces = 0;
   dt.for_each_face([&](const auto& ids) {
     ++faces;
-    for (const std::size_t k : {0, 1, 2})
+    for (std::size_t k = 0; k < 3; ++k)
       of_faces.push_back(std::minmax(ids[k], ids[(k + 1) % 3]));
   });
   expect(dt.is_certified(), what + ": certified");
