@@ -308,6 +308,15 @@ test("arrays stay when memory grows", async () => {
   assert.equal(first.update([0, 0, 2, 0, 0, 1]).certified, true);
 });
 
+test("the code of the README runs", async () => {
+  const readme = readFileSync(new URL("README.md", folder), "utf8");
+  const [, code] = readme.match(/^```js\n(.*?)^```$/ms);
+  const runnable = code.replace('"dynamic-delaunay"', `"${new URL("dynamic_delaunay.mjs", folder)}"`);
+  const { triangulation } = await import(`data:text/javascript,${encodeURIComponent(`${runnable}\nexport { triangulation };`)}`);
+  assert.ok(triangulation.isCertified);
+  assert.equal(triangulation.points()[3], 1);
+});
+
 test("a module is at most 200 kB when it is compressed", () => {
   for (const module of ["dynamic_delaunay.wasm", "dynamic_delaunay_periodic.wasm"]) {
     const size = gzipSync(readFileSync(new URL(module, folder)), { level: 9 }).length;
