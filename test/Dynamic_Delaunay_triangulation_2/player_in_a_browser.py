@@ -37,10 +37,8 @@ const runs = RUNS, screens = SCREENS, faults = [];
 async function look(name, expected, screen, [width, height]) {
   const frame = document.body.appendChild(document.createElement("iframe"));
   frame.style = `position: absolute; top: 0; left: 0; border: 0; width: ${width}px; height: ${height}px`;
-  await new Promise(done => { frame.onload = done; frame.src = expected.page; });
+  await new Promise(done => { frame.onload = done; frame.src = expected.timed; });
   const page = frame.contentDocument, window = frame.contentWindow, $ = id => page.getElementById(id);
-  // In virtual time no screen asks for frames.
-  window.requestAnimationFrame = draw => window.setTimeout(() => draw(window.performance.now()), 16);
   const drawing = () => new Promise(done => setTimeout(done, 50));
   await drawing();
   const check = (holds, text) => holds || faults.push(`${name} on a ${screen}: ${text}`);
@@ -167,7 +165,18 @@ def written(program, folder, name, arguments):
         delaunay = re.search(r'Name="delaunay"[^>]*>(.*?)</DataArray>', content, re.S)[1].split()
         frames.append({"points": points, "edges": edges_of(grid), "wrong": "0" in delaunay,
                        "certified": row["certified"] == "1" if row else True})
-    return {"page": page.as_uri(), "frames": frames, "title": "coming & <going>" if name == "population" else arguments[0]}
+    return {"page": page.as_uri(), "timed": in_virtual_time(page).as_uri(), "frames": frames, "title": "coming & <going>" if name == "population" else arguments[0]}
+
+
+def in_virtual_time(page):
+    """A copy of the page that draws by a timer from its beginning: in virtual time no screen asks for frames."""
+    timer = "<script>requestAnimationFrame = draw => setTimeout(() => draw(performance.now()), 16);</script>"
+    start, meta, rest = page.read_text().partition('<meta charset="utf-8">')
+    if not meta:
+        sys.exit(f"{page.name} has no place for a script before its own")
+    copy = page.with_name("timed_" + page.name)
+    copy.write_text(start + meta + timer + rest)
+    return copy
 
 
 def started(chromium, folder, page, *options):
