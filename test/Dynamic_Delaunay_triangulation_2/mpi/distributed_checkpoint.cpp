@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <random>
 #include <string>
@@ -25,7 +26,8 @@ std::string file_name()
 {
   long process = getpid();
   MPI_Bcast(&process, 1, MPI_LONG, 0, MPI_COMM_WORLD);
-  return "/tmp/distributed_checkpoint_" + std::to_string(process);
+  const std::string name = "distributed_checkpoint_" + std::to_string(process);
+  return (std::filesystem::temp_directory_path() / name).string();
 }
 
 Population random_points()
