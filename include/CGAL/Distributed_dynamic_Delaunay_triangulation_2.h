@@ -170,10 +170,7 @@ public:
     });
     m_is_certified = false;
     m_points.move(next);
-    Update_report_2 report = m_points.exchange();
-    report += prove();
-    balance();
-    return report;
+    return complete(Update_report_2());
   }
 
   /// @}
@@ -197,11 +194,7 @@ public:
     m_ranks.agree([&] { entries = read(first, beyond); });
     check_new(ids_of(entries));
     m_is_certified = false;
-    Update_report_2 report = m_points.insert(entries);
-    report += m_points.exchange();
-    report += prove();
-    balance();
-    return report;
+    return complete(m_points.insert(entries));
   }
 
   /// removes points, whatever ranks own them. Collective; a rank may give none.
@@ -219,11 +212,7 @@ public:
     m_ranks.agree([&] { given.assign(first, beyond); });
     const std::vector<Index> own = own_places(given);
     m_is_certified = false;
-    Update_report_2 report = m_points.remove(own);
-    report += m_points.exchange();
-    report += prove();
-    balance();
-    return report;
+    return complete(m_points.remove(own));
   }
 
   /// @}
@@ -610,6 +599,15 @@ private:
     if (first != all.end())
       throw Unknown_user_id_error_2(*first);
     return places;
+  }
+
+  // What follows when own points have changed.
+  Update_report_2 complete(Update_report_2 report)
+  {
+    report += m_points.exchange();
+    report += prove();
+    balance();
+    return report;
   }
 
   Update_report_2 prove()

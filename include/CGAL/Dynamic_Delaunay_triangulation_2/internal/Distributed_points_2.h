@@ -159,9 +159,10 @@ public:
   Update_report_2 exchange()
   {
     std::vector<Message_2> messages = m_ranks.empty_messages();
+    const Owned_boxes boxes = owned_boxes();
     for (std::size_t r = 0; r < m_links.size(); ++r)
       if (r != std::size_t(m_ranks.rank()))
-        write_frame(r, messages[r]);
+        write_frame(r, boxes, messages[r]);
     m_ranks.start(std::move(messages));
     std::vector<std::size_t> gone;
     std::vector<Coming> coming;
@@ -250,6 +251,15 @@ private:
     Entry entry;
   };
 
+  // Around all own points, and around each stretch of them, which are mostly close together. Few
+  // zones of many ranks are near: without boxes each point would be looked at for each rank.
+  struct Owned_boxes
+  {
+    Box_2 all;
+    std::vector<Box_2> stretches;
+  };
+  static constexpr std::size_t stretch = 64;
+
   // So many frames outside of the zone a point is still sent: it may come back, and what was asked
   // for in one frame is often needed in the next ones.
   static constexpr std::uint8_t patience = 8;
@@ -275,17 +285,43 @@ private:
     }
   }
 
+  Owned_boxes owned_boxes() const
+  {
+    Owned_boxes boxes;
+    boxes.stretches.resize((m_owned.size() + stretch - 1) / stretch);
+    for (std::size_t k = 0; k < m_owned.size(); ++k) {
+      const Point& p = m_points[m_owned[k]];
+      boxes.stretches[k / stretch].add(p.x(), p.y());
+      boxes.all.add(p.x(), p.y());
+    }
+    return boxes;
+  }
+
+  void export_to_zone(std::size_t r, const Owned_boxes& boxes)
+  {
+    const Distributed_zone_2& zone = m_zones[r];
+    if (!zone.may_meet(boxes.all))
+      return;
+    for (std::size_t s = 0; s < boxes.stretches.size(); ++s) {
+      if (!zone.may_meet(boxes.stretches[s]))
+        continue;
+      const std::size_t beyond = (std::min)((s + 1) * stretch, m_owned.size());
+      for (std::size_t k = s * stretch; k < beyond; ++k) {
+        const Index place = m_owned[k];
+        if (!is_exported(place, r) && zone.contains(m_points[place].x(), m_points[place].y()))
+          export_to(r, place);
+      }
+    }
+  }
+
   // Numbers of exports that end and that begin; the places in the list of those that end; positions
   // of those that stay; and the new points.
-  void write_frame(std::size_t r, Message_2& message)
+  void write_frame(std::size_t r, const Owned_boxes& boxes, Message_2& message)
   {
     Link& link = m_links[r];
     const std::vector<std::uint64_t> ending = drop_exports(r);
     const std::size_t staying = link.exports.size();
-    if (!m_zones[r].is_empty())
-      for (const Index place : m_owned)
-        if (!is_exported(place, r) && m_zones[r].contains(m_points[place].x(), m_points[place].y()))
-          export_to(r, place);
+    export_to_zone(r, boxes);
     const std::size_t beginning = link.exports.size() - staying;
     if (link.exports.empty() && ending.empty())
       return;

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -57,6 +58,14 @@ public:
     return is_in_box(c) && m_are_deep[cell(c.column, c.row)] != 0;
   }
   double depth() const { return double(deep_cells) / m_scale * (1 - 0x1p-30); }
+
+  // Whether a place in the box may be in the zone, which has come as words. If not, none is.
+  bool may_meet(const Box_2& box) const
+  {
+    return !box.is_empty() && column_of(box.x_low) <= m_last.column &&
+           row_of(box.y_low) <= m_last.row && column_of(box.x_high) >= m_first.column &&
+           row_of(box.y_high) >= m_first.row;
+  }
 
   // Whether it can be seen quickly that all places in the box are in the zone.
   bool covers(const Box_2& box) const
@@ -130,7 +139,7 @@ public:
     return words;
   }
 
-  // For `contains()` alone.
+  // For `contains()` and `may_meet()` alone.
   template <class Iterator>
   static Distributed_zone_2 of_words(Iterator words, Iterator beyond)
   {
@@ -148,6 +157,7 @@ public:
     zone.m_listed.assign(words, words + listed);
     for (words += listed; words != beyond; ++words)
       zone.m_cells.insert(zone.m_cells.end(), *words >> 1, std::uint8_t(*words & 1));
+    zone.find_bounds();
     return zone;
   }
 
@@ -197,6 +207,20 @@ private:
       for (long column = low.column; column <= high.column; ++column)
         if (!is_in_box({column, row}))
           m_listed.push_back(packed({column, row}));
+  }
+  void find_bounds()
+  {
+    for (long row = 0; row < m_rows; ++row)
+      for (long column = 0; column < m_columns; ++column)
+        if (m_cells[cell(column, row)] != 0)
+          widen({column, row});
+    for (const std::uint64_t listed : m_listed)
+      widen({std::int32_t(std::uint32_t(listed)), std::int32_t(listed >> 32)});
+  }
+  void widen(Cell c)
+  {
+    m_first = {(std::min)(m_first.column, c.column), (std::min)(m_first.row, c.row)};
+    m_last = {(std::max)(m_last.column, c.column), (std::max)(m_last.row, c.row)};
   }
   std::size_t cell(long column, long row) const { return std::size_t(row * m_columns + column); }
   std::size_t corner(long column, long row) const
