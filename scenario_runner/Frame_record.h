@@ -11,7 +11,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace run {
@@ -35,8 +34,6 @@ struct Frame_record
   double validity = 1.0;
   Frame_times nanoseconds{};
 };
-
-std::string rebuild_reason_name(CGAL::Rebuild_reason_2 reason);
 
 // The sets of thesis 4.1.3, by the numbers that files have for them.
 enum class Vertex_set : std::uint8_t { none, border, padded, classified };

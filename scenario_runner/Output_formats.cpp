@@ -5,6 +5,7 @@
 
 #include "scenario_runner/Lammps_box.h"
 #include "scenario_runner/Number_text.h"
+#include "scenario_runner/Rebuild_reason_name.h"
 
 #include <algorithm>
 #include <functional>

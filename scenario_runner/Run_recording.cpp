@@ -4,6 +4,7 @@
 #include "scenario_runner/Run_recording.h"
 
 #include "scenario_runner/Picture_geometry.h"
+#include "scenario_runner/Rebuild_reason_name.h"
 
 #include <nlohmann/json.hpp>
 

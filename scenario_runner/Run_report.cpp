@@ -4,6 +4,7 @@
 #include "scenario_runner/Run_report.h"
 
 #include "scenario_runner/Number_text.h"
+#include "scenario_runner/Rebuild_reason_name.h"
 #include "scenario_runner/Table.h"
 
 #include <nlohmann/json.hpp>

@@ -121,7 +121,7 @@ const groups = { points: 1, duplicates: 2, edges: 3, triangles: 4, neighborLists
                  changedEdges: 8, sets: 9, brokenEdges: 10 }; // as in bindings/Subject.h
 
 const counts = ["classified", "padded", "border", "flips", "splices", "spliced", "enlargements", "relocated",
-                "inserted", "removed", "merged", "parted"]; // as in bindings/Report_texts.h
+                "inserted", "removed", "merged", "parted"]; // as in bindings/Report_fields.h
 
 // INPUT, which is checked here as far as C++ would not see what is wrong with it
 

@@ -5,7 +5,7 @@
 // then `dd_error_*` says why. Numbers cross the border in buffers in WebAssembly's memory.
 
 #include "bindings/Error_description.h"
-#include "bindings/Report_texts.h"
+#include "bindings/Report_fields.h"
 #include "page/wasm/Subjects.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Decimal_number_2.h>
@@ -256,7 +256,7 @@ EMSCRIPTEN_KEEPALIVE const double* dd_counts(const Triangulation* t)
 // Why the last change triangulated anew, or null.
 EMSCRIPTEN_KEEPALIVE const char* dd_rebuild_reason(const Triangulation* t)
 {
-  return bindings::reason_text(t->report.rebuild_reason);
+  return bindings::rebuild_reason(t->report);
 }
 
 // Computes arrays, which stay until the next ones are computed; the result is their number.

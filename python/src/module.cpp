@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "bindings/Report_texts.h"
+#include "bindings/Report_fields.h"
 #include "python/src/Errors.h"
 #include "python/src/Function_in_python.h"
 #include "python/src/Numpy.h"
@@ -313,9 +313,8 @@ void bind_report(py::module_& module)
                     "bool: whether the triangulation is proved Delaunay")
       .def_property_readonly("rebuilt", &Report::rebuilt,
                              "bool: whether everything was triangulated anew")
-      .def_property_readonly(
-          "rebuild_reason", [](const Report& report) { return reason_text(report.rebuild_reason); },
-          "str: why everything was triangulated anew; None if it was not")
+      .def_property_readonly("rebuild_reason", rebuild_reason,
+                             "str: why everything was triangulated anew; None if it was not")
       .def(py::pickle(
           [](const Report& report) {
             py::list counts;
@@ -340,8 +339,7 @@ void bind_report(py::module_& module)
         out << "UpdateReport(flips=" << report.flips << ", classified=" << report.classified
             << ", inserted=" << report.inserted << ", removed=" << report.removed
             << ", relocated=" << report.relocated << ", rebuild_reason="
-            << (report.rebuilt() ? "'" + std::string(reason_text(report.rebuild_reason)) + "'"
-                                 : "None")
+            << (report.rebuilt() ? "'" + std::string(rebuild_reason(report)) + "'" : "None")
             << ", certified=" << (report.certified ? "True" : "False") << ')';
         return out.str();
       });

@@ -6,7 +6,7 @@
 
 #include "../common/Csv_file.h"
 #include "../common/Table.h"
-#include "scenario_runner/Frame_record.h"
+#include "scenario_runner/Rebuild_reason_name.h"
 #include "Sequence_run.h"
 
 #include <CGAL/Update_report_2.h>
@@ -65,7 +65,8 @@ inline void write_frames(std::ostream& out, const Sequence_figures& figures)
     table.write_row("", frame.frame, frame.points, frame.ratio(), frame.dynamic / points,
                     frame.insert / points, frame.ordered / points, frame.sorted / points,
                     report.classified, report.relocated, report.flips, report.splices,
-                    report.spliced, "  " + run::rebuild_reason_name(report.rebuild_reason));
+                    report.spliced,
+                    std::string("  ") + run::rebuild_reason_name(report.rebuild_reason));
   }
 }
 

@@ -7,8 +7,8 @@
 #include "../common/Csv_file.h"
 #include "../common/Table.h"
 #include "Periodic_run.h"
-#include "scenario_runner/Frame_record.h"
 #include "scenario_runner/Measurement.h"
+#include "scenario_runner/Rebuild_reason_name.h"
 
 #include <CGAL/Update_report_2.h>
 

@@ -6,7 +6,7 @@
 
 #include "../common/Table.h"
 #include "Robustness_run.h"
-#include "scenario_runner/Frame_record.h"
+#include "scenario_runner/Rebuild_reason_name.h"
 
 #include <nlohmann/json.hpp>
 

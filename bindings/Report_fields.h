@@ -1,8 +1,10 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef BINDINGS_REPORT_TEXTS_H
-#define BINDINGS_REPORT_TEXTS_H
+#ifndef BINDINGS_REPORT_FIELDS_H
+#define BINDINGS_REPORT_FIELDS_H
+
+#include "scenario_runner/Rebuild_reason_name.h"
 
 #include <CGAL/Update_report_2.h>
 
@@ -11,30 +13,9 @@
 namespace bindings {
 
 // Null if the frame was not triangulated anew.
-inline const char* reason_text(CGAL::Rebuild_reason_2 reason)
+inline const char* rebuild_reason(const CGAL::Update_report_2& report)
 {
-  using Reason = CGAL::Rebuild_reason_2;
-  switch (reason) {
-  case Reason::NONE:
-    return nullptr;
-  case Reason::REPAIR:
-    return "repair";
-  case Reason::TOO_MUCH_BROKEN:
-    return "too_much_broken";
-  case Reason::STUCK:
-    return "stuck";
-  case Reason::COINCIDENCE:
-    return "coincidence";
-  case Reason::POPULATION:
-    return "population";
-  case Reason::DIMENSION:
-    return "dimension";
-  case Reason::POLICY:
-    return "policy";
-  case Reason::BUDGET_SPENT:
-    return "budget_spent";
-  }
-  return nullptr;
+  return report.rebuilt() ? run::rebuild_reason_name(report.rebuild_reason) : nullptr;
 }
 
 inline constexpr std::array counts_of_reports = {
@@ -47,4 +28,4 @@ inline constexpr std::array counts_of_reports = {
 
 } // namespace bindings
 
-#endif // BINDINGS_REPORT_TEXTS_H
+#endif // BINDINGS_REPORT_FIELDS_H
