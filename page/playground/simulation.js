@@ -313,7 +313,7 @@ export class Simulation {
     }
   }
 
-  // wanted: { triangles, removed }, whether these are shown as well. Arrays are new ones, or nobody's.
+  // wanted: { triangles, removed }, whether these are shown as well. Arrays are new, so they can be sent away.
   frame(wanted) {
     const { triangulation, report } = this;
     this.neighbors();
