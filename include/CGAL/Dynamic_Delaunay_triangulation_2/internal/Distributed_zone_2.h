@@ -169,6 +169,7 @@ private:
 
   static constexpr long most_single_cells = 64; // that are looked at one by one
   static constexpr long deep_cells = 3;
+  static constexpr long no_cell = (std::numeric_limits<long>::max)();
 
   // The cells beyond the box have numbers, too, as far as there are any.
   static long place(double t)
@@ -235,6 +236,8 @@ private:
   std::vector<std::uint8_t> m_are_deep; // of the box
   std::vector<std::uint64_t> m_listed;  // beyond it, ascending
   std::vector<std::uint32_t> m_sums;    // of the cells to the left of and below each corner
+  Cell m_first = {no_cell, no_cell};    // of the zone's cells, in each coordinate
+  Cell m_last = {-no_cell, -no_cell};
 };
 
 } // namespace internal
