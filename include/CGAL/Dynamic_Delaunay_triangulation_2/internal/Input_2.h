@@ -184,23 +184,21 @@ private:
     m_positions.m_are_exact = are_exact;
   }
 
-  // Stages the vertices from v to before `end`, without branches. False if a coordinate is refused:
-  // a coordinate x is finite if 0x is 0, and within the limit if its product with the factor is
-  // finite. Two sums alternate, so that no addition waits for the last.
+  // Stages the vertices from v to before `end`, without branches. False if a coordinate is refused.
+  // Two checks alternate, so that no addition waits for the last.
   template <class RandomAccessIterator, class PointMap>
   bool stage_part(RandomAccessIterator first, const PointMap& point_map, std::size_t v,
                   std::size_t end, bool& are_exact)
   {
     using Difference = typename std::iterator_traits<RandomAccessIterator>::difference_type;
     const Index* const representatives = m_maintained.ids().representatives();
-    const auto stage = [&](std::size_t i, Position_2& zero) {
+    const auto stage = [&](std::size_t i, Limit_check_2& check) {
       // iterators may store or make their values, and maps may refer into these: keep them alive
       const RandomAccessIterator iterator = first + Difference(representatives[i]);
       auto&& value = *iterator;
       const Point& p = get(point_map, value);
       const Position_2 position{CGAL::to_double(p.x()), CGAL::to_double(p.y())};
-      zero.x += 0 * (factor_beyond_limit * position.x);
-      zero.y += 0 * (factor_beyond_limit * position.y);
+      check.add(position);
       are_exact = are_exact && has_exact_position(p);
       m_positions.stage(Index(i), position, p);
     };
@@ -214,7 +212,7 @@ private:
     const std::size_t points = m_maintained.number_of_vertices();
     const std::size_t end_of_prefetching =
         points < min_vertices_to_prefetch ? 0 : points - ahead - 1;
-    Position_2 odd{0, 0}, even{0, 0};
+    Limit_check_2 odd, even;
     for (; v + 1 < end; v += 2) {
       if (v < end_of_prefetching) {
         prefetch_point(v + ahead);
@@ -225,7 +223,7 @@ private:
     }
     if (v < end)
       stage(v, odd);
-    return odd.x + odd.y + even.x + even.y == 0;
+    return odd.holds() && even.holds();
   }
 
   template <class InputIterator, class PointMap>

@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/Interval_nt.h>
@@ -91,6 +92,40 @@ inline bool is_within_limit(double coordinate)
 {
   return std::isfinite(factor_beyond_limit * coordinate);
 }
+
+// Whether all coordinates of some positions are finite and within the limit, found without
+// branches: a coordinate x is finite if 0x is 0, and within the limit if its product with the
+// factor is finite.
+class Limit_check_2
+{
+public:
+  void add(const Position_2& p)
+  {
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2 // g++ takes the coordinates apart
+    const __m128d product = _mm_mul_pd(_mm_set1_pd(factor_beyond_limit), _mm_loadu_pd(&p.x));
+    m_zero = _mm_add_pd(m_zero, _mm_mul_pd(_mm_setzero_pd(), product));
+#else
+    m_zero.x += 0 * (factor_beyond_limit * p.x);
+    m_zero.y += 0 * (factor_beyond_limit * p.y);
+#endif
+  }
+
+  bool holds() const
+  {
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+    return _mm_movemask_pd(_mm_cmpeq_pd(m_zero, _mm_setzero_pd())) == 3;
+#else
+    return m_zero.x == 0 && m_zero.y == 0;
+#endif
+  }
+
+private:
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+  __m128d m_zero = _mm_setzero_pd();
+#else
+  Position_2 m_zero{0, 0};
+#endif
+};
 
 // The position of a point. Throws if its coordinates are not finite, or beyond the limit.
 template <class Point>

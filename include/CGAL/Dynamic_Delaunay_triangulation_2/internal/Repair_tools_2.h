@@ -201,6 +201,8 @@ public:
     const auto may_others_jump = [this] { return m_traffic.number_waiting() < m_movers; };
     for (unsigned round = 0; round < max_rounds && can_take_out() && may_others_jump(); ++round) {
       const std::vector<Index>& edges = round == 0 ? m_open.uncertain() : m_open.opened_last();
+      if (edges.empty())
+        return;
       m_budget.spend(edges.size() * Repair_budget_2::look_for_jumpers);
       const std::vector<Index>& jumpers = m_jumpers.find_jumpers(edges);
       // each counts as a point removed and a point inserted, plus half of that for the search

@@ -151,9 +151,11 @@ private:
       rebuild(change, reason, report);
       return report;
     }
-    m_tools.remove(change.gone);
+    if (change.has_population()) {
+      m_tools.remove(change.gone);
+      m_tools.traffic().announce(change.coming, change.coming_points);
+    }
     m_has_removed = true;
-    m_tools.traffic().announce(change.coming, change.coming_points);
     mend(change, repair);
     put_in(report);
     prove(change, report);
