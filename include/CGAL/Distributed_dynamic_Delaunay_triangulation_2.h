@@ -158,6 +158,7 @@ public:
     std::vector<Point> next;
     m_ranks.agree([&] {
       const size_type n = number_of_owned_points();
+      next.reserve(n);
       for (; first != beyond; ++first) {
         if (next.size() == n)
           throw Point_count_error_2(n, n + 1);

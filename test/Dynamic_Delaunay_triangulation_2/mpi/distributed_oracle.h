@@ -32,7 +32,7 @@ using Points = std::vector<Point>;
 using Population = std::map<Id, Point>;       // the same on all number_of_ranks
 using Edges = std::vector<std::pair<Id, Id>>; // ascending
 
-inline int this_rank, number_of_ranks;
+inline thread_local int this_rank, number_of_ranks; // a thread may be a rank
 
 inline void start(int argc, char** argv)
 {

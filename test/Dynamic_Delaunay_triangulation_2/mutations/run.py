@@ -28,8 +28,8 @@ INTERNAL = ROOT / "include" / "CGAL" / PACKAGE / "internal"
 OPTIONS = ("-std=c++17 -O0 -frounding-math -D_GLIBCXX_ASSERTIONS -DNOMINMAX -DCGAL_USE_GMPXX=1 "
            "-DCGAL_LINKED_WITH_TBB").split()
 COMPILER = os.environ.get("CXX", "g++")
-RUNNER_SOURCES = ["Csv_writer", "Frame_record", "Method_choice", "Number_text", "Output_file", "Progress",
-                  "Table", "Text_input"]
+RUNNER_SOURCES = ["Csv_writer", "Method_choice", "Number_text", "Output_file", "Progress", "Table", "Text_input"]
+MUTATIONS_OF_CORPUS = 300
 PATIENCE = 600  # seconds that a test may run
 
 
@@ -51,20 +51,28 @@ def source_of(test):
     test = test.partition(":")[0]
     if test == "robustness":
         return ROOT / "benchmark" / PACKAGE / "robustness.cpp"
+    if test.startswith("fuzz_"):
+        return ROOT / "test" / PACKAGE / "fuzz" / f"{test}.cpp"
     return ROOT / "test" / PACKAGE / f"{test}.cpp"
 
 
 def arguments_of(test):
     if test == "robustness":
         return ["--operations", "20000", "--threads", "1"]
+    if test.startswith("fuzz_"):
+        return [str(MUTATIONS_OF_CORPUS), str(source_of(test).parent / "corpus" / test.removeprefix("fuzz_"))]
     return ["--gtest_fail_fast", f'--gtest_filter={test.partition(":")[2] or "*"}']
 
 
 def command_of(test, overlay, program):
     folders = [overlay, ROOT / "include", ROOT, ROOT / "test" / PACKAGE, ROOT / "benchmark" / PACKAGE]
-    libraries = ["-lgmpxx", "-lgmp", "-lmpfr", "-ltbb", "-lpthread"]
+    libraries = ["-lgmpxx", "-lgmp", "-lmpfr", "-ltbb", "-lpthread", "-lz"]
     if test == "robustness":
         options = ["-DNDEBUG", '-DRESULTS_DIR="."']
+        libraries = runner_objects() + libraries
+    elif test.startswith("fuzz_"):
+        folders.insert(0, source_of(test).parent / "threads_as_ranks")
+        options = []
         libraries = runner_objects() + libraries
     else:
         options = []

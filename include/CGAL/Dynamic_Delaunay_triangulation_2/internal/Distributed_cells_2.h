@@ -155,9 +155,9 @@ private:
 
   const Points& m_points;
   typename Points::Dynamic::Frame m_frame;
-  std::vector<bool> m_are_owned; // by vertices
-  std::vector<Index> m_labels;   // by vertices
-  std::vector<bool> m_are_inner; // by edges
+  std::vector<std::uint8_t> m_are_owned; // by vertices
+  std::vector<Index> m_labels;           // by vertices
+  std::vector<bool> m_are_inner;         // by edges
 };
 
 } // namespace internal

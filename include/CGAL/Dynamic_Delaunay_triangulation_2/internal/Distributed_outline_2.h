@@ -121,7 +121,7 @@ private:
           corners.push_back({points.point(place).x(), points.point(place).y()});
       return corners;
     }
-    const std::vector<bool> are_owned = points.owned_vertices();
+    const std::vector<std::uint8_t> are_owned = points.owned_vertices();
     const auto& mirror = frame.maintained().mirror();
     std::vector<Index> hull; // clockwise
     mirror.for_each_neighbor(0, [&](Index v) { hull.push_back(v); });
@@ -131,7 +131,8 @@ private:
       return Point(p.x, p.y);
     };
     for (std::size_t k = 0; k < hull.size(); ++k)
-      if (are_owned[hull[k]] && orientation(at(k + hull.size() - 1), at(k), at(k + 1)) != COLLINEAR)
+      if (are_owned[hull[k]] != 0 &&
+          orientation(at(k + hull.size() - 1), at(k), at(k + 1)) != COLLINEAR)
         corners.push_back(frame.position(hull[k]));
     return corners;
   }

@@ -94,12 +94,12 @@ public:
   bool certify() { return m_dt.certify(); }
 
   // Vertices of the triangulation, by their numbers.
-  std::vector<bool> owned_vertices() const
+  std::vector<std::uint8_t> owned_vertices() const
   {
     const auto frame = m_dt.frame();
-    std::vector<bool> are_owned(frame.number_of_vertices() + std::size_t(1), false);
+    std::vector<std::uint8_t> are_owned(frame.number_of_vertices() + std::size_t(1), 0);
     for (const Index place : m_owned)
-      are_owned[frame.vertex(place)] = true;
+      are_owned[frame.vertex(place)] = 1;
     return are_owned;
   }
 

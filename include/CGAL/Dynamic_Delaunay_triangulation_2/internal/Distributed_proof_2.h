@@ -8,6 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_cover_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_density_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_outline_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_question_2.h>
@@ -93,7 +94,7 @@ public:
   // Before all points are replaced.
   void forget_zone()
   {
-    m_zone = Distributed_zone_2();
+    set_zone(Distributed_zone_2());
     m_uncovered = 0;
   }
 
@@ -107,12 +108,18 @@ private:
   template <class Function>
   void for_each_face(const Function& f) const
   {
+    for_each_face(m_points.owned_vertices(), f);
+  }
+
+  // The same for each face with one of these corners.
+  template <class Function>
+  void for_each_face(const std::vector<std::uint8_t>& are_corners, const Function& f) const
+  {
     const auto frame = m_points.dt().frame();
-    const std::vector<bool> are_owned = m_points.owned_vertices();
     for (Index g = 0; g < frame.number_of_faces(); ++g) {
       std::array<Index, 3> face = frame.face(g);
       const auto owned =
-          std::find_if(face.begin(), face.end(), [&](Index v) { return are_owned[v]; });
+          std::find_if(face.begin(), face.end(), [&](Index v) { return are_corners[v] != 0; });
       if (owned == face.end())
         continue;
       const Position_2 focus = frame.position(*owned);
@@ -129,7 +136,7 @@ private:
     }
   }
 
-  Questions open_questions(bool trusts_zone) const
+  Questions open_questions(bool trusts_zone)
   {
     using Point = typename Kernel::Point_2;
     Questions open;
@@ -137,7 +144,10 @@ private:
       const Point& p = m_points.point(m_points.owned().front());
       open.push_back({Question::EVERYTHING, {}, p.x(), p.y()});
     }
-    for_each_face([&](const Question& question) {
+    std::vector<std::uint8_t> corners = m_points.owned_vertices();
+    if (trusts_zone)
+      m_density.take_out_dense(m_points.dt().frame(), m_zone, corners);
+    for_each_face(corners, [&](const Question& question) {
       const Position_2 p = question.corner(0), q = question.corner(1);
       const bool is_proved = question.kind == Question::CIRCLE
                                  ? trusts_zone && m_cover.is_covered(question, m_zone)
@@ -251,11 +261,17 @@ private:
                     : m_zone_age > 2 * zone_lifetime ? 0.75
                                                      : 1;
       m_margin = (std::min)((std::max)(m_margin, smallest_margin), largest_margin);
-      m_zone = zone_around_faces();
+      set_zone(zone_around_faces());
       m_zone_age = 0;
       m_uncovered = open_questions(true).size();
     }
     m_points.publish(is_renewed ? &m_zone : nullptr);
+  }
+
+  void set_zone(Distributed_zone_2 zone)
+  {
+    m_zone = std::move(zone);
+    m_density.set_zone(m_zone);
   }
 
   Distributed_zone_2 zone_around_faces() const
@@ -302,6 +318,7 @@ private:
   Distributed_outline_2<Kernel> m_outline;
   Distributed_cover_2<Kernel> m_cover;
   Distributed_zone_2 m_zone;
+  Distributed_density_2 m_density;
   double m_margin = smallest_margin;
   int m_zone_age = 0;
   std::size_t m_uncovered = 0;                // how many faces the zone left open when it was new

@@ -50,14 +50,14 @@ public:
     return !is_empty() && contains(Cell{column_of(x), row_of(y)});
   }
 
-  // Whether all places not farther than `depth()` from a place are in the zone, in each coordinate.
-  // Within the box the numbers of cells are off by less than 2^-40 before they are cut off.
-  bool is_deep_around(double x, double y) const
+  // A distance, in each coordinate, up to which all places around this one are in the zone; 0 if
+  // that cannot be seen quickly. Within the box the numbers of cells are off by less than 2^-40
+  // before they are cut off.
+  double depth_around(double x, double y) const
   {
     const Cell c{column_of(x), row_of(y)};
-    return is_in_box(c) && m_are_deep[cell(c.column, c.row)] != 0;
+    return (std::max)(layers(c.column, c.row) - 1, 0) / m_scale * (1 - 0x1p-30);
   }
-  double depth() const { return double(deep_cells) / m_scale * (1 - 0x1p-30); }
 
   // Whether a place in the box may be in the zone, which has come as words. If not, none is.
   bool may_meet(const Box_2& box) const
@@ -65,6 +65,33 @@ public:
     return !box.is_empty() && column_of(box.x_low) <= m_last.column &&
            row_of(box.y_low) <= m_last.row && column_of(box.x_high) >= m_first.column &&
            row_of(box.y_high) >= m_first.row;
+  }
+
+  // BLOCKS, squares of cells, in rows, as far as they are complete within the box
+
+  static constexpr long cells_per_block = 4; // along an axis
+
+  double block_size() const { return double(cells_per_block) / m_scale; }
+  long block_columns() const { return m_columns / cells_per_block; }
+  long block_rows() const { return m_rows / cells_per_block; }
+
+  // The block of a place, or the number of blocks if it is in none. Its sides, as this computes
+  // them, are off by less than 2^-40 cells.
+  std::uint32_t block(double x, double y) const
+  {
+    const double scale = m_scale / double(cells_per_block);
+    const double column = (x - m_x) * scale, row = (y - m_y) * scale;
+    const bool is_in_one =
+        column >= 0 && column < double(block_columns()) && row >= 0 && row < double(block_rows());
+    return std::uint32_t(is_in_one ? std::int32_t(row) * block_columns() + std::int32_t(column)
+                                   : block_rows() * block_columns());
+  }
+  // Whether all of its cells are in the zone.
+  bool is_whole_block(long column, long row) const
+  {
+    constexpr long last = cells_per_block - 1;
+    const Cell low{column * cells_per_block, row * cells_per_block};
+    return are_all_cells(low, {low.column + last, low.row + last});
   }
 
   // Whether it can be seen quickly that all places in the box are in the zone.
@@ -111,11 +138,7 @@ public:
         m_sums[corner(column + 1, row + 1)] = sum(column + 1, row) + in_row;
       }
     }
-    m_are_deep.assign(m_cells.size(), 0);
-    for (long row = deep_cells; row < m_rows - deep_cells; ++row)
-      for (long column = deep_cells; column < m_columns - deep_cells; ++column)
-        m_are_deep[cell(column, row)] = are_all_cells({column - deep_cells, row - deep_cells},
-                                                      {column + deep_cells, row + deep_cells});
+    find_layers();
   }
 
   // As numbers, with the cells in the box as the lengths of runs of equal ones.
@@ -168,7 +191,6 @@ private:
   };
 
   static constexpr long most_single_cells = 64; // that are looked at one by one
-  static constexpr long deep_cells = 3;
   static constexpr long no_cell = (std::numeric_limits<long>::max)();
 
   // The cells beyond the box have numbers, too, as far as there are any.
@@ -209,6 +231,32 @@ private:
         if (!is_in_box({column, row}))
           m_listed.push_back(packed({column, row}));
   }
+  // By chessboard distances, in two passes: A. Rosenfeld and J. L. Pfaltz, Distance functions on
+  // digital pictures, 1968.
+  void find_layers()
+  {
+    m_layers.assign(m_cells.size(), 0);
+    for (long row = 0; row < m_rows; ++row)
+      for (long column = 0; column < m_columns; ++column)
+        if (m_cells[cell(column, row)] != 0)
+          m_layers[cell(column, row)] =
+              one_more((std::min)({layers(column - 1, row), layers(column - 1, row - 1),
+                                   layers(column, row - 1), layers(column + 1, row - 1)}));
+    for (long row = m_rows; row-- > 0;)
+      for (long column = m_columns; column-- > 0;)
+        m_layers[cell(column, row)] = (std::min)(
+            layers(column, row),
+            one_more((std::min)({layers(column + 1, row), layers(column + 1, row + 1),
+                                 layers(column, row + 1), layers(column - 1, row + 1)})));
+  }
+  std::uint8_t layers(long column, long row) const
+  {
+    return is_in_box({column, row}) ? m_layers[cell(column, row)] : std::uint8_t(0);
+  }
+  static std::uint8_t one_more(std::uint8_t layers)
+  {
+    return std::uint8_t(layers + (layers < (std::numeric_limits<std::uint8_t>::max)()));
+  }
   void find_bounds()
   {
     for (long row = 0; row < m_rows; ++row)
@@ -232,11 +280,11 @@ private:
 
   double m_x = 0, m_y = 0, m_scale = 1;
   long m_columns = 0, m_rows = 0;
-  std::vector<std::uint8_t> m_cells;    // of the box
-  std::vector<std::uint8_t> m_are_deep; // of the box
-  std::vector<std::uint64_t> m_listed;  // beyond it, ascending
-  std::vector<std::uint32_t> m_sums;    // of the cells to the left of and below each corner
-  Cell m_first = {no_cell, no_cell};    // of the zone's cells, in each coordinate
+  std::vector<std::uint8_t> m_cells;   // of the box
+  std::vector<std::uint8_t> m_layers;  // of the box: how many layers of the zone end with each cell
+  std::vector<std::uint64_t> m_listed; // beyond it, ascending
+  std::vector<std::uint32_t> m_sums;   // of the cells to the left of and below each corner
+  Cell m_first = {no_cell, no_cell};   // of the zone's cells, in each coordinate
   Cell m_last = {-no_cell, -no_cell};
 };
 

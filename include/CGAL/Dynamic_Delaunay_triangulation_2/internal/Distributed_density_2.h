@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_DENSITY_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_DENSITY_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_zone_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Where points are so dense, deep in a zone, that no face can reach out of it.
+//
+// Let b be the side of a block of the zone. A vertex is *dense* if its block and the three blocks
+// around it in each direction are whole blocks of the zone, and each has a point. Then the disk of
+// each Delaunay face at this vertex p is in the zone: if its diameter were more than d = 2.83 b,
+// the disk of diameter d that it contains, with p on its circle, would contain a square of side
+// d / sqrt(2) > 2 b, and so a whole block; that block is within d < 3 b of p, and has a point, but
+// a Delaunay disk has none inside. So its diameter is at most d, and all of it within d of p. A
+// half plane beyond an edge of the hull would contain such a disk, too: a dense vertex is not at
+// the hull. That the sides of blocks are off by 2^-40 cells is covered as 2.83 > 2 sqrt(2).
+class Distributed_density_2
+{
+public:
+  void set_zone(const Distributed_zone_2& zone)
+  {
+    m_are_whole.clear();
+    const long rows = zone.block_rows(), columns = zone.block_columns();
+    for (long row = 0; row < rows; ++row)
+      for (long column = 0; column < columns; ++column)
+        m_are_whole.push_back(row > 0 && row < rows - 1 && column > 0 && column < columns - 1 &&
+                              zone.is_whole_block(column, row));
+  }
+
+  // Takes dense vertices out of the set, whose members all are vertices of the frame, by numbers.
+  template <class Frame>
+  void take_out_dense(const Frame& frame, const Distributed_zone_2& zone,
+                      std::vector<std::uint8_t>& vertices)
+  {
+    if (m_are_whole.empty())
+      return;
+    count_points(frame, zone);
+    keep_surrounded(1);
+    keep_surrounded(std::size_t(zone.block_columns()));
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+      vertices[v] = vertices[v] > m_are_dense[m_blocks[v]];
+  }
+
+private:
+  template <class Frame>
+  void count_points(const Frame& frame, const Distributed_zone_2& zone)
+  {
+    const auto& positions = frame.maintained().positions();
+    m_are_dense.assign(m_are_whole.size() + 1, 0);
+    m_blocks.resize(positions.size());
+    m_blocks[infinite_index] = std::uint32_t(m_are_whole.size());
+    for (std::size_t v = infinite_index + std::size_t(1); v < positions.size(); ++v) {
+      m_blocks[v] = zone.block(positions[v].x, positions[v].y);
+      m_are_dense[m_blocks[v]] = 1;
+    }
+    m_are_dense.back() = 0;
+    for (std::size_t k = 0; k < m_are_whole.size(); ++k)
+      m_are_dense[k] = m_are_dense[k] & m_are_whole[k];
+  }
+
+  // Keeps those blocks that have the three before them and the three behind them, which are `step`
+  // numbers apart. Blocks of other rows are no trouble, as the outermost ones do not count as
+  // whole.
+  void keep_surrounded(std::size_t step)
+  {
+    const std::size_t blocks = m_are_whole.size(), around = 3 * step;
+    m_are_surrounded.assign(blocks + 1, 0);
+    const std::uint8_t* const before = m_are_dense.data();
+    std::uint8_t* const after = m_are_surrounded.data() + around;
+    for (std::size_t k = 0; k + 2 * around < blocks; ++k)
+      after[k] = before[k] & before[k + step] & before[k + 2 * step] & before[k + 3 * step] &
+                 before[k + 4 * step] & before[k + 5 * step] & before[k + 6 * step];
+    m_are_dense.swap(m_are_surrounded);
+  }
+
+  std::vector<std::uint8_t> m_are_whole;      // by blocks; but none of the outermost ones
+  std::vector<std::uint8_t> m_are_dense;      // by blocks; and 0 for places in none
+  std::vector<std::uint8_t> m_are_surrounded; // the same, while it is computed
+  std::vector<std::uint32_t> m_blocks;        // of the vertices
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_DENSITY_2_H

@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A cloud over several ranks, with any motions, populations and distributions. Each frame is
+// compared with one process.
+
+#ifndef DISTRIBUTED_ANY_RUN_H
+#define DISTRIBUTED_ANY_RUN_H
+
+#include "../../../benchmark/Dynamic_Delaunay_triangulation_2/random_operations/Decisions.h"
+#include "distributed_oracle.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <utility>
+
+// All ranks have to decide alike.
+class Any_run
+{
+public:
+  Any_run(random_operations::Decisions& decisions, const std::string& name)
+    : m_decisions(decisions)
+    , m_name(name)
+  {
+  }
+
+  // Begins with up to `most_points` points.
+  void run(double most_points)
+  {
+    const std::size_t n = std::size_t(std::exp(uniform(0, std::log(most_points))));
+    m_lattice = one_in(3) ? 1.0 : one_in(4) ? 0.25 : 0;
+    m_is_circle = one_in(8);
+    m_side = std::sqrt(double(n)) * uniform(0.5, 2);
+    for (std::size_t i = 0; i < n; ++i)
+      add_point();
+    const Owner owners[] = {in_order, in_turn, on_first};
+    const auto own = own_part(m_population, owners[m_decisions.below(3)]);
+    Distributed dt(MPI_COMM_WORLD, own.begin(), own.end(), one_in(2) ? no_balance : 1.2);
+    expect_exact(dt, m_population, m_name + " at the start");
+    for (int frame = 0; frame < 8 && m_decisions.has_more(); ++frame) {
+      const int kind = m_decisions.whole(0, 8);
+      change(dt, kind);
+      expect_exact(dt, m_population,
+                   m_name + ", frame " + std::to_string(frame) + " of kind " +
+                       std::to_string(kind));
+    }
+    expect(dt.is_valid(), m_name + ": valid");
+  }
+
+private:
+  void change(Distributed& dt, int kind)
+  {
+    switch (kind) {
+    case 0:
+      return insert(dt);
+    case 1:
+      return remove(dt);
+    case 2:
+      return dt.distribute();
+    default:
+      move(kind);
+      const Points next = own_positions(dt, m_population);
+      dt.update(next.begin(), next.end());
+    }
+  }
+
+  void move(int kind)
+  {
+    const double spread = std::exp(uniform(-8, 1)), turn = uniform(-0.5, 0.5);
+    for (auto& [id, p] : m_population) {
+      const double x = p.x() - m_side / 2, y = p.y() - m_side / 2;
+      if (kind == 3 && !one_in(10))
+        continue; // a few jump
+      if (kind == 3)
+        p = place();
+      else if (kind == 4) // an explosion, or a collapse
+        p = snapped(m_side / 2 + (1 + turn) * x, m_side / 2 + (1 + turn) * y);
+      else if (kind == 5) // a turn
+        p = snapped(m_side / 2 + std::cos(turn) * x - std::sin(turn) * y,
+                    m_side / 2 + std::sin(turn) * x + std::cos(turn) * y);
+      else if (kind == 6) // shear
+        p = snapped(p.x() + turn * y, p.y());
+      else // Brownian motion
+        p = snapped(p.x() + uniform(-spread, spread), p.y() + uniform(-spread, spread));
+    }
+  }
+
+  void insert(Distributed& dt)
+  {
+    std::vector<std::pair<Id, Point>> given;
+    for (std::size_t k = m_decisions.below(20); k > 0; --k) {
+      const auto added = add_point();
+      if (any_rank() == this_rank)
+        given.push_back(*added);
+    }
+    // Ranks have drawn alike, so each point is given by exactly one of them.
+    dt.insert(given.begin(), given.end());
+  }
+
+  void remove(Distributed& dt)
+  {
+    std::vector<Id> given;
+    const std::size_t part = 1 + m_decisions.below(8);
+    for (auto value = m_population.begin(); value != m_population.end();) {
+      const bool goes = one_in(part), is_given = any_rank() == this_rank;
+      if (goes && is_given)
+        given.push_back(value->first);
+      value = goes ? m_population.erase(value) : std::next(value);
+    }
+    dt.remove(given.begin(), given.end());
+  }
+
+  Population::iterator add_point()
+  {
+    const Id id = m_next += 1 + Id(m_decisions.below(5));
+    const bool coincides = !m_population.empty() && one_in(20);
+    return m_population.emplace(id, coincides ? m_population.begin()->second : place()).first;
+  }
+
+  Point place()
+  {
+    if (m_is_circle)
+      return place_on_circle();
+    const double x = uniform(0, m_side);
+    return snapped(x, uniform(0, m_side));
+  }
+  // One of 36 places with whole coordinates.
+  Point place_on_circle()
+  {
+    const std::array<std::array<double, 2>, 5> places{
+        {{65, 0}, {63, 16}, {60, 25}, {56, 33}, {52, 39}}};
+    const auto [x, y] = places[m_decisions.below(places.size())];
+    const double signed_x = one_in(2) ? x : -x, signed_y = one_in(2) ? y : -y;
+    return one_in(2) ? Point(signed_x, signed_y) : Point(signed_y, signed_x);
+  }
+  Point snapped(double x, double y) const
+  {
+    return m_lattice > 0
+               ? Point(m_lattice * std::round(x / m_lattice), m_lattice * std::round(y / m_lattice))
+               : Point(x, y);
+  }
+  int any_rank() { return m_decisions.whole(0, number_of_ranks - 1); }
+  bool one_in(std::size_t n) { return m_decisions.one_in(n); }
+  double uniform(double low, double high) { return m_decisions.real(low, high); }
+
+  random_operations::Decisions& m_decisions;
+  std::string m_name;
+  Population m_population;
+  double m_lattice = 0, m_side = 1;
+  bool m_is_circle = false;
+  Id m_next = 0;
+};
+
+#endif // DISTRIBUTED_ANY_RUN_H
