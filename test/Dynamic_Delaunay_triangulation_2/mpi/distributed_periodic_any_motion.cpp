@@ -200,7 +200,7 @@ int main(int argc, char** argv)
   start(argc, argv);
   const char* const wanted = std::getenv("DYNAMIC_DELAUNAY_DISTRIBUTED_RUNS");
   const char* const seed = std::getenv("DYNAMIC_DELAUNAY_DISTRIBUTED_SEED");
-  const unsigned runs = wanted ? unsigned(std::atoi(wanted)) : 40;
+  const unsigned runs = wanted ? unsigned(std::atoi(wanted)) : 25;
   const unsigned first = seed ? unsigned(std::atoi(seed)) : 1;
   for (unsigned run = first; run < first + runs; ++run)
     Random_run(run).run();

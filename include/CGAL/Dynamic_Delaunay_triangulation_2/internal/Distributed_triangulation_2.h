@@ -244,7 +244,7 @@ public:
     read_checkpoint(path, bytes, sizeof(T));
     std::vector<T> read(bytes.size() / sizeof(T));
     if (!read.empty())
-      std::memcpy(read.data(), bytes.data(), bytes.size());
+      std::memcpy(static_cast<void*>(read.data()), bytes.data(), bytes.size());
     data = m_load_factor < infinity ? m_order.carry(m_ranks, read) : read;
   }
 

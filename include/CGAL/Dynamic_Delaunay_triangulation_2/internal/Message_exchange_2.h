@@ -55,7 +55,7 @@ public:
       throw std::runtime_error("a message between ranks is too short: they run different programs");
     T value;
     if constexpr (words_of<T>() > 0)
-      std::memcpy(&value, &m_words[m_next], sizeof(T));
+      std::memcpy(static_cast<void*>(&value), &m_words[m_next], sizeof(T));
     m_next += words_of<T>();
     return value;
   }
