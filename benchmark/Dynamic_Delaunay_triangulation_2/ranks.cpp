@@ -7,18 +7,18 @@
 // Columns, means over ranks and frames unless it says otherwise:
 //
 //   own         points that a rank owns
-//   ghosts      points of others that it holds; `needed` of them are neighbors of its own points
+//   ghosts      points of others, or other images, that it holds; `needed` of them are neighbors
+//               of its own points
 //   depth       ghosts over 4 sqrt(own): how many layers around a square of unit spacing they are
 //   messages    messages between two ranks, of a frame
-//   bytes       in these messages; `ideal` is 16 bytes for each ghost
+//   bytes       in these messages; `ideal` is 16 bytes for each ghost, in a periodic cell 24
 //   gathered    bytes of a frame that all ranks hear of, from all of them
 //   asking      the share of frames in which any rank had to ask, in percent
 //   ms          milliseconds of a frame; `comm` is the share of it in which a rank sends, receives
-//   or
-//               waits, in percent. With more processes than cores these say nothing but that.
+//               or waits, in percent. With more processes than cores these say nothing but that.
 
 #include <CGAL/Distributed_dynamic_Delaunay_triangulation_2.h>
-#include <CGAL/Distributed_neighbor_lists_2.h>
+#include <CGAL/Distributed_dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <mpi.h>
@@ -40,6 +40,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
 using Distributed = CGAL::Distributed_dynamic_Delaunay_triangulation_2<Kernel>;
+using Distributed_periodic = CGAL::Distributed_dynamic_periodic_Delaunay_triangulation_2<Kernel>;
 
 int this_rank = 0, number_of_ranks = 1;
 
@@ -50,17 +51,18 @@ double mean(double own)
   return sum / number_of_ranks;
 }
 
-double number_of_needed_ghosts(const Distributed& dt)
+template <class Triangulation>
+double number_of_needed_ghosts(const Triangulation& dt)
 {
-  CGAL::Distributed_neighbor_lists_2 lists;
-  lists.compute(dt);
-  std::vector<std::int64_t> needed = lists.neighbors(), own = dt.owned_ids();
-  std::sort(needed.begin(), needed.end());
-  std::sort(own.begin(), own.end());
-  needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
-  return double(std::count_if(needed.begin(), needed.end(), [&](std::int64_t id) {
-    return !std::binary_search(own.begin(), own.end(), id);
-  }));
+  const auto& held = dt.held_triangulation();
+  std::vector<bool> are_own(held.number_of_ids(), false), are_needed = are_own;
+  for (const std::int64_t id : dt.owned_ids())
+    are_own[dt.held_id(id)] = true;
+  held.for_each_edge([&](std::size_t i, std::size_t j) {
+    if (are_own[i] != are_own[j])
+      are_needed[are_own[i] ? j : i] = true;
+  });
+  return double(std::count(are_needed.begin(), are_needed.end(), true));
 }
 
 // A frame's mean of something that is counted.
@@ -81,11 +83,17 @@ private:
 
 struct Figures
 {
-  double own, ghosts, needed, messages, bytes, gathered, asking, seconds, communication;
+  double own, ghosts, needed, messages, bytes, ideal, gathered, asking, seconds, communication;
 };
 
-template <class Move>
-Figures measure(Distributed& dt, int frames, const Move& move)
+const auto in_the_plane = [](Distributed& dt, const std::vector<Point>& next) {
+  dt.update(next.begin(), next.end());
+};
+constexpr double bytes_of_point = 16, bytes_of_image = 24;
+
+template <class Triangulation, class Move, class Update>
+Figures measure(Triangulation& dt, int frames, double bytes_of_ghost, const Move& move,
+                const Update& update)
 {
   const auto run = [&](int number) {
     double seconds = 0;
@@ -95,7 +103,7 @@ Figures measure(Distributed& dt, int frames, const Move& move)
         p = move(p);
       MPI_Barrier(MPI_COMM_WORLD);
       const double begin = MPI_Wtime();
-      dt.update(next.begin(), next.end());
+      update(dt, next);
       seconds += MPI_Wtime() - begin;
     }
     return seconds;
@@ -112,6 +120,7 @@ Figures measure(Distributed& dt, int frames, const Move& move)
           mean(number_of_needed_ghosts(dt)),
           messages.until(double(dt.number_of_messages())),
           bytes.until(double(dt.number_of_bytes())),
+          bytes_of_ghost * mean(double(dt.number_of_ghosts())),
           gathered.until(double(dt.number_of_gathered_bytes())),
           asking.until(double(dt.number_of_asking_frames())),
           seconds,
@@ -124,7 +133,7 @@ void print(const std::string& name, const Figures& f)
     return;
   std::printf("%5d %-16s %8.0f %7.0f %7.0f %6.2f %8.2f %9.0f %9.0f %9.0f %7.1f %8.2f %5.0f\n",
               number_of_ranks, name.c_str(), f.own, f.ghosts, f.needed,
-              f.ghosts / (4 * std::sqrt(f.own)), f.messages, f.bytes, 16 * f.ghosts, f.gathered,
+              f.ghosts / (4 * std::sqrt(f.own)), f.messages, f.bytes, f.ideal, f.gathered,
               100 * f.asking, 1000 * f.seconds, 100 * f.communication / f.seconds);
 }
 
@@ -164,6 +173,33 @@ void print_model(const Figures& f, int frames, double points_per_rank)
   }
 }
 
+// Brownian motion, and shear as fast as in the plane, in a square cell.
+bool measure_periodic(const std::vector<std::pair<std::int64_t, Point>>& given, double side,
+                      int frames)
+{
+  std::mt19937_64 random(unsigned(this_rank) + 1);
+  std::normal_distribution<double> step(0, 0.01);
+  double strain = 0;
+  Distributed_periodic dt(MPI_COMM_WORLD, given.begin(), given.end(),
+                          CGAL::Periodic_cell_2(side, side));
+  print("periodic 0.01",
+        measure(
+            dt, frames, bytes_of_image,
+            [&](const Point& p) { return Point(p.x() + step(random), p.y() + step(random)); },
+            [](Distributed_periodic& pt, const std::vector<Point>& next) {
+              pt.update(next.begin(), next.end());
+            }));
+  print("periodic shear", measure(
+                              dt, frames, bytes_of_image,
+                              [&](const Point& p) { return Point(p.x() + 0.0002 * p.y(), p.y()); },
+                              [&](Distributed_periodic& pt, const std::vector<Point>& next) {
+                                strain += 0.0002;
+                                pt.update(next.begin(), next.end(),
+                                          CGAL::Periodic_cell_2(side, 0, strain * side, side));
+                              }));
+  return dt.is_certified() && dt.is_valid();
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -193,16 +229,20 @@ int main(int argc, char** argv)
     std::printf("%5s %-16s %8s %7s %7s %6s %8s %9s %9s %9s %7s %8s %5s\n", "ranks", "motion", "own",
                 "ghosts", "needed", "depth", "messages", "bytes", "ideal", "gathered", "asking",
                 "ms", "comm");
-  print("Brownian 0.001", measure(dt, frames, brownian(0.001)));
-  const Figures usual = measure(dt, frames, brownian(0.01));
+  const auto measure_in_plane = [&](const auto& move) {
+    return measure(dt, frames, bytes_of_point, move, in_the_plane);
+  };
+  print("Brownian 0.001", measure_in_plane(brownian(0.001)));
+  const Figures usual = measure_in_plane(brownian(0.01));
   print("Brownian 0.01", usual);
-  print("Brownian 0.1", measure(dt, frames, brownian(0.1)));
-  print("shear 0.0002", measure(dt, frames, [&](const Point& p) {
+  print("Brownian 0.1", measure_in_plane(brownian(0.1)));
+  print("shear 0.0002", measure_in_plane([&](const Point& p) {
           return Point(p.x() + 0.0002 * (p.y() - side / 2), p.y());
         }));
   print("expansion 0.01",
-        measure(dt, frames, [&](const Point& p) { return Point(1.01 * p.x(), 1.01 * p.y()); }));
-  const bool is_good = dt.is_certified() && dt.is_valid();
+        measure_in_plane([](const Point& p) { return Point(1.01 * p.x(), 1.01 * p.y()); }));
+  bool is_good = dt.is_certified() && dt.is_valid();
+  is_good = measure_periodic(given, side, frames) && is_good;
   if (this_rank == 0 && !is_good)
     std::fprintf(stderr, "the triangulation is not valid\n");
   if (this_rank == 0 && has_model && number_of_ranks > 1)

@@ -7,12 +7,8 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_cells_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_checkpoint_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_order_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_points_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_proof_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_ranks_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_plane_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
@@ -20,15 +16,10 @@
 
 #include <mpi.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <limits>
 #include <string>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -74,14 +65,8 @@ class Distributed_dynamic_Delaunay_triangulation_2
       "the coordinates of distributed points must be of type double");
 
   using Index = Dynamic_Delaunay_triangulations_2::Index;
-  using Ranks = Dynamic_Delaunay_triangulations_2::internal::Distributed_ranks_2;
-  using Points = Dynamic_Delaunay_triangulations_2::internal::Distributed_points_2<Kernel>;
-  using Proof = Dynamic_Delaunay_triangulations_2::internal::Distributed_proof_2<Kernel>;
-  using Cells = Dynamic_Delaunay_triangulations_2::internal::Distributed_cells_2<Kernel>;
-  using Checkpoint = Dynamic_Delaunay_triangulations_2::internal::Distributed_checkpoint_2;
-  using Order = Dynamic_Delaunay_triangulations_2::internal::Distributed_order_2;
-  using Entry = Dynamic_Delaunay_triangulations_2::internal::Distributed_entry_2;
-  using Message = Dynamic_Delaunay_triangulations_2::internal::Message_2;
+  using Space = Dynamic_Delaunay_triangulations_2::internal::Distributed_plane_2<Kernel>;
+  using Core = Dynamic_Delaunay_triangulations_2::internal::Distributed_triangulation_2<Space>;
   using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point_2;
 
 public:
@@ -95,7 +80,7 @@ public:
   /// the type of counts.
   using size_type = std::size_t;
   /// the triangulation of all points that a rank holds.
-  using Held_triangulation = typename Points::Dynamic;
+  using Held_triangulation = typename Core::Points::Dynamic;
 
   /// @}
   /// \name Creation
@@ -122,20 +107,10 @@ public:
   Distributed_dynamic_Delaunay_triangulation_2(MPI_Comm communicator, InputIterator first,
                                                InputIterator beyond,
                                                double load_factor = default_load_factor)
-    : m_ranks(communicator)
-    , m_points(m_ranks)
-    , m_proof(m_ranks, m_points)
-    , m_load_factor(load_factor)
+    : m_core(communicator)
   {
     const Floating_point floating_point;
-    std::vector<Entry> entries;
-    m_ranks.agree([&] {
-      if (!(load_factor >= 1))
-        throw Parameter_error_2("the load factor", load_factor, 1, infinity);
-      entries = read(first, beyond);
-    });
-    refuse_repeated(seen_here(ids_of(entries)));
-    reset(std::move(entries));
+    m_core.begin([] { return Space(); }, first, beyond, load_factor);
   }
 
   /// @}
@@ -155,23 +130,7 @@ public:
   Update_report_2 update(InputIterator first, InputIterator beyond)
   {
     const Floating_point floating_point;
-    std::vector<Point> next;
-    m_ranks.agree([&] {
-      const size_type n = number_of_owned_points();
-      next.reserve(n);
-      for (; first != beyond; ++first) {
-        if (next.size() == n)
-          throw Point_count_error_2(n, n + 1);
-        const Point& p = *first;
-        check(p, next.size());
-        next.push_back(p);
-      }
-      if (next.size() != n)
-        throw Point_count_error_2(n, next.size());
-    });
-    m_is_certified = false;
-    m_points.move(next);
-    return complete(Update_report_2());
+    return m_core.update(first, beyond);
   }
 
   /// @}
@@ -191,11 +150,7 @@ public:
   Update_report_2 insert(InputIterator first, InputIterator beyond)
   {
     const Floating_point floating_point;
-    std::vector<Entry> entries;
-    m_ranks.agree([&] { entries = read(first, beyond); });
-    check_new(ids_of(entries));
-    m_is_certified = false;
-    return complete(m_points.insert(entries));
+    return m_core.insert(first, beyond);
   }
 
   /// removes points, whatever ranks own them. Collective; a rank may give none.
@@ -209,11 +164,7 @@ public:
   Update_report_2 remove(InputIterator first, InputIterator beyond)
   {
     const Floating_point floating_point;
-    std::vector<Id> given;
-    m_ranks.agree([&] { given.assign(first, beyond); });
-    const std::vector<Index> own = own_places(given);
-    m_is_certified = false;
-    return complete(m_points.remove(own));
+    return m_core.remove(first, beyond);
   }
 
   /// @}
@@ -225,14 +176,12 @@ public:
   void distribute()
   {
     const Floating_point floating_point;
-    m_is_certified = false;
-    settle(m_order.distribute(m_ranks, owned_entries()));
-    ++m_distributions;
+    m_core.distribute();
   }
 
   /// how often points were distributed since construction. Where this has changed, owned points
   /// are other ones, in another order.
-  size_type number_of_distributions() const { return m_distributions; }
+  size_type number_of_distributions() const { return m_core.number_of_distributions(); }
 
   /// data of the points that this rank owns, given data of those that it owned before the last
   /// distribution, each in the order of `owned_ids()` at that time. Collective. To be called before
@@ -244,11 +193,7 @@ public:
   template <class T>
   std::vector<T> carry(const std::vector<T>& data)
   {
-    m_ranks.agree([&] {
-      if (data.size() != m_order.size_before())
-        throw Point_count_error_2(m_order.size_before(), data.size());
-    });
-    return m_order.carry(m_ranks, data);
+    return m_core.carry(data);
   }
 
   /// @}
@@ -256,41 +201,35 @@ public:
   /// @{
 
   /// the ids of the points that this rank owns, in the order of updates.
-  std::vector<Id> owned_ids() const
-  {
-    std::vector<Id> ids;
-    for (const Index place : m_points.owned())
-      ids.push_back(m_points.id(place));
-    return ids;
-  }
+  std::vector<Id> owned_ids() const { return m_core.owned_ids(); }
   /// their positions, in the same order.
   std::vector<Point> owned_points() const
   {
     std::vector<Point> points;
-    for (const Index place : m_points.owned())
-      points.push_back(m_points.point(place));
+    for (const auto& entry : m_core.owned_entries())
+      points.push_back(Point(entry.x, entry.y));
     return points;
   }
   /// the number of points that this rank owns.
-  size_type number_of_owned_points() const { return m_points.owned().size(); }
+  size_type number_of_owned_points() const { return points().owned().size(); }
   /// the number of points of other ranks that this one holds.
-  size_type number_of_ghosts() const { return m_points.number_of_ghosts(); }
+  size_type number_of_ghosts() const { return points().number_of_ghosts(); }
   /// whether this rank holds the point, as its own or as a ghost.
-  bool holds(Id id) const { return m_points.holds(id); }
+  bool holds(Id id) const { return points().holds(id); }
   /// the position of a point. \pre `holds(id)`
-  const Point& point(Id id) const { return m_points.point(m_points.place(id)); }
+  const Point& point(Id id) const { return points().point(points().place(id)); }
 
   /// the triangulation of the points that this rank holds. Its faces with an owned corner are those
   /// of all points; the others may not be. So what it tells about owned points, such as
   /// `Voronoi_cell_measures_2`, is true for all points. Where four points or more are on a circle
   /// its diagonals may be others than those of `for_each_edge()`.
-  const Held_triangulation& held_triangulation() const { return m_points.dt(); }
+  const Held_triangulation& held_triangulation() const { return points().dt(); }
   /// the id of a held point in `held_triangulation()`, until the next call that changes points.
   /// \pre `holds(id)`
-  size_type held_id(Id id) const { return m_points.place(id); }
+  size_type held_id(Id id) const { return points().place(id); }
 
   /// whether every face with an owned corner is proved. False only if an exception ended a call.
-  bool is_certified() const { return m_is_certified; }
+  bool is_certified() const { return m_core.is_certified(); }
 
   /// calls `f(i, j)` for each finite edge whose smaller id, `i`, this rank owns: over all ranks,
   /// once for each edge. Of points that coincide, the one with the smallest id has the edges.
@@ -298,12 +237,7 @@ public:
   void for_each_edge(const Function& f) const
   {
     const Floating_point floating_point;
-    Cells(m_points).for_each_edge([&](Index i, Index j) {
-      if (m_points.id(j) < m_points.id(i))
-        std::swap(i, j);
-      if (m_points.is_owned(i))
-        f(m_points.id(i), m_points.id(j));
-    });
+    m_core.for_each_edge([&](Index i, Index j) { f(points().id(i), points().id(j)); });
   }
 
   /// calls `f(ids)` for each finite face whose smallest id this rank owns: over all ranks, once for
@@ -312,9 +246,8 @@ public:
   void for_each_face(const Function& f) const
   {
     const Floating_point floating_point;
-    Cells(m_points).for_each_face([&](Index i, Index j, Index k) {
-      if (m_points.is_owned(i))
-        f(std::array<Id, 3>{m_points.id(i), m_points.id(j), m_points.id(k)});
+    m_core.for_each_face([&](Index i, Index j, Index k) {
+      f(std::array<Id, 3>{points().id(i), points().id(j), points().id(k)});
     });
   }
 
@@ -325,13 +258,7 @@ public:
   void for_each_neighbor(const Function& f) const
   {
     const Floating_point floating_point;
-    const std::vector<Index> order = m_points.order();
-    Cells(m_points).for_each_edge([&](Index i, Index j) {
-      if (m_points.is_owned(i))
-        f(size_type(order[i]), m_points.id(j));
-      if (m_points.is_owned(j))
-        f(size_type(order[j]), m_points.id(i));
-    });
+    m_core.for_each_neighbor([&](size_type k, Index, Index j) { f(k, points().id(j)); });
   }
 
   /// calls `f(k, j)` for each point that this rank owns, the `k`-th of `owned_ids()`, that
@@ -340,15 +267,8 @@ public:
   template <class Function>
   void for_each_duplicate(const Function& f) const
   {
-    const Cells cells(m_points);
-    const std::vector<Index> order = m_points.order();
-    m_points.for_each_held([&](Index i) {
-      const Index label = cells.label(i);
-      if (label != i && m_points.is_owned(i))
-        f(size_type(order[i]), m_points.id(label));
-      if (label != i && m_points.is_owned(label))
-        f(size_type(order[label]), m_points.id(i));
-    });
+    const Floating_point floating_point;
+    m_core.for_each_duplicate([&](size_type k, Index, Index j) { f(k, points().id(j)); });
   }
 
   /// @}
@@ -363,7 +283,7 @@ public:
 
   /// writes all points. Collective. Cost: 24 bytes a point. \throws Checkpoint_error_2 on all ranks
   /// if that is impossible; what had the name before is still there.
-  void write_checkpoint(const std::string& path) { write_checkpoint(path, nullptr, 0); }
+  void write_checkpoint(const std::string& path) { m_core.write_checkpoint(path); }
 
   /// the same, with the user's data of each point that this rank owns, in the order of
   /// `owned_ids()`. \tparam T trivially copyable. \throws Point_count_error_2 if there are not as
@@ -371,12 +291,7 @@ public:
   template <class T>
   void write_checkpoint(const std::string& path, const std::vector<T>& data)
   {
-    static_assert(std::is_trivially_copyable_v<T>, "only plain data can be written");
-    m_ranks.agree([&] {
-      if (data.size() != number_of_owned_points())
-        throw Point_count_error_2(number_of_owned_points(), data.size());
-    });
-    write_checkpoint(path, reinterpret_cast<const char*>(data.data()), sizeof(T));
+    m_core.write_checkpoint(path, data);
   }
 
   /// replaces all points by those in a file, and distributes them as the constructor does.
@@ -384,21 +299,16 @@ public:
   /// as it was written; nothing has changed then on any rank. \post `is_certified()`
   void read_checkpoint(const std::string& path)
   {
-    std::vector<char> data;
-    read_checkpoint(path, data, 0);
+    const Floating_point floating_point;
+    m_core.read_checkpoint(path);
   }
 
   /// the same, and replaces `data` by the user's data of the points that this rank owns.
   template <class T>
   void read_checkpoint(const std::string& path, std::vector<T>& data)
   {
-    static_assert(std::is_trivially_copyable_v<T>, "only plain data can be read");
-    std::vector<char> bytes;
-    read_checkpoint(path, bytes, sizeof(T));
-    std::vector<T> read(bytes.size() / sizeof(T));
-    if (!read.empty())
-      std::memcpy(read.data(), bytes.data(), bytes.size());
-    data = m_load_factor < infinity ? m_order.carry(m_ranks, read) : read;
+    const Floating_point floating_point;
+    m_core.read_checkpoint(path, data);
   }
 
   /// @}
@@ -411,10 +321,7 @@ public:
   bool certify()
   {
     const Floating_point floating_point;
-    m_proof.run(false);
-    const bool is_proved = m_points.certify();
-    m_is_certified = !m_ranks.is_any(!is_proved);
-    return m_is_certified;
+    return m_core.certify();
   }
 
   /// whether what all ranks hold is valid: their triangulations are, both sides of each link
@@ -424,21 +331,7 @@ public:
   bool is_valid()
   {
     const Floating_point floating_point;
-    std::vector<Id> ids = seen_here(owned_ids());
-    std::sort(ids.begin(), ids.end());
-    bool is_valid = std::adjacent_find(ids.begin(), ids.end()) == ids.end();
-    is_valid = m_points.links_are_valid() && is_valid;
-    is_valid = m_points.dt().is_valid() && is_valid;
-    std::uint64_t vertices = number_of_owned_points(), edges = 0, faces = 0;
-    for_each_duplicate(
-        [&](size_type k, Id label) { vertices -= label < m_points.id(m_points.owned()[k]); });
-    for_each_edge([&](Id, Id) { ++edges; });
-    for_each_face([&](const auto&) { ++faces; });
-    vertices = m_ranks.sum(vertices);
-    edges = m_ranks.sum(edges);
-    faces = m_ranks.sum(faces);
-    const bool is_a_disk = vertices == 0 ? edges == 0 && faces == 0 : vertices + faces == edges + 1;
-    return !m_ranks.is_any(!is_valid) && is_a_disk;
+    return m_core.is_valid();
   }
 
   /// @}
@@ -447,209 +340,28 @@ public:
   /// @{
 
   /// how many calls needed questions of any rank.
-  size_type number_of_asking_frames() const { return m_proof.number_of_asking_frames(); }
+  size_type number_of_asking_frames() const { return m_core.proof().number_of_asking_frames(); }
   /// how often ranks have asked each other.
-  size_type number_of_rounds() const { return m_proof.number_of_rounds(); }
+  size_type number_of_rounds() const { return m_core.proof().number_of_rounds(); }
   /// messages that this rank has sent, collective calls of MPI not counted.
-  size_type number_of_messages() const { return m_ranks.exchange().sent_messages(); }
+  size_type number_of_messages() const { return m_core.ranks().exchange().sent_messages(); }
   /// the same in bytes.
-  size_type number_of_bytes() const { return m_ranks.exchange().sent_bytes(); }
+  size_type number_of_bytes() const { return m_core.ranks().exchange().sent_bytes(); }
   /// bytes that all ranks have told all others, in collective calls: outlines, zones and boxes.
-  size_type number_of_gathered_bytes() const { return m_ranks.gathered_bytes(); }
+  size_type number_of_gathered_bytes() const { return m_core.ranks().gathered_bytes(); }
   /// seconds in which this rank has sent, received or waited.
-  double communication_seconds() const { return m_ranks.exchange().seconds(); }
+  double communication_seconds() const { return m_core.ranks().exchange().seconds(); }
 
   /// @}
 
   /// \cond
-  Ranks& ranks() { return m_ranks; }
+  auto& ranks() { return m_core.ranks(); }
   /// \endcond
 
 private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  // So many points more are never too many.
-  static constexpr double spare_load = 64;
-  // Where points move so fast that ranks ask in every frame, they hold many ghosts whatever they
-  // own: it is not tried in vain too often.
-  static constexpr int calls_between_distributions = 32;
+  const typename Core::Points& points() const { return m_core.points(); }
 
-  static void check(const Point& p, size_type place)
-  {
-    Dynamic_Delaunay_triangulations_2::internal::checked_position(p, place);
-  }
-
-  template <class InputIterator>
-  static std::vector<Entry> read(InputIterator first, InputIterator beyond)
-  {
-    std::vector<Entry> entries;
-    for (; first != beyond; ++first) {
-      auto&& value = *first;
-      const Point& p = value.second;
-      check(p, entries.size());
-      entries.push_back({Id(value.first), p.x(), p.y()});
-    }
-    return entries;
-  }
-
-  std::vector<Entry> owned_entries() const
-  {
-    std::vector<Entry> entries;
-    for (const Index place : m_points.owned())
-      entries.push_back({m_points.id(place), m_points.point(place).x(), m_points.point(place).y()});
-    return entries;
-  }
-
-  // Owns these points from now on, or, distributed, others.
-  void reset(std::vector<Entry> entries)
-  {
-    m_is_certified = false;
-    if (m_load_factor < infinity)
-      entries = m_order.distribute(m_ranks, entries);
-    settle(entries);
-  }
-
-  void settle(const std::vector<Entry>& entries)
-  {
-    m_points.reset(entries);
-    m_proof.forget_zone();
-    prove();
-    m_settled_load = double(m_ranks.largest(load())[0]);
-    m_calls_since_distribution = 0;
-  }
-
-  void write_checkpoint(const std::string& path, const char* data, size_type size)
-  {
-    Checkpoint(m_ranks, path).write(owned_entries(), data, size);
-  }
-
-  void read_checkpoint(const std::string& path, std::vector<char>& data, size_type size)
-  {
-    const Floating_point floating_point;
-    std::vector<Entry> entries;
-    Checkpoint(m_ranks, path).read(entries, data, size);
-    m_ranks.agree([&] {
-      for (size_type k = 0; k < entries.size(); ++k)
-        check(Point(entries[k].x, entries[k].y), k);
-    });
-    refuse_repeated(seen_here(ids_of(entries)));
-    reset(std::move(entries));
-    ++m_distributions;
-  }
-
-  static std::vector<Id> ids_of(const std::vector<Entry>& entries)
-  {
-    std::vector<Id> ids;
-    for (const Entry& entry : entries)
-      ids.push_back(entry.id);
-    return ids;
-  }
-
-  // Each id is seen by one rank, which hears of it twice if it is given twice.
-  std::vector<Id> seen_here(const std::vector<Id>& ids)
-  {
-    std::vector<Message> messages = m_ranks.empty_messages();
-    for (const Id id : ids)
-      messages[std::uint64_t(id) % m_ranks.size()].write(id);
-    std::vector<Id> seen;
-    for (Message& message : m_ranks.send(std::move(messages)))
-      while (!message.is_read())
-        seen.push_back(message.template read<Id>());
-    return seen;
-  }
-
-  // Throws on all ranks if any of them sees an id twice.
-  void refuse_repeated(std::vector<Id> ids)
-  {
-    std::sort(ids.begin(), ids.end());
-    const auto repeated = std::adjacent_find(ids.begin(), ids.end());
-    const bool is_any = m_ranks.is_any(repeated != ids.end());
-    const Id none = (std::numeric_limits<Id>::max)();
-    const Id lowest = m_ranks.lowest(repeated != ids.end() ? *repeated : none);
-    if (is_any)
-      throw Repeated_id_error_2(lowest);
-  }
-
-  void check_new(const std::vector<Id>& ids)
-  {
-    std::vector<Id> all = m_ranks.gather(ids).values;
-    const std::vector<Id> given = all;
-    for (const Id id : given)
-      if (is_own(id))
-        all.push_back(id);
-    refuse_repeated(std::move(all));
-  }
-
-  bool is_own(Id id) const { return holds(id) && m_points.is_owned(m_points.place(id)); }
-
-  // Of all ids that any rank has given, those of this rank's points.
-  std::vector<Index> own_places(const std::vector<Id>& given)
-  {
-    std::vector<Id> all = m_ranks.gather(given).values;
-    refuse_repeated(all);
-    std::vector<Index> places;
-    std::vector<Id> own;
-    for (const Id id : all)
-      if (is_own(id)) {
-        places.push_back(m_points.place(id));
-        own.push_back(id);
-      }
-    std::vector<Id> known = m_ranks.gather(own).values;
-    std::sort(known.begin(), known.end());
-    std::sort(all.begin(), all.end());
-    const auto first = std::mismatch(known.begin(), known.end(), all.begin()).second;
-    if (first != all.end())
-      throw Unknown_user_id_error_2(*first);
-    return places;
-  }
-
-  // What follows when own points have changed.
-  Update_report_2 complete(Update_report_2 report)
-  {
-    report += m_points.exchange();
-    report += prove();
-    balance();
-    return report;
-  }
-
-  Update_report_2 prove()
-  {
-    Update_report_2 report = m_proof.run();
-    report.certified = m_is_certified = m_points.dt().is_certified();
-    return report;
-  }
-
-  // Distributes points if a rank has too many of them.
-  void balance()
-  {
-    if (!(m_load_factor < infinity))
-      return;
-    const std::array<std::uint64_t, 2> most = m_ranks.largest(load());
-    const double owned = double(m_ranks.sum(number_of_owned_points())) / double(m_ranks.size());
-    const bool holds_many = double(most[0]) > m_load_factor * m_settled_load + spare_load;
-    const bool owns_many = double(most[1]) > m_load_factor * owned + spare_load;
-    if (owns_many || (holds_many && m_calls_since_distribution >= calls_between_distributions))
-      return distribute();
-    ++m_calls_since_distribution;
-    // ghosts that questions have brought are dropped where they are not needed
-    m_settled_load = (std::min)(m_settled_load, double(most[0]));
-  }
-
-  // Held points, and own ones.
-  std::array<std::uint64_t, 2> load() const
-  {
-    const std::uint64_t own = number_of_owned_points();
-    return {own + number_of_ghosts(), own};
-  }
-
-  Ranks m_ranks;
-  Points m_points;
-  Proof m_proof;
-  Order m_order;
-  double m_load_factor;
-  double m_settled_load = 0; // the most points that a rank holds, at its lowest since distribution
-  int m_calls_since_distribution = 0;
-  size_type m_distributions = 0;
-  bool m_is_certified = false;
+  Core m_core;
 };
 
 } // namespace CGAL

@@ -6,7 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_image_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/enum.h>
@@ -14,7 +14,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -23,12 +25,12 @@ namespace internal {
 
 // The cells of the Delaunay complex of all points that have an owned corner: those of points on one
 // empty circle. The rank holds all of them whole, as it holds all points on these circles. Each
-// cell is cut by diagonals from the corner with the smallest id, whatever rank looks at it. Of
-// points that coincide the one with the smallest id, their *label*, stands for all of them.
-template <class Kernel>
+// cell is cut by diagonals from the corner with the smallest id, and of images of that point from
+// the leftmost, lowest one: whatever rank looks at it, and wherever in a periodic space. Of points
+// that coincide the one with the smallest id, their *label*, stands for all of them.
+template <class Points>
 class Distributed_cells_2
 {
-  using Points = Distributed_points_2<Kernel>;
   using Mirror = Neighborhood_mirror_2;
 
 public:
@@ -46,22 +48,25 @@ public:
   // Of a held point: the place of its label.
   Index label(Index place) const { return m_labels[m_frame.vertex(place)]; }
 
-  // Calls f(i, j) with the places of the labels at both ends, once for each edge with an owned
-  // corner at one of its ends or beside it; some of them have no owned end.
+  // Calls f(i, j) with the places of the labels at both ends, that of the smaller id first, once
+  // for each edge with an owned corner at one of its ends or beside it; some have no owned end.
   template <class Function>
   void for_each_edge(const Function& f) const
   {
     if (m_frame.number_of_faces() == 0) {
-      m_points.dt().for_each_edge(
-          [&](std::size_t i, std::size_t j) { f(label(Index(i)), label(Index(j))); });
+      m_points.dt().for_each_edge([&](std::size_t i, std::size_t j) {
+        const auto [first, second] = ordered(label(Index(i)), label(Index(j)));
+        f(first, second);
+      });
       return;
     }
     for_each_cell([&](const std::vector<Corner>& corners, std::size_t apex) {
       const std::size_t n = corners.size();
       for (std::size_t k = 0; k < n; ++k) {
         const Index a = corners[k].label, b = corners[(k + 1) % n].label;
-        if (m_points.id(a) < m_points.id(b) || corners[k].is_on_hull)
-          f(a, b);
+        const auto [first, second] = ordered(a, b);
+        if (a == first || corners[k].is_on_hull)
+          f(first, second);
         if (k >= 2 && k + 1 < n)
           f(corners[apex].label, corners[(apex + k) % n].label);
       }
@@ -86,6 +91,19 @@ private:
     Index label;
     bool is_on_hull; // the edge to the next corner
   };
+
+  bool comes_first(Index a, Index b) const
+  {
+    const auto key = [&](Index place) {
+      return std::make_tuple(m_points.id(place), m_points.point(place).x(),
+                             m_points.point(place).y());
+    };
+    return key(a) < key(b);
+  }
+  std::pair<Index, Index> ordered(Index a, Index b) const
+  {
+    return comes_first(a, b) ? std::make_pair(a, b) : std::make_pair(b, a);
+  }
 
   void find_labels()
   {
@@ -113,8 +131,8 @@ private:
       }
   }
 
-  // Calls f(corners, apex): corners counterclockwise, and the place of the one with the smallest
-  // id among them.
+  // Calls f(corners, apex): corners counterclockwise, and the place of the one among them from
+  // which the cell is cut.
   template <class Function>
   void for_each_cell(const Function& f) const
   {
@@ -147,7 +165,7 @@ private:
         continue;
       const auto apex =
           std::min_element(corners.begin(), corners.end(), [&](const Corner& a, const Corner& b) {
-            return m_points.id(a.label) < m_points.id(b.label);
+            return comes_first(a.label, b.label);
           });
       f(corners, std::size_t(apex - corners.begin()));
     }

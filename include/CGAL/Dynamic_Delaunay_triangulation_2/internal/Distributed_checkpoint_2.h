@@ -6,35 +6,41 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_image_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_ranks_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 #include <mpi.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// Ids, positions and the user's data of the points of all ranks, in one file that they write and
-// read together: a header, and a record of equal size for each point, as they are in memory.
+// The space, and ids, positions and the user's data of the points of all ranks, in one file that
+// they write and read together: a header, and a record of equal size for each point, as they are in
+// memory.
 //
 // A file is written under another name, and renamed when all of it is on the disk. So what has its
 // name is always complete, whenever a rank dies. All functions are collective, and throw on all
 // ranks or on none.
+template <class Space>
 class Distributed_checkpoint_2
 {
   using Entry = Distributed_entry_2;
 
 public:
+  using Parameters = typename Space::Parameters;
+
   Distributed_checkpoint_2(Distributed_ranks_2& ranks, const std::string& path)
     : m_ranks(ranks)
     , m_path(path)
@@ -42,7 +48,8 @@ public:
   }
 
   // `data` has `size` bytes for each point.
-  void write(const std::vector<Entry>& entries, const char* data, std::size_t size)
+  void write(const Parameters& parameters, const std::vector<Entry>& entries, const char* data,
+             std::size_t size)
   {
     const std::size_t record = sizeof(Entry) + size;
     std::vector<char> bytes(entries.size() * record);
@@ -51,10 +58,10 @@ public:
       if (size > 0)
         std::memcpy(&bytes[k * record + sizeof(Entry)], data + k * size, size);
     }
-    Header header;
+    Header header{{}, parameters};
     header.data_size = size;
     header.number_of_points = m_ranks.sum(entries.size());
-    header.sum = m_ranks.sum(sum_of(bytes, record));
+    header.sum = m_ranks.sum(sum_of(bytes, record)) + sum_of(parameters);
     const std::vector<std::uint64_t> sizes =
         m_ranks.gather(std::vector<std::uint64_t>{bytes.size()}).values;
     std::uint64_t offset = sizeof(Header);
@@ -88,13 +95,14 @@ public:
   }
 
   // An even part of the points, and of their data.
-  void read(std::vector<Entry>& entries, std::vector<char>& data, std::size_t size)
+  void read(Parameters& parameters, std::vector<Entry>& entries, std::vector<char>& data,
+            std::size_t size)
   {
     MPI_File file;
     if (is_any_error(MPI_File_open(m_ranks.communicator(), m_path.c_str(), MPI_MODE_RDONLY,
                                    MPI_INFO_NULL, &file)))
       throw Checkpoint_error_2(0, "cannot read '" + m_path + "'");
-    const std::string error = read_parts(file, entries, data, size);
+    const std::string error = read_parts(file, parameters, entries, data, size);
     MPI_File_close(&file);
     if (m_ranks.is_any(!error.empty()))
       throw Checkpoint_error_2(
@@ -102,13 +110,16 @@ public:
   }
 
 private:
-  struct Header
+  struct Beginning
   {
-    char name[24] = "distributed Delaunay 1\n";
+    std::array<char, 24> name = Space::file_name;
     std::uint64_t byte_order = 0x0102030405060708;
     std::uint64_t data_size = 0;
     std::uint64_t number_of_points = 0;
     std::uint64_t sum = 0; // of the records, in any order
+  };
+  struct Header : Beginning, Parameters
+  {
   };
 
   bool is_any_error(int result) { return m_ranks.is_any(result != MPI_SUCCESS); }
@@ -129,10 +140,10 @@ private:
   }
 
   // What is wrong, if anything.
-  std::string read_parts(MPI_File file, std::vector<Entry>& entries, std::vector<char>& data,
-                         std::size_t size)
+  std::string read_parts(MPI_File file, Parameters& parameters, std::vector<Entry>& entries,
+                         std::vector<char>& data, std::size_t size)
   {
-    Header header;
+    Header header{};
     MPI_Offset bytes_of_file = 0;
     MPI_Status status;
     header.byte_order = 0;
@@ -140,11 +151,11 @@ private:
         MPI_File_get_size(file, &bytes_of_file) == MPI_SUCCESS &&
         std::size_t(bytes_of_file) >= sizeof(Header) &&
         MPI_File_read_at(file, 0, &header, sizeof(Header), MPI_BYTE, &status) == MPI_SUCCESS;
-    const Header expected;
+    const Beginning expected;
     std::string error;
     const std::size_t record = sizeof(Entry) + size;
-    if (!is_read || std::memcmp(header.name, expected.name, sizeof(header.name)) != 0)
-      error = "this is no checkpoint of distributed points";
+    if (!is_read || header.name != expected.name)
+      error = "this is no checkpoint of distributed points of this kind";
     else if (header.byte_order != expected.byte_order)
       error = "it was written on a machine with another order of bytes";
     else if (header.data_size != size)
@@ -164,7 +175,8 @@ private:
       return MPI_File_read_at_all(file, MPI_Offset(sizeof(Header) + first * record + place),
                                   bytes.data() + place, n, MPI_BYTE, &status);
     });
-    const std::uint64_t sum = m_ranks.sum(sum_of(bytes, record));
+    parameters = header;
+    const std::uint64_t sum = m_ranks.sum(sum_of(bytes, record)) + sum_of(parameters);
     if (!are_read || sum != header.sum)
       return "its points are not those that were written";
     for (std::size_t place = 0; place < bytes.size(); place += record) {
@@ -174,6 +186,15 @@ private:
                   bytes.begin() + std::ptrdiff_t(place + record));
     }
     return error;
+  }
+
+  static std::uint64_t sum_of(const Parameters& parameters)
+  {
+    if constexpr (std::is_empty_v<Parameters>)
+      return 0;
+    std::vector<char> bytes(sizeof(Parameters));
+    std::memcpy(bytes.data(), &parameters, bytes.size());
+    return sum_of(bytes, bytes.size());
   }
 
   // Of the FNV-1a hashes of all records.

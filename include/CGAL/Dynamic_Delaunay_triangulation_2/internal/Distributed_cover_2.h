@@ -6,7 +6,6 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_outline_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_question_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_zone_2.h>
 
@@ -20,11 +19,10 @@ namespace internal {
 // Whether a zone covers disks, as far as there can be points: within the hull of all points. Disks
 // of flat faces at the hull are large, but most of them lies beyond it. They are cut into boxes
 // until each of these is proved to be in the zone, off the disk or beyond the hull.
-template <class Kernel>
+template <class Kernel, class Outline>
 class Distributed_cover_2
 {
   using Question = Distributed_question_2;
-  using Outline = Distributed_outline_2<Kernel>;
 
 public:
   explicit Distributed_cover_2(const Outline& outline)
@@ -43,7 +41,7 @@ public:
     if (zone.covers(box))
       return true;
     int budget = most_boxes;
-    return is_covered(disk, zone, box.common_part(m_outline.box()), budget);
+    return is_covered(disk, zone, box.common_part(m_outline.box_for(disk)), budget);
   }
 
   // Adds to the zone, which has no sums yet, what is closer than `margin` to the part of the disk
@@ -55,7 +53,7 @@ public:
     if (size <= 8 * zone.cell_size())
       return zone.add(box.enlarged(margin));
     int budget = most_boxes;
-    extend(disk, zone, margin, box.common_part(m_outline.box()).enlarged(margin), budget);
+    extend(disk, zone, margin, box.common_part(m_outline.box_for(disk)).enlarged(margin), budget);
   }
 
 private:

@@ -6,7 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_image_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_question_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_ranks_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Spatial_order_2.h>
@@ -33,9 +33,11 @@ class Distributed_order_2
 
 public:
   // The points that this rank owns from now on, in their order along the curve. Collective.
-  std::vector<Entry> distribute(Distributed_ranks_2& ranks, const std::vector<Entry>& own)
+  template <class Space>
+  std::vector<Entry> distribute(Distributed_ranks_2& ranks, const Space& space,
+                                const std::vector<Entry>& own)
   {
-    const std::vector<Key> keys = keys_of(ranks, own);
+    const std::vector<Key> keys = keys_of(ranks, space, own);
     const std::vector<Key> splitters = find_splitters(ranks, keys);
     m_destinations.clear();
     std::vector<Message_2> messages = ranks.empty_messages();
@@ -109,11 +111,16 @@ private:
 
   static constexpr std::size_t samples_per_rank = 64;
 
-  static std::vector<Key> keys_of(Distributed_ranks_2& ranks, const std::vector<Entry>& own)
+  template <class Space>
+  static std::vector<Key> keys_of(Distributed_ranks_2& ranks, const Space& space,
+                                  const std::vector<Entry>& own)
   {
     Box_2 box;
-    for (const Entry& entry : own)
-      box.add(entry.x, entry.y);
+    std::vector<typename Space::Image> images;
+    for (const Entry& entry : own) {
+      images.push_back(space.first_image({entry.x, entry.y}));
+      box.add(images.back().x, images.back().y);
+    }
     box.x_high = ranks.largest(box.x_high);
     box.y_high = ranks.largest(box.y_high);
     box.x_low = -ranks.largest(-box.x_low);
@@ -126,8 +133,9 @@ private:
     };
     const Hilbert_curve_2 curve;
     std::vector<Key> keys;
-    for (const Entry& entry : own)
-      keys.push_back({curve.place(cell(entry.x, box.x_low), cell(entry.y, box.y_low)), entry.id});
+    for (std::size_t k = 0; k < own.size(); ++k)
+      keys.push_back(
+          {curve.place(cell(images[k].x, box.x_low), cell(images[k].y, box.y_low)), own[k].id});
     return keys;
   }
 

@@ -6,7 +6,6 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_question_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_ranks_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
@@ -26,10 +25,10 @@ namespace internal {
 // of the triangulation of the rank that owns it, and it is enough that each rank gives its own
 // points there, but those in the middle of an edge. A rank inside gives none once it holds ghosts
 // around it. Cost: sorting of what all ranks give.
-template <class Kernel>
+template <class Points>
 class Distributed_outline_2
 {
-  using Points = Distributed_points_2<Kernel>;
+  using Kernel = typename Points::Kernel;
   using Point = typename Kernel::Point_2;
 
 public:
@@ -52,8 +51,8 @@ public:
       m_box.add(p.x(), p.y());
   }
 
-  // Around all points.
-  const Box_2& box() const { return m_box; }
+  // Around all points that may be in the region.
+  const Box_2& box_for(const Distributed_question_2&) const { return m_box; }
   // Counterclockwise, without those in the middle of an edge.
   const std::vector<Point>& corners() const { return m_corners; }
 

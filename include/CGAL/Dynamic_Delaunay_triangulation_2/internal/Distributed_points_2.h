@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_image_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_question_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_ranks_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_zone_2.h>
@@ -17,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <map>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -25,30 +27,42 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-using Distributed_id_2 = std::int64_t;
-
-// A point as it is sent.
-struct Distributed_entry_2
-{
-  Distributed_id_2 id;
-  double x, y;
-};
-
 // The points that a rank holds, its own and ghosts, and their triangulation. All of them have
-// places, which are the ids of that triangulation.
+// places, which are the ids of that triangulation. In a periodic space these are images of points:
+// one of each own point, and ghosts of points of any rank.
 //
-// Each rank keeps the list of the points that it has sent to each other one, its *exports* there;
-// the other one keeps the list of their places, its *imports*, in the same order. A frame sends the
-// positions of exports, tells which of them are no longer sent, and adds all own points that are
-// now in the zone of the other one. So after each frame a rank holds all points in its zone.
-template <class Kernel>
+// Each rank keeps the list of the points that it has sent to each other one, its *exports* there,
+// and a list for each shift by which it has sent them; the other one keeps the lists of their
+// places, its *imports*, in the same order. A frame sends the positions of exports, tells which of
+// them are no longer sent, and adds all images of own points that are now in the zone of the other
+// one. So after each frame a rank holds all points in its zone.
+//
+// `Space` is `Distributed_plane_2` or `Distributed_torus_2`.
+template <class Space_>
 class Distributed_points_2
 {
 public:
+  using Space = Space_;
+  using Kernel = typename Space::Kernel;
+  using Shift = typename Space::Shift;
+  using Image = typename Space::Image;
   using Id = Distributed_id_2;
   using Entry = Distributed_entry_2;
   using Point = typename Kernel::Point_2;
   using Dynamic = Dynamic_Delaunay_triangulation_2<Kernel>;
+
+  // An image as it is sent, and as it comes from a rank.
+  struct Sent
+  {
+    Id id;
+    Image image;
+  };
+  struct Coming
+  {
+    std::size_t rank;
+    Shift shift;
+    Sent sent;
+  };
 
   explicit Distributed_points_2(Distributed_ranks_2& ranks)
     : m_ranks(ranks)
@@ -57,6 +71,7 @@ public:
   {
   }
 
+  const Space& space() const { return m_space; }
   const Dynamic& dt() const { return m_dt; }
   // Of the own points, in the order of updates.
   const std::vector<Index>& owned() const { return m_owned; }
@@ -64,15 +79,41 @@ public:
   // By places.
   Id id(Index place) const { return m_ids[place]; }
   const Point& point(Index place) const { return m_points[place]; }
-  bool is_owned(Index place) const { return m_is_owned[place]; }
-  bool is_exported(Index place, std::size_t rank) const
+  const Shift& shift(Index place) const { return m_shifts[place]; }
+  Image image(Index place) const
   {
-    const std::vector<bool>& are_exported = m_links[rank].are_exported;
-    return place < are_exported.size() && are_exported[place];
+    return {m_shifts[place], m_points[place].x(), m_points[place].y()};
   }
+  // As the user gave it.
+  Entry entry(Index place) const
+  {
+    const Position_2 given = m_space.given(image(place));
+    return {m_ids[place], given.x, given.y};
+  }
+  bool is_owned(Index place) const { return m_is_owned[place]; }
   bool holds(Id id) const { return m_places.count(id) > 0; }
-  // \pre `holds(id)`
-  Index place(Id id) const { return m_places.at(id); }
+  // That of the point itself, if it is owned, or of one of its ghosts. \pre `holds(id)`
+  Index place(Id id) const
+  {
+    const auto [first, beyond] = m_places.equal_range(id);
+    const auto own = std::find_if(first, beyond, [&](const auto& p) { return is_owned(p.second); });
+    return own != beyond ? own->second : first->second;
+  }
+
+  // Whether a rank's points by a shift are the own points themselves.
+  bool is_own_image(std::size_t rank, const Shift& shift) const
+  {
+    return rank == std::size_t(m_ranks.rank()) && m_space.is_none(shift);
+  }
+
+  // Whether a rank has been sent the image of an own point by a shift, or holds it as its own.
+  bool is_held_by(std::size_t rank, Index place, const Shift& shift) const
+  {
+    if (is_own_image(rank, shift))
+      return true;
+    const auto link = m_links[rank].find(shift);
+    return link != m_links[rank].end() && link->second.exports_place(place);
+  }
 
   // By places: where the own points are in their order.
   std::vector<Index> order() const
@@ -104,28 +145,33 @@ public:
   }
 
   // Forgets all points, and owns these.
-  Update_report_2 reset(const std::vector<Entry>& owned)
+  Update_report_2 reset(const Space& space, const std::vector<Entry>& owned)
   {
+    m_space = space;
     m_dt = Dynamic();
     m_ids.clear();
     m_points.clear();
+    m_shifts.clear();
     m_is_owned.clear();
     m_places.clear();
     m_owned.clear();
-    m_links.assign(m_ranks.size(), Link());
+    m_links.assign(m_ranks.size(), {});
     m_zones.assign(m_ranks.size(), Distributed_zone_2());
     return insert(owned);
   }
 
   Update_report_2 insert(const std::vector<Entry>& owned)
   {
+    std::vector<Sent> images;
     std::vector<Point> points;
-    for (const Entry& entry : owned)
-      points.push_back(Point(entry.x, entry.y));
+    for (const Entry& entry : owned) {
+      images.push_back({entry.id, m_space.first_image({entry.x, entry.y})});
+      points.push_back(Point(images.back().image.x, images.back().image.y));
+    }
     std::vector<Index> places;
     const Update_report_2 report = m_dt.insert(points, std::back_inserter(places));
     for (std::size_t k = 0; k < owned.size(); ++k)
-      note(places[k], owned[k], true);
+      note(places[k], images[k], true);
     m_owned.insert(m_owned.end(), places.begin(), places.end());
     return report;
   }
@@ -134,13 +180,14 @@ public:
   Update_report_2 remove(const std::vector<Index>& places)
   {
     for (const Index place : places) {
-      m_places.erase(m_ids[place]);
+      forget(place);
       m_is_owned[place] = false;
-      for (Link& link : m_links)
-        if (place < link.are_exported.size() && link.are_exported[place]) {
-          link.are_exported[place] = false;
-          *std::find(link.exports.begin(), link.exports.end(), place) = no_index;
-        }
+      for (Links& links : m_links)
+        for (auto& [shift, link] : links)
+          if (link.exports_place(place)) {
+            link.are_exported[place] = false;
+            *std::find(link.exports.begin(), link.exports.end(), place) = no_index;
+          }
     }
     m_owned.erase(std::remove_if(m_owned.begin(), m_owned.end(),
                                  [&](Index place) { return !m_is_owned[place]; }),
@@ -148,11 +195,16 @@ public:
     return m_dt.remove(places);
   }
 
-  // `positions` are those of the own points, in their order.
-  void move(const std::vector<Point>& positions)
+  // `positions` are those of the own points, in their order, in a space that continues the one
+  // before.
+  void move(const Space& space, const std::vector<Position_2>& positions)
   {
-    for (std::size_t k = 0; k < m_owned.size(); ++k)
-      m_points[m_owned[k]] = positions[k];
+    for (std::size_t k = 0; k < m_owned.size(); ++k) {
+      const Index place = m_owned[k];
+      const Position_2 before{m_points[place].x(), m_points[place].y()};
+      put(place, space.next_image(positions[k], before, m_space));
+    }
+    m_space = space;
   }
 
   // Exchanges what has changed with the other ranks, and updates the triangulation.
@@ -161,44 +213,35 @@ public:
     std::vector<Message_2> messages = m_ranks.empty_messages();
     const Owned_boxes boxes = owned_boxes();
     for (std::size_t r = 0; r < m_links.size(); ++r)
-      if (r != std::size_t(m_ranks.rank()))
-        write_frame(r, boxes, messages[r]);
+      write_frame(r, boxes, messages[r]);
     m_ranks.start(std::move(messages));
     std::vector<std::size_t> gone;
     std::vector<Coming> coming;
     for (Message_2& message : m_ranks.finish())
-      read_frame(message, gone, coming);
-    std::vector<Point> points;
-    for (const Coming& one : coming)
-      points.push_back(Point(one.entry.x, one.entry.y));
+      while (!message.is_read())
+        read_link(message, gone, coming);
     std::vector<std::size_t> places;
     const Update_report_2 report =
-        m_dt.update_population(m_points.begin(), m_points.end(), gone, points, places);
+        m_dt.update_population(m_points.begin(), m_points.end(), gone, points_of(coming), places);
     note_ghosts(coming, places);
     return report;
   }
 
-  void export_to(std::size_t rank, Index place)
+  // What is sent of an own point.
+  Sent sent(Index place, const Shift& shift) const
   {
-    Link& link = m_links[rank];
-    link.exports.push_back(place);
-    link.idle_frames.push_back(0);
-    if (link.are_exported.size() <= place)
-      link.are_exported.resize(m_points.size(), false);
-    link.are_exported[place] = true;
+    return {m_ids[place], m_space.translated(image(place), shift)};
+  }
+  void export_to(std::size_t rank, Index place, const Shift& shift)
+  {
+    export_by(m_links[rank][shift], place);
   }
 
-  // What other ranks have sent as answers: pairs of the rank and the point.
-  Update_report_2 import(const std::vector<std::pair<std::size_t, Entry>>& entries)
+  // What other ranks have sent as answers.
+  Update_report_2 import(const std::vector<Coming>& coming)
   {
-    std::vector<Coming> coming;
-    std::vector<Point> points;
-    for (const auto& [rank, entry] : entries) {
-      coming.push_back({rank, entry});
-      points.push_back(Point(entry.x, entry.y));
-    }
     std::vector<std::size_t> places;
-    const Update_report_2 report = m_dt.insert(points, std::back_inserter(places));
+    const Update_report_2 report = m_dt.insert(points_of(coming), std::back_inserter(places));
     note_ghosts(coming, places);
     return report;
   }
@@ -209,7 +252,7 @@ public:
   {
     const auto all = m_ranks.gather(zone ? zone->to_words() : std::vector<std::uint64_t>());
     for (std::size_t r = 0; r < m_zones.size(); ++r)
-      if (all.offsets[r] < all.offsets[r + 1] && r != std::size_t(m_ranks.rank()))
+      if (all.offsets[r] < all.offsets[r + 1])
         m_zones[r] =
             Distributed_zone_2::of_words(all.values.begin() + std::ptrdiff_t(all.offsets[r]),
                                          all.values.begin() + std::ptrdiff_t(all.offsets[r + 1]));
@@ -220,17 +263,17 @@ public:
   {
     std::vector<Message_2> messages = m_ranks.empty_messages();
     for (std::size_t r = 0; r < m_links.size(); ++r)
-      for (const Index place : m_links[r].exports)
-        messages[r].write(Entry{m_ids[place], m_points[place].x(), m_points[place].y()});
+      for (const auto& [shift, link] : m_links[r])
+        for (const Index place : link.exports)
+          messages[r].write(sent(place, shift));
     bool are_valid = true;
     std::size_t imports = 0;
     for (Message_2& message : m_ranks.send(std::move(messages))) {
-      const Link& link = m_links[std::size_t(message.rank())];
-      imports += link.imports.size();
-      for (const Index place : link.imports) {
-        const Entry entry = message.is_read() ? Entry{} : message.template read<Entry>();
-        are_valid = are_valid && m_ids[place] == entry.id && m_points[place].x() == entry.x &&
-                    m_points[place].y() == entry.y && !m_is_owned[place];
+      for (const auto& [shift, link] : m_links[std::size_t(message.rank())]) {
+        imports += link.imports.size();
+        for (const Index place : link.imports)
+          are_valid = are_valid && !message.is_read() && !m_is_owned[place] &&
+                      is_the_same(message.template read<Sent>(), place);
       }
       are_valid = are_valid && message.is_read();
     }
@@ -244,12 +287,13 @@ private:
     std::vector<std::uint8_t> idle_frames; // how long each of them has been outside of the zone
     std::vector<bool> are_exported;        // by places
     std::vector<Index> imports;
+
+    bool exports_place(Index place) const
+    {
+      return place < are_exported.size() && are_exported[place];
+    }
   };
-  struct Coming
-  {
-    std::size_t rank;
-    Entry entry;
-  };
+  using Links = std::map<Shift, Link>;
 
   // Around all own points, and around each stretch of them, which are mostly close together. Few
   // zones of many ranks are near: without boxes each point would be looked at for each rank.
@@ -264,24 +308,62 @@ private:
   // for in one frame is often needed in the next ones.
   static constexpr std::uint8_t patience = 8;
 
-  void note(Index place, const Entry& entry, bool is_own)
+  bool is_the_same(const Sent& other, Index place) const
+  {
+    return other.id == m_ids[place] && other.image.x == m_points[place].x() &&
+           other.image.y == m_points[place].y() &&
+           !(static_cast<const Shift&>(other.image) < m_shifts[place]) &&
+           !(m_shifts[place] < static_cast<const Shift&>(other.image));
+  }
+
+  void export_by(Link& link, Index place)
+  {
+    link.exports.push_back(place);
+    link.idle_frames.push_back(0);
+    if (link.are_exported.size() <= place)
+      link.are_exported.resize(m_points.size(), false);
+    link.are_exported[place] = true;
+  }
+
+  void note(Index place, const Sent& sent, bool is_own)
   {
     if (m_points.size() <= place) {
       m_ids.resize(place + std::size_t(1));
       m_points.resize(place + std::size_t(1));
+      m_shifts.resize(place + std::size_t(1));
       m_is_owned.resize(place + std::size_t(1));
     }
-    m_ids[place] = entry.id;
-    m_points[place] = Point(entry.x, entry.y);
+    m_ids[place] = sent.id;
+    put(place, sent.image);
     m_is_owned[place] = is_own;
-    m_places[entry.id] = place;
+    m_places.emplace(sent.id, place);
+  }
+
+  void put(Index place, const Image& image)
+  {
+    m_points[place] = Point(image.x, image.y);
+    m_shifts[place] = image;
+  }
+
+  void forget(Index place)
+  {
+    const auto [first, beyond] = m_places.equal_range(m_ids[place]);
+    m_places.erase(std::find_if(first, beyond, [&](const auto& p) { return p.second == place; }));
+  }
+
+  static std::vector<Point> points_of(const std::vector<Coming>& coming)
+  {
+    std::vector<Point> points;
+    for (const Coming& one : coming)
+      points.push_back(Point(one.sent.image.x, one.sent.image.y));
+    return points;
   }
 
   void note_ghosts(const std::vector<Coming>& coming, const std::vector<std::size_t>& places)
   {
     for (std::size_t k = 0; k < coming.size(); ++k) {
-      note(Index(places[k]), coming[k].entry, false);
-      m_links[coming[k].rank].imports.push_back(Index(places[k]));
+      note(Index(places[k]), coming[k].sent, false);
+      m_links[coming[k].rank][coming[k].shift].imports.push_back(Index(places[k]));
     }
   }
 
@@ -300,61 +382,93 @@ private:
   void export_to_zone(std::size_t r, const Owned_boxes& boxes)
   {
     const Distributed_zone_2& zone = m_zones[r];
-    if (!zone.may_meet(boxes.all))
-      return;
+    m_space.for_each_shift(boxes.all, zone.bounds(), [&](const Shift& shift) {
+      const Position_2 v = m_space.vector(shift);
+      if (!is_own_image(r, shift) && zone.may_meet(boxes.all.moved(v)))
+        export_to_zone(zone, v, boxes, m_links[r][shift]);
+    });
+  }
+
+  // The images that are moved by `v`.
+  void export_to_zone(const Distributed_zone_2& zone, const Position_2& v, const Owned_boxes& boxes,
+                      Link& link)
+  {
     for (std::size_t s = 0; s < boxes.stretches.size(); ++s) {
-      if (!zone.may_meet(boxes.stretches[s]))
+      if (!zone.may_meet(boxes.stretches[s].moved(v)))
         continue;
       const std::size_t beyond = (std::min)((s + 1) * stretch, m_owned.size());
       for (std::size_t k = s * stretch; k < beyond; ++k) {
         const Index place = m_owned[k];
-        if (!is_exported(place, r) && zone.contains(m_points[place].x(), m_points[place].y()))
-          export_to(r, place);
+        if (!link.exports_place(place) && is_in(zone, place, v))
+          export_by(link, place);
       }
     }
   }
 
-  // Numbers of exports that end and that begin; the places in the list of those that end; positions
-  // of those that stay; and the new points.
+  bool is_in(const Distributed_zone_2& zone, Index place, const Position_2& v) const
+  {
+    return zone.contains(m_points[place].x() + v.x, m_points[place].y() + v.y);
+  }
+
+  // For each shift: the numbers of exports that end and that begin; the places in the list of those
+  // that end; images of those that stay; and the new ones.
   void write_frame(std::size_t r, const Owned_boxes& boxes, Message_2& message)
   {
-    Link& link = m_links[r];
-    const std::vector<std::uint64_t> ending = drop_exports(r);
-    const std::size_t staying = link.exports.size();
+    std::map<Shift, Leaving> leaving;
+    for (auto& [shift, link] : m_links[r])
+      leaving[shift] = drop_exports(m_zones[r], m_space.vector(shift), link);
     export_to_zone(r, boxes);
-    const std::size_t beginning = link.exports.size() - staying;
-    if (link.exports.empty() && ending.empty())
+    for (const auto& [shift, link] : m_links[r])
+      write_link(shift, link, leaving[shift], message);
+    erase_unused(m_links[r]);
+  }
+
+  // Of a link: the places in its list of exports that end, and how many stay.
+  struct Leaving
+  {
+    std::vector<std::uint64_t> ending;
+    std::size_t staying = 0;
+  };
+
+  void write_link(const Shift& shift, const Link& link, const Leaving& leaving, Message_2& message)
+  {
+    if (link.exports.empty() && leaving.ending.empty())
       return;
-    message.write(std::uint64_t(ending.size()));
-    message.write(std::uint64_t(beginning));
-    for (const std::uint64_t k : ending)
+    message.write(shift);
+    message.write(std::uint64_t(leaving.ending.size()));
+    message.write(std::uint64_t(link.exports.size() - leaving.staying));
+    for (const std::uint64_t k : leaving.ending)
       message.write(k);
-    for (std::size_t k = 0; k < staying; ++k) {
-      const Point& p = m_points[link.exports[k]];
-      message.write(Position_2{p.x(), p.y()});
+    for (std::size_t k = 0; k < link.exports.size(); ++k) {
+      const Sent one = sent(link.exports[k], shift);
+      if (k < leaving.staying)
+        message.write(one.image);
+      else
+        message.write(one);
     }
-    for (std::size_t k = staying; k < link.exports.size(); ++k) {
-      const Index place = link.exports[k];
-      message.write(Entry{m_ids[place], m_points[place].x(), m_points[place].y()});
-    }
+  }
+
+  static void erase_unused(Links& links)
+  {
+    for (auto link = links.begin(); link != links.end();)
+      link = link->second.exports.empty() && link->second.imports.empty() ? links.erase(link)
+                                                                          : std::next(link);
   }
 
   // Those that were removed, or have been outside of the zone for long.
-  std::vector<std::uint64_t> drop_exports(std::size_t r)
+  Leaving drop_exports(const Distributed_zone_2& zone, const Position_2& v, Link& link)
   {
-    Link& link = m_links[r];
-    std::vector<std::uint64_t> ending;
-    std::size_t kept = 0;
+    Leaving leaving;
+    std::size_t& kept = leaving.staying;
     for (std::size_t k = 0; k < link.exports.size(); ++k) {
       const Index place = link.exports[k];
       if (place == no_index) {
-        ending.push_back(k);
+        leaving.ending.push_back(k);
         continue;
       }
-      const bool is_inside = m_zones[r].contains(m_points[place].x(), m_points[place].y());
-      const auto idle = std::uint8_t(is_inside ? 0 : link.idle_frames[k] + 1);
+      const auto idle = std::uint8_t(is_in(zone, place, v) ? 0 : link.idle_frames[k] + 1);
       if (idle > patience) {
-        ending.push_back(k);
+        leaving.ending.push_back(k);
         link.are_exported[place] = false;
         continue;
       }
@@ -363,38 +477,39 @@ private:
     }
     link.exports.resize(kept);
     link.idle_frames.resize(kept);
-    return ending;
+    return leaving;
   }
 
-  void read_frame(Message_2& message, std::vector<std::size_t>& gone, std::vector<Coming>& coming)
+  void read_link(Message_2& message, std::vector<std::size_t>& gone, std::vector<Coming>& coming)
   {
     const auto r = std::size_t(message.rank());
-    std::vector<Index>& imports = m_links[r].imports;
+    const auto shift = message.template read<Shift>();
+    std::vector<Index>& imports = m_links[r][shift].imports;
     auto ending = message.template read<std::uint64_t>();
     const auto beginning = message.template read<std::uint64_t>();
     for (; ending > 0; --ending) {
       Index& place = imports.at(message.template read<std::uint64_t>());
       gone.push_back(place);
-      m_places.erase(m_ids[place]);
+      forget(place);
       place = no_index;
     }
     imports.erase(std::remove(imports.begin(), imports.end(), no_index), imports.end());
-    for (const Index place : imports) {
-      const auto p = message.template read<Position_2>();
-      m_points[place] = Point(p.x, p.y);
-    }
+    for (const Index place : imports)
+      put(place, message.template read<Image>());
     for (std::uint64_t k = 0; k < beginning; ++k)
-      coming.push_back({r, message.template read<Entry>()});
+      coming.push_back({r, shift, message.template read<Sent>()});
   }
 
   Distributed_ranks_2& m_ranks;
+  Space m_space;
   Dynamic m_dt;
   std::vector<Id> m_ids;
   std::vector<Point> m_points;
+  std::vector<Shift> m_shifts;
   std::vector<bool> m_is_owned;
-  std::unordered_map<Id, Index> m_places;
+  std::unordered_multimap<Id, Index> m_places;
   std::vector<Index> m_owned;
-  std::vector<Link> m_links;               // by ranks
+  std::vector<Links> m_links;              // by ranks
   std::vector<Distributed_zone_2> m_zones; // by ranks
 };
 

@@ -9,7 +9,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_cover_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_density_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_outline_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_question_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_ranks_2.h>
@@ -24,6 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -41,13 +41,18 @@ namespace internal {
 // has not sent yet, at first a few that are near. They become ghosts, faces change, and again,
 // until every rank has answered each question about a face that is still there completely. After
 // that the zone is computed anew from the faces, so that the next frames need not ask.
-template <class Kernel>
+//
+// In a periodic space a rank asks itself as well, for images of its own points.
+template <class Space>
 class Distributed_proof_2
 {
-  using Points = Distributed_points_2<Kernel>;
+  using Kernel = typename Space::Kernel;
+  using Shift = typename Space::Shift;
+  using Points = Distributed_points_2<Space>;
+  using Outline = typename Space::template Outline<Points>;
+  using Search = Distributed_search_2<Points>;
   using Question = Distributed_question_2;
   using Questions = std::vector<Question>;
-  using Entry = Distributed_entry_2;
 
 public:
   Distributed_proof_2(Distributed_ranks_2& ranks, Points& points)
@@ -67,7 +72,7 @@ public:
   Update_report_2 run(bool trusts_zones = true)
   {
     Update_report_2 report;
-    if (m_ranks.size() == 1)
+    if (m_ranks.size() == 1 && !Space::is_periodic)
       return report;
     ++m_zone_age;
     m_outline.gather(m_ranks, m_points);
@@ -178,12 +183,9 @@ private:
     for (const Question& question : open) {
       candidates.clear();
       for (std::size_t r = 0; r < m_ranks.size(); ++r) {
-        if (r == std::size_t(m_ranks.rank()) || m_answered[r].count(question) > 0)
+        if (m_answered[r].count(question) > 0)
           continue;
-        double nearest = Box_2::infinity;
-        for (std::size_t k = r * boxes_per_rank; k < (r + 1) * boxes_per_rank; ++k)
-          if (question.may_meet<Kernel>(m_boxes[k]))
-            nearest = (std::min)(nearest, m_boxes[k].squared_distance(question.x, question.y));
+        const double nearest = squared_distance_to(r, question);
         if (nearest < Box_2::infinity)
           candidates.emplace_back(nearest, r);
       }
@@ -192,6 +194,20 @@ private:
         questions[candidates[k].second].push_back(question);
     }
     return questions;
+  }
+
+  // How near to the focus a rank may own points in the region; infinite if it does not.
+  double squared_distance_to(std::size_t r, const Question& question) const
+  {
+    double nearest = Box_2::infinity;
+    const Box_2 region = m_outline.box_for(question).common_part(question.box());
+    for (std::size_t k = r * boxes_per_rank; k < (r + 1) * boxes_per_rank; ++k)
+      m_points.space().for_each_shift(m_boxes[k], region, [&](const Shift& shift) {
+        const Box_2 box = m_boxes[k].moved(m_points.space().vector(shift));
+        if (!m_points.is_own_image(r, shift) && question.may_meet<Kernel>(box))
+          nearest = (std::min)(nearest, box.squared_distance(question.x, question.y));
+      });
+    return nearest;
   }
 
   Update_report_2 ask(const std::vector<Questions>& questions, std::size_t limit)
@@ -203,46 +219,73 @@ private:
         messages[r].write(question);
     std::vector<Message_2> asked = m_ranks.send(std::move(messages));
     if (!asked.empty()) {
-      const Distributed_search_2<Kernel> search(m_points);
+      const Search search(m_points);
       for (Message_2& message : asked)
         answer(search, message, answers[std::size_t(message.rank())], limit);
     }
-    std::vector<std::pair<std::size_t, Entry>> coming;
+    std::vector<typename Points::Coming> coming;
     for (Message_2& message : m_ranks.send(std::move(answers))) {
       const auto r = std::size_t(message.rank());
       for (const Question& question : questions[r]) {
         if (message.template read<std::uint64_t>() != 0)
           m_answered[r].insert(question);
-        for (auto n = message.template read<std::uint64_t>(); n > 0; --n)
-          coming.emplace_back(r, message.template read<Entry>());
+        for (auto n = message.template read<std::uint64_t>(); n > 0; --n) {
+          const auto shift = message.template read<Shift>();
+          coming.push_back({r, shift, message.template read<typename Points::Sent>()});
+        }
       }
     }
     return m_points.import(coming);
   }
 
+  // An own point's image in a region, which the other rank does not hold.
+  struct Found
+  {
+    double squared_distance; // from the focus
+    Index place;
+    Shift shift;
+
+    friend bool operator<(const Found& f, const Found& g)
+    {
+      return std::tie(f.squared_distance, f.place, f.shift) <
+             std::tie(g.squared_distance, g.place, g.shift);
+    }
+  };
+
   // Sends the points in the regions that the other rank does not hold: those near the focus.
-  void answer(const Distributed_search_2<Kernel>& search, Message_2& questions, Message_2& answers,
-              std::size_t limit)
+  void answer(const Search& search, Message_2& questions, Message_2& answers, std::size_t limit)
   {
     const auto r = std::size_t(questions.rank());
-    std::vector<std::pair<double, Index>> found;
     while (!questions.is_read()) {
-      const auto question = questions.template read<Question>();
-      found.clear();
-      search.for_each_inside(question, [&](Index place) {
-        if (!m_points.is_exported(place, r))
-          found.emplace_back(squared_distance(position(place), {question.x, question.y}), place);
-      });
+      std::vector<Found> found = find_inside(search, questions.template read<Question>(), r);
       const std::size_t sent = (std::min)(limit, found.size());
       std::partial_sort(found.begin(), found.begin() + std::ptrdiff_t(sent), found.end());
       answers.write(std::uint64_t(sent == found.size()));
       answers.write(std::uint64_t(sent));
       for (std::size_t k = 0; k < sent; ++k) {
-        const Index place = found[k].second;
-        answers.write(Entry{m_points.id(place), position(place).x, position(place).y});
-        m_points.export_to(r, place);
+        answers.write(found[k].shift);
+        answers.write(m_points.sent(found[k].place, found[k].shift));
+        m_points.export_to(r, found[k].place, found[k].shift);
       }
     }
+  }
+
+  std::vector<Found> find_inside(const Search& search, const Question& question,
+                                 std::size_t rank) const
+  {
+    std::vector<Found> found;
+    const Box_2 box = m_outline.box_for(question);
+    const auto& space = m_points.space();
+    space.for_each_shift(search.box(), box.common_part(question.box()), [&](const Shift& shift) {
+      const Position_2 v = space.vector(shift);
+      const Question moved = question.moved_back(v);
+      search.for_each_inside(moved, [&](Index place) {
+        const Position_2 p = position(place);
+        if (box.contains(p.x + v.x, p.y + v.y) && !m_points.is_held_by(rank, place, shift))
+          found.push_back({squared_distance(p, {moved.x, moved.y}), place, shift});
+      });
+    });
+    return found;
   }
 
   Position_2 position(Index place) const
@@ -315,8 +358,8 @@ private:
 
   Distributed_ranks_2& m_ranks;
   Points& m_points;
-  Distributed_outline_2<Kernel> m_outline;
-  Distributed_cover_2<Kernel> m_cover;
+  Outline m_outline;
+  Distributed_cover_2<Kernel, Outline> m_cover;
   Distributed_zone_2 m_zone;
   Distributed_density_2 m_density;
   double m_margin = smallest_margin;

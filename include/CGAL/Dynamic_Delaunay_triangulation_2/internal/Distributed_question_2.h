@@ -40,12 +40,20 @@ struct Box_2
   {
     return x_low <= b.x_high && b.x_low <= x_high && y_low <= b.y_high && b.y_low <= y_high;
   }
+  bool contains(double x, double y) const
+  {
+    return x_low <= x && x <= x_high && y_low <= y && y <= y_high;
+  }
   Box_2 common_part(const Box_2& b) const
   {
     return {(std::max)(x_low, b.x_low), (std::max)(y_low, b.y_low), (std::min)(x_high, b.x_high),
             (std::min)(y_high, b.y_high)};
   }
   Box_2 enlarged(double by) const { return {x_low - by, y_low - by, x_high + by, y_high + by}; }
+  Box_2 moved(const Position_2& v) const
+  {
+    return {x_low + v.x, y_low + v.y, x_high + v.x, y_high + v.y};
+  }
   double squared_distance(double x, double y) const
   {
     const double dx = (std::max)({x_low - x, x - x_high, 0.0});
@@ -70,6 +78,13 @@ struct Distributed_question_2
   }
 
   Position_2 corner(std::size_t i) const { return {corners[2 * i], corners[2 * i + 1]}; }
+
+  // The region, moved back by a vector by which its corners can be moved exactly.
+  Distributed_question_2 moved_back(const Position_2& v) const
+  {
+    const auto& [ax, ay, bx, by, cx, cy] = corners;
+    return {kind, {ax - v.x, ay - v.y, bx - v.x, by - v.y, cx - v.x, cy - v.y}, x - v.x, y - v.y};
+  }
 
   template <class Kernel>
   bool contains(double px, double py) const
@@ -104,6 +119,9 @@ struct Distributed_question_2
       return true;
     }
   }
+
+  // Around the region.
+  Box_2 box() const { return kind == CIRCLE ? box_of_disk() : Box_2::of_everything(); }
 
   // A box around the disk. With e = 2^-53 the sides u and v from one corner are off by e times
   // themselves, so that D = u x v is off by less than 8 e |u||v|. Where |u|^2 + |v|^2 is at most

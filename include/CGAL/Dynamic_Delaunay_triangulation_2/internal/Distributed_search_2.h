@@ -6,7 +6,6 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_question_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 
@@ -23,10 +22,10 @@ namespace internal {
 // Finds the own points in the regions of questions, by a grid of about two points a cell. Cost: the
 // points are sorted into cells once; then proportional to the cells around the boundary of a region
 // and to what it contains, with a logarithm for the way there.
-template <class Kernel>
+template <class Points>
 class Distributed_search_2
 {
-  using Points = Distributed_points_2<Kernel>;
+  using Kernel = typename Points::Kernel;
   using Question = Distributed_question_2;
 
 public:
@@ -49,6 +48,9 @@ public:
     m_rows = long(height / m_size) + 1;
     sort_into_cells();
   }
+
+  // Around the own points.
+  const Box_2& box() const { return m_box; }
 
   // Calls f(place) for each own point in the region.
   template <class Function>

@@ -94,6 +94,16 @@ public:
     return are_all_cells(low, {low.column + last, low.row + last});
   }
 
+  // Around all places in the zone, which has come as words.
+  Box_2 bounds() const
+  {
+    if (m_first.column > m_last.column)
+      return Box_2();
+    const double size = cell_size(); // of a cell more on each side, for rounding
+    return {m_x + double(m_first.column - 1) * size, m_y + double(m_first.row - 1) * size,
+            m_x + double(m_last.column + 2) * size, m_y + double(m_last.row + 2) * size};
+  }
+
   // Whether it can be seen quickly that all places in the box are in the zone.
   bool covers(const Box_2& box) const
   {

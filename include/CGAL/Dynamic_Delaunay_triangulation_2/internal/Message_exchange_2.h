@@ -44,7 +44,8 @@ public:
   {
     const std::size_t place = m_words.size();
     m_words.resize(place + words_of<T>());
-    std::memcpy(&m_words[place], &value, sizeof(T));
+    if constexpr (words_of<T>() > 0)
+      std::memcpy(&m_words[place], &value, sizeof(T));
   }
 
   template <class T>
@@ -53,7 +54,8 @@ public:
     if (m_words.size() - m_next < words_of<T>())
       throw std::runtime_error("a message between ranks is too short: they run different programs");
     T value;
-    std::memcpy(&value, &m_words[m_next], sizeof(T));
+    if constexpr (words_of<T>() > 0)
+      std::memcpy(static_cast<void*>(&value), &m_words[m_next], sizeof(T));
     m_next += words_of<T>();
     return value;
   }
@@ -63,7 +65,7 @@ private:
   static constexpr std::size_t words_of()
   {
     static_assert(std::is_trivially_copyable_v<T>, "only plain data can be sent");
-    return (sizeof(T) + 7) / 8;
+    return std::is_empty_v<T> ? 0 : (sizeof(T) + 7) / 8;
   }
 
   int m_rank;

@@ -1,0 +1,318 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Run by several ranks in a periodic cell: points that come and go, points that are distributed,
+// neighbor lists and measures, and checkpoints that other numbers of ranks read.
+
+#include "distributed_periodic_oracle.h"
+
+#include <CGAL/Distributed_neighbor_lists_2.h>
+#include <CGAL/Voronoi_cell_measures_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <random>
+#include <string>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+using Newcomers = std::vector<std::pair<Id, Point>>;
+
+const Cell skew_cell(12, 1, 4, 11);
+
+Points random_points(std::size_t n, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> part(-1, 2);
+  Points points;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double s = part(random), t = part(random);
+    points.push_back(Point(12 * s + 4 * t, s + 11 * t));
+  }
+  return points;
+}
+
+template <class Value>
+std::vector<Value> given_here(const std::vector<Value>& all)
+{
+  std::vector<Value> given;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (in_turn(k, all.size()) == this_rank)
+      given.push_back(all[k]);
+  return given;
+}
+
+// By images of vertices at their labels; the lists of coincident points end with each other.
+void expect_neighbors(const Distributed_periodic& dt, const Population& population,
+                      const std::string& what)
+{
+  CGAL::Distributed_neighbor_lists_2 lists;
+  lists.compute(dt);
+  expect(lists.shifts().size() == lists.neighbors().size(), what + ": each neighbor has a shift");
+  const std::vector<Id> ids = dt.owned_ids();
+  const double area = std::abs(dt.cell().ax() * dt.cell().by() - dt.cell().ay() * dt.cell().bx());
+  const double scale = std::sqrt(area);
+  Periodic_edges own;
+  for (std::size_t k = 0; k < ids.size(); ++k)
+    for (std::size_t n = lists.offsets()[k]; n < lists.offsets()[k + 1]; ++n) {
+      const auto v = dt.vector(ids[k], lists.neighbors()[n], lists.shifts()[n]);
+      if (std::sqrt(v.squared_length()) < 1e-9 * scale)
+        expect(population.count(lists.neighbors()[n]) > 0, what + ": a duplicate is a point");
+      else
+        own.emplace_back(ids[k], lists.neighbors()[n], lists.shifts()[n]);
+    }
+  Periodic_edges all = gathered_data(own);
+  const Population points = triangulated(dt, population, what);
+  if (this_rank > 0)
+    return;
+  Periodic_edges expected;
+  for (const auto& [i, j, shift] : One_process(points, dt.cell()).edges()) {
+    expected.emplace_back(i, j, shift);
+    expected.emplace_back(j, i, Shift{0, 0} - shift);
+  }
+  std::sort(all.begin(), all.end());
+  std::sort(expected.begin(), expected.end());
+  expect(all == expected, what + ": neighbors are the ends of edges");
+}
+
+void expect_duplicates(const Distributed_periodic& dt, const std::vector<Id>& group,
+                       const std::string& what)
+{
+  std::uint64_t told = 0;
+  const std::vector<Id> ids = dt.owned_ids();
+  dt.for_each_duplicate([&](std::size_t k, Id j, const Shift& shift) {
+    const auto v = dt.vector(ids[k], j, shift);
+    expect(v.squared_length() == 0, what + ": duplicates are at one place");
+    expect((ids[k] == group.front()) != (j == group.front()),
+           what + ": the smallest id stands for all");
+    ++told;
+  });
+  expect(sum(told) == 2 * (group.size() - 1), what + ": all duplicates are told");
+}
+
+void expect_measures(const Distributed_periodic& dt, const std::string& what)
+{
+  CGAL::Voronoi_cell_measures_2 measures;
+  measures.compute(dt.held_triangulation());
+  double own = 0, all = 0;
+  for (const Id id : dt.owned_ids())
+    own += measures.areas()[dt.held_id(id)];
+  MPI_Allreduce(&own, &all, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  expect(std::abs(all - dt.cell().area()) < 1e-9 * all,
+         what + ": the Voronoi cells are as large as the cell");
+}
+
+void points_come_and_go(double load_factor)
+{
+  std::mt19937 random(13); // the same on all ranks
+  std::normal_distribution<double> step(0, 0.05);
+  const Newcomers none;
+  Distributed_periodic dt(MPI_COMM_WORLD, none.begin(), none.end(), skew_cell, load_factor);
+  Population population;
+  expect_exact(dt, population, "no points");
+  Id next = -5; // any numbers are ids
+  for (int frame = 0; frame < 12; ++frame) {
+    Newcomers coming;
+    for (const Point& p : random_points(frame % 6 == 0 ? 80 : 3, random))
+      coming.emplace_back(next += 1 + Id(random() % 1000), p);
+    coming.emplace_back(next += 3, Point(coming[0].second.x() + 12, coming[0].second.y() + 1));
+    const Newcomers given = given_here(coming);
+    dt.insert(given.begin(), given.end());
+    population.insert(coming.begin(), coming.end());
+    expect_exact(dt, population, "points have come");
+    expect_neighbors(dt, population, "points have come");
+    std::vector<Id> going;
+    for (const auto& value : population)
+      if (random() % (frame % 5 == 0 ? 3 : 30) == 0)
+        going.push_back(value.first);
+    const std::vector<Id> gone = given_here(going);
+    dt.remove(gone.begin(), gone.end());
+    for (const Id id : going)
+      population.erase(id);
+    expect_exact(dt, population, "points have gone");
+    for (auto& [id, p] : population)
+      p = Point(p.x() + step(random), p.y() + step(random));
+    const Points positions = own_positions(dt, population);
+    dt.update(positions.begin(), positions.end());
+    expect_exact(dt, population, "points have moved");
+  }
+  std::vector<Id> all;
+  for (const auto& value : population)
+    all.push_back(value.first);
+  const std::vector<Id> gone = given_here(all);
+  dt.remove(gone.begin(), gone.end());
+  population.clear();
+  expect_exact(dt, population, "all points have gone");
+  expect(dt.is_valid(), "no points are valid");
+}
+
+void duplicates_and_measures()
+{
+  std::mt19937 random(17);
+  Population population = numbered(random_points(100, random));
+  population[200] = Point(1, 2);
+  for (Id k = 1; k <= 5; ++k) // by vectors of the lattice, which are integers
+    population[200 + k] = Point(1 + 12 * double(k) - 4, 2 + double(k) - 11);
+  const auto own = own_part(population, in_turn);
+  Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), skew_cell);
+  expect_exact(dt, population, "duplicates");
+  expect_duplicates(dt, {200, 201, 202, 203, 204, 205}, "duplicates");
+  const std::vector<Id> some = given_here(std::vector<Id>{201, 202, 203, 204, 205});
+  dt.remove(some.begin(), some.end());
+  expect_measures(dt, "measures");
+}
+
+void mixed_points_are_distributed_anew()
+{
+  std::mt19937 random(8);
+  Population population = numbered(random_points(600, random));
+  const auto own = own_part(population, on_first);
+  Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), skew_cell);
+  std::size_t distributions = 0;
+  for (int frame = 0; frame < 48; ++frame) {
+    const std::vector<Id> before = dt.owned_ids();
+    for (auto& [id, p] : population)
+      if (frame >= 8 && random() % 5 == 0)
+        p = random_points(1, random).front();
+    const Points next = own_positions(dt, population);
+    dt.update(next.begin(), next.end());
+    if (frame % 8 == 0)
+      expect_exact(dt, population, "mixing");
+    if (dt.number_of_distributions() != distributions)
+      expect(dt.carry(before) == dt.owned_ids(), "data follow their points");
+    else
+      expect(dt.owned_ids() == before, "owned points change only where they are distributed");
+    distributions = dt.number_of_distributions();
+  }
+  expect(number_of_ranks < 4 || distributions > 0, "points that mix are distributed anew");
+  const std::vector<Id> before = dt.owned_ids();
+  dt.distribute();
+  expect(dt.carry(before) == dt.owned_ids(), "data follow points that are distributed by hand");
+  expect_exact(dt, population, "distributed by hand");
+  std::uint64_t owned = dt.number_of_owned_points(), most = 0;
+  MPI_Allreduce(&owned, &most, 1, MPI_UINT64_T, MPI_MAX, MPI_COMM_WORLD);
+  expect(most <= 600 / std::uint64_t(number_of_ranks) + 600 / 64 + 1,
+         "all ranks own about equally many points");
+}
+
+void calm_frames_need_no_questions()
+{
+  std::mt19937 random(6);
+  std::normal_distribution<double> step(0, 0.00005);
+  Population population = numbered(random_points(800, random));
+  const auto own = own_part(population, in_turn);
+  Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), skew_cell);
+  const auto update = [&](double shear) {
+    for (auto& [id, p] : population)
+      p = Point(p.x() + 0.0002 * p.y() + step(random), p.y() + step(random));
+    const Points next = own_positions(dt, population);
+    dt.update(next.begin(), next.end(), Cell(12 + shear, 1, 4 + 11 * shear, 11));
+  };
+  update(0);
+  const auto rounds = dt.number_of_rounds();
+  for (int frame = 1; frame <= 20; ++frame) {
+    update(0.0002 * frame);
+    expect_exact(dt, population, "a calm frame");
+  }
+  expect(dt.number_of_rounds() == rounds, "calm frames of shear need no questions");
+}
+
+void other_ranks_read_checkpoints()
+{
+  long process = getpid();
+  MPI_Bcast(&process, 1, MPI_LONG, 0, MPI_COMM_WORLD);
+  const std::string path = (std::filesystem::temp_directory_path() /
+                            ("distributed_periodic_uses_" + std::to_string(process)))
+                               .string();
+  std::mt19937 random(23);
+  Population population = numbered(random_points(150, random));
+  {
+    const auto own = own_part(population, in_turn);
+    Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), Cell(12.1, 1, 4, 10.9));
+    dt.write_checkpoint(path); // which the next one replaces
+    dt.write_checkpoint(path, dt.owned_points());
+  }
+  const Newcomers none;
+  for (int readers = 1; readers <= number_of_ranks; ++readers) {
+    MPI_Comm some;
+    MPI_Comm_split(MPI_COMM_WORLD, this_rank < readers, this_rank, &some);
+    const std::string what = std::to_string(readers) + " ranks have read";
+    {
+      Distributed_periodic dt(some, none.begin(), none.end(), Cell(1, 1));
+      if (this_rank < readers) {
+        Points data;
+        dt.read_checkpoint(path, data);
+        expect(data == dt.owned_points(), what + ": the same points, bit for bit, and their data");
+        expect(dt.is_valid(), what + ": valid");
+      }
+      expect_exact(dt, population, what);
+      bool is_refused = false;
+      try {
+        std::vector<char> other;
+        dt.read_checkpoint(path, other);
+      } catch (const CGAL::Checkpoint_error_2&) {
+        is_refused = true;
+      }
+      expect(is_refused, what + ": other data are refused");
+    }
+    MPI_Comm_free(&some);
+  }
+  Distributed plane(MPI_COMM_WORLD, none.begin(), none.end());
+  bool is_refused = false;
+  try {
+    plane.read_checkpoint(path);
+  } catch (const CGAL::Checkpoint_error_2&) {
+    is_refused = true;
+  }
+  expect(is_refused, "the plane refuses points of a periodic cell");
+  if (this_rank == 0) {
+    std::FILE* const file = std::fopen(path.c_str(), "r+b");
+    std::fseek(file, 24 + 4 * 8 + 3, SEEK_SET); // in the cell
+    std::fputc(1, file);
+    std::fclose(file);
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  Distributed_periodic dt(MPI_COMM_WORLD, none.begin(), none.end(), Cell(1, 1));
+  is_refused = false;
+  try {
+    dt.read_checkpoint(path);
+  } catch (const CGAL::Checkpoint_error_2&) {
+    is_refused = true;
+  }
+  expect(is_refused, "another cell is not that which was written");
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (this_rank == 0)
+    std::remove(path.c_str());
+}
+
+// What has been rounded once is not rounded again.
+void points_can_be_given_back()
+{
+  std::mt19937 random(29);
+  const Population population = numbered(random_points(60, random));
+  const auto own = own_part(population, in_order);
+  for (const Cell& cell : {Cell(0.1, 0.7), Cell(1 / 3.0, 0.1, 7e-3, 3), Cell(1e10 / 3, 1e9 / 7)}) {
+    Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), cell, no_balance);
+    const Points before = dt.owned_points();
+    const Cell cell_before = dt.cell();
+    dt.update(before.begin(), before.end(), cell_before);
+    expect(dt.cell() == cell_before && dt.owned_points() == before,
+           "points and cells that are given back are not rounded again");
+  }
+}
+
+int main(int argc, char** argv)
+{
+  start(argc, argv);
+  points_come_and_go(Distributed_periodic::default_load_factor);
+  points_come_and_go(no_balance);
+  duplicates_and_measures();
+  mixed_points_are_distributed_anew();
+  calm_frames_need_no_questions();
+  other_ranks_read_checkpoints();
+  points_can_be_given_back();
+  MPI_Finalize();
+}
