@@ -288,13 +288,44 @@ void other_ranks_read_checkpoints()
     std::remove(path.c_str());
 }
 
+// Short vectors of the lattice are found anew, and points distributed for that, past a strain of
+// the square root of 2.
+void sheared_cells_are_followed_for_long()
+{
+  std::mt19937 random(31);
+  Population population = numbered(random_points(40, random));
+  const auto own = own_part(population, in_turn);
+  constexpr double loads_do_not_matter = 1000;
+  Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), Cell(11, 11),
+                          loads_do_not_matter);
+  for (int frame = 1; frame <= 60; ++frame) {
+    const double strain = 0.05 * frame;
+    for (auto& [id, p] : population)
+      p = Point(p.x() + 0.05 * p.y(), p.y());
+    const Points next = own_positions(dt, population);
+    const std::vector<Id> before = dt.owned_ids();
+    const auto distributions = dt.number_of_distributions();
+    dt.update(next.begin(), next.end(), Cell(11, 0, 11 * strain, 11));
+    if (dt.number_of_distributions() > distributions)
+      expect(dt.carry(before) == dt.owned_ids(), "data follow points into another cell");
+    if (strain < 1.6)
+      expect(dt.number_of_distributions() == (strain < std::sqrt(2) ? 0 : 1),
+             "points are distributed anew where the strain passes 1.41");
+    expect_exact(dt, population, "shear at a strain of " + std::to_string(strain));
+  }
+  expect(dt.number_of_distributions() > 1, "and again");
+}
+
 // What has been rounded once is not rounded again.
 void points_can_be_given_back()
 {
   std::mt19937 random(29);
   const Population population = numbered(random_points(60, random));
   const auto own = own_part(population, in_order);
-  for (const Cell& cell : {Cell(0.1, 0.7), Cell(1 / 3.0, 0.1, 7e-3, 3), Cell(1e10 / 3, 1e9 / 7)}) {
+  // Rounding the last one brings it to where the grid is twice as coarse.
+  const Cell next_to_a_power_of_2(1 - 0x1p-44 - 0x1p-46, 1 + 0x1p-44);
+  for (const Cell& cell : {Cell(0.1, 0.7), Cell(1 / 3.0, 0.1, 7e-3, 3), Cell(1e10 / 3, 1e9 / 7),
+                           next_to_a_power_of_2}) {
     Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), cell, no_balance);
     const Points before = dt.owned_points();
     const Cell cell_before = dt.cell();
@@ -313,6 +344,7 @@ int main(int argc, char** argv)
   mixed_points_are_distributed_anew();
   calm_frames_need_no_questions();
   other_ranks_read_checkpoints();
+  sheared_cells_are_followed_for_long();
   points_can_be_given_back();
   MPI_Finalize();
 }

@@ -257,7 +257,7 @@ private:
   {
     const auto r = std::size_t(questions.rank());
     while (!questions.is_read()) {
-      std::vector<Found> found = find_inside(search, questions.template read<Question>(), r);
+      std::vector<Found> found = find_inside(search, questions.template read<Question>(), r, limit);
       const std::size_t sent = (std::min)(limit, found.size());
       std::partial_sort(found.begin(), found.begin() + std::ptrdiff_t(sent), found.end());
       answers.write(std::uint64_t(sent == found.size()));
@@ -270,16 +270,31 @@ private:
     }
   }
 
-  std::vector<Found> find_inside(const Search& search, const Question& question,
-                                 std::size_t rank) const
+  // All of them; or, where there are more than `limit`, at least those in a square around the focus
+  // that has more than `limit`.
+  std::vector<Found> find_inside(const Search& search, const Question& question, std::size_t rank,
+                                 std::size_t limit) const
+  {
+    const Box_2 box = m_outline.box_for(question);
+    const Box_2 focus{question.x, question.y, question.x, question.y};
+    const double extent = (std::max)(box.x_high - box.x_low, box.y_high - box.y_low);
+    for (double reach = (std::max)(4 * search.cell_size(), extent / 256);; reach *= 4) {
+      const Box_2 part = box.common_part(focus.enlarged(reach));
+      std::vector<Found> found = find_inside(search, question, rank, part);
+      if (found.size() > limit || part == box)
+        return found;
+    }
+  }
+
+  std::vector<Found> find_inside(const Search& search, const Question& question, std::size_t rank,
+                                 const Box_2& box) const
   {
     std::vector<Found> found;
-    const Box_2 box = m_outline.box_for(question);
     const auto& space = m_points.space();
     space.for_each_shift(search.box(), box.common_part(question.box()), [&](const Shift& shift) {
       const Position_2 v = space.vector(shift);
       const Question moved = question.moved_back(v);
-      search.for_each_inside(moved, [&](Index place) {
+      search.for_each_inside(moved, box.moved({-v.x, -v.y}), [&](Index place) {
         const Position_2 p = position(place);
         if (box.contains(p.x + v.x, p.y + v.y) && !m_points.is_held_by(rank, place, shift))
           found.push_back({squared_distance(p, {moved.x, moved.y}), place, shift});

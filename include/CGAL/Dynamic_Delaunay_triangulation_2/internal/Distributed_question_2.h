@@ -30,6 +30,10 @@ struct Box_2
 
   static Box_2 of_everything() { return {-infinity, -infinity, infinity, infinity}; }
 
+  friend bool operator==(const Box_2& b, const Box_2& c)
+  {
+    return b.x_low == c.x_low && b.y_low == c.y_low && b.x_high == c.x_high && b.y_high == c.y_high;
+  }
   bool is_empty() const { return !(x_low <= x_high && y_low <= y_high); }
   void add(double x, double y)
   {

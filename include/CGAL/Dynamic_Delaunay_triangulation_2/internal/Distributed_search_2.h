@@ -52,12 +52,16 @@ public:
   // Around the own points.
   const Box_2& box() const { return m_box; }
 
-  // Calls f(place) for each own point in the region.
+  // About the distance between neighbors.
+  double cell_size() const { return m_size; }
+
+  // Calls f(place) for each own point that is in the region and in a box, and for some near the
+  // box.
   template <class Function>
-  void for_each_inside(const Question& question, const Function& f) const
+  void for_each_inside(const Question& question, const Box_2& box, const Function& f) const
   {
     if (!m_box.is_empty())
-      search(question, {0, 0}, {m_columns - 1, m_rows - 1}, f);
+      search(question, box, {0, 0}, {m_columns - 1, m_rows - 1}, f);
   }
 
 private:
@@ -97,9 +101,11 @@ private:
   }
 
   template <class Function>
-  void search(const Question& question, Cell low, Cell high, const Function& f) const
+  void search(const Question& question, const Box_2& box, Cell low, Cell high,
+              const Function& f) const
   {
-    if (!question.may_meet<Kernel>(box_around(low, high)))
+    const Box_2 around = box_around(low, high);
+    if (!around.meets(box) || !question.may_meet<Kernel>(around))
       return;
     const long width = high.column - low.column, height = high.row - low.row;
     if (width == 0 && height == 0) {
@@ -115,8 +121,8 @@ private:
       begin_of_second.column = (end_of_first.column = low.column + width / 2) + 1;
     else
       begin_of_second.row = (end_of_first.row = low.row + height / 2) + 1;
-    search(question, low, end_of_first, f);
-    search(question, begin_of_second, high, f);
+    search(question, box, low, end_of_first, f);
+    search(question, box, begin_of_second, high, f);
   }
 
   const Points& m_points;
