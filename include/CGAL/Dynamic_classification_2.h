@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -142,6 +143,8 @@ public:
                [&](std::size_t part) { find_broken(frame, lists[part], m_broken[part]); });
     for (std::size_t part = 0; part < lists.size(); ++part)
       add_broken(m_broken[part]);
+    if (m_edges.size() > m_maintained->positions().size()) // what follows needs the memory
+      std::vector<std::vector<Broken_edge>>().swap(m_broken);
   }
 
   /// records that the classifier has proved that the hull turns around once, so that this is not
@@ -173,11 +176,12 @@ public:
   const std::vector<Index>& edges() const { return m_edges; }
 
 private:
-  // An edge that is not Delaunay.
+  // An edge that is not Delaunay, with its vertices: they are in the cache of who finds it.
   struct Broken_edge
   {
     Index edge;
     bool is_illegal;
+    std::array<Index, 4> vertices;
   };
 
   template <class Frame>
@@ -190,22 +194,19 @@ private:
       prefetch_some(edges, i);
       const Edge_state_2 state = frame.edge_state(edges[i]);
       if (state != Edge_state_2::DELAUNAY)
-        broken.push_back({edges[i], state == Edge_state_2::ILLEGAL});
+        broken.push_back({edges[i], state == Edge_state_2::ILLEGAL, vertices_of(edges[i])});
     }
   }
 
   void add_broken(const std::vector<Broken_edge>& broken)
   {
-    constexpr std::size_t ahead = 16;
     m_vertices.insert_up_to(4 * broken.size(), [&](const auto& insert) {
-      for (std::size_t i = 0; i < broken.size(); ++i) {
-        if (i + ahead < broken.size())
-          m_maintained->mirror().prefetch_edge(broken[i + ahead].edge);
-        if (broken[i].is_illegal)
-          list_illegal_edge(broken[i].edge);
+      for (const Broken_edge& b : broken) {
+        if (b.is_illegal)
+          list_illegal_edge(b.edge);
         else
-          list_edge(broken[i].edge);
-        for_each_vertex_of(broken[i].edge, insert);
+          list_edge(b.edge);
+        for_each_finite(b.vertices, insert);
       }
     });
   }
@@ -236,14 +237,19 @@ private:
 
   void add_vertices_of(Index e)
   {
-    for_each_vertex_of(e, [this](Index v) { m_vertices.insert(v); });
+    for_each_finite(vertices_of(e), [this](Index v) { m_vertices.insert(v); });
+  }
+
+  std::array<Index, 4> vertices_of(Index e) const
+  {
+    const auto& edge = m_maintained->edge(e);
+    return {edge.source, edge.target, edge.left, edge.right};
   }
 
   template <class Function>
-  void for_each_vertex_of(Index e, const Function& f) const
+  static void for_each_finite(const std::array<Index, 4>& vertices, const Function& f)
   {
-    const auto& edge = m_maintained->edge(e);
-    for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+    for (const Index v : vertices)
       if (v != Dynamic_Delaunay_triangulations_2::internal::infinite_index)
         f(v);
   }

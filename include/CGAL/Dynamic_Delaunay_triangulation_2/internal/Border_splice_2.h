@@ -61,7 +61,7 @@ public:
       return Splice_result_2::TOO_LARGE;
     for (std::size_t i = 0; i < m_inner.size(); ++i)
       if (!m_spliced.contains(m_inner[i])) {
-        const Splice_result_2 result = make_cluster(i, limits);
+        const Splice_result_2 result = make_cluster(editor, i, limits);
         if (result != Splice_result_2::DONE)
           return result;
         put_in(editor);
@@ -93,17 +93,33 @@ private:
 
   // Makes new faces around the i-th inner vertex and all that are connected with it and not spliced
   // yet.
-  Splice_result_2 make_cluster(std::size_t i, Splice_limits_2& limits)
+  Splice_result_2 make_cluster(const Topology_editor_2<Maintained>& editor, std::size_t i,
+                               Splice_limits_2& limits)
   {
     constexpr std::size_t any = std::size_t(-1);
     m_prepared.prepare(i, m_inner, m_spliced, limits.max_enlargements);
     if (auto* const record = m_prepared.find(i, limits)) {
       m_cluster.take(std::move(*record));
+      prefetch_following(editor);
       return Splice_result_2::DONE;
     }
     m_cluster.collect(m_inner[i], any,
                       [this](Index w) { return m_inner.contains(w) && !m_spliced.contains(w); });
     return m_cluster.make(limits);
+  }
+
+  // What other threads have prepared is not in the cache.
+  void prefetch_following(const Topology_editor_2<Maintained>& editor) const
+  {
+    constexpr std::size_t ahead = 2;
+    if (const auto* const record = m_prepared.following(2 * ahead)) {
+      editor.prefetch_handles(record->old_faces, record->cluster);
+      editor.prefetch_handles({}, record->border);
+    }
+    if (const auto* const record = m_prepared.following(ahead)) {
+      editor.prefetch_faces(record->old_faces, record->cluster);
+      editor.prefetch_faces({}, record->border);
+    }
   }
 
   void put_in(Topology_editor_2<Maintained>& editor)

@@ -395,17 +395,13 @@ void keep_unproved(const Maintained& maintained, std::vector<Index>& edges)
   constexpr std::size_t least = (std::max)(Parts::usual_size / 16, std::size_t(1)), ahead = 8;
   make_distinct(edges);
   const typename Maintained::Edge_test test(maintained);
-  Parts::for_each(edges.size(), least, [&](std::size_t, std::size_t i, std::size_t beyond) {
-    for (; i < beyond; ++i) {
-      if (i + 2 * ahead < beyond)
-        maintained.mirror().prefetch_edge(edges[i + 2 * ahead]);
-      if (i + ahead < beyond)
-        prefetch_corners(maintained.mirror().edge(edges[i + ahead]), maintained.positions().data());
-      if (test.state(edges[i]) == Edge_state_2::DELAUNAY)
-        edges[i] = no_index;
-    }
+  remove_by_parts<Parts>(edges, least, [&](std::size_t i, std::size_t beyond) {
+    if (i + 2 * ahead < beyond)
+      maintained.mirror().prefetch_edge(edges[i + 2 * ahead]);
+    if (i + ahead < beyond)
+      prefetch_corners(maintained.mirror().edge(edges[i + ahead]), maintained.positions().data());
+    return test.state(edges[i]) == Edge_state_2::DELAUNAY;
   });
-  edges.erase(std::remove(edges.begin(), edges.end(), no_index), edges.end());
 }
 
 } // namespace internal

@@ -195,6 +195,19 @@ inline void make_distinct(std::vector<Index>& indices)
   indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
 }
 
+// Removes the i-th of the indices if is(i, beyond). Threads share that; `beyond` is the end of a
+// thread's part, up to which it may fetch ahead.
+template <class Parts, class Predicate>
+void remove_by_parts(std::vector<Index>& indices, std::size_t least, const Predicate& is)
+{
+  Parts::for_each(indices.size(), least, [&](std::size_t, std::size_t i, std::size_t beyond) {
+    for (; i < beyond; ++i)
+      if (is(i, beyond))
+        indices[i] = no_index;
+  });
+  indices.erase(std::remove(indices.begin(), indices.end(), no_index), indices.end());
+}
+
 // Throws if an id occurs more than once.
 template <class Id>
 void check_distinct(const std::vector<Id>& given)

@@ -80,11 +80,14 @@ public:
         m_opened_last.insert(new_edges[i]);
         mirror.for_each_side(new_edges[i], [this](Index e) { m_opened_last.insert(e); });
       }
-    const auto is_empty = [&](Index e) { return mirror.is_empty_edge(e); };
-    const auto is_listed = [&](Index e) { return is_empty(e) || m_opened_last.contains(e); };
-    m_illegal.erase(std::remove_if(m_illegal.begin(), m_illegal.end(), is_empty), m_illegal.end());
-    m_uncertain.erase(std::remove_if(m_uncertain.begin(), m_uncertain.end(), is_listed),
-                      m_uncertain.end());
+    using Parts = typename Maintained::Parts;
+    constexpr std::size_t least = (std::max)(Parts::usual_size / 4, std::size_t(1));
+    remove_by_parts<Parts>(m_illegal, least, [&](std::size_t k, std::size_t) {
+      return mirror.is_empty_edge(m_illegal[k]);
+    });
+    remove_by_parts<Parts>(m_uncertain, least, [&](std::size_t k, std::size_t) {
+      return mirror.is_empty_edge(m_uncertain[k]) || m_opened_last.contains(m_uncertain[k]);
+    });
     m_uncertain.insert(m_uncertain.end(), m_opened_last.begin(), m_opened_last.end());
     m_faces_tile_hull = false;
   }

@@ -85,6 +85,14 @@ public:
     return &prepared->record;
   }
 
+  // The record that is so many places after the one that was found last, if there is one.
+  const Record* following(std::size_t number) const
+  {
+    const auto& records = m_parts[m_place.part].records;
+    return m_place.number + number < records.size() ? &records[m_place.number + number].record
+                                                    : nullptr;
+  }
+
   // To be called for each splice that is put in.
   void note_replaced(const Index_set_2& faces)
   {

@@ -208,6 +208,29 @@ public:
       m_topology.m_visitor_calls.after_face_creation(m_topology.m_faces[f]);
   }
 
+  // Fetches what replace() will write for these faces and vertices: first handles, to be called
+  // some time before, then what they refer to.
+  void prefetch_handles(const std::vector<Index>& faces, const std::vector<Index>& vertices) const
+  {
+    for (const Index f : faces) {
+      prefetch(&m_topology.m_faces[f]);
+      m_topology.m_mirror.prefetch_face(3 * f);
+    }
+    for (const Index v : vertices)
+      prefetch(&m_topology.m_vertices[v]);
+  }
+  void prefetch_faces(const std::vector<Index>& faces, const std::vector<Index>& vertices) const
+  {
+    const auto& mirror = m_topology.m_mirror;
+    for (const Index f : faces) {
+      prefetch_face(m_topology.m_faces[f]);
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        mirror.prefetch_edge(mirror.edge_of(h));
+    }
+    for (const Index v : vertices)
+      prefetch(&*m_topology.m_vertices[v]);
+  }
+
   // OUT OF FACES AND INTO FACES -------------------------------------------------------------------
   // To take a vertex out, edges are flipped until it has degree 3, and its faces become one. To put
   // one in, a face is split. Both work for any positions. The results are Delaunay only by chance.
