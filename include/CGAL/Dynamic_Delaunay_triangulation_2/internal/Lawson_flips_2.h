@@ -40,9 +40,15 @@ public:
     // cycle. Recorded motion took at most 3 flips per initial edge.
     const std::size_t limit = (std::min)(100 + 20 * open.size(), most);
     std::size_t flips = 0;
+    m_work.twisted.clear();
     if constexpr (Editor::can_flip_in_parts)
       flips = run_in_parts(maintained, editor, open, faces_tile_hull, limit);
-    return flips + run_in_series(maintained, editor, open, faces_tile_hull, limit - flips);
+    flips += run_in_series(maintained, editor, open, faces_tile_hull, limit - flips);
+    if (!m_work.twisted.empty()) {
+      open.insert(open.end(), m_work.twisted.begin(), m_work.twisted.end());
+      keep_unproved(maintained, open);
+    }
+    return flips;
   }
 
   // Flips around vertex v, which was put into a face of a Delaunay triangulation. Returns whether
@@ -100,10 +106,11 @@ public:
 
 private:
   // The edges to start from, those to be examined again, those that were not proved, and how many
-  // flips this took.
+  // flips this took. Among those not proved, twisted ones are apart: no flip elsewhere makes a flip
+  // of them possible, and a flip beside them examines them again.
   struct Work
   {
-    std::vector<Index> seeds, touched, open;
+    std::vector<Index> seeds, touched, open, twisted;
     std::size_t flips = 0;
   };
 
@@ -153,8 +160,10 @@ private:
                          });
     std::size_t flips = 0;
     for (std::size_t part = 0; part < parts; ++part) {
-      open.insert(open.end(), m_parts[part].open.begin(), m_parts[part].open.end());
-      flips += m_parts[part].flips;
+      const Work& work = m_parts[part];
+      open.insert(open.end(), work.open.begin(), work.open.end());
+      m_work.twisted.insert(m_work.twisted.end(), work.twisted.begin(), work.twisted.end());
+      flips += work.flips;
     }
     return flips;
   }
@@ -167,8 +176,10 @@ private:
     constexpr std::uint8_t none = 255;
     static_assert(max_parts < none);
     m_parts.resize((std::max)(parts, m_parts.size()));
-    for (Work& part : m_parts)
+    for (Work& part : m_parts) {
       part.seeds.clear();
+      part.twisted.clear();
+    }
     m_part_of_seed.resize(edges.size());
     Parts::for_each(edges.size(), least, [&](std::size_t, std::size_t i, std::size_t beyond) {
       for (; i < beyond; ++i) {
@@ -218,7 +229,7 @@ private:
       return false;
     const auto& mirror = maintained.mirror();
     if (state == Edge_state_2::TWISTED || !try_flip(mirror.halfedge(e))) {
-      work.open.push_back(e);
+      (state == Edge_state_2::TWISTED ? work.twisted : work.open).push_back(e);
       return false;
     }
     // Between counterclockwise faces the quadrilateral is convex, and the new diagonal Delaunay.
