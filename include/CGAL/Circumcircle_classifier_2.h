@@ -61,8 +61,7 @@ public:
       classified.add_everything();
       return;
     }
-    for (const std::vector<Index>& unproved : m_unproved)
-      classified.add_unless_delaunay(frame, unproved);
+    classified.add_unless_delaunay(frame, m_unproved);
     if (m_safe_edges.holds() && m_safe_edges.hull_turns_once())
       classified.set_hull_turns_once();
   }

@@ -10,6 +10,8 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -80,8 +82,7 @@ public:
   {
     if (e >= m_maintained->mirror().number_of_edges())
       throw Unknown_index_error_2("edge", e, m_maintained->mirror().number_of_edges());
-    m_edges.push_back(e);
-    std::swap(m_edges.back(), m_edges[m_edges.size() - 1 - m_number_of_illegal]);
+    list_edge(e);
     add_vertices_of(e);
   }
 
@@ -100,8 +101,7 @@ public:
   {
     if (e >= m_maintained->mirror().number_of_edges())
       throw Unknown_index_error_2("edge", e, m_maintained->mirror().number_of_edges());
-    m_edges.push_back(e);
-    ++m_number_of_illegal;
+    list_illegal_edge(e);
     add_vertices_of(e);
   }
 
@@ -121,15 +121,30 @@ public:
   template <class Frame>
   void add_unless_delaunay(const Frame& frame, const std::vector<Index>& edges)
   {
-    using namespace Dynamic_Delaunay_triangulations_2::internal;
-    constexpr std::size_t ahead = 8;
     for (std::size_t i = 0; i < edges.size(); ++i) {
-      if (i + 2 * ahead < edges.size())
-        m_maintained->mirror().prefetch_edge(edges[i + 2 * ahead]);
-      if (i + ahead < edges.size())
-        prefetch_corners(m_maintained->mirror().edge(edges[i + ahead]), frame.positions().data());
+      prefetch_some(edges, i);
       add_unless_delaunay(frame, edges[i]);
     }
+  }
+
+  /// the same for several lists, in their order. Threads share it if there are many lists and the
+  /// triangulation has the `Parallel_tag`.
+  template <class Frame>
+  void add_unless_delaunay(const Frame& frame, const std::vector<std::vector<Index>>& lists)
+  {
+    using Parts = typename Frame::Parts;
+    if (!Parts::are_shared(lists.size())) {
+      for (const std::vector<Index>& edges : lists)
+        add_unless_delaunay(frame, edges);
+      return;
+    }
+    m_broken.resize((std::max)(lists.size(), m_broken.size()));
+    Parts::run(lists.size(),
+               [&](std::size_t part) { find_broken(frame, lists[part], m_broken[part]); });
+    for (std::size_t part = 0; part < lists.size(); ++part)
+      add_broken(m_broken[part]);
+    if (m_edges.size() > m_maintained->positions().size()) // what follows needs the memory
+      std::vector<std::vector<Broken_edge>>().swap(m_broken);
   }
 
   /// records that the classifier has proved that the hull turns around once, so that this is not
@@ -161,18 +176,89 @@ public:
   const std::vector<Index>& edges() const { return m_edges; }
 
 private:
+  // An edge that is not Delaunay, with its vertices: they are in the cache of who finds it.
+  struct Broken_edge
+  {
+    Index edge;
+    bool is_illegal;
+    std::array<Index, 4> vertices;
+  };
+
+  template <class Frame>
+  void find_broken(const Frame& frame, const std::vector<Index>& edges,
+                   std::vector<Broken_edge>& broken) const
+  {
+    using Dynamic_Delaunay_triangulations_2::Edge_state_2;
+    broken.clear();
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      prefetch_some(edges, i);
+      const Edge_state_2 state = frame.edge_state(edges[i]);
+      if (state != Edge_state_2::DELAUNAY)
+        broken.push_back({edges[i], state == Edge_state_2::ILLEGAL, vertices_of(edges[i])});
+    }
+  }
+
+  void add_broken(const std::vector<Broken_edge>& broken)
+  {
+    m_vertices.insert_up_to(4 * broken.size(), [&](const auto& insert) {
+      for (const Broken_edge& b : broken) {
+        if (b.is_illegal)
+          list_illegal_edge(b.edge);
+        else
+          list_edge(b.edge);
+        for_each_finite(b.vertices, insert);
+      }
+    });
+  }
+
+  // For a pass over a list of edges that tests them.
+  void prefetch_some(const std::vector<Index>& edges, std::size_t i) const
+  {
+    constexpr std::size_t ahead = 8;
+    const auto& mirror = m_maintained->mirror();
+    if (i + 2 * ahead < edges.size())
+      mirror.prefetch_edge(edges[i + 2 * ahead]);
+    if (i + ahead < edges.size())
+      Dynamic_Delaunay_triangulations_2::internal::prefetch_corners(
+          mirror.edge(edges[i + ahead]), m_maintained->positions().data());
+  }
+
+  void list_edge(Index e)
+  {
+    m_edges.push_back(e);
+    std::swap(m_edges.back(), m_edges[m_edges.size() - 1 - m_number_of_illegal]);
+  }
+
+  void list_illegal_edge(Index e)
+  {
+    m_edges.push_back(e);
+    ++m_number_of_illegal;
+  }
+
   void add_vertices_of(Index e)
   {
+    for_each_finite(vertices_of(e), [this](Index v) { m_vertices.insert(v); });
+  }
+
+  std::array<Index, 4> vertices_of(Index e) const
+  {
     const auto& edge = m_maintained->edge(e);
-    for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+    return {edge.source, edge.target, edge.left, edge.right};
+  }
+
+  template <class Function>
+  static void for_each_finite(const std::array<Index, 4>& vertices, const Function& f)
+  {
+    for (const Index v : vertices)
       if (v != Dynamic_Delaunay_triangulations_2::internal::infinite_index)
-        m_vertices.insert(v);
+        f(v);
   }
 
   const Maintained* m_maintained = nullptr;
   Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_vertices;
   Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_whole_vertices;
   std::vector<Index> m_edges;
+  std::vector<std::vector<Broken_edge>> m_broken; // of each list
   std::size_t m_number_of_illegal = 0;
   bool m_hull_turns_once = false;
 };

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <random>
 #include <vector>
 
 namespace {
@@ -233,6 +234,26 @@ TEST(Repair_experience, counts_any_number_of_edges)
   experience.note_in_vain(1u << 31, 3u << 30);
   EXPECT_TRUE(experience.is_hopeless(3, 2));
   EXPECT_FALSE(experience.is_hopeless(3, 1));
+}
+
+TEST(Open_edges, are_listed_once_in_their_order_however_dense_they_are)
+{
+  using CGAL::Dynamic_Delaunay_triangulations_2::Index;
+  using CGAL::Dynamic_Delaunay_triangulations_2::internal::make_distinct;
+  std::mt19937 random(1);
+  for (const std::size_t size : {0u, 1u, 63u, 64u, 65u, 1000u})
+    for (const Index smallest : {0u, 63u, 1u << 31})
+      for (const Index range : {1u, 64u, 65u, 1000u, 1u << 16, 1u << 20, (1u << 31) - 1}) {
+        std::uniform_int_distribution<Index> number(smallest, smallest + range - 1);
+        std::vector<Index> edges(size);
+        for (Index& e : edges)
+          e = number(random);
+        std::vector<Index> expected = edges;
+        std::sort(expected.begin(), expected.end());
+        expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
+        make_distinct(edges);
+        ASSERT_EQ(edges, expected) << size << " from " << smallest << " in " << range;
+      }
 }
 
 TEST(Border_splice, catches_a_fast_point_by_growing)

@@ -9,6 +9,7 @@
 #include "oracle.h"
 #include "random_points.h"
 
+#include <CGAL/Border_splice_repair_2.h>
 #include <CGAL/Delaunay_neighbor_lists_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_population_2.h>
@@ -302,6 +303,65 @@ TEST(Threads, change_nothing_where_points_are_dense_in_some_places)
 TEST(Threads, change_nothing_where_faces_are_turned_over)
 {
   expect_equal_diaries(Motion{Cloud<Epick>(10).uniform(many), 0.3, 6});
+}
+
+// All that breaks is spliced. Where some points jump, regions grow, and may take in others.
+struct Spliced_motion
+{
+  double step, jump = 0;
+  std::size_t stay = 0; // how many points there are for one that jumps
+  unsigned padding = 0;
+  CGAL::Static_engine_2 engine = CGAL::Static_engine_2::GUIBAS_STOLFI;
+
+  template <class Tag>
+  void run(Diary& diary) const
+  {
+    using Spliced =
+        CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default, CGAL::Border_splice_repair_2,
+                                               CGAL::Default, CGAL::Default, Noting_visitor, Tag>;
+    typename Spliced::Settings settings;
+    settings.repair = CGAL::Border_splice_repair_2(padding);
+    settings.engines.region = engine;
+    settings.visitor = Noting_visitor(&diary);
+    Cloud<Epick> cloud(13);
+    Points points = cloud.uniform(many);
+    Spliced dt(points.begin(), points.end(), settings);
+    std::size_t splices = 0, enlargements = 0;
+    for (int frame = 0; frame < 8; ++frame) {
+      cloud.shake(points, step);
+      for (std::size_t i = std::size_t(frame); jump > 0 && i < many; i += stay)
+        points[i] = cloud.shifted(points[i], jump);
+      const CGAL::Update_report_2 report = dt.update(points);
+      splices += report.splices;
+      enlargements += report.enlargements;
+      diary.note(report);
+      diary.note_all(dt.padded_vertices());
+      diary.note_all(dt.border_vertices());
+      diary.note_state(dt);
+      ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points)) << "frame " << frame;
+    }
+    EXPECT_GT(splices, 0u);
+    EXPECT_EQ(enlargements > 0, jump > 0);
+  }
+};
+
+TEST(Threads, change_nothing_where_many_regions_are_spliced)
+{
+  for (const double step : {0.0003, 0.003, 0.02})
+    expect_equal_diaries(Spliced_motion{step});
+  expect_equal_diaries(Spliced_motion{0.003, 0, 0, 1});
+}
+
+TEST(Threads, change_nothing_where_spliced_regions_grow_into_each_other)
+{
+  for (const double jump : {0.5, 1., 2.})
+    expect_equal_diaries(Spliced_motion{0.003, jump, 100});
+  expect_equal_diaries(Spliced_motion{0.003, 1, 50});
+}
+
+TEST(Threads, change_nothing_where_regions_are_triangulated_by_insertion)
+{
+  expect_equal_diaries(Spliced_motion{0.003, 1, 100, 0, CGAL::Static_engine_2::INSERTION});
 }
 
 // Nothing is rebuilt after a heuristic classifier, whatever flips have left.

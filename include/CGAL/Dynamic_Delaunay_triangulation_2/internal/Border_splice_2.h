@@ -6,75 +6,65 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Cluster_splice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Spatial_order_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulator_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Prepared_splices_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
 
-#include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-enum class Splice_result_2 { DONE, TOO_LARGE, TOO_DEAR, COINCIDENCE };
-
 // The border splice (thesis 4.1.3 and 4.1.4). The Triangulation set is the Classified set, its
 // padding and one layer of border around both. It is triangulated alone, and the faces of that
 // triangulation around the Classified and Padded vertices replace the old ones. Clusters of
-// connected vertices are spliced one after the other, so that their data stay in the cache.
-//
-// A splice is correct only if the old and the new faces have the same boundary, edge for edge (an
-// open problem of the thesis: an edge could get lost). This is checked before anything is written.
-// Where the boundaries differ, their vertices join the cluster, which is then triangulated again.
+// connected vertices are spliced one after the other (`Cluster_splice_2`), so that their data stay
+// in the cache. If there are many, threads make new faces before their turn (`Prepared_splices_2`).
 template <class Maintained>
 class Border_splice_2
 {
-  using Mirror = Neighborhood_mirror_2;
-
 public:
   explicit Border_splice_2(const Maintained& maintained)
     : m_maintained(maintained)
-    , m_order(maintained)
-    , m_triangulator(maintained)
+    , m_cluster(maintained)
+    , m_prepared(maintained)
   {
   }
 
-  void set_engine(Static_engine_2 engine) { m_triangulator.set_engine(engine); }
-
-  // What a run may do (in), and what it has done (out).
-  struct Limits
+  void set_engine(Static_engine_2 engine)
   {
-    std::size_t max_enlargements; // in, per cluster: one that needs more keeps its old faces
-    std::size_t max_vertices;     // to triangulate in all; out: how many of these are left
-    std::size_t enlargements = 0; // out, of all clusters
-  };
+    m_cluster.set_engine(engine);
+    m_prepared.set_engine(engine);
+  }
 
   // Splices around `classified` with `padding` layers. Vertices that are in no face are skipped.
   Splice_result_2 run(Topology_editor_2<Maintained>& editor, const std::vector<Index>& classified,
-                      unsigned padding, Limits& limits)
+                      unsigned padding, Splice_limits_2& limits)
   {
     const std::size_t bound = m_maintained.vertices().size();
     m_inner.clear(bound);
     m_border.clear(bound);
     m_spliced.clear(bound);
     m_boundary_edges.clear();
+    m_prepared.clear();
     for (const Index v : classified)
       if (!m_maintained.mirror().is_outside(v))
         m_inner.insert(v);
     m_number_of_classified = m_inner.size();
     for (unsigned layer = 0; layer < padding; ++layer)
       add_layer();
-    if (is_too_large(m_inner.size()))
+    if (m_cluster.is_too_large(m_inner.size()))
       return Splice_result_2::TOO_LARGE;
     for (std::size_t i = 0; i < m_inner.size(); ++i)
       if (!m_spliced.contains(m_inner[i])) {
-        collect_cluster(m_inner[i]);
-        const Splice_result_2 result = splice_cluster(editor, limits);
+        const Splice_result_2 result = make_cluster(editor, i, limits);
         if (result != Splice_result_2::DONE)
           return result;
+        put_in(editor);
       }
     return Splice_result_2::DONE;
   }
@@ -86,19 +76,11 @@ public:
   const Index_set_2& border() const { return m_border; }
   Index padded(std::size_t i) const { return m_inner[m_number_of_classified + i]; }
   // The vertices that were triangulated last. If a coincidence was found, two of them coincide.
-  const std::vector<Index>& region() const { return m_region; }
+  const std::vector<Index>& region() const { return m_cluster.region(); }
   // The boundary edges of the new faces. All other edges of these faces are Delaunay.
   const std::vector<Index>& boundary_edges() const { return m_boundary_edges; }
 
 private:
-  // SETS ----------------------------------------------------------------------------------------
-
-  // From half of all points on, a fresh triangulation of all points costs less.
-  bool is_too_large(std::size_t region) const
-  {
-    return 2 * region > m_maintained.number_of_vertices();
-  }
-
   void add_layer()
   {
     const std::size_t size = m_inner.size();
@@ -109,232 +91,68 @@ private:
       });
   }
 
-  // Collects the inner vertices that are connected with v and not spliced yet.
-  void collect_cluster(Index v)
+  // Makes new faces around the i-th inner vertex and all that are connected with it and not spliced
+  // yet.
+  Splice_result_2 make_cluster(const Topology_editor_2<Maintained>& editor, std::size_t i,
+                               Splice_limits_2& limits)
   {
-    m_cluster.clear(m_maintained.vertices().size());
-    m_cluster.insert(v);
-    for (std::size_t i = 0; i < m_cluster.size(); ++i)
-      m_maintained.mirror().for_each_neighbor(m_cluster[i], [&](Index w) {
-        if (m_inner.contains(w) && !m_spliced.contains(w))
-          m_cluster.insert(w);
-      });
-  }
-
-  Splice_result_2 splice_cluster(Topology_editor_2<Maintained>& editor, Limits& limits)
-  {
-    constexpr std::size_t gentle_enlargements = 3;
-    const std::size_t first_size = m_cluster.size();
-    for (std::size_t enlargements = 0;; ++enlargements) {
-      collect_old_faces();
-      const std::size_t size = m_cluster.size() + m_cluster_border.size();
-      if (is_too_large(size))
-        return Splice_result_2::TOO_LARGE;
-      if (size > limits.max_vertices)
-        return Splice_result_2::TOO_DEAR;
-      limits.max_vertices -= size;
-      if (!triangulate())
-        return Splice_result_2::COINCIDENCE;
-      collect_new_faces();
-      if (boundaries_agree() && !doubles_an_edge()) {
-        put_in(editor);
-        return Splice_result_2::DONE;
-      }
-      if (enlargements == limits.max_enlargements)
-        break;
-      grow(enlargements >= gentle_enlargements);
-      ++limits.enlargements;
+    constexpr std::size_t any = std::size_t(-1);
+    m_prepared.prepare(i, m_inner, m_spliced, limits.max_enlargements);
+    if (auto* const record = m_prepared.find(i, limits)) {
+      m_cluster.take(std::move(*record));
+      prefetch_following(editor);
+      return Splice_result_2::DONE;
     }
-    for (std::size_t i = 0; i < first_size; ++i)
-      m_spliced.insert(m_cluster[i]);
-    return Splice_result_2::DONE;
+    m_cluster.collect(m_inner[i], any,
+                      [this](Index w) { return m_inner.contains(w) && !m_spliced.contains(w); });
+    return m_cluster.make(limits);
   }
 
-  // Adds the vertices where the two boundaries differ. From the fourth enlargement on, adds the
-  // whole border and further layers until the cluster has doubled, so that all enlargements
-  // together cost at most about twice as much as the last one.
-  void grow(bool doubles)
+  // What other threads have prepared is not in the cache.
+  void prefetch_following(const Topology_editor_2<Maintained>& editor) const
   {
-    const std::size_t size = m_cluster.size();
-    for (const Index v : m_disagreeing)
-      if (v != infinite_index)
-        m_cluster.insert(v);
-    if (m_cluster.size() == size || doubles)
-      for (const Index v : m_cluster_border)
-        m_cluster.insert(v);
-    for (std::size_t first = 0; doubles && m_cluster.size() < 2 * size;) {
-      const std::size_t beyond = m_cluster.size();
-      for (; first < beyond; ++first)
-        m_maintained.mirror().for_each_neighbor(m_cluster[first], [&](Index w) {
-          if (w != infinite_index)
-            m_cluster.insert(w);
-        });
-      if (m_cluster.size() == beyond)
-        return;
+    constexpr std::size_t ahead = 2;
+    if (const auto* const record = m_prepared.following(2 * ahead)) {
+      editor.prefetch_handles(record->old_faces, record->cluster);
+      editor.prefetch_handles({}, record->border);
+    }
+    if (const auto* const record = m_prepared.following(ahead)) {
+      editor.prefetch_faces(record->old_faces, record->cluster);
+      editor.prefetch_faces({}, record->border);
     }
   }
 
   void put_in(Topology_editor_2<Maintained>& editor)
   {
+    if (!m_cluster.fits()) {
+      for (std::size_t i = 0; i < m_cluster.first_size(); ++i)
+        m_spliced.insert(m_cluster.cluster()[i]);
+      return;
+    }
     m_outside.clear();
-    for (const Boundary_edge_2& edge : m_old_boundary) {
+    for (const Boundary_edge_2& edge : m_cluster.old_boundary()) {
       m_outside.push_back(m_maintained.mirror().twin(edge.halfedge));
       m_boundary_edges.push_back(m_maintained.mirror().edge_of(edge.halfedge));
     }
-    for (const Index v : m_cluster) {
+    for (const Index v : m_cluster.cluster()) {
       m_spliced.insert(v);
       m_inner.insert(v);
     }
-    for (const Index v : m_cluster_border)
+    for (const Index v : m_cluster.border())
       m_border.insert(v);
-    editor.replace(m_old_faces, m_new, m_outside);
-  }
-
-  // FACES ---------------------------------------------------------------------------------------
-
-  // Collects the faces around the cluster, their outer vertices and their boundary.
-  void collect_old_faces()
-  {
-    const Mirror& mirror = m_maintained.mirror();
-    m_old_faces.clear(mirror.number_of_faces());
-    m_cluster_border.clear(m_maintained.vertices().size());
-    m_has_infinite_faces = false;
-    for (const Index v : m_cluster)
-      mirror.for_each_corner(v, [&](Index h) {
-        m_old_faces.insert(h / 3);
-        const Index w = mirror.source(h);
-        if (w == infinite_index)
-          m_has_infinite_faces = true;
-        else if (!m_cluster.contains(w))
-          m_cluster_border.insert(w);
-      });
-    m_old_boundary.clear();
-    for (const Index f : m_old_faces)
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (!m_old_faces.contains(mirror.twin(h) / 3))
-          m_old_boundary.push_back({mirror.source(h), mirror.target(h), h});
-    std::sort(m_old_boundary.begin(), m_old_boundary.end());
-  }
-
-  // False if two of the points coincide: triangulating them would lose a vertex.
-  bool triangulate()
-  {
-    m_region.assign(m_cluster.begin(), m_cluster.end());
-    m_region.insert(m_region.end(), m_cluster_border.begin(), m_cluster_border.end());
-    m_order.sort(m_region.begin(), m_region.end());
-    if (m_order.has_coincident_vertices())
-      return false;
-    m_triangulator.run(m_order.order());
-    return true;
-  }
-
-  // Collects the faces that have a vertex of the cluster.
-  void collect_new_faces()
-  {
-    const Flat_faces_2& faces = m_triangulator.faces();
-    m_new.clear();
-    m_new_number.assign(faces.number_of_faces(), no_index);
-    Index number = 0;
-    for (Index f = 0; f < faces.number_of_faces(); ++f) {
-      const Index h = Flat_faces_2::first_halfedge(f);
-      if (m_cluster.contains(faces.apex(h)) || m_cluster.contains(faces.apex(h + 1)) ||
-          m_cluster.contains(faces.apex(h + 2)))
-        m_new_number[f] = number++;
-    }
-    for (Index f = 0; f < faces.number_of_faces(); ++f)
-      if (m_new_number[f] != no_index)
-        for (Index i = 0; i < 3; ++i) {
-          const Index h = Flat_faces_2::first_halfedge(f) + i;
-          const Index g = Flat_faces_2::number_in_mirror(faces.twin(h));
-          const Index neighbor = m_new_number[g / 3];
-          m_new.apexes.push_back(faces.apex(h));
-          m_new.twins.push_back(neighbor == no_index ? no_index : 3 * neighbor + g % 3);
-        }
-    m_new.find_boundary();
-  }
-
-  // BOUNDARIES ----------------------------------------------------------------------------------
-
-  // Equal boundary edges, an equal number of faces, and infinite faces on both sides or on neither
-  // make the result a sphere with all vertices again (guarantee 1 in the manual). None of them
-  // suffices: a cluster that was turned inside out can swap the infinite vertex for a vertex of its
-  // border.
-  bool boundaries_agree()
-  {
-    find_disagreeing();
-    return m_disagreeing.empty() && m_old_faces.size() == m_new.number_of_faces() &&
-           m_has_infinite_faces == has_new_infinite_faces();
-  }
-
-  bool has_new_infinite_faces() const
-  {
-    return std::find(m_new.apexes.begin(), m_new.apexes.end(), infinite_index) !=
-           m_new.apexes.end();
-  }
-
-  void find_disagreeing()
-  {
-    m_disagreeing.clear();
-    const auto note = [this](const Boundary_edge_2& edge) {
-      m_disagreeing.push_back(edge.source);
-      m_disagreeing.push_back(edge.target);
-    };
-    auto a = m_old_boundary.begin(), b = m_new.boundary.begin();
-    while (a != m_old_boundary.end() || b != m_new.boundary.end())
-      if (b == m_new.boundary.end() || (a != m_old_boundary.end() && *a < *b))
-        note(*a++);
-      else if (a == m_old_boundary.end() || *b < *a)
-        note(*b++);
-      else
-        ++a, ++b;
-  }
-
-  // Whether new faces join two border vertices across the region by an edge that exists outside of
-  // it already. This is possible only where old faces overlap. Such vertices count as disagreeing.
-  bool doubles_an_edge()
-  {
-    for (Index h = 0; h < Index(m_new.twins.size()); ++h) {
-      const Index v = m_new.apexes[Mirror::next(h)], w = m_new.apexes[Mirror::previous(h)];
-      if (m_new.twins[h] != no_index && v < w && !m_cluster.contains(v) && !m_cluster.contains(w) &&
-          is_edge_outside(w, v)) {
-        m_disagreeing.push_back(v);
-        m_disagreeing.push_back(w);
-      }
-    }
-    return !m_disagreeing.empty();
-  }
-
-  // Walks around v, which must be finite.
-  bool is_edge_outside(Index v, Index w) const
-  {
-    const Mirror& mirror = m_maintained.mirror();
-    bool is_outside = false;
-    mirror.for_each_corner(v, [&](Index h) {
-      const Index beyond = mirror.twin(Mirror::previous(h));
-      is_outside =
-          is_outside || (mirror.apex(Mirror::next(h)) == w &&
-                         !(m_old_faces.contains(h / 3) && m_old_faces.contains(beyond / 3)));
-    });
-    return is_outside;
+    m_prepared.note_replaced(m_cluster.old_faces());
+    editor.replace(m_cluster.old_faces(), m_cluster.new_faces(), m_outside);
   }
 
   const Maintained& m_maintained;
-  Vertex_order_2<Maintained> m_order;
-  Static_triangulator_2<Maintained> m_triangulator;
+  Cluster_splice_2<Maintained> m_cluster; // that is being spliced
+  Prepared_splices_2<Maintained> m_prepared;
   Index_set_2 m_inner;   // Classified, then Padded
   Index_set_2 m_spliced; // a subset of m_inner
   Index_set_2 m_border;
   std::vector<Index> m_boundary_edges;
   std::size_t m_number_of_classified = 0;
-
-  // The cluster that is being spliced
-  Index_set_2 m_cluster, m_cluster_border, m_old_faces;
-  bool m_has_infinite_faces = false;           // among the old faces
-  std::vector<Boundary_edge_2> m_old_boundary; // sorted by source, then target
-  std::vector<Index> m_region, m_new_number;
-  Patch_2 m_new;
-  std::vector<Index> m_outside;
-  std::vector<Index> m_disagreeing;
+  std::vector<Index> m_outside; // half-edges beyond the boundary of a cluster
 };
 
 } // namespace internal

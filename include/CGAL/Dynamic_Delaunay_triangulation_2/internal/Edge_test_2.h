@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_filter_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 #include <CGAL/enum.h>
@@ -14,6 +15,7 @@
 
 #include <boost/config.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -384,6 +386,23 @@ private:
   const Maintained& m_maintained;
   Vertex_predicates_2<Maintained> m_predicates;
 };
+
+// Leaves each edge of the list once, in ascending order, unless it is Delaunay.
+template <class Maintained>
+void keep_unproved(const Maintained& maintained, std::vector<Index>& edges)
+{
+  using Parts = typename Maintained::Parts;
+  constexpr std::size_t least = (std::max)(Parts::usual_size / 16, std::size_t(1)), ahead = 8;
+  make_distinct(edges);
+  const typename Maintained::Edge_test test(maintained);
+  remove_by_parts<Parts>(edges, least, [&](std::size_t i, std::size_t beyond) {
+    if (i + 2 * ahead < beyond)
+      maintained.mirror().prefetch_edge(edges[i + 2 * ahead]);
+    if (i + ahead < beyond)
+      prefetch_corners(maintained.mirror().edge(edges[i + ahead]), maintained.positions().data());
+    return test.state(edges[i]) == Edge_state_2::DELAUNAY;
+  });
+}
 
 } // namespace internal
 } // namespace Dynamic_Delaunay_triangulations_2

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -39,9 +40,15 @@ public:
     // cycle. Recorded motion took at most 3 flips per initial edge.
     const std::size_t limit = (std::min)(100 + 20 * open.size(), most);
     std::size_t flips = 0;
+    m_work.twisted.clear();
     if constexpr (Editor::can_flip_in_parts)
       flips = run_in_parts(maintained, editor, open, faces_tile_hull, limit);
-    return flips + run_in_series(maintained, editor, open, faces_tile_hull, limit - flips);
+    flips += run_in_series(maintained, editor, open, faces_tile_hull, limit - flips);
+    if (!m_work.twisted.empty()) {
+      open.insert(open.end(), m_work.twisted.begin(), m_work.twisted.end());
+      keep_unproved(maintained, open);
+    }
+    return flips;
   }
 
   // Flips around vertex v, which was put into a face of a Delaunay triangulation. Returns whether
@@ -99,10 +106,11 @@ public:
 
 private:
   // The edges to start from, those to be examined again, those that were not proved, and how many
-  // flips this took.
+  // flips this took. Among those not proved, twisted ones are apart: no flip elsewhere makes a flip
+  // of them possible, and a flip beside them examines them again.
   struct Work
   {
-    std::vector<Index> seeds, touched, open;
+    std::vector<Index> seeds, touched, open, twisted;
     std::size_t flips = 0;
   };
 
@@ -131,7 +139,7 @@ private:
   }
 
   // Many flips are made in parts, which threads share, as far as they stay inside of a part. What
-  // is left is open. The parts, and so the result, depend on the numbers of faces and edges alone.
+  // is left is open. The parts, and so the result, depend on the triangulation alone.
   template <class Maintained, class Editor>
   std::size_t run_in_parts(const Maintained& maintained, Editor& editor, std::vector<Index>& open,
                            bool faces_tile_hull, std::size_t limit)
@@ -143,7 +151,7 @@ private:
     if (parts < Parts::least_shared || seeds < parts * (Parts::usual_size / 256))
       return 0;
     const Topology_parts_2 topology(maintained.mirror(), maintained.vertices().size(), parts);
-    divide(topology, parts, open);
+    divide<Parts>(topology, parts, open);
     editor.flip_in_parts(topology, parts, faces_tile_hull,
                          [&](std::size_t part, const auto& try_flip) {
                            Work& work = m_parts[part];
@@ -152,26 +160,41 @@ private:
                          });
     std::size_t flips = 0;
     for (std::size_t part = 0; part < parts; ++part) {
-      open.insert(open.end(), m_parts[part].open.begin(), m_parts[part].open.end());
-      flips += m_parts[part].flips;
+      const Work& work = m_parts[part];
+      open.insert(open.end(), work.open.begin(), work.open.end());
+      m_work.twisted.insert(m_work.twisted.end(), work.twisted.begin(), work.twisted.end());
+      flips += work.flips;
     }
     return flips;
   }
 
-  // Gives each part the edges inside of it; the others remain.
+  // Gives each part the edges inside of it; the others remain. Threads find out which these are.
+  template <class Parts>
   void divide(const Topology_parts_2& topology, std::size_t parts, std::vector<Index>& edges)
   {
+    constexpr std::size_t least = (std::max)(Parts::usual_size / 8, std::size_t(1));
+    constexpr std::uint8_t none = 255;
+    static_assert(max_parts < none);
     m_parts.resize((std::max)(parts, m_parts.size()));
-    for (Work& part : m_parts)
+    for (Work& part : m_parts) {
       part.seeds.clear();
-    m_work.seeds.swap(edges);
-    edges.clear();
-    for (std::size_t i = 0; i < m_work.seeds.size(); ++i) {
-      topology.prefetch_some(m_work.seeds, i);
-      const Index e = m_work.seeds[i];
-      const std::size_t part = topology.part_of(e);
-      (topology.is_inside(part, e) ? m_parts[part].seeds : edges).push_back(e);
+      part.twisted.clear();
     }
+    m_part_of_seed.resize(edges.size());
+    Parts::for_each(edges.size(), least, [&](std::size_t, std::size_t i, std::size_t beyond) {
+      for (; i < beyond; ++i) {
+        topology.prefetch_some(edges, i);
+        const std::size_t part = topology.part_of(edges[i]);
+        m_part_of_seed[i] = topology.is_inside(part, edges[i]) ? std::uint8_t(part) : none;
+      }
+    });
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      if (m_part_of_seed[i] != none)
+        m_parts[m_part_of_seed[i]].seeds.push_back(edges[i]);
+      else
+        edges[kept++] = edges[i];
+    edges.resize(kept);
   }
 
   // Examines touched edges at once, while they are in the cache. Does at most `limit` flips.
@@ -206,7 +229,7 @@ private:
       return false;
     const auto& mirror = maintained.mirror();
     if (state == Edge_state_2::TWISTED || !try_flip(mirror.halfedge(e))) {
-      work.open.push_back(e);
+      (state == Edge_state_2::TWISTED ? work.twisted : work.open).push_back(e);
       return false;
     }
     // Between counterclockwise faces the quadrilateral is convex, and the new diagonal Delaunay.
@@ -247,22 +270,12 @@ private:
     });
   }
 
-  // Removes open edges that a later flip has made Delaunay.
-  template <class Maintained>
-  static void keep_unproved(const Maintained& maintained, std::vector<Index>& open)
-  {
-    make_distinct(open);
-    const typename Maintained::Edge_test test(maintained);
-    open.erase(std::remove_if(open.begin(), open.end(),
-                              [&](Index e) { return test.state(e) == Edge_state_2::DELAUNAY; }),
-               open.end());
-  }
-
   static constexpr std::size_t stretch = 16;   // seeds that are fetched together
   static constexpr std::size_t max_parts = 32; // larger ones leave fewer edges between them
 
   Work m_work;
   std::vector<Work> m_parts;
+  std::vector<std::uint8_t> m_part_of_seed;
 };
 
 } // namespace internal

@@ -306,15 +306,9 @@ private:
   }
 
   // Exchanges the diagonal at half-edge h, vertex by vertex as CGAL's TDS_2::flip(face, i) does.
+  // The corners of the two vertices that leave a face are set even where they do not change: a
+  // store is cheaper than a branch.
   Flip_2 flip(Index h)
-  {
-    return flip(h, [this](Index v, Index corner) { set_corner(v, corner); });
-  }
-
-  // The same with set_corner(v, corner) for the two vertices that leave a face. Their corners are
-  // set even where they do not change: a store is cheaper than a branch.
-  template <class Set_corner>
-  Flip_2 flip(Index h, const Set_corner& set_corner)
   {
     const Index g = twin(h);
     const Index h_next = next(h), h_previous = previous(h);

@@ -80,11 +80,14 @@ public:
         m_opened_last.insert(new_edges[i]);
         mirror.for_each_side(new_edges[i], [this](Index e) { m_opened_last.insert(e); });
       }
-    const auto is_empty = [&](Index e) { return mirror.is_empty_edge(e); };
-    const auto is_listed = [&](Index e) { return is_empty(e) || m_opened_last.contains(e); };
-    m_illegal.erase(std::remove_if(m_illegal.begin(), m_illegal.end(), is_empty), m_illegal.end());
-    m_uncertain.erase(std::remove_if(m_uncertain.begin(), m_uncertain.end(), is_listed),
-                      m_uncertain.end());
+    using Parts = typename Maintained::Parts;
+    constexpr std::size_t least = (std::max)(Parts::usual_size / 4, std::size_t(1));
+    remove_by_parts<Parts>(m_illegal, least, [&](std::size_t k, std::size_t) {
+      return mirror.is_empty_edge(m_illegal[k]);
+    });
+    remove_by_parts<Parts>(m_uncertain, least, [&](std::size_t k, std::size_t) {
+      return mirror.is_empty_edge(m_uncertain[k]) || m_opened_last.contains(m_uncertain[k]);
+    });
     m_uncertain.insert(m_uncertain.end(), m_opened_last.begin(), m_opened_last.end());
     m_faces_tile_hull = false;
   }
@@ -103,13 +106,20 @@ public:
   template <class Maintained>
   void open_surroundings(const Maintained& maintained)
   {
+    using Parts = typename Maintained::Parts;
+    constexpr std::size_t least = (std::max)(Parts::usual_size / 64, std::size_t(1));
     const Dynamic_frame_2<Maintained> frame(maintained);
-    std::vector<Index> vertices, edges;
+    std::vector<Index> vertices;
     for_each_uncertain_vertex(maintained, [&](Index v) { vertices.push_back(v); });
     make_distinct(vertices); // one vertex may be at many of these edges, and have many others
-    for (const Index v : vertices)
-      frame.for_each_edge_that_sees(v, [&](Index e) { edges.push_back(e); });
-    m_uncertain.insert(m_uncertain.end(), edges.begin(), edges.end());
+    std::vector<std::vector<Index>> edges(Parts::number(vertices.size(), least));
+    Parts::for_each(
+        vertices.size(), least, [&](std::size_t part, std::size_t i, std::size_t beyond) {
+          for (; i < beyond; ++i)
+            frame.for_each_edge_that_sees(vertices[i], [&](Index e) { edges[part].push_back(e); });
+        });
+    for (const std::vector<Index>& list : edges)
+      m_uncertain.insert(m_uncertain.end(), list.begin(), list.end());
     make_distinct(m_uncertain);
   }
 
@@ -117,13 +127,8 @@ public:
   template <class Maintained>
   void reopen(const Maintained& maintained, const std::vector<Index>& edges)
   {
-    const Edge_test_2<Maintained> test(maintained);
     m_uncertain.insert(m_uncertain.end(), edges.begin(), edges.end());
-    make_distinct(m_uncertain);
-    m_uncertain.erase(
-        std::remove_if(m_uncertain.begin(), m_uncertain.end(),
-                       [&](Index e) { return test.state(e) == Edge_state_2::DELAUNAY; }),
-        m_uncertain.end());
+    keep_unproved(maintained, m_uncertain);
   }
 
   // Calls f for the finite vertices, for some more than once.

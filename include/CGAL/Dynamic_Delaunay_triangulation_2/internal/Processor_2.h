@@ -48,6 +48,19 @@ inline void prefetch(const void* address)
 #endif
 }
 
+// The place of the lowest bit that is set. One of them must be.
+inline unsigned lowest_bit(std::uint64_t word)
+{
+#if defined(__GNUC__) || defined(__clang__)
+  return unsigned(__builtin_ctzll(word));
+#else
+  unsigned place = 0;
+  for (; (word & 1) == 0; word >>= 1)
+    ++place;
+  return place;
+#endif
+}
+
 } // namespace internal
 } // namespace Dynamic_Delaunay_triangulations_2
 } // namespace CGAL

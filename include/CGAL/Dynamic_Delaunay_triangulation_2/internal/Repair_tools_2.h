@@ -104,6 +104,8 @@ public:
   // Removes the points with these ids.
   void remove(const std::vector<Index>& ids)
   {
+    if (ids.empty())
+      return;
     const std::size_t first_new = m_maintained.changes().new_edges.size();
     const std::vector<Index> moved = m_traffic.remove(ids);
     m_hull_stays = m_hull_stays && moved.empty();
@@ -425,7 +427,7 @@ private:
     m_open.set_planar(false);
     m_hull_stays = false;
     const std::size_t most = m_budget.left() / Repair_budget_2::spliced_vertex;
-    typename Border_splice_2<Maintained>::Limits limits{max_enlargements, most};
+    Splice_limits_2 limits{max_enlargements, most};
     const Splice_result_2 result = m_splice.run(m_editor, vertices, padding, limits);
     m_budget.spend((most - limits.max_vertices) * Repair_budget_2::spliced_vertex);
     m_report->enlargements += limits.enlargements;

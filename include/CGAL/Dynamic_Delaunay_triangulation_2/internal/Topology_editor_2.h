@@ -162,14 +162,14 @@ public:
   void flip_in_parts(const Topology_parts_2& topology, std::size_t parts, bool no_edge_doubles,
                      const Function& f)
   {
-    m_parts.resize((std::max)(parts, m_parts.size()));
+    m_flipped_in_parts.resize((std::max)(parts, m_flipped_in_parts.size()));
     const auto finish = [&] {
       for (std::size_t part = 0; part < parts; ++part)
-        finish_part(m_parts[part]);
+        finish_part(m_flipped_in_parts[part]);
     };
     try {
       Maintained::Parts::run(parts, [&](std::size_t part) {
-        flip_part(topology, part, no_edge_doubles, m_parts[part], f);
+        flip_part(topology, part, no_edge_doubles, m_flipped_in_parts[part], f);
       });
     } catch (...) {
       finish();
@@ -206,6 +206,29 @@ public:
       mirror.set_edge(mirror.edge_of(h), h);
     for (const Index f : old_faces)
       m_topology.m_visitor_calls.after_face_creation(m_topology.m_faces[f]);
+  }
+
+  // Fetches what replace() will write for these faces and vertices: first handles, to be called
+  // some time before, then what they refer to.
+  void prefetch_handles(const std::vector<Index>& faces, const std::vector<Index>& vertices) const
+  {
+    for (const Index f : faces) {
+      prefetch(&m_topology.m_faces[f]);
+      m_topology.m_mirror.prefetch_face(3 * f);
+    }
+    for (const Index v : vertices)
+      prefetch(&m_topology.m_vertices[v]);
+  }
+  void prefetch_faces(const std::vector<Index>& faces, const std::vector<Index>& vertices) const
+  {
+    const auto& mirror = m_topology.m_mirror;
+    for (const Index f : faces) {
+      prefetch_face(m_topology.m_faces[f]);
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        mirror.prefetch_edge(mirror.edge_of(h));
+    }
+    for (const Index v : vertices)
+      prefetch(&*m_topology.m_vertices[v]);
   }
 
   // OUT OF FACES AND INTO FACES -------------------------------------------------------------------
@@ -662,27 +685,25 @@ private:
 
   void visit_and_write_flips(std::vector<Flip_2>& flips)
   {
-    const auto set_face = [this](Index v, Index h) {
-      m_topology.m_vertices[v]->set_face(m_topology.m_faces[h / 3]);
-    };
-    for_each_prefetched(flips, [&](const Flip_2& flip) {
+    for_each_prefetched(flips, [this](const Flip_2& flip) {
       const Face_handle f = m_topology.m_faces[flip.h / 3];
       const int place = int(flip.h % 3);
       m_topology.m_visitor_calls.before_flip(Edge(f, place));
-      write_flip(flip, set_face);
+      write_flip(flip);
       m_topology.m_visitor_calls.after_flip(Edge(f, Triangulation_cw_ccw_2::ccw(place)));
     });
     flips.clear();
   }
 
-  // Does in CGAL's structure what the flip has done in the mirror, with set_face(v, h) for the two
-  // vertices that leave a face.
-  template <class Set_face>
-  void write_flip(const Flip_2& flip, const Set_face& set_face)
+  // Does in CGAL's structure what the flip has done in the mirror.
+  void write_flip(const Flip_2& flip)
   {
     using Mirror = Neighborhood_mirror_2;
     const auto set_apex = [this](Index h, Index v) {
       m_topology.m_faces[h / 3]->set_vertex(int(h % 3), m_topology.m_vertices[v]);
+    };
+    const auto set_face = [this](Index v, Index h) {
+      m_topology.m_vertices[v]->set_face(m_topology.m_faces[h / 3]);
     };
     set_apex(Mirror::previous(flip.h), flip.d);
     set_apex(Mirror::previous(flip.g), flip.a);
@@ -746,40 +767,21 @@ private:
 
   // FLIPS IN PARTS ------------------------------------------------------------------------------
 
-  // The flips of a part, and the corners that vertices of other parts have got, in their order.
-  struct Flipped_part
-  {
-    struct Corner
-    {
-      Index vertex, halfedge;
-    };
-
-    std::vector<Flip_2> flips;
-    std::vector<Corner> corners;
-  };
-
   template <class Function>
   void flip_part(const Topology_parts_2& topology, std::size_t part, bool no_edge_doubles,
-                 Flipped_part& flipped, const Function& f)
+                 std::vector<Flip_2>& flips, const Function& f)
   {
     auto& mirror = m_topology.m_mirror;
-    const auto set_corner = [&](Index v, Index h) {
-      if (topology.has_vertex(part, v))
-        mirror.set_corner(v, h);
-      else
-        flipped.corners.push_back({v, h}); // there is memory for it
-    };
     const auto try_flip = [&](Index h) {
-      if (!topology.stays_inside(part, h) || !(no_edge_doubles || topology.proves_apart(part, h)))
+      if (!topology.stays_inside(part, h) || !(no_edge_doubles || !mirror.are_apexes_neighbors(h)))
         return false;
-      provide(flipped.flips, 1);
-      provide(flipped.corners, 2);
-      flipped.flips.push_back(mirror.flip(h, set_corner)); // throws nothing
+      provide(flips, 1);
+      flips.push_back(mirror.flip(h)); // throws nothing
       return true;
     };
     const auto write = [&] {
       if constexpr (!Topology::Visitor_calls::is_heard)
-        write_part(topology, part, flipped.flips);
+        for_each_prefetched(flips, [this](const Flip_2& flip) { write_flip(flip); });
     };
     try {
       f(part, try_flip);
@@ -790,29 +792,12 @@ private:
     write();
   }
 
-  void write_part(const Topology_parts_2& topology, std::size_t part,
-                  const std::vector<Flip_2>& flips)
+  void finish_part(std::vector<Flip_2>& flips)
   {
-    const auto set_face = [&](Index v, Index h) {
-      if (topology.has_vertex(part, v))
-        m_topology.m_vertices[v]->set_face(m_topology.m_faces[h / 3]);
-    };
-    for_each_prefetched(flips, [&](const Flip_2& flip) { write_flip(flip, set_face); });
-  }
-
-  // A vertex gets the corner that the last part has found for it. That is still a corner of it:
-  // whenever a flip takes it out of a face, it gets another one.
-  void finish_part(Flipped_part& flipped)
-  {
-    log_flips(flipped.flips);
+    log_flips(flips);
     if constexpr (Topology::Visitor_calls::is_heard)
-      visit_and_write_flips(flipped.flips);
-    for (const auto& [v, h] : flipped.corners) {
-      m_topology.m_mirror.set_corner(v, h);
-      m_topology.m_vertices[v]->set_face(m_topology.m_faces[h / 3]);
-    }
-    flipped.flips.clear();
-    flipped.corners.clear();
+      visit_and_write_flips(flips);
+    flips.clear();
   }
 
   // Everything is new where there is no memory to list it.
@@ -835,7 +820,7 @@ private:
   Positions& m_positions;
   std::vector<Index> m_inner_edges;
   std::vector<Flip_2> m_flipped; // in their order
-  std::vector<Flipped_part> m_parts;
+  std::vector<std::vector<Flip_2>> m_flipped_in_parts;
   std::vector<Index> m_empty_vertices, m_empty_faces, m_empty_edges; // to be dropped
 };
 

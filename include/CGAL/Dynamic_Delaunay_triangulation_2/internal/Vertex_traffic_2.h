@@ -97,7 +97,8 @@ private:
   template <class Function>
   void collect_from_parts(std::size_t size, std::vector<Index>& found, const Function& f)
   {
-    constexpr std::size_t least = Parts::usual_size / 64; // an i takes up to a microsecond
+    // an i takes up to a microsecond
+    constexpr std::size_t least = (std::max)(Parts::usual_size / 256, std::size_t(1));
     m_works.resize((std::max)(Parts::number(size, least), m_works.size()));
     Parts::for_each(size, least, [&](std::size_t part, std::size_t first, std::size_t beyond) {
       m_works[part].found.clear();
