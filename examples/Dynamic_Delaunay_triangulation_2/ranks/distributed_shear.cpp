@@ -3,7 +3,7 @@
 
 // Soft disks in a periodic cell that is sheared further and further, spread over the ranks of MPI.
 // Forces are summed up in the order of ids, so positions are the same, bit for bit, on any
-// number_of_disks of ranks.
+// number of ranks.
 //
 //   mpirun -n 4 distributed_shear
 

@@ -29,7 +29,7 @@ using Point = Kernel::Point_2;
 using Distributed = CGAL::Distributed_dynamic_Delaunay_triangulation_2<Kernel>;
 using Id = Distributed::Id;
 using Points = std::vector<Point>;
-using Population = std::map<Id, Point>;       // the same on all number_of_ranks
+using Population = std::map<Id, Point>;       // the same on all ranks
 using Edges = std::vector<std::pair<Id, Id>>; // ascending
 
 inline thread_local int this_rank, number_of_ranks; // a thread may be a rank
