@@ -138,7 +138,7 @@ private:
     return flips;
   }
 
-  // Many flips are made in parts, which threads share, as far as they stay inside of a part. What
+  // Many flips are made in parts, which threads share, as far as edges are inside of a part. What
   // is left is open. The parts, and so the result, depend on the triangulation alone.
   template <class Maintained, class Editor>
   std::size_t run_in_parts(const Maintained& maintained, Editor& editor, std::vector<Index>& open,

@@ -154,9 +154,9 @@ public:
   static constexpr bool can_flip_in_parts = true;
 
   // Calls f(part, try_flip) for all parts of `topology`, which threads share. try_flip(h) returns
-  // whether the flip of half-edge h stays inside of the part and doubles no edge, which it cannot
-  // if `no_edge_doubles`, and flips it if so. CGAL's structure is flipped at the end of each part,
-  // or, where a visitor hears of it, part by part at the end. The result depends on the parts
+  // whether the edge of half-edge h is inside of the part and its flip doubles no edge, which it
+  // cannot if `no_edge_doubles`, and flips it if so. CGAL's structure is flipped at the end of each
+  // part, or, where a visitor hears of it, part by part at the end. The result depends on the parts
   // alone.
   template <class Function>
   void flip_in_parts(const Topology_parts_2& topology, std::size_t parts, bool no_edge_doubles,
@@ -773,10 +773,11 @@ private:
   {
     auto& mirror = m_topology.m_mirror;
     const auto try_flip = [&](Index h) {
-      if (!topology.stays_inside(part, h) || !(no_edge_doubles || !mirror.are_apexes_neighbors(h)))
+      if (!topology.is_inside(part, mirror.edge_of(h)) || !(no_edge_doubles || can_flip(h)))
         return false;
       provide(flips, 1);
       flips.push_back(mirror.flip(h)); // throws nothing
+      CGAL_assertion(topology.was_inside(part, flips.back()));
       return true;
     };
     const auto write = [&] {

@@ -17,16 +17,15 @@ namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
 // Parts of a triangulation in which threads can flip edges at the same time: each vertex belongs to
-// one part. A face belongs to the part of its three vertices, or, if these are of several parts, to
-// none. An edge between two faces of a part is *inside* of it.
+// one part. An edge is *inside* of a part if the vertices of its two faces belong to the part.
 //
-// A flip *stays inside* of a part if its edge and the four sides of its two faces are inside. Then
-// all that it changes, half-edges, edges and corners of vertices, is that of six faces and four
-// vertices of this part, and the two new faces belong to the part as well. A face that belongs to
-// none never changes. A neighbor of a face of a part shares two vertices with it, so it belongs to
-// the same part or to none, as does every face around a vertex of the part. So a thread that
-// examines edges inside of its part, walks around vertices of it, and makes flips that stay inside
-// reads nothing that others write.
+// Each thread examines edges with both ends in its part, and flips those inside of it. A flip
+// replaces two faces whose vertices are all in the part by two such faces. What it changes besides
+// is at edges with both ends in the part, their sides: the edge itself, and the twins of both its
+// half-edges, one of which may be in a face with a vertex elsewhere. And the corners of vertices of
+// the part. So what is at edges with both ends in a part, and in faces with all vertices there,
+// changes by this part alone; the vertices of other faces, and what is at other edges, never.
+// Nothing else is read where edges are examined, or where a walk goes around a vertex of the part.
 //
 // Parts are ranges of numbers, which are close in space as long as numbers follow a curve. Those of
 // vertices do so longer than those of faces, which every flip moves.
@@ -49,17 +48,11 @@ public:
            has_vertex(part, edge.left) && has_vertex(part, edge.right);
   }
 
-  // Whether the flip of half-edge h, whose edge is inside, stays inside.
-  bool stays_inside(std::size_t part, Index h) const
+  // The same for an edge that was flipped.
+  bool was_inside(std::size_t part, const Flip_2& flip) const
   {
-    const auto is_side_inside = [&](Index side) {
-      return has_vertex(part, m_mirror.apex(m_mirror.twin(side)));
-    };
-    const auto are_sides_inside = [&](Index k) {
-      return is_side_inside(Neighborhood_mirror_2::next(k)) &&
-             is_side_inside(Neighborhood_mirror_2::previous(k));
-    };
-    return are_sides_inside(h) && are_sides_inside(m_mirror.twin(h));
+    return has_vertex(part, flip.a) && has_vertex(part, flip.b) && has_vertex(part, flip.c) &&
+           has_vertex(part, flip.d);
   }
 
   // For a pass over a list of edges that asks part_of() and is_inside().
