@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A run over one to eight ranks, whose every decision is decoded from the input: how many ranks
-// there are, how the points lie and who owns them, how they move, come and go. Each frame is
-// compared with one process. The ranks are threads here.
+// there are, how the points lie and which rank owns them, how they move, come and go. Each
+// frame is compared with one process. The ranks are threads here.
 
 #include "../mpi/distributed_any_run.h"
 #include "fuzz_target.h"

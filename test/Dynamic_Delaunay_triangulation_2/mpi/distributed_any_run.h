@@ -7,23 +7,19 @@
 #ifndef DISTRIBUTED_ANY_RUN_H
 #define DISTRIBUTED_ANY_RUN_H
 
-#include "../../../benchmark/Dynamic_Delaunay_triangulation_2/random_operations/Decisions.h"
-#include "distributed_oracle.h"
+#include "distributed_decisions.h"
 
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <string>
-#include <utility>
+#include <vector>
 
-// All ranks have to decide alike.
-class Any_run
+class Any_run : private Decided_run
 {
 public:
   Any_run(random_operations::Decisions& decisions, const std::string& name)
-    : m_decisions(decisions)
-    , m_name(name)
+    : Decided_run(decisions, name)
   {
   }
 
@@ -36,8 +32,7 @@ public:
     m_side = std::sqrt(double(n)) * uniform(0.5, 2);
     for (std::size_t i = 0; i < n; ++i)
       add_point();
-    const Owner owners[] = {in_order, in_turn, on_first};
-    const auto own = own_part(m_population, owners[m_decisions.below(3)]);
+    const auto own = own_part(m_population, any_owner());
     Distributed dt(MPI_COMM_WORLD, own.begin(), own.end(), one_in(2) ? no_balance : 1.2);
     expect_exact(dt, m_population, m_name + " at the start");
     for (int frame = 0; frame < 8 && m_decisions.has_more(); ++frame) {
@@ -90,32 +85,19 @@ private:
 
   void insert(Distributed& dt)
   {
-    std::vector<std::pair<Id, Point>> given;
-    for (std::size_t k = m_decisions.below(20); k > 0; --k) {
-      const auto added = add_point();
-      if (any_rank() == this_rank)
-        given.push_back(*added);
-    }
-    // Ranks have drawn alike, so each point is given by exactly one of them.
+    const auto given = given_newcomers([this] { return add_point(); });
     dt.insert(given.begin(), given.end());
   }
 
   void remove(Distributed& dt)
   {
-    std::vector<Id> given;
-    const std::size_t part = 1 + m_decisions.below(8);
-    for (auto value = m_population.begin(); value != m_population.end();) {
-      const bool goes = one_in(part), is_given = any_rank() == this_rank;
-      if (goes && is_given)
-        given.push_back(value->first);
-      value = goes ? m_population.erase(value) : std::next(value);
-    }
+    const std::vector<Id> given = given_leavers();
     dt.remove(given.begin(), given.end());
   }
 
   Population::iterator add_point()
   {
-    const Id id = m_next += 1 + Id(m_decisions.below(5));
+    const Id id = next_id();
     const bool coincides = !m_population.empty() && one_in(20);
     return m_population.emplace(id, coincides ? m_population.begin()->second : place()).first;
   }
@@ -142,16 +124,9 @@ private:
                ? Point(m_lattice * std::round(x / m_lattice), m_lattice * std::round(y / m_lattice))
                : Point(x, y);
   }
-  int any_rank() { return m_decisions.whole(0, number_of_ranks - 1); }
-  bool one_in(std::size_t n) { return m_decisions.one_in(n); }
-  double uniform(double low, double high) { return m_decisions.real(low, high); }
 
-  random_operations::Decisions& m_decisions;
-  std::string m_name;
-  Population m_population;
   double m_lattice = 0, m_side = 1;
   bool m_is_circle = false;
-  Id m_next = 0;
 };
 
 #endif // DISTRIBUTED_ANY_RUN_H

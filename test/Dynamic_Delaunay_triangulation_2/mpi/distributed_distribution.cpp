@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Run by several ranks: which rank owns which points, how the user's data follow them, and what ranks send.
+// Run by several ranks: which rank owns which points, how the user's data follow them, and what
+// ranks send.
 
 #include "distributed_oracle.h"
 

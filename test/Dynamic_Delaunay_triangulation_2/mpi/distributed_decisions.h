@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Points over ranks of which somebody decides: a generator of random numbers, or a fuzzer. All
+// ranks have to decide alike.
+
+#ifndef DISTRIBUTED_DECISIONS_H
+#define DISTRIBUTED_DECISIONS_H
+
+#include "../../../benchmark/Dynamic_Delaunay_triangulation_2/random_operations/Decisions.h"
+#include "distributed_oracle.h"
+
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+class Decided_run
+{
+protected:
+  Decided_run(random_operations::Decisions& decisions, const std::string& name)
+    : m_decisions(decisions)
+    , m_name(name)
+  {
+  }
+
+  Owner any_owner()
+  {
+    const Owner owners[] = {in_order, in_turn, on_first};
+    return owners[m_decisions.below(3)];
+  }
+  bool one_in(std::size_t n) { return m_decisions.one_in(n); }
+  int whole(int lowest, int highest) { return m_decisions.whole(lowest, highest); }
+  double uniform(double low, double high) { return m_decisions.real(low, high); }
+
+  Id next_id() { return m_next += 1 + Id(m_decisions.below(5)); }
+
+  // New points, each by exactly one rank. `add()` adds one to the population, and returns where.
+  template <class Add>
+  std::vector<std::pair<Id, Point>> given_newcomers(const Add& add)
+  {
+    std::vector<std::pair<Id, Point>> given;
+    for (std::size_t k = m_decisions.below(20); k > 0; --k) {
+      const auto added = add();
+      if (is_chosen())
+        given.push_back(*added);
+    }
+    return given;
+  }
+
+  // Points that leave the population, each given by exactly one rank.
+  std::vector<Id> given_leavers()
+  {
+    std::vector<Id> given;
+    const std::size_t part = 1 + m_decisions.below(8);
+    for (auto value = m_population.begin(); value != m_population.end();) {
+      const bool goes = one_in(part), is_given = is_chosen();
+      if (goes && is_given)
+        given.push_back(value->first);
+      value = goes ? m_population.erase(value) : std::next(value);
+    }
+    return given;
+  }
+
+  random_operations::Decisions& m_decisions;
+  std::string m_name;
+  Population m_population;
+
+private:
+  // True on one rank.
+  bool is_chosen() { return whole(0, number_of_ranks - 1) == this_rank; }
+
+  Id m_next = 0;
+};
+
+#endif // DISTRIBUTED_DECISIONS_H
