@@ -418,10 +418,11 @@ public:
   // Announces points to be inserted, with the next ids, after the removals.
   void announce(const std::vector<Index>& ids, const std::vector<Point>& points)
   {
-    m_coming_points = points;
-    std::vector<Index> copy = ids;
+    std::vector<Index> coming_ids = ids;
+    std::vector<Point> coming_points = points;
     m_editor.reserve_ids(ids); // nothing throws from here on
-    m_coming_ids.swap(copy);
+    m_coming_ids.swap(coming_ids);
+    m_coming_points.swap(coming_points);
   }
 
   // Calls f(id, point) for the announced points that are not inserted yet.
