@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Points over ranks whose ways a generator of random numbers decides, or a fuzzer. All ranks have to
-// decide alike.
+// Points over ranks whose ways a generator of random numbers decides, or a fuzzer. All ranks have
+// to decide alike.
 
 #ifndef DISTRIBUTED_DECISIONS_H
 #define DISTRIBUTED_DECISIONS_H
