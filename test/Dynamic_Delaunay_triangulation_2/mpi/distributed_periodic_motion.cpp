@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <limits>
 #include <random>
 #include <vector>
@@ -93,9 +94,11 @@ int main(int argc, char** argv)
   }
   const auto at_first = [](int) { return Cell(length, length); };
   constexpr int frames = 12;
+  const char* const wanted = std::getenv("DYNAMIC_DELAUNAY_DISTRIBUTED_FRAMES");
+  const int many = wanted ? std::atoi(wanted) : 3 * frames; // of those that can go on for long
   for (const double load_factor : {no_balance, Distributed_periodic::default_load_factor}) {
     run_periodic(
-        "Brownian motion, wrapped", cloud, frames,
+        "Brownian motion, wrapped", cloud, many,
         [&](std::size_t, const Point& p, int) {
           return Point(wrapped(p.x() + step(random)), wrapped(p.y() + step(random)));
         },
@@ -107,13 +110,13 @@ int main(int argc, char** argv)
         },
         at_first, in_order, load_factor);
     run_periodic(
-        "jumps", cloud, frames,
+        "jumps", cloud, many,
         [&](std::size_t, const Point& p, int) {
           return random() % 20 ? p : Point(coordinate(random), coordinate(random));
         },
         at_first, in_turn, load_factor);
     run_with_cell(
-        "shear, with cells that are flipped", parts, 3 * frames,
+        "shear, with cells that are flipped", parts, many,
         [](int frame) {
           const double shear = 0.07 * frame;
           return Cell(length, 0, length * (shear - std::round(shear)), length);
