@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <vector>
 
 class Any_run : private Decided_run
 {
@@ -50,7 +49,7 @@ private:
   {
     switch (kind) {
     case 0:
-      return insert(dt);
+      return insert(dt, [this] { return add_point(); });
     case 1:
       return remove(dt);
     case 2:
@@ -81,18 +80,6 @@ private:
       else // Brownian motion
         p = snapped(p.x() + uniform(-spread, spread), p.y() + uniform(-spread, spread));
     }
-  }
-
-  void insert(Distributed& dt)
-  {
-    const auto given = given_newcomers([this] { return add_point(); });
-    dt.insert(given.begin(), given.end());
-  }
-
-  void remove(Distributed& dt)
-  {
-    const std::vector<Id> given = given_leavers();
-    dt.remove(given.begin(), given.end());
   }
 
   Population::iterator add_point()

@@ -36,9 +36,10 @@ protected:
 
   Id next_id() { return m_next += 1 + Id(m_decisions.below(5)); }
 
-  // New points, each by exactly one rank. `add()` adds one to the population, and returns where.
-  template <class Add>
-  std::vector<std::pair<Id, Point>> given_newcomers(const Add& add)
+  // Each of the new points is given by exactly one rank. `add()` adds one to the population, and
+  // returns where.
+  template <class Triangulation, class Add>
+  void insert(Triangulation& dt, const Add& add)
   {
     std::vector<std::pair<Id, Point>> given;
     for (std::size_t k = m_decisions.below(20); k > 0; --k) {
@@ -46,11 +47,12 @@ protected:
       if (is_chosen())
         given.push_back(*added);
     }
-    return given;
+    dt.insert(given.begin(), given.end());
   }
 
-  // Points that leave the population, each given by exactly one rank.
-  std::vector<Id> given_leavers()
+  // Each of the points that leave is given by exactly one rank.
+  template <class Triangulation>
+  void remove(Triangulation& dt)
   {
     std::vector<Id> given;
     const std::size_t part = 1 + m_decisions.below(8);
@@ -60,7 +62,7 @@ protected:
         given.push_back(value->first);
       value = goes ? m_population.erase(value) : std::next(value);
     }
-    return given;
+    dt.remove(given.begin(), given.end());
   }
 
   random_operations::Decisions& m_decisions;

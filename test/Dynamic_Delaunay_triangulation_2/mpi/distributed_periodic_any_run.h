@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <string>
 #include <utility>
-#include <vector>
 
 class Any_periodic_run : private Decided_run
 {
@@ -59,7 +58,7 @@ private:
   {
     switch (kind) {
     case 0:
-      return insert(dt);
+      return insert(dt, [this] { return add_point(); });
     case 1:
       return remove(dt);
     case 2:
@@ -123,18 +122,6 @@ private:
       const double s = (p.x() * by - p.y() * bx) / d, t = (p.y() * ax - p.x() * ay) / d;
       p = snapped(s * m_vectors[0] + t * m_vectors[2], s * m_vectors[1] + t * m_vectors[3]);
     }
-  }
-
-  void insert(Distributed_periodic& dt)
-  {
-    const auto given = given_newcomers([this] { return add_point(); });
-    dt.insert(given.begin(), given.end());
-  }
-
-  void remove(Distributed_periodic& dt)
-  {
-    const std::vector<Id> given = given_leavers();
-    dt.remove(given.begin(), given.end());
   }
 
   Population::iterator add_point()

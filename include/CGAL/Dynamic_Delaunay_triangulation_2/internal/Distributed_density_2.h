@@ -48,7 +48,7 @@ public:
   {
     if (m_are_whole.empty())
       return;
-    count_points(frame, zone);
+    mark_blocks_with_points(frame, zone);
     keep_surrounded(1);
     keep_surrounded(std::size_t(zone.block_columns()));
     for (std::size_t v = 0; v < vertices.size(); ++v)
@@ -57,7 +57,7 @@ public:
 
 private:
   template <class Frame>
-  void count_points(const Frame& frame, const Distributed_zone_2& zone)
+  void mark_blocks_with_points(const Frame& frame, const Distributed_zone_2& zone)
   {
     const auto& positions = frame.maintained().positions();
     m_are_dense.assign(m_are_whole.size() + 1, 0);
