@@ -99,11 +99,9 @@ private:
     const Edge_filter_2 filter(corners);
     if (!filter.proves_counterclockwise())
       return false;
-    const double in_circle =
-        filter.in_circle + Edge_filter_2::in_circle_factor * (filter.s * filter.s);
-    const double error = Edge_filter_2::orientation_factor * filter.s;
-    return is_bounded((filter.left + error) * in_circle, a, b, c) &&
-           is_bounded((filter.right + error) * in_circle, d, c, b);
+    const double in_circle = filter.in_circle + filter.in_circle_bound();
+    return is_bounded((filter.left + filter.left_bound()) * in_circle, a, b, c) &&
+           is_bounded((filter.right + filter.right_bound()) * in_circle, d, c, b);
   }
 
   bool is_bounded(double product, const Position& p, const Position& q, const Position& r) const

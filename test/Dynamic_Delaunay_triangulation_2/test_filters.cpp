@@ -126,29 +126,87 @@ TEST_F(Predicates, of_the_orientation_claim_nothing_where_their_bound_underflows
   }
 }
 
-// Some terms of the in-circle determinant overflow and others do not, and the square of s does.
+void expect_no_contradiction(const Quadruple& q, const Signs& signs)
+{
+  const internal::Edge_filter_2 filter({q[0], q[1], q[2], q[3]});
+  ASSERT_TRUE(!filter.proves_delaunay() || signs.side < 0) << text(q);
+  ASSERT_TRUE(!filter.proves_illegal() || signs.side > 0) << text(q);
+  ASSERT_TRUE(!filter.disproves_delaunay() || signs.side > 0) << text(q);
+  const int side = internal::filtered_in_circle(q[0], q[1], q[2], q[3]);
+  ASSERT_TRUE(side == 0 || side == signs.side) << text(q);
+}
+
+using Angles = std::array<double, 4>;
+
+// In the order of the corners of an edge, so that its faces are counterclockwise.
+Angles any_angles(Random& random)
+{
+  Angles angles;
+  for (double& angle : angles)
+    angle = between(random, 0, 6.28);
+  std::sort(angles.begin(), angles.end());
+  std::swap(angles[2], angles[3]);
+  return angles;
+}
+
+// Points of a circle around the origin, except for rounding and `spread` times the radius.
+Quadruple on_circle(const Angles& angles, double radius, double spread, Random& random)
+{
+  Quadruple q;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double length = radius * (1 + spread * between(random, -0.5, 0.5));
+    q[i] = {length * std::cos(angles[i]), length * std::sin(angles[i])};
+  }
+  return q;
+}
+
+// With a radius of some 2^exponent.
+void expect_no_contradiction_near_circles(int exponent, double spread)
+{
+  Random random(1);
+  for (int i = 0; i < 40000; ++i) {
+    const double radius = std::ldexp(between(random, 1, 2), exponent);
+    const Quadruple q = on_circle(any_angles(random), radius, spread, random);
+    const Signs signs(q);
+    if (signs.are_counterclockwise()) {
+      ASSERT_NO_FATAL_FAILURE(expect_no_contradiction(q, signs));
+    }
+  }
+}
+
+// Some terms of the in-circle determinant overflow and others do not, and the product of both sizes
+// does.
 TEST_F(Predicates, of_nearly_cocircular_points_claim_nothing_where_terms_overflow)
 {
-  std::mt19937_64 random(1);
-  std::uniform_real_distribution<double> number(0, 1);
-  std::size_t convex = 0;
-  for (int i = 0; i < 50000; ++i) {
-    const double radius = std::ldexp(1 + number(random), 254 + int(random() % 3));
-    Quadruple q;
-    for (Position_2& p : q) {
-      const double angle = 6.283185307179586 * number(random);
-      const double length = radius * (1 + 1e-3 * (number(random) - 0.5));
-      p = {length * std::cos(angle), length * std::sin(angle)};
+  for (const int exponent : {254, 255, 256})
+    expect_no_contradiction_near_circles(exponent, 1e-3);
+}
+
+// The terms are nearly equal, and just below or above the largest double.
+TEST_F(Predicates, of_cocircular_points_claim_nothing_where_one_of_two_terms_overflows)
+{
+  Random random(2);
+  for (int i = 0; i < 20000; ++i) {
+    const Angles angles = any_angles(random);
+    const Quadruple small = on_circle(angles, 1, 0, random);
+    const internal::Edge_filter_2 unit({small[0], small[1], small[2], small[3]});
+    const double term = unit.left * (unit.right_size - std::abs(unit.right));
+    const double radius = std::ldexp(std::pow(term, -0.25), 256);
+    for (int k = std::isfinite(radius) ? -4 : 5; k < 5; ++k) {
+      const Quadruple q = on_circle(angles, radius * (1 + k * 0x1p-52), 0, random);
+      const Signs signs(q);
+      if (signs.are_counterclockwise()) {
+        ASSERT_NO_FATAL_FAILURE(expect_no_contradiction(q, signs));
+      }
     }
-    const Signs signs(q);
-    if (!signs.are_counterclockwise())
-      continue;
-    ++convex;
-    const internal::Edge_filter_2 filter({q[0], q[1], q[2], q[3]});
-    ASSERT_TRUE(!filter.proves_delaunay() || signs.side < 0) << text(q);
-    ASSERT_TRUE(!filter.proves_illegal() || signs.side > 0) << text(q);
   }
-  EXPECT_GT(convex, 1000u);
+}
+
+// Both terms are subnormal numbers, whose last digit is larger than the bound.
+TEST_F(Predicates, of_nearly_cocircular_points_claim_nothing_where_terms_underflow)
+{
+  for (const int exponent : {-260, -259, -258, -257, -254, -250, -248})
+    expect_no_contradiction_near_circles(exponent, 0);
 }
 
 TEST_F(Predicates, of_four_edges_at_once_claim_nothing_wrong_for_any_finite_doubles)

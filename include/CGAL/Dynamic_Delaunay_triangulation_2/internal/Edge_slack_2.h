@@ -111,7 +111,8 @@ inline bool append_moved(const std::vector<Position_2>& positions,
 // D = (p - q) x (w - q) changes by at most
 //     2t (|p - q| + |w - q|) + 4t^2,
 // and so does the scalar product. Lengths are bounded by sums of absolute values. The error of D is
-// bounded as in Edge_filter_2; a hundredth of a percent covers the bound's roundings.
+// at most 4u |p - q||w - q| (Edge_filter_2), half of that times the sum of their squares; a
+// hundredth of a percent covers the bound's roundings.
 class Edge_slack_2
 {
 public:

@@ -718,9 +718,8 @@ private:
   template <class Function>
   void for_each_prefetched(const std::vector<Flip_2>& flips, const Function& f) const
   {
-    const bool prefetches = m_topology.m_vertices.size() >= min_vertices_to_prefetch;
     for (std::size_t i = 0; i < flips.size(); ++i) {
-      if (prefetches && i % stretch == 0)
+      if (i % stretch == 0)
         prefetch_stretch(flips.data() + i, (std::min)(stretch, flips.size() - i));
       f(flips[i]);
     }

@@ -68,17 +68,20 @@ struct Edge_images_2
 // 3u m + O(u^2). Let E be 4u times the largest m of an edge's vectors, which covers the rounding of
 // m. Then each computed coordinate is off by at most E.
 //
-// Edge_filter_2 takes the vectors to the right corner for exact. In its terms, with r^2 = s:
-//   - a minor such as bc changes by at most (|bx| + |by| + |cx| + |cy|) E + 2 E^2, so `left` and
-//     `right` by at most 2 (|ax| + ... + |cy|) E + 6 E^2 <= 2 sqrt(6) r E + 6 E^2;
-//   - |a|^2 changes by at most 2 sqrt(2) |a| E + 2 E^2. So `in_circle` changes by at most
-//     2 sqrt(2) * 3 |a||b||c| E + sqrt(2) (|a|^2 (|b| + |c|) + ...) E + O(r^2 E^2), which is below
-//     (1.64 + 2.45) r^3 E + O(r^2 E^2), as |a||b||c| <= (s/3)^1.5 and |a| + |b| + |c| <= sqrt(3) r.
-// If E is below 2^-20 r, 5 r E and 5 r^3 E cover these, second order and the rounding of the bounds
-// included. They are added to the bounds of Edge_filter_2. If E is larger nothing is proved.
+// Edge_filter_2 gets the vectors from the right corner to the others, and takes them for exact. Let
+// t be the largest one of the absolute values of their coordinates, and E be below 2^-20 t. In the
+// filter's terms
+//   - b - d and c - d have coordinates up to t, off by at most E; b - a and c - a up to 2t, off by
+//     at most 2E. So `right` and `right_dot` change by at most 4t E + 2 E^2, and `left` and
+//     `left_dot` by at most 16t E + 8 E^2, less than 17t E;
+//   - the former two are at most 2 t^2, the latter two 8 t^2. So `in_circle` changes by at most
+//     2 (8 t^2 4t E + 2 t^2 16t E) = 128 t^3 E in the first order, and less than 135 t^3 E.
+// That is added to the bounds of Edge_filter_2, and covers the rounding of these summands, too. If
+// E is larger nothing is proved.
 //
 // Underflow. Products of integers and subnormal numbers are exact, and so are sums of them; for the
-// rest, s is bounded from below as in Edge_filter_2. Overflow makes E or s infinite, or NaN.
+// rest, sizes are bounded from below as in Edge_filter_2, so t is above 1e-76 and t^3 E above
+// 1e-319, where doubles have three digits. Overflow makes E or t infinite, or NaN.
 class Torus_2
 {
 public:
@@ -297,7 +300,8 @@ public:
 
 private:
   static constexpr double smallest_products = 1e-280;
-  static constexpr double error_share = 5, largest_error = 0x1p-20; // of the filter, in r
+  // Of the filter, in t.
+  static constexpr double orientation_share = 17, in_circle_share = 135, largest_error = 0x1p-20;
 
   class Filter
   {
@@ -315,20 +319,25 @@ private:
 
   private:
     Filter(const Torus_2& torus, const Edge_images_2& corners, double m)
-      : m_filter({torus.vector(corners.right, corners.left, m),
+      : m_vectors{torus.vector(corners.right, corners.left, m),
                   torus.vector(corners.right, corners.source, m),
-                  torus.vector(corners.right, corners.target, m), Position_2{0, 0}})
+                  torus.vector(corners.right, corners.target, m), Position_2{0, 0}}
+      , m_filter(m_vectors)
     {
-      const double s = m_filter.s, r = std::sqrt(s), e = error_factor * m;
-      const double bound = Edge_filter_2::orientation_factor * s + error_share * r * e;
-      m_in_circle_bound = Edge_filter_2::in_circle_factor * (s * s) + error_share * (s * r) * e;
-      is_usable = (s > Edge_filter_2::smallest_s) & (e < largest_error * r) &
+      const auto& [a, b, c, d] = m_vectors;
+      const double t = (std::max)({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y),
+                                   std::abs(c.x), std::abs(c.y)});
+      const double e = error_factor * m, more = orientation_share * t * e;
+      m_in_circle_bound = m_filter.in_circle_bound() + in_circle_share * (t * t * t) * e;
+      is_usable = m_filter.is_large() & (e < largest_error * t) &
                   !(torus.are_across(corners.left.shift, corners.right.shift) ||
                     torus.are_across(corners.source.shift, corners.right.shift) ||
                     torus.are_across(corners.target.shift, corners.right.shift));
-      is_counterclockwise = is_usable & (m_filter.left > bound) & (m_filter.right > bound);
+      is_counterclockwise = is_usable & (m_filter.left > m_filter.left_bound() + more) &
+                            (m_filter.right > m_filter.right_bound() + more);
     }
 
+    Edge_corners_2 m_vectors; // from the right corner
     Edge_filter_2 m_filter;
     double m_in_circle_bound;
     bool is_usable, is_counterclockwise;
@@ -352,18 +361,20 @@ private:
       const Four a = vector(torus, d, load(e.left, f.left, g.left, h.left), m, rows);
       const Four b = vector(torus, d, load(e.source, f.source, g.source, h.source), m, rows);
       const Four c = vector(torus, d, load(e.target, f.target, g.target, h.target), m, rows);
-      const Plane::Signs signs = Plane::signs(a, b, c);
-      const __m256d r = _mm256_sqrt_pd(signs.s), error = times(error_factor, m);
-      const __m256d bound = Plane::times(times(error_share, r), error);
-      const __m256d in_circle_bound =
-          Plane::times(times(error_share, Plane::times(signs.s, r)), error);
-      const __m256d is_small = _mm256_cmp_pd(error, times(largest_error, r), _CMP_LT_OQ);
+      const Plane::Signs signs = Plane::signs(Plane::minus(b, a), Plane::minus(c, a), b, c);
+      const __m256d t = _mm256_max_pd(largest(a), _mm256_max_pd(largest(b), largest(c)));
+      const __m256d error = times(error_factor, m);
+      const __m256d more = Plane::times(times(orientation_share, t), error);
+      const __m256d more_in_circle =
+          Plane::times(times(in_circle_share, Plane::times(Plane::times(t, t), t)), error);
+      const __m256d is_small = _mm256_cmp_pd(error, times(largest_error, t), _CMP_LT_OQ);
       const int is_across =
           torus.m_cell.is_slab()
               ? _mm256_movemask_pd(_mm256_cmp_pd(rows, _mm256_setzero_pd(), _CMP_NEQ_UQ))
               : 0;
-      return Plane::prove(signs, Plane::plus(Plane::orientation_bound(signs), bound),
-                          Plane::plus(Plane::in_circle_bound(signs), in_circle_bound)) &
+      return Plane::prove(signs, Plane::plus(Plane::left_bound(signs), more),
+                          Plane::plus(Plane::right_bound(signs), more),
+                          Plane::plus(Plane::in_circle_bound(signs), more_in_circle)) &
              _mm256_movemask_pd(is_small) & ~is_across;
     }
 
@@ -377,13 +388,14 @@ private:
     {
       return Plane::times(_mm256_set1_pd(a), b);
     }
-    CGAL_DYNAMIC_DELAUNAY_AVX2 __m256d magnitude(__m256d a)
-    {
-      return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a);
-    }
     CGAL_DYNAMIC_DELAUNAY_AVX2 __m256d magnitude(__m256d a, __m256d b, __m256d c)
     {
-      return Plane::plus(Plane::plus(magnitude(a), magnitude(b)), magnitude(c));
+      return Plane::plus(Plane::plus(Plane::magnitude(a), Plane::magnitude(b)),
+                         Plane::magnitude(c));
+    }
+    CGAL_DYNAMIC_DELAUNAY_AVX2 __m256d largest(const Four& p)
+    {
+      return _mm256_max_pd(Plane::magnitude(p.x), Plane::magnitude(p.y));
     }
 
     CGAL_DYNAMIC_DELAUNAY_AVX2 __m128i load_shifts(const Image_2& p, const Image_2& q)
@@ -412,7 +424,7 @@ private:
       const __m256d iax = times(cell.ax(), i), jbx = times(cell.bx(), j);
       const __m256d iay = times(cell.ay(), i), jby = times(cell.by(), j);
       m = _mm256_max_pd(m, _mm256_max_pd(magnitude(dx, iax, jbx), magnitude(dy, iay, jby)));
-      rows = Plane::plus(rows, magnitude(j));
+      rows = Plane::plus(rows, Plane::magnitude(j));
       return {Plane::plus(dx, Plane::plus(iax, jbx)), Plane::plus(dy, Plane::plus(iay, jby))};
     }
   };
