@@ -120,12 +120,12 @@ public:
   /// moves the points that this rank owns to these positions, in the order of `owned_ids()`.
   /// Collective.
   ///
-  /// Each rank sends the positions of points that others hold as ghosts, and updates its own
-  /// triangulation. If that does not prove all its faces, it asks the ranks that may have points in
-  /// their circumcircles; what they answer becomes ghosts, until there are no questions.
-  /// \throws Point_count_error_2, Non_finite_coordinate_error_2 or Coordinate_range_error_2, or
-  /// Distributed_input_error_2 on the other ranks; nothing has changed then on any rank.
-  /// \post `is_certified()`
+  /// Each rank sends the positions of points that others hold as ghosts, moves its other points
+  /// while these are under way, and updates its own triangulation. If that does not prove all its
+  /// faces, it asks the ranks that may have points in their circumcircles; what they answer becomes
+  /// ghosts, until there are no questions. \throws Point_count_error_2,
+  /// Non_finite_coordinate_error_2 or Coordinate_range_error_2, or Distributed_input_error_2 on the
+  /// other ranks; nothing has changed then on any rank. \post `is_certified()`
   template <class InputIterator>
   Update_report_2 update(InputIterator first, InputIterator beyond)
   {
@@ -351,6 +351,9 @@ public:
   size_type number_of_gathered_bytes() const { return m_core.ranks().gathered_bytes(); }
   /// seconds in which this rank has sent, received or waited.
   double communication_seconds() const { return m_core.ranks().exchange().seconds(); }
+  /// seconds in which this rank has done other things while messages were under way that it had
+  /// sent, for all it knew.
+  double overlapped_seconds() const { return m_core.ranks().exchange().overlapped_seconds(); }
 
   /// @}
 

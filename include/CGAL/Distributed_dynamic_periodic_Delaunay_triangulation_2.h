@@ -406,6 +406,9 @@ public:
   size_type number_of_gathered_bytes() const { return m_core.ranks().gathered_bytes(); }
   /// seconds in which this rank has sent, received or waited.
   double communication_seconds() const { return m_core.ranks().exchange().seconds(); }
+  /// seconds in which this rank has done other things while messages were under way that it had
+  /// sent, for all it knew.
+  double overlapped_seconds() const { return m_core.ranks().exchange().overlapped_seconds(); }
 
   /// @}
 

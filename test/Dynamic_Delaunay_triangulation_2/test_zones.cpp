@@ -117,8 +117,8 @@ TEST_F(Zones, What_other_ranks_read_of_a_zone_contains_the_same_places_and_misse
 }
 
 // The disk of a face is where all of it is if its circle is: the places of a zone around it may
-// have holes, but not larger ones than the circle would meet.
-TEST_F(Zones, Disks_of_faces_at_dense_vertices_are_in_the_zone)
+// have holes, but not larger ones than the circle would meet. Every third vertex is a ghost.
+TEST_F(Zones, Disks_of_faces_at_dense_points_are_in_the_zone)
 {
   std::size_t dense_vertices = 0, deep_vertices = 0;
   for (int k = 0; k < 60; ++k) {
@@ -137,8 +137,19 @@ TEST_F(Zones, Disks_of_faces_at_dense_vertices_are_in_the_zone)
     vertices[0] = 0;
     Distributed_density_2 density;
     density.set_zone(zone);
-    density.take_out_dense(frame, zone, vertices);
-    for (Index v = 1; v < vertices.size(); ++v) {
+    density.clear();
+    std::vector<Index> own, ghosts;
+    for (Index v = 1; v < vertices.size(); ++v)
+      (v % 3 == 0 ? ghosts : own).push_back(v);
+    for (const Index v : own)
+      density.add_own(zone, frame.position(v));
+    density.find_dense(zone, [&](const auto& add) {
+      for (const Index v : ghosts)
+        add(frame.position(v));
+    });
+    for (std::size_t n = 0; n < own.size(); ++n)
+      vertices[own[n]] = !density.is_dense(n);
+    for (const Index v : own) {
       const auto p = frame.position(v);
       dense_vertices += vertices[v] == 0;
       deep_vertices += zone.depth_around(p.x, p.y) > 4 * zone.block_size();

@@ -18,15 +18,16 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// Where points are so dense, deep in a zone, that no face can reach out of it.
+// Where points are so dense, deep in a zone, that no face can reach out of it. Own points are added
+// while the positions of ghosts are still under way.
 //
-// Let b be the side of a block of the zone. A vertex is *dense* if its block and the three blocks
+// Let b be the side of a block of the zone. A point p is *dense* if its block and the three blocks
 // around it in each direction are whole blocks of the zone, and each has a point. Then the disk of
-// each Delaunay face at this vertex p is in the zone: if its diameter were more than d = 2.83 b,
+// each Delaunay face with the corner p is in the zone: if its diameter were more than d = 2.83 b,
 // the disk of diameter d that it contains, with p on its circle, would contain a square of side
 // d / sqrt(2) > 2 b, and so a whole block; that block is within d < 3 b of p, and has a point, but
 // a Delaunay disk has none inside. So its diameter is at most d, and all of it within d of p. A
-// half plane beyond an edge of the hull would contain such a disk, too: a dense vertex is not at
+// half plane beyond an edge of the hull would contain such a disk, too: a dense point is not at
 // the hull. That the sides of blocks are off by 2^-40 cells is covered as 2.83 > 2 sqrt(2).
 class Distributed_density_2
 {
@@ -41,43 +42,43 @@ public:
                               zone.is_whole_block(column, row));
   }
 
-  // Takes dense vertices out of the set, whose members all are vertices of the frame, by numbers.
-  template <class Frame>
-  void take_out_dense(const Frame& frame, const Distributed_zone_2& zone,
-                      std::vector<std::uint8_t>& vertices)
+  // Forgets the own points.
+  void clear()
   {
-    if (m_are_whole.empty())
-      return;
-    mark_blocks_with_points(frame, zone);
-    keep_surrounded(1);
-    keep_surrounded(std::size_t(zone.block_columns()));
-    for (std::size_t v = 0; v < vertices.size(); ++v)
-      vertices[v] = vertices[v] > m_are_dense[m_blocks[v]];
+    m_have_own.assign(m_are_whole.size() + 1, 0);
+    m_own_blocks.clear();
+  }
+  // Adds the next own point.
+  void add_own(const Distributed_zone_2& zone, const Position_2& p)
+  {
+    m_own_blocks.push_back(zone.block(p.x, p.y));
+    m_have_own[m_own_blocks.back()] = 1;
   }
 
-private:
-  template <class Frame>
-  void mark_blocks_with_points(const Frame& frame, const Distributed_zone_2& zone)
+  // Finds out where points are dense. `for_each_ghost(f)` calls f(p) for each other point.
+  template <class For_each_ghost>
+  void find_dense(const Distributed_zone_2& zone, const For_each_ghost& for_each_ghost)
   {
-    const auto& positions = frame.maintained().positions();
-    m_are_dense.assign(m_are_whole.size() + 1, 0);
-    m_blocks.resize(positions.size());
-    m_blocks[infinite_index] = std::uint32_t(m_are_whole.size());
-    for (std::size_t v = infinite_index + std::size_t(1); v < positions.size(); ++v) {
-      m_blocks[v] = zone.block(positions[v].x, positions[v].y);
-      m_are_dense[m_blocks[v]] = 1;
-    }
+    m_are_dense = m_have_own;
+    for_each_ghost([&](const Position_2& p) { m_are_dense[zone.block(p.x, p.y)] = 1; });
     m_are_dense.back() = 0;
     for (std::size_t k = 0; k < m_are_whole.size(); ++k)
       m_are_dense[k] = m_are_dense[k] & m_are_whole[k];
+    keep_surrounded(1);
+    keep_surrounded(std::size_t(zone.block_columns()));
   }
+  // Whether the k-th own point was dense then.
+  bool is_dense(std::size_t k) const { return m_are_dense[m_own_blocks[k]] != 0; }
 
+private:
   // Keeps those blocks that have the three before them and the three behind them, which are `step`
   // numbers apart. Blocks of other rows are no trouble, as the outermost ones do not count as
   // whole.
   void keep_surrounded(std::size_t step)
   {
     const std::size_t blocks = m_are_whole.size(), around = 3 * step;
+    if (blocks <= 2 * around)
+      return m_are_dense.assign(blocks + 1, 0);
     m_are_surrounded.assign(blocks + 1, 0);
     const std::uint8_t* const before = m_are_dense.data();
     std::uint8_t* const after = m_are_surrounded.data() + around;
@@ -88,9 +89,10 @@ private:
   }
 
   std::vector<std::uint8_t> m_are_whole;      // by blocks; but none of the outermost ones
+  std::vector<std::uint8_t> m_have_own;       // by blocks, and for places in none: own points
+  std::vector<std::uint32_t> m_own_blocks;    // of the own points
   std::vector<std::uint8_t> m_are_dense;      // by blocks; and 0 for places in none
   std::vector<std::uint8_t> m_are_surrounded; // the same, while it is computed
-  std::vector<std::uint32_t> m_blocks;        // of the vertices
 };
 
 } // namespace internal

@@ -33,9 +33,10 @@ namespace internal {
 //
 // Each rank keeps the list of the points that it has sent to each other one, its *exports* there,
 // and a list for each shift by which it has sent them; the other one keeps the lists of their
-// places, its *imports*, in the same order. A frame sends the positions of exports, tells which of
-// them are no longer sent, and adds all images of own points that are now in the zone of the other
-// one. So after each frame a rank holds all points in its zone.
+// places, its *imports*, in the same order. A frame sends the positions of exports first, and tells
+// which of them are no longer sent; while that is under way it moves all other points, and sends
+// all further images of own points that are now in the zone of the other one. So after each frame a
+// rank holds all points in its zone.
 //
 // `Space` is `Distributed_plane_2` or `Distributed_torus_2`.
 template <class Space_>
@@ -153,6 +154,7 @@ public:
     m_points.clear();
     m_shifts.clear();
     m_is_owned.clear();
+    m_export_counts.clear();
     m_places.clear();
     m_owned.clear();
     m_links.assign(m_ranks.size(), {});
@@ -185,7 +187,7 @@ public:
       for (Links& links : m_links)
         for (auto& [shift, link] : links)
           if (link.exports_place(place)) {
-            link.are_exported[place] = false;
+            end_export(link, place);
             *std::find(link.exports.begin(), link.exports.end(), place) = no_index;
           }
     }
@@ -195,36 +197,48 @@ public:
     return m_dt.remove(places);
   }
 
-  // `positions` are those of the own points, in their order, in a space that continues the one
-  // before.
-  void move(const Space& space, const std::vector<Position_2>& positions)
+  // Starts to exchange what has changed with the other ranks: own points move to `positions`, in
+  // their order, in a space that continues the one before.
+  void start_exchange(const Space& space, const std::vector<Position_2>& positions)
   {
-    for (std::size_t k = 0; k < m_owned.size(); ++k) {
-      const Index place = m_owned[k];
-      const Position_2 before{m_points[place].x(), m_points[place].y()};
-      put(place, space.next_image(positions[k], before, m_space));
-    }
-    m_space = space;
+    const Space last = std::exchange(m_space, space);
+    move(true, positions, last);
+    m_ranks.exchange().start();
+    send_known();
+    move(false, positions, last);
+    send_new();
   }
 
-  // Exchanges what has changed with the other ranks, and updates the triangulation.
-  Update_report_2 exchange()
+  // The same where points have come or gone, and none has moved.
+  void start_exchange()
   {
-    std::vector<Message_2> messages = m_ranks.empty_messages();
-    const Owned_boxes boxes = owned_boxes();
-    for (std::size_t r = 0; r < m_links.size(); ++r)
-      write_frame(r, boxes, messages[r]);
-    m_ranks.start(std::move(messages));
+    m_ranks.exchange().start();
+    send_known();
+    send_new();
+  }
+
+  // Waits for what the other ranks send, and updates the triangulation.
+  Update_report_2 finish_exchange()
+  {
     std::vector<std::size_t> gone;
     std::vector<Coming> coming;
-    for (Message_2& message : m_ranks.finish())
+    for (Message_2& message : m_ranks.exchange().finish())
       while (!message.is_read())
-        read_link(message, gone, coming);
+        read_part(message, gone, coming);
     std::vector<std::size_t> places;
     const Update_report_2 report =
         m_dt.update_population(m_points.begin(), m_points.end(), gone, points_of(coming), places);
     note_ghosts(coming, places);
     return report;
+  }
+
+  // Calls f(place) for each ghost.
+  template <class Function>
+  void for_each_ghost(const Function& f) const
+  {
+    for (const Links& links : m_links)
+      for (const auto& [shift, link] : links)
+        std::for_each(link.imports.begin(), link.imports.end(), f);
   }
 
   // What is sent of an own point.
@@ -286,6 +300,7 @@ private:
     std::vector<Index> exports;            // `no_index` where the point was removed
     std::vector<std::uint8_t> idle_frames; // how long each of them has been outside of the zone
     std::vector<bool> are_exported;        // by places
+    std::size_t known = 0; // exports, the first ones, whose positions this frame has sent
     std::vector<Index> imports;
 
     bool exports_place(Index place) const
@@ -294,6 +309,13 @@ private:
     }
   };
   using Links = std::map<Shift, Link>;
+
+  // Of a message, what is about one shift: so many places in the list of exports, which end, images
+  // of all that stay, and new exports follow.
+  struct Part
+  {
+    std::uint64_t ending, staying, beginning;
+  };
 
   // Around all own points, and around each stretch of them, which are mostly close together. Few
   // zones of many ranks are near: without boxes each point would be looked at for each rank.
@@ -307,6 +329,9 @@ private:
   // So many frames outside of the zone a point is still sent: it may come back, and what was asked
   // for in one frame is often needed in the next ones.
   static constexpr std::uint8_t patience = 8;
+
+  // So many points are moved before MPI may carry on what is under way.
+  static constexpr std::size_t moves_at_once = 2048;
 
   bool is_the_same(const Sent& other, Index place) const
   {
@@ -323,6 +348,27 @@ private:
     if (link.are_exported.size() <= place)
       link.are_exported.resize(m_points.size(), false);
     link.are_exported[place] = true;
+    ++m_export_counts[place];
+  }
+
+  void end_export(Link& link, Index place)
+  {
+    link.are_exported[place] = false;
+    --m_export_counts[place];
+  }
+
+  // Own points that are exports, or all others.
+  void move(bool are_exports, const std::vector<Position_2>& positions, const Space& last)
+  {
+    for (std::size_t k = 0; k < m_owned.size(); ++k) {
+      const Index place = m_owned[k];
+      if (k % moves_at_once == 0)
+        m_ranks.exchange().progress();
+      if ((m_export_counts[place] > 0) != are_exports)
+        continue;
+      const Position_2 before{m_points[place].x(), m_points[place].y()};
+      put(place, m_space.next_image(positions[k], before, last));
+    }
   }
 
   void note(Index place, const Sent& sent, bool is_own)
@@ -332,6 +378,7 @@ private:
       m_points.resize(place + std::size_t(1));
       m_shifts.resize(place + std::size_t(1));
       m_is_owned.resize(place + std::size_t(1));
+      m_export_counts.resize(place + std::size_t(1));
     }
     m_ids[place] = sent.id;
     put(place, sent.image);
@@ -410,42 +457,56 @@ private:
     return zone.contains(m_points[place].x() + v.x, m_points[place].y() + v.y);
   }
 
-  // For each shift: the numbers of exports that end and that begin; the places in the list of those
-  // that end; images of those that stay; and the new ones.
-  void write_frame(std::size_t r, const Owned_boxes& boxes, Message_2& message)
+  // The positions of exports that the other ranks hold.
+  void send_known()
   {
-    std::map<Shift, Leaving> leaving;
-    for (auto& [shift, link] : m_links[r])
-      leaving[shift] = drop_exports(m_zones[r], m_space.vector(shift), link);
-    export_to_zone(r, boxes);
-    for (const auto& [shift, link] : m_links[r])
-      write_link(shift, link, leaving[shift], message);
-    erase_unused(m_links[r]);
+    for (std::size_t r = 0; r < m_links.size(); ++r) {
+      Message_2 message{int(r)};
+      for (auto& [shift, link] : m_links[r])
+        write_known(shift, link, message);
+      m_ranks.exchange().send(std::move(message));
+    }
   }
 
-  // Of a link: the places in its list of exports that end, and how many stay.
-  struct Leaving
+  // Own points that are in the zones of other ranks, and not held there.
+  void send_new()
   {
-    std::vector<std::uint64_t> ending;
-    std::size_t staying = 0;
-  };
-
-  void write_link(const Shift& shift, const Link& link, const Leaving& leaving, Message_2& message)
-  {
-    if (link.exports.empty() && leaving.ending.empty())
-      return;
-    message.write(shift);
-    message.write(std::uint64_t(leaving.ending.size()));
-    message.write(std::uint64_t(link.exports.size() - leaving.staying));
-    for (const std::uint64_t k : leaving.ending)
-      message.write(k);
-    for (std::size_t k = 0; k < link.exports.size(); ++k) {
-      const Sent one = sent(link.exports[k], shift);
-      if (k < leaving.staying)
-        message.write(one.image);
-      else
-        message.write(one);
+    const Owned_boxes boxes = owned_boxes();
+    for (std::size_t r = 0; r < m_links.size(); ++r) {
+      m_ranks.exchange().progress();
+      for (auto& [shift, link] : m_links[r])
+        note_idle_exports(m_zones[r], m_space.vector(shift), link);
+      export_to_zone(r, boxes);
+      Message_2 message{int(r)};
+      for (const auto& [shift, link] : m_links[r])
+        write_new(shift, link, message);
+      m_ranks.exchange().send(std::move(message));
+      erase_unused(m_links[r]);
     }
+  }
+
+  void write_known(const Shift& shift, Link& link, Message_2& message)
+  {
+    if (link.exports.empty())
+      return;
+    const std::vector<std::uint64_t> ending = drop_exports(link);
+    link.known = link.exports.size();
+    message.write(Part{ending.size(), link.known, 0});
+    message.write(shift);
+    for (const std::uint64_t k : ending)
+      message.write(k);
+    for (const Index place : link.exports)
+      message.write(sent(place, shift).image);
+  }
+
+  void write_new(const Shift& shift, const Link& link, Message_2& message) const
+  {
+    if (link.known == link.exports.size())
+      return;
+    message.write(Part{0, 0, link.exports.size() - link.known});
+    message.write(shift);
+    for (std::size_t k = link.known; k < link.exports.size(); ++k)
+      message.write(sent(link.exports[k], shift));
   }
 
   static void erase_unused(Links& links)
@@ -455,48 +516,50 @@ private:
                                                                           : std::next(link);
   }
 
-  // Those that were removed, or have been outside of the zone for long.
-  Leaving drop_exports(const Distributed_zone_2& zone, const Position_2& v, Link& link)
+  // Those that were removed, or have been outside of the zone for long: their places in the list.
+  std::vector<std::uint64_t> drop_exports(Link& link)
   {
-    Leaving leaving;
-    std::size_t& kept = leaving.staying;
+    std::vector<std::uint64_t> ending;
+    std::size_t kept = 0;
     for (std::size_t k = 0; k < link.exports.size(); ++k) {
       const Index place = link.exports[k];
-      if (place == no_index) {
-        leaving.ending.push_back(k);
+      if (place != no_index && link.idle_frames[k] <= patience) {
+        link.exports[kept] = place;
+        link.idle_frames[kept++] = link.idle_frames[k];
         continue;
       }
-      const auto idle = std::uint8_t(is_in(zone, place, v) ? 0 : link.idle_frames[k] + 1);
-      if (idle > patience) {
-        leaving.ending.push_back(k);
-        link.are_exported[place] = false;
-        continue;
-      }
-      link.exports[kept] = place;
-      link.idle_frames[kept++] = idle;
+      ending.push_back(k);
+      if (place != no_index)
+        end_export(link, place);
     }
     link.exports.resize(kept);
     link.idle_frames.resize(kept);
-    return leaving;
+    return ending;
   }
 
-  void read_link(Message_2& message, std::vector<std::size_t>& gone, std::vector<Coming>& coming)
+  void note_idle_exports(const Distributed_zone_2& zone, const Position_2& v, Link& link)
+  {
+    for (std::size_t k = 0; k < link.exports.size(); ++k)
+      link.idle_frames[k] =
+          is_in(zone, link.exports[k], v) ? std::uint8_t(0) : std::uint8_t(link.idle_frames[k] + 1);
+  }
+
+  void read_part(Message_2& message, std::vector<std::size_t>& gone, std::vector<Coming>& coming)
   {
     const auto r = std::size_t(message.rank());
+    const auto part = message.template read<Part>();
     const auto shift = message.template read<Shift>();
     std::vector<Index>& imports = m_links[r][shift].imports;
-    auto ending = message.template read<std::uint64_t>();
-    const auto beginning = message.template read<std::uint64_t>();
-    for (; ending > 0; --ending) {
+    for (std::uint64_t k = 0; k < part.ending; ++k) {
       Index& place = imports.at(message.template read<std::uint64_t>());
       gone.push_back(place);
       forget(place);
       place = no_index;
     }
     imports.erase(std::remove(imports.begin(), imports.end(), no_index), imports.end());
-    for (const Index place : imports)
-      put(place, message.template read<Image>());
-    for (std::uint64_t k = 0; k < beginning; ++k)
+    for (std::uint64_t k = 0; k < part.staying; ++k)
+      put(imports.at(k), message.template read<Image>());
+    for (std::uint64_t k = 0; k < part.beginning; ++k)
       coming.push_back({r, shift, message.template read<Sent>()});
   }
 
@@ -507,6 +570,7 @@ private:
   std::vector<Point> m_points;
   std::vector<Shift> m_shifts;
   std::vector<bool> m_is_owned;
+  std::vector<std::uint32_t> m_export_counts; // by places: in how many links
   std::unordered_multimap<Id, Index> m_places;
   std::vector<Index> m_owned;
   std::vector<Links> m_links;              // by ranks

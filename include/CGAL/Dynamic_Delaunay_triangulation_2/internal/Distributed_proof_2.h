@@ -72,7 +72,7 @@ public:
   Update_report_2 run(bool trusts_zones = true)
   {
     Update_report_2 report;
-    if (m_ranks.size() == 1 && !Space::is_periodic)
+    if (has_no_others())
       return report;
     ++m_zone_age;
     m_outline.gather(m_ranks, m_points);
@@ -96,7 +96,22 @@ public:
     return report;
   }
 
-  // Before all points are replaced.
+  // What is known of own points in the next proof while the positions of ghosts are not. To be
+  // called when own points have changed.
+  void mark_own_points()
+  {
+    if (has_no_others())
+      return;
+    m_density.clear();
+    const std::vector<Index>& owned = m_points.owned();
+    for (std::size_t k = 0; k < owned.size(); ++k) {
+      if (k % marks_at_once == 0)
+        m_ranks.exchange().progress();
+      m_density.add_own(m_zone, position(owned[k]));
+    }
+  }
+
+  // When all points have been replaced.
   void forget_zone()
   {
     set_zone(Distributed_zone_2());
@@ -107,7 +122,11 @@ private:
   static constexpr std::size_t boxes_per_rank = 16;
   static constexpr std::size_t points_per_answer = 4; // in the first round, then 4 times as many
   static constexpr int zone_lifetime = 16;            // frames, where others have to renew theirs
+  static constexpr std::size_t marks_at_once = 4096;  // before MPI may carry on what is under way
   static constexpr double smallest_margin = 1, largest_margin = 8; // cells
+
+  // Whether there are no images but the own ones.
+  bool has_no_others() const { return m_ranks.size() == 1 && !Space::is_periodic; }
 
   // Calls f(question) for each face with an owned corner.
   template <class Function>
@@ -151,7 +170,7 @@ private:
     }
     std::vector<std::uint8_t> corners = m_points.owned_vertices();
     if (trusts_zone)
-      m_density.take_out_dense(m_points.dt().frame(), m_zone, corners);
+      take_out_dense(corners);
     for_each_face(corners, [&](const Question& question) {
       const Position_2 p = question.corner(0), q = question.corner(1);
       const bool is_proved = question.kind == Question::CIRCLE
@@ -161,6 +180,18 @@ private:
         open.push_back(question);
     });
     return open;
+  }
+
+  void take_out_dense(std::vector<std::uint8_t>& corners)
+  {
+    m_density.find_dense(m_zone, [&](const auto& add) {
+      m_points.for_each_ghost([&](Index place) { add(position(place)); });
+    });
+    const auto frame = m_points.dt().frame();
+    const std::vector<Index>& owned = m_points.owned();
+    for (std::size_t k = 0; k < owned.size(); ++k)
+      if (m_density.is_dense(k))
+        corners[frame.vertex(owned[k])] = 0;
   }
 
   // Boxes around stretches of the own points, of all ranks.
@@ -330,6 +361,7 @@ private:
   {
     m_zone = std::move(zone);
     m_density.set_zone(m_zone);
+    mark_own_points();
   }
 
   Distributed_zone_2 zone_around_faces() const

@@ -59,6 +59,7 @@ public:
   int rank() const { return m_rank; }
   std::size_t size() const { return std::size_t(m_size); }
   const Message_exchange_2& exchange() const { return m_exchange; }
+  Message_exchange_2& exchange() { return m_exchange; }
   // What `gather()` has brought.
   std::size_t gathered_bytes() const { return m_gathered_bytes; }
 
@@ -113,12 +114,12 @@ public:
       messages.emplace_back(r);
     return messages;
   }
-  void start(std::vector<Message_2> messages) { m_exchange.start(std::move(messages)); }
-  std::vector<Message_2> finish() { return m_exchange.finish(); }
   std::vector<Message_2> send(std::vector<Message_2> messages)
   {
-    start(std::move(messages));
-    return finish();
+    m_exchange.start();
+    for (Message_2& message : messages)
+      m_exchange.send(std::move(message));
+    return m_exchange.finish();
   }
 
   // Reads input; if that throws on any rank it throws on all of them.

@@ -107,7 +107,9 @@ public:
     m_ranks.agree([&] { entries = read(space(), first, beyond); });
     check_new(ids_of(entries));
     m_is_certified = false;
-    return complete(m_points.insert(entries));
+    const Update_report_2 report = m_points.insert(entries);
+    m_points.start_exchange();
+    return complete(report);
   }
 
   template <class InputIterator>
@@ -117,7 +119,9 @@ public:
     m_ranks.agree([&] { given.assign(first, beyond); });
     const std::vector<Index> own = own_places(given);
     m_is_certified = false;
-    return complete(m_points.remove(own));
+    const Update_report_2 report = m_points.remove(own);
+    m_points.start_exchange();
+    return complete(report);
   }
 
   void distribute()
@@ -319,7 +323,7 @@ private:
     m_is_certified = false;
     if (!next.continues(space()))
       return begin_anew(next, positions);
-    m_points.move(next, positions);
+    m_points.start_exchange(next, positions);
     return complete(Update_report_2());
   }
 
@@ -435,10 +439,11 @@ private:
     return places;
   }
 
-  // What follows when own points have changed.
+  // What follows when own points have changed, and ranks tell each other.
   Update_report_2 complete(Update_report_2 report)
   {
-    report += m_points.exchange();
+    m_proof.mark_own_points();
+    report += m_points.finish_exchange();
     report += prove();
     balance();
     return report;

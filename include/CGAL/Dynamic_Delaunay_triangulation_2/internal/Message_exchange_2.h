@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <deque>
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
@@ -74,10 +75,13 @@ private:
 };
 
 // Messages between ranks of which only the senders know that there are any. All ranks call
-// `start()`, then `finish()`. Synchronous sends end when their messages have been taken; then a
-// rank enters a barrier, and when all have entered it there is nothing left to take: Hoefler,
-// Siebert, Lumsdaine, *Scalable communication protocols for dynamic sparse data exchange*, 2010.
-// Cost: the messages themselves, and one barrier.
+// `start()`, then `send()` as often as they like, then `finish()`. Synchronous sends end when their
+// messages have been taken; then a rank enters a barrier, and when all have entered it there is
+// nothing left to take: Hoefler, Siebert, Lumsdaine, *Scalable communication protocols for dynamic
+// sparse data exchange*, 2010. Cost: the messages themselves, and one barrier.
+//
+// While messages are under way the program goes on; MPI may carry them on only when it is called,
+// so a program that has much to do calls `progress()` now and then.
 class Message_exchange_2
 {
 public:
@@ -88,69 +92,99 @@ public:
   Message_exchange_2(const Message_exchange_2&) = delete;
   Message_exchange_2& operator=(const Message_exchange_2&) = delete;
 
-  // Empty messages are not sent. The program may go on while the others are.
-  void start(std::vector<Message_2> messages)
+  void start()
   {
-    m_outgoing = std::move(messages);
-    m_requests.clear();
     // A rank that has left the barrier may send its next message while others still look for the
     // last ones: two tags in turn keep them apart.
     m_tag = 1 - m_tag;
-    for (const Message_2& message : m_outgoing) {
-      if (message.is_empty())
-        continue;
-      const std::size_t size = message.words().size();
-      if (size > std::size_t((std::numeric_limits<int>::max)()))
-        throw std::length_error("a message between two ranks is longer than 16 GB");
-      m_requests.emplace_back();
-      MPI_Issend(message.words().data(), int(size), MPI_UINT64_T, message.rank(), m_tag,
-                 m_communicator, &m_requests.back());
-      m_sent_messages += 1;
-      m_sent_bytes += 8 * size;
-    }
+    m_is_started = true;
   }
 
-  // What has come, ascending by ranks.
+  // Empty messages are not sent.
+  void send(Message_2 message)
+  {
+    if (message.is_empty())
+      return;
+    const std::size_t size = message.words().size();
+    if (size > std::size_t((std::numeric_limits<int>::max)()))
+      throw std::length_error("a message between two ranks is longer than 16 GB");
+    const double begin = MPI_Wtime();
+    m_outgoing.push_back(std::move(message));
+    m_requests.emplace_back();
+    MPI_Issend(m_outgoing.back().words().data(), int(size), MPI_UINT64_T, m_outgoing.back().rank(),
+               m_tag, m_communicator, &m_requests.back());
+    m_are_taken = false;
+    m_sent_messages += 1;
+    m_sent_bytes += 8 * size;
+    note_communication(begin);
+  }
+
+  // Lets MPI carry on what is under way, if anything is.
+  void progress()
+  {
+    if (!m_is_started)
+      return;
+    const double begin = MPI_Wtime();
+    take();
+    are_taken();
+    note_communication(begin);
+  }
+
+  // What has come, ascending by ranks, and what has come from one rank in the order in which it was
+  // sent.
   std::vector<Message_2> finish()
   {
     const double begin = MPI_Wtime();
-    std::vector<Message_2> incoming;
     MPI_Request barrier = MPI_REQUEST_NULL;
     bool is_in_barrier = false;
     for (int is_over = 0; !is_over;) {
-      take(incoming);
+      take();
       if (is_in_barrier) {
         MPI_Test(&barrier, &is_over, MPI_STATUS_IGNORE);
-        continue;
-      }
-      int are_taken = 0;
-      MPI_Testall(int(m_requests.size()), m_requests.data(), &are_taken, MPI_STATUSES_IGNORE);
-      if (are_taken) {
+      } else if (are_taken()) {
         MPI_Ibarrier(m_communicator, &barrier);
         is_in_barrier = true;
       }
     }
+    note_communication(begin);
+    m_is_started = false;
     m_outgoing.clear();
-    std::sort(incoming.begin(), incoming.end(),
-              [](const Message_2& m, const Message_2& n) { return m.rank() < n.rank(); });
-    m_seconds += MPI_Wtime() - begin;
+    m_requests.clear();
+    std::vector<Message_2> incoming = std::exchange(m_incoming, {});
+    std::stable_sort(incoming.begin(), incoming.end(),
+                     [](const Message_2& m, const Message_2& n) { return m.rank() < n.rank(); });
     return incoming;
   }
 
-  std::vector<Message_2> operator()(std::vector<Message_2> messages)
-  {
-    start(std::move(messages));
-    return finish();
-  }
-
-  // Since it was made: what this rank has sent, and how long it has waited.
+  // Since it was made: what this rank has sent, how long it has sent, received and waited, and how
+  // long it has done other things while something that it had sent was under way, for all it knew.
   std::size_t sent_messages() const { return m_sent_messages; }
   std::size_t sent_bytes() const { return m_sent_bytes; }
   double seconds() const { return m_seconds; }
+  double overlapped_seconds() const { return m_overlapped_seconds; }
   void add_seconds(double seconds) { m_seconds += seconds; }
 
 private:
-  void take(std::vector<Message_2>& incoming)
+  // `begin` is when this rank has stopped to do other things.
+  void note_communication(double begin)
+  {
+    const double end = MPI_Wtime();
+    m_seconds += end - begin;
+    if (m_is_under_way)
+      m_overlapped_seconds += begin - m_latest;
+    m_is_under_way = !m_are_taken;
+    m_latest = end;
+  }
+
+  bool are_taken()
+  {
+    int are_so = 0;
+    MPI_Testall(int(m_requests.size()), m_requests.data(), &are_so, MPI_STATUSES_IGNORE);
+    m_are_taken = are_so != 0;
+    return m_are_taken;
+  }
+
+  void take()
   {
     for (;;) {
       int is_there = 0;
@@ -164,16 +198,21 @@ private:
       Message_2 message(status.MPI_SOURCE);
       message.words().resize(std::size_t(size));
       MPI_Mrecv(message.words().data(), size, MPI_UINT64_T, &handle, MPI_STATUS_IGNORE);
-      incoming.push_back(std::move(message));
+      m_incoming.push_back(std::move(message));
     }
   }
 
   MPI_Comm m_communicator;
   int m_tag = 0;
-  std::vector<Message_2> m_outgoing;
-  std::vector<MPI_Request> m_requests;
+  bool m_is_started = false;
+  std::deque<Message_2> m_outgoing;
+  std::vector<MPI_Request> m_requests; // of the messages above
+  bool m_are_taken = true;             // as far as this rank has heard
+  std::vector<Message_2> m_incoming;
   std::size_t m_sent_messages = 0, m_sent_bytes = 0;
-  double m_seconds = 0;
+  double m_seconds = 0, m_overlapped_seconds = 0;
+  double m_latest = 0;         // when it has sent, received or waited last
+  bool m_is_under_way = false; // whether something was under way then
 };
 
 } // namespace internal
