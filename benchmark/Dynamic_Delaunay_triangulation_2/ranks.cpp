@@ -14,13 +14,19 @@
 //   bytes       in these messages; `ideal` is 16 bytes for each ghost, in a periodic cell 24
 //   gathered    bytes of a frame that all ranks hear of, from all of them
 //   asking      the share of frames in which any rank had to ask, in percent
-//   ms          milliseconds of a frame; `comm` is the share of it in which a rank sends, receives
-//               or waits, in percent. With more processes than cores these say nothing but that.
+//   ms          milliseconds of a frame, until the last rank has ended it: median over the frames,
+//               `q1` and `q3` its quartiles, and `worst` the slowest frame
+//   comm        the share of all frames in which a rank sends, receives or waits, in percent
+//   over        the share in which it does other things while messages are under way that it has
+//               sent, for all it knows, in percent
+//
+// With more processes than cores the last six say nothing but that.
 
 #include <CGAL/Distributed_dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Distributed_dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include "scenario_runner/Measurement.h"
 #include <mpi.h>
 
 #include <algorithm>
@@ -30,6 +36,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <numeric>
 #include <random>
 #include <string>
 #include <utility>
@@ -83,7 +90,9 @@ private:
 
 struct Figures
 {
-  double own, ghosts, needed, messages, bytes, ideal, gathered, asking, seconds, communication;
+  double own, ghosts, needed, messages, bytes, ideal, gathered, asking;
+  double seconds, communication, overlap;            // of a frame and rank, means
+  double median, low_quartile, high_quartile, worst; // of the frames, in seconds
 };
 
 const auto in_the_plane = [](Distributed& dt, const std::vector<Point>& next) {
@@ -95,8 +104,8 @@ template <class Triangulation, class Move, class Update>
 Figures measure(Triangulation& dt, int frames, double bytes_of_ghost, const Move& move,
                 const Update& update)
 {
-  const auto run = [&](int number) {
-    double seconds = 0;
+  const auto run_frames = [&](int number) {
+    std::vector<double> seconds;
     for (int frame = 0; frame < number; ++frame) {
       std::vector<Point> next = dt.owned_points();
       for (Point& p : next)
@@ -104,17 +113,21 @@ Figures measure(Triangulation& dt, int frames, double bytes_of_ghost, const Move
       MPI_Barrier(MPI_COMM_WORLD);
       const double begin = MPI_Wtime();
       update(dt, next);
-      seconds += MPI_Wtime() - begin;
+      seconds.push_back(MPI_Wtime() - begin);
     }
     return seconds;
   };
-  run(12); // what construction has asked for too much is dropped
+  run_frames(12); // what construction has asked for too much is dropped
   const Frame_mean messages(double(dt.number_of_messages()), frames);
   const Frame_mean bytes(double(dt.number_of_bytes()), frames);
   const Frame_mean gathered(double(dt.number_of_gathered_bytes()), frames);
   const Frame_mean asking(double(dt.number_of_asking_frames()), frames);
   const Frame_mean communication(dt.communication_seconds(), frames);
-  const double seconds = mean(run(frames)) / frames;
+  const Frame_mean overlap(dt.overlapped_seconds(), frames);
+  std::vector<double> seconds = run_frames(frames);
+  const double own_mean = std::accumulate(seconds.begin(), seconds.end(), 0.0) / frames;
+  MPI_Allreduce(MPI_IN_PLACE, seconds.data(), frames, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+  const run::Spread spread = *run::spread(seconds);
   return {mean(double(dt.number_of_owned_points())),
           mean(double(dt.number_of_ghosts())),
           mean(number_of_needed_ghosts(dt)),
@@ -123,18 +136,25 @@ Figures measure(Triangulation& dt, int frames, double bytes_of_ghost, const Move
           bytes_of_ghost * mean(double(dt.number_of_ghosts())),
           gathered.until(double(dt.number_of_gathered_bytes())),
           asking.until(double(dt.number_of_asking_frames())),
-          seconds,
-          communication.until(dt.communication_seconds())};
+          mean(own_mean),
+          communication.until(dt.communication_seconds()),
+          overlap.until(dt.overlapped_seconds()),
+          spread.median,
+          spread.low_quartile,
+          spread.high_quartile,
+          *std::max_element(seconds.begin(), seconds.end())};
 }
 
 void print(const std::string& name, const Figures& f)
 {
   if (this_rank > 0)
     return;
-  std::printf("%5d %-16s %8.0f %7.0f %7.0f %6.2f %8.2f %9.0f %9.0f %9.0f %7.1f %8.2f %5.0f\n",
+  std::printf("%5d %-16s %8.0f %7.0f %7.0f %6.2f %8.2f %9.0f %9.0f %9.0f %7.1f %8.2f %8.2f %8.2f "
+              "%8.2f %5.0f %5.0f\n",
               number_of_ranks, name.c_str(), f.own, f.ghosts, f.needed,
               f.ghosts / (4 * std::sqrt(f.own)), f.messages, f.bytes, f.ideal, f.gathered,
-              100 * f.asking, 1000 * f.seconds, 100 * f.communication / f.seconds);
+              100 * f.asking, 1000 * f.median, 1000 * f.low_quartile, 1000 * f.high_quartile,
+              1000 * f.worst, 100 * f.communication / f.seconds, 100 * f.overlap / f.seconds);
 }
 
 // Weak scaling, from the figures of this run. Assumed: a square of evenly spread points, cut into
@@ -208,7 +228,7 @@ int main(int argc, char** argv)
   MPI_Comm_rank(MPI_COMM_WORLD, &this_rank);
   MPI_Comm_size(MPI_COMM_WORLD, &number_of_ranks);
   const int points = argc > 1 ? std::atoi(argv[1]) : 20000;
-  const int frames = argc > 2 ? std::atoi(argv[2]) : 50;
+  const int frames = argc > 2 ? (std::max)(std::atoi(argv[2]), 1) : 50;
   const bool has_model = argc > 3 && std::string(argv[3]) == "--model";
 
   std::mt19937_64 random(unsigned(this_rank) + 1);
@@ -226,9 +246,9 @@ int main(int argc, char** argv)
                        Point(coordinate(random), coordinate(random)));
   Distributed dt(MPI_COMM_WORLD, given.begin(), given.end());
   if (this_rank == 0)
-    std::printf("%5s %-16s %8s %7s %7s %6s %8s %9s %9s %9s %7s %8s %5s\n", "ranks", "motion", "own",
-                "ghosts", "needed", "depth", "messages", "bytes", "ideal", "gathered", "asking",
-                "ms", "comm");
+    std::printf("%5s %-16s %8s %7s %7s %6s %8s %9s %9s %9s %7s %8s %8s %8s %8s %5s %5s\n", "ranks",
+                "motion", "own", "ghosts", "needed", "depth", "messages", "bytes", "ideal",
+                "gathered", "asking", "ms", "q1", "q3", "worst", "comm", "over");
   const auto measure_in_plane = [&](const auto& move) {
     return measure(dt, frames, bytes_of_point, move, in_the_plane);
   };
