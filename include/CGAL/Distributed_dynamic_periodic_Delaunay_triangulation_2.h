@@ -58,6 +58,7 @@ What is needed of MPI, and what errors do, is as in the plane.
 \cgalExample{Dynamic_Delaunay_triangulation_2/ranks/distributed_shear.cpp}
 
 \sa `Distributed_neighbor_lists_2`
+\sa `Distributed_periodic_edge_changes_2`
 */
 template <class Kernel>
 class Distributed_dynamic_periodic_Delaunay_triangulation_2
@@ -411,6 +412,10 @@ public:
   double overlapped_seconds() const { return m_core.ranks().exchange().overlapped_seconds(); }
 
   /// @}
+
+  /// \cond
+  auto& ranks() { return m_core.ranks(); }
+  /// \endcond
 
 private:
   const typename Core::Points& points() const { return m_core.points(); }

@@ -6,13 +6,10 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_edge_comparison_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Message_exchange_2.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <cstdint>
-#include <iterator>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -26,6 +23,8 @@ since the last `compute()`. Each of them is in the list of one rank; an edge tha
 its owner is in none.
 
 Cost: the edges of each rank are sorted, and the changes are sent.
+
+\sa `Distributed_periodic_edge_changes_2`
 */
 class Distributed_edge_changes_2
 {
@@ -38,55 +37,37 @@ public:
   template <class Distributed>
   void compute(Distributed& dt)
   {
-    std::vector<Edge> edges, created, removed;
+    std::vector<Edge> edges;
     dt.for_each_edge([&](std::int64_t i, std::int64_t j) { edges.emplace_back(i, j); });
-    std::sort(edges.begin(), edges.end());
-    std::set_difference(edges.begin(), edges.end(), m_edges.begin(), m_edges.end(),
-                        std::back_inserter(created));
-    std::set_difference(m_edges.begin(), m_edges.end(), edges.begin(), edges.end(),
-                        std::back_inserter(removed));
-    m_edges = std::move(edges);
-    settle(dt.ranks(), created, removed);
+    m_edges.compare(dt.ranks(), std::move(edges));
   }
 
   /// the created edges that this rank tells, in ascending order.
-  const std::vector<Edge>& created_edges() const { return m_created; }
+  const std::vector<Edge>& created_edges() const { return m_edges.created(); }
   /// the removed edges that this rank tells, in ascending order.
-  const std::vector<Edge>& removed_edges() const { return m_removed; }
+  const std::vector<Edge>& removed_edges() const { return m_edges.removed(); }
 
 private:
-  struct Change
+  using Message = Dynamic_Delaunay_triangulations_2::internal::Message_2;
+
+  struct Traits
   {
-    std::int64_t i, j, sign;
+    using Edge = Distributed_edge_changes_2::Edge;
+
+    static std::int64_t end(const Edge& edge) { return edge.first; }
+    static void write(const Edge& edge, Message& message)
+    {
+      message.write(edge.first);
+      message.write(edge.second);
+    }
+    static Edge read(Message& message)
+    {
+      const auto i = message.read<std::int64_t>();
+      return {i, message.read<std::int64_t>()};
+    }
   };
 
-  // One rank hears of all changes of an edge: where it went to another owner they cancel out.
-  template <class Ranks>
-  void settle(Ranks& ranks, const std::vector<Edge>& created, const std::vector<Edge>& removed)
-  {
-    auto messages = ranks.empty_messages();
-    const auto note = [&](const Edge& edge, std::int64_t sign) {
-      messages[std::uint64_t(edge.first) % ranks.size()].write(
-          Change{edge.first, edge.second, sign});
-    };
-    for (const Edge& edge : created)
-      note(edge, 1);
-    for (const Edge& edge : removed)
-      note(edge, -1);
-    std::map<Edge, std::int64_t> sums;
-    for (auto& message : ranks.send(std::move(messages)))
-      while (!message.is_read()) {
-        const auto change = message.template read<Change>();
-        sums[{change.i, change.j}] += change.sign;
-      }
-    m_created.clear();
-    m_removed.clear();
-    for (const auto& [edge, sum] : sums)
-      if (sum != 0)
-        (sum > 0 ? m_created : m_removed).push_back(edge);
-  }
-
-  std::vector<Edge> m_edges, m_created, m_removed;
+  Dynamic_Delaunay_triangulations_2::internal::Distributed_edge_comparison_2<Traits> m_edges;
 };
 
 } // namespace CGAL

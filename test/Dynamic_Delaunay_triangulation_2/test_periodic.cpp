@@ -1092,6 +1092,28 @@ TEST(Edge_changes, are_none_where_points_are_wrapped_and_cells_exchanged)
   EXPECT_TRUE(pt.visitor().removed_edges().empty());
 }
 
+TEST(Edge_changes, are_as_many_where_points_that_go_far_are_wrapped_as_where_they_are_not)
+{
+  std::mt19937_64 random(27);
+  std::normal_distribution<double> step(0, 0.2); // a third of the spacing
+  std::vector<Point> points = random_points(random, 40, 4);
+  const Cell cell(4, 4);
+  Watched wrapped(points, cell), free(points, cell);
+  for (int frame = 0; frame < 30; ++frame) {
+    wrapped.visitor().clear();
+    free.visitor().clear();
+    std::vector<Point> images;
+    for (Point& p : points) {
+      p = Point(p.x() + step(random), p.y() + step(random));
+      images.push_back(image(p, cell, -int(std::floor(p.x() / 4)), -int(std::floor(p.y() / 4))));
+    }
+    wrapped.update(images);
+    free.update(points);
+    EXPECT_EQ(wrapped.visitor().created_edges().size(), free.visitor().created_edges().size());
+    EXPECT_EQ(wrapped.visitor().removed_edges().size(), free.visitor().removed_edges().size());
+  }
+}
+
 TEST(Edge_changes, turn_the_edges_of_before_into_those_of_now)
 {
   std::mt19937_64 random(26);

@@ -81,12 +81,15 @@ public:
   void exchange_positions() { m_maintained.m_positions.swap(m_maintained.m_other_positions); }
 
   // To be called where the position of v was replaced by one that is about `shift` away: every
-  // image of v stays where it is, about.
+  // image of v stays where it is, about. A vertex that is taken out has none, but the edges that it
+  // had are called by its position now.
   void shift_images(Index v, const Periodic_shift_2& shift)
   {
     if (are_equal(shift, no_shift))
       return;
     note([&] { return Periodic_change_2::translation(ids().representative(v), shift); });
+    if (mirror().is_outside(v))
+      return;
     changes().relocated.push_back(v);
     mirror().for_each_corner(v, [&](Index h) { m_corners.push_back(h); });
     for (const Index h : m_corners)

@@ -80,16 +80,14 @@ public:
     m_editor.exchange_positions();
     m_mean_way = m_next_mean_way;
     for (const auto& [v, shift] : m_translated)
-      if (!m_maintained.mirror().is_outside(v))
-        m_editor.shift_images(v, shift);
+      m_editor.shift_images(v, shift);
   }
 
   // Undoes that; this was the cell before.
   void move_vertices_back(const Periodic_cell_2& cell)
   {
     for (const auto& [v, shift] : m_translated)
-      if (!m_maintained.mirror().is_outside(v))
-        m_editor.shift_images(v, no_shift - shift);
+      m_editor.shift_images(v, no_shift - shift);
     m_editor.exchange_positions();
     if (cell != m_maintained.torus().cell())
       m_editor.set_cell(cell, inverse(m_multiples));

@@ -1,0 +1,240 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Run by several ranks in a periodic cell: the edges that come and go are those that the visitor of
+// one process lists, called by the same shifts.
+
+#include "distributed_periodic_oracle.h"
+
+#include <CGAL/Distributed_periodic_edge_changes_2.h>
+#include <CGAL/Periodic_edge_changes_visitor_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+using Changes = CGAL::Distributed_periodic_edge_changes_2;
+using Visitor = CGAL::Periodic_edge_changes_visitor_2;
+using Watched =
+    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::Default,
+                                                    CGAL::Default, Visitor>;
+
+constexpr double length = 20;
+
+// On rank 0, ascending.
+Periodic_edges told(const std::vector<Changes::Edge>& own)
+{
+  Periodic_edges edges;
+  for (const Changes::Edge& e : gathered_data(own))
+    edges.emplace_back(e.i, e.j, e.shift);
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+Periodic_edges of_one_process(const std::vector<Visitor::Edge>& listed)
+{
+  Periodic_edges edges;
+  for (const Visitor::Edge& e : listed)
+    edges.emplace_back(Id(e.i), Id(e.j), e.shift);
+  return edges;
+}
+
+void expect_changes(const Changes& changes, const Periodic_edges& created,
+                    const Periodic_edges& removed, const std::string& what)
+{
+  const Periodic_edges come = told(changes.created_edges()), gone = told(changes.removed_edges());
+  if (this_rank > 0)
+    return;
+  expect(come == created, what + ": the created edges");
+  expect(gone == removed, what + ": the removed edges");
+}
+
+// Moves all points frame by frame, as `run_periodic()` does, next to one process. No four images
+// may be on an empty circle. Each third frame points are distributed anew.
+template <class Move, class Deform>
+void expect_those_of_one_process(const std::string& what, const Points& points, int frames,
+                                 const Move& move, const Deform& deform,
+                                 double load_factor = Distributed_periodic::default_load_factor)
+{
+  Population population = numbered(points);
+  const auto own = own_part(population, in_turn);
+  Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), deform(0), load_factor);
+  std::optional<Watched> one; // on rank 0
+  const auto positions = [&] {
+    Points all;
+    for (const auto& [id, p] : triangulated(dt, population, what))
+      all.push_back(p);
+    return all;
+  };
+  const auto compare = [&](Changes& changes, const std::string& when) {
+    changes.compute(dt);
+    expect_changes(changes, one ? of_one_process(one->visitor().created_edges()) : Periodic_edges(),
+                   one ? of_one_process(one->visitor().removed_edges()) : Periodic_edges(), when);
+  };
+  Changes changes;
+  const Points first = positions();
+  if (this_rank == 0)
+    one.emplace(first, dt.cell());
+  compare(changes, what + ", at the start");
+  std::uint64_t renewed = 0;
+  for (int frame = 1; frame <= frames; ++frame) {
+    for (auto& [id, p] : population)
+      p = move(std::size_t(id), p, frame);
+    const Points next = own_positions(dt, population);
+    dt.update(next.begin(), next.end(), deform(frame));
+    if (frame % 3 == 0)
+      dt.distribute();
+    const Points all = positions();
+    if (one) {
+      one->visitor().clear();
+      one->update(all, dt.cell());
+    }
+    compare(changes, what + ", frame " + std::to_string(frame));
+    renewed += changes.created_edges().size();
+  }
+  expect(sum(renewed) > 0, what + ": edges come");
+}
+
+// Points go where the lattice is the same, or leave and come back on another rank.
+void no_edge_changes_where_images_do_not(const Points& points)
+{
+  Population population = numbered(points);
+  const auto own = own_part(population, in_order);
+  Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), Cell(length, length));
+  Changes changes;
+  changes.compute(dt);
+  Cell cell(length, length);
+  const auto expect_none = [&](const std::string& what) {
+    changes.compute(dt);
+    expect_changes(changes, {}, {}, what);
+  };
+  expect_none("nothing has happened");
+  for (auto& [id, p] : population)
+    p = Point(p.x() + length * double(id % 7 - 3), p.y() + length * double(id % 5 - 2));
+  Points next = own_positions(dt, population);
+  dt.update(next.begin(), next.end());
+  expect_none("points are wrapped");
+  for (const Cell& other : {Cell(length, 0, length, length), Cell(0, length, -length, 0),
+                            Cell(2 * length, length, length, length)}) {
+    next = own_positions(dt, population);
+    dt.update(next.begin(), next.end(), other);
+    expect_none("other vectors of the same lattice");
+  }
+  dt.distribute();
+  expect_none("points have other owners");
+  std::vector<Id> gone;
+  std::vector<std::pair<Id, Point>> back;
+  if (this_rank == 0)
+    gone = {3, 4, 5};
+  if (this_rank == number_of_ranks - 1)
+    for (const Id id : {3, 4, 5})
+      back.emplace_back(id, Point(population.at(id).x() - 2 * length, population.at(id).y()));
+  dt.remove(gone.begin(), gone.end());
+  dt.insert(back.begin(), back.end());
+  expect_none("points have gone, and come back by other images");
+}
+
+// Of points on a grid, many of them twice, by the difference of all edges.
+void changes_of_a_population(const Points& points)
+{
+  Population population = numbered(points);
+  const auto own = own_part(population, in_turn);
+  Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), Cell(8, 8));
+  Changes changes;
+  Periodic_edges edges; // on rank 0
+  Id next = 1000;
+  for (int frame = 0; frame < 8; ++frame) {
+    changes.compute(dt);
+    const std::string what = "a grid, frame " + std::to_string(frame);
+    const Population all = triangulated(dt, population, what);
+    Periodic_edges now, come, gone;
+    if (this_rank == 0)
+      now = One_process(all, dt.cell()).edges();
+    std::set_difference(now.begin(), now.end(), edges.begin(), edges.end(),
+                        std::back_inserter(come));
+    std::set_difference(edges.begin(), edges.end(), now.begin(), now.end(),
+                        std::back_inserter(gone));
+    expect_changes(changes, come, gone, what);
+    edges = now;
+    std::vector<Id> leaving;
+    std::vector<std::pair<Id, Point>> coming;
+    if (this_rank == 0)
+      leaving = {population.begin()->first, std::next(population.begin())->first};
+    if (this_rank == number_of_ranks - 1)
+      coming.emplace_back(next, Point(frame, 2.5));
+    dt.remove(leaving.begin(), leaving.end());
+    dt.insert(coming.begin(), coming.end());
+    population.erase(population.begin(), std::next(population.begin(), 2));
+    population.emplace(next++, Point(frame, 2.5));
+  }
+}
+
+int main(int argc, char** argv)
+{
+  start(argc, argv);
+  std::mt19937 random(11); // the same on all ranks
+  std::uniform_real_distribution<double> coordinate(0, length);
+  std::normal_distribution<double> step(0, 1);
+  Points cloud, few, grid;
+  for (int i = 0; i < 200; ++i)
+    cloud.push_back(Point(coordinate(random), coordinate(random)));
+  for (int i = 0; i < 3; ++i)
+    few.push_back(Point(coordinate(random), coordinate(random)));
+  for (int i = 0; i < 100; ++i)
+    grid.push_back(Point(7 * i % 8, i / 8 % 8));
+  const auto wrapped = [](double x) { return x - length * std::floor(x / length); };
+  const auto at_first = [](int) { return Cell(length, length); };
+  const auto brownian_in_cell = [&](double spread) {
+    return [&, spread](std::size_t, const Point& p, int) {
+      return Point(wrapped(p.x() + spread * step(random)), wrapped(p.y() + spread * step(random)));
+    };
+  };
+  for (const double load_factor : {no_balance, Distributed_periodic::default_load_factor}) {
+    expect_those_of_one_process("Brownian motion, wrapped", cloud, 12, brownian_in_cell(0.2),
+                                at_first, load_factor);
+    expect_those_of_one_process("three points", few, 20, brownian_in_cell(2), at_first,
+                                load_factor);
+    expect_those_of_one_process(
+        "a stream that is not wrapped", cloud, 12,
+        [&](std::size_t i, const Point& p, int) {
+          return Point(p.x() + 3 + 0.01 * double(i % 9), p.y() + 0.1 * p.x());
+        },
+        at_first, load_factor);
+    expect_those_of_one_process(
+        "jumps", cloud, 12,
+        [&](std::size_t, const Point& p, int) {
+          return random() % 20 ? p : Point(coordinate(random), coordinate(random));
+        },
+        at_first, load_factor);
+    expect_those_of_one_process(
+        "shear, with cells that are flipped", cloud, 24,
+        [&](std::size_t, const Point& p, int) {
+          return Point(wrapped(p.x() + 0.07 * p.y() + 0.02 * step(random)),
+                       p.y() + 0.02 * step(random));
+        },
+        [](int frame) {
+          const double shear = 0.07 * frame;
+          return Cell(length, 0, length * (shear - std::round(shear)), length);
+        },
+        load_factor);
+    expect_those_of_one_process(
+        "shear past the short vectors, and growth", cloud, 24,
+        [&](std::size_t, const Point& p, int) {
+          return Point(1.02 * (p.x() + 0.1 * p.y()), 1.02 * p.y());
+        },
+        [](int frame) {
+          const double s = length * std::pow(1.02, frame);
+          return Cell(s, 0, 0.1 * frame * s, s);
+        },
+        load_factor);
+  }
+  no_edge_changes_where_images_do_not(cloud);
+  changes_of_a_population(grid);
+  MPI_Finalize();
+}
