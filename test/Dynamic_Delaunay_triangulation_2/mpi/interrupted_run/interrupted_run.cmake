@@ -30,7 +30,7 @@ function(expect_continuation ranks frame)
   endif()
 endfunction()
 
-expect_end(kill "rank 3 .*signal 9")
+expect_end(kill "(rank 3 |BAD TERMINATION).*signal 9") # Open MPI, MPICH
 expect_continuation(4 30)
 expect_continuation(3 30)
 expect_continuation(1 30)
