@@ -430,18 +430,20 @@ TEST(Threads, change_nothing_where_points_come_and_go)
   expect_equal_diaries(Population_motion());
 }
 
+// In a sheared cell, to which the points are not wrapped.
 struct Periodic_motion
 {
   double step;
+  int frames = 5;
 
   template <class Tag>
   void run(Diary& diary) const
   {
     std::mt19937_64 random(9);
-    Points points = random_points(random, many, 100);
-    Periodic<Tag> dt(points.begin(), points.end(), CGAL::Periodic_cell_2(100, 100));
+    Points points = random_points(random, many, 300);
+    Periodic<Tag> dt(points.begin(), points.end(), CGAL::Periodic_cell_2(100, 0, 30, 100));
     diary.note_state(dt);
-    for (int frame = 0; frame < 5; ++frame) {
+    for (int frame = 0; frame < frames; ++frame) {
       for (Point& p : points)
         p = Point(p.x() + random_between(random, -step, step),
                   p.y() + random_between(random, -step, step));
@@ -456,6 +458,30 @@ TEST(Threads, change_nothing_in_periodic_space)
 {
   expect_equal_diaries(Periodic_motion{1e-5});
   expect_equal_diaries(Periodic_motion{0.1});
+}
+
+TEST(Threads, change_nothing_where_all_points_of_a_cell_are_triangulated_anew)
+{
+  expect_equal_diaries(Periodic_motion{30, 2});
+}
+
+// The points of a grid are triangulated at once, but ties then are broken differently in different
+// images, and they are inserted one by one.
+struct Periodic_grid
+{
+  template <class Tag>
+  void run(Diary& diary) const
+  {
+    const Points points = Cloud<Epick>::grid(40, 30);
+    const Periodic<Tag> dt(points.begin(), points.end(), CGAL::Periodic_cell_2(40, 30));
+    diary.note_state(dt);
+    EXPECT_TRUE(dt.is_valid());
+  }
+};
+
+TEST(Threads, change_nothing_where_points_of_a_cell_form_a_grid)
+{
+  expect_equal_diaries(Periodic_grid());
 }
 
 // INPUT THAT IS REFUSED ---------------------------------------------------------------------------

@@ -10,18 +10,24 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Guibas_stolfi_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Lattice_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Parallel_parts_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Spatial_order_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Torus_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/tags.h>
 
 #include <boost/iterator/counting_iterator.hpp>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -37,23 +43,61 @@ struct Periodic_faces_2
 };
 
 // Images of points in the plane, rounded, as predicates on vertices ask for them. Number 0 is at
-// infinity.
+// infinity. At first the numbers are those in which images were given; arrange() gives them numbers
+// along a curve, so that what is close in space is close in memory.
 class Image_cloud_2
 {
 public:
   using Traits = Exact_predicates_inexact_constructions_kernel;
 
-  void clear()
+  struct Image
   {
-    m_positions = {nowhere()};
-    m_points = {no_index};
-    m_shifts = {no_shift};
+    Position_2 position;
+    Index point;
+    Periodic_shift_2 shift;
+  };
+
+  void resize(std::size_t images)
+  {
+    m_positions.resize(images + 1);
+    m_points.resize(images + 1);
+    m_shifts.resize(images + 1);
+    m_positions[infinite_index] = nowhere();
   }
-  void add(const Position_2& position, Index point, const Periodic_shift_2& shift)
+  void set(Index number, const Image& image)
   {
-    m_positions.push_back(position);
-    m_points.push_back(point);
-    m_shifts.push_back(shift);
+    m_positions[number] = image.position;
+    m_points[number] = image.point;
+    m_shifts[number] = image.shift;
+  }
+
+  // Numbers the images in this order, which has their new numbers afterwards.
+  template <class Parts>
+  void arrange(Spatial_order_2& order)
+  {
+    const auto arrange_all = [&](auto& data) {
+      std::remove_reference_t<decltype(data)> arranged(data.size());
+      arranged[infinite_index] = data[infinite_index];
+      Parts::for_each(order.size(), [&](std::size_t, std::size_t first, std::size_t beyond) {
+        for (std::size_t i = first; i < beyond; ++i)
+          arranged[i + 1] = data[order[i]];
+      });
+      data.swap(arranged);
+    };
+    arrange_all(m_positions);
+    arrange_all(m_points);
+    arrange_all(m_shifts);
+    Parts::for_each(order.size(), [&](std::size_t, std::size_t first, std::size_t beyond) {
+      for (std::size_t i = first; i < beyond; ++i)
+        order.renumber(i, Index(i + 1));
+    });
+  }
+
+  void release()
+  {
+    std::vector<Position_2>().swap(m_positions);
+    std::vector<Index>().swap(m_points);
+    std::vector<Periodic_shift_2>().swap(m_shifts);
   }
 
   std::size_t size() const { return m_positions.size(); }
@@ -83,9 +127,13 @@ private:
 // cycle, and their areas sum up to that of the cell. Rounding cannot hide another degree than one,
 // since the sum is a multiple of the cell's area. Where a check fails there is no result. That is
 // so for grids, whose ties are broken differently in different images.
+//
+// Threads share all of it, but for the few images around the cell and the edges that these cut.
+template <class Parts = Parallel_parts_2<Sequential_tag>>
 class Periodic_builder_2
 {
   using Predicates = Vertex_predicates_2<Image_cloud_2>;
+  using Image = Image_cloud_2::Image;
 
 public:
   Periodic_builder_2()
@@ -108,13 +156,15 @@ public:
 
   const Periodic_faces_2& faces() const { return m_faces; }
 
+  // Frees the memory.
   void release()
   {
     m_faces = Periodic_faces_2();
-    m_cloud.clear();
+    m_cloud.release();
     m_planar.release();
     m_order.release();
-    std::vector<Index>().swap(m_vertex_of_point);
+    std::vector<Index>().swap(m_vertex_of_image);
+    std::vector<Index>().swap(m_wrapped);
     std::vector<Index>().swap(m_face_numbers);
     std::vector<Open_halfedge>().swap(m_open);
   }
@@ -137,25 +187,44 @@ private:
     const double along_t = margin * std::hypot(r.x, r.y) / area;
     if (!(along_r < 0.5 && along_t < 0.5))
       return false;
-    m_cloud.clear();
-    std::vector<Position_2> multiples;
-    for (Index i = 0; i < points.size(); ++i) {
-      const Position_2 m = short_torus.multiples(points[i]);
-      const Periodic_shift_2 k{int(-std::floor(m.x)), int(-std::floor(m.y))};
-      multiples.push_back({m.x + k[0], m.y + k[1]});
-      add(torus, points[i], i, combination(basis, k));
-    }
-    for (Index i = 0; i < points.size(); ++i) {
-      const int u = side(multiples[i].x, along_r), v = side(multiples[i].y, along_t);
-      const Periodic_shift_2 k = m_cloud.shift(i + 1);
-      if (u != 0)
-        add(torus, points[i], i, k + combination(basis, {u, 0}));
-      if (v != 0)
-        add(torus, points[i], i, k + combination(basis, {0, v}));
-      if (u != 0 && v != 0)
-        add(torus, points[i], i, k + combination(basis, {u, v}));
-    }
-    return m_cloud.size() <= max_vertices; // of the plane, whose numbers have 32 bits as well
+    m_cloud.resize(points.size());
+    std::vector<std::vector<Image>> around(Parts::number(points.size()));
+    Parts::for_each(points.size(), [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      for (Index i = Index(first); i < beyond; ++i) {
+        Position_2 m = short_torus.multiples(points[i]);
+        const Periodic_shift_2 wrap{int(-std::floor(m.x)), int(-std::floor(m.y))};
+        m = {m.x + wrap[0], m.y + wrap[1]};
+        const Periodic_shift_2 k = combination(basis, wrap);
+        const auto image = [&](int r_multiple, int t_multiple) {
+          const Periodic_shift_2 shift = k + combination(basis, {r_multiple, t_multiple});
+          return Image{torus.rounded({points[i], shift}), i, shift};
+        };
+        m_cloud.set(i + 1, image(0, 0));
+        const int u = side(m.x, along_r), v = side(m.y, along_t);
+        if (u != 0)
+          around[part].push_back(image(u, 0));
+        if (v != 0)
+          around[part].push_back(image(0, v));
+        if (u != 0 && v != 0)
+          around[part].push_back(image(u, v));
+      }
+    });
+    return append(around);
+  }
+
+  // False if these are too many for the plane, whose numbers have 32 bits as well.
+  bool append(const std::vector<std::vector<Image>>& around)
+  {
+    std::size_t next_number = m_cloud.size(), size = m_cloud.size();
+    for (const auto& images : around)
+      size += images.size();
+    if (size > max_vertices)
+      return false;
+    m_cloud.resize(size - 1);
+    for (const auto& images : around)
+      for (const Image& image : images)
+        m_cloud.set(Index(next_number++), image);
+    return true;
   }
 
   // In which direction the images of a point are around the cell.
@@ -170,27 +239,15 @@ private:
     return {k[0] * basis[0][0] + k[1] * basis[1][0], k[0] * basis[0][1] + k[1] * basis[1][1]};
   }
 
-  void add(const Torus_2& torus, const Position_2& p, Index i, const Periodic_shift_2& shift)
-  {
-    m_cloud.add(torus.rounded({p, shift}), i, shift);
-  }
-
   // False if two images are in one place.
   bool triangulate(std::size_t points)
   {
     const boost::counting_iterator<Index> first(1), beyond(Index(m_cloud.size()));
-    m_order.sort(m_cloud.positions(), first, beyond);
-    m_vertex_of_point.resize(points);
-    m_faces.points = {no_index};
-    for (std::size_t i = 0; i < m_order.size(); ++i) {
-      const Index image = m_order[i];
-      if (i > 0 && are_together(image, m_order[i - 1]))
-        return false;
-      if (image <= points) {
-        m_vertex_of_point[image - 1] = Index(m_faces.points.size());
-        m_faces.points.push_back(image - 1);
-      }
-    }
+    m_order.template sort<Parts>(m_cloud.positions(), first, beyond);
+    if (!m_order.template are_distinct<Parts>(
+            [this](Index image, Index other) { return are_together(image, other); }))
+      return false;
+    number_vertices(points);
     m_guibas_stolfi.run(m_order);
     return true;
   }
@@ -201,11 +258,66 @@ private:
     return p.x == q.x && p.y == q.y;
   }
 
-  Index vertex(Index image) const { return m_vertex_of_point[m_cloud.point_of(image)]; }
+  // Numbers the vertices in the order of the wrapped points, which are the first images so far, and
+  // the images in their order.
+  void number_vertices(std::size_t points)
+  {
+    m_faces.points.resize(points + 1);
+    m_faces.points[infinite_index] = no_index;
+    m_wrapped.resize(points + 1);
+    std::vector<Index> vertex_of_point(points);
+    number_in_parts(
+        m_order.size(), [&](std::size_t i) { return m_order[i] <= points; },
+        [&](std::size_t i, Index number) {
+          m_faces.points[number + 1] = m_order[i] - 1;
+          m_wrapped[number + 1] = Index(i + 1);
+          vertex_of_point[m_order[i] - 1] = number + 1;
+        });
+    m_cloud.template arrange<Parts>(m_order);
+    m_vertex_of_image.resize(m_cloud.size());
+    for_each_in_parts(m_order.size(), [&](std::size_t i) {
+      m_vertex_of_image[i + 1] = vertex_of_point[m_cloud.point_of(Index(i + 1))];
+    });
+  }
+
+  // Calls f(i) for all i below `size`.
+  template <class Function>
+  static void for_each_in_parts(std::size_t size, const Function& f)
+  {
+    Parts::for_each(size, [&](std::size_t, std::size_t first, std::size_t beyond) {
+      for (std::size_t i = first; i < beyond; ++i)
+        f(i);
+    });
+  }
+
+  // Numbers those i below `size` for which counts(i) is true: calls note(i, number). Returns how
+  // many there are.
+  template <class Predicate, class Note>
+  static Index number_in_parts(std::size_t size, const Predicate& counts, const Note& note)
+  {
+    std::array<Index, Parts::max_parts> numbers;
+    Parts::for_each(size, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      numbers[part] = 0;
+      for (std::size_t i = first; i < beyond; ++i)
+        numbers[part] += counts(i);
+    });
+    Index sum = 0;
+    for (std::size_t part = 0; part < Parts::number(size); ++part)
+      sum += std::exchange(numbers[part], sum);
+    Parts::for_each(size, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      for (std::size_t i = first; i < beyond; ++i)
+        if (counts(i))
+          note(i, numbers[part]++);
+    });
+    return sum;
+  }
+
+  Index vertex(Index image) const { return m_vertex_of_image[image]; }
+  bool is_wrapped(Index image) const { return m_wrapped[vertex(image)] == image; }
 
   // Of all translations of a face it is the one whose first corner is a wrapped point. The first
   // corner has the smallest vertex, and the smallest shift if several corners have that vertex.
-  bool is_kept(Index planar_face, std::size_t points) const
+  bool is_kept(Index planar_face) const
   {
     const Index h = Flat_faces_2::first_halfedge(planar_face);
     std::array<Index, 3> corners{m_planar.apex(h), m_planar.apex(h + 1), m_planar.apex(h + 2)};
@@ -215,21 +327,25 @@ private:
       return std::make_tuple(vertex(a), m_cloud.shift(a)) <
              std::make_tuple(vertex(b), m_cloud.shift(b));
     });
-    return first <= points;
+    return is_wrapped(first);
   }
 
   // Copies the faces that are kept, and links them. False if they are not one of each class.
   bool glue(std::size_t points)
   {
-    number_faces(points);
-    if (m_faces.apexes.size() != 6 * points)
+    if (number_faces() != 2 * points)
       return false;
+    m_faces.twins.resize(6 * points);
+    std::vector<std::vector<Open_halfedge>> open(Parts::number(m_planar.number_of_faces()));
+    Parts::for_each(
+        m_planar.number_of_faces(), [&](std::size_t part, std::size_t first, std::size_t beyond) {
+          for (Index f = Index(first); f < beyond; ++f)
+            for (Index i = 0; i < 3 && m_face_numbers[f] != no_index; ++i)
+              link(Flat_faces_2::first_halfedge(f) + i, 3 * m_face_numbers[f] + i, open[part]);
+        });
     m_open.clear();
-    m_faces.twins.assign(m_faces.apexes.size(), no_index);
-    for (Index f = 0; f < m_planar.number_of_faces(); ++f)
-      if (m_face_numbers[f] != no_index)
-        for (Index i = 0; i < 3; ++i)
-          link(Flat_faces_2::first_halfedge(f) + i, 3 * m_face_numbers[f] + i);
+    for (const auto& of_part : open)
+      m_open.insert(m_open.end(), of_part.begin(), of_part.end());
     std::sort(m_open.begin(), m_open.end());
     for (std::size_t i = 0; i < m_open.size(); i += 2) {
       if (i + 1 == m_open.size() || !m_open[i].is_twin_of(m_open[i + 1]) ||
@@ -241,21 +357,30 @@ private:
     return true;
   }
 
-  void number_faces(std::size_t points)
+  // Returns how many faces are kept.
+  std::size_t number_faces()
   {
-    m_faces.apexes.clear();
-    m_faces.shifts.clear();
-    m_face_numbers.assign(m_planar.number_of_faces(), no_index);
-    for (Index f = 0; f < m_planar.number_of_faces(); ++f) {
-      if (!is_kept(f, points))
-        continue;
-      m_face_numbers[f] = Index(m_faces.apexes.size() / 3);
-      const Index h = Flat_faces_2::first_halfedge(f);
-      for (Index i = h; i < h + 3; ++i) {
-        m_faces.apexes.push_back(vertex(m_planar.apex(i)));
-        m_faces.shifts.push_back(m_cloud.shift(m_planar.apex(i)) - m_cloud.shift(m_planar.apex(h)));
+    const Index planar_faces = m_planar.number_of_faces();
+    m_face_numbers.resize(planar_faces);
+    for_each_in_parts(planar_faces, [&](std::size_t f) {
+      m_face_numbers[f] = is_kept(Index(f)) ? infinite_index : no_index;
+    });
+    const Index kept = number_in_parts(
+        planar_faces, [&](std::size_t f) { return m_face_numbers[f] != no_index; },
+        [&](std::size_t f, Index number) { m_face_numbers[f] = number; });
+    m_faces.apexes.resize(3 * std::size_t(kept));
+    m_faces.shifts.resize(3 * std::size_t(kept));
+    for_each_in_parts(planar_faces, [&](std::size_t f) {
+      if (m_face_numbers[f] == no_index)
+        return;
+      const Index h = Flat_faces_2::first_halfedge(Index(f)), to = 3 * m_face_numbers[f];
+      for (Index i = 0; i < 3; ++i) {
+        const Index image = m_planar.apex(h + i);
+        m_faces.apexes[to + i] = vertex(image);
+        m_faces.shifts[to + i] = m_cloud.shift(image) - m_cloud.shift(m_planar.apex(h));
       }
-    }
+    });
+    return kept;
   }
 
   // A half-edge whose twin in the plane is of a face that is not kept.
@@ -279,7 +404,7 @@ private:
     }
   };
 
-  void link(Index planar, Index h)
+  void link(Index planar, Index h, std::vector<Open_halfedge>& open)
   {
     const Index twin = m_planar.twin(planar), number = m_face_numbers[twin / 4];
     if (number != no_index) {
@@ -293,49 +418,74 @@ private:
       std::swap(from, to);
       shift = no_shift - shift;
     }
-    m_open.push_back({from, to, shift, is_reversed, h});
+    open.push_back({from, to, shift, is_reversed, h});
   }
 
-  // Whether the corners of each vertex are one cycle.
+  // Whether the corners of each vertex are one cycle. It does not matter from which of them a walk
+  // starts: if there are several cycles, some corners are not met.
   bool are_stars(std::size_t points) const
   {
-    std::vector<Index> corner(points + 1, no_index);
-    for (Index h = 0; h < m_faces.apexes.size(); ++h)
-      corner[m_faces.apexes[h]] = h;
-    std::size_t corners = 0;
-    for (std::size_t v = 1; v <= points; ++v) {
-      if (corner[v] == no_index)
-        return false;
-      Index h = corner[v];
-      do {
-        h = next(m_faces.twins[next(h)]);
-        if (m_faces.apexes[h] != v || ++corners > m_faces.apexes.size())
-          return false;
-      } while (h != corner[v]);
-    }
-    return corners == m_faces.apexes.size();
+    const std::size_t corners = m_faces.apexes.size();
+    std::vector<std::atomic<Index>> start(points + 1); // of each vertex: behind one of its corners
+    for_each_in_parts(corners, [&](std::size_t h) {
+      start[m_faces.apexes[h]].store(Index(h + 1), std::memory_order_relaxed);
+    });
+    return Parts::sum(points, [&](std::size_t first, std::size_t beyond) {
+             std::size_t met = 0;
+             for (Index v = Index(first) + 1; v <= beyond; ++v)
+               met += size_of_cycle(v, start[v].load(std::memory_order_relaxed));
+             return met;
+           }) == corners;
+  }
+
+  // The number of corners of v that a walk around it meets. Zero if it has none, or the walk meets
+  // those of others.
+  std::size_t size_of_cycle(Index v, Index start) const
+  {
+    if (start == 0)
+      return 0;
+    std::size_t met = 0;
+    Index h = start - 1;
+    do {
+      h = next(m_faces.twins[next(h)]);
+      if (m_faces.apexes[h] != v || ++met > m_faces.apexes.size())
+        return 0;
+    } while (h != start - 1);
+    return met;
   }
 
   // Whether the faces cover the torus once.
   bool cover_once(const Torus_2& torus) const
   {
-    double doubled_area = 0;
-    for (Index f = 0; f < m_planar.number_of_faces(); ++f)
-      if (m_face_numbers[f] != no_index) {
-        const Index h = Flat_faces_2::first_halfedge(f);
-        const Position_2& p = m_cloud.positions()[m_planar.apex(h)];
-        const Position_2& q = m_cloud.positions()[m_planar.apex(h + 1)];
-        const Position_2& s = m_cloud.positions()[m_planar.apex(h + 2)];
-        doubled_area += (q.x - p.x) * (s.y - p.y) - (q.y - p.y) * (s.x - p.x);
-      }
-    return std::abs(doubled_area / torus.cell().area() - 2) < 0.5;
+    std::array<double, Parts::max_parts> doubled_areas;
+    const Index faces = m_planar.number_of_faces();
+    Parts::for_each(faces, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      double sum = 0;
+      for (Index f = Index(first); f < beyond; ++f)
+        if (m_face_numbers[f] != no_index)
+          sum += doubled_area(Flat_faces_2::first_halfedge(f));
+      doubled_areas[part] = sum;
+    });
+    const double sum = std::accumulate(
+        doubled_areas.begin(), doubled_areas.begin() + std::ptrdiff_t(Parts::number(faces)), 0.);
+    return std::abs(sum / torus.cell().area() - 2) < 0.5;
+  }
+
+  // Of the planar face that begins with half-edge h.
+  double doubled_area(Index h) const
+  {
+    const Position_2& p = m_cloud.positions()[m_planar.apex(h)];
+    const Position_2& q = m_cloud.positions()[m_planar.apex(h + 1)];
+    const Position_2& s = m_cloud.positions()[m_planar.apex(h + 2)];
+    return (q.x - p.x) * (s.y - p.y) - (q.y - p.y) * (s.x - p.x);
   }
 
   Image_cloud_2 m_cloud;
   Spatial_order_2 m_order;
   Flat_faces_2 m_planar;
-  Guibas_stolfi_2<Predicates> m_guibas_stolfi;
-  std::vector<Index> m_vertex_of_point;
+  Guibas_stolfi_2<Predicates, Parts> m_guibas_stolfi;
+  std::vector<Index> m_vertex_of_image;
+  std::vector<Index> m_wrapped;      // the image of each vertex's point in the cell
   std::vector<Index> m_face_numbers; // of the planar faces that are kept
   std::vector<Open_halfedge> m_open;
   Periodic_faces_2 m_faces;

@@ -35,6 +35,7 @@ class Periodic_editor_2
   using Slot = Mirror::Slot;
   using Ids = typename Maintained::Ids;
   using Kind = Periodic_change_2::Kind;
+  using Parts = typename Maintained::Parts;
 
 public:
   explicit Periodic_editor_2(Maintained& maintained)
@@ -198,22 +199,26 @@ public:
     mirror().link(0, 4);
     mirror().link(1, 5);
     mirror().link(2, 3);
-    mirror().template number_edges<typename Maintained::Parts>();
+    mirror().template number_edges<Parts>();
     write_face(0);
     write_face(1);
   }
 
-  // Makes these vertices and faces, where there are none. The vertices have no ids yet, and the
+  // Makes these vertices and faces, where there are none, of points with these reserved ids. The
   // edges are not logged.
-  void build(const Periodic_faces_2& faces, const std::vector<Position_2>& points)
+  void build(const Periodic_faces_2& faces, const std::vector<Index>& ids_of_points,
+             const std::vector<Position_2>& points)
   {
-    std::vector<Position_2> positions;
-    for (std::size_t v = 1; v < faces.points.size(); ++v) {
-      ids().append_vertex();
-      positions.push_back(points[faces.points[v]]);
-    }
+    const std::size_t vertices = faces.points.size() - 1;
+    std::vector<Position_2> positions(vertices);
+    ids().resize(Index(vertices));
+    for_each_in_parts(vertices, [&](std::size_t i) {
+      const Index point = faces.points[i + 1];
+      positions[i] = points[point];
+      ids().set_representative(Index(i + 1), ids_of_points[point]);
+    });
     write_faces(faces, positions);
-    mirror().template number_edges<typename Maintained::Parts>();
+    mirror().template number_edges<Parts>();
     hide_shifted_edges();
   }
 
@@ -384,32 +389,58 @@ private:
     m_maintained.m_positions.insert(m_maintained.m_positions.end(), positions.begin(),
                                     positions.end());
     shifts() = faces.shifts;
-    for (Index h = 0; h < 6 * vertices; ++h) {
-      mirror().set_apex(h, faces.apexes[h]);
-      mirror().set_twin(h, faces.twins[h]);
-    }
+    for_each_in_parts(2 * vertices, [&](std::size_t f) {
+      for (Index h = Index(3 * f); h < 3 * f + 3; ++h)
+        mirror().set_apex_and_twin(h, faces.apexes[h], faces.twins[h]);
+      move_frame(Index(f));
+    });
+    mirror().template find_corners<Parts>();
   }
 
   void hide_shifted_edges()
   {
-    for (Index f = 0; f < mirror().number_of_faces(); ++f)
-      write_face(f);
+    for_each_in_parts(mirror().number_of_edges(), [&](std::size_t e) {
+      if (!has_equal_shifts(mirror().halfedge(Index(e))))
+        mirror().hide_edge(Index(e));
+    });
+  }
+
+  // Calls f(i) for all i below `size`.
+  template <class Function>
+  static void for_each_in_parts(std::size_t size, const Function& f)
+  {
+    Parts::for_each(size, [&](std::size_t, std::size_t first, std::size_t beyond) {
+      for (std::size_t i = first; i < beyond; ++i)
+        f(i);
+    });
   }
 
   // Moves the frame of face f to its first corner, and writes its edges.
   void write_face(Index f)
   {
-    const Periodic_shift_2 first = shifts()[3 * f];
-    for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      shifts()[h] = shifts()[h] - first;
+    move_frame(f);
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      const auto [a, b, c, d] = m_maintained.corners_at(h);
       const Index e = mirror().edge_of(h);
-      if (are_equal(a.shift, b.shift) && are_equal(b.shift, c.shift) && are_equal(c.shift, d.shift))
+      if (has_equal_shifts(h))
         mirror().set_edge(e, mirror().halfedge(e));
       else
         mirror().hide_edge(e);
     }
+  }
+
+  void move_frame(Index f)
+  {
+    const Periodic_shift_2 first = shifts()[3 * f];
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      shifts()[h] = shifts()[h] - first;
+  }
+
+  // Whether the corners of both faces at half-edge h have the same shift.
+  bool has_equal_shifts(Index h) const
+  {
+    const auto [a, b, c, d] = m_maintained.corners_at(h);
+    return are_equal(a.shift, b.shift) && are_equal(b.shift, c.shift) &&
+           are_equal(c.shift, d.shift);
   }
 
   Maintained& m_maintained;

@@ -42,6 +42,7 @@ class Periodic_repair_tools_2
   using Mirror = Neighborhood_mirror_2;
   using Slot = Mirror::Slot;
   using Edge_test = typename Maintained::Edge_test;
+  using Parts = typename Maintained::Parts;
 
 public:
   using Classification = Dynamic_classification_2<Maintained>;
@@ -99,8 +100,14 @@ public:
   void examine_everything()
   {
     m_has_to_prove = true;
+    std::vector<std::vector<Index>> open(Parts::number(number_of_edges()));
+    Parts::for_each(
+        number_of_edges(), [&](std::size_t part, std::size_t first, std::size_t beyond) {
+          Edge_test(m_maintained).append_unproved(Index(first), Index(beyond), open[part]);
+        });
     m_open.clear();
-    Edge_test(m_maintained).append_unproved(0, Index(number_of_edges()), m_open);
+    for (const std::vector<Index>& of_part : open)
+      m_open.insert(m_open.end(), of_part.begin(), of_part.end());
   }
 
   // Whether three of ten edges of a sample are not Delaunay: repairing takes more flips then than
@@ -126,10 +133,13 @@ public:
     std::vector<Index> taken;
     std::vector<Position_2> points;
     for (Index id = 0; id < ids().number_of_ids(); ++id)
-      if (ids().is_taken(id) && id != gone) {
+      if (ids().is_taken(id) && id != gone)
         taken.push_back(id);
-        points.push_back(m_maintained.position_of_id(id));
-      }
+    points.resize(taken.size());
+    Parts::for_each(taken.size(), [&](std::size_t, std::size_t first, std::size_t beyond) {
+      for (std::size_t i = first; i < beyond; ++i)
+        points[i] = m_maintained.position_of_id(taken[i]);
+    });
     const Index number_of_ids = ids().number_of_ids();
     const std::size_t logged = m_editor.log().size();
     m_editor.provide_for_log(m_maintained.mirror().number_of_edges());
@@ -304,14 +314,13 @@ public:
   // as where points coincide or form a grid.
   bool build(const std::vector<Index>& ids, const std::vector<Position_2>& points)
   {
-    Periodic_builder_2 builder;
+    Periodic_builder_2<Parts> builder;
     if (!builder.run(m_maintained.torus(), points))
       return false;
     const std::size_t logged = m_editor.log().size();
     const typename Maintained::Ids ids_before = m_maintained.ids();
-    m_editor.build(builder.faces(), points);
-    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
-      m_editor.ids().place_representative(ids[builder.faces().points[v]], v);
+    m_editor.build(builder.faces(), ids, points);
+    builder.release();
     m_editor.provide_for_log(m_maintained.mirror().number_of_edges());
     m_editor.note_all_edges(Periodic_change_2::Kind::EDGE_CREATED);
     examine_everything();
