@@ -8,15 +8,18 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Query_parts_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Vertex_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_type_basic.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace CGAL {
 
@@ -33,7 +36,9 @@ convert between these and the user's ids.
 
 An object refers to the triangulation, which must keep its address, but may change. Queries change
 nothing visible, but they share memory of the object: several threads must not use the same object
-at once, even if it is constant. Threads that query at the same time need one object each.
+at once, even if it is constant. Threads that query at the same time need one object each. Queries
+for many places at once need only one call, whose work threads share if the triangulation has the
+`Parallel_tag`.
 
 <b>Correctness.</b> The Voronoi cell of a point \f$v\f$ is the intersection of half-planes, one for
 each of its sides: the places that are no nearer to \f$w\f$ than to \f$v\f$, where \f$w\f$ is the
@@ -100,14 +105,31 @@ public:
   /// Cost: O(n<sup>1/3</sup>) expected for evenly spread points, less if the answer is near the
   /// last one. \throws Non_finite_coordinate_error_2 if a coordinate of `p` is NaN or infinite.
   /// \throws Coordinate_range_error_2 if a coordinate of `p` is too large for this program.
-  std::optional<size_type> nearest(const Point& p) const
+  std::optional<size_type> nearest(const Point& p) const { return find_nearest(p, 0); }
+
+  /// writes `nearest(p)` for each place p of a range, in their order.
+  ///
+  /// Cost: that of the queries, which threads share, but those for places that follow each other in
+  /// space are faster.
+  /// \param first, beyond the range of places.
+  /// \param ids where to write; nothing is written if this throws.
+  /// \tparam ForwardIterator has the value type `Point`.
+  /// \tparam OutputIterator takes values of `std::optional<size_type>`.
+  /// \return where the next id would be written.
+  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite. \throws
+  /// Coordinate_range_error_2 if a coordinate is too large for this program. Both say which place
+  /// of the range that is.
+  template <class ForwardIterator, class OutputIterator>
+  OutputIterator nearest(ForwardIterator first, ForwardIterator beyond, OutputIterator ids) const
   {
-    const Distances distances(*m_dt, p);
-    if (m_dt->number_of_vertices() == 0)
-      return std::nullopt;
-    const Index v = walk(distances);
-    flood(v, [&](Index w) { return distances.compare(w, v) == EQUAL; });
-    return smallest_id(no_id);
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    const std::vector<Point> places(first, beyond);
+    std::vector<std::optional<size_type>> found(places.size());
+    query_in_parts<Parts>(*this, places.size(),
+                          [&](const Delaunay_point_queries_2& queries, std::size_t i) {
+                            found[i] = queries.find_nearest(places[i], i);
+                          });
+    return std::copy(found.begin(), found.end(), ids);
   }
 
   /// the id of the point that is nearest to the point `id`, other than itself; of several, the
@@ -150,14 +172,34 @@ public:
   template <class OutputIterator>
   OutputIterator within(const Point& p, const FT& squared_radius, OutputIterator ids) const
   {
-    const Distances distances(*m_dt, p);
+    return find_within(p, 0, squared_radius, ids);
+  }
+
+  /// lists the ids of all points within a radius of each place of a range. Those of the i-th place
+  /// are `ids[begins[i]]` to `ids[begins[i + 1] - 1]`, in ascending order.
+  ///
+  /// Cost: that of the queries, which threads share, and O(k log k) for k points found.
+  /// \param first, beyond the range of places.
+  /// \param squared_radius the square of the radius.
+  /// \param ids the ids for all places; replaced, and not changed if this throws.
+  /// \param begins where those of each place begin, and in the end the number of all of them;
+  /// replaced, and not changed if this throws.
+  /// \tparam ForwardIterator has the value type `Point`.
+  /// \throws Parameter_error_2 if the squared radius is negative or not a finite number.
+  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite. \throws
+  /// Coordinate_range_error_2 if a coordinate is too large for this program. Both say which place
+  /// of the range that is.
+  template <class ForwardIterator>
+  void within(ForwardIterator first, ForwardIterator beyond, const FT& squared_radius,
+              std::vector<size_type>& ids, std::vector<size_type>& begins) const
+  {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
     check(squared_radius);
-    if (m_dt->number_of_vertices() == 0)
-      return ids;
-    const Index v = walk(distances);
-    if (distances.compare_square(v, squared_radius) == LARGER)
-      return ids;
-    return write_within(v, distances, squared_radius, no_id, ids);
+    const std::vector<Point> places(first, beyond);
+    list_in_parts<Parts>(*this, places.size(), ids, begins,
+                         [&](const Delaunay_point_queries_2& queries, std::size_t i, auto found) {
+                           queries.find_within(places[i], i, squared_radius, found);
+                         });
   }
 
   /// the same, but around the point `id`, which is not written itself.
@@ -181,6 +223,8 @@ public:
   /// @}
 
 private:
+  using Parts = typename Dynamic::Frame::Parts;
+
   static constexpr size_type no_id = size_type(-1);
 
   static void check(const FT& squared_radius)
@@ -189,6 +233,31 @@ private:
     const double value = CGAL::to_double(squared_radius);
     if (!(value >= 0 && value <= largest))
       throw Parameter_error_2("the squared radius", value, 0, largest);
+  }
+
+  // `number` is that of the place in its range, for errors.
+  std::optional<size_type> find_nearest(const Point& p, size_type number) const
+  {
+    const Distances distances(*m_dt, p, number);
+    if (m_dt->number_of_vertices() == 0)
+      return std::nullopt;
+    const Index v = walk(distances);
+    flood(v, [&](Index w) { return distances.compare(w, v) == EQUAL; });
+    return smallest_id(no_id);
+  }
+
+  template <class OutputIterator>
+  OutputIterator find_within(const Point& p, size_type number, const FT& squared_radius,
+                             OutputIterator ids) const
+  {
+    const Distances distances(*m_dt, p, number);
+    check(squared_radius);
+    if (m_dt->number_of_vertices() == 0)
+      return ids;
+    const Index v = walk(distances);
+    if (distances.compare_square(v, squared_radius) == LARGER)
+      return ids;
+    return write_within(v, distances, squared_radius, no_id, ids);
   }
 
   Index vertex(size_type id) const { return m_dt->frame().vertex(Index(id)); }

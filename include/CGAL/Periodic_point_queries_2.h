@@ -12,11 +12,13 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Image_distances_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Lattice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Query_parts_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/Periodic_cell_2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -43,7 +45,9 @@ Points that coincide have the same distance, and each of them counts.
 
 An object refers to the triangulation, which must keep its address, but may change. Queries change
 nothing visible, but they share memory of the object: several threads must not use the same object
-at once, even if it is constant. Threads that query at the same time need one object each.
+at once, even if it is constant. Threads that query at the same time need one object each. Queries
+for many places at once need only one call, whose work threads share if the triangulation has the
+`Parallel_tag`.
 
 The images of all points have a Delaunay triangulation of the plane, or of the strip of a slab, of
 which the periodic triangulation is one sheet. So the proof of `Delaunay_point_queries_2` holds
@@ -100,16 +104,31 @@ public:
   /// the answer is near the last one.
   /// \throws Non_finite_coordinate_error_2 if a coordinate of `p` is NaN or infinite.
   /// \throws Periodic_range_error_2 if `p` is 2<sup>20</sup> cells or more from the origin.
-  std::optional<Image> nearest(const Point& p) const
+  std::optional<Image> nearest(const Point& p) const { return find_nearest(p, 0); }
+
+  /// writes `nearest(p)` for each place p of a range, in their order.
+  ///
+  /// Cost: that of the queries, which threads share, but those for places that follow each other in
+  /// space are faster.
+  /// \param first, beyond the range of places.
+  /// \param images where to write; nothing is written if this throws.
+  /// \tparam ForwardIterator has the value type `Point`.
+  /// \tparam OutputIterator takes values of `std::optional<Image>`.
+  /// \return where the next image would be written.
+  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
+  /// \throws Periodic_range_error_2 if a place is 2<sup>20</sup> cells or more from the origin.
+  /// Both say which place of the range that is.
+  template <class ForwardIterator, class OutputIterator>
+  OutputIterator nearest(ForwardIterator first, ForwardIterator beyond, OutputIterator images) const
   {
-    const Query query(*m_pt, p);
-    if (m_pt->number_of_points() == 0)
-      return std::nullopt;
-    const Image start = walk(query);
-    const Exact_image nearest = query.exact(start);
-    return smallest(query, flood(start, [&](const Image& w) {
-                      return query.distances.compare(query.exact(w), nearest) == EQUAL;
-                    }));
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    const std::vector<Point> places(first, beyond);
+    std::vector<std::optional<Image>> found(places.size());
+    query_in_parts<Parts>(*this, places.size(),
+                          [&](const Periodic_point_queries_2& queries, std::size_t i) {
+                            found[i] = queries.find_nearest(places[i], i);
+                          });
+    return std::copy(found.begin(), found.end(), images);
   }
 
   /// the image that is nearest to the point `id`, other than the point itself: of another point, or
@@ -152,14 +171,34 @@ public:
   template <class OutputIterator>
   OutputIterator within(const Point& p, double squared_radius, OutputIterator images) const
   {
-    const Query query(*m_pt, p);
+    return find_within(p, 0, squared_radius, images);
+  }
+
+  /// lists all images within a radius of each place of a range. Those of the i-th place are
+  /// `images[begins[i]]` to `images[begins[i + 1] - 1]`, in ascending order of ids, then of shifts.
+  ///
+  /// Cost: that of the queries, which threads share.
+  /// \param first, beyond the range of places.
+  /// \param squared_radius the square of the radius.
+  /// \param images the images for all places; replaced, and not changed if this throws.
+  /// \param begins where those of each place begin, and in the end the number of all of them;
+  /// replaced, and not changed if this throws.
+  /// \tparam ForwardIterator has the value type `Point`.
+  /// \throws Parameter_error_2 if the squared radius is negative or not a finite number.
+  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
+  /// \throws Periodic_range_error_2 if a place is 2<sup>20</sup> cells or more from the origin.
+  /// Both say which place of the range that is.
+  template <class ForwardIterator>
+  void within(ForwardIterator first, ForwardIterator beyond, double squared_radius,
+              std::vector<Image>& images, std::vector<size_type>& begins) const
+  {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
     check(squared_radius);
-    if (m_pt->number_of_points() == 0)
-      return images;
-    const Image start = walk(query);
-    if (!query.is_within(start, squared_radius))
-      return images;
-    return write_within(query, start, squared_radius, std::nullopt, images);
+    const std::vector<Point> places(first, beyond);
+    list_in_parts<Parts>(*this, places.size(), images, begins,
+                         [&](const Periodic_point_queries_2& queries, std::size_t i, auto found) {
+                           queries.find_within(places[i], i, squared_radius, found);
+                         });
   }
 
   /// the same, but around the point `id`, which is not written itself. Other images of it are.
@@ -184,25 +223,28 @@ public:
   /// @}
 
 private:
-  // The place of a query, and the images around it.
+  using Parts = typename Dynamic::Frame::Parts;
+
+  // The place of a query, and the images around it. `number` is that of the place in its range, for
+  // errors.
   struct Query
   {
-    Query(const Dynamic& triangulation, const Point& p)
+    Query(const Dynamic& triangulation, const Point& p, size_type number = 0)
       : pt(triangulation)
       , torus(pt.cell())
-      , place(checked(pt, torus, p))
+      , place(checked(pt, torus, p, number))
       , distances(torus, place)
     {
     }
 
-    static Position checked(const Dynamic& pt, const Torus& torus, const Point& p)
+    static Position checked(const Dynamic& pt, const Torus& torus, const Point& p, size_type number)
     {
       using namespace Dynamic_Delaunay_triangulations_2::internal;
       check_certified(pt);
-      const Position position = checked_position(p, 0);
+      const Position position = checked_position(p, number);
       const Position multiples = torus.periodic(torus.multiples(position));
       if (!(std::abs(multiples.x) < max_shift && std::abs(multiples.y) < max_shift))
-        throw Periodic_range_error_2(0, position.x, position.y, max_shift);
+        throw Periodic_range_error_2(number, position.x, position.y, max_shift);
       return position;
     }
 
@@ -237,6 +279,32 @@ private:
     const Position place;
     const Distances distances;
   };
+
+  std::optional<Image> find_nearest(const Point& p, size_type number) const
+  {
+    const Query query(*m_pt, p, number);
+    if (m_pt->number_of_points() == 0)
+      return std::nullopt;
+    const Image start = walk(query);
+    const Exact_image nearest = query.exact(start);
+    return smallest(query, flood(start, [&](const Image& w) {
+                      return query.distances.compare(query.exact(w), nearest) == EQUAL;
+                    }));
+  }
+
+  template <class OutputIterator>
+  OutputIterator find_within(const Point& p, size_type number, double squared_radius,
+                             OutputIterator images) const
+  {
+    const Query query(*m_pt, p, number);
+    check(squared_radius);
+    if (m_pt->number_of_points() == 0)
+      return images;
+    const Image start = walk(query);
+    if (!query.is_within(start, squared_radius))
+      return images;
+    return write_within(query, start, squared_radius, std::nullopt, images);
+  }
 
   static Periodic_shift_2 sum(const Periodic_shift_2& s, const Periodic_shift_2& t)
   {

@@ -39,10 +39,8 @@ public:
     // Lawson's proof of termination needs counterclockwise faces; with inverted ones, flips can
     // cycle. Recorded motion took at most 3 flips per initial edge.
     const std::size_t limit = (std::min)(100 + 20 * open.size(), most);
-    std::size_t flips = 0;
     m_work.twisted.clear();
-    if constexpr (Editor::can_flip_in_parts)
-      flips = run_in_parts(maintained, editor, open, faces_tile_hull, limit);
+    std::size_t flips = run_in_parts(maintained, editor, open, faces_tile_hull, limit);
     flips += run_in_series(maintained, editor, open, faces_tile_hull, limit - flips);
     if (!m_work.twisted.empty()) {
       open.insert(open.end(), m_work.twisted.begin(), m_work.twisted.end());
@@ -150,9 +148,9 @@ private:
         Parts::number(faces, (std::max)(Parts::usual_size, faces / max_parts));
     if (parts < Parts::least_shared || seeds < parts * (Parts::usual_size / 256))
       return 0;
-    const Topology_parts_2 topology(maintained.mirror(), maintained.vertices().size(), parts);
+    const Topology_parts_2 topology(maintained.mirror(), maintained.positions().size(), parts);
     divide<Parts>(topology, parts, open);
-    editor.flip_in_parts(topology, parts, faces_tile_hull,
+    editor.flip_in_parts(topology, parts, faces_tile_hull, limit,
                          [&](std::size_t part, const auto& try_flip) {
                            Work& work = m_parts[part];
                            const std::size_t share = limit * work.seeds.size() / seeds;

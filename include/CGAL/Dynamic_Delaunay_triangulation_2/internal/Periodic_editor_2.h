@@ -6,16 +6,19 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_builder_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_change_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_parts_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Torus_2.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -61,7 +64,7 @@ public:
     if constexpr (is_logged)
       for (Index e = 0; e < mirror().number_of_edges(); ++e)
         if (!mirror().is_empty_edge(e))
-          note_edge(kind, mirror().halfedge(e));
+          note_edge(kind, mirror().halfedge(e), m_log);
   }
 
   // CHANGES -------------------------------------------------------------------------------------
@@ -150,28 +153,41 @@ public:
 
   void flip(Index h)
   {
-    const Index g = mirror().twin(h);
-    const Edge_images_2 images = m_maintained.corners_at(h);
     provide_for_log(2);
-    note_edge(Kind::EDGE_REMOVED, h);
-    mirror().flip_glued(h);
-    shifts()[Mirror::previous(h)] = images.right.shift;
-    shifts()[g] = images.right.shift;
-    shifts()[Mirror::next(g)] = images.target.shift;
-    shifts()[Mirror::previous(g)] = images.left.shift;
-    write_face(h / 3);
-    write_face(g / 3);
-    changes().new_edges.push_back(mirror().edge_of(Mirror::next(g)));
-    note_edge(Kind::EDGE_CREATED, Mirror::next(g));
+    provide(changes().new_edges, 1);
+    flip(h, changes().new_edges, m_log);
   }
-
-  static constexpr bool can_flip_in_parts = false;
 
   // As `Topology_editor_2` has it: calls f(flip).
   template <class Function>
   void flip_in_series(const Function& f)
   {
     f([this](Index h) { flip(h); });
+  }
+
+  // As `Topology_editor_2` has it: calls f(part, try_flip) for all parts, for `most` flips at most.
+  // Edges are flipped there only where all corners have the same shift. No flip there changes any
+  // shift, or hides an edge or shows it. Everything else is as in the plane. Doubled edges are
+  // always looked for, since flips elsewhere may have left faces of any kind.
+  template <class Function>
+  void flip_in_parts(const Topology_parts_2& topology, std::size_t parts, bool, std::size_t most,
+                     const Function& f)
+  {
+    m_flips_of_parts.resize((std::max)(parts, m_flips_of_parts.size()));
+    provide_for_log(2 * most);
+    const auto finish = [&] {
+      for (std::size_t part = 0; part < parts; ++part)
+        finish_part(m_flips_of_parts[part]);
+    };
+    try {
+      Parts::run(parts, [&](std::size_t part) {
+        f(part, [&](Index h) { return try_flip(topology, part, h, m_flips_of_parts[part]); });
+      });
+    } catch (...) {
+      finish();
+      throw;
+    }
+    finish();
   }
 
   // VERTICES ------------------------------------------------------------------------------------
@@ -323,6 +339,57 @@ private:
   std::vector<Periodic_shift_2>& shifts() { return m_maintained.m_shifts; }
   const std::vector<Periodic_shift_2>& shifts() const { return m_maintained.m_shifts; }
 
+  // Flips the edge of half-edge h. There must be memory for one new edge, and for two changes.
+  void flip(Index h, std::vector<Index>& new_edges, std::vector<Periodic_change_2>& log)
+  {
+    const Index g = mirror().twin(h);
+    const Edge_images_2 images = m_maintained.corners_at(h);
+    note_edge(Kind::EDGE_REMOVED, h, log);
+    mirror().flip_glued(h);
+    shifts()[Mirror::previous(h)] = images.right.shift;
+    shifts()[g] = images.right.shift;
+    shifts()[Mirror::next(g)] = images.target.shift;
+    shifts()[Mirror::previous(g)] = images.left.shift;
+    write_face(h / 3);
+    write_face(g / 3);
+    new_edges.push_back(mirror().edge_of(Mirror::next(g)));
+    note_edge(Kind::EDGE_CREATED, Mirror::next(g), log);
+  }
+
+  // What was flipped in a part: the new edges, and the entries of the log.
+  struct Flips_of_part
+  {
+    std::vector<Index> edges;
+    std::vector<Periodic_change_2> log;
+  };
+
+  bool try_flip(const Topology_parts_2& topology, std::size_t part, Index h, Flips_of_part& flips)
+  {
+    if (!topology.is_inside(part, mirror().edge_of(h)) || !can_flip(h))
+      return false;
+    provide(flips.edges, 1);
+    if constexpr (is_logged)
+      provide(flips.log, 2);
+    CGAL_assertion_code(const Edge_2 edge = m_maintained.edge(mirror().edge_of(h)));
+    CGAL_assertion(topology.has_all(part, {edge.source, edge.target, edge.left, edge.right}));
+    flip(h, flips.edges, flips.log);
+    return true;
+  }
+
+  // The log has memory for all changes. Everything is new where there is none to list new edges.
+  void finish_part(Flips_of_part& flips)
+  {
+    try {
+      provide(changes().new_edges, flips.edges.size());
+      changes().new_edges.insert(changes().new_edges.end(), flips.edges.begin(), flips.edges.end());
+    } catch (const std::bad_alloc&) {
+      changes().everything_is_new = true;
+    }
+    m_log.insert(m_log.end(), flips.log.begin(), flips.log.end());
+    flips.edges.clear();
+    flips.log.clear();
+  }
+
   template <class Change>
   void note(const Change& change)
   {
@@ -331,14 +398,14 @@ private:
   }
 
   // Edges across the gap of a slab are none of the user's.
-  void note_edge(Kind kind, Index h)
+  void note_edge(Kind kind, Index h, std::vector<Periodic_change_2>& log) const
   {
     if constexpr (is_logged) {
       const Index from = Mirror::next(h), to = Mirror::previous(h);
       if (!m_maintained.torus().are_across(shifts()[from], shifts()[to]))
-        m_log.push_back(Periodic_change_2::edge(kind, ids().representative(mirror().apex(from)),
-                                                ids().representative(mirror().apex(to)),
-                                                shifts()[to] - shifts()[from]));
+        log.push_back(Periodic_change_2::edge(
+            kind, m_maintained.ids().representative(mirror().apex(from)),
+            m_maintained.ids().representative(mirror().apex(to)), shifts()[to] - shifts()[from]));
     }
   }
 
@@ -349,7 +416,7 @@ private:
       mirror().for_each_corner(v, [&](Index h) {
         const Index spoke = Mirror::previous(h);
         if (mirror().target(spoke) != v || spoke == mirror().halfedge(mirror().edge_of(spoke)))
-          note_edge(kind, spoke);
+          note_edge(kind, spoke, m_log);
       });
   }
 
@@ -445,6 +512,7 @@ private:
 
   Maintained& m_maintained;
   std::vector<Index> m_corners;
+  std::vector<Flips_of_part> m_flips_of_parts;
   std::vector<Periodic_change_2> m_log;
 };
 

@@ -151,16 +151,14 @@ public:
     visit_and_write_flips(m_flipped);
   }
 
-  static constexpr bool can_flip_in_parts = true;
-
   // Calls f(part, try_flip) for all parts of `topology`, which threads share. try_flip(h) returns
   // whether the edge of half-edge h is inside of the part and its flip doubles no edge, which it
-  // cannot if `no_edge_doubles`, and flips it if so. CGAL's structure is flipped at the end of each
-  // part, or, where a visitor hears of it, part by part at the end. The result depends on the parts
-  // alone.
+  // cannot if `no_edge_doubles`, and flips it if so: at most `most` times in all. CGAL's structure
+  // is flipped at the end of each part, or, where a visitor hears of it, part by part at the end.
+  // The result depends on the parts alone.
   template <class Function>
   void flip_in_parts(const Topology_parts_2& topology, std::size_t parts, bool no_edge_doubles,
-                     const Function& f)
+                     std::size_t, const Function& f)
   {
     m_flipped_in_parts.resize((std::max)(parts, m_flipped_in_parts.size()));
     const auto finish = [&] {
@@ -776,7 +774,8 @@ private:
         return false;
       provide(flips, 1);
       flips.push_back(mirror.flip(h)); // throws nothing
-      CGAL_assertion(topology.was_inside(part, flips.back()));
+      CGAL_assertion(
+          topology.has_all(part, {flips.back().a, flips.back().b, flips.back().c, flips.back().d}));
       return true;
     };
     const auto write = [&] {

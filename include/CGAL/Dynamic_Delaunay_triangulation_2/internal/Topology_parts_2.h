@@ -9,7 +9,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <initializer_list>
 #include <vector>
 
 namespace CGAL {
@@ -26,6 +28,11 @@ namespace internal {
 // the part. So what is at edges with both ends in a part, and in faces with all vertices there,
 // changes by this part alone; the vertices of other faces, and what is at other edges, never.
 // Nothing else is read where edges are examined, or where a walk goes around a vertex of the part.
+//
+// In periodic space, edges whose corners have different shifts stand in the mirror with infinite
+// vertices alone. They are inside of no part. At the others all shifts of both faces are zero, as
+// those of first corners are. So flips inside of parts change no shifts, and an edge at the side of
+// such faces has corners with different shifts before as after.
 //
 // Parts are ranges of numbers, which are close in space as long as numbers follow a curve. Those of
 // vertices do so longer than those of faces, which every flip moves.
@@ -44,15 +51,15 @@ public:
   bool is_inside(std::size_t part, Index e) const
   {
     const Edge_2& edge = m_mirror.edge(e);
-    return has_vertex(part, edge.source) && has_vertex(part, edge.target) &&
-           has_vertex(part, edge.left) && has_vertex(part, edge.right);
+    return edge.source != edge.target && has_vertex(part, edge.source) &&
+           has_vertex(part, edge.target) && has_vertex(part, edge.left) &&
+           has_vertex(part, edge.right);
   }
 
-  // The same for an edge that was flipped.
-  bool was_inside(std::size_t part, const Flip_2& flip) const
+  bool has_all(std::size_t part, std::initializer_list<Index> vertices) const
   {
-    return has_vertex(part, flip.a) && has_vertex(part, flip.b) && has_vertex(part, flip.c) &&
-           has_vertex(part, flip.d);
+    return std::all_of(vertices.begin(), vertices.end(),
+                       [&](Index v) { return has_vertex(part, v); });
   }
 
   // For a pass over a list of edges that asks part_of() and is_inside().

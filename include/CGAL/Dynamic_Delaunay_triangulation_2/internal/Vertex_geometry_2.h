@@ -109,13 +109,14 @@ class Distances_2
   using FT = typename Traits::FT;
 
 public:
-  // Distances from p. Throws for coordinates that a point must not have.
-  Distances_2(const Dynamic& dt, const Point& p)
+  // Distances from p. Throws for coordinates that a point must not have, and says that it is the
+  // one with this number.
+  Distances_2(const Dynamic& dt, const Point& p, std::size_t number = 0)
     : m_dt(dt)
     , m_frame(dt.frame())
     , m_traits(dt.triangulation().geom_traits())
     , m_from(p)
-    , m_position(checked_position(p, 0, m_positions_are_exact))
+    , m_position(checked_position(p, number, m_positions_are_exact))
   {
     m_positions_are_exact = m_positions_are_exact && m_frame.positions_are_exact();
   }
