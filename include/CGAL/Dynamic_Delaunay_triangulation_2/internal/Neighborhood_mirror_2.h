@@ -90,6 +90,11 @@ public:
       prefetch(&m_corner[apex(side)]);
     }
   }
+  void prefetch_face(Index h) const
+  {
+    prefetch(&m_halfedges[h / 3 * 3]);
+    prefetch(&m_halfedges[h / 3 * 3 + 2].edge);
+  }
   // Calls f(edge) for the edges of the two faces at edge e other than e.
   template <class Function>
   void for_each_side(Index e, Function&& f) const
@@ -501,12 +506,6 @@ private:
     Edge_2& edge = m_edges[e];
     for (Index* v : {&edge.source, &edge.target, &edge.left, &edge.right})
       *v = *v == from ? to : *v;
-  }
-
-  void prefetch_face(Index h) const
-  {
-    prefetch(&m_halfedges[h / 3 * 3]);
-    prefetch(&m_halfedges[h / 3 * 3 + 2].edge);
   }
 
   // The three half-edges of a face stand together, because they are needed together.

@@ -103,13 +103,18 @@ public:
 
   // The sum of count(first, beyond) over all parts. Counts are integers.
   template <class Count>
-  static std::size_t sum(std::size_t size, const Count& count)
+  static std::size_t sum(std::size_t size, std::size_t least, const Count& count)
   {
     std::atomic<std::size_t> total{0};
-    for_each(size, [&](std::size_t, std::size_t first, std::size_t beyond) {
+    for_each(size, least, [&](std::size_t, std::size_t first, std::size_t beyond) {
       total.fetch_add(count(first, beyond), std::memory_order_relaxed);
     });
     return total;
+  }
+  template <class Count>
+  static std::size_t sum(std::size_t size, const Count& count)
+  {
+    return sum(size, usual_size, count);
   }
 
   // Whether several threads would share so many parts.

@@ -229,6 +229,30 @@ public:
       prefetch(&*m_topology.m_vertices[v]);
   }
 
+  // Fetches what take_out() will write around v: first handles, to be called some time before, then
+  // what they refer to.
+  void prefetch_handles_around(Index v) const
+  {
+    const auto& mirror = m_topology.m_mirror;
+    mirror.for_each_corner(v, [&](Index h) {
+      prefetch(&m_topology.m_faces[h / 3]);
+      prefetch(&m_topology.m_vertices[mirror.source(h)]);
+      prefetch(&m_maintained.positions()[mirror.source(h)]);
+      mirror.prefetch_edge(mirror.edge_of(h));
+      mirror.prefetch_edge(mirror.edge_of(Neighborhood_mirror_2::next(h)));
+      mirror.prefetch_face(mirror.twin(h));
+    });
+  }
+  void prefetch_faces_around(Index v) const
+  {
+    const auto& mirror = m_topology.m_mirror;
+    mirror.for_each_corner(v, [&](Index h) {
+      prefetch_face(m_topology.m_faces[h / 3]);
+      prefetch(&m_topology.m_faces[mirror.twin(h) / 3]);
+      prefetch(&*m_topology.m_vertices[mirror.source(h)]);
+    });
+  }
+
   // OUT OF FACES AND INTO FACES -------------------------------------------------------------------
   // To take a vertex out, edges are flipped until it has degree 3, and its faces become one. To put
   // one in, a face is split. Both work for any positions. The results are Delaunay only by chance.
