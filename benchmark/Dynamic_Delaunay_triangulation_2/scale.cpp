@@ -10,8 +10,10 @@
 //   drift         all points move by the same hundredth of a spacing a frame
 //   calm          Brownian motion with steps of 0.001 spacings
 //   rough         the same with steps of 0.03 spacings
+//   jumps         every hundredth point jumps anywhere, the others move as in calm frames
 //   rebuild       the same, and the policy has every frame rebuilt
 //   construction  of the first frame, into memory that is new
+//   cell rough, cell construction   the same in a periodic cell, up to a million points
 //
 // Columns of the first table, wall-clock time in nanoseconds a point:
 //   total         median over the frames; worst is the slowest of them
@@ -63,10 +65,12 @@ struct Scale_options
   bool is_quick = false;
 };
 
-const Motion_kind drift{"drift", 0.01, 0.0, false};
-const Motion_kind calm{"calm", 0.0, 0.001, false};
-const Motion_kind rough{"rough", 0.0, 0.03, false};
-const Motion_kind rebuild{"rebuild", 0.0, 0.03, true};
+const Motion_kind drift{"drift", 0.01, 0.0, 0.0, false};
+const Motion_kind calm{"calm", 0.0, 0.001, 0.0, false};
+const Motion_kind rough{"rough", 0.0, 0.03, 0.0, false};
+const Motion_kind jumps{"jumps", 0.0, 0.001, 0.01, false};
+const Motion_kind rebuild{"rebuild", 0.0, 0.03, 0.0, true};
+const Motion_kind cell_rough{"cell rough", 0.0, 0.03, 0.0, false};
 
 void add_options(CLI::App& app, Scale_options& options)
 {
@@ -95,20 +99,26 @@ Frame_numbers frame_numbers(std::size_t points, bool is_quick)
 
 std::vector<Case_record> run_cases(const Scale_options& options, Time_table& table)
 {
+  constexpr std::size_t most_in_a_cell = 1'000'000;
   std::vector<Case_record> records;
   for (const std::size_t points : options.points) {
-    const Scale_run run(points, options.threads);
+    const Scale_run<In_the_plane> run(points, options.threads);
     const Frame_numbers frames = frame_numbers(points, options.is_quick);
     const auto take = [&](Case_record record) {
       table.write_rows(record);
       records.push_back(std::move(record));
     };
-    for (const Motion_kind& kind : {drift, calm, rough}) {
+    for (const Motion_kind& kind : {drift, calm, rough, jumps}) {
       take(run.follow(kind, frames));
     }
     const std::size_t rebuilds = (std::min)(frames.timed, std::size_t(3) + frames.timed / 8);
     take(run.follow(rebuild, {1, rebuilds}));
-    take(run.construct(rebuilds));
+    take(run.construct("construction", rebuilds));
+    if (points <= most_in_a_cell) {
+      const Scale_run<In_a_cell> cell_run(points, options.threads);
+      take(cell_run.follow(cell_rough, frames));
+      take(cell_run.construct("cell construction", rebuilds));
+    }
   }
   return records;
 }

@@ -50,7 +50,7 @@ public:
     Scale_motion motion(m_points);
     record.cgal = bytes_of_cgal(motion.points());
     const Meter meter;
-    Threaded_triangulation triangulation(m_threads);
+    Threaded_triangulation<In_the_plane> triangulation(m_threads);
     common::start_peak();
     triangulation.build(motion.points());
     record.constructed = meter.live();

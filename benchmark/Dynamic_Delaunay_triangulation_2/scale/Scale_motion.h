@@ -8,6 +8,7 @@
 #include "scenario_runner/Simulated_motion.h"
 #include "scenario_runner/Static_triangulation.h"
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ struct Motion_kind
   std::string name;
   double drift;  // of all points alike, in spacings
   double step;   // of each coordinate on its own, standard deviation
+  double jumps;  // the share of points that jump anywhere
   bool rebuilds; // the policy asks for it
 };
 
@@ -41,6 +43,14 @@ public:
     for (auto& point : m_points) {
       const double dx = displacement(kind);
       point = {point.x() + dx, point.y() + displacement(kind)};
+    }
+    const auto size = static_cast<double>(m_points.size());
+    const double side = std::sqrt(size);
+    const auto jumps = static_cast<std::size_t>(kind.jumps * size);
+    for (std::size_t i = 0; i != jumps; ++i) {
+      const auto id = static_cast<std::size_t>(m_random.uniform(0.0, size));
+      const double x = m_random.uniform(0.0, side);
+      m_points[id] = {x, m_random.uniform(0.0, side)};
     }
   }
 

@@ -22,7 +22,7 @@ namespace scale {
 
 using Bandwidths = std::map<unsigned, Bandwidth>; // by threads
 
-constexpr int name_width = 22;
+constexpr int name_width = 25;
 
 inline std::string name_of(const Case_record& record)
 {

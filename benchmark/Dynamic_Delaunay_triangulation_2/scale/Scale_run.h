@@ -9,8 +9,8 @@
 #include "scenario_runner/Measurement.h"
 #include "Threaded_triangulation.h"
 
-#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -41,6 +41,7 @@ struct Frame_numbers
 
 // Lets one triangulation for each number of threads follow the same frames, in turn, the order
 // rotating. Where memory might not hold all of them, one follows all frames after the other.
+template <class Space>
 class Scale_run
 {
 public:
@@ -70,9 +71,9 @@ public:
     });
   }
 
-  Case_record construct(std::size_t times) const
+  Case_record construct(const std::string& name, std::size_t times) const
   {
-    return in_groups("construction", [&](const Group& group, const std::vector<Series*>& series) {
+    return in_groups(name, [&](const Group& group, const std::vector<Series*>& series) {
       const Points points = Scale_motion(m_points).points();
       for (std::size_t round = 0; round != times; ++round) {
         common::in_turn(round, group.size(), [&](std::size_t i) {
@@ -86,7 +87,7 @@ public:
   }
 
 private:
-  using Group = std::vector<std::unique_ptr<Threaded_triangulation>>;
+  using Group = std::vector<std::unique_ptr<Threaded_triangulation<Space>>>;
 
   static constexpr std::size_t most_side_by_side = 3'000'000;
   static constexpr std::size_t most_to_compare = 200'000;
@@ -101,7 +102,7 @@ private:
     Group group;
     std::vector<Series*> series;
     for (Series& one : record.series) {
-      group.push_back(std::make_unique<Threaded_triangulation>(one.threads));
+      group.push_back(std::make_unique<Threaded_triangulation<Space>>(one.threads));
       series.push_back(&one);
       if (m_points > most_side_by_side || &one == &record.series.back()) {
         work(group, series);
@@ -117,17 +118,24 @@ private:
   {
     const auto& first = group.front()->dynamic();
     if (points.size() <= most_to_compare) {
-      common::require_equal(first, run::Static_triangulation(points.begin(), points.end()));
+      Space::require_right(first, points);
     }
     for (const auto& other : group) {
-      const auto &edges = first.frame().edges(), &other_edges = other->dynamic().frame().edges();
-      common::require(std::equal(edges.begin(), edges.end(), other_edges.begin(), other_edges.end(),
-                                 [](const auto& e, const auto& f) {
-                                   return e.source == f.source && e.target == f.target &&
-                                          e.left == f.left && e.right == f.right;
-                                 }),
+      common::require(have_equal_edges(first.frame(), other->dynamic().frame()),
                       "the number of threads has changed the result");
     }
+  }
+
+  template <class Frame>
+  static bool have_equal_edges(const Frame& first, const Frame& other)
+  {
+    bool are_equal = first.number_of_edges() == other.number_of_edges();
+    for (std::uint32_t i = 0; are_equal && i != first.number_of_edges(); ++i) {
+      const auto e = first.edge(i), f = other.edge(i);
+      are_equal =
+          e.source == f.source && e.target == f.target && e.left == f.left && e.right == f.right;
+    }
+    return are_equal;
   }
 
   std::size_t m_points;

@@ -12,9 +12,12 @@
 
 #include <CGAL/Default.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
+#include <CGAL/Periodic_cell_2.h>
 #include <CGAL/tags.h>
 #include <CGAL/Update_report_2.h>
 
+#include <cmath>
 #include <optional>
 
 namespace scale {
@@ -54,14 +57,54 @@ private:
   const bool* m_is_demanded;
 };
 
-// An exact triangulation that may use so many threads, whatever it does.
-class Threaded_triangulation
+// Where the points are, and what their triangulation is.
+struct In_the_plane
 {
-public:
   using Dynamic =
       CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, common::Timed_classifier,
                                              common::Timed_repair, CGAL::Default, Rebuild_on_demand,
                                              CGAL::Default, CGAL::Parallel_tag>;
+
+  static void build(std::optional<Dynamic>& dynamic, const Points& points,
+                    const Dynamic::Settings& settings)
+  {
+    dynamic.emplace(points.begin(), points.end(), settings);
+  }
+
+  static void require_right(const Dynamic& dynamic, const Points& points)
+  {
+    common::require_equal(dynamic, run::Static_triangulation(points.begin(), points.end()));
+  }
+};
+
+// In a square with an area of one for each point.
+struct In_a_cell
+{
+  using Dynamic =
+      CGAL::Dynamic_periodic_Delaunay_triangulation_2<run::Kernel, common::Timed_classifier,
+                                                      common::Timed_repair, Rebuild_on_demand,
+                                                      CGAL::Default, CGAL::Parallel_tag>;
+
+  static void build(std::optional<Dynamic>& dynamic, const Points& points,
+                    const Dynamic::Settings& settings)
+  {
+    const double side = std::sqrt(static_cast<double>(points.size()));
+    dynamic.emplace(points.begin(), points.end(), CGAL::Periodic_cell_2(side, side), settings);
+  }
+
+  // By all conditions of a triangulation, evaluated from scratch in exact arithmetic.
+  static void require_right(const Dynamic& dynamic, const Points&)
+  {
+    common::require(dynamic.is_valid(), "the triangulation is not valid");
+  }
+};
+
+// An exact triangulation that may use so many threads, whatever it does.
+template <class Space>
+class Threaded_triangulation
+{
+public:
+  using Dynamic = typename Space::Dynamic;
 
   explicit Threaded_triangulation(unsigned threads)
     : m_threads(threads)
@@ -73,13 +116,12 @@ public:
   // Nanoseconds.
   double build(const Points& points)
   {
-    const Dynamic::Settings settings{common::Timed_classifier(m_marks),
-                                     common::Timed_repair(m_marks),
-                                     {},
-                                     Rebuild_on_demand(m_marks, m_is_rebuild_demanded)};
-    return run::nanoseconds_of([&] {
-      m_threads.execute([&] { m_dynamic.emplace(points.begin(), points.end(), settings); });
-    });
+    const typename Dynamic::Settings settings{common::Timed_classifier(m_marks),
+                                              common::Timed_repair(m_marks),
+                                              {},
+                                              Rebuild_on_demand(m_marks, m_is_rebuild_demanded)};
+    return run::nanoseconds_of(
+        [&] { m_threads.execute([&] { Space::build(m_dynamic, points, settings); }); });
   }
 
   Frame_times update(const Points& points, bool is_rebuild_demanded)
