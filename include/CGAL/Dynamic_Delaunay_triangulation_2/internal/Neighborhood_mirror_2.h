@@ -149,6 +149,19 @@ public:
     return false;
   }
 
+  // Whether v and w have an edge. Walks around both in step, for the same reason.
+  bool are_neighbors(Index v, Index w) const
+  {
+    Index i = corner(v), k = corner(w);
+    do {
+      if (apex(next(i)) == w || apex(next(k)) == v)
+        return true;
+      i = next_corner(i);
+      k = next_corner(k);
+    } while (i != corner(v) && k != corner(w));
+    return false;
+  }
+
   // VERTICES OUTSIDE OF ALL FACES -------------------------------------------------------------
   //
   // A vertex that is taken out of its faces keeps a *slot*: its own number, and the numbers of two

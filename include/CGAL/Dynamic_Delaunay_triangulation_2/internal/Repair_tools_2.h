@@ -106,10 +106,12 @@ public:
   {
     if (ids.empty())
       return;
-    const std::size_t first_new = m_maintained.changes().new_edges.size();
-    const std::vector<Index> moved = m_traffic.remove(ids);
+    const bool are_delaunay = m_was_certified && m_movers == 0;
+    const std::vector<Index> moved = m_traffic.remove(ids, are_delaunay);
     m_hull_stays = m_hull_stays && moved.empty();
-    m_open.open_new_edges(m_maintained, first_new);
+    const std::size_t first_new = m_maintained.changes().new_edges.size();
+    if (m_traffic.remove_rest())
+      m_open.open_new_edges(m_maintained, first_new);
     for (const Index v : moved)
       Dynamic_frame_2<Maintained>(m_maintained).for_each_edge_that_sees(v, [this](Index e) {
         m_open.uncertain().push_back(e);

@@ -6,11 +6,11 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Star_polygon_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_parts_2.h>
 #include <CGAL/Triangulation_utils_2.h>
 
@@ -254,23 +254,25 @@ public:
   }
 
   // OUT OF FACES AND INTO FACES -------------------------------------------------------------------
-  // To take a vertex out, edges are flipped until it has degree 3, and its faces become one. To put
-  // one in, a face is split. Both work for any positions. The results are Delaunay only by chance.
+  // To take a vertex out, the faces around it are replaced by those of a triangulated polygon. To
+  // put one in, a face is split. Both work for any positions.
 
-  // Takes v out of all faces, to be put in again. `place` is the position that v has in the faces
-  // around it, which tells good flips from bad ones. If this throws, v is still in its faces.
-  Slot take_out(Index v, const Position_2& place)
+  // Takes the polygon's center out of all faces, to be put in again. If this throws, it is still in
+  // its faces.
+  Slot take_out(const Star_polygon_2& polygon)
   {
-    return take_out(v, place, [&] {
+    const Index v = polygon.center();
+    return take_out(polygon, [&] {
       m_topology.m_visitor_calls.before_vertex_relocation(m_topology.m_vertices[v],
                                                           m_topology.m_ids.representative(v));
     });
   }
 
   // The same for a vertex whose only point is removed.
-  Slot remove(Index v, const Position_2& place)
+  Slot remove(const Star_polygon_2& polygon)
   {
-    return take_out(v, place, [&] {
+    const Index v = polygon.center();
+    return take_out(polygon, [&] {
       const Index id = m_topology.m_ids.representative(v);
       m_topology.m_visitor_calls.before_vertex_removal(m_topology.m_vertices[v], id);
       m_topology.m_ids.remove_representative(id);
@@ -278,9 +280,9 @@ public:
   }
 
   // The same for a vertex whose points, at p, become duplicates at another vertex.
-  Slot merge(Index goes, const Position_2& place, Index stays, const Point& p)
+  Slot merge(const Star_polygon_2& polygon, Index stays, const Point& p)
   {
-    return take_out(goes, place, [&] { hand_points_to(stays, goes, p); });
+    return take_out(polygon, [&] { hand_points_to(stays, polygon.center(), p); });
   }
 
   // Puts the slot's vertex into a face. Throws nothing if everything is new, or if there is memory
@@ -521,92 +523,92 @@ private:
 
   // OUT OF FACES AND INTO FACES -------------------------------------------------------------------
 
-  // `vacate()`, which must not throw, is called before v leaves its last faces, after the visitor
-  // was told of them.
+  // `vacate()`, which must not throw, is called before the center leaves its faces, after the
+  // visitor was told of them.
   template <class Vacate>
-  Slot take_out(Index v, const Position_2& place, const Vacate& vacate)
+  Slot take_out(const Star_polygon_2& polygon, const Vacate& vacate)
   {
-    CGAL_precondition(!m_topology.m_mirror.is_outside(v));
-    flip_down(v, place);
-    provide(m_topology.m_changes.new_edges, 3);
-    auto& mirror = m_topology.m_mirror;
-    mirror.for_each_corner(v, [&](Index h) { // nothing throws from here on
-      m_topology.m_changes.new_edges.push_back(mirror.edge_of(h));
-      m_topology.m_visitor_calls.before_face_removal(m_topology.m_faces[h / 3]);
-    });
+    CGAL_precondition(!m_topology.m_mirror.is_outside(polygon.center()));
+    CGAL_precondition(polygon.is_triangulated());
+    auto& visitor_calls = m_topology.m_visitor_calls;
+    const auto& sides = polygon.sides();
+    provide(m_topology.m_changes.new_edges, sides.size());
+    m_open_sides.resize(sides.size()); // nothing throws from here on
+    for (const Star_polygon_2::Side& side : sides)
+      visitor_calls.before_face_removal(m_topology.m_faces[side.face]);
     vacate();
-    const Index face = mirror.corner(v) / 3;
-    const Slot slot = mirror.take_out(v);
-    write_face(face);
-    m_topology.m_visitor_calls.after_face_creation(m_topology.m_faces[face]);
+    write_ears(polygon);
+    const Slot slot = slot_left_by(polygon);
+    m_topology.m_mirror.empty(slot);
+    log_polygon(polygon);
+    for (std::size_t i = 0; i + 2 < sides.size(); ++i)
+      visitor_calls.after_face_creation(m_topology.m_faces[sides[i].face]);
     return slot;
   }
 
-  // Flips edges at v until it has degree 3. Such a flip always exists: if one of the triangles of
-  // consecutive neighbors has its third edge elsewhere already, this edge separates the others.
-  // Where the faces around v allow it, the new faces are counterclockwise.
-  void flip_down(Index v, const Position_2& place)
+  // A side of a polygon while ears are cut off: the half-edge outside of it, and its edge.
+  struct Open_side
   {
-    Index degree = m_topology.m_mirror.degree(v);
-    provide(m_flipped, degree);
-    provide(m_topology.m_changes.new_edges, degree);
-    flip_in_series([&](const auto& flip) {
-      for (const Ear ear : {Ear::CONVEX, Ear::AT_INFINITY, Ear::ANY})
-        degree -= cut_ears(v, place, degree, ear, flip);
-    });
-    CGAL_postcondition(degree == 3);
+    Index outer, edge;
+  };
+
+  // The i-th ear gets the i-th face of the center, and the edge that it leaves the i-th spoke.
+  void write_ears(const Star_polygon_2& polygon)
+  {
+    const auto& sides = polygon.sides();
+    const auto& ears = polygon.ears();
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      m_open_sides[i] = {sides[i].outer, sides[i].edge};
+    for (std::size_t i = 0; i < ears.size(); ++i) {
+      const Star_polygon_2::Ear& ear = ears[i];
+      const Index f = sides[i].face;
+      write_vertex(3 * f, sides[ear.before].corner);
+      write_vertex(3 * f + 1, sides[ear.tip].corner);
+      write_vertex(3 * f + 2, sides[ear.after].corner);
+      close(m_open_sides[ear.before], 3 * f + 2);
+      close(m_open_sides[ear.tip], 3 * f);
+      m_open_sides[ear.before] = {3 * f + 1, sides[i].spoke};
+    }
+    // the last ear is a triangle that has a side of the polygon for its third edge
+    const Star_polygon_2::Ear& last = ears.back();
+    close(m_open_sides[last.after], 3 * sides[ears.size() - 1].face + 1);
   }
 
-  enum class Ear { CONVEX, AT_INFINITY, ANY };
-
-  // Cuts off every other ear of this kind in each round, until there is none or v has degree 3. If
-  // ears were cut one after the other, their edges would all end at one vertex. Ears at infinity do
-  // so in any case, and are cut side by side. Gives up after a few rounds, because a round may find
-  // only the one ear that the last round has made, as at a vertex beside a line of a thousand; any
-  // ears will do in the end. Returns the number of ears.
-  template <class Flip>
-  Index cut_ears(Index v, const Position_2& place, Index degree, Ear kind, const Flip& flip)
+  // Puts v at the apex of half-edge h, in both structures.
+  void write_vertex(Index h, Index v)
   {
-    const auto& mirror = m_topology.m_mirror;
-    constexpr Index max_rounds = 4;
-    Index cut = 0, looks = kind == Ear::ANY ? no_index : max_rounds * degree;
-    Index corner = mirror.corner(v);
-    for (Index left = degree; left > 0 && looks > 0 && degree - cut > 3; --left, --looks) {
-      const Index h = Neighborhood_mirror_2::next(corner); // from the tip of the ear to v
-      if (is_ear(h, place, kind) && can_flip(h)) {
-        flip(h);
-        ++cut;
-        left = degree - cut + 1;
-        corner = mirror.corner(v);
-        if (kind == Ear::AT_INFINITY)
-          continue;
-      }
-      corner = mirror.next_corner(corner);
-    }
-    return cut;
+    const Face_handle f = m_topology.m_faces[h / 3];
+    m_topology.m_mirror.set_apex(h, v);
+    f->set_vertex(int(h % 3), m_topology.m_vertices[v]);
+    m_topology.m_vertices[v]->set_face(f);
   }
 
-  // Whether h goes from the tip of an ear of this kind to the vertex. Any answer is valid, so plain
-  // floating point suffices.
-  bool is_ear(Index h, const Position_2& place, Ear kind) const
+  // Makes h, whose face has its vertices, the other half-edge of an open side.
+  void close(const Open_side& side, Index h)
   {
-    const auto& mirror = m_topology.m_mirror;
-    const Index before = mirror.apex(h), tip = mirror.source(h);
-    const Index after = mirror.apex(mirror.twin(h));
-    const bool ends_at_infinity = before == infinite_index || after == infinite_index;
-    switch (kind) {
-    case Ear::CONVEX: {
-      if (tip == infinite_index || ends_at_infinity)
-        return false;
-      const auto& positions = m_maintained.positions();
-      const Position_2 &p = positions[before], &q = positions[tip], &r = positions[after];
-      return cross(q - p, r - p) > 0 && cross(p - place, r - place) >= 0;
-    }
-    case Ear::AT_INFINITY:
-      return tip != infinite_index && ends_at_infinity;
-    default:
-      return true;
-    }
+    link(h, side.outer);
+    m_topology.m_mirror.set_edge(side.edge, h);
+  }
+
+  // The numbers that write_ears() does not use.
+  static Slot slot_left_by(const Star_polygon_2& polygon)
+  {
+    const auto last = polygon.sides().end();
+    return {polygon.center(),
+            {(last - 2)->face, (last - 1)->face},
+            {(last - 3)->spoke, (last - 2)->spoke, (last - 1)->spoke}};
+  }
+
+  // Each new face has a new edge, or, if it is the only one, sides of the polygon.
+  void log_polygon(const Star_polygon_2& polygon)
+  {
+    auto& new_edges = m_topology.m_changes.new_edges;
+    const auto& sides = polygon.sides();
+    for (std::size_t i = 0; i + 3 < sides.size(); ++i)
+      new_edges.push_back(sides[i].spoke);
+    if (sides.size() == 3)
+      for (const Star_polygon_2::Side& side : sides)
+        new_edges.push_back(side.edge);
   }
 
   // Sorts the numbers in descending order. Then the last element is never empty, unless it is the
@@ -842,6 +844,7 @@ private:
   Topology& m_topology;
   Positions& m_positions;
   std::vector<Index> m_inner_edges;
+  std::vector<Open_side> m_open_sides;
   std::vector<Flip_2> m_flipped; // in their order
   std::vector<std::vector<Flip_2>> m_flipped_in_parts;
   std::vector<Index> m_empty_vertices, m_empty_faces, m_empty_edges; // to be dropped

@@ -13,6 +13,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Spatial_order_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Star_polygon_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
 #include <CGAL/enum.h>
 
@@ -455,20 +456,47 @@ public:
   void take_out(Index v)
   {
     provide_for_slot();
-    m_waiting.push_back(m_editor.take_out(v, previous_position(v)));
+    triangulate_anyhow_without(v);
+    m_waiting.push_back(m_editor.take_out(m_polygon));
+  }
+
+  // The same if everything is Delaunay, except that v may have moved, and if it is known how to
+  // leave everything so. False if not: then nothing is done.
+  bool take_out_of_delaunay(Index v)
+  {
+    provide_for_slot();
+    const bool is_known = triangulate_as_delaunay_without(v);
+    if (is_known)
+      m_waiting.push_back(m_editor.take_out(m_polygon));
+    return is_known;
   }
 
   // Removes the points with these ids. A representative leaves its vertex to a duplicate, if there
   // is one. Returns the vertices that have moved by that, because such a duplicate is to part.
-  std::vector<Index> remove(const std::vector<Index>& ids)
+  //
+  // If everything is Delaunay (`are_delaunay`), it stays so. Other vertices keep their points until
+  // remove_rest().
+  std::vector<Index> remove(const std::vector<Index>& ids, bool are_delaunay)
   {
     std::vector<Index> moved;
     m_editor.provide_for_removals(ids.size());
+    m_rest.clear();
     for (const Index id : ids)
-      remove(id, moved);
+      remove(id, are_delaunay, moved);
     const auto is_outside = [this](Index v) { return m_maintained.mirror().is_outside(v); };
     moved.erase(std::remove_if(moved.begin(), moved.end(), is_outside), moved.end());
     return moved;
+  }
+
+  // Removes the other vertices of the last call of remove(). Whether there were any.
+  bool remove_rest()
+  {
+    for (const Index v : m_rest) {
+      provide_for_slot();
+      triangulate_anyhow_without(v);
+      m_empty.push_back(m_editor.remove(m_polygon));
+    }
+    return !m_rest.empty();
   }
 
   // Merges vertices of the list that coincide: the one with the smallest id stays, and the points
@@ -493,7 +521,8 @@ public:
         std::swap(stays, goes);
       provide_for_slot();
       const Point p = m_maintained.point(goes);
-      m_empty.push_back(m_editor.merge(goes, previous_position(goes), stays, p));
+      triangulate_anyhow_without(goes);
+      m_empty.push_back(m_editor.merge(m_polygon, stays, p));
     }
     return pairs.size();
   }
@@ -567,28 +596,44 @@ private:
     m_editor.provide_for_drop(2 * max_slots);
   }
 
-  Position_2 previous_position(Index v) const
+  bool triangulate_as_delaunay_without(Index v)
   {
-    return approximation(m_maintained.previous_point(v));
+    m_polygon.read(m_maintained.mirror(), v);
+    return m_polygon.triangulate_as_delaunay(m_maintained);
   }
 
-  void remove(Index id, std::vector<Index>& moved)
+  // The faces around v have it at its previous position.
+  void triangulate_anyhow_without(Index v)
+  {
+    m_polygon.read(m_maintained.mirror(), v);
+    m_polygon.triangulate_anyhow(m_maintained, m_maintained.previous_position(v));
+  }
+
+  void remove(Index id, bool are_delaunay, std::vector<Index>& moved)
   {
     const auto& ids = m_maintained.ids();
     const Index v = ids.vertex(id);
     if (ids.is_representative(id)) {
       const Index successor = ids.find_duplicate_at(v, [](const auto&) { return true; });
-      if (successor == no_index) {
-        provide_for_slot();
-        m_empty.push_back(m_editor.remove(v, previous_position(v)));
-        return;
-      }
+      if (successor == no_index)
+        return remove_vertex(v, are_delaunay);
       const Point place = m_maintained.point(v);
       if (!coincide(m_maintained.traits(), place, ids.duplicate(successor).point))
         moved.push_back(v);
       m_editor.hand_over(successor, v, place);
     }
     m_editor.remove_duplicate(id);
+  }
+
+  // Removes v if that leaves everything Delaunay, otherwise lists it.
+  void remove_vertex(Index v, bool are_delaunay)
+  {
+    provide(m_rest, 1);
+    provide_for_slot();
+    if (are_delaunay && triangulate_as_delaunay_without(v))
+      m_empty.push_back(m_editor.remove(m_polygon));
+    else
+      m_rest.push_back(v);
   }
 
   // Collects the positions to put in: those of waiting vertices, then those of parted duplicates,
@@ -696,6 +741,8 @@ private:
   Vertex_order_2<Maintained> m_meeting_order;
   Spatial_order_2 m_order;
   std::vector<Position_2> m_places;
+  Star_polygon_2 m_polygon;    // around the vertex that goes
+  std::vector<Index> m_rest;   // vertices that are to go
   std::vector<Slot> m_waiting; // of vertices that jumped
   std::vector<Slot> m_empty;   // of vertices without points
   std::vector<Index> m_coming_ids;

@@ -1,0 +1,288 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Single points are removed, moved and inserted where everything is Delaunay, and all stays so
+// without a further look.
+
+#include "oracle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <iterator>
+#include <limits>
+#include <random>
+#include <set>
+#include <vector>
+
+namespace {
+
+using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
+using Point = Epick::Point_2;
+using Points = std::vector<Point>;
+
+std::size_t degree_of(const Dynamic& dt, std::size_t id)
+{
+  return dt.tds().degree(dt.vertex(id));
+}
+
+bool is_on_hull(const Dynamic& dt, std::size_t id)
+{
+  return dt.triangulation().is_edge(dt.vertex(id), dt.infinite_vertex());
+}
+
+// Others far away from the origin, enough that one change is worth no rebuild.
+void add_surroundings(Points& points)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> distance(900, 1100);
+  for (int i = 0; i < 60; ++i) {
+    const double angle = 2 * CGAL_PI * i / 60, r = distance(random);
+    points.push_back(Point(r * std::cos(angle), r * std::sin(angle)));
+  }
+}
+
+// A point in the middle of so many others, which are nearly on a circle, and surroundings.
+Points wheel(std::size_t spokes, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> part(0, 0.4);
+  Points points(1, Point(0, 0));
+  for (std::size_t i = 0; i < spokes; ++i) {
+    const double angle = 2 * CGAL_PI * (double(i) + part(random)) / double(spokes);
+    points.push_back(Point(2 * std::cos(angle), 2 * std::sin(angle)));
+  }
+  add_surroundings(points);
+  return points;
+}
+
+// A point inside of so many others, which are exactly on a circle, and surroundings.
+Points exact_wheel(std::size_t spokes)
+{
+  const Points circle = Cloud<Epick>::on_circle(36);
+  Points upper, lower;
+  for (const Point& p : circle)
+    (p.y() > 0 ? upper : lower).push_back(p);
+  Points points(1, Point(1, 2));
+  for (std::size_t i = 0; i < spokes / 2; ++i) {
+    points.push_back(upper[i * upper.size() / (spokes / 2)]);
+    points.push_back(lower[i * lower.size() / (spokes / 2)]);
+  }
+  add_surroundings(points);
+  return points;
+}
+
+// How many flips follow.
+enum class Flips { NONE, ANY };
+
+void expect_exact_without_first(const Points& points, Flips flips)
+{
+  Dynamic dt(points.begin(), points.end());
+  const CGAL::Update_report_2 report = dt.remove(0);
+  if (flips == Flips::NONE) {
+    EXPECT_FALSE(report.rebuilt());
+    EXPECT_EQ(report.flips, 0u);
+  }
+  const Model<Dynamic> model = model_of(dt);
+  EXPECT_EQ(model.size() + 1, points.size());
+  expect_exact(dt, model);
+}
+
+TEST(A_removal, leaves_faces_that_are_delaunay_whatever_the_degree)
+{
+  for (std::size_t spokes = 3; spokes <= 24; ++spokes)
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      SCOPED_TRACE(spokes);
+      const Points points = wheel(spokes, seed);
+      ASSERT_EQ(degree_of(Dynamic(points.begin(), points.end()), 0), spokes);
+      ASSERT_NO_FATAL_FAILURE(expect_exact_without_first(points, Flips::NONE));
+    }
+}
+
+TEST(A_removal, of_a_hub_with_many_neighbors_is_exact_too)
+{
+  for (const std::size_t spokes : {25, 26, 40, 300})
+    ASSERT_NO_FATAL_FAILURE(expect_exact_without_first(wheel(spokes, 1), Flips::ANY));
+}
+
+TEST(A_removal, inside_of_points_on_one_circle_leaves_any_of_their_triangulations)
+{
+  for (const std::size_t n : {4, 6, 8, 12, 16, 24})
+    ASSERT_NO_FATAL_FAILURE(expect_exact_without_first(exact_wheel(n), Flips::NONE));
+}
+
+// One of several vertices on a circle: the vertex itself is on the circle of the new faces.
+TEST(A_removal, of_one_of_many_points_on_one_circle_is_exact)
+{
+  Points points = Cloud<Epick>::on_circle(24);
+  for (const double place : {-1000., 1000.}) {
+    points.push_back(Point(place, 7));
+    points.push_back(Point(3, place));
+  }
+  for (std::size_t id = 0; id < points.size(); ++id) {
+    Dynamic dt(points.begin(), points.end());
+    dt.remove(id);
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model_of(dt)));
+  }
+}
+
+TEST(A_removal, of_each_point_of_a_lattice_in_any_order_is_exact)
+{
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    std::mt19937 random(seed);
+    const Points points = Cloud<Epick>::grid(7, 6);
+    Dynamic dt(points.begin(), points.end());
+    std::vector<std::size_t> ids(points.size());
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      ids[i] = i;
+    std::shuffle(ids.begin(), ids.end(), random);
+    for (const std::size_t id : ids) {
+      dt.remove(id);
+      ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model_of(dt)));
+    }
+  }
+}
+
+// Points that are moved off a circle by the least that doubles can tell.
+TEST(A_removal, amid_ties_that_are_off_by_one_digit_is_exact)
+{
+  std::mt19937 random(3);
+  const double up = std::numeric_limits<double>::infinity();
+  const auto nearly = [&](double x) {
+    const auto kind = random() % 3;
+    return kind == 0 ? x : std::nextafter(x, kind == 1 ? up : -up);
+  };
+  for (int run = 0; run < 200; ++run) {
+    Points points = exact_wheel(12);
+    for (std::size_t i = 1; i <= 12; ++i) {
+      const double x = nearly(points[i].x());
+      points[i] = Point(x, nearly(points[i].y()));
+    }
+    ASSERT_NO_FATAL_FAILURE(expect_exact_without_first(points, Flips::NONE));
+  }
+}
+
+TEST(A_removal, of_vertices_of_a_cloud_meets_all_usual_degrees_and_hardly_ever_flips)
+{
+  Cloud<Epick> cloud(5);
+  const Points points = cloud.uniform(2000);
+  Dynamic dt(points.begin(), points.end());
+  std::set<std::size_t> degrees;
+  for (std::size_t id = 0; id < 1500; ++id) {
+    const bool is_outside = is_on_hull(dt, id);
+    degrees.insert(degree_of(dt, id));
+    const CGAL::Update_report_2 report = dt.remove(id);
+    if (!is_outside) {
+      ASSERT_EQ(report.flips, 0u);
+    }
+    ASSERT_TRUE(report.certified);
+  }
+  for (std::size_t degree = 3; degree <= 10; ++degree)
+    EXPECT_EQ(degrees.count(degree), 1u) << degree;
+  expect_exact(dt, model_of(dt));
+}
+
+TEST(Removals, of_many_vertices_in_one_call_are_exact_whether_they_are_at_the_hull_or_not)
+{
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    Cloud<Epick> cloud(seed);
+    const Points points = cloud.uniform(400);
+    Dynamic dt(points.begin(), points.end());
+    std::vector<std::size_t> ids;
+    for (std::size_t id = 0; id < points.size(); ++id)
+      if ((is_on_hull(dt, id) && ids.size() < 20) || id % 40 == seed)
+        ids.push_back(id);
+    const CGAL::Update_report_2 report = dt.remove(ids.begin(), ids.end());
+    EXPECT_FALSE(report.rebuilt());
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model_of(dt)));
+  }
+}
+
+// A program that changes one point at a time. Few places, so that points coincide and are on lines
+// and circles; from time to time there are hardly any points.
+class Any_single_changes
+{
+public:
+  explicit Any_single_changes(unsigned seed)
+    : m_random(seed)
+    , m_is_lattice(seed % 2 == 0)
+    , m_most(6 + seed % 5 * 15)
+  {
+  }
+
+  void run(std::size_t steps, std::size_t steps_between_looks)
+  {
+    for (std::size_t step = 0; step < steps; ++step) {
+      change();
+      if (step % steps_between_looks == 0) {
+        ASSERT_NO_FATAL_FAILURE(expect_exact(m_dt, m_model)) << "step " << step;
+      }
+      ASSERT_TRUE(m_dt.is_certified());
+    }
+    expect_exact(m_dt, m_model);
+  }
+
+private:
+  Point place()
+  {
+    if (m_is_lattice)
+      return Point(double(m_random() % 9), double(m_random() % 7));
+    std::uniform_real_distribution<double> coordinate(0, 9);
+    const double x = coordinate(m_random);
+    return Point(x, coordinate(m_random));
+  }
+
+  Point beside(const Point& p)
+  {
+    if (m_is_lattice)
+      return Point(p.x() + double(m_random() % 3) - 1, p.y() + double(m_random() % 3) - 1);
+    std::normal_distribution<double> step(0, 0.2);
+    const double dx = step(m_random);
+    return Point(p.x() + dx, p.y() + step(m_random));
+  }
+
+  void change()
+  {
+    m_is_growing =
+        m_model.size() < 2 || (m_is_growing ? m_model.size() < m_most : m_random() % 500 == 0);
+    const unsigned kind = m_random() % 8;
+    if (m_model.empty() || kind < (m_is_growing ? 3 : 2)) {
+      const Point p = place();
+      m_model.emplace(m_dt.insert(p), p);
+      return;
+    }
+    const auto any = std::next(m_model.begin(), std::ptrdiff_t(m_random() % m_model.size()));
+    if (kind < 4) {
+      m_dt.remove(any->first);
+      m_model.erase(any);
+    } else {
+      any->second = kind < 6 ? place() : beside(any->second);
+      m_dt.move(any->first, any->second);
+    }
+  }
+
+  std::mt19937 m_random;
+  bool m_is_lattice;
+  std::size_t m_most;
+  bool m_is_growing = true;
+  Dynamic m_dt;
+  Model<Dynamic> m_model;
+};
+
+std::size_t number_of_steps()
+{
+  const char* const steps = std::getenv("DYNAMIC_DELAUNAY_SINGLE_CHANGES");
+  return steps == nullptr ? 20000 : std::size_t(std::strtoull(steps, nullptr, 10));
+}
+
+TEST(Single_changes, are_exact_whatever_comes_goes_and_moves_near_or_far)
+{
+  constexpr unsigned seeds = 20;
+  for (unsigned seed = 0; seed < seeds; ++seed) {
+    SCOPED_TRACE(seed);
+    ASSERT_NO_FATAL_FAILURE(Any_single_changes(seed).run(number_of_steps() / seeds, 5));
+  }
+}
+
+} // namespace
