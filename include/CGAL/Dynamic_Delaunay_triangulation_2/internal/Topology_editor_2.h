@@ -540,7 +540,7 @@ private:
     write_ears(polygon);
     const Slot slot = slot_left_by(polygon);
     m_topology.m_mirror.empty(slot);
-    log_polygon(polygon);
+    log_ears(polygon);
     for (std::size_t i = 0; i + 2 < sides.size(); ++i)
       visitor_calls.after_face_creation(m_topology.m_faces[sides[i].face]);
     return slot;
@@ -599,16 +599,16 @@ private:
             {(last - 3)->spoke, (last - 2)->spoke, (last - 1)->spoke}};
   }
 
-  // Each new face has a new edge, or, if it is the only one, sides of the polygon.
-  void log_polygon(const Star_polygon_2& polygon)
+  // Logs all edges of the last face: it has no new one if it is the only face.
+  void log_ears(const Star_polygon_2& polygon)
   {
     auto& new_edges = m_topology.m_changes.new_edges;
     const auto& sides = polygon.sides();
     for (std::size_t i = 0; i + 3 < sides.size(); ++i)
       new_edges.push_back(sides[i].spoke);
-    if (sides.size() == 3)
-      for (const Star_polygon_2::Side& side : sides)
-        new_edges.push_back(side.edge);
+    const Index last = sides[sides.size() - 3].face;
+    for (Index h = 3 * last; h < 3 * last + 3; ++h)
+      new_edges.push_back(m_topology.m_mirror.edge_of(h));
   }
 
   // Sorts the numbers in descending order. Then the last element is never empty, unless it is the
