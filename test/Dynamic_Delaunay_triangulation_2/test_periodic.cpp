@@ -582,8 +582,8 @@ TEST(Predicates_of_the_torus, are_those_of_exact_arithmetic)
   EXPECT_GT(undecided, 100u); // or the test had nothing hard
 }
 
-// The left corner is nearly on the line through the edge, beyond it: its face is counterclockwise
-// or not by a hair, and its circle far from the right corner.
+// A corner is nearly on the line through the edge, beyond it: its face is counterclockwise or not
+// by a hair, and its circle far from the corner on the other side.
 TEST(Predicates_of_the_torus, see_flat_faces_of_edges_with_empty_circles)
 {
   using namespace CGAL::Dynamic_Delaunay_triangulations_2;
@@ -610,9 +610,11 @@ TEST(Predicates_of_the_torus, see_flat_faces_of_edges_with_empty_circles)
         CGAL::left_turn(exact_a, Exact::Point_2(b.x(), b.y()), Exact::Point_2(c.x(), c.y()));
     const Edge_images_2 corners{
         {a, shift}, {{b.x(), b.y()}, {0, 0}}, {{c.x(), c.y()}, {0, 0}}, {{d.x(), d.y()}, {0, 0}}};
-    const Edge_state_2 state = torus.edge_state(corners);
-    ASSERT_EQ(state == Edge_state_2::DELAUNAY, is_left) << i;
-    ASSERT_TRUE(is_left || torus.filter_proves_delaunay({corners, corners, corners, corners}) == 0);
+    const Edge_images_2 turned{corners.right, corners.target, corners.source, corners.left};
+    for (const Edge_images_2& edge : {corners, turned}) {
+      ASSERT_EQ(torus.edge_state(edge) == Edge_state_2::DELAUNAY, is_left) << i;
+      ASSERT_TRUE(is_left || torus.filter_proves_delaunay({edge, edge, edge, edge}) == 0) << i;
+    }
     flat += !is_left;
   }
   EXPECT_GT(flat, 500u);
