@@ -116,9 +116,9 @@ public:
   /// \tparam ForwardIterator has the value type `Point`.
   /// \tparam OutputIterator takes values of `std::optional<size_type>`.
   /// \return where the next id would be written.
-  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite. \throws
-  /// Coordinate_range_error_2 if a coordinate is too large for this program. Both say which place
-  /// of the range that is.
+  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
+  /// \throws Coordinate_range_error_2 if a coordinate is too large for this program. Both say which
+  /// place of the range that is.
   template <class ForwardIterator, class OutputIterator>
   OutputIterator nearest(ForwardIterator first, ForwardIterator beyond, OutputIterator ids) const
   {
@@ -186,9 +186,9 @@ public:
   /// replaced, and not changed if this throws.
   /// \tparam ForwardIterator has the value type `Point`.
   /// \throws Parameter_error_2 if the squared radius is negative or not a finite number.
-  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite. \throws
-  /// Coordinate_range_error_2 if a coordinate is too large for this program. Both say which place
-  /// of the range that is.
+  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
+  /// \throws Coordinate_range_error_2 if a coordinate is too large for this program. Both say which
+  /// place of the range that is.
   template <class ForwardIterator>
   void within(ForwardIterator first, ForwardIterator beyond, const FT& squared_radius,
               std::vector<size_type>& ids, std::vector<size_type>& begins) const

@@ -50,13 +50,17 @@
 namespace {
 
 namespace internal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
+using CGAL::Dynamic_Delaunay_triangulations_2::Position_2;
 using Point = Epick::Point_2;
 using Points = std::vector<Point>;
 
-// So many that every pass has many parts.
-constexpr std::size_t many = 2000;
+// So many points that every pass has many parts, and fewer for most of a thousand runs: every pass
+// still has some parts.
+constexpr std::size_t many = 2000, fewer = 400;
 
-// How often each comparison is made: DYNAMIC_DELAUNAY_THREAD_RUNS=1000 for a longer look.
+// How often each comparison is made: DYNAMIC_DELAUNAY_THREAD_RUNS=1000 for a longer look. So many
+// of them are of many points.
+constexpr int long_runs = 20;
 int number_of_runs()
 {
   const char* const text = std::getenv("DYNAMIC_DELAUNAY_THREAD_RUNS");
@@ -111,16 +115,24 @@ public:
           std::size_t(report.certified)})
       note_number(count);
   }
-  // With all numbers of vertices, edges and faces, and all bits of the coordinates, and in the
-  // plane with CGAL's structure.
+  // With all numbers of vertices, edges and faces, and all bits of the coordinates.
   template <class Dynamic>
   void note_state(const Dynamic& dt)
   {
     std::stringstream state;
     dt.write_checkpoint(state);
     note(state.str());
-    if constexpr (is_planar<Dynamic>)
+  }
+  // What a frame may change: the edges by vertices, and CGAL's structure with all points. It takes
+  // a quarter of the time. In periodic space everything.
+  template <class Dynamic>
+  void note_frame(const Dynamic& dt)
+  {
+    if constexpr (is_planar<Dynamic>) {
+      note_all(dt.frame().edges());
       note_structure(dt);
+    } else
+      note_state(dt);
   }
 
   std::uint64_t hash() const { return m_hash; }
@@ -135,8 +147,13 @@ private:
         note_vertex(dt, f->vertex(i));
         note_vertices(dt, f->neighbor(i));
       }
-    for (auto v = tds.vertices_begin(); v != tds.vertices_end(); ++v)
+    for (auto v = tds.vertices_begin(); v != tds.vertices_end(); ++v) {
       note_vertices(dt, v->face());
+      if (v == dt.infinite_vertex())
+        continue;
+      note_number(v->point().x());
+      note_number(v->point().y());
+    }
   }
   // Faces are known by their vertices.
   template <class Dynamic>
@@ -153,8 +170,6 @@ private:
     if (v == typename Dynamic::Vertex_handle() || v == dt.infinite_vertex())
       return note("-");
     note_number(dt.id(v));
-    note_number(v->point().x());
-    note_number(v->point().y());
   }
 
   std::uint64_t m_hash = 0xcbf29ce484222325u;
@@ -265,18 +280,29 @@ using Parallel = Planar<CGAL::Parallel_tag>;
 template <class Tag>
 constexpr bool is_reference = std::is_same_v<Tag, CGAL::Sequential_tag>;
 
-// `play.run<Tag>(diary)` has to be the same with any number of threads, and without the tag.
 template <class Play>
-void expect_equal_diaries(const Play& play)
+void expect_equal_diaries(const Play& play, int first_run, int beyond)
 {
   Diary sequential;
   play.template run<CGAL::Sequential_tag>(sequential);
-  for (int run = 0; run < number_of_runs(); ++run)
+  for (int run = first_run; run < beyond; ++run)
     for (const int threads : {1, 2, 3, 8}) {
       Diary diary;
       with_threads(threads, [&] { play.template run<CGAL::Parallel_tag>(diary); });
       ASSERT_EQ(diary.hash(), sequential.hash()) << threads << " threads, run " << run;
     }
+}
+
+// Where `make(n)` makes a play of n points, `play.run<Tag>(diary)` has to be the same with any
+// number of threads, and without the tag.
+template <class Make>
+void expect_equal_diaries(const Make& make)
+{
+  const int runs = number_of_runs();
+  ASSERT_NO_FATAL_FAILURE(expect_equal_diaries(make(many), 0, (std::min)(runs, long_runs)));
+  if (runs > long_runs) {
+    ASSERT_NO_FATAL_FAILURE(expect_equal_diaries(make(fewer), long_runs, runs));
+  }
 }
 
 template <class Dynamic>
@@ -328,11 +354,12 @@ private:
         cloud.shake(moved, step);
       diary.note(dt.update(moved));
       diary.note_all(dt.classified_vertices());
-      diary.note_state(dt);
+      diary.note_frame(dt);
       if constexpr (is_checked) {
         ASSERT_NO_FATAL_FAILURE(expect_exact(dt, moved)) << "frame " << frame;
       }
     }
+    diary.note_state(dt);
     CGAL::Delaunay_neighbor_lists_2 neighbors;
     neighbors.compute(dt);
     diary.note_all(neighbors.neighbors());
@@ -346,67 +373,74 @@ private:
 
 TEST(Threads, change_nothing_while_points_hardly_move)
 {
-  expect_equal_diaries(Motion{Cloud<Epick>(1).uniform(many), 1e-6, 12});
+  expect_equal_diaries([](std::size_t n) { return Motion{Cloud<Epick>(1).uniform(n), 1e-6, 12}; });
 }
 
 TEST(Threads, change_nothing_where_edges_are_flipped)
 {
-  expect_equal_diaries(Motion{Cloud<Epick>(2).uniform(many), 0.03});
+  expect_equal_diaries([](std::size_t n) { return Motion{Cloud<Epick>(2).uniform(n), 0.03}; });
 }
 
 TEST(Threads, change_nothing_where_everything_is_rebuilt)
 {
-  expect_equal_diaries(Motion{Cloud<Epick>(3).uniform(many), 30});
+  expect_equal_diaries([](std::size_t n) { return Motion{Cloud<Epick>(3).uniform(n), 30}; });
 }
 
 TEST(Threads, change_nothing_where_all_numbers_fit_after_a_rebuild)
 {
-  expect_equal_diaries(Motion{Cloud<Epick>(4).uniform(many), 0.7});
+  expect_equal_diaries([](std::size_t n) { return Motion{Cloud<Epick>(4).uniform(n), 0.7}; });
 }
 
 TEST(Threads, change_nothing_on_a_grid_full_of_ties)
 {
-  expect_equal_diaries(Motion{Cloud<Epick>::grid(50, 40), 0});
+  expect_equal_diaries([](std::size_t n) { return Motion{Cloud<Epick>::grid(n / 40, 40), 0}; });
 }
 
 TEST(Threads, change_nothing_on_a_line)
 {
-  Points line;
-  for (std::size_t i = 0; i < many; ++i)
-    line.emplace_back(double(i * 7919 % many), 0);
-  expect_equal_diaries(Motion{line, 0, 1});
+  expect_equal_diaries([](std::size_t n) {
+    Points line;
+    for (std::size_t i = 0; i < n; ++i)
+      line.emplace_back(double(i * 7919 % n), 0);
+    return Motion{line, 0, 1};
+  });
 }
 
 TEST(Threads, change_nothing_where_points_coincide)
 {
-  Cloud<Epick> cloud(6);
-  Points points = cloud.uniform(many);
-  for (Point& p : points)
-    p = Point(std::floor(p.x() * 2) / 2, std::floor(p.y() * 2) / 2);
-  expect_equal_diaries(Motion{points, 0, 1});
-  expect_equal_diaries(Motion{points, 0.001, 1}); // all part
+  const auto coincident = [](std::size_t n) {
+    Points points = Cloud<Epick>(6).uniform(n);
+    for (Point& p : points)
+      p = Point(std::floor(p.x() * 2) / 2, std::floor(p.y() * 2) / 2);
+    return points;
+  };
+  expect_equal_diaries([&](std::size_t n) { return Motion{coincident(n), 0, 1}; });
+  expect_equal_diaries([&](std::size_t n) { return Motion{coincident(n), 0.001, 1}; }); // all part
 }
 
 TEST(Threads, change_nothing_where_points_are_dense_in_some_places)
 {
-  Cloud<Epick> cloud(7);
-  Points points = cloud.uniform(many);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double scale = std::ldexp(1.0, -int(i % 60));
-    points[i] = Point(points[i].x() * scale, points[i].y() * scale);
-  }
-  expect_equal_diaries(Motion{points, 0, 1});
-  expect_equal_diaries(Motion{points, 0.01, 1});
+  const auto dense = [](std::size_t n) {
+    Points points = Cloud<Epick>(7).uniform(n);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double scale = std::ldexp(1.0, -int(i % 60));
+      points[i] = Point(points[i].x() * scale, points[i].y() * scale);
+    }
+    return points;
+  };
+  expect_equal_diaries([&](std::size_t n) { return Motion{dense(n), 0, 1}; });
+  expect_equal_diaries([&](std::size_t n) { return Motion{dense(n), 0.01, 1}; });
 }
 
 TEST(Threads, change_nothing_where_faces_are_turned_over)
 {
-  expect_equal_diaries(Motion{Cloud<Epick>(10).uniform(many), 0.3, 6});
+  expect_equal_diaries([](std::size_t n) { return Motion{Cloud<Epick>(10).uniform(n), 0.3, 6}; });
 }
 
 // All that breaks is spliced. Where some points jump, regions grow, and may take in others.
 struct Spliced_motion
 {
+  std::size_t size;
   double step, jump = 0;
   std::size_t stay = 0; // how many points there are for one that jumps
   unsigned padding = 0;
@@ -423,12 +457,12 @@ struct Spliced_motion
     settings.engines.region = engine;
     settings.visitor = Noting_visitor(&diary);
     Cloud<Epick> cloud(13);
-    Points points = cloud.uniform(many);
+    Points points = cloud.uniform(size);
     Spliced dt(points.begin(), points.end(), settings);
     std::size_t splices = 0, enlargements = 0;
     for (int frame = 0; frame < 8; ++frame) {
       cloud.shake(points, step);
-      for (std::size_t i = std::size_t(frame); jump > 0 && i < many; i += stay)
+      for (std::size_t i = std::size_t(frame); jump > 0 && i < size; i += stay)
         points[i] = cloud.shifted(points[i], jump);
       const CGAL::Update_report_2 report = dt.update(points);
       splices += report.splices;
@@ -436,33 +470,38 @@ struct Spliced_motion
       diary.note(report);
       diary.note_all(dt.padded_vertices());
       diary.note_all(dt.border_vertices());
-      diary.note_state(dt);
+      diary.note_frame(dt);
       if constexpr (is_reference<Tag>) {
         ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points)) << "frame " << frame;
       }
     }
-    EXPECT_GT(splices, 0u);
-    EXPECT_EQ(enlargements > 0, jump > 0);
+    diary.note_state(dt);
+    if (size == many) { // fewer points may need none
+      EXPECT_GT(splices, 0u);
+      EXPECT_EQ(enlargements > 0, jump > 0);
+    }
   }
 };
 
 TEST(Threads, change_nothing_where_many_regions_are_spliced)
 {
   for (const double step : {0.0003, 0.003, 0.02})
-    expect_equal_diaries(Spliced_motion{step});
-  expect_equal_diaries(Spliced_motion{0.003, 0, 0, 1});
+    expect_equal_diaries([&](std::size_t n) { return Spliced_motion{n, step}; });
+  expect_equal_diaries([&](std::size_t n) { return Spliced_motion{n, 0.003, 0, 0, 1}; });
 }
 
 TEST(Threads, change_nothing_where_spliced_regions_grow_into_each_other)
 {
   for (const double jump : {0.5, 1., 2.})
-    expect_equal_diaries(Spliced_motion{0.003, jump, 100});
-  expect_equal_diaries(Spliced_motion{0.003, 1, 50});
+    expect_equal_diaries([&](std::size_t n) { return Spliced_motion{n, 0.003, jump, 100}; });
+  expect_equal_diaries([&](std::size_t n) { return Spliced_motion{n, 0.003, 1, 50}; });
 }
 
 TEST(Threads, change_nothing_where_regions_are_triangulated_by_insertion)
 {
-  expect_equal_diaries(Spliced_motion{0.003, 1, 100, 0, CGAL::Static_engine_2::INSERTION});
+  expect_equal_diaries([&](std::size_t n) {
+    return Spliced_motion{n, 0.003, 1, 100, 0, CGAL::Static_engine_2::INSERTION};
+  });
 }
 
 // Nothing is rebuilt after a heuristic classifier, whatever flips have left.
@@ -506,6 +545,7 @@ TEST(Threads, leave_out_no_face_of_a_cell)
 // Some points jump anywhere in each frame, by chance onto others; the others hardly move.
 struct Jumps
 {
+  std::size_t size;
   double share;
   double step = 0.001;
 
@@ -516,40 +556,42 @@ struct Jumps
     typename Told::Settings settings;
     settings.visitor = Noting_visitor(&diary);
     Cloud<Epick> cloud(16);
-    Points points = cloud.uniform(many);
+    Points points = cloud.uniform(size);
     Told dt(points.begin(), points.end(), settings);
     std::size_t relocated = 0, merged = 0;
     for (int frame = 0; frame < 5; ++frame) {
       cloud.shake(points, step);
-      const Points places = cloud.uniform(std::size_t(share * many));
+      const Points places = cloud.uniform(std::size_t(share * double(size)));
       for (std::size_t i = 0; i < places.size(); ++i)
-        points[(i * 7919 + std::size_t(frame) * 101) % many] =
-            i % 9 == 0 ? points[(i * 31) % many] : places[i];
+        points[(i * 7919 + std::size_t(frame) * 101) % size] =
+            i % 9 == 0 ? points[(i * 31) % size] : places[i];
       const CGAL::Update_report_2 report = dt.update(points);
       relocated += report.relocated;
       merged += report.merged;
       diary.note(report);
-      diary.note_state(dt);
+      diary.note_frame(dt);
       if constexpr (is_reference<Tag>) {
         ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points)) << "frame " << frame;
       }
     }
-    EXPECT_GT(relocated, std::size_t(share * many));
+    diary.note_state(dt);
+    EXPECT_GT(relocated, std::size_t(share * double(size)));
     EXPECT_GT(merged, 0u);
   }
 };
 
 TEST(Threads, change_nothing_where_points_jump)
 {
-  expect_equal_diaries(Jumps{0.01});
-  expect_equal_diaries(Jumps{0.02});
-  expect_equal_diaries(Jumps{0.01, 0.03});
+  expect_equal_diaries([](std::size_t n) { return Jumps{n, 0.01}; });
+  expect_equal_diaries([](std::size_t n) { return Jumps{n, 0.02}; });
+  expect_equal_diaries([](std::size_t n) { return Jumps{n, 0.01, 0.03}; });
 }
 
 // Points come and go with every frame: so many of them.
 struct Population_motion
 {
-  double share = 0.01;
+  std::size_t size;
+  double share;
 
   template <class Tag>
   void run(Diary& diary) const
@@ -558,7 +600,7 @@ struct Population_motion
     CGAL::Dynamic_population_2<Planar<Tag>> population;
     std::vector<std::pair<std::int64_t, Point>> crowd;
     std::int64_t next = 0;
-    for (const Point& p : cloud.uniform(many))
+    for (const Point& p : cloud.uniform(size))
       crowd.emplace_back(next++, p);
     for (int frame = 0; frame < 4; ++frame) {
       diary.note(population.update(crowd));
@@ -573,14 +615,15 @@ struct Population_motion
 
 TEST(Threads, change_nothing_where_points_come_and_go)
 {
-  expect_equal_diaries(Population_motion{});
-  expect_equal_diaries(Population_motion{0.05});
-  expect_equal_diaries(Population_motion{0.3});
+  expect_equal_diaries([](std::size_t n) { return Population_motion{n, 0.01}; });
+  expect_equal_diaries([](std::size_t n) { return Population_motion{n, 0.05}; });
+  expect_equal_diaries([](std::size_t n) { return Population_motion{n, 0.3}; });
 }
 
 // In a sheared cell, to which the points are not wrapped.
 struct Periodic_motion
 {
+  std::size_t size;
   double step;
   int frames = 5;
   bool has_flips = true;
@@ -600,8 +643,10 @@ private:
   void play(Diary& diary, const typename Dynamic::Settings& settings) const
   {
     std::mt19937_64 random(9);
-    Points points = random_points(random, many, 300);
-    Dynamic dt(points.begin(), points.end(), CGAL::Periodic_cell_2(100, 0, 30, 100), settings);
+    const double side = std::sqrt(double(size));
+    Points points = random_points(random, size, 3 * side);
+    const CGAL::Periodic_cell_2 cell(side, 0, 0.3 * side, side);
+    Dynamic dt(points.begin(), points.end(), cell, settings);
     diary.note_state(dt);
     std::size_t flips = 0;
     for (int frame = 0; frame < frames; ++frame) {
@@ -620,25 +665,78 @@ private:
 
 TEST(Threads, change_nothing_in_periodic_space)
 {
-  expect_equal_diaries(Periodic_motion{1e-5, 5, false});
-  expect_equal_diaries(Periodic_motion{0.1});
-  expect_equal_diaries(Periodic_motion{0.4});
+  expect_equal_diaries([](std::size_t n) { return Periodic_motion{n, 1e-5, 5, false}; });
+  expect_equal_diaries([](std::size_t n) { return Periodic_motion{n, 0.03}; });
+  expect_equal_diaries([](std::size_t n) { return Periodic_motion{n, 0.15}; });
 }
 
 TEST(Threads, change_nothing_where_all_points_of_a_cell_are_triangulated_anew)
 {
-  expect_equal_diaries(Periodic_motion{30, 2, false});
+  expect_equal_diaries([](std::size_t n) { return Periodic_motion{n, 10, 2, false}; });
+}
+
+// Without it all points would be inserted one by one.
+TEST(Threads, triangulate_all_points_of_a_cell_at_once)
+{
+  std::vector<Position_2> positions;
+  for (const Point& p : Cloud<Epick>(17).uniform(many))
+    positions.push_back({p.x(), p.y()});
+  const double side = std::sqrt(double(many));
+  const internal::Torus_2 torus(CGAL::Periodic_cell_2(side, side));
+  internal::Periodic_builder_2<> one;
+  ASSERT_TRUE(one.run(torus, positions));
+  for (const int threads : {1, 2, 3, 8})
+    with_threads(threads, [&] {
+      internal::Periodic_builder_2<internal::Parallel_parts_2<CGAL::Parallel_tag>> builder;
+      ASSERT_TRUE(builder.run(torus, positions));
+      EXPECT_EQ(builder.faces().apexes, one.faces().apexes);
+      EXPECT_EQ(builder.faces().twins, one.faces().twins);
+      EXPECT_EQ(builder.faces().shifts, one.faces().shifts);
+      EXPECT_EQ(builder.faces().points, one.faces().points);
+    });
+}
+
+// Nothing is examined in a frame, and all edges where it is mended.
+struct Mended_cell
+{
+  std::size_t size;
+
+  template <class Tag>
+  void run(Diary& diary) const
+  {
+    using Heuristic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<
+        Epick, CGAL::Random_classifier_2, CGAL::Default, CGAL::Default, CGAL::Default, Tag>;
+    Cloud<Epick> cloud(18);
+    Points points = cloud.uniform(size);
+    const double side = std::sqrt(double(size));
+    Heuristic dt(points.begin(), points.end(), CGAL::Periodic_cell_2(side, side),
+                 CGAL::Random_classifier_2(0));
+    cloud.shake(points, 0.05);
+    diary.note(dt.update(points));
+    diary.note(dt.mend());
+    diary.note_state(dt);
+    EXPECT_TRUE(dt.is_certified());
+    EXPECT_TRUE(dt.is_valid());
+  }
+};
+
+TEST(Threads, change_nothing_where_a_cell_is_mended)
+{
+  expect_equal_diaries([](std::size_t n) { return Mended_cell{n}; });
 }
 
 // The points of a grid are triangulated at once, but ties then are broken differently in different
 // images, and they are inserted one by one.
 struct Periodic_grid
 {
+  std::size_t columns;
+
   template <class Tag>
   void run(Diary& diary) const
   {
-    const Points points = Cloud<Epick>::grid(40, 30);
-    const Periodic<Tag> dt(points.begin(), points.end(), CGAL::Periodic_cell_2(40, 30));
+    const Points points = Cloud<Epick>::grid(columns, 30);
+    const Periodic<Tag> dt(points.begin(), points.end(),
+                           CGAL::Periodic_cell_2(double(columns), 30));
     diary.note_state(dt);
     EXPECT_TRUE(dt.is_valid());
   }
@@ -646,7 +744,7 @@ struct Periodic_grid
 
 TEST(Threads, change_nothing_where_points_of_a_cell_form_a_grid)
 {
-  expect_equal_diaries(Periodic_grid());
+  expect_equal_diaries([](std::size_t n) { return Periodic_grid{n / 30}; });
 }
 
 // QUERIES -----------------------------------------------------------------------------------------
@@ -654,14 +752,18 @@ TEST(Threads, change_nothing_where_points_of_a_cell_form_a_grid)
 // Places among the points and outside of them; points coincide, and several are nearest to a place.
 struct Queries
 {
+  std::size_t size;
+
   template <class Tag>
   void run(Diary& diary) const
   {
-    Points points = Cloud<Epick>::grid(40, 30);
+    const std::size_t columns = size / 30;
+    Points points = Cloud<Epick>::grid(columns, 30);
     points.push_back(points[77]);
     const Planar<Tag> plane(points.begin(), points.end());
     ask(diary, CGAL::Delaunay_point_queries_2<Planar<Tag>>(plane));
-    const Periodic<Tag> cell(points.begin(), points.end(), CGAL::Periodic_cell_2(40, 0, 3, 30));
+    const Periodic<Tag> cell(points.begin(), points.end(),
+                             CGAL::Periodic_cell_2(double(columns), 0, 3, 30));
     ask(diary, CGAL::Periodic_point_queries_2<Periodic<Tag>>(cell));
   }
 
@@ -699,7 +801,7 @@ private:
 
 TEST(Threads, change_nothing_where_many_places_ask_for_points)
 {
-  expect_equal_diaries(Queries());
+  expect_equal_diaries([](std::size_t n) { return Queries{n}; });
 }
 
 TEST(Threads, name_the_first_place_that_is_none_and_answer_nothing)
