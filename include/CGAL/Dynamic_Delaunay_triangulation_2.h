@@ -351,7 +351,7 @@ public:
   {
     const Floating_point floating_point;
     m_core->input.stage(first, beyond, point_map);
-    Change change;
+    Change& change = begin_change();
     change.is_frame = true;
     return run(change);
   }
@@ -399,7 +399,7 @@ public:
   Update_report_2 move(InputIterator first, InputIterator beyond, IdMap id_map, PointMap point_map)
   {
     const Floating_point floating_point;
-    Change change;
+    Change& change = begin_change();
     Population_input::read_movers(first, beyond, id_map, point_map, m_core->maintained, change);
     return run(change);
   }
@@ -454,7 +454,7 @@ public:
                          OutputIterator ids)
   {
     const Floating_point floating_point;
-    Change change;
+    Change& change = begin_change();
     Population_input::read_newcomers(first, beyond, point_map, m_core->maintained, change);
     for (const Index id : change.coming)
       *ids++ = id;
@@ -478,8 +478,8 @@ public:
   Update_report_2 remove(InputIterator first, InputIterator beyond)
   {
     const Floating_point floating_point;
-    Change change;
-    change.gone = Population_input::read_ids(first, beyond, m_core->maintained);
+    Change& change = begin_change();
+    Population_input::read_ids(first, beyond, m_core->maintained, change.gone);
     return run(change);
   }
 
@@ -501,7 +501,7 @@ public:
                     const std::vector<Point>& coming, std::vector<size_type>& coming_ids)
   {
     const Floating_point floating_point;
-    Change change;
+    Change& change = begin_change();
     Population_input::read_newcomers(coming.begin(), coming.end(), Identity_map(),
                                      m_core->maintained, change);
     change.is_frame = true;
@@ -531,7 +531,7 @@ public:
   Update_report_2 mend()
   {
     const Floating_point floating_point;
-    Change change;
+    Change& change = begin_change();
     change.is_mending = true;
     if (!is_certified())
       return run(change);
@@ -761,12 +761,15 @@ private:
 
   static constexpr std::string_view checkpoint_subject = "Dynamic_Delaunay_triangulation_2";
 
+  using Change = Dynamic_Delaunay_triangulations_2::internal::Change_2<Point>;
+
   // Must not move in memory: its parts refer to each other.
   struct Core
   {
     Maintained maintained;
     Input input{maintained};
     Update update{maintained};
+    Change change; // of the present call, or the last one
   };
 
   // Takes everything from the other one, which gets an empty core that its classifier knows nothing
@@ -782,7 +785,12 @@ private:
   {
   }
 
-  using Change = Dynamic_Delaunay_triangulations_2::internal::Change_2<Point>;
+  // An empty one.
+  Change& begin_change()
+  {
+    m_core->change.clear();
+    return m_core->change;
+  }
 
   const auto& tools() const { return std::as_const(m_core->update).tools(); }
 

@@ -393,7 +393,8 @@ public:
   Update_report_2 remove(InputIterator first, InputIterator beyond)
   {
     const Floating_point floating_point;
-    const std::vector<Index> gone = Population_input::read_ids(first, beyond, m_core->maintained);
+    std::vector<Index> gone;
+    Population_input::read_ids(first, beyond, m_core->maintained, gone);
     return run([&](Update_report_2& report) {
       for (const Index id : gone)
         m_core->update.remove(id, report);

@@ -34,8 +34,8 @@ A face is either flipped, which keeps the handles of both faces, or removed or c
 is created may have the handle of one that has just been removed, and then contains the user's data
 of that one. If several faces are rewritten together, the visitor is called first for all removals,
 then for the changes of vertices, and then for all creations. There is one exception: for a new
-vertex that is put into a face, it is called before the removal of that face. In a rebuild all faces
-are rewritten. An edge may be flipped more than once in an update, and a face may be removed and
+vertex that is put into faces, it is called before their removal. In a rebuild all faces are
+rewritten. An edge may be flipped more than once in an update, and a face may be removed and
 created.
 
 If a visitor throws in `before_update()`, nothing changes. If it throws in one of the functions

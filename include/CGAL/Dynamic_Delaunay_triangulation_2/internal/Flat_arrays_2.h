@@ -88,6 +88,35 @@ struct Uninitialized_allocator_2 : std::allocator<T>
 template <class T>
 using Uninitialized_vector_2 = std::vector<T, Uninitialized_allocator_2<T>>;
 
+// A list that keeps its memory. Appending to it is one comparison and one store, which compilers
+// put in place; std::vector's is a function that they call.
+template <class T>
+class Kept_list_2
+{
+public:
+  void clear() { m_size = 0; }
+
+  void push_back(const T& element)
+  {
+    if (m_size == m_elements.size())
+      m_elements.resize(2 * m_size + 8);
+    m_elements[m_size++] = element;
+  }
+  void pop_back() { --m_size; }
+
+  std::size_t size() const { return m_size; }
+  bool empty() const { return m_size == 0; }
+  const T& back() const { return m_elements[m_size - 1]; }
+  const T& operator[](std::size_t i) const { return m_elements[i]; }
+  T& operator[](std::size_t i) { return m_elements[i]; }
+  const T* begin() const { return m_elements.data(); }
+  const T* end() const { return m_elements.data() + m_size; }
+
+private:
+  std::vector<T> m_elements;
+  std::size_t m_size = 0;
+};
+
 // A set of indices below a bound, in the order of insertion. Membership is stored as bits, so that
 // random look-ups stay in the cache. Clearing takes time proportional to the number of members.
 // After the first frames nothing is allocated.

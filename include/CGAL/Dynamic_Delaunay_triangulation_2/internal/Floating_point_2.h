@@ -44,16 +44,19 @@ public:
   Default_floating_point_2& operator=(const Default_floating_point_2&) = delete;
 
 #ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_HAS_MXCSR
-  // Takes some 20 nanoseconds; <cfenv>, which also sets the x87 unit, takes hundreds.
+  // Takes some 20 nanoseconds, where most programs have the default state a few; <cfenv>, which
+  // also sets the x87 unit, takes hundreds.
   Default_floating_point_2()
     : m_state(_mm_getcsr())
   {
-    constexpr unsigned default_state = 0x1f80;
-    _mm_setcsr(default_state);
+    constexpr unsigned default_state = 0x1f80, exceptions_so_far = 0x3f;
+    if ((m_state & ~exceptions_so_far) != default_state)
+      _mm_setcsr(default_state);
   }
   ~Default_floating_point_2()
   {
-    _mm_setcsr(m_state);
+    if (_mm_getcsr() != m_state)
+      _mm_setcsr(m_state);
   }
 
 private:

@@ -46,6 +46,23 @@ struct Change_2
   std::vector<Point> coming_points;
   bool are_exact = true; // no coordinate above is rounded in the flat arrays
 
+  // Makes it empty. Short lists keep their memory: most points come, go or move alone.
+  void clear()
+  {
+    constexpr std::size_t few = 1024;
+    if (gone.capacity() + moved.capacity() + coming.capacity() > few) {
+      *this = Change_2();
+      return;
+    }
+    is_frame = is_mending = false;
+    are_exact = true;
+    gone.clear();
+    moved.clear();
+    moved_points.clear();
+    coming.clear();
+    coming_points.clear();
+  }
+
   bool has_population() const { return !gone.empty() || !coming.empty(); }
 
   bool is_empty() const
@@ -290,21 +307,19 @@ public:
       check_limit(present + points.size() + 1);
       points.push_back(get(point_map, *first));
     }
-    change.coming = maintained.ids().next_ids(points.size());
+    maintained.ids().list_next_ids(points.size(), change.coming);
     for (std::size_t i = 0; i < points.size(); ++i)
       checked_position(points[i], change.coming[i], change.are_exact);
   }
 
-  // Reads ids of existing points, without repetition, in the order of the range.
+  // Appends ids of existing points, without repetition, in the order of the range.
   template <class InputIterator>
-  static std::vector<Index> read_ids(InputIterator first, InputIterator beyond,
-                                     const Maintained& maintained)
+  static void read_ids(InputIterator first, InputIterator beyond, const Maintained& maintained,
+                       std::vector<Index>& ids)
   {
-    std::vector<Index> ids;
     for (; first != beyond; ++first)
       ids.push_back(read_id(*first, maintained));
     check_distinct(ids);
-    return ids;
   }
 
   // Reads points with new positions.

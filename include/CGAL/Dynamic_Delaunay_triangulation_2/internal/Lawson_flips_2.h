@@ -6,7 +6,6 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/accepts_inexact_predicates_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
@@ -14,7 +13,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_parts_2.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -47,59 +45,6 @@ public:
       keep_unproved(maintained, open);
     }
     return flips;
-  }
-
-  // Flips around vertex v, which was put into a face of a Delaunay triangulation. Returns whether
-  // everything is Delaunay again, and adds the number of flips, at most `most`. If not, nothing is
-  // known of the edges around v: it is not strictly inside of a finite face, or `most` was reached.
-  //
-  // Only edges opposite to v can be illegal (C. Lawson 1977; Guibas and Stolfi 1985). An edge from
-  // v to w comes into being when a face with corner w that was Delaunay before is divided or
-  // flipped away, and v is strictly inside of its circle: inside of that face, or beyond an illegal
-  // edge. The circle through v that touches this one in w from inside contains no other vertex, so
-  // the edge is Delaunay in every triangulation with v. All other faces stay Delaunay. Faces are
-  // counterclockwise all the time, and those around v surround it once, so no two edges go from v
-  // in the same direction, and no flip doubles an edge. Predicates that are rounded promise
-  // nothing.
-  template <class Maintained, class Editor>
-  bool run_around(const Maintained& maintained, Editor& editor, Index v, std::size_t most,
-                  std::size_t& flips)
-  {
-    const auto& mirror = maintained.mirror();
-    const typename Maintained::Edge_test test(maintained);
-    bool is_inside = true;
-    m_work.touched.clear();
-    mirror.for_each_corner(v, [&](Index h) {
-      const Index e = mirror.edge_of(h);
-      const bool is_finite =
-          mirror.source(h) != infinite_index && mirror.target(h) != infinite_index;
-      const Edge_state_2 state = is_finite ? test.state(e) : Edge_state_2::TWISTED;
-      is_inside &= state == Edge_state_2::DELAUNAY || state == Edge_state_2::ILLEGAL;
-      if (state == Edge_state_2::ILLEGAL)
-        m_work.touched.push_back(e);
-    });
-    if (!is_inside)
-      return false;
-    constexpr bool is_rounded = Are_known_to_be_inexact_2<typename Maintained::Traits>::value;
-    const auto can_flip = [&](Index e) {
-      return !is_rounded || editor.can_flip(mirror.halfedge(e));
-    };
-    editor.flip_in_series([&](const auto& flip) {
-      for (; !m_work.touched.empty() && most > 0 && can_flip(m_work.touched.back());
-           --most, ++flips) {
-        const Index h = mirror.halfedge(m_work.touched.back());
-        const Index beyond = mirror.apex(h) == v ? mirror.twin(h) : h;
-        m_work.touched.pop_back();
-        const std::array<Index, 2> opposite{
-            mirror.edge_of(Neighborhood_mirror_2::next(beyond)),
-            mirror.edge_of(Neighborhood_mirror_2::previous(beyond))};
-        flip(h);
-        for (const Index e : opposite)
-          if (test.state(e) == Edge_state_2::ILLEGAL)
-            m_work.touched.push_back(e);
-      }
-    });
-    return m_work.touched.empty();
   }
 
 private:

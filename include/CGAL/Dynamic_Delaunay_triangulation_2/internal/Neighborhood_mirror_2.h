@@ -517,8 +517,10 @@ private:
   void rename(Index e, Index from, Index to)
   {
     Edge_2& edge = m_edges[e];
-    for (Index* v : {&edge.source, &edge.target, &edge.left, &edge.right})
-      *v = *v == from ? to : *v;
+    edge.source = edge.source == from ? to : edge.source;
+    edge.target = edge.target == from ? to : edge.target;
+    edge.left = edge.left == from ? to : edge.left;
+    edge.right = edge.right == from ? to : edge.right;
   }
 
   // The three half-edges of a face stand together, because they are needed together.

@@ -64,10 +64,10 @@ public:
     return order;
   }
 
-  // The ids that the next points get, in this order. Cost: n log n for n ids.
-  std::vector<Index> next_ids(std::size_t number) const
+  // Lists the ids that the next points get, in this order. Cost: n log n for n ids.
+  void list_next_ids(std::size_t number, std::vector<Index>& ids) const
   {
-    std::vector<Index> ids;
+    ids.clear();
     const auto comes_later = [this](std::size_t i, std::size_t j) {
       return m_free_ids[i] > m_free_ids[j];
     };
@@ -94,13 +94,13 @@ public:
     }
     for (Index id = number_of_ids(); ids.size() < number; ++id)
       ids.push_back(id);
-    return ids;
   }
 
   // The same if the ids in `gone` are freed first.
   std::vector<Index> next_ids(std::size_t number, std::vector<Index> gone) const
   {
-    const std::vector<Index> free = next_ids(number);
+    std::vector<Index> free;
+    list_next_ids(number, free);
     std::sort(gone.begin(), gone.end());
     std::vector<Index> ids(free.size() + gone.size());
     std::merge(free.begin(), free.end(), gone.begin(), gone.end(), ids.begin());

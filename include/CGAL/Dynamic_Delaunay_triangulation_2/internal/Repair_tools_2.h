@@ -91,15 +91,27 @@ public:
     m_changes = changes;
     m_movers = m_maintained.number_of_vertices();
     m_hull_stays = false;
+    m_jumper = no_index;
   }
 
   // To be called after it if so few points have moved, and all others are where they were.
   // `hull_stays`: whether the hull turned around once, and none of its vertices has moved.
-  void set_movers(std::size_t movers, bool hull_stays)
+  // `jumper`: the vertex that is to be taken out, if it is the only one that has moved, and no edge
+  // was examined. Open are all edges that see it.
+  void set_movers(std::size_t movers, bool hull_stays, Index jumper)
   {
+    CGAL_precondition(jumper == no_index || movers == 1);
     m_movers = movers;
     m_hull_stays = hull_stays;
+    m_jumper = jumper;
+    if (jumper != no_index)
+      Dynamic_frame_2<Maintained>(m_maintained).for_each_edge_that_sees(jumper, [this](Index e) {
+        m_open.uncertain().push_back(e);
+      });
   }
+
+  // Whether this vertex has to be taken out, if it is the only one that has moved.
+  bool has_jumped_alone(Index v) const { return m_jumpers.has_jumped_alone(v); }
 
   // Removes the points with these ids.
   void remove(const std::vector<Index>& ids)
@@ -128,15 +140,19 @@ public:
     m_budget.allow((parted_duplicates.size() + m_traffic.number_to_put_in()) *
                    Repair_budget_2::relocation);
     std::size_t steps_before = 0;
-    const auto counts = m_traffic.put_in(parted_duplicates, [&](Index v, std::size_t steps) {
+    const auto most_faces = [&] { return is_delaunay ? most_flips() + 1 : 0; };
+    const auto end = [&](Index v, std::size_t steps, std::size_t faces) {
       m_budget.spend(Repair_budget_2::relocation / 2 +
                      Repair_budget_2::step_of_a_walk * (steps - steps_before));
       steps_before = steps;
-      is_delaunay = is_delaunay && settle_inside(v);
-      if (!is_delaunay)
+      is_delaunay = is_delaunay && faces > 0;
+      if (is_delaunay)
+        spend_on_flips(faces - 1); // which would do the same
+      else
         settle(v);
       return !m_budget.is_spent();
-    });
+    };
+    const auto counts = m_traffic.put_in(parted_duplicates, most_faces, end);
     m_report->relocated += counts.relocated;
     m_report->merged += counts.merged;
     m_report->parted += counts.parted;
@@ -200,6 +216,8 @@ public:
 
   void take_out_jumpers()
   {
+    if (m_jumper != no_index)
+      return take_out_jumper();
     // where several neighbors jumped, some seem to have stayed until the others are out
     constexpr unsigned max_rounds = 4;
     const auto may_others_jump = [this] { return m_traffic.number_waiting() < m_movers; };
@@ -234,7 +252,7 @@ public:
 
   void flip_inverted()
   {
-    if (has_rebuilt())
+    if (has_rebuilt() || m_open.empty())
       return;
     flip_uncertain();
     if (!m_open.uncertain().empty() && !has_rebuilt()) {
@@ -328,6 +346,24 @@ private:
 
   // VERTICES THAT WENT FAR ----------------------------------------------------------------------
 
+  // Takes out the only vertex that has moved. If everything was Delaunay, it stays so without it.
+  void take_out_jumper()
+  {
+    if (m_was_certified && can_spare(1) && m_traffic.take_out_of_delaunay(m_jumper)) {
+      m_open.clear();
+      m_budget.spend(Repair_budget_2::relocation / 2);
+    } else if (can_take_out())
+      take_out({m_jumper});
+  }
+
+  // Whether at least three vertices remain without so many.
+  bool can_spare(std::size_t vertices) const
+  {
+    constexpr std::size_t min_vertices = 3;
+    return m_traffic.number_outside() + vertices + min_vertices <=
+           m_maintained.number_of_vertices();
+  }
+
   bool can_take_out() const
   {
     return m_may_take_out && m_has_to_prove && !m_maintained.points_are_written() && !has_rebuilt();
@@ -336,10 +372,8 @@ private:
   // Takes these vertices out if the budget allows it and at least three remain. Whether it did.
   bool take_out(const std::vector<Index>& vertices)
   {
-    constexpr std::size_t min_vertices = 3;
     if (vertices.empty() || vertices.size() * Repair_budget_2::relocation > m_budget.left() ||
-        m_traffic.number_outside() + vertices.size() + min_vertices >
-            m_maintained.number_of_vertices())
+        !can_spare(vertices.size()))
       return false;
     const std::size_t price = price_of_taking_out(vertices);
     if (price > m_budget.left()) { // nothing else could mend so many edges either
@@ -411,26 +445,17 @@ private:
       m_around.push_back(mirror.edge_of(Neighborhood_mirror_2::previous(h)));
     });
     const std::size_t flips = m_lawson.run(m_maintained, m_editor, m_around, false, most_flips());
-    note_settling(flips);
+    m_report->flips += flips;
+    spend_on_flips(flips);
     m_open.uncertain().insert(m_open.uncertain().end(), m_around.begin(), m_around.end());
-  }
-
-  // The same where everything was Delaunay before. False if it is not so again.
-  bool settle_inside(Index v)
-  {
-    std::size_t flips = 0;
-    const bool is_delaunay = m_lawson.run_around(m_maintained, m_editor, v, most_flips(), flips);
-    note_settling(flips);
-    return is_delaunay;
   }
 
   std::size_t most_flips() const { return m_budget.left() / Repair_budget_2::flip + 1; }
 
   // The price of putting a vertex in includes the first flips.
-  void note_settling(std::size_t flips)
+  void spend_on_flips(std::size_t flips)
   {
     constexpr std::size_t few = 8;
-    m_report->flips += flips;
     m_budget.spend(flips > few ? (flips - few) * Repair_budget_2::flip : 0);
   }
 
@@ -533,6 +558,7 @@ private:
   bool m_may_take_out = true; // until a vertex is put in
   bool m_hull_stays = false;  // see set_movers(); until a splice
   std::size_t m_movers = 0;
+  Index m_jumper = no_index; // see set_movers()
   std::size_t m_classified_edges = 0;
   std::size_t m_changes = 0;
 };

@@ -22,21 +22,21 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// The polygon of the neighbors of a vertex, and a triangulation of it, which replaces the faces
-// around the vertex when that is taken out. The triangulation is a sequence of *ears*, triangles of
-// three consecutive corners that are cut off one after the other.
+// The polygon of the neighbors of a vertex, its center. When the center is taken out, faces of a
+// triangulation of the polygon replace those around it. The triangulation is a sequence of *ears*,
+// triangles of three consecutive corners that are cut off one after the other. When the center is
+// put in, it is the other way around.
 class Star_polygon_2
 {
+  using Mirror = Neighborhood_mirror_2;
+
 public:
-  // Side i goes from the i-th corner of the polygon to the next, counterclockwise. With it stand
-  // the face of the center at this side and the edge from the center to the corner.
+  // Side i goes from the i-th corner of the polygon to the next, counterclockwise.
   struct Side
   {
     Index corner;
     Index outer; // the half-edge on the other side
     Index edge;
-    Index face;
-    Index spoke;
   };
 
   // The numbers of three corners. Cutting the ear off removes `tip` from the polygon.
@@ -46,22 +46,81 @@ public:
   };
 
   Index center() const { return m_center; }
-  const std::vector<Side>& sides() const { return m_sides; }
-  const std::vector<Ear>& ears() const { return m_ears; }
+  const Kept_list_2<Side>& sides() const { return m_sides; }
+  const Kept_list_2<Ear>& ears() const { return m_ears; }
   bool is_triangulated() const { return m_ears.size() + 2 == m_sides.size(); }
 
-  // Reads the polygon around v.
-  void read(const Neighborhood_mirror_2& mirror, Index v)
+  // Whether faces() and edges() are as many as the center needs.
+  bool has_star() const { return m_faces.size() == m_sides.size(); }
+  // The faces inside of the polygon, and the edges between them.
+  const Kept_list_2<Index>& faces() const { return m_faces; }
+  const Kept_list_2<Index>& edges() const { return m_edges; }
+
+  // THE POLYGON -----------------------------------------------------------------------------------
+
+  // Reads the polygon around v, which is in its faces.
+  void read(const Mirror& mirror, Index v)
   {
-    using Mirror = Neighborhood_mirror_2;
-    m_center = v;
-    m_sides.clear();
-    m_ears.clear();
+    clear(v);
     mirror.for_each_corner(v, [&](Index h) {
-      m_sides.push_back({mirror.source(h), mirror.twin(h), mirror.edge_of(h), Mirror::face_of(h),
-                         mirror.edge_of(Mirror::previous(h))});
+      m_sides.push_back({mirror.source(h), mirror.twin(h), mirror.edge_of(h)});
+      m_faces.push_back(Mirror::face_of(h));
+      m_edges.push_back(mirror.edge_of(Mirror::previous(h)));
     });
   }
+
+  // Finds the polygon for v, which is in no face, but strictly inside of the finite face f, so that
+  // everything stays Delaunay. False if its faces would be more than `most`. Everything has to be
+  // Delaunay.
+  //
+  // It consists of the faces that flips would remove, if v divided f in three (C. Lawson 1977;
+  // Guibas and Stolfi 1985): only edges opposite to v can be illegal, and these are if v is inside
+  // of the circle of the face beyond. An edge from v to w comes into being when a face with corner
+  // w that was Delaunay before is divided or flipped away, and v is strictly inside of its circle:
+  // inside of that face, or beyond an illegal edge. The circle through v that touches this one in w
+  // from inside contains no other vertex, so the edge is Delaunay in every triangulation with v.
+  // All other faces stay Delaunay. Faces are counterclockwise all the time, and those around v
+  // surround it once, so no two edges go from v in the same direction: all corners are different.
+  template <class Maintained>
+  bool find_as_delaunay(const Maintained& maintained, Index f, Index v, std::size_t most)
+  {
+    const Mirror& mirror = maintained.mirror();
+    const Vertex_predicates_2<Maintained> predicates(maintained);
+    const auto is_in_circle = [&](Index outer) {
+      const Index apex = mirror.apex(outer);
+      return apex != infinite_index &&
+             predicates.side_of_circle(apex, mirror.source(outer), mirror.target(outer), v) ==
+                 ON_POSITIVE_SIDE;
+    };
+    clear(v);
+    m_faces.push_back(f);
+    m_open.clear();
+    for (const Index h : {3 * f + 2, 3 * f + 1, 3 * f})
+      m_open.push_back(h);
+    while (!m_open.empty() && m_faces.size() <= most) {
+      const Index h = m_open.back(), outer = mirror.twin(h);
+      m_open.pop_back();
+      if (is_in_circle(outer)) {
+        m_faces.push_back(Mirror::face_of(outer));
+        m_edges.push_back(mirror.edge_of(outer));
+        m_open.push_back(Mirror::previous(outer));
+        m_open.push_back(Mirror::next(outer));
+      } else
+        m_sides.push_back({mirror.source(h), outer, mirror.edge_of(h)});
+    }
+    return m_faces.size() <= most;
+  }
+
+  // Adds the faces and edges of the slot that the center has kept, or got.
+  void add(const Mirror::Slot& slot)
+  {
+    for (const Index f : slot.faces)
+      m_faces.push_back(f);
+    for (const Index e : slot.edges)
+      m_edges.push_back(e);
+  }
+
+  // TRIANGULATIONS --------------------------------------------------------------------------------
 
   // Triangulates the polygon if that is known to leave everything Delaunay. False, without ears, if
   // the center is at the hull, or has many neighbors. Everything has to be Delaunay, except that
@@ -114,6 +173,15 @@ public:
   }
 
 private:
+  void clear(Index center)
+  {
+    m_center = center;
+    m_sides.clear();
+    m_faces.clear();
+    m_edges.clear();
+    m_ears.clear();
+  }
+
   // DELAUNAY FACES --------------------------------------------------------------------------------
 
   bool is_at_infinity() const
@@ -232,8 +300,10 @@ private:
   }
 
   Index m_center = no_index;
-  std::vector<Side> m_sides;
-  std::vector<Ear> m_ears;
+  Kept_list_2<Side> m_sides;
+  Kept_list_2<Index> m_faces, m_edges;
+  Kept_list_2<Index> m_open; // half-edges whose other sides are to be examined
+  Kept_list_2<Ear> m_ears;
   std::vector<Links> m_links; // of the corners that are left
   Index m_last = 0;           // one of them
 };

@@ -257,6 +257,34 @@ public:
   // To take a vertex out, the faces around it are replaced by those of a triangulated polygon. To
   // put one in, a face is split. Both work for any positions.
 
+  // Fetches what take_out() will write, in two steps as above, if there are many vertices.
+  void prefetch_handles(const Star_polygon_2& polygon) const
+  {
+    if (m_topology.m_vertices.size() < min_vertices_to_prefetch)
+      return;
+    for (const Index f : polygon.faces())
+      prefetch(&m_topology.m_faces[f]);
+    for (const Star_polygon_2::Side& side : polygon.sides()) {
+      prefetch(&m_topology.m_faces[side.outer / 3]);
+      prefetch(&m_topology.m_vertices[side.corner]);
+      prefetch(&m_positions.positions()[side.corner]);
+      m_topology.m_mirror.prefetch_edge(side.edge);
+    }
+    for (const Index e : polygon.edges())
+      m_topology.m_mirror.prefetch_edge(e);
+  }
+  void prefetch_faces(const Star_polygon_2& polygon) const
+  {
+    if (m_topology.m_vertices.size() < min_vertices_to_prefetch)
+      return;
+    for (const Index f : polygon.faces())
+      prefetch_face(m_topology.m_faces[f]);
+    for (const Star_polygon_2::Side& side : polygon.sides()) {
+      prefetch_face(m_topology.m_faces[side.outer / 3]);
+      prefetch(&*m_topology.m_vertices[side.corner]);
+    }
+  }
+
   // Takes the polygon's center out of all faces, to be put in again. If this throws, it is still in
   // its faces.
   Slot take_out(const Star_polygon_2& polygon)
@@ -305,6 +333,21 @@ public:
     }
     for (const Index g : faces)
       visitor_calls.after_face_creation(m_topology.m_faces[g]);
+  }
+
+  // Puts the center of a polygon that has faces and edges for it in their place. Throws nothing if
+  // there is memory for as many new edges.
+  void put_in(const Slot& slot, const Star_polygon_2& polygon)
+  {
+    CGAL_precondition(polygon.has_star() && polygon.center() == slot.vertex);
+    auto& new_edges = m_topology.m_changes.new_edges;
+    auto& visitor_calls = m_topology.m_visitor_calls;
+    for (std::size_t i = 0; i + slot.faces.size() < polygon.faces().size(); ++i)
+      visitor_calls.before_face_removal(m_topology.m_faces[polygon.faces()[i]]);
+    write_star(polygon);
+    new_edges.insert(new_edges.end(), polygon.edges().begin(), polygon.edges().end());
+    for (const Index f : polygon.faces())
+      visitor_calls.after_face_creation(m_topology.m_faces[f]);
   }
 
   // Makes a slot with the next numbers and a vertex at p without representative. If it throws,
@@ -365,16 +408,16 @@ public:
   {
     collect_numbers(empty_slots);
     const std::size_t kept_edges = m_topology.m_mirror.number_of_edges() - m_empty_edges.size();
-    std::vector<Index> number_of_edge(m_empty_edges.size(), no_index); // from `kept_edges` on
+    m_number_of_edge.assign(m_empty_edges.size(), no_index); // from `kept_edges` on
     m_topology.m_changes.renumberings.provide_for_removals(empty_slots.size());
-    const auto note = [&](Index from, Index to) { number_of_edge[from - kept_edges] = to; };
+    const auto note = [&](Index from, Index to) { m_number_of_edge[from - kept_edges] = to; };
     drop_collected(note); // nothing throws from here on
     auto& new_edges = m_topology.m_changes.new_edges;
     if (m_topology.m_changes.everything_is_new) // some of these numbers can no longer be traced
       return new_edges.clear();
     for (Index& e : new_edges)
       while (e != no_index && e >= kept_edges)
-        e = number_of_edge[e - kept_edges];
+        e = m_number_of_edge[e - kept_edges];
     new_edges.erase(std::remove(new_edges.begin(), new_edges.end(), no_index), new_edges.end());
   }
 
@@ -396,8 +439,8 @@ public:
 
   // IDS AND POINTS ------------------------------------------------------------------------------
 
-  // Reserves the next ids, as given by `Point_ids_2::next_ids()`, for points to be inserted. If it
-  // throws, nothing has changed. `release_id()` returns an id that was not used.
+  // Reserves the next ids, as given by `Point_ids_2::list_next_ids()`, for points to be inserted.
+  // If it throws, nothing has changed. `release_id()` returns an id that was not used.
   void reserve_ids(const std::vector<Index>& ids) { m_topology.m_ids.reserve(ids); }
   void release_id(Index id) { m_topology.m_ids.release(id); }
 
@@ -407,7 +450,10 @@ public:
   {
     m_topology.m_ids.provide_for_duplicates(number);
   }
-  void provide_for_new_vertex() { provide(m_topology.m_changes.new_edges, 6); }
+  void provide_for_new_edges(std::size_t number)
+  {
+    provide(m_topology.m_changes.new_edges, number);
+  }
 
   void remove_duplicate(Index id) { m_topology.m_ids.remove_duplicate(id); }
 
@@ -416,19 +462,22 @@ public:
     m_topology.m_ids.place_duplicate(id, vertex, p);
   }
 
-  // Puts the slot's vertex into face f, for the point `id`, which is new or was a duplicate.
-  void put_in_new(const Slot& slot, Index f, Index id)
+  // Puts the slot's vertex into a face or a polygon, for the point `id`, which is new or was a
+  // duplicate.
+  template <class Place>
+  void put_in_new(const Slot& slot, const Place& place, Index id)
   {
     m_topology.m_ids.place_representative(id, slot.vertex);
     m_topology.m_visitor_calls.after_vertex_creation(m_topology.m_vertices[slot.vertex], id);
-    put_in(slot, f);
+    put_in(slot, place);
   }
 
-  // Puts a vertex that was taken out into face f.
-  void put_in_again(const Slot& slot, Index f)
+  // Puts a vertex that was taken out into a face or a polygon.
+  template <class Place>
+  void put_in_again(const Slot& slot, const Place& place)
   {
     provide(m_topology.m_changes.relocated, 1);
-    put_in(slot, f);
+    put_in(slot, place);
     m_topology.m_changes.relocated.push_back(slot.vertex);
   }
 
@@ -531,18 +580,18 @@ private:
     CGAL_precondition(!m_topology.m_mirror.is_outside(polygon.center()));
     CGAL_precondition(polygon.is_triangulated());
     auto& visitor_calls = m_topology.m_visitor_calls;
-    const auto& sides = polygon.sides();
-    provide(m_topology.m_changes.new_edges, sides.size());
-    m_open_sides.resize(sides.size()); // nothing throws from here on
-    for (const Star_polygon_2::Side& side : sides)
-      visitor_calls.before_face_removal(m_topology.m_faces[side.face]);
+    const std::size_t degree = polygon.sides().size();
+    provide(m_topology.m_changes.new_edges, degree);
+    m_open_sides.resize(degree); // nothing throws from here on
+    for (const Index f : polygon.faces())
+      visitor_calls.before_face_removal(m_topology.m_faces[f]);
     vacate();
     write_ears(polygon);
     const Slot slot = slot_left_by(polygon);
     m_topology.m_mirror.empty(slot);
     log_ears(polygon);
-    for (std::size_t i = 0; i + 2 < sides.size(); ++i)
-      visitor_calls.after_face_creation(m_topology.m_faces[sides[i].face]);
+    for (std::size_t i = 0; i + 2 < degree; ++i)
+      visitor_calls.after_face_creation(m_topology.m_faces[polygon.faces()[i]]);
     return slot;
   }
 
@@ -552,7 +601,7 @@ private:
     Index outer, edge;
   };
 
-  // The i-th ear gets the i-th face of the center, and the edge that it leaves the i-th spoke.
+  // The i-th ear gets the i-th face, and what it leaves the i-th edge.
   void write_ears(const Star_polygon_2& polygon)
   {
     const auto& sides = polygon.sides();
@@ -561,17 +610,17 @@ private:
       m_open_sides[i] = {sides[i].outer, sides[i].edge};
     for (std::size_t i = 0; i < ears.size(); ++i) {
       const Star_polygon_2::Ear& ear = ears[i];
-      const Index f = sides[i].face;
+      const Index f = polygon.faces()[i];
       write_vertex(3 * f, sides[ear.before].corner);
       write_vertex(3 * f + 1, sides[ear.tip].corner);
       write_vertex(3 * f + 2, sides[ear.after].corner);
       close(m_open_sides[ear.before], 3 * f + 2);
       close(m_open_sides[ear.tip], 3 * f);
-      m_open_sides[ear.before] = {3 * f + 1, sides[i].spoke};
+      m_open_sides[ear.before] = {3 * f + 1, polygon.edges()[i]};
     }
     // the last ear is a triangle that has a side of the polygon for its third edge
     const Star_polygon_2::Ear& last = ears.back();
-    close(m_open_sides[last.after], 3 * sides[ears.size() - 1].face + 1);
+    close(m_open_sides[last.after], 3 * polygon.faces()[ears.size() - 1] + 1);
   }
 
   // Puts v at the apex of half-edge h, in both structures.
@@ -593,22 +642,41 @@ private:
   // The numbers that write_ears() does not use.
   static Slot slot_left_by(const Star_polygon_2& polygon)
   {
-    const auto last = polygon.sides().end();
-    return {polygon.center(),
-            {(last - 2)->face, (last - 1)->face},
-            {(last - 3)->spoke, (last - 2)->spoke, (last - 1)->spoke}};
+    const auto face = polygon.faces().end();
+    const auto edge = polygon.edges().end();
+    return {polygon.center(), {face[-2], face[-1]}, {edge[-3], edge[-2], edge[-1]}};
   }
 
   // Logs all edges of the last face: it has no new one if it is the only face.
   void log_ears(const Star_polygon_2& polygon)
   {
     auto& new_edges = m_topology.m_changes.new_edges;
-    const auto& sides = polygon.sides();
-    for (std::size_t i = 0; i + 3 < sides.size(); ++i)
-      new_edges.push_back(sides[i].spoke);
-    const Index last = sides[sides.size() - 3].face;
+    const auto& edges = polygon.edges();
+    new_edges.insert(new_edges.end(), edges.begin(), edges.end() - 3);
+    const Index last = polygon.faces()[polygon.ears().size() - 1];
     for (Index h = 3 * last; h < 3 * last + 3; ++h)
       new_edges.push_back(m_topology.m_mirror.edge_of(h));
+  }
+
+  // The i-th side gets the i-th face, and the edge to its end the i-th edge.
+  void write_star(const Star_polygon_2& polygon)
+  {
+    auto& mirror = m_topology.m_mirror;
+    const auto& sides = polygon.sides();
+    const Index v = polygon.center();
+    const std::size_t degree = sides.size();
+    for (std::size_t i = 0; i < degree; ++i) {
+      const Index h = 3 * polygon.faces()[i];
+      write_vertex(h, v);
+      write_vertex(h + 1, sides[i].corner);
+      write_vertex(h + 2, sides[i + 1 < degree ? i + 1 : 0].corner);
+    }
+    for (std::size_t i = 0; i < degree; ++i) {
+      const Index h = 3 * polygon.faces()[i];
+      close({sides[i].outer, sides[i].edge}, h);
+      link(h + 1, 3 * polygon.faces()[i + 1 < degree ? i + 1 : 0] + 2);
+      mirror.set_edge(polygon.edges()[i], h + 1);
+    }
   }
 
   // Sorts the numbers in descending order. Then the last element is never empty, unless it is the
@@ -620,8 +688,10 @@ private:
     m_empty_edges.clear();
     for (const Slot& slot : empty_slots) {
       m_empty_vertices.push_back(slot.vertex);
-      m_empty_faces.insert(m_empty_faces.end(), slot.faces.begin(), slot.faces.end());
-      m_empty_edges.insert(m_empty_edges.end(), slot.edges.begin(), slot.edges.end());
+      for (const Index f : slot.faces)
+        m_empty_faces.push_back(f);
+      for (const Index e : slot.edges)
+        m_empty_edges.push_back(e);
     }
     for (std::vector<Index>* numbers : {&m_empty_vertices, &m_empty_faces, &m_empty_edges})
       std::sort(numbers->begin(), numbers->end(), std::greater<Index>());
@@ -848,6 +918,7 @@ private:
   std::vector<Flip_2> m_flipped; // in their order
   std::vector<std::vector<Flip_2>> m_flipped_in_parts;
   std::vector<Index> m_empty_vertices, m_empty_faces, m_empty_edges; // to be dropped
+  std::vector<Index> m_number_of_edge;                               // after that
 };
 
 } // namespace internal

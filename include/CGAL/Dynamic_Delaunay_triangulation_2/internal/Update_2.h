@@ -287,9 +287,14 @@ private:
       Circumcircle_classifier_2()(Frame(m_maintained), m_tools.classification());
       m_tools.take_classification(true, was_certified, changes);
     } else {
-      classify_around(change.moved);
+      const Index jumper = was_certified ? find_jumper(change.moved) : no_index;
+      if (jumper == no_index)
+        classify_around(change.moved);
+      else
+        m_tools.classification().add_vertex(jumper);
       m_tools.take_classification(was_certified, was_certified, changes);
-      m_tools.set_movers(change.moved.size(), was_certified && !is_any_on_hull(change.moved));
+      m_tools.set_movers(change.moved.size(), was_certified && !is_any_on_hull(change.moved),
+                         jumper);
     }
   }
 
@@ -304,6 +309,15 @@ private:
     if (ids.size() > 1)
       make_distinct(m_edges_around);
     m_tools.classification().add_unless_delaunay(frame, m_edges_around);
+  }
+
+  // The vertex of the only point that has moved, if it has jumped. Its edges need no look.
+  Index find_jumper(const std::vector<Index>& ids) const
+  {
+    if (ids.size() != 1)
+      return no_index;
+    const Index v = m_maintained.ids().vertex(ids.front());
+    return m_tools.has_jumped_alone(v) ? v : no_index;
   }
 
   bool is_any_on_hull(const std::vector<Index>& ids) const
@@ -342,7 +356,8 @@ private:
     if (!parted.empty() || m_tools.traffic().number_to_put_in() > 0 || has_left_open) {
       m_tools.put_in(parted);
       Mender mender(m_tools);
-      Flip_and_splice_repair_2().mend(mender);
+      if (!mender.is_done())
+        Flip_and_splice_repair_2().mend(mender);
     }
   }
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/accepts_inexact_predicates_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
@@ -82,6 +83,20 @@ public:
         m_jumpers.push_back(v);
     }
     return m_jumpers;
+  }
+
+  // Whether v has jumped, if no other vertex has moved. `false` if it has no finite neighbors.
+  bool has_jumped_alone(Index v) const
+  {
+    const Position_2 place = previous_position(v);
+    const double square = squared_distance(m_maintained.positions()[v], place);
+    std::size_t neighbors = 0, passed = 0;
+    m_maintained.mirror().for_each_neighbor(v, [&](Index w) {
+      const double length = squared_distance(place, m_maintained.positions()[w]);
+      neighbors += w != infinite_index;
+      passed += square > max_way * max_way * length; // false for the infinite one
+    });
+    return passed > neighbors / 4; // as has_jumped() has it
   }
 
 private:
@@ -271,7 +286,8 @@ struct Place_2
 {
   Index face = no_index;
   Index vertex = no_index;
-  Index steps = 0; // of the walk to find it
+  Index steps = 0;        // of the walk to find it
+  bool is_inside = false; // strictly inside of a finite face
 };
 
 // Jump and walk (Mücke, Saias and Zhu, 1999): walks from the nearest of some vertices through
@@ -295,33 +311,36 @@ public:
   Place_2 locate(Index v, Index nearby, Index spread) const
   {
     const Mirror& mirror = m_maintained.mirror();
-    Index f = mirror.corner(nearest(v, nearby, spread)) / 3;
-    Index entry = no_index;
+    const Index start = mirror.corner(nearest(v, nearby, spread)) / 3;
     Index steps = 0;
-    for (; steps < mirror.number_of_faces(); ++steps) {
-      const Index h = way_out(f, v, entry, steps);
+    Index h = way_out(start, v);
+    if (h == no_index)
+      return place_in(start, v, steps);
+    while (++steps < mirror.number_of_faces()) {
+      const Index entry = mirror.twin(h);
+      h = way_on(entry, v, steps % 2 == 0);
       if (h == no_index)
-        return place_in(f, v, steps);
-      entry = mirror.twin(h);
-      f = entry / 3;
+        return place_in(entry / 3, v, steps);
     }
     for (Index g = 0; g < mirror.number_of_faces(); ++g)
-      if (!mirror.is_empty_face(g) && way_out(g, v, no_index, 0) == no_index)
+      if (!mirror.is_empty_face(g) && way_out(g, v) == no_index)
         return place_in(g, v, steps);
-    return place_in(f, v, steps);
+    return place_in(start, v, steps);
   }
 
 private:
-  // A vertex near v. If `nearby` says little, first takes the best of about the cube root of n
-  // vertices, evenly spread over the numbers. Then searches around the best one at ever smaller
-  // steps of the numbers, which follow a curve through the plane. At 100,000 points the second
-  // search takes as long as two steps of the walk, and saves some forty.
+  // A vertex near v. If `nearby` says little, first takes the best of half to all of the
+  // cube root of n vertices, evenly spread over the numbers. Then searches around the best one at
+  // ever smaller steps of the numbers, which follow a curve through the plane. At 100,000 points
+  // the second search takes as long as two steps of the walk, and saves some forty.
   Index nearest(Index v, Index nearby, Index spread) const
   {
     const Index vertices = m_maintained.number_of_vertices();
-    const Index samples = Index(std::cbrt(double(vertices)));
+    Index samples = 1;
+    while (8 * std::size_t(samples) * samples * samples <= vertices)
+      samples *= 2;
     Nearest best{v, nearby, squared_distance(position(v), position(nearby))};
-    if (samples > 0 && spread > vertices / samples) {
+    if (spread > vertices / samples) {
       for (Index i = 0; i < samples; ++i)
         consider(1 + Index(std::size_t(i) * vertices / samples), best);
       spread = vertices / samples / 2;
@@ -353,21 +372,30 @@ private:
 
   const Position_2& position(Index v) const { return m_maintained.positions()[v]; }
 
-  // The edge of face f, other than `entry`, that separates f from v; `no_index` if v is in f.
-  // `turn` determines which edge is tested first: always preferring the same edge can cause
-  // detours.
-  Index way_out(Index f, Index v, Index entry, Index turn) const
+  // The edge of face f that separates it from v; `no_index` if v is in f.
+  Index way_out(Index f, Index v) const
   {
     const Mirror& mirror = m_maintained.mirror();
-    for (Index i = 0; i < 3; ++i) // an infinite face has one finite edge
-      if (mirror.apex(3 * f + i) == infinite_index)
-        return orientation(3 * f + i, v) == LEFT_TURN ? no_index : 3 * f + i;
-    for (Index i = 0; i < 3; ++i) {
-      const Index h = 3 * f + (i + turn) % 3;
-      if (h != entry && orientation(h, v) == RIGHT_TURN)
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) // an infinite face has one finite edge
+      if (mirror.apex(h) == infinite_index)
+        return orientation(h, v) == LEFT_TURN ? no_index : h;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      if (orientation(h, v) == RIGHT_TURN)
         return h;
-    }
     return no_index;
+  }
+
+  // The same for the face of half-edge `entry`, which has v strictly on its left. `turn` determines
+  // which edge is tested first: always preferring the same one can cause detours.
+  Index way_on(Index entry, Index v, bool turn) const
+  {
+    if (m_maintained.mirror().apex(entry) == infinite_index)
+      return no_index;
+    const Index next = Mirror::next(entry), previous = Mirror::previous(entry);
+    const Index first = turn ? next : previous, second = turn ? previous : next;
+    if (orientation(first, v) == RIGHT_TURN)
+      return first;
+    return orientation(second, v) == RIGHT_TURN ? second : no_index;
   }
 
   Orientation orientation(Index h, Index v) const
@@ -380,11 +408,21 @@ private:
   {
     Place_2 place;
     place.steps = steps;
-    for (const Index w : m_maintained.mirror().face(f))
-      if (w != infinite_index && m_predicates.compare_xy(v, w) == EQUAL)
-        place.vertex = w;
     place.face = f;
+    place.is_inside = is_strictly_inside(f, v);
+    if (!place.is_inside)
+      for (const Index w : m_maintained.mirror().face(f))
+        if (w != infinite_index && m_predicates.compare_xy(v, w) == EQUAL)
+          place.vertex = w;
     return place;
+  }
+
+  bool is_strictly_inside(Index f, Index v) const
+  {
+    const auto corners = m_maintained.mirror().face(f);
+    return std::find(corners.begin(), corners.end(), infinite_index) == corners.end() &&
+           orientation(3 * f, v) == LEFT_TURN && orientation(3 * f + 1, v) == LEFT_TURN &&
+           orientation(3 * f + 2, v) == LEFT_TURN;
   }
 
   const Maintained& m_maintained;
@@ -416,14 +454,13 @@ public:
   {
   }
 
-  // Announces points to be inserted, with the next ids, after the removals.
-  void announce(const std::vector<Index>& ids, const std::vector<Point>& points)
+  // Announces points to be inserted, with the next ids, after the removals. Takes the lists, and
+  // leaves others, unless it throws.
+  void announce(std::vector<Index>& ids, std::vector<Point>& points)
   {
-    std::vector<Index> coming_ids = ids;
-    std::vector<Point> coming_points = points;
     m_editor.reserve_ids(ids); // nothing throws from here on
-    m_coming_ids.swap(coming_ids);
-    m_coming_points.swap(coming_points);
+    m_coming_ids.swap(ids);
+    m_coming_points.swap(points);
   }
 
   // Calls f(id, point) for the announced points that are not inserted yet.
@@ -535,25 +572,30 @@ public:
   };
 
   // Puts in the waiting vertices, the duplicates that have left their vertices, and the new points.
-  // After each vertex, `settle(v, steps)` is called for flips around it, with the number of steps
-  // that all walks so far took. If it returns false, no more are put in.
-  template <class Settle>
-  Counts put_in(const std::vector<Index>& parted_duplicates, const Settle& settle)
+  // Everything stays Delaunay, if it is and no more than `most_faces()` are replaced, which is 0 if
+  // it is not. After each vertex, `settle(v, steps, faces)` is called, with the number of steps
+  // that all walks so far took, and the number of faces that were replaced: 0 if v was just put
+  // into a face, so that flips around it have to follow. If it returns false, no more are put in.
+  template <class Most_faces, class Settle>
+  Counts put_in(const std::vector<Index>& parted_duplicates, const Most_faces& most_faces,
+                const Settle& settle)
   {
     Counts counts;
     collect_places(parted_duplicates);
     Hint hint{any_vertex(), m_maintained.number_of_vertices()};
     for (std::size_t k = 0; k < m_order.size(); ++k) {
       const std::size_t i = m_order[k];
-      m_editor.provide_for_new_vertex();
+      const std::size_t most = most_faces();
+      m_replaced = 0;
       const Index v = i < m_waiting.size()
-                          ? put_in_again(m_waiting[i], hint, counts)
-                          : let_come(parted_duplicates, i - m_waiting.size(), hint, counts);
+                          ? put_in_again(m_waiting[i], hint, most, counts)
+                          : let_come(parted_duplicates, i - m_waiting.size(), hint, most, counts);
       if (v == no_index)
         continue;
-      hint = hint_at(v);
-      if (!settle(v, counts.steps))
+      if (!settle(v, counts.steps, m_replaced))
         return counts;
+      if (k + 1 < m_order.size())
+        hint = hint_at(v);
     }
     forget_all();
     return counts;
@@ -599,6 +641,8 @@ private:
   bool triangulate_as_delaunay_without(Index v)
   {
     m_polygon.read(m_maintained.mirror(), v);
+    m_editor.prefetch_handles(m_polygon);
+    m_editor.prefetch_faces(m_polygon);
     return m_polygon.triangulate_as_delaunay(m_maintained);
   }
 
@@ -677,13 +721,16 @@ private:
   }
 
   // Returns v, or `no_index` if another vertex is there already, and now has the points of v.
-  Index put_in_again(const Slot& slot, const Hint& hint, Counts& counts)
+  Index put_in_again(const Slot& slot, const Hint& hint, std::size_t most, Counts& counts)
   {
     const Index v = slot.vertex;
     const Place_2 place = m_location.locate(v, hint.nearby, hint.spread);
     counts.steps += place.steps;
     if (place.vertex == no_index) {
-      m_editor.put_in_again(slot, place.face);
+      if (find_polygon(slot, place, most))
+        m_editor.put_in_again(slot, m_polygon);
+      else
+        m_editor.put_in_again(slot, place.face);
       ++counts.relocated;
       return v;
     }
@@ -696,7 +743,7 @@ private:
 
   // The same for a duplicate that parts, or a new point.
   Index let_come(const std::vector<Index>& parted_duplicates, std::size_t i, const Hint& hint,
-                 Counts& counts)
+                 std::size_t most, Counts& counts)
   {
     const auto& ids = m_maintained.ids();
     const bool parts = i < parted_duplicates.size();
@@ -712,9 +759,29 @@ private:
       m_editor.place_duplicate(id, place.vertex, p);
       return no_index;
     }
-    m_empty.pop_back();
-    m_editor.put_in_new(slot, place.face, id);
+    const bool is_found = find_polygon(slot, place, most);
+    m_empty.pop_back(); // nothing throws from here on
+    if (is_found)
+      m_editor.put_in_new(slot, m_polygon, id);
+    else
+      m_editor.put_in_new(slot, place.face, id);
     return slot.vertex;
+  }
+
+  // Finds the polygon that the slot's vertex gets, if everything is to stay Delaunay and that is
+  // possible. Reserves memory for the new edges, also if not.
+  bool find_polygon(const Slot& slot, const Place_2& place, std::size_t most)
+  {
+    constexpr bool is_rounded = Are_known_to_be_inexact_2<typename Maintained::Traits>::value;
+    constexpr std::size_t edges_of_three_faces = 6;
+    const bool is_found = !is_rounded && most > 0 && place.is_inside &&
+                          m_polygon.find_as_delaunay(m_maintained, place.face, slot.vertex, most);
+    if (is_found) {
+      m_replaced = m_polygon.faces().size();
+      m_polygon.add(slot);
+    }
+    m_editor.provide_for_new_edges(is_found ? m_polygon.edges().size() : edges_of_three_faces);
+    return is_found;
   }
 
   // The last empty slot, with a vertex at p. It stays in the list of empty slots for now.
@@ -741,7 +808,8 @@ private:
   Vertex_order_2<Maintained> m_meeting_order;
   Spatial_order_2 m_order;
   std::vector<Position_2> m_places;
-  Star_polygon_2 m_polygon;    // around the vertex that goes
+  Star_polygon_2 m_polygon;    // around the vertex that goes or comes
+  std::size_t m_replaced = 0;  // faces that the last vertex has replaced
   std::vector<Index> m_rest;   // vertices that are to go
   std::vector<Slot> m_waiting; // of vertices that jumped
   std::vector<Slot> m_empty;   // of vertices without points
