@@ -142,6 +142,9 @@ public:
   //     overlap have one circle. If v is inside of C, w is inside of the circle through v, p and
   //     q, which was empty. If v is on C, the edges from v to w and from p to q cross. Neither can
   //     be.
+  //   - A corner in a circle of the search is on the left: on the right of the side, such a circle
+  //   is
+  //     inside of C.
   // So the search finds Delaunay faces that tile P.
   template <class Maintained>
   bool triangulate_as_delaunay(const Maintained& maintained)
@@ -217,8 +220,7 @@ private:
       ++apex;
     for (Index i = apex + 1; i < last; ++i) {
       const Index v = m_sides[i].corner;
-      if (predicates.side_of_circle(m_sides[apex].corner, source, target, v) == ON_POSITIVE_SIDE &&
-          is_on_left(v))
+      if (predicates.side_of_circle(m_sides[apex].corner, source, target, v) == ON_POSITIVE_SIDE)
         apex = i;
     }
     return apex;
