@@ -142,9 +142,8 @@ public:
   //     overlap have one circle. If v is inside of C, w is inside of the circle through v, p and
   //     q, which was empty. If v is on C, the edges from v to w and from p to q cross. Neither can
   //     be.
-  //   - A corner in a circle of the search is on the left: on the right of the side, such a circle
-  //   is
-  //     inside of C.
+  //   - A corner in a circle of the search is on the left of the side: on its right, such a circle
+  //     is inside of C.
   // So the search finds Delaunay faces that tile P.
   template <class Maintained>
   bool triangulate_as_delaunay(const Maintained& maintained)
