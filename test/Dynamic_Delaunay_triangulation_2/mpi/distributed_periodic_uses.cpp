@@ -220,6 +220,33 @@ void calm_frames_need_no_questions()
   expect(dt.number_of_rounds() == rounds, "calm frames of shear need no questions");
 }
 
+// In each frame points go as far as some are apart, more than a zone's margin in a few frames; but
+// they go with the cell.
+void zones_follow_shear()
+{
+  constexpr double length = 40, shear = 0.02;
+  std::mt19937 random(33);
+  std::uniform_real_distribution<double> coordinate(0, length);
+  Points points;
+  for (int i = 0; i < 1600; ++i)
+    points.push_back(Point(coordinate(random), coordinate(random)));
+  Population population = numbered(points);
+  const auto own = own_part(population, in_turn);
+  Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), Cell(length, length));
+  const auto asked_before = dt.number_of_asking_frames();
+  constexpr int frames = 40;
+  for (int frame = 1; frame <= frames; ++frame) {
+    for (auto& [id, p] : population)
+      p = Point(p.x() + shear * p.y(), p.y());
+    const Points next = own_positions(dt, population);
+    dt.update(next.begin(), next.end(), Cell(length, 0, length * shear * frame, length));
+    if (frame % 10 == 0)
+      expect_exact(dt, population, "a zone that follows shear");
+  }
+  const auto asking = dt.number_of_asking_frames() - asked_before;
+  expect(4 * asking <= frames, "zones follow shear: " + std::to_string(asking) + " frames asked");
+}
+
 void other_ranks_read_checkpoints()
 {
   long process = getpid();
@@ -343,6 +370,7 @@ int main(int argc, char** argv)
   duplicates_and_measures();
   mixed_points_are_distributed_anew();
   calm_frames_need_no_questions();
+  zones_follow_shear();
   other_ranks_read_checkpoints();
   sheared_cells_are_followed_for_long();
   points_can_be_given_back();

@@ -21,31 +21,36 @@ namespace internal {
 // Where points are so dense, deep in a zone, that no face can reach out of it. Own points are added
 // while the positions of ghosts are still under way.
 //
-// Let b be the side of a block of the zone. A point p is *dense* if its block and the three blocks
-// around it in each direction are whole blocks of the zone, and each has a point. Then the disk of
-// each Delaunay face with the corner p is in the zone: if its diameter were more than d = 2.83 b,
-// the disk of diameter d that it contains, with p on its circle, would contain a square of side
-// d / sqrt(2) > 2 b, and so a whole block; that block is within d < 3 b of p, and has a point, but
-// a Delaunay disk has none inside. So its diameter is at most d, and all of it within d of p. A
-// half plane beyond an edge of the hull would contain such a disk, too: a dense point is not at
-// the hull. That the sides of blocks are off by 2^-40 cells is covered as 2.83 > 2 sqrt(2).
+// In coordinates of the zone, which has been deformed, let b be the side of a block. Disks are
+// ellipses there, of which the longer axis is k times as long as the shorter one. A point p is
+// *dense* if its block and the three blocks around it in each direction have a point each, and all
+// cells of the zone within 2.83 k^2 b of its block are in the zone. Then the disk of each Delaunay
+// face with the corner p is in the zone: an ellipse with the axes l and l / k contains the circle
+// of the diameter l / k^2 that touches it in p, as the radius of its curvature is no smaller
+// anywhere. If that diameter were more than d = 2.83 b, the disk of diameter d within, with p on
+// its circle, would contain a square of side d / sqrt(2) > 2 b, and so a whole block; that block is
+// within d < 3 b of p, and has a point, but a Delaunay disk has none inside. So l is at most
+// 2.83 k^2 b, and all of the ellipse within that of p. A half plane beyond an edge of the hull
+// would contain such a disk, too: a dense point is not at the hull. That the sides of blocks are
+// off by 2^-22 cells is covered as 2.83 > 2 sqrt(2).
 class Distributed_density_2
 {
 public:
   void set_zone(const Distributed_zone_2& zone)
   {
-    m_are_whole.clear();
-    const long rows = zone.block_rows(), columns = zone.block_columns();
-    for (long row = 0; row < rows; ++row)
-      for (long column = 0; column < columns; ++column)
-        m_are_whole.push_back(row > 0 && row < rows - 1 && column > 0 && column < columns - 1 &&
-                              zone.is_whole_block(column, row));
+    const double cells = 2.83 * double(Distributed_zone_2::cells_per_block) *
+                         zone.deformation().squared_distortion() * (1 + 0x1p-20);
+    const long around = (std::max)(3 * Distributed_zone_2::cells_per_block, long(cells) + 1);
+    m_are_deep.clear();
+    for (long row = 0; row < zone.block_rows(); ++row)
+      for (long column = 0; column < zone.block_columns(); ++column)
+        m_are_deep.push_back(zone.is_deep_block(column, row, around));
   }
 
   // Forgets the own points.
   void clear()
   {
-    m_have_own.assign(m_are_whole.size() + 1, 0);
+    m_have_own.assign(m_are_deep.size() + 1, 0);
     m_own_blocks.clear();
   }
   // Adds the next own point.
@@ -62,21 +67,21 @@ public:
     m_are_dense = m_have_own;
     for_each_ghost([&](const Position_2& p) { m_are_dense[zone.block(p.x, p.y)] = 1; });
     m_are_dense.back() = 0;
-    for (std::size_t k = 0; k < m_are_whole.size(); ++k)
-      m_are_dense[k] = m_are_dense[k] & m_are_whole[k];
     keep_surrounded(1);
     keep_surrounded(std::size_t(zone.block_columns()));
+    for (std::size_t k = 0; k < m_are_deep.size(); ++k)
+      m_are_dense[k] = m_are_dense[k] & m_are_deep[k];
   }
   // Whether the k-th own point was dense then.
   bool is_dense(std::size_t k) const { return m_are_dense[m_own_blocks[k]] != 0; }
 
 private:
   // Keeps those blocks that have the three before them and the three behind them, which are `step`
-  // numbers apart. Blocks of other rows are no trouble, as the outermost ones do not count as
-  // whole.
+  // numbers apart. Blocks of other rows are no trouble, as those with less than three blocks around
+  // them are not deep.
   void keep_surrounded(std::size_t step)
   {
-    const std::size_t blocks = m_are_whole.size(), around = 3 * step;
+    const std::size_t blocks = m_are_deep.size(), around = 3 * step;
     if (blocks <= 2 * around)
       return m_are_dense.assign(blocks + 1, 0);
     m_are_surrounded.assign(blocks + 1, 0);
@@ -88,7 +93,7 @@ private:
     m_are_dense.swap(m_are_surrounded);
   }
 
-  std::vector<std::uint8_t> m_are_whole;      // by blocks; but none of the outermost ones
+  std::vector<std::uint8_t> m_are_deep;       // by blocks
   std::vector<std::uint8_t> m_have_own;       // by blocks, and for places in none: own points
   std::vector<std::uint32_t> m_own_blocks;    // of the own points
   std::vector<std::uint8_t> m_are_dense;      // by blocks; and 0 for places in none

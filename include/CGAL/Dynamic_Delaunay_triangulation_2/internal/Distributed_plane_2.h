@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_deformation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_image_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_outline_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_question_2.h>
@@ -74,6 +75,11 @@ public:
   {
     f(Shift());
   }
+
+  // What is deformed with the space.
+  Basis_2 basis() const { return unit_basis; }
+  // Compared with the largest coordinate, the size of the smallest cells of a zone.
+  static constexpr double finest_zone = 0x1p-40;
 
   // Whether what ranks have sent each other in the other space is of use in this one.
   bool continues(const Distributed_plane_2&) const { return true; }

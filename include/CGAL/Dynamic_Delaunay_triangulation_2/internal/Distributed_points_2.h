@@ -206,6 +206,8 @@ public:
     m_ranks.exchange().start();
     send_known();
     move(false, positions, last);
+    for (Distributed_zone_2& zone : m_zones)
+      zone.follow(m_space.basis());
     send_new();
   }
 
@@ -231,6 +233,9 @@ public:
     note_ghosts(coming, places);
     return report;
   }
+
+  // That of this rank, as the others know it.
+  const Distributed_zone_2& own_zone() const { return m_zones[std::size_t(m_ranks.rank())]; }
 
   // Calls f(place) for each ghost.
   template <class Function>

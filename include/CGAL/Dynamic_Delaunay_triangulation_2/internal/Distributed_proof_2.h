@@ -96,19 +96,15 @@ public:
     return report;
   }
 
-  // What is known of own points in the next proof while the positions of ghosts are not. To be
-  // called when own points have changed.
-  void mark_own_points()
+  // What can be done for the next proof while the positions of ghosts are not known. To be called
+  // when own points have changed, and zones were deformed.
+  void prepare()
   {
     if (has_no_others())
       return;
-    m_density.clear();
-    const std::vector<Index>& owned = m_points.owned();
-    for (std::size_t k = 0; k < owned.size(); ++k) {
-      if (k % marks_at_once == 0)
-        m_ranks.exchange().progress();
-      m_density.add_own(m_zone, position(owned[k]));
-    }
+    if (m_zone.follow(m_points.own_zone()))
+      m_density.set_zone(m_zone);
+    mark_own_points();
   }
 
   // When all points have been replaced.
@@ -192,6 +188,17 @@ private:
     for (std::size_t k = 0; k < owned.size(); ++k)
       if (m_density.is_dense(k))
         corners[frame.vertex(owned[k])] = 0;
+  }
+
+  void mark_own_points()
+  {
+    m_density.clear();
+    const std::vector<Index>& owned = m_points.owned();
+    for (std::size_t k = 0; k < owned.size(); ++k) {
+      if (k % marks_at_once == 0)
+        m_ranks.exchange().progress();
+      m_density.add_own(m_zone, position(owned[k]));
+    }
   }
 
   // Boxes around stretches of the own points, of all ranks.
@@ -376,9 +383,9 @@ private:
     const double most = double(Distributed_zone_2::most_cells - 1);
     const double coordinates = (std::max)(
         {std::abs(box.x_low), std::abs(box.x_high), std::abs(box.y_low), std::abs(box.y_high)});
-    size = (std::max)({size, extent / (most - 40), 0x1p-40 * coordinates});
+    size = (std::max)({size, extent / (most - 40), Space::finest_zone * coordinates});
     const double reach = (std::max)(16 * size, (std::min)(extent, (most * size - extent) / 2));
-    Distributed_zone_2 zone(box.enlarged(reach), size);
+    Distributed_zone_2 zone(box.enlarged(reach), size, m_points.space().basis());
     for_each_face([&](const Question& question) {
       if (question.kind == Question::CIRCLE)
         m_cover.extend(question, zone, m_margin * size);

@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_deformation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_image_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_question_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_ranks_2.h>
@@ -42,8 +43,9 @@ namespace internal {
 // 4. An own image is at most one cell of the basis outside of the one at the origin: no farther
 // from the origin than 2 * 4 H. A zone is around disks at own images, whose diameters are less than
 // H, with a margin of 8 cells of at most H / 2, and a cell for rounding: it reached no farther than
-// 13.5 H then, which is 54 H now. So do images in it; those that are asked for are nearer. The grid
-// has room for 128 H, and images beyond that are in no zone.
+// 13.5 H then. It is deformed with the basis, by at most a factor of 2 since, so that H was at most
+// twice what it is now: it reaches no farther than 54 H. So do images in it; those that are asked
+// for are nearer. The grid has room for 128 H, and images beyond that are in no zone.
 template <class Kernel_>
 class Distributed_torus_2
 {
@@ -172,35 +174,23 @@ public:
       }
   }
 
+  // What is deformed with the cell.
+  const Basis_2& basis() const { return m_basis; }
+  static constexpr double finest_zone = 0x1p-24;
+
   bool continues(const Distributed_torus_2& last) const { return m_number == last.m_number; }
 
 private:
-  using Vectors = std::array<Position_2, 2>;
-
   static constexpr double most_cells = 0x1p16; // that a point may be away from the origin
 
   static double length(const Position_2& v) { return std::hypot(v.x, v.y); }
-  static double determinant(const Vectors& v) { return v[0].x * v[1].y - v[0].y * v[1].x; }
-
-  // Of the matrix that takes some vectors to others: the sum of its squares, which is that of the
-  // squares of the largest and the least stretching.
-  static double squared_stretching(const Vectors& from, const Vectors& to)
-  {
-    const double d = determinant(from);
-    const auto row = [&](double a, double b) {
-      const double x = (a * from[1].y - b * from[0].y) / d;
-      const double y = (b * from[0].x - a * from[1].x) / d;
-      return x * x + y * y;
-    };
-    return row(to[0].x, to[1].x) + row(to[0].y, to[1].y);
-  }
 
   // Vectors of the lattice, as multiples of those of the cell.
   void set_basis(const std::array<Shift, 2>& basis)
   {
     m_in_cells = basis;
     m_basis = {vector({1, 0}), vector({0, 1})};
-    const double d = determinant(m_basis);
+    const double d = m_basis[0].x * m_basis[1].y - m_basis[0].y * m_basis[1].x;
     m_inverse_x = {m_basis[1].y / d, -m_basis[1].x / d};
     m_inverse_y = {-m_basis[0].y / d, m_basis[0].x / d};
   }
@@ -222,8 +212,8 @@ private:
     set_basis(basis);
     m_first_basis = last.m_first_basis;
     m_number = last.m_number;
-    return squared_stretching(m_first_basis, m_basis) <= 4 &&
-           squared_stretching(m_basis, m_first_basis) <= 4;
+    return Distributed_deformation_2(m_first_basis, m_basis).sum_of_squares() <= 4 &&
+           Distributed_deformation_2(m_basis, m_first_basis).sum_of_squares() <= 4;
   }
 
   // In multiples of the basis, rounded.
@@ -249,7 +239,7 @@ private:
   Lattice_grid_2 m_grid;
   Torus_2 m_torus;
   std::array<Shift, 2> m_in_cells; // the basis in multiples of the cell's vectors
-  Vectors m_basis, m_first_basis;  // now, and when it was the shortest one
+  Basis_2 m_basis, m_first_basis;  // now, and when it was the shortest one
   Position_2 m_inverse_x, m_inverse_y;
   double m_reach;
   std::uint64_t m_number = 0; // of the basis, among those since the points were given

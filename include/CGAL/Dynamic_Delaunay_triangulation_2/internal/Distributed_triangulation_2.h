@@ -442,7 +442,7 @@ private:
   // What follows when own points have changed, and ranks tell each other.
   Update_report_2 complete(Update_report_2 report)
   {
-    m_proof.mark_own_points();
+    m_proof.prepare();
     report += m_points.finish_exchange();
     report += prove();
     balance();

@@ -6,13 +6,17 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_deformation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_question_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -24,6 +28,15 @@ namespace internal {
 // coordinates, and the cell of a place depends monotonically on its coordinates, rounding included.
 // So all places in a box whose corners' cells enclose nothing but cells of the zone are in the
 // zone.
+//
+// In a periodic space a zone is deformed with the cell: the grid is that of the time when the zone
+// was made, and places are taken to where they were then, by the same map on all ranks. What is
+// said of a box is said of a box around all that this computes for its places.
+//
+// Accuracy. A zone is deformed while the map stretches nothing by more than 2, neither back nor
+// forth. Then it has coordinates of at most 2^26 cells (`zone_around_faces()` sees to that), and
+// the map is off by less than 2^-23 cells. Otherwise it changes nothing. The numbers of cells,
+// before they are cut off, are off by less than 2^-40 besides, within the box.
 class Distributed_zone_2
 {
 public:
@@ -31,9 +44,11 @@ public:
 
   Distributed_zone_2() = default;
 
-  // Without cells yet. \pre `box` has at most `most_cells` cells of this size along each axis.
-  Distributed_zone_2(const Box_2& box, double cell_size)
-    : m_x(box.x_low)
+  // Without cells yet, in a space with this basis. \pre `box` has at most `most_cells` cells of
+  // this size along each axis.
+  Distributed_zone_2(const Box_2& box, double cell_size, const Basis_2& basis = unit_basis)
+    : m_basis(basis)
+    , m_x(box.x_low)
     , m_y(box.y_low)
     , m_scale(1 / cell_size)
     , m_columns(long((box.x_high - box.x_low) / cell_size) + 1)
@@ -44,54 +59,77 @@ public:
 
   bool is_empty() const { return m_cells.empty(); }
   double cell_size() const { return 1 / m_scale; }
+  const Distributed_deformation_2& deformation() const { return m_deformation; }
 
-  bool contains(double x, double y) const
+  // Deforms the zone with the space, whose basis is this one now. It ends where that is too much.
+  void follow(const Basis_2& basis)
   {
-    return !is_empty() && contains(Cell{column_of(x), row_of(y)});
+    const Distributed_deformation_2 back(basis, m_basis), forth(m_basis, basis);
+    if (back.sum_of_squares() <= 4 && forth.sum_of_squares() <= 4)
+      m_deformation = back;
+    else
+      *this = Distributed_zone_2();
   }
 
+  // The same as it was done to the zone that was read from this one's words, by the same code on
+  // all ranks: rounded elsewhere it might end at another time. Whether anything has changed.
+  bool follow(const Distributed_zone_2& read)
+  {
+    if (is_empty() || (!read.is_empty() && read.m_deformation == m_deformation))
+      return false;
+    if (read.is_empty())
+      *this = Distributed_zone_2();
+    else
+      m_deformation = read.m_deformation;
+    return true;
+  }
+
+  bool contains(double x, double y) const { return !is_empty() && contains(cell_of(x, y)); }
+
   // A distance, in each coordinate, up to which all places around this one are in the zone; 0 if
-  // that cannot be seen quickly. Within the box the numbers of cells are off by less than 2^-40
-  // before they are cut off.
+  // that cannot be seen quickly.
   double depth_around(double x, double y) const
   {
-    const Cell c{column_of(x), row_of(y)};
-    return (std::max)(layers(c.column, c.row) - 1, 0) / m_scale * (1 - 0x1p-30);
+    const Cell c = cell_of(x, y);
+    return (std::max)(layers(c.column, c.row) - 1, 0) / m_scale / m_deformation.largest_growth() *
+           (1 - 0x1p-16);
   }
 
   // Whether a place in the box may be in the zone, which has come as words. If not, none is.
   bool may_meet(const Box_2& box) const
   {
-    return !box.is_empty() && column_of(box.x_low) <= m_last.column &&
-           row_of(box.y_low) <= m_last.row && column_of(box.x_high) >= m_first.column &&
-           row_of(box.y_high) >= m_first.row;
+    if (box.is_empty())
+      return false;
+    const auto [low, high] = cells_around(box);
+    return low.column <= m_last.column && low.row <= m_last.row && high.column >= m_first.column &&
+           high.row >= m_first.row;
   }
 
-  // BLOCKS, squares of cells, in rows, as far as they are complete within the box
+  // BLOCKS, squares of cells, in rows, as far as they are complete within the box, deformed with it
 
   static constexpr long cells_per_block = 4; // along an axis
 
-  double block_size() const { return double(cells_per_block) / m_scale; }
   long block_columns() const { return m_columns / cells_per_block; }
   long block_rows() const { return m_rows / cells_per_block; }
 
-  // The block of a place, or the number of blocks if it is in none. Its sides, as this computes
-  // them, are off by less than 2^-40 cells.
+  // The block of a place, or the number of blocks if it is in none.
   std::uint32_t block(double x, double y) const
   {
     const double scale = m_scale / double(cells_per_block);
-    const double column = (x - m_x) * scale, row = (y - m_y) * scale;
+    const Position_2 p = m_deformation(x, y);
+    const double column = (p.x - m_x) * scale, row = (p.y - m_y) * scale;
     const bool is_in_one =
         column >= 0 && column < double(block_columns()) && row >= 0 && row < double(block_rows());
     return std::uint32_t(is_in_one ? std::int32_t(row) * block_columns() + std::int32_t(column)
                                    : block_rows() * block_columns());
   }
-  // Whether all of its cells are in the zone.
-  bool is_whole_block(long column, long row) const
+  // Whether all of its cells are in the zone, and as many around it in each direction.
+  bool is_deep_block(long column, long row, long around) const
   {
     constexpr long last = cells_per_block - 1;
-    const Cell low{column * cells_per_block, row * cells_per_block};
-    return are_all_cells(low, {low.column + last, low.row + last});
+    const Cell low{column * cells_per_block - around, row * cells_per_block - around};
+    const Cell high{low.column + last + 2 * around, low.row + last + 2 * around};
+    return is_in_box(low) && is_in_box(high) && are_all_cells(low, high);
   }
 
   // Around all places in the zone, which has come as words.
@@ -100,15 +138,19 @@ public:
     if (m_first.column > m_last.column)
       return Box_2();
     const double size = cell_size(); // of a cell more on each side, for rounding
-    return {m_x + double(m_first.column - 1) * size, m_y + double(m_first.row - 1) * size,
-            m_x + double(m_last.column + 2) * size, m_y + double(m_last.row + 2) * size};
+    return m_deformation.inverse()(
+        Box_2{m_x + double(m_first.column - 1) * size, m_y + double(m_first.row - 1) * size,
+              m_x + double(m_last.column + 2) * size, m_y + double(m_last.row + 2) * size});
   }
 
   // Whether it can be seen quickly that all places in the box are in the zone.
   bool covers(const Box_2& box) const
   {
-    const Cell low{column_of(box.x_low), row_of(box.y_low)};
-    const Cell high{column_of(box.x_high), row_of(box.y_high)};
+    const bool is_finite =
+        box.x_high - box.x_low < Box_2::infinity && box.y_high - box.y_low < Box_2::infinity;
+    if (!is_finite)
+      return false;
+    const auto [low, high] = cells_around(box);
     if (is_in_box(low) && is_in_box(high))
       return are_all_cells(low, high);
     const long number = (high.column - low.column + 1) * (high.row - low.row + 1);
@@ -121,7 +163,8 @@ public:
     return true;
   }
 
-  // Adds all cells that the box meets; beyond the grid's own box only if they are few.
+  // Adds all cells that the box meets; beyond the grid's own box only if they are few. \pre The
+  // zone is not deformed yet.
   void add(const Box_2& box)
   {
     const Cell low{column_of(box.x_low), row_of(box.y_low)};
@@ -154,13 +197,13 @@ public:
   // As numbers, with the cells in the box as the lengths of runs of equal ones.
   std::vector<std::uint64_t> to_words() const
   {
-    std::vector<std::uint64_t> words(6);
-    std::memcpy(&words[0], &m_x, 8);
-    std::memcpy(&words[1], &m_y, 8);
-    std::memcpy(&words[2], &m_scale, 8);
-    words[3] = std::uint64_t(m_columns);
-    words[4] = std::uint64_t(m_rows);
-    words[5] = m_listed.size();
+    const Numbers numbers{m_basis[0].x, m_basis[0].y, m_basis[1].x, m_basis[1].y,
+                          m_x,          m_y,          m_scale};
+    std::vector<std::uint64_t> words(numbers.size());
+    std::memcpy(words.data(), numbers.data(), sizeof(numbers));
+    words.push_back(std::uint64_t(m_columns));
+    words.push_back(std::uint64_t(m_rows));
+    words.push_back(m_listed.size());
     words.insert(words.end(), m_listed.begin(), m_listed.end());
     for (std::size_t first = 0; first < m_cells.size();) {
       std::size_t beyond = first;
@@ -172,18 +215,18 @@ public:
     return words;
   }
 
-  // For `contains()` and `may_meet()` alone.
+  // For `contains()`, `may_meet()` and `bounds()` alone. Not deformed yet.
   template <class Iterator>
   static Distributed_zone_2 of_words(Iterator words, Iterator beyond)
   {
     Distributed_zone_2 zone;
-    const auto number = [&](double& value) {
+    Numbers numbers;
+    for (double& number : numbers) {
       const std::uint64_t word = *words++;
-      std::memcpy(&value, &word, 8);
-    };
-    number(zone.m_x);
-    number(zone.m_y);
-    number(zone.m_scale);
+      std::memcpy(&number, &word, sizeof(number));
+    }
+    zone.m_basis = {{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}}};
+    zone.m_x = numbers[4], zone.m_y = numbers[5], zone.m_scale = numbers[6];
     zone.m_columns = long(*words++);
     zone.m_rows = long(*words++);
     const auto listed = std::ptrdiff_t(*words++);
@@ -199,6 +242,7 @@ private:
   {
     long column, row;
   };
+  using Numbers = std::array<double, 7>; // the vectors of the basis, x, y and the scale
 
   static constexpr long most_single_cells = 64; // that are looked at one by one
   static constexpr long no_cell = (std::numeric_limits<long>::max)();
@@ -213,6 +257,18 @@ private:
   }
   long column_of(double x) const { return place((x - m_x) * m_scale); }
   long row_of(double y) const { return place((y - m_y) * m_scale); }
+  Cell cell_of(double x, double y) const
+  {
+    const Position_2 p = m_deformation(x, y);
+    return {column_of(p.x), row_of(p.y)};
+  }
+  // Those of places in a box are between these two.
+  std::pair<Cell, Cell> cells_around(const Box_2& box) const
+  {
+    const Box_2 around = m_deformation(box);
+    return {{column_of(around.x_low), row_of(around.y_low)},
+            {column_of(around.x_high), row_of(around.y_high)}};
+  }
   bool is_in_box(Cell c) const
   {
     return c.column >= 0 && c.column < m_columns && c.row >= 0 && c.row < m_rows;
@@ -288,6 +344,8 @@ private:
   }
   std::uint32_t sum(long column, long row) const { return m_sums[corner(column, row)]; }
 
+  Basis_2 m_basis = unit_basis;            // when the zone was made
+  Distributed_deformation_2 m_deformation; // from now to then
   double m_x = 0, m_y = 0, m_scale = 1;
   long m_columns = 0, m_rows = 0;
   std::vector<std::uint8_t> m_cells;   // of the box
