@@ -25,6 +25,10 @@
 // A trial ends with its first fault. What kills the program, or takes it too long, is named with
 // the trial. The program ends with success only if there are no faults.
 
+#ifndef ROBUSTNESS_PROGRAM
+#define ROBUSTNESS_PROGRAM "robustness"
+#endif
+
 #include "common/Program.h"
 #include "robustness/Robustness_report.h"
 #include "robustness/Robustness_run.h"
@@ -122,6 +126,6 @@ bool run_robustness(const Robustness_options& options, const std::string& comman
 
 int main(int argc, char** argv)
 {
-  return common::run_program<Robustness_options>("robustness", argc, argv, add_options,
+  return common::run_program<Robustness_options>(ROBUSTNESS_PROGRAM, argc, argv, add_options,
                                                  run_robustness);
 }

@@ -17,6 +17,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Predictive_point_distance_classifier_2.h>
 #include <CGAL/Static_engine_2.h>
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -24,12 +25,20 @@
 
 namespace random_operations {
 
+// Threads share the work only where the program makes parts of a few points.
+#ifdef CGAL_DYNAMIC_DELAUNAY_POINTS_OF_PART
+using Concurrency = CGAL::Parallel_tag;
+#else
+using Concurrency = CGAL::Sequential_tag;
+#endif
+
 // What a triangulation is made with.
 template <class Kernel, class Classifier>
 struct Maker
 {
-  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, run::Any_repair,
-                                                         CGAL::Default, run::Any_policy>;
+  using Dynamic =
+      CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, run::Any_repair, CGAL::Default,
+                                             run::Any_policy, CGAL::Default, Concurrency>;
   using Point = typename Dynamic::Point;
 
   typename Dynamic::Settings settings;

@@ -86,25 +86,34 @@ struct Edge_filter_2
   bool is_large() const { return (left_size > smallest_size) & (right_size > smallest_size); }
 
   // True only if both faces are counterclockwise.
-  bool proves_counterclockwise() const { return (left > left_bound()) & (right > right_bound()); }
+  bool proves_counterclockwise() const
+  {
+    const double left_error = left_bound(), right_error = right_bound();
+    return (left > left_error) & (right > right_error);
+  }
 
   // True only if both faces are counterclockwise and the edge is strictly locally Delaunay.
   bool proves_delaunay() const
   {
-    return proves_counterclockwise() & (in_circle < -in_circle_bound());
+    const bool are_counterclockwise = proves_counterclockwise();
+    const double error = in_circle_bound();
+    return are_counterclockwise & (in_circle < -error);
   }
 
   // True only if both faces are counterclockwise and the edge is not locally Delaunay.
   bool proves_illegal() const
   {
-    return proves_counterclockwise() & (in_circle > in_circle_bound());
+    const bool are_counterclockwise = proves_counterclockwise();
+    const double error = in_circle_bound();
+    return are_counterclockwise & (in_circle > error);
   }
 
   // True only if a face is clockwise, or the edge is not locally Delaunay.
   bool disproves_delaunay() const
   {
-    return (left < -left_bound()) | (right < -right_bound()) |
-           ((in_circle > in_circle_bound()) & is_large());
+    const double left_error = left_bound(), right_error = right_bound(), error = in_circle_bound();
+    const bool has_large_terms = is_large();
+    return (left < -left_error) | (right < -right_error) | ((in_circle > error) & has_large_terms);
   }
 };
 

@@ -328,13 +328,15 @@ private:
       const double t = (std::max)({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y),
                                    std::abs(c.x), std::abs(c.y)});
       const double e = error_factor * m, more = orientation_share * t * e;
+      const double left_error = m_filter.left_bound() + more;
+      const double right_error = m_filter.right_bound() + more;
       m_in_circle_bound = m_filter.in_circle_bound() + in_circle_share * (t * t * t) * e;
-      is_usable = m_filter.is_large() & (e < largest_error * t) &
-                  !(torus.are_across(corners.left.shift, corners.right.shift) ||
-                    torus.are_across(corners.source.shift, corners.right.shift) ||
-                    torus.are_across(corners.target.shift, corners.right.shift));
-      is_counterclockwise = is_usable & (m_filter.left > m_filter.left_bound() + more) &
-                            (m_filter.right > m_filter.right_bound() + more);
+      is_usable = m_filter.is_large() && e < largest_error * t &&
+                  !torus.are_across(corners.left.shift, corners.right.shift) &&
+                  !torus.are_across(corners.source.shift, corners.right.shift) &&
+                  !torus.are_across(corners.target.shift, corners.right.shift);
+      is_counterclockwise =
+          is_usable & (m_filter.left > left_error) & (m_filter.right > right_error);
     }
 
     Edge_corners_2 m_vectors; // from the right corner
