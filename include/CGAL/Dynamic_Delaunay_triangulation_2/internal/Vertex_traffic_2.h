@@ -92,9 +92,9 @@ public:
     const double square = squared_distance(m_maintained.positions()[v], place);
     std::size_t neighbors = 0, passed = 0;
     m_maintained.mirror().for_each_neighbor(v, [&](Index w) {
-      const double length = squared_distance(place, m_maintained.positions()[w]);
+      const double squared_length = squared_distance(place, m_maintained.positions()[w]);
       neighbors += w != infinite_index;
-      passed += square > max_way * max_way * length; // false for the infinite one
+      passed += square > max_way * max_way * squared_length; // false for the infinite one
     });
     return passed > neighbors / 4; // as has_jumped() has it
   }
