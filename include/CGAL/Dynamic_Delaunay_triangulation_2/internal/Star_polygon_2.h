@@ -129,8 +129,7 @@ public:
   // The faces at each side are found from its left: the circle through the side and the apex of its
   // face contains no other corner that is on its left. Let S be the points without the center v.
   //   - All faces but those of v stay Delaunay, as their circles have no point of S inside. So S
-  //   has
-  //     a Delaunay triangulation that differs from the old one in the polygon P alone.
+  //     has a Delaunay triangulation that differs from the old one in the polygon P alone.
   //   - Its face at a side, or at an edge that divides P, has its apex among the corners of that
   //     part of P. Its circle C contains no point of S, so only another corner on C can win the
   //     search instead.
