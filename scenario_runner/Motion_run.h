@@ -132,8 +132,8 @@ public:
     });
   }
 
-  // Goes to the next frame, times everybody there, and checks what came out. False at the end of
-  // the motion.
+  // Goes to the next frame, times all contestants there, and checks what came out. False at the end
+  // of the motion.
   bool advance()
   {
     const bool is_there = measure();

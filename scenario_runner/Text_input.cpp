@@ -152,7 +152,7 @@ std::string unzipped(const std::string& file, std::string_view)
 
 #endif
 
-// `size` is what the stream is expected to have, and 0 if nobody knows.
+// `size` is what the stream is expected to have, and 0 if that is not known.
 std::string read_text(std::istream& stream, const std::string& file, std::uintmax_t size)
 {
   std::string text;

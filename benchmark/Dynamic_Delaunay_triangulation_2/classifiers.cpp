@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What classifiers find, what they miss, and what they cost; what update policies make of the exact
-// one; and how far padding reaches. Everybody follows the same recorded motion, whose neighbors
+// one; and how far padding reaches. All follow the same recorded motion, whose neighbors
 // come from an exact triangulation, so that a heuristic is held against the truth and not against
 // its own mistakes in the physics. Options: --frames=N, and those of Google Benchmark; the names of
 // the rows are what --benchmark_filter looks at.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Does millions of random things to triangulations, and looks at each of them after each of these:
-// is it valid, is everybody where they have to be, is it certified if its classifier is exact, and
+// is it valid, is every point where it has to be, is it certified if its classifier is exact, and
 // is it equal to a fresh triangulation of CGAL's if it says that it is certified?
 //
 // A trial is a row of 200 operations on one triangulation, each of them one public call. Its seed
@@ -21,7 +21,7 @@
 //   certified    operations after which the triangulation was
 //   wrong        not Delaunay, not valid, or not what it says to be
 //   lost         a point, an id or a vertex is not where it has to be
-//   crashed      an exception that nobody has asked for
+//   crashed      an exception that was not asked for
 // A trial ends with its first fault. What kills the program, or takes it too long, is named with
 // the trial. The program ends with success only if there are no faults.
 

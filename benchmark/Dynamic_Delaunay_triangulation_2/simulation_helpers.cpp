@@ -235,7 +235,7 @@ void nearest_to_places_cgal(benchmark::State& state)
   });
 }
 
-// Each a little further on, as somebody who walks through the cloud asks.
+// Each a little further on, as one asks who walks through the cloud.
 void nearest_to_places_in_a_row(benchmark::State& state)
 {
   run(state, [&](const Dynamic& dt) {

@@ -14,9 +14,9 @@
 //
 // A splice is what Border_splice_repair_2 does: it finds the sets, triangulates, compares the
 // boundaries, and writes. Single points of a random cloud, scattered, and others in every frame,
-// are named, with more and more padding around them. Nobody moves, so every region has to come out
-// as it was. `points` is the mean size of a region, its border in it: its points are what the times
-// are divided by.
+// are named, with more and more padding around them. No point moves, so every region has to come
+// out as it was. `points` is the mean size of a region, its border in it: its points are what the
+// times are divided by.
 //
 // Times are medians over the frames, with their quartiles. After the last frame every triangulation
 // has to be valid and to be proved Delaunay by exact predicates, edge by edge. A case that fails
@@ -55,7 +55,7 @@ struct Frame_notes
   double nanoseconds = 0.0; // of the repair
 };
 
-// Names the points in the notes. Nobody has to prove anything.
+// Names the points in the notes. Nothing has to be proved.
 class Noted_classifier
 {
 public:

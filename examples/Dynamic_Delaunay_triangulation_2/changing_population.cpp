@@ -42,7 +42,7 @@ int main()
     total += population.update(people.begin(), people.end());
   }
 
-  // whoever is nearest to somebody is a neighbor in the triangulation
+  // the point nearest to another one is its neighbor in the triangulation
   const int number = people.begin()->first;
   const auto& triangulation = population.triangulation().triangulation();
   std::size_t neighbors = 0;

@@ -185,7 +185,7 @@ bool help_a_simulation()
   std::vector<std::size_t> ids;
   //! [queries]
   CGAL::Delaunay_point_queries_2<Dynamic> queries(dt);
-  const auto nearest = queries.nearest(Point(1, 2));          // nobody, if there is nobody
+  const auto nearest = queries.nearest(Point(1, 2));          // none, if there is no point
   queries.neighbors_within(i, 0.25, std::back_inserter(ids)); // a squared radius; decided exactly
   //! [queries]
   return lists.degree(i) >= 2 && force.squared_length() > 0 && density > 0 &&

@@ -75,6 +75,6 @@ int main()
     all_certified = dt.update(points.begin(), points.end()).certified && all_certified;
   }
   std::cout << (all_certified ? "all" : "not all") << " frames certified, energy kept to "
-            << 100 * largest_error << " %, nobody nearer than " << nearest << '\n';
+            << 100 * largest_error << " %, none nearer than " << nearest << '\n';
   return all_certified && largest_error < 0.01 && nearest > diameter / std::sqrt(2.0) ? 0 : 1;
 }

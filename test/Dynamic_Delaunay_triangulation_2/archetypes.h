@@ -15,7 +15,7 @@
 #include <cstddef>
 #include <ostream>
 
-// A point with a name, which nobody can make of coordinates alone, or compare.
+// A point with a name, which cannot be made of coordinates alone, or compare.
 class Named_point_archetype
 {
 public:

@@ -44,7 +44,7 @@ void up_to_three_points()
   }
 }
 
-void everybody_meets_and_parts()
+void all_points_meet_and_part()
 {
   CGAL::Random random(2);
   const std::vector<Point> points = random_points(random, 60);
@@ -70,7 +70,7 @@ void pairs_meet_and_part()
   expect_after_update(dt, points);
 }
 
-void everybody_lines_up()
+void all_points_line_up()
 {
   CGAL::Random random(4);
   const std::vector<Point> points = random_points(random, 60);
@@ -99,9 +99,9 @@ void cocircular_points_shift_and_turn_around()
 int main()
 {
   up_to_three_points();
-  everybody_meets_and_parts();
+  all_points_meet_and_part();
   pairs_meet_and_part();
-  everybody_lines_up();
+  all_points_line_up();
   cocircular_points_shift_and_turn_around();
   return 0;
 }

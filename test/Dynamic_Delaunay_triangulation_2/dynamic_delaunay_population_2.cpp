@@ -26,7 +26,7 @@ void single_points_come_go_and_move()
   for (int i = 0; i < 150; ++i) {
     const Point p = random_point(random);
     const std::size_t id = dt.insert(p);
-    assert(points.emplace(id, p).second); // nobody had it
+    assert(points.emplace(id, p).second); // it was free
     if (i % 3 == 2) {
       const std::size_t gone = any_id(points, random);
       dt.remove(gone);

@@ -24,7 +24,7 @@
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 
-// Nobody is lost, and the structure is sound, whatever else is true.
+// No point is lost, and the structure is sound, whatever else is true.
 template <class Dynamic>
 void expect_valid(const Dynamic& dt, const std::vector<typename Dynamic::Point>& points)
 {

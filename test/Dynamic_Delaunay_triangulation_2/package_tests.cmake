@@ -25,7 +25,7 @@ add_library(self_sufficient_headers OBJECT ${sources})
 target_link_libraries(self_sufficient_headers PRIVATE program_settings $<TARGET_NAME_IF_EXISTS:MPI::MPI_CXX>)
 set_target_properties(self_sufficient_headers PROPERTIES UNITY_BUILD OFF)
 if(NOT MSVC)
-  # Assertions need their includes as well. Nobody runs the result.
+  # Assertions need their includes as well. The result is not run.
   target_compile_options(self_sufficient_headers PRIVATE -UNDEBUG -O0)
 endif()
 

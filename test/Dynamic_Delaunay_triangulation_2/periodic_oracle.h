@@ -183,9 +183,9 @@ private:
   std::set<Point> m_places;
 };
 
-// Everything: nobody is lost; the faces are closed along their edges up to the boundary of a slab,
-// counterclockwise, as large as the cell together, and Delaunay; and edges and neighbors say the
-// same.
+// Everything: no point is lost; the faces are closed along their edges up to the boundary of a
+// slab, counterclockwise, as large as the cell together, and Delaunay; and edges and neighbors say
+// the same.
 template <class Triangulation>
 void expect_periodic_delaunay(const Triangulation& pt)
 {

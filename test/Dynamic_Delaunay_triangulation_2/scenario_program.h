@@ -90,7 +90,7 @@ inline void expect_refusal(Words arguments, const Words& parts_of_message)
   EXPECT_FALSE(std::filesystem::exists(path + ".part"));
 }
 
-// Nobody, one, two, three points on a line, four, the same four a little further.
+// No point, one, two, three points on a line, four, the same four a little further.
 inline std::string small_dump()
 {
   const std::vector<Words> frames = {{},

@@ -233,7 +233,7 @@ public:
   {
   }
 
-  // Where everybody goes next.
+  // Where all points go next.
   Points points;
 
   const Dynamic& dt() const { return m_dt; }
@@ -250,7 +250,7 @@ public:
     check([this] { return m_dt.update(points.begin(), points.end()); });
   }
 
-  // Those whose places have changed, and nobody else.
+  // Those whose places have changed, and no others.
   void move()
   {
     std::vector<std::pair<std::size_t, Point>> movers;
@@ -725,7 +725,7 @@ TEST(Jumps_of_many, end_exact_whatever_they_cost)
   }
 }
 
-TEST(Jumps_of_a_few_of_thousands, cost_little_and_move_nobody_else)
+TEST(Jumps_of_a_few_of_thousands, cost_little_and_move_no_other_point)
 {
   Stage<Epick> stage(Cloud<Epick>(15).uniform(3000));
   std::mt19937 random(15);
@@ -1014,7 +1014,7 @@ TYPED_TEST(Populations, lose_representatives_whose_duplicates_stay_part_or_jump_
   }
 }
 
-TYPED_TEST(Populations, are_replaced_and_dwindle_to_nobody_and_grow_again)
+TYPED_TEST(Populations, are_replaced_and_dwindle_to_no_point_and_grow_again)
 {
   typename TestFixture::Watched_crowd crowd;
   Cloud<TypeParam> cloud(33);
@@ -1124,7 +1124,7 @@ public:
         if (frame.size() < m_most)
           come();
       }
-    if (!moves && random(60) == 0) // everybody goes, and others come
+    if (!moves && random(60) == 0) // all points go, and others come
       for (std::size_t number = std::exchange(frame, {}).size(); number > 0; --number)
         come();
     if (moves)
@@ -1624,7 +1624,7 @@ CGAL::Update_report_2 update(People& people, const Frame& frame)
   return people.update(range.begin(), range.end());
 }
 
-// Everybody is there who is in `frame`, and nobody else.
+// The points of `frame` are there, and no others.
 template <class People>
 void expect_people(const People& people, const Frame& frame)
 {
@@ -1676,7 +1676,7 @@ TEST(Repair_that_throws_in_a_frame, leaves_what_the_next_frame_mends)
       people.triangulation().repair().go(way);
       EXPECT_THROW(update(people, next), Refusal);
       EXPECT_TRUE(people.triangulation().is_valid(true));
-      // who has gone has gone, and nobody has come
+      // what has gone has gone, and no point has come
       Frame between = next;
       for (const int user_id : {900, 901, 902})
         between.erase(user_id);

@@ -241,7 +241,7 @@ TYPED_TEST(Checkpoints_of, the_smallest_free_id_is_given_next)
   expect_common_future(dt, other, 4);
 }
 
-TYPED_TEST(Checkpoints_of, nobody_one_and_two_points_and_points_on_a_line_are_kept)
+TYPED_TEST(Checkpoints_of, no_point_one_and_two_and_points_on_a_line_are_kept)
 {
   Cloud<TypeParam> cloud(5);
   for (std::size_t n = 0; n < 4; ++n) {
@@ -255,7 +255,7 @@ TYPED_TEST(Checkpoints_of, nobody_one_and_two_points_and_points_on_a_line_are_ke
   }
 }
 
-TYPED_TEST(Checkpoints_of, everybody_may_have_gone)
+TYPED_TEST(Checkpoints_of, all_points_may_have_gone)
 {
   auto dt = this->triangulated(Cloud<TypeParam>(6).uniform(5));
   for (std::size_t id = 0; id < 5; ++id)

@@ -88,7 +88,7 @@ TEST(Circumcircle_classifier, names_every_broken_edge_and_no_other)
   }
 }
 
-TEST(Circumcircle_classifier, picks_nobody_when_everything_moves_turns_and_grows_as_one)
+TEST(Circumcircle_classifier, picks_no_vertex_when_everything_moves_turns_and_grows_as_one)
 {
   Cloud<Epick> cloud(2);
   const auto points = cloud.uniform(400);

@@ -596,7 +596,7 @@ TEST_F(Ranges, may_be_read_by_property_maps_that_throw_and_nothing_changes)
   }));
 }
 
-TEST_F(Ranges, of_ids_may_have_no_room_for_newcomers_and_nobody_comes)
+TEST_F(Ranges, of_ids_may_have_no_room_for_newcomers_and_none_comes)
 {
   ASSERT_NO_FATAL_FAILURE(expect_nothing_changes(
       dt, [&](const Fuse& fuse) { dt.insert(others.begin(), others.end(), Fused_output{fuse}); }));

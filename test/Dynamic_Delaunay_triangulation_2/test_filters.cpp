@@ -364,7 +364,7 @@ TEST_F(Tolerances, are_kept_by_hulls_of_any_extent_anywhere)
   EXPECT_GT(safe, 2500u);
 }
 
-TEST_F(Tolerances, take_nobody_for_near_who_is_not)
+TEST_F(Tolerances, take_no_vertex_for_near_that_is_not)
 {
   Quadruples any(7);
   std::size_t near = 0;
@@ -381,7 +381,7 @@ TEST_F(Tolerances, take_nobody_for_near_who_is_not)
 }
 
 // Its square is infinite, and so was the bound.
-TEST_F(Tolerances, take_nobody_for_near_whose_squared_distance_overflows)
+TEST_F(Tolerances, take_no_vertex_for_near_whose_squared_distance_overflows)
 {
   EXPECT_FALSE(internal::is_within(2e154, {0, 0}, {1e200, 0}));
   EXPECT_FALSE(internal::is_within(2e154, {-largest, 0}, {largest, 0}));

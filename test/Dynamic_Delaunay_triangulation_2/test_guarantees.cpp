@@ -110,7 +110,7 @@ TEST(Guarantees, what_is_delaunay_by_luck_can_be_certified)
   expect_exact(dt, moved);
 }
 
-TEST(Guarantees, heuristics_at_absurd_settings_keep_a_valid_structure_and_everybody)
+TEST(Guarantees, heuristics_at_absurd_settings_keep_a_valid_structure_and_all_points)
 {
   for (unsigned seed = 0; seed < 4; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

@@ -504,7 +504,7 @@ struct Absurd_velocity
 class Heuristics : public Numbers
 {
 protected:
-  // Nobody is lost, the structure is sound, and what is said to be certified is so.
+  // No point is lost, the structure is sound, and what is said to be certified is so.
   template <class Classifier, class Repair = CGAL::Default>
   static void expect_honest(const Classifier& classifier = Classifier())
   {

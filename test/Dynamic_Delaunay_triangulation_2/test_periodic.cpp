@@ -748,7 +748,7 @@ TEST(Motion_in_a_slab, is_followed_at_every_step_size_without_an_end_at_the_wall
     }
 }
 
-TEST(Calm_motion_in_a_channel, rebuilds_nothing_and_takes_nobody_out)
+TEST(Calm_motion_in_a_channel, rebuilds_nothing_and_takes_no_vertex_out)
 {
   std::mt19937_64 random(23);
   std::vector<Point> points;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Update policies: which frames are rebuilt without asking the classifier, and that nobody loses
+// Update policies: which frames are rebuilt without asking the classifier, and that none loses
 // anything by it.
 
 #include "oracle.h"
@@ -85,7 +85,7 @@ struct Observed
   }
 };
 
-// Names nobody, so that whatever is right is the policy's work.
+// Names no vertex, so that whatever is right is the policy's work.
 using Blind = Observed<CGAL::Random_classifier_2>;
 
 Blind blind()
@@ -111,7 +111,7 @@ TEST(Always_dynamic_policy, is_the_default_and_rebuilds_nothing)
   }
 }
 
-TEST(Always_static_policy, rebuilds_and_certifies_every_frame_and_asks_nobody)
+TEST(Always_static_policy, rebuilds_and_certifies_every_frame_and_asks_no_classifier)
 {
   Cloud<Epick> cloud(2);
   auto points = cloud.uniform(300);
@@ -271,10 +271,10 @@ TEST(Hybrid_policy, mends_calm_motion_rebuilds_teleports_and_goes_back_at_once)
 
 TEST(Hybrid_policy, rests_longer_and_longer_from_a_classifier_that_names_too_much)
 {
-  using Everybody = Observed<CGAL::Random_classifier_2>;
+  using All = Observed<CGAL::Random_classifier_2>;
   Cloud<Epick> cloud(9);
   auto points = cloud.uniform(200);
-  auto dt = triangulation(points, CGAL::Hybrid_policy_2(), Everybody{CGAL::Random_classifier_2(1)});
+  auto dt = triangulation(points, CGAL::Hybrid_policy_2(), All{CGAL::Random_classifier_2(1)});
   for (int frame = 0; frame < 200; ++frame) {
     cloud.shake(points, 1e-6);
     const int asked = dt.classifier().answers->asked;
@@ -321,7 +321,7 @@ TEST(Hybrid_policy, lengthens_its_rests_from_failure_to_failure_and_forgets_them
   }
 }
 
-TEST(Hybrid_policy, gives_up_relocation_where_everybody_moves)
+TEST(Hybrid_policy, gives_up_relocation_where_all_points_move)
 {
   Cloud<Epick> cloud(10);
   auto points = cloud.uniform(300);

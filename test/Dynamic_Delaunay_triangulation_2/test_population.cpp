@@ -66,7 +66,7 @@ protected:
   using Points = std::vector<Point>;
   using Handles = std::map<std::size_t, typename Dynamic::Vertex_handle>;
 
-  // Of the points that share theirs with nobody.
+  // Of the points that share theirs with no other.
   static Handles handles_of(const Dynamic& dt)
   {
     std::map<typename Dynamic::Vertex_handle, std::vector<std::size_t>> ids_at;
@@ -80,7 +80,7 @@ protected:
     return handles;
   }
 
-  // By those who still share with nobody, whose own they are, and by the representatives of the
+  // By those that still share with no other, whose own they are, and by the representatives of the
   // others.
   static void expect_kept(const Dynamic& dt, const Handles& handles)
   {
@@ -184,7 +184,7 @@ TYPED_TEST(Population, comes_and_goes_one_by_one_at_few_places)
   }
 }
 
-TYPED_TEST(Population, comes_and_goes_in_ranges_from_nobody_to_hundreds_and_back)
+TYPED_TEST(Population, comes_and_goes_in_ranges_from_no_point_to_hundreds_and_back)
 {
   Cloud<TypeParam> cloud(2);
   typename TestFixture::Dynamic dt;

@@ -66,7 +66,7 @@ std::vector<Epick::Point_2> points_of(const Tracks& tracks)
   return points;
 }
 
-void expect_everybody(const Population& population, const Tracks& tracks)
+void expect_all_points(const Population& population, const Tracks& tracks)
 {
   ASSERT_EQ(population.size(), tracks.size());
   ASSERT_EQ(population.triangulation().number_of_points(), tracks.size());
@@ -103,7 +103,7 @@ TEST_P(Recorded_motion, is_followed_exactly_on_every_frame_with_its_whole_popula
     ASSERT_TRUE(population.update(tracks.begin(), tracks.end()).certified);
     ASSERT_TRUE(population.triangulation().is_certified());
     ASSERT_TRUE(population.triangulation().is_valid(true));
-    ASSERT_NO_FATAL_FAILURE(expect_everybody(population, tracks));
+    ASSERT_NO_FATAL_FAILURE(expect_all_points(population, tracks));
     if (frame % stride == 0) {
       ASSERT_NO_FATAL_FAILURE(expect_delaunay(population.triangulation(), points_of(tracks)));
     }

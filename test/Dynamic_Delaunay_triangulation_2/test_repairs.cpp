@@ -137,7 +137,7 @@ TEST(Flip_and_splice, needs_no_rebuild_on_brownian_motion)
 
 // One point of a lattice jumps over several others: far out of any region padded with one layer.
 // What is hopeless costs a rebuild and no more: a sample sees it before anything is classified.
-TEST(Flip_and_splice, classifies_nothing_where_everybody_is_elsewhere)
+TEST(Flip_and_splice, classifies_nothing_where_all_points_are_elsewhere)
 {
   Cloud<Epick> cloud(2);
   auto points = cloud.uniform(2000);
@@ -272,7 +272,7 @@ TEST(Border_splice, catches_a_fast_point_by_growing)
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
 }
 
-// Names the point with id 0 and nobody else, which is all that moves.
+// Names the point with id 0 and no other, which is all that moves.
 struct Flier_classifier
 {
   static constexpr bool is_exact = false;
@@ -320,7 +320,7 @@ Flight flight(unsigned padding)
 }
 
 // Thesis 6.2.2. The region grows until its boundaries agree, so that no edge goes missing, but with
-// a heuristic nobody looks across them.
+// a heuristic nothing looks across them.
 TEST(Border_splice, is_outrun_by_a_fast_point_under_a_heuristic_with_too_little_padding)
 {
   const Flight outrun = flight<Flier_classifier>(0);
@@ -332,7 +332,7 @@ TEST(Border_splice, is_outrun_by_a_fast_point_under_a_heuristic_with_too_little_
   EXPECT_EQ(kept_up.enlargements, 0u);
 }
 
-TEST(Border_splice, is_outrun_by_nobody_under_an_exact_classifier_with_any_padding)
+TEST(Border_splice, is_outrun_by_no_point_under_an_exact_classifier_with_any_padding)
 {
   for (const unsigned padding : {0u, 1u, 2u, 4u}) {
     SCOPED_TRACE(testing::Message() << "padding " << padding);
@@ -371,8 +371,8 @@ void add_ring(Points& points)
 
 // The edge between 2 and 3 has 4 on its upper side, then 0 and 1. Then 4 and 0 go below it: alone,
 // 0 and 1 with their neighbors have a triangulation with the old boundary in which 2 and 3 are
-// joined between 0 and 1. But the old edge is still there, at a face that nobody has named.
-TEST(Border_splice, doubles_no_edge_that_a_face_has_which_nobody_named)
+// joined between 0 and 1. But the old edge is still there, at a face that is not named.
+TEST(Border_splice, doubles_no_edge_that_a_face_has_that_is_not_named)
 {
   using Point = Epick::Point_2;
   Points points = {Point(0, 2.6), Point(0, 3.8),    Point(-1, 0),    Point(1, 0),   Point(0, 0.7),
@@ -395,7 +395,7 @@ TEST(Border_splice, doubles_no_edge_that_a_face_has_which_nobody_named)
 // inside, and the others end up around it: alone, all seven have a triangulation with the old
 // boundary and as many faces, whose new faces lie outside of it, have the infinite vertex and
 // not 3.
-TEST(Border_splice, loses_nobody_in_a_cluster_that_is_turned_inside_out)
+TEST(Border_splice, loses_no_point_in_a_cluster_that_is_turned_inside_out)
 {
   using Point = Epick::Point_2;
   Points points = {Point(-3, -2),     Point(3, -2),     Point(0, 4),  Point(0, 0),
@@ -418,7 +418,7 @@ TEST(Border_splice, loses_nobody_in_a_cluster_that_is_turned_inside_out)
 
 // Alone, the region has a triangulation whose faces around the points 3 and 5 have the old
 // boundary, but are not as many. A search for such a case has found it.
-TEST(Border_splice, loses_nobody_where_the_old_boundary_has_another_number_of_faces)
+TEST(Border_splice, loses_no_point_where_the_old_boundary_has_another_number_of_faces)
 {
   Points points = {{8, -8}, {-6, 1}, {-7, 9}, {-8, -6}, {8, 9}, {-3, -5}, {-6, 0}};
   Points moved = {{8, -8}, {4, 1}, {-10, 6}, {-8, -6}, {-5, -1}, {-7, 0}, {9, -7}};
@@ -433,7 +433,7 @@ TEST(Border_splice, loses_nobody_where_the_old_boundary_has_another_number_of_fa
   expect_exact(dt, moved);
 }
 
-// Around the point 0, named vertices and triangles that nobody has named take turns, three of each.
+// Around the point 0, named vertices and triangles that are not named take turns, three of each.
 // Two of the triangles change places: the new faces have the old boundary, and meet otherwise at
 // the point 0. The triangles beyond fill the same holes.
 TEST(Border_splice, needs_no_larger_region_where_triangles_at_its_border_change_places)

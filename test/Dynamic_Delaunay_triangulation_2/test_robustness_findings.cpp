@@ -22,7 +22,7 @@ using Points = std::vector<Point>;
 using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
 using Moves = std::vector<std::pair<std::size_t, Point>>;
 
-TEST(Robustness_findings, reports_that_a_population_is_certified_if_nobody_is_new)
+TEST(Robustness_findings, reports_that_a_population_is_certified_if_no_point_is_new)
 {
   CGAL::Dynamic_population_2<Dynamic> population;
   const std::vector<std::pair<int, Point>> frame = {
@@ -32,11 +32,11 @@ TEST(Robustness_findings, reports_that_a_population_is_certified_if_nobody_is_ne
   EXPECT_TRUE(population.triangulation().is_certified());
 }
 
-TEST(Robustness_findings, reports_that_a_population_is_certified_if_nobody_is_there)
+TEST(Robustness_findings, reports_that_a_population_is_certified_if_it_has_no_points)
 {
   CGAL::Dynamic_population_2<Dynamic> population;
-  const std::vector<std::pair<int, Point>> nobody;
-  EXPECT_TRUE(population.update(nobody.begin(), nobody.end()).certified);
+  const std::vector<std::pair<int, Point>> no_points;
+  EXPECT_TRUE(population.update(no_points.begin(), no_points.end()).certified);
 }
 
 void expect_to_keep_vertices(const Moves& moves)
@@ -142,7 +142,7 @@ TEST(A_rebuild, is_for_the_dimension_where_the_plane_was_or_is_not_spanned)
   EXPECT_EQ(dt.move(id, Epick::Point_2(50, 0)).rebuild_reason, Rebuild_reason_2::DIMENSION);
   EXPECT_EQ(dt.move(id, beside).rebuild_reason, Rebuild_reason_2::DIMENSION);
   EXPECT_EQ(dt.remove(id).rebuild_reason, Rebuild_reason_2::DIMENSION);
-  EXPECT_EQ(dt.remove(&id, &id).rebuild_reason, Rebuild_reason_2::NONE); // nobody
+  EXPECT_EQ(dt.remove(&id, &id).rebuild_reason, Rebuild_reason_2::NONE); // no point
   EXPECT_TRUE(dt.is_certified());
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, line));
 }

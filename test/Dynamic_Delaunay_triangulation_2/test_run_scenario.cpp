@@ -146,7 +146,7 @@ TEST(Engines, run_by_their_names_for_rebuilds_and_for_splices)
   }
 }
 
-TEST(Random_classifier, picks_everybody_at_one_and_nobody_at_zero)
+TEST(Random_classifier, picks_all_vertices_at_one_and_none_at_zero)
 {
   const Words arguments = {"brownian", "--points", "200", "--frames", "10", "--classifier"};
   const auto classified_mean = [&](const std::string& classifier) {

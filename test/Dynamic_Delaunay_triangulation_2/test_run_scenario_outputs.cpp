@@ -475,7 +475,7 @@ TEST(Formats, agree_about_a_heuristic_run)
   expect_equal_recordings(recording_of(read_collection(written.directory)), recording);
 }
 
-TEST(Formats, can_do_with_nobody_one_two_and_three_points_on_a_line)
+TEST(Formats, can_do_with_no_point_one_two_and_three_points_on_a_line)
 {
   const std::string path = write_file("few.lammpstrj", small_dump());
   const Written written = write_all("few", {path});

@@ -65,7 +65,7 @@ public:
   }
 
   // Where the cell is exchanged for one whose second side is longer by so many times the first one:
-  // nobody moves.
+  // no point moves.
   void shear_back(int times)
   {
     for (Point& p : m_fractions) {

@@ -520,7 +520,7 @@ std::ostream& operator<<(std::ostream& out, const Turn& turn)
   return out << Quadrilateral{turn.p, turn.q, turn.w, {0, 0}};
 }
 
-// Whose sign is anybody's guess.
+// Whose sign may be any.
 Turn nearly_straight_turn(Generator& random)
 {
   const auto p = any_direction(random);
@@ -666,7 +666,7 @@ void expect_who_has_moved(const std::vector<Position_2>& positions,
   ASSERT_EQ(next, vertices.end());
 }
 
-TEST(Displacements, miss_nobody_beyond_the_tolerance_at_any_scale_and_place)
+TEST(Displacements, miss_no_vertex_beyond_the_tolerance_at_any_scale_and_place)
 {
   Generator random(7);
   for (int round = 0; round < 300; ++round) {
@@ -1105,14 +1105,14 @@ public:
       for (std::size_t& away : m_away)
         away = m_random() % points.size();
     if (m_random() % 4 == 0)
-      m_away.fill(nobody);
+      m_away.fill(no_vertex);
     for (const std::size_t away : m_away)
       if (away < points.size())
         points[away] = elsewhere(points, points[away]);
   }
 
 private:
-  static constexpr std::size_t nobody = (std::numeric_limits<std::size_t>::max)();
+  static constexpr std::size_t no_vertex = (std::numeric_limits<std::size_t>::max)();
   using Point = typename Kernel::Point_2;
 
   // Beyond the next ones, far away among the others, or beyond them all.
@@ -1126,7 +1126,7 @@ private:
   }
 
   Generator m_random;
-  std::array<std::size_t, 2> m_away{nobody, nobody};
+  std::array<std::size_t, 2> m_away{no_vertex, no_vertex};
 };
 
 template <class Dynamic>

@@ -54,7 +54,7 @@ protected:
   {
     using Source = Cloud<Kernel>;
     std::map<std::string, Places> clouds;
-    clouds["nobody"] = {};
+    clouds["no point"] = {};
     clouds["one"] = {Place(3, 4)};
     clouds["two"] = {Place(3, 4), Place(5, 4)};
     clouds["two in one place"] = {Place(3, 4), Place(3, 4)};
@@ -277,7 +277,7 @@ Polygon polygon_of(const CGAL::Bbox_2& box)
           Exact_point(box.xmax(), box.ymax()), Exact_point(box.xmin(), box.ymax())};
 }
 
-// Of a place in a box, with everybody's bisectors.
+// Of a place in a box, with the bisectors of all points.
 template <class Point>
 Cell clipped_cell(const std::vector<Point>& places, const Point& place, const CGAL::Bbox_2& box)
 {
@@ -396,7 +396,7 @@ TYPED_TEST(Simulation_helpers, whole_cells_are_the_polygons_of_the_circumcenters
   });
 }
 
-TYPED_TEST(Simulation_helpers, clipped_cells_are_what_everybodys_bisectors_leave_of_the_box)
+TYPED_TEST(Simulation_helpers, clipped_cells_are_what_all_bisectors_leave_of_the_box)
 {
   using Dynamic = typename TestFixture::Subject;
   Measures measures;
@@ -542,7 +542,7 @@ TYPED_TEST(Simulation_helpers, a_box_that_is_none_is_refused_and_the_measures_st
 
 TEST(Simulation_helpers, cells_at_a_face_that_is_nearly_flat_reach_far_and_add_up_in_the_box)
 {
-  // The circle through the first three has a radius of 2^60 or so: nobody is in it.
+  // The circle through the first three has a radius of 2^60 or so: no point is in it.
   const std::vector<Epick::Point_2> points = {{-1, 0}, {0, -0x1p-61}, {1, 0}, {0, -5}};
   const CGAL::Dynamic_Delaunay_triangulation_2<Epick> dt(points.begin(), points.end());
   Measures measures;
@@ -616,7 +616,7 @@ TEST(Simulation_helpers, points_that_only_an_exact_kernel_tells_apart_have_cells
 }
 
 // -------------------------------------------------------------------------------------------------
-// Queries, by looking at everybody.
+// Queries, by looking at all points.
 
 template <class Dynamic>
 std::optional<std::size_t> nearest_by_looking(const Dynamic& dt, const typename Dynamic::Point& p,
@@ -673,7 +673,7 @@ std::vector<typename Kernel::Point_2> locations(const Dynamic& dt)
   return result;
 }
 
-TYPED_TEST(Simulation_helpers, the_nearest_point_is_the_one_that_looking_at_everybody_finds)
+TYPED_TEST(Simulation_helpers, the_nearest_point_is_the_one_that_looking_at_all_finds)
 {
   using Dynamic = typename TestFixture::Subject;
   TestFixture::for_each_triangulation([&](const Dynamic& dt) {
@@ -685,7 +685,7 @@ TYPED_TEST(Simulation_helpers, the_nearest_point_is_the_one_that_looking_at_ever
   });
 }
 
-TYPED_TEST(Simulation_helpers, those_within_a_radius_are_the_ones_that_looking_at_everybody_finds)
+TYPED_TEST(Simulation_helpers, those_within_a_radius_are_the_ones_that_looking_at_all_finds)
 {
   using Dynamic = typename TestFixture::Subject;
   TestFixture::for_each_triangulation([&](const Dynamic& dt) {

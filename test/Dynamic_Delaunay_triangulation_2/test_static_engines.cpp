@@ -228,7 +228,7 @@ void expect_exact_as_a_whole(Static_engine_2 engine,
   expect_exact(triangulated<Kernel>(points, {engine, engine}), points);
 }
 
-// Triangulates regions anew where nobody moves: each has to come out as it was, up to ties.
+// Triangulates regions anew where no point moves: each has to come out as it was, up to ties.
 // Returns the number of splices.
 template <class Kernel>
 std::size_t expect_exact_by_regions(Static_engine_2 engine,
@@ -434,7 +434,7 @@ Vertices<Dynamic> vertices_of(const Dynamic& dt)
   return vertices;
 }
 
-// Whoever is a representative was one, unless nobody at its place was; and then it has its vertex
+// Whoever is a representative was one, unless no point at its place was; and then it has its vertex
 // still.
 template <class Dynamic>
 void expect_representatives_stay(const Dynamic& dt,
@@ -471,7 +471,7 @@ TEST_P(Static_engines, keep_the_representatives_of_coincident_points_through_reb
       const auto vertices = vertices_of(dt);
       const Points others = on_lattice(80, bound, 1, random);
       for (std::size_t id = 0; id < points.size(); ++id)
-        if (frame % 3 != 0 || id % 4 == 0) // everybody, or some
+        if (frame % 3 != 0 || id % 4 == 0) // all, or some
           points[id] = others[id];
       dt.update(points.begin(), points.end());
       ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
@@ -518,7 +518,7 @@ struct Work_done
   std::size_t splices = 0, enlargements = 0, rebuilds = 0;
 };
 
-// Everybody takes a random step, and one in 50 jumps anywhere.
+// Each point takes a random step, and one in 50 jumps anywhere.
 template <class Repair>
 Work_done follow(const Static_engines_2& engines, double step, bool with_jumps)
 {
@@ -743,7 +743,7 @@ TEST(Filtered_predicates, let_nearly_delaunay_pick_edges_of_any_length)
 
 using Positions = std::vector<Position_2>;
 
-// By the indices of vertices: nobody has index 0.
+// By the indices of vertices: none has index 0.
 Positions positions_of(const Points& points)
 {
   Positions positions(1, Position_2{0, 0});
@@ -967,7 +967,7 @@ internal::Cut_2 cut_between(const Cells& before, const Cells& after)
   return internal::Cut_2{0, is_horizontal, ends_below(after, before, coordinate)};
 }
 
-// Between places that anybody has in two squares of 2^log_unit x 2^log_unit cells each.
+// Between places that points have in two squares of 2^log_unit x 2^log_unit cells each.
 internal::Cut_2 cut_inside(const Cell& before, const Cell& after, int log_unit,
                            std::mt19937& random)
 {

@@ -54,7 +54,7 @@ Points turned(const Points& points, double angle, const Epick::Point_2& center =
   return result;
 }
 
-// Everybody straight on.
+// All points straight on.
 class Drift
 {
 public:
@@ -185,7 +185,7 @@ TYPED_TEST(Exact_classifiers, miss_nothing_in_a_million_edges)
     if (frame % 50 == 49)
       cloud.shake(points, 0.01);
   }));
-  // everybody slowly straight on, so that what was found out once is used for long
+  // all points slowly straight on, so that what was found out once is used for long
   for (const double speed : {1e-5, 1e-4}) {
     const Drift drift(cloud, 1000, speed);
     ASSERT_NO_FATAL_FAILURE(this->follow(drift.points(0), 400, [&](Points& points, int frame) {
@@ -222,7 +222,7 @@ TYPED_TEST(Exact_classifiers, miss_nothing_in_a_million_edges)
   EXPECT_EQ(audit.missed, 0u);
 }
 
-TYPED_TEST(Exact_classifiers, pick_nobody_when_everything_turns_by_any_angle)
+TYPED_TEST(Exact_classifiers, pick_no_vertex_when_everything_turns_by_any_angle)
 {
   Cloud<Epick> cloud(2);
   const Points points = cloud.uniform(400);
@@ -692,7 +692,7 @@ TEST(Refined_classifier, keeps_the_same_edges_whether_the_second_one_is_asked_fo
 // -------------------------------------------------------------------------------------------------
 // Distances.
 
-TEST(Inflation_aware_classifier, picks_nobody_while_everything_grows_and_point_distance_everybody)
+TEST(Inflation_aware_classifier, picks_no_vertex_while_everything_grows_and_point_distance_all)
 {
   Cloud<Epick> cloud(11);
   const Points first = cloud.uniform(500);
@@ -710,7 +710,7 @@ TEST(Inflation_aware_classifier, picks_nobody_while_everything_grows_and_point_d
   }
   EXPECT_GT(growth, 7);
   EXPECT_GE(most, 495u);
-  EXPECT_TRUE(aware.certify()) << "and nobody had to be picked";
+  EXPECT_TRUE(aware.certify()) << "and no vertex had to be picked";
 }
 
 TEST(Inflation_aware_classifier, picks_the_ends_of_what_grows_otherwise_than_its_surroundings)
@@ -849,7 +849,7 @@ TEST(Point_distance_times, give_the_first_frame_that_stepping_frame_by_frame_fin
   EXPECT_GT(passed_between_frames, 20u) << "too short, but in no frame";
 }
 
-TEST(Point_distance_classifier, predicts_the_frame_in_which_it_picks_somebody)
+TEST(Point_distance_classifier, predicts_the_frame_in_which_it_picks_a_vertex)
 {
   Cloud<Epick> cloud(15);
   std::normal_distribution<double> speed(0, 0.002);
@@ -884,7 +884,7 @@ struct Velocities
   Position_2 operator()(Index id) const { return {(*of_id)[id].x(), (*of_id)[id].y()}; }
 };
 
-TEST(Predictive_point_distance_classifier, looks_only_when_point_distance_would_classify_somebody)
+TEST(Predictive_point_distance_classifier, looks_only_when_point_distance_would_classify_a_vertex)
 {
   Cloud<Epick> cloud(16);
   std::normal_distribution<double> speed(0, 2e-4);
@@ -1432,7 +1432,7 @@ struct Modelled
     expect_vertices_of(frame, classified);
   }
 
-  // Nobody is named for nothing.
+  // No vertex is named for nothing.
   template <class Frame, class Classification>
   void expect_vertices_of(const Frame& frame, const Classification& classified) const
   {
@@ -1683,7 +1683,8 @@ TEST(Nearly_delaunay_classifier, leaves_a_delaunay_triangulation_at_zero)
 // -------------------------------------------------------------------------------------------------
 // All of them.
 
-// Whatever it is set to, it keeps a sound triangulation, loses nobody, and does not claim too much.
+// Whatever it is set to, it keeps a sound triangulation, loses no point, and does not claim too
+// much.
 template <class Classifier>
 void expect_sound_under(const Classifier& classifier)
 {
@@ -1711,7 +1712,7 @@ void expect_sound_under(const Classifier& classifier)
   }
 }
 
-TEST(All_classifiers, keep_a_sound_triangulation_and_everybody_at_absurd_settings)
+TEST(All_classifiers, keep_a_sound_triangulation_and_all_points_at_absurd_settings)
 {
   for (const double x : {0., 1e-300, 0.5, 1.}) {
     SCOPED_TRACE(testing::Message() << "parameter " << x);

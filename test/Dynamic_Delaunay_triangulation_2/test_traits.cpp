@@ -97,7 +97,7 @@ struct Names : Exact<Delaunay_traits_archetype, Info_below<Delaunay_traits_arche
   static int mark(const Named_point_archetype& p) { return p.name(); }
 };
 
-// Plays what happens to points, and knows where everybody has to be.
+// Plays what happens to points, and knows where they all have to be.
 template <class Kind>
 class Play
 {
@@ -153,16 +153,16 @@ public:
     points[id] = p;
   }
 
-  // Nobody is lost, nor what its point holds, and the triangulation is right.
+  // No point is lost, nor what its point holds, and the triangulation is right.
   void expect_right() const
   {
-    ASSERT_NO_FATAL_FAILURE(expect_everybody());
+    ASSERT_NO_FATAL_FAILURE(expect_all_points());
     std::vector<Point> all;
     for (const auto& [id, p] : points)
       all.push_back(p);
     ASSERT_NO_FATAL_FAILURE(expect_delaunay(dt, all));
   }
-  void expect_everybody() const
+  void expect_all_points() const
   {
     ASSERT_TRUE(dt.is_valid(true));
     ASSERT_EQ(dt.number_of_points(), points.size());
@@ -392,7 +392,7 @@ TEST(Terrain, heuristics_and_relocation_take_heights_along)
     const auto report = play.update();
     EXPECT_FALSE(report.certified);
     EXPECT_EQ(report.relocated, 41u);
-    ASSERT_NO_FATAL_FAILURE(play.expect_everybody());
+    ASSERT_NO_FATAL_FAILURE(play.expect_all_points());
     play.dt.mend();
     ASSERT_NO_FATAL_FAILURE(play.expect_right());
   }

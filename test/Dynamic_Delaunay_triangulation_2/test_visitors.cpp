@@ -30,7 +30,7 @@ namespace {
 using Points = Cloud<Epick>::Points;
 using Edges = std::vector<CGAL::Edge_changes_visitor_2::Edge>;
 
-// What somebody knows who sees only what a visitor is told.
+// What is known from what a visitor is told alone.
 struct Hearsay
 {
   static constexpr std::size_t infinity = std::size_t(-1);

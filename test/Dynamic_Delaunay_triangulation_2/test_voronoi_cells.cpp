@@ -73,7 +73,7 @@ Points random_points(std::mt19937& random, std::size_t number, const Periodic_ce
   return points;
 }
 
-// Images that nobody chose, up to some cells away.
+// Images other than those chosen, up to some cells away.
 Points unwrapped(std::mt19937& random, const Points& points, const Periodic_cell& cell, int most)
 {
   std::uniform_int_distribution<int> shift(-most, most);

@@ -23,7 +23,7 @@ struct Slow_program
   std::size_t points = 0;
   Sequence_figures figures{};
 
-  // Not of frames before which nearly everybody has gone: ids stay, and are passed over.
+  // Not of frames before which nearly all points have gone: ids stay, and are passed over.
   double ratio() const
   {
     double worst = 0.0;

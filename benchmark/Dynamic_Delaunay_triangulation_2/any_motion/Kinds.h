@@ -103,7 +103,7 @@ inline void add_jumps(std::vector<Kind>& all)
 
 inline void add_calm(std::vector<Kind>& all)
 {
-  add("calm", all, {{"rest", "nobody moves", "square"}});
+  add("calm", all, {{"rest", "no point moves", "square"}});
   for (const double step : {0.001, 0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 1.0}) {
     add("calm", all,
         {{"brownian_" + text(step), "Brownian motion of " + text(step) + " spacings",

@@ -18,7 +18,7 @@
 
 namespace classifiers {
 
-// What motion has broken before anybody mends it, by the kernel's exact predicates: the edges of
+// What motion has broken before it is mended, by the kernel's exact predicates: the edges of
 // the last topology that are not Delaunay at the new positions, and the vertices that have one in
 // their star, which is made of the edges at a vertex and of those opposite to it. These are the
 // vertices whose neighbors change when the edge is flipped.

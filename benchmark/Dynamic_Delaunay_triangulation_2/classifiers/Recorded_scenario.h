@@ -20,7 +20,7 @@ namespace classifiers {
 
 using Points = std::vector<scenario::Point>;
 
-// The points of all frames, so that everybody follows the same motion.
+// The points of all frames, so that all classifiers follow the same motion.
 using Recorded_frames = std::vector<Points>;
 
 // Its neighbors come from an exact triangulation.

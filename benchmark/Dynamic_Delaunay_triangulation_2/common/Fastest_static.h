@@ -50,7 +50,7 @@ inline void insert_in_rounds(const Points& points, run::Static_triangulation& tr
                      [&](std::size_t i) { hint = triangulation.insert(points[i], hint)->face(); });
 }
 
-// What this thread has worked: other work on the machine is not in it. Where nobody counts that,
+// What this thread has worked: other work on the machine is not in it. Where that is not counted,
 // what the clock on the wall says.
 #ifdef CLOCK_THREAD_CPUTIME_ID
 inline double thread_nanoseconds()
@@ -75,9 +75,9 @@ double thread_nanoseconds_of(Work work)
 }
 #endif
 
-// Three ways to triangulate a frame anew with CGAL's own means. Nobody knows which is the fastest
-// before they have been tried. Whatever a program could have at hand before the frame comes, and
-// all destruction, is outside of the timing.
+// Three ways to triangulate a frame anew with CGAL's own means. It is not known before which is the
+// fastest before they have been tried. Whatever a program could have at hand before the frame
+// comes, and all destruction, is outside of the timing.
 class Fastest_static
 {
 public:

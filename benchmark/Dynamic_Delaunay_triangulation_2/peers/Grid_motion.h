@@ -23,9 +23,9 @@
 namespace peers {
 
 // Brings points to integer coordinates: Boost.Polygon takes 32-bit integers and nothing else, so
-// that everybody gets these. The first frame's longer side is 2^26 steps long.
+// that all peers get these. The first frame's longer side is 2^26 steps long.
 //
-// Finer would help nobody. Of 26 bits, differences are exact in doubles, and their products lose
+// Finer would help none. Of 26 bits, differences are exact in doubles, and their products lose
 // but a bit or two, which is kind to those who compute with rounding; still, a step of a ten
 // thousandth of the spacing is 21 steps of the grid at 100,000 points, two random points of them
 // share a place once in a million frames, and what flies apart may go 31 sides far.
@@ -108,7 +108,7 @@ private:
   std::unique_ptr<scenario::Motion> m_motion;
   Grid m_grid;
   Grid_points m_snapped;
-  Driver m_driver; // empty where nobody asks
+  Driver m_driver; // empty where it is not asked
   run::Neighbor_reader m_neighbors;
 };
 

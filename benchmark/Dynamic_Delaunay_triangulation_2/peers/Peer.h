@@ -15,11 +15,11 @@ namespace peers {
 // rounds; it is expected if it is HEURISTIC.
 enum class Promise { EXACT, ROUNDED, HEURISTIC };
 
-// Somebody who makes a Delaunay triangulation of every frame: from points in the form in which it
+// What makes a Delaunay triangulation of every frame: from points in the form in which it
 // takes them, to all edges or faces with their adjacency. Only that is timed, by triangulate().
 //
 // Outside of the clock are: writing the points into arrays of the peer's own, just before, so that
-// everybody finds them equally warm; destroying what the frame before has left; whatever somebody
+// all find them equally warm; destroying what the frame before has left; whatever a peer
 // may know of the last frame; and reading the result.
 class Peer
 {

@@ -43,7 +43,7 @@ struct Peers_options
 };
 
 // One motion of so many points, and which of its frames are timed: so many, one after the other,
-// behind those that are passed over without the peers and those that warm everybody up.
+// behind those that are passed over without the peers and those that warm them up.
 struct Peer_case
 {
   std::string motion;

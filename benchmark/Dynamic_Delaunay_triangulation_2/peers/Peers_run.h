@@ -75,7 +75,7 @@ struct Case_record
     return peer.spread().median / peers.front().spread().median;
   }
 
-  // Where the middle halves of both overlap nobody wins.
+  // Where the middle halves of both overlap none wins.
   const char* result(const Peer_record& peer) const
   {
     const run::Spread ours = peers.front().spread(), theirs = peer.spread();

@@ -25,7 +25,7 @@ namespace peers {
 //   d        Delaunay triangulation
 //   Qbb      scales the lifted coordinate: without, it is wrong, and slower too
 //   Qt       triangulates facets that it has merged for want of precision
-//   Q5 Q12   leaves out outer planes, which nobody reads, and lets wide facets pass
+//   Q5 Q12   leaves out outer planes, which are not read, and lets wide facets pass
 //   Pp       no warnings
 // Without merging (Q0) it is an eighth faster, and promises nothing.
 class Qhull_peer : public Peer

@@ -85,7 +85,7 @@ inline void make_ball(Cloud& cloud, std::size_t points, Decisions& decisions)
 }
 
 // Rows of a lattice, every other one moved by `indent`. Fresh places are about the middles of
-// cells, so that nobody is there.
+// cells, so that no point is there.
 inline void make_rows(Cloud& cloud, std::size_t points, double indent, double row_height)
 {
   const auto side = static_cast<std::size_t>(square_side(points));

@@ -210,7 +210,8 @@ private:
       ids.push_back(its_id);
     }
     for (std::size_t id = 0; id < is_named.size(); ++id) {
-      require(is_named[id] == dynamic().has_id(id), Fault::LOST, "there is an id that nobody has");
+      require(is_named[id] == dynamic().has_id(id), Fault::LOST,
+              "there is an id that no point has");
     }
     return ids;
   }

@@ -539,7 +539,7 @@ inline void come_and_leave(const Moving& moving)
   leave({moving.cloud, oldest, moving.others, moving.size, moving.decisions, memory});
 }
 
-// All drift; who leaves on the right is gone, and somebody else enters on the left.
+// All drift; who leaves on the right is gone, and another one enters on the left.
 inline void stream(const Moving& moving)
 {
   Cloud& cloud = moving.cloud;
@@ -577,8 +577,8 @@ inline const std::vector<Motion>& all_motions()
       {"onto_line", "onto a line", go_onto_line, true},
       {"onto_circle", "to places that are exactly cocircular", go_onto_circle, true},
       {"along", "along their curve, by up to SIZE spacings", go_along, true},
-      {"hop", "next to somebody else, SIZE spacings away", hop, true},
-      {"onto_others", "exactly to where somebody is", go_onto_others, true},
+      {"hop", "next to another point, SIZE spacings away", hop, true},
+      {"onto_others", "exactly to where another point is", go_onto_others, true},
       {"trade", "two of them exchange their places", trade},
       {"swap", "two by two exchange their places", swap_pairs},
       {"shuffle", "all exchange their places", shuffle},

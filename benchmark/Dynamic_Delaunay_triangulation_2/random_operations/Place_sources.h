@@ -148,9 +148,9 @@ inline const std::vector<Source>& all_sources()
       {"line", "exactly collinear", on_line},
       {"circle", "exactly cocircular", on_circle},
       {"far_away", "in a square a thousand times as large", far_away},
-      {"at_another", "where somebody is", at_another},
-      {"near_another", "beside somebody, by 1e-9 to 1 of the unit", near_another},
-      {"next_double", "a few of the next numbers from somebody", beside_another},
+      {"at_another", "where a point is", at_another},
+      {"near_another", "beside a point, by 1e-9 to 1 of the unit", near_another},
+      {"next_double", "a few of the next numbers from a point", beside_another},
       {"any_scale", "each coordinate from 1e-150 to 1e150", of_any_scale}};
   return all;
 }

@@ -126,7 +126,7 @@ private:
   void misuse(Misuse way, Named_points entries)
   {
     switch (way) {
-    case Misuse::WRONG_COUNT: // any count is right: nobody is there, but twice
+    case Misuse::WRONG_COUNT: // any count is right: no point is there but twice
     case Misuse::REPEATED_ID:
       entries.emplace_back(Name(1), Point(0, 0));
       entries.emplace_back(Name(1), Point(0, 1));

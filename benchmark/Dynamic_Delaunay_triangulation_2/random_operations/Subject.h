@@ -111,7 +111,7 @@ public:
 enum class Fault {
   WRONG,  // not Delaunay, or not what it claims to be
   LOST,   // a point, an id or a vertex is not where it has to be
-  CRASHED // an exception that nobody has asked for
+  CRASHED // an exception that was not asked for
 };
 
 class Finding : public std::runtime_error

@@ -116,7 +116,7 @@ private:
     return entries;
   }
 
-  // One that nobody in `model` has.
+  // One that is free in `model`.
   Key new_name(const Model& model)
   {
     const Key_range names = m_subject.names();
@@ -199,7 +199,7 @@ private:
     m_operations.perform({Operation::INSERT_RANGE, with_keys(places, model())});
   }
 
-  void remove() { m_operations.perform({Operation::REMOVE, entries({somebody()})}); }
+  void remove() { m_operations.perform({Operation::REMOVE, entries({some_key()})}); }
 
   void remove_range()
   {
@@ -301,8 +301,8 @@ private:
     return entries;
   }
 
-  // Anybody, or who is at the hull, has few neighbors, or came last.
-  Key somebody()
+  // Any point, or one that is at the hull, has few neighbors, or came last.
+  Key some_key()
   {
     const Keys all = keys();
     const std::size_t wanted = m_decisions.below(5);

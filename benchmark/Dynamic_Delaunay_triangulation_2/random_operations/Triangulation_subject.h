@@ -130,7 +130,7 @@ private:
     }
   };
 
-  // Nobody looks at the positions of free ids, so there is none.
+  // Nothing looks at the positions of free ids, so there is none.
   std::vector<Point> positions_of(const Entries& points) const
   {
     Point nowhere(0, 0);

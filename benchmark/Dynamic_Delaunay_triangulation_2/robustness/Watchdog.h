@@ -67,7 +67,7 @@ public:
     _write(2, m_text, static_cast<unsigned>(m_size));
 #else
     if (::write(STDERR_FILENO, m_text, m_size) < 0) {
-      return; // nobody listens
+      return; // nothing listens
     }
 #endif
   }

@@ -150,7 +150,7 @@ void examine_population(const std::string& text)
   for (std::size_t id = 0; id < population.triangulation().number_of_ids(); ++id)
     if (population.triangulation().has_id(id))
       crowd.emplace_back(population.user_id(id), population.triangulation().point(id));
-  fuzz::require(crowd.size() == population.size(), "somebody has no id");
+  fuzz::require(crowd.size() == population.size(), "a point has no id");
   population.update(crowd.begin(), crowd.end());
   fuzz::require(is_sound(population.triangulation()), "an update has spoilt a population");
 }

@@ -71,7 +71,7 @@ std::size_t require_sound(const scenario::Brownian_description& brownian)
   return brownian.points;
 }
 
-// Everybody is everybody's neighbor.
+// All points are neighbors of each other.
 scenario::Neighbor_edges all_edges(std::size_t number_of_points)
 {
   scenario::Neighbor_edges edges;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Not one of the statements below must compile: nobody but the editor and the builder writes
-// topology, and nobody but the input frame and these two writes positions.
+// Not one of the statements below must compile: only the editor and the builder write
+// topology, and only the input frame and these two write positions.
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -33,8 +33,8 @@ public:
   bool passes(int level, bool is_certified) const
   {
     return says(is_data_structure_valid(level), "the triangulation data structure is not valid") &&
-           says(is_nobody_lost(is_certified), "a point has no vertex, or not its own") &&
-           says(is_nobody_moved(), "a vertex was moved from outside") &&
+           says(is_no_point_lost(is_certified), "a point has no vertex, or not its own") &&
+           says(is_no_vertex_moved(), "a vertex was moved from outside") &&
            says(is_mirror_in_step(), "the flat arrays differ from the data structure") &&
            says(is_simplicial(), "two edges have the same vertices") &&
            says(!is_certified || is_delaunay(), "the triangulation is certified, and not Delaunay");
@@ -71,7 +71,7 @@ private:
   }
 
   // A duplicate may differ from its vertex only after an exception, until the next proof.
-  bool is_nobody_lost(bool is_certified) const
+  bool is_no_point_lost(bool is_certified) const
   {
     const auto& ids = m_maintained.ids();
     if (m_maintained.triangulation().number_of_vertices() != m_maintained.number_of_vertices())
@@ -101,7 +101,7 @@ private:
   }
 
   // Users can set the points of vertices through handles.
-  bool is_nobody_moved() const
+  bool is_no_vertex_moved() const
   {
     return all_of(1, m_maintained.vertices().size(), [this](Index v) {
       const auto& p = m_maintained.vertices()[v]->point();
