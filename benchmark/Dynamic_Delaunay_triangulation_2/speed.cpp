@@ -21,6 +21,9 @@
 // between two updates the opponents have had the caches. `hot` is the median of the same frames in
 // bursts of eight, without anything between them. Flips are those a point and frame.
 //
+// Cases whose names begin with `shared` have the Parallel_tag and as many threads as the machine
+// has processors. From 100,000 points on nearly all of a frame is shared.
+//
 // The phases are timed by wrapping the classifier and the repair, from outside: four or five
 // readings of the clock to an update, at about 25 ns each. The whole is the time of this same
 // wrapped update, so they are in it: about a tenth of a nanosecond a point at 1000 points. An
@@ -69,6 +72,10 @@ std::vector<Column> time_columns_and(std::initializer_list<Column> further)
 const Case_table own_step = {"Scenarios at their own time step, ns a point", time_columns};
 const Case_table largest_step = {"Scenarios at their largest stable time step, ns a point",
                                  time_columns};
+const Case_table shared = {
+    "Scenarios at their own time step with all threads (Parallel_tag), which the opponents do not "
+    "have; ns a point",
+    time_columns};
 const Case_table brownian = {"Brownian motion by its steps in spacings, ns a point", time_columns};
 const Case_table teleport = {
     "Every point at a fresh random place in every frame, ns a point; 'sorted' "
@@ -155,6 +162,26 @@ void add_large(Case_list& cases)
     add_scenario(cases, own_step, joined("", name, max_points), name, overrides, {0, 15, 16});
   }
 }
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+void add_shared(Case_list& cases)
+{
+  const auto add = [&cases](const std::string& name, std::size_t points,
+                            const Frame_choice& frames) {
+    scenario::Overrides overrides;
+    overrides.points = points;
+    cases.add(shared, joined("shared/", name, points),
+              [=] { return shared_motion_case(*open(name, overrides), frames); });
+  };
+  for (const char* const name : {"dam_break", "spinning", "explosion", "static"}) {
+    add(name, many_points, {0, 60, many_frames / 60});
+  }
+  add("dam_break", max_points, {0, 15, 16});
+  add("explosion", max_points, {0, 15, 16});
+}
+
+#endif // CGAL_LINKED_WITH_TBB
 
 void add_own_step(Case_list& cases)
 {
@@ -263,6 +290,9 @@ void add_all(Case_list& cases)
 {
   add_own_step(cases);
   add_largest_step(cases);
+#ifdef CGAL_LINKED_WITH_TBB
+  add_shared(cases);
+#endif
   add_brownian(cases);
   add_teleport(cases);
   add_recorded(cases);

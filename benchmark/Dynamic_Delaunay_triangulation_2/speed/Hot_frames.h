@@ -18,6 +18,7 @@ namespace speed {
 
 // Times the same frames in bursts, one update right after the other: what they cost a program that
 // keeps caches and vector units busy with nothing else.
+template <class Concurrency_tag>
 class Hot_frames
 {
 public:
@@ -38,7 +39,10 @@ public:
   const std::vector<double>& nanoseconds_per_point() const { return m_times; }
 
 private:
-  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel>;
+  using Dynamic =
+      CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, CGAL::Circumcircle_classifier_2,
+                                             CGAL::Default, CGAL::Default, CGAL::Default,
+                                             CGAL::Default, Concurrency_tag>;
 
   static constexpr std::size_t burst = 8; // of 1000 points they fit in a second-level cache
 

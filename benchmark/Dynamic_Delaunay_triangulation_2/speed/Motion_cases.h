@@ -71,11 +71,11 @@ struct Followed_frames
   std::vector<double> hot{};
 };
 
-template <class Opponents>
+template <class Opponents, class Concurrency_tag = CGAL::Sequential_tag>
 Followed_frames run_frames(scenario::Motion& motion, const Frame_choice& frames)
 {
   run::Progress_display progress(frames.passed_over + frames.measured * frames.stride, true);
-  Speed_run<Opponents> run(motion);
+  Speed_run<Opponents, Concurrency_tag> run(motion);
   Speed_records records;
   const auto follow = [&](std::size_t number) {
     bool goes_on = true;
@@ -119,6 +119,16 @@ inline common::Case_result motion_case(scenario::Motion& motion, const Frame_cho
 {
   return result_of(run_frames<run::Static_opponents>(motion, frames));
 }
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+// With all threads of the machine; the opponents have one, as CGAL's insertion has.
+inline common::Case_result shared_motion_case(scenario::Motion& motion, const Frame_choice& frames)
+{
+  return result_of(run_frames<run::Static_opponents, CGAL::Parallel_tag>(motion, frames));
+}
+
+#endif // CGAL_LINKED_WITH_TBB
 
 // The fastest of a fresh cloud is whichever of both is faster.
 inline common::Case_result teleport_case(std::size_t points)

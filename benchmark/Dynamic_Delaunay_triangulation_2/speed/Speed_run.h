@@ -123,7 +123,7 @@ inline Figures speed_summary(const Speed_records& all_records)
 
 // Lets a motion run and keeps its triangulation: times every frame, phase by phase, against
 // opponents that triangulate it anew, and checks the result outside of the timing.
-template <class Opponents>
+template <class Opponents, class Concurrency_tag>
 class Speed_run
 {
 public:
@@ -131,8 +131,8 @@ public:
     : m_motion(motion)
   {
     check_coordinates();
-    m_kept.emplace(motion, Dynamic(Dynamic::Settings{common::Timed_classifier(m_marks),
-                                                     common::Timed_repair(m_marks)}));
+    m_kept.emplace(motion, Dynamic(typename Dynamic::Settings{common::Timed_classifier(m_marks),
+                                                              common::Timed_repair(m_marks)}));
     if (motion.has_fixed_population()) {
       m_hot_frames.emplace(motion.points());
     }
@@ -181,8 +181,10 @@ public:
   }
 
 private:
-  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, common::Timed_classifier,
-                                                         common::Timed_repair>;
+  using Dynamic =
+      CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, common::Timed_classifier,
+                                             common::Timed_repair, CGAL::Default, CGAL::Default,
+                                             CGAL::Default, Concurrency_tag>;
 
   bool go_on()
   {
@@ -257,7 +259,7 @@ private:
   std::optional<run::Kept_triangulation<Dynamic>> m_kept;
   Opponents m_opponents;
   run::Neighbor_reader m_neighbors;
-  std::optional<Hot_frames> m_hot_frames;
+  std::optional<Hot_frames<Concurrency_tag>> m_hot_frames;
   Speed_record m_record;
 };
 
