@@ -297,7 +297,7 @@ class Drawing:
         self.save(figure, "classification",
                   "Classified vertices against those that need mending by exact predicates: recall "
                   f"and precision over {row['frames']} frames; dots: mean of {row['trials']} trials, "
-                  "lines: smallest to largest. No dot: nobody was classified.", results)
+                  "lines: smallest to largest. No dot: no vertex was classified.", results)
 
     # What the thesis lacks: cost against the number of points and the motion.
     def points(self):

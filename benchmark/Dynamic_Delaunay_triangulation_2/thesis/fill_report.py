@@ -147,7 +147,7 @@ class Tables:
 
         def cell(row):
             if row["precision"] == "":
-                return f"{floor(row['recall'])}, nobody"
+                return f"{floor(row['recall'])}, no vertex"
             return f"{floor(row['recall'])}, {floor(row['FDR'])}"
 
         return table(["classifier"] + list(SCENARIOS.values()),
