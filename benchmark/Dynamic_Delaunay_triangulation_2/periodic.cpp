@@ -6,9 +6,8 @@
 // frames in one process, in turn, the order rotating, each with its own triangulation:
 //
 //   periodic  Dynamic_periodic_Delaunay_triangulation_2::update() of the wrapped points
-//   plane     Dynamic_Delaunay_triangulation_2::update() of the same points, which are not wrapped:
-//   it
-//             has a border instead of periodic space, and no point jumps
+//   plane     Dynamic_Delaunay_triangulation_2::update() of the same points, not wrapped: it has a
+//             border instead of periodic space, and no point jumps
 //   ghosts    triangulates the points and their images in a margin anew in the plane, by CGAL's
 //             insertion one by one in the last frame's spatial order; periodic/Ghost_rebuild.h
 //   CGAL      a new Periodic_2_Delaunay_triangulation_2, by its insertion of a range as a large

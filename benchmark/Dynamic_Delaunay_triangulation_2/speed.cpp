@@ -107,11 +107,13 @@ std::unique_ptr<scenario::Motion> open(const std::string& name,
   return scenario::open_motion(scenario::scenario_file(name), overrides);
 }
 
+template <class Concurrency_tag = CGAL::Sequential_tag>
 void add_scenario(Case_list& cases, const Case_table& table, const std::string& name,
                   const std::string& scenario_name, const scenario::Overrides& overrides,
                   const Frame_choice& frames)
 {
-  cases.add(table, name, [=] { return motion_case(*open(scenario_name, overrides), frames); });
+  cases.add(table, name,
+            [=] { return motion_case<Concurrency_tag>(*open(scenario_name, overrides), frames); });
 }
 
 std::string joined(const std::string& prefix, const std::string& name, std::size_t points)
@@ -149,39 +151,21 @@ void add_static(Case_list& cases, const Case_table& table, const std::string& pr
 
 // Some of many frames. At their largest stable time step, which was found at their own sizes, not
 // all scenarios of so many points last so long.
-void add_large(Case_list& cases)
+template <class Concurrency_tag>
+void add_large(Case_list& cases, const Case_table& table, const std::string& prefix)
 {
   scenario::Overrides overrides;
   overrides.points = many_points;
   for (const char* const name : {"dam_break", "spinning", "explosion", "static"}) {
-    add_scenario(cases, own_step, joined("", name, many_points), name, overrides,
-                 {0, 60, many_frames / 60});
+    add_scenario<Concurrency_tag>(cases, table, joined(prefix, name, many_points), name, overrides,
+                                  {0, 60, many_frames / 60});
   }
   overrides.points = max_points;
   for (const char* const name : {"dam_break", "explosion"}) {
-    add_scenario(cases, own_step, joined("", name, max_points), name, overrides, {0, 15, 16});
+    add_scenario<Concurrency_tag>(cases, table, joined(prefix, name, max_points), name, overrides,
+                                  {0, 15, 16});
   }
 }
-
-#ifdef CGAL_LINKED_WITH_TBB
-
-void add_shared(Case_list& cases)
-{
-  const auto add = [&cases](const std::string& name, std::size_t points,
-                            const Frame_choice& frames) {
-    scenario::Overrides overrides;
-    overrides.points = points;
-    cases.add(shared, joined("shared/", name, points),
-              [=] { return shared_motion_case(*open(name, overrides), frames); });
-  };
-  for (const char* const name : {"dam_break", "spinning", "explosion", "static"}) {
-    add(name, many_points, {0, 60, many_frames / 60});
-  }
-  add("dam_break", max_points, {0, 15, 16});
-  add("explosion", max_points, {0, 15, 16});
-}
-
-#endif // CGAL_LINKED_WITH_TBB
 
 void add_own_step(Case_list& cases)
 {
@@ -189,7 +173,7 @@ void add_own_step(Case_list& cases)
     add_moving(cases, own_step, "", name, {});
   }
   add_static(cases, own_step, "", {});
-  add_large(cases);
+  add_large<CGAL::Sequential_tag>(cases, own_step, "");
 }
 
 scenario::Overrides largest_step_of(const std::string& name)
@@ -291,7 +275,7 @@ void add_all(Case_list& cases)
   add_own_step(cases);
   add_largest_step(cases);
 #ifdef CGAL_LINKED_WITH_TBB
-  add_shared(cases);
+  add_large<CGAL::Parallel_tag>(cases, shared, "shared/");
 #endif
   add_brownian(cases);
   add_teleport(cases);

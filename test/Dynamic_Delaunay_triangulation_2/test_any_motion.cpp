@@ -725,6 +725,30 @@ TEST(Jumps_of_many, end_exact_whatever_they_cost)
   }
 }
 
+// All vertices are on the hull, and flips join each of them with some that are far away. A walk
+// that began at one of these to find the next vertex took some four hundred steps, and the budget
+// of two of these three frames was spent by that.
+TEST(Jumps_along_a_parabola, are_found_from_beside_one_another)
+{
+  constexpr std::size_t size = 10000, jumps = size / 100;
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> place(-1, 1);
+  const auto on_parabola = [](double x) { return Epick::Point_2(x, x * x); };
+  std::vector<Epick::Point_2> points;
+  for (std::size_t i = 0; i < size; ++i)
+    points.push_back(on_parabola((2 * double(i) + 1) / size - 1));
+  std::shuffle(points.begin(), points.end(), random);
+  Stage<Epick> stage(points);
+  for (int frame = 0; frame < 3; ++frame) {
+    for (std::size_t k = 0; k < jumps; ++k) {
+      const double x = place(random);
+      stage.points[random() % size] = on_parabola(x);
+    }
+    ASSERT_NO_FATAL_FAILURE(stage.update());
+    EXPECT_FALSE(stage.report().rebuilt()) << "frame " << frame;
+  }
+}
+
 TEST(Jumps_of_a_few_of_thousands, cost_little_and_move_no_other_point)
 {
   Stage<Epick> stage(Cloud<Epick>(15).uniform(3000));

@@ -75,9 +75,9 @@ double thread_nanoseconds_of(Work work)
 }
 #endif
 
-// Three ways to triangulate a frame anew with CGAL's own means. It is not known before which is the
-// fastest before they have been tried. Whatever a program could have at hand before the frame
-// comes, and all destruction, is outside of the timing.
+// Three ways to triangulate a frame anew with CGAL's own means. Which is the fastest is not
+// known before they have been tried. Whatever a program could have at hand before the frame comes,
+// and all destruction, is outside of the timing.
 class Fastest_static
 {
 public:

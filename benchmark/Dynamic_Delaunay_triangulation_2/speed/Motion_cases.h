@@ -115,20 +115,12 @@ inline common::Case_result result_of(const Followed_frames& frames)
   return result;
 }
 
-inline common::Case_result motion_case(scenario::Motion& motion, const Frame_choice& frames)
+// The opponents have one thread whatever the tag is, as CGAL's insertion has.
+template <class Concurrency_tag>
+common::Case_result motion_case(scenario::Motion& motion, const Frame_choice& frames)
 {
-  return result_of(run_frames<run::Static_opponents>(motion, frames));
+  return result_of(run_frames<run::Static_opponents, Concurrency_tag>(motion, frames));
 }
-
-#ifdef CGAL_LINKED_WITH_TBB
-
-// With all threads of the machine; the opponents have one, as CGAL's insertion has.
-inline common::Case_result shared_motion_case(scenario::Motion& motion, const Frame_choice& frames)
-{
-  return result_of(run_frames<run::Static_opponents, CGAL::Parallel_tag>(motion, frames));
-}
-
-#endif // CGAL_LINKED_WITH_TBB
 
 // The fastest of a fresh cloud is whichever of both is faster.
 inline common::Case_result teleport_case(std::size_t points)

@@ -96,8 +96,8 @@ public:
 
   // To be called after it if so few points have moved, and all others are where they were.
   // `hull_stays`: whether the hull turned around once, and none of its vertices has moved.
-  // `jumper`: the vertex that is to be taken out, if it is the only one that has moved, and no edge
-  // was examined. Open are all edges that see it.
+  // `jumper`: the vertex that is to be taken out, if it is the only one that has moved, everything
+  // was certified before that, and no edge was examined. Open are all edges that see it.
   void set_movers(std::size_t movers, bool hull_stays, Index jumper)
   {
     CGAL_precondition(jumper == no_index || movers == 1);
@@ -145,7 +145,7 @@ public:
       m_budget.spend(Repair_budget_2::relocation / 2 +
                      Repair_budget_2::step_of_a_walk * (steps - steps_before));
       steps_before = steps;
-      is_delaunay = is_delaunay && faces > 0;
+      is_delaunay = faces > 0; // never again, once it was not: see most_faces()
       if (is_delaunay)
         spend_on_flips(faces - 1); // which would do the same
       else
@@ -349,7 +349,7 @@ private:
   // Takes out the only vertex that has moved. If everything was Delaunay, it stays so without it.
   void take_out_jumper()
   {
-    if (m_was_certified && can_spare(1) && m_traffic.take_out_of_delaunay(m_jumper)) {
+    if (can_spare(1) && m_traffic.take_out_of_delaunay(m_jumper)) {
       m_open.clear();
       m_budget.spend(Repair_budget_2::relocation / 2);
     } else if (can_take_out())

@@ -592,10 +592,10 @@ public:
                           : let_come(parted_duplicates, i - m_waiting.size(), hint, most, counts);
       if (v == no_index)
         continue;
+      if (k + 1 < m_order.size())
+        hint = hint_at(v); // flips may join v with vertices that are far away
       if (!settle(v, counts.steps, m_replaced))
         return counts;
-      if (k + 1 < m_order.size())
-        hint = hint_at(v);
     }
     forget_all();
     return counts;
