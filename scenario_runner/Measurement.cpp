@@ -6,8 +6,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace run {
+
+void keep_freed_memory()
+{
+#ifdef __GLIBC__
+  mallopt(M_MMAP_MAX, 0); // no blocks beside the heap
+  mallopt(M_TRIM_THRESHOLD, (std::numeric_limits<int>::max)());
+#endif
+}
 
 double quantile(const std::vector<double>& sorted, double share)
 {

@@ -19,6 +19,12 @@ double nanoseconds_of(Work work)
   return std::chrono::duration<double, std::nano>(end - start).count();
 }
 
+// Lets freed memory stay in the process, where the C library can. Otherwise the opponents' large blocks
+// go back to the system between frames, and the next frame of the dynamic triangulation pays for the
+// page tables that a virtual machine then makes again: at 100,000 points it took up to five times as
+// long. Call before what is timed.
+void keep_freed_memory();
+
 // Of a set of measurements.
 struct Spread
 {

@@ -4,6 +4,7 @@
 #ifndef SCENARIO_RUNNER_STATIC_TRIANGULATION_H
 #define SCENARIO_RUNNER_STATIC_TRIANGULATION_H
 
+#include "scenario_runner/Measurement.h"
 #include "scenario_runner/Motion.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>
@@ -56,6 +57,8 @@ struct Point_map
 class Static_opponents
 {
 public:
+  Static_opponents() { keep_freed_memory(); }
+
   void prepare(const std::vector<scenario::Point>& points, bool population_changed);
 
   // CGAL's own insertion of a range, what a user writes.

@@ -84,7 +84,11 @@ bool create_and_update()
   const std::size_t id = dt.id(v);
   const Point& p = dt.point(17);
   //! [ids]
-  return report.certified && id == 17 && p == v->point();
+  //! [properties]
+  const auto mass = dt.add_vertex_property<double>("mass", 1).first;
+  mass[dt.vertex(17)] = 2.5; // stays with point 17, whatever index its vertex gets
+  //! [properties]
+  return report.certified && id == 17 && p == v->point() && mass[dt.vertex(16)] == 1;
 }
 
 bool refuse_bad_input()

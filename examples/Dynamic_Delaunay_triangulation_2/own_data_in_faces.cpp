@@ -6,7 +6,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Indexed_triangulation_data_structure_2.h>
 
 #include <iostream>
 #include <random>
@@ -15,9 +15,7 @@
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
-using Vertex_base = CGAL::Dynamic_Delaunay_triangulation_vertex_base_2<Kernel>;
-using Face_base = CGAL::Triangulation_face_base_with_info_2<long, Kernel>; // drops
-using Tds = CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>;
+using Tds = CGAL::Indexed_triangulation_data_structure_2<Kernel, void, long>; // drops in faces
 
 //! [visitor]
 // Shares the drops of the two faces of a flip. Those of faces that go are spare, until other faces

@@ -25,14 +25,12 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Validity_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_vertex_base_2.h>
 #include <CGAL/Dynamic_frame_2.h>
 #include <CGAL/Dynamic_triangulation_settings_2.h>
+#include <CGAL/Indexed_triangulation_data_structure_2.h>
 #include <CGAL/inform_classifier.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
-#include <CGAL/Triangulation_data_structure_2.h>
-#include <CGAL/Triangulation_face_base_2.h>
 #include <CGAL/Update_report_2.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -42,6 +40,7 @@
 #include <iterator>
 #include <memory>
 #include <ostream>
+#include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -74,10 +73,9 @@ valid triangulated sphere with all its vertices.
 \tparam Repair a model of `DelaunayRepair_2`, which repairs it. `Default` stands for the
   classifier's `Usual_repair` if it has one; else for `Flip_and_splice_repair_2` if the classifier
   is exact, and for `Border_splice_repair_2` if it is not.
-\tparam Tds a triangulation data structure whose vertex base is
-  `Dynamic_Delaunay_triangulation_vertex_base_2` or derives from it; `Default` for a plain one. Data
-  that the user stores in a vertex stay in it. The vertices of a face change; a visitor is told
-  when.
+\tparam Tds an `Indexed_triangulation_data_structure_2` of these traits; `Default` for one without
+  data of the user. Data that the user stores in a vertex stay in it. The vertices of a face change;
+  a visitor is told when.
 \tparam UpdatePolicy a model of `DelaunayUpdatePolicy_2`, which decides which frames are rebuilt
   instead; `Default` for `Always_dynamic_policy_2`.
 \tparam Visitor a model of `DelaunayUpdateVisitor_2`, which is told what changes; `Default` for
@@ -103,10 +101,8 @@ class Dynamic_Delaunay_triangulation_2
   using Chosen_visitor = typename Default::Get<Visitor, Delaunay_update_visitor_base_2>::type;
   using Default_repair =
       typename Dynamic_Delaunay_triangulations_2::internal::Usual_repair_2<Chosen_classifier>::type;
-  using Default_tds =
-      Triangulation_data_structure_2<Dynamic_Delaunay_triangulation_vertex_base_2<Traits>,
-                                     Triangulation_face_base_2<Traits>>;
-  using Data_structure = typename Default::Get<Tds, Default_tds>::type;
+  using Data_structure =
+      typename Default::Get<Tds, Indexed_triangulation_data_structure_2<Traits>>::type;
   using Policy = typename Default::Get<UpdatePolicy, Always_dynamic_policy_2>::type;
   using Shown_to_visitor =
       std::conditional_t<std::is_same_v<Chosen_visitor, Delaunay_update_visitor_base_2>, void,
@@ -575,7 +571,7 @@ public:
   }
 
   /// the infinite vertex of `tds()`.
-  Vertex_handle infinite_vertex() const { return m_core->maintained.vertices().front(); }
+  Vertex_handle infinite_vertex() const { return m_core->maintained.vertex_handle(0); }
 
   /// the number of points.
   size_type number_of_points() const { return m_core->maintained.ids().number_of_points(); }
@@ -592,7 +588,7 @@ public:
   {
     if (!has_id(id))
       throw Unknown_id_error_2(id, number_of_ids());
-    return m_core->maintained.vertices()[m_core->maintained.ids().vertex(Index(id))];
+    return m_core->maintained.vertex_handle(m_core->maintained.ids().vertex(Index(id)));
   }
 
   /// the position of a point.
@@ -609,7 +605,7 @@ public:
   /// representative, which was there first.
   size_type id(Vertex_handle vertex) const
   {
-    return m_core->maintained.ids().representative(vertex->mirror_index());
+    return m_core->maintained.ids().representative(vertex.index());
   }
 
   /// calls `f(i, j)` with the ids of both ends of every finite edge. Where points share a vertex,
@@ -618,14 +614,30 @@ public:
   void for_each_edge(Function&& f) const
   {
     const auto& tds = this->tds();
-    if (!m_core->maintained.is_mirrored()) {
+    if (!m_core->maintained.spans_plane()) {
       for (auto e = tds.edges_begin(); e != tds.edges_end(); ++e)
-        call_with_ids(f, e->first->vertex(tds.cw(e->second))->mirror_index(),
-                      e->first->vertex(tds.ccw(e->second))->mirror_index());
+        call_with_ids(f, e->first->vertex(tds.cw(e->second)).index(),
+                      e->first->vertex(tds.ccw(e->second)).index());
       return;
     }
     for (const auto& edge : frame().edges())
       call_with_ids(f, edge.source, edge.target);
+  }
+
+  /// adds a property to the vertices, with `value` for all of them and all that come, as
+  /// `Indexed_triangulation_data_structure_2::add_vertex_property()` does. A vertex keeps its
+  /// values as long as it lives. The map is valid until this object is destroyed, assigned to, or
+  /// moved from. \return the map, and whether it is new. Cost: linear.
+  template <class T>
+  auto add_vertex_property(const std::string& name, const T& value = T())
+  {
+    return m_core->maintained.vertex_properties().template add<T>(name, value);
+  }
+  /// adds a property to the faces. The vertices of a face change; a visitor is told when.
+  template <class T>
+  auto add_face_property(const std::string& name, const T& value = T())
+  {
+    return m_core->maintained.face_properties().template add<T>(name, value);
   }
 
   /// the points, edges and faces as flat arrays.
@@ -726,6 +738,7 @@ public:
     file.finish();
     Delaunay_classifier classifier = m_classifier;
     inform_classifier(classifier, Frame(maintained));
+    m_core->update.tools().provide_for_exchange(maintained);
     start_visit([] {});
     m_classifier = std::move(classifier); // nothing throws from here on
     m_core->update.tools().exchange(maintained);
@@ -795,7 +808,6 @@ private:
   const auto& tools() const { return std::as_const(m_core->update).tools(); }
 
   // Every change of the triangulation runs through here, after its input was read and checked.
-  // CGAL's vertices get their points at the end, even if a repair throws.
   Update_report_2 run(Change& change)
   {
     const auto take_back = [&] {
@@ -810,7 +822,7 @@ private:
       finish_visit(report);
       return report;
     } catch (...) {
-      write_points(change);
+      m_core->input.settle();
       throw;
     }
   }
@@ -826,16 +838,8 @@ private:
     report.certified = is_certified();
     if (change.is_frame)
       m_policy.after_update(frame(), report);
-    write_points(change);
+    m_core->input.settle();
     return report;
-  }
-
-  void write_points(const Change& change)
-  {
-    if (change.is_frame)
-      m_core->input.write();
-    else
-      m_core->input.write(change.moved);
   }
 
   // Calls `before_update()`; if that throws, nothing has changed yet.

@@ -80,8 +80,8 @@ public:
   /// \throws Unknown_index_error_2 if there is no such edge.
   void add_edge(Index e)
   {
-    if (e >= m_maintained->mirror().number_of_edges())
-      throw Unknown_index_error_2("edge", e, m_maintained->mirror().number_of_edges());
+    if (e >= m_maintained->arrays().number_of_edges())
+      throw Unknown_index_error_2("edge", e, m_maintained->arrays().number_of_edges());
     list_edge(e);
     add_vertices_of(e);
   }
@@ -99,8 +99,8 @@ public:
   /// \throws Unknown_index_error_2 if there is no such edge.
   void add_illegal_edge(Index e)
   {
-    if (e >= m_maintained->mirror().number_of_edges())
-      throw Unknown_index_error_2("edge", e, m_maintained->mirror().number_of_edges());
+    if (e >= m_maintained->arrays().number_of_edges())
+      throw Unknown_index_error_2("edge", e, m_maintained->arrays().number_of_edges());
     list_illegal_edge(e);
     add_vertices_of(e);
   }
@@ -215,12 +215,12 @@ private:
   void prefetch_some(const std::vector<Index>& edges, std::size_t i) const
   {
     constexpr std::size_t ahead = 8;
-    const auto& mirror = m_maintained->mirror();
+    const auto& arrays = m_maintained->arrays();
     if (i + 2 * ahead < edges.size())
-      mirror.prefetch_edge(edges[i + 2 * ahead]);
+      arrays.prefetch_edge(edges[i + 2 * ahead]);
     if (i + ahead < edges.size())
       Dynamic_Delaunay_triangulations_2::internal::prefetch_corners(
-          mirror.edge(edges[i + ahead]), m_maintained->positions().data());
+          arrays.edge(edges[i + ahead]), m_maintained->positions().data());
   }
 
   void list_edge(Index e)

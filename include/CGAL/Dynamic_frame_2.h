@@ -8,7 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 
 #include <array>
 #include <cstddef>
@@ -69,9 +69,9 @@ public:
   /// the number of finite vertices: less than the number of points if points coincide.
   Index number_of_vertices() const { return m_maintained->number_of_vertices(); }
   /// the number of edges, including those to the infinite vertex.
-  Index number_of_edges() const { return m_maintained->mirror().number_of_edges(); }
+  Index number_of_edges() const { return m_maintained->arrays().number_of_edges(); }
   /// the number of faces, including the infinite ones.
-  Index number_of_faces() const { return m_maintained->mirror().number_of_faces(); }
+  Index number_of_faces() const { return m_maintained->arrays().number_of_faces(); }
 
   /// @}
   /// \name Points
@@ -116,7 +116,7 @@ public:
   const std::vector<Edge>& edges() const
   {
     static_assert(!Maintained::is_periodic, "periodic space has no array of edges: use edge()");
-    return m_maintained->mirror().edges();
+    return m_maintained->arrays().edges();
   }
   /// whether one end of `edge` is the infinite vertex.
   static bool is_infinite(const Edge& edge)
@@ -130,11 +130,11 @@ public:
   /// with `right`.
   std::array<Index, 2> faces_at(Index e) const
   {
-    const auto& mirror = m_maintained->mirror();
-    if (mirror.is_empty_edge(e))
+    const auto& arrays = m_maintained->arrays();
+    if (arrays.is_empty_edge(e))
       return {0, 0};
-    const Index h = mirror.halfedge(e);
-    const Index f = mirror.face_of(h), g = mirror.face_of(mirror.twin(h));
+    const Index h = arrays.halfedge(e);
+    const Index f = arrays.face_of(h), g = arrays.face_of(arrays.twin(h));
     return m_maintained->is_along(e, h) ? std::array<Index, 2>{f, g} : std::array<Index, 2>{g, f};
   }
 
@@ -142,23 +142,23 @@ public:
   template <class Function>
   void for_each_neighbor(Index v, Function&& f) const
   {
-    if (!m_maintained->mirror().is_outside(v))
-      m_maintained->mirror().for_each_neighbor(v, f);
+    if (!m_maintained->arrays().is_outside(v))
+      m_maintained->arrays().for_each_neighbor(v, f);
   }
   /// calls `f(s)` for the four other edges `s` of the two faces at edge `e`.
   template <class Function>
   void for_each_side(Index e, Function&& f) const
   {
-    if (!m_maintained->mirror().is_empty_edge(e))
-      m_maintained->mirror().for_each_side(e, f);
+    if (!m_maintained->arrays().is_empty_edge(e))
+      m_maintained->arrays().for_each_side(e, f);
   }
   /// calls `f(e)` for every edge `e` at vertex `v`.
   template <class Function>
   void for_each_incident_edge(Index v, Function&& f) const
   {
-    const auto& mirror = m_maintained->mirror();
-    if (!mirror.is_outside(v))
-      mirror.for_each_corner(v, [&](Index h) { f(mirror.edge_of(mirror.previous(h))); });
+    const auto& arrays = m_maintained->arrays();
+    if (!arrays.is_outside(v))
+      arrays.for_each_corner(v, [&](Index h) { f(arrays.edge_of(arrays.previous(h))); });
   }
 
   /// calls `f(e)` for every edge `e` whose test depends on the position of vertex `v`: the edges
@@ -166,11 +166,11 @@ public:
   template <class Function>
   void for_each_edge_that_sees(Index v, Function&& f) const
   {
-    const auto& mirror = m_maintained->mirror();
-    if (!mirror.is_outside(v))
-      mirror.for_each_corner(v, [&](Index h) {
-        f(mirror.edge_of(h));
-        f(mirror.edge_of(mirror.previous(h)));
+    const auto& arrays = m_maintained->arrays();
+    if (!arrays.is_outside(v))
+      arrays.for_each_corner(v, [&](Index h) {
+        f(arrays.edge_of(h));
+        f(arrays.edge_of(arrays.previous(h)));
       });
   }
 

@@ -113,7 +113,7 @@ class Dynamic_periodic_Delaunay_triangulation_2
   using Population_input =
       Dynamic_Delaunay_triangulations_2::internal::Population_input_2<Maintained>;
   using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point_2;
-  using Mirror = Dynamic_Delaunay_triangulations_2::internal::Neighborhood_mirror_2;
+  using Arrays = Dynamic_Delaunay_triangulations_2::internal::Halfedge_arrays_2;
   using Index = Dynamic_Delaunay_triangulations_2::Index;
   using Position = Dynamic_Delaunay_triangulations_2::Position_2;
   template <class Range>
@@ -466,7 +466,7 @@ public:
     if (!cell().is_slab())
       return 2 * number_of_vertices();
     size_type faces = 0;
-    for (Index f = 0; f < m_core->maintained.mirror().number_of_faces(); ++f)
+    for (Index f = 0; f < m_core->maintained.arrays().number_of_faces(); ++f)
       faces += !is_in_gap(f);
     return faces;
   }
@@ -507,9 +507,9 @@ public:
   void for_each_edge(const Function& f) const
   {
     const auto& maintained = m_core->maintained;
-    for (Index e = 0; e < maintained.mirror().number_of_edges(); ++e) {
-      const Index h = maintained.mirror().halfedge(e);
-      const Index from = Mirror::next(h), to = Mirror::previous(h);
+    for (Index e = 0; e < maintained.arrays().number_of_edges(); ++e) {
+      const Index h = maintained.arrays().halfedge(e);
+      const Index from = Arrays::next(h), to = Arrays::previous(h);
       if (!are_across(from, to))
         f(id_at(from), id_at(to), shift_between(from, to));
     }
@@ -521,9 +521,9 @@ public:
   template <class Function>
   void for_each_boundary_edge(const Function& f) const
   {
-    const auto& mirror = m_core->maintained.mirror();
-    for (Index h = 0; h < 3 * mirror.number_of_faces(); ++h) {
-      const Index from = Mirror::previous(h), to = Mirror::next(h);
+    const auto& arrays = m_core->maintained.arrays();
+    for (Index h = 0; h < 3 * arrays.number_of_faces(); ++h) {
+      const Index from = Arrays::previous(h), to = Arrays::next(h);
       if (is_in_gap(h / 3) && !are_across(from, to))
         f(id_at(from), id_at(to), shift_between(from, to));
     }
@@ -537,9 +537,9 @@ public:
   {
     check_id(id);
     const auto& maintained = m_core->maintained;
-    maintained.mirror().for_each_corner(maintained.ids().vertex(Index(id)), [&](Index h) {
-      if (!are_across(h, Mirror::next(h)))
-        f(id_at(Mirror::next(h)), shift_between(h, Mirror::next(h)));
+    maintained.arrays().for_each_corner(maintained.ids().vertex(Index(id)), [&](Index h) {
+      if (!are_across(h, Arrays::next(h)))
+        f(id_at(Arrays::next(h)), shift_between(h, Arrays::next(h)));
     });
   }
 
@@ -549,7 +549,7 @@ public:
   template <class Function>
   void for_each_face(const Function& f) const
   {
-    for (Index h = 0; h < 3 * m_core->maintained.mirror().number_of_faces(); h += 3)
+    for (Index h = 0; h < 3 * m_core->maintained.arrays().number_of_faces(); h += 3)
       if (!is_in_gap(h / 3))
         f(std::array<size_type, 3>{id_at(h), id_at(h + 1), id_at(h + 2)},
           std::array<Periodic_shift_2, 3>{shift_between(h, h), shift_between(h, h + 1),
@@ -856,7 +856,7 @@ private:
   size_type id_at(Index corner) const
   {
     const auto& maintained = m_core->maintained;
-    return maintained.ids().representative(maintained.mirror().apex(corner));
+    return maintained.ids().representative(maintained.arrays().apex(corner));
   }
   Periodic_shift_2 shift_between(Index corner, Index other) const
   {

@@ -7,11 +7,10 @@
 #ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_CHANGE_LEDGER_H
 #define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_CHANGE_LEDGER_H
 
+#include "stamps.h"
+
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_vertex_base_2.h>
 #include <CGAL/inform_classifier.h>
-#include <CGAL/Triangulation_data_structure_2.h>
-#include <CGAL/Triangulation_face_base_2.h>
 
 #include <gtest/gtest.h>
 
@@ -22,32 +21,6 @@
 #include <memory>
 #include <set>
 #include <vector>
-
-// A vertex that no other vertex of the program is ever confused with.
-template <class Traits,
-          class Vertex_base = CGAL::Dynamic_Delaunay_triangulation_vertex_base_2<Traits>>
-class Stamped_vertex_base : public Vertex_base
-{
-public:
-  template <class Tds>
-  struct Rebind_TDS
-  {
-    using Base = typename Vertex_base::template Rebind_TDS<Tds>::Other;
-    using Other = Stamped_vertex_base<Traits, Base>;
-  };
-  using Vertex_base::Vertex_base;
-
-  std::size_t stamp() const { return m_stamp; }
-
-private:
-  static std::size_t next_stamp()
-  {
-    static std::size_t next = 0;
-    return next++;
-  }
-
-  std::size_t m_stamp = next_stamp();
-};
 
 // Classifies as the other one does.
 template <class Classifier>
@@ -65,7 +38,7 @@ public:
   template <class Dynamic>
   void watch(const Dynamic& dt) const
   {
-    *m_stamp_of_id = [&dt](std::size_t id) { return dt.vertex(id)->stamp(); };
+    *m_stamp_of_id = [&dt](std::size_t id) { return stamp_of(dt, id); };
   }
 
   template <class Frame>
@@ -181,9 +154,8 @@ private:
 
 // A triangulation that is watched so.
 template <class Kernel, class Classifier, class Repair = CGAL::Default>
-using Watched_triangulation = CGAL::Dynamic_Delaunay_triangulation_2<
-    Kernel, Change_ledger<Classifier>, Repair,
-    CGAL::Triangulation_data_structure_2<Stamped_vertex_base<Kernel>,
-                                         CGAL::Triangulation_face_base_2<Kernel>>>;
+using Watched_triangulation =
+    CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Change_ledger<Classifier>, Repair,
+                                           Stamped_data_structure<Kernel>>;
 
 #endif // DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_CHANGE_LEDGER_H

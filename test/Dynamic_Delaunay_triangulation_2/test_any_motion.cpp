@@ -149,12 +149,13 @@ public:
   }
 
 private:
-  using Triple = std::array<const void*, 3>; // vertices, ascending
+  using Triple = std::array<std::size_t, 3>; // stamps of vertices, ascending
 
   template <class Face_handle>
   static Triple vertices_of(Face_handle f)
   {
-    Triple vertices{&*f->vertex(0), &*f->vertex(1), &*f->vertex(2)};
+    Triple vertices{f->vertex(0)->info().value, f->vertex(1)->info().value,
+                    f->vertex(2)->info().value};
     std::sort(vertices.begin(), vertices.end());
     return vertices;
   }
@@ -162,7 +163,7 @@ private:
   template <class Face_handle>
   void forget(Face_handle f)
   {
-    const auto known = m_faces.find(&*f);
+    const auto known = m_faces.find(f->info().value);
     ASSERT_TRUE(known != m_faces.end());
     EXPECT_EQ(known->second, vertices_of(f));
     m_faces.erase(known);
@@ -171,16 +172,16 @@ private:
   template <class Face_handle>
   void learn(Face_handle f)
   {
-    EXPECT_TRUE(m_faces.emplace(&*f, vertices_of(f)).second);
+    EXPECT_TRUE(m_faces.emplace(f->info().value, vertices_of(f)).second);
   }
 
   template <class Dynamic>
   void expect_faces_in_step(const Dynamic& dt) const
   {
-    std::map<const void*, Triple> faces;
+    std::map<std::size_t, Triple> faces;
     if (dt.tds().dimension() == 2)
       for (auto f = dt.tds().faces_begin(); f != dt.tds().faces_end(); ++f)
-        faces.emplace(&*f, vertices_of(f));
+        faces.emplace(f->info().value, vertices_of(f));
     EXPECT_TRUE(faces == m_faces);
   }
 
@@ -189,12 +190,13 @@ private:
   Ids m_relocated;
   std::size_t m_merges = 0;
   Edge_set m_edges;
-  std::map<const void*, Triple> m_faces;
+  std::map<std::size_t, Triple> m_faces;
 };
 
 template <class Kernel, class Classifier = CGAL::Circumcircle_classifier_2>
-using Visited = CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, CGAL::Default,
-                                                       CGAL::Default, CGAL::Default, Diary>;
+using Visited =
+    CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, CGAL::Default,
+                                           Stamped_data_structure<Kernel>, CGAL::Default, Diary>;
 
 // How many points share each vertex.
 template <class Dynamic>
@@ -205,17 +207,6 @@ std::map<typename Dynamic::Vertex_handle, std::size_t> shares_of(const Dynamic& 
     if (dt.has_id(id))
       ++shares[dt.vertex(id)];
   return shares;
-}
-
-// The vertices of the points that have one of their own.
-template <class Dynamic>
-std::map<std::size_t, typename Dynamic::Vertex_handle> handles_of(const Dynamic& dt)
-{
-  std::map<std::size_t, typename Dynamic::Vertex_handle> handles;
-  for (const auto& [vertex, share] : shares_of(dt))
-    if (share == 1)
-      handles.emplace(dt.id(vertex), vertex);
-  return handles;
 }
 
 // Points that are moved about; after each call all is as it should be.
@@ -275,16 +266,16 @@ private:
   template <class Call>
   void check(const Call& call)
   {
-    const auto handles = handles_of(m_dt);
+    const auto stamps = stamps_of(m_dt);
     const int visits = m_dt.visitor().begun();
     m_report = call();
     ASSERT_TRUE(m_report.certified);
     ASSERT_NO_FATAL_FAILURE(expect_exact(m_dt, points));
     ASSERT_EQ(m_dt.visitor().begun(), visits + 1);
     ASSERT_EQ(m_dt.visitor().finished(), m_dt.visitor().begun());
-    for (const auto& [id, vertex] : handles)
+    for (const auto& [id, stamp] : stamps)
       if (m_dt.id(m_dt.vertex(id)) == id) {
-        ASSERT_EQ(m_dt.vertex(id), vertex) << "id " << id;
+        ASSERT_EQ(stamp_of(m_dt, id), stamp) << "id " << id;
       }
     ASSERT_FALSE(testing::Test::HasFailure());
   }
@@ -842,7 +833,7 @@ public:
     if (random != nullptr)
       std::shuffle(range.begin(), range.end(), *random);
     const auto ids = expected_ids(range);
-    const auto handles = handles_of(people.triangulation());
+    const auto stamps = stamps_of(people.triangulation());
     std::size_t newcomers = 0;
     for (const auto& person : frame)
       newcomers += m_ids.count(person.first) == 0;
@@ -854,10 +845,10 @@ public:
     for (const auto& [user_id, id] : ids)
       ASSERT_EQ(people.id(user_id), id) << "user's id " << user_id;
     const auto& dt = people.triangulation();
-    for (const auto& [id, vertex] : handles)
+    for (const auto& [id, stamp] : stamps)
       if (dt.has_id(id) && m_ids.count(people.user_id(id)) && m_ids.at(people.user_id(id)) == id &&
           dt.id(dt.vertex(id)) == id) {
-        ASSERT_EQ(dt.vertex(id), vertex) << "id " << id;
+        ASSERT_EQ(stamp_of(dt, id), stamp) << "id " << id;
       }
     m_ids = ids;
     ASSERT_NO_FATAL_FAILURE(check());
@@ -1433,13 +1424,13 @@ protected:
     const auto& dt = m_crowd.people.triangulation();
     ASSERT_TRUE(dt.is_certified());
     const auto edges = edges_of(dt);
-    const auto handles = handles_of(dt);
+    const auto stamps = stamps_of(dt);
     const std::size_t ids = dt.number_of_ids();
     EXPECT_THROW(call(), Error);
     EXPECT_TRUE(dt.is_certified());
     EXPECT_EQ(dt.number_of_ids(), ids);
     EXPECT_TRUE(edges_of(dt) == edges);
-    EXPECT_TRUE(handles_of(dt) == handles);
+    EXPECT_TRUE(stamps_of(dt) == stamps);
     for (const int user_id : {900, 901})
       EXPECT_FALSE(m_crowd.people.has(user_id)) << "user's id " << user_id;
     ASSERT_NO_FATAL_FAILURE(m_crowd.check());

@@ -61,7 +61,7 @@ void expect_equal(const Dynamic& dt, const Dynamic& other)
     ASSERT_EQ(dt.has_id(id), other.has_id(id));
     if (dt.has_id(id)) {
       ASSERT_EQ(dt.point(id), other.point(id));
-      ASSERT_EQ(dt.vertex(id)->mirror_index(), other.vertex(id)->mirror_index());
+      ASSERT_EQ(dt.vertex(id).index(), other.vertex(id).index());
       ASSERT_EQ(dt.id(dt.vertex(id)), other.id(other.vertex(id)));
     }
   }

@@ -681,11 +681,9 @@ struct Fused_policy
   }
 };
 
-using Fused_triangulation = CGAL::Dynamic_Delaunay_triangulation_2<
-    Epick, Change_ledger<Fused_classifier>, Fused_repair,
-    CGAL::Triangulation_data_structure_2<Stamped_vertex_base<Epick>,
-                                         CGAL::Triangulation_face_base_2<Epick>>,
-    Fused_policy>;
+using Fused_triangulation =
+    CGAL::Dynamic_Delaunay_triangulation_2<Epick, Change_ledger<Fused_classifier>, Fused_repair,
+                                           Stamped_data_structure<Epick>, Fused_policy>;
 
 class Parts : public testing::Test
 {

@@ -6,6 +6,7 @@
 
 #include "oracle.h"
 #include "replaced_heap.h"
+#include "stamps.h"
 
 #include <CGAL/Flip_repair_2.h>
 #include <CGAL/Point_distance_classifier_2.h>
@@ -277,14 +278,14 @@ TEST(Guarantees, an_unknown_id_from_the_classifier_is_refused_and_nothing_change
   expect_exact(dt, points);
 }
 
-TEST(Guarantees, vertices_keep_their_handles_through_flips_splices_and_rebuilds)
+TEST(Guarantees, vertices_keep_their_data_through_flips_splices_and_rebuilds)
 {
   Cloud<Epick> cloud(9);
   auto points = cloud.uniform(300);
-  Exact dt(points.begin(), points.end());
-  std::vector<Exact::Vertex_handle> vertices;
-  for (std::size_t id = 0; id < points.size(); ++id)
-    vertices.push_back(dt.vertex(id));
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2, CGAL::Default,
+                                         Stamped_data_structure<Epick>>
+      dt(points.begin(), points.end());
+  const auto stamps = stamps_of(dt);
   std::size_t flips = 0, splices = 0, rebuilds = 0;
   for (const double step : {0.01, 0.05, 0.07, 0.07, 0.07, 0.07, 0.07, 0.07, 5., 0.01}) {
     cloud.shake(points, step);
@@ -293,8 +294,8 @@ TEST(Guarantees, vertices_keep_their_handles_through_flips_splices_and_rebuilds)
     splices += report.splices;
     rebuilds += report.rebuilt();
     for (std::size_t id = 0; id < points.size(); ++id) {
-      ASSERT_EQ(dt.vertex(id), vertices[id]);
-      ASSERT_EQ(dt.id(vertices[id]), id);
+      ASSERT_EQ(stamp_of(dt, id), stamps.at(id));
+      ASSERT_EQ(dt.id(dt.vertex(id)), id);
     }
   }
   EXPECT_GT(flips, 0u);

@@ -16,6 +16,7 @@
 #include <CGAL/Point_distance_classifier_2.h>
 #include <CGAL/Projection_traits_xy_3.h>
 #include <CGAL/property_map.h>
+#include <CGAL/Rebuild_repair_2.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <boost/iterator/counting_iterator.hpp>
@@ -453,15 +454,22 @@ TEST(Wrong_uses, of_indices_by_classifiers_are_refused_and_change_nothing)
     }
 }
 
-TEST(Wrong_uses, of_handles_that_move_a_point_are_seen)
+// The triangulation cannot know any more whether all is as it was, before it is rebuilt.
+TEST(Wrong_uses, of_handles_that_change_a_vertex_or_a_face_are_seen)
 {
   const Points points = Cloud<Epick>(9).uniform(50);
-  const Dynamic dt(points);
-  const auto vertex = dt.vertex(5);
-  vertex->set_point(Point(points[5].x() + 1e-9, points[5].y()));
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2,
+                                         CGAL::Rebuild_repair_2>
+      dt(points.begin(), points.end());
+  dt.vertex(5)->set_point(Point(points[5].x() + 1e-9, points[5].y()));
   EXPECT_FALSE(dt.is_valid());
-  vertex->set_point(points[5]);
-  EXPECT_TRUE(dt.is_valid());
+  dt.vertex(5)->set_point(points[5]);
+  EXPECT_FALSE(dt.is_valid());
+  Points elsewhere = Cloud<Epick>(10).uniform(50);
+  dt.update(elsewhere.begin(), elsewhere.end());
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, elsewhere));
+  dt.infinite_vertex()->face()->set_neighbor(0, dt.vertex(5)->face());
+  EXPECT_FALSE(dt.is_valid());
 
   const CGAL::Dynamic_Delaunay_triangulation_2<Epeck> exact(Cloud<Epeck>(9).uniform(50));
   exact.vertex(5)->set_point(Epeck::Point_2(Epeck::FT(1) / 3, 5));

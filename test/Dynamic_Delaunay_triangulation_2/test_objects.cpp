@@ -124,7 +124,7 @@ void expect_copies_to_go_on(const Classifier& classifier)
   Copied copy = dt;
   EXPECT_EQ(checkpoint_of(copy), state);
   EXPECT_TRUE(copy.is_valid(true));
-  EXPECT_NE(&*copy.vertex(3), &*dt.vertex(3));
+  EXPECT_NE(copy.vertex(3), dt.vertex(3));
   for (int frame = 0; frame < 20; ++frame) {
     cloud.shake(points, 1e-3);
     const auto report = dt.update(points), report_of_copy = copy.update(points);
@@ -165,10 +165,7 @@ TEST(Objects, that_do_not_span_the_plane_are_copied)
 
 TEST(Objects, that_are_copied_take_along_what_users_keep_in_vertices_and_faces)
 {
-  using Vb = CGAL::Triangulation_vertex_base_with_info_2<
-      int, Epick, CGAL::Dynamic_Delaunay_triangulation_vertex_base_2<Epick>>;
-  using Fb = CGAL::Triangulation_face_base_with_info_2<int, Epick>;
-  using Tds = CGAL::Triangulation_data_structure_2<Vb, Fb>;
+  using Tds = CGAL::Indexed_triangulation_data_structure_2<Epick, int, int>;
   using Informed = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default, CGAL::Default, Tds>;
   Cloud<Epick> cloud(9);
   const Points points = cloud.uniform(number);

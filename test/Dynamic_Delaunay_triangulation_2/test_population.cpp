@@ -61,32 +61,20 @@ template <class Kernel>
 class Population : public testing::Test
 {
 protected:
-  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Kernel>;
+  using Dynamic =
+      CGAL::Dynamic_Delaunay_triangulation_2<Kernel, CGAL::Circumcircle_classifier_2, CGAL::Default,
+                                             Stamped_data_structure<Kernel>>;
   using Point = typename Kernel::Point_2;
   using Points = std::vector<Point>;
-  using Handles = std::map<std::size_t, typename Dynamic::Vertex_handle>;
-
-  // Of the points that share theirs with no other.
-  static Handles handles_of(const Dynamic& dt)
-  {
-    std::map<typename Dynamic::Vertex_handle, std::vector<std::size_t>> ids_at;
-    for (std::size_t id = 0; id < dt.number_of_ids(); ++id)
-      if (dt.has_id(id))
-        ids_at[dt.vertex(id)].push_back(id);
-    Handles handles;
-    for (const auto& [vertex, ids] : ids_at)
-      if (ids.size() == 1)
-        handles.emplace(ids.front(), vertex);
-    return handles;
-  }
+  using Stamps = std::map<std::size_t, std::size_t>;
 
   // By those that still share with no other, whose own they are, and by the representatives of the
   // others.
-  static void expect_kept(const Dynamic& dt, const Handles& handles)
+  static void expect_kept(const Dynamic& dt, const Stamps& stamps)
   {
-    for (const auto& [id, vertex] : handles)
+    for (const auto& [id, stamp] : stamps)
       if (dt.has_id(id) && dt.id(dt.vertex(id)) == id) {
-        ASSERT_EQ(dt.vertex(id), vertex) << "id " << id;
+        ASSERT_EQ(stamp_of(dt, id), stamp) << "id " << id;
       }
   }
 
@@ -103,23 +91,23 @@ protected:
     Dynamic dt;
     Model<Dynamic> model;
     for (const Point& p : points) {
-      const Handles handles = handles_of(dt);
+      const Stamps stamps = stamps_of(dt);
       const std::size_t id = dt.insert(p);
       ASSERT_EQ(id, model.size());
       model.emplace(id, p);
       ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model));
-      ASSERT_NO_FATAL_FAILURE(expect_kept(dt, handles));
+      ASSERT_NO_FATAL_FAILURE(expect_kept(dt, stamps));
     }
     std::vector<std::size_t> ids(points.size());
     std::iota(ids.begin(), ids.end(), std::size_t(0));
     std::mt19937 random(seed);
     std::shuffle(ids.begin(), ids.end(), random);
     for (const std::size_t id : ids) {
-      const Handles handles = handles_of(dt);
+      const Stamps stamps = stamps_of(dt);
       EXPECT_EQ(dt.remove(id).removed, 1u);
       model.erase(id);
       ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model));
-      ASSERT_NO_FATAL_FAILURE(expect_kept(dt, handles));
+      ASSERT_NO_FATAL_FAILURE(expect_kept(dt, stamps));
     }
     EXPECT_EQ(dt.number_of_points(), 0u);
     EXPECT_EQ(dt.number_of_ids(), points.size());
@@ -191,23 +179,23 @@ TYPED_TEST(Population, comes_and_goes_in_ranges_from_no_point_to_hundreds_and_ba
   Model<typename TestFixture::Dynamic> model;
   for (const std::size_t number : {0u, 1u, 1u, 2u, 7u, 1u, 40u, 3u, 200u, 20u, 0u, 9u}) {
     const auto points = cloud.uniform(number);
-    const auto handles = this->handles_of(dt);
+    const auto stamps = stamps_of(dt);
     const auto ids = this->insert_all(dt, points);
     for (std::size_t i = 0; i < number; ++i)
       model.emplace(ids[i], points[i]);
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model));
-    ASSERT_NO_FATAL_FAILURE(this->expect_kept(dt, handles));
+    ASSERT_NO_FATAL_FAILURE(this->expect_kept(dt, stamps));
   }
   for (const std::size_t number : {0u, 20u, 1u, 100u, 30u, 5u, 90u, 20u, 10u, 1u, 3u, 2u, 1u, 1u}) {
     std::vector<std::size_t> ids;
     for (std::size_t i = 0; i < number; ++i)
       ids.push_back(std::next(model.begin(), std::ptrdiff_t(i))->first);
-    const auto handles = this->handles_of(dt);
+    const auto stamps = stamps_of(dt);
     EXPECT_EQ(dt.remove(ids.begin(), ids.end()).removed, number);
     for (const std::size_t id : ids)
       model.erase(id);
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model));
-    ASSERT_NO_FATAL_FAILURE(this->expect_kept(dt, handles));
+    ASSERT_NO_FATAL_FAILURE(this->expect_kept(dt, stamps));
   }
   EXPECT_EQ(dt.number_of_points(), 0u);
 }
@@ -230,7 +218,7 @@ TYPED_TEST(Population, takes_a_point_at_any_special_place_and_gives_it_back)
       {1e150, 1e150}};
   for (const auto& [x, y] : places) {
     SCOPED_TRACE(testing::Message() << x << " " << y);
-    const auto handles = this->handles_of(dt);
+    const auto stamps = stamps_of(dt);
     const typename TestFixture::Point p(x, y);
     const std::size_t id = dt.insert(p);
     EXPECT_EQ(id, grid.size());
@@ -239,7 +227,7 @@ TYPED_TEST(Population, takes_a_point_at_any_special_place_and_gives_it_back)
     EXPECT_FALSE(dt.remove(id).rebuilt());
     model.erase(id);
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model));
-    ASSERT_NO_FATAL_FAILURE(this->expect_kept(dt, handles));
+    ASSERT_NO_FATAL_FAILURE(this->expect_kept(dt, stamps));
   }
 }
 
@@ -274,7 +262,7 @@ TYPED_TEST(Population, loses_its_only_point_beside_a_line_and_gets_it_back)
   typename TestFixture::Dynamic dt(points.begin(), points.end());
   auto model = model_of(dt);
   for (int round = 0; round < 3; ++round) {
-    const auto handles = this->handles_of(dt);
+    const auto stamps = stamps_of(dt);
     EXPECT_TRUE(dt.remove(40).rebuilt());
     model.erase(40);
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model));
@@ -283,7 +271,7 @@ TYPED_TEST(Population, loses_its_only_point_beside_a_line_and_gets_it_back)
     model.emplace(40, points[40]);
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model));
     for (int id = 0; id < 40; ++id)
-      EXPECT_EQ(dt.vertex(std::size_t(id)), handles.at(std::size_t(id)));
+      EXPECT_EQ(stamp_of(dt, std::size_t(id)), stamps.at(std::size_t(id)));
   }
 }
 
@@ -526,10 +514,10 @@ TYPED_TEST(Population, moves_some_near_and_far_and_the_others_stay)
         const std::size_t id = (7 * i + number) % points.size();
         movers.emplace_back(id, points[id] = cloud.shifted(points[id], step));
       }
-      const auto handles = this->handles_of(dt);
+      const auto stamps = stamps_of(dt);
       ASSERT_TRUE(dt.move(movers.begin(), movers.end()).certified);
       ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
-      ASSERT_NO_FATAL_FAILURE(this->expect_kept(dt, handles));
+      ASSERT_NO_FATAL_FAILURE(this->expect_kept(dt, stamps));
     }
 }
 

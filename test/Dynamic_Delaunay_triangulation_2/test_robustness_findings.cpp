@@ -4,6 +4,7 @@
 // What `./dev bench robustness` has found, reduced to the smallest case.
 
 #include "oracle.h"
+#include "stamps.h"
 
 #include <CGAL/Dynamic_population_2.h>
 #include <CGAL/Random_classifier_2.h>
@@ -42,16 +43,16 @@ TEST(Robustness_findings, reports_that_a_population_is_certified_if_it_has_no_po
 void expect_to_keep_vertices(const Moves& moves)
 {
   Points points = Cloud<Epick>::grid(8, 8);
-  Dynamic dt(points.begin(), points.end());
-  std::vector<Dynamic::Vertex_handle> vertices;
-  for (std::size_t id = 0; id < points.size(); ++id)
-    vertices.push_back(dt.vertex(id));
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2, CGAL::Default,
+                                         Stamped_data_structure<Epick>>
+      dt(points.begin(), points.end());
+  const auto stamps = stamps_of(dt);
   dt.move(moves.begin(), moves.end());
   for (const auto& [id, point] : moves)
     points[id] = point;
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
   for (std::size_t id = 0; id < points.size(); ++id)
-    EXPECT_EQ(dt.vertex(id), vertices[id]) << "id " << id;
+    EXPECT_EQ(stamp_of(dt, id), stamps.at(id)) << "id " << id;
 }
 
 TEST(Robustness_findings, lets_points_that_swap_in_one_move_keep_their_vertices)

@@ -5,6 +5,7 @@
 // they are made of: the spatial order, the filtered predicates, divide and conquer.
 
 #include "oracle.h"
+#include "stamps.h"
 
 #include <CGAL/Border_splice_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Guibas_stolfi_2.h>
@@ -423,15 +424,12 @@ std::vector<std::size_t> representatives_of(const Dynamic& dt)
 }
 
 template <class Dynamic>
-using Vertices = std::vector<typename Dynamic::Vertex_handle>;
-
-template <class Dynamic>
-Vertices<Dynamic> vertices_of(const Dynamic& dt)
+std::vector<std::size_t> stamps_of_all(const Dynamic& dt)
 {
-  Vertices<Dynamic> vertices;
+  std::vector<std::size_t> stamps;
   for (std::size_t id = 0; id < dt.number_of_points(); ++id)
-    vertices.push_back(dt.vertex(id));
-  return vertices;
+    stamps.push_back(stamp_of(dt, id));
+  return stamps;
 }
 
 // Whoever is a representative was one, unless no point at its place was; and then it has its vertex
@@ -439,7 +437,7 @@ Vertices<Dynamic> vertices_of(const Dynamic& dt)
 template <class Dynamic>
 void expect_representatives_stay(const Dynamic& dt,
                                  const std::vector<std::size_t>& old_representatives,
-                                 const Vertices<Dynamic>& old_vertices)
+                                 const std::vector<std::size_t>& old_stamps)
 {
   const auto representatives = representatives_of(dt);
   for (std::size_t id = 0; id < representatives.size(); ++id) {
@@ -449,15 +447,16 @@ void expect_representatives_stay(const Dynamic& dt,
     ASSERT_TRUE(was_representative || old_representatives[id] != id)
         << "id " << id << " had to make way for " << representatives[id];
     ASSERT_TRUE(!was_representative ||
-                dt.vertex(representatives[id]) == old_vertices[representatives[id]])
+                stamp_of(dt, representatives[id]) == old_stamps[representatives[id]])
         << "id " << representatives[id] << " has lost its vertex";
   }
 }
 
 TEST_P(Static_engines, keep_the_representatives_of_coincident_points_through_rebuilds)
 {
-  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Circumcircle_classifier_2,
-                                                         CGAL::Rebuild_repair_2>;
+  using Dynamic =
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, Circumcircle_classifier_2,
+                                             CGAL::Rebuild_repair_2, Stamped_data_structure<Epick>>;
   std::mt19937 random(7);
   for (const int bound : {0, 1, 2, 4, 12}) {
     SCOPED_TRACE(bound);
@@ -468,14 +467,14 @@ TEST_P(Static_engines, keep_the_representatives_of_coincident_points_through_reb
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
     for (int frame = 0; frame < 20; ++frame) {
       const auto representatives = representatives_of(dt);
-      const auto vertices = vertices_of(dt);
+      const auto stamps = stamps_of_all(dt);
       const Points others = on_lattice(80, bound, 1, random);
       for (std::size_t id = 0; id < points.size(); ++id)
         if (frame % 3 != 0 || id % 4 == 0) // all, or some
           points[id] = others[id];
       dt.update(points.begin(), points.end());
       ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
-      ASSERT_NO_FATAL_FAILURE(expect_representatives_stay(dt, representatives, vertices));
+      ASSERT_NO_FATAL_FAILURE(expect_representatives_stay(dt, representatives, stamps));
     }
   }
 }

@@ -8,7 +8,7 @@
 #include "archetypes.h"
 #include "oracle.h"
 
-#include <CGAL/Dynamic_Delaunay_triangulation_vertex_base_2.h>
+#include <CGAL/Indexed_triangulation_data_structure_2.h>
 #include <CGAL/Point_distance_classifier_2.h>
 #include <CGAL/Projection_traits_xy_3.h>
 #include <CGAL/Relocation_repair_2.h>
@@ -34,21 +34,8 @@ static_assert(internal::is_made_of_x_and_y<Epeck::Point_2>);
 static_assert(!internal::is_made_of_x_and_y<Terrain::Point_2>);
 static_assert(!internal::is_made_of_x_and_y<Named_point_archetype>);
 
-template <class Vertex_base, class Traits>
-using With_info =
-    CGAL::Triangulation_data_structure_2<Vertex_base,
-                                         CGAL::Triangulation_face_base_with_info_2<int, Traits>>;
-
-// Either base may stand on the other.
 template <class Traits>
-using Info_below = With_info<CGAL::Dynamic_Delaunay_triangulation_vertex_base_2<
-                                 Traits, CGAL::Triangulation_vertex_base_with_info_2<int, Traits>>,
-                             Traits>;
-template <class Traits>
-using Info_on_top =
-    With_info<CGAL::Triangulation_vertex_base_with_info_2<
-                  int, Traits, CGAL::Dynamic_Delaunay_triangulation_vertex_base_2<Traits>>,
-              Traits>;
+using With_info = CGAL::Indexed_triangulation_data_structure_2<Traits, int, int>;
 
 template <class Traits, class Tds>
 struct Exact
@@ -67,9 +54,9 @@ struct Exact
 // A kernel, with archetypes of all that works on its points.
 struct Plain
 {
-  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier_archetype,
-                                                         Repair_archetype, Info_below<Epick>,
-                                                         Policy_archetype, Visitor_archetype>;
+  using Dynamic =
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier_archetype, Repair_archetype,
+                                             With_info<Epick>, Policy_archetype, Visitor_archetype>;
   static Dynamic triangulation(const std::vector<Epick::Point_2>& points,
                                const CGAL::Static_engines_2& engines)
   {
@@ -82,13 +69,13 @@ struct Plain
 };
 
 // Points that hold more than their place.
-struct Heights : Exact<Terrain, Info_on_top<Terrain>>
+struct Heights : Exact<Terrain, With_info<Terrain>>
 {
   static Epick::Point_3 at(double x, double y, int mark) { return {x, y, double(mark)}; }
   static int mark(const Epick::Point_3& p) { return int(p.z()); }
 };
 
-struct Names : Exact<Delaunay_traits_archetype, Info_below<Delaunay_traits_archetype>>
+struct Names : Exact<Delaunay_traits_archetype, With_info<Delaunay_traits_archetype>>
 {
   static Named_point_archetype at(double x, double y, int mark)
   {
@@ -374,7 +361,7 @@ struct Relocated_heights : Heights
 {
   using Dynamic =
       CGAL::Dynamic_Delaunay_triangulation_2<Terrain, CGAL::Point_distance_classifier_2,
-                                             CGAL::Relocation_repair_2, Info_on_top<Terrain>>;
+                                             CGAL::Relocation_repair_2, With_info<Terrain>>;
   static Dynamic triangulation(const std::vector<Epick::Point_3>& points,
                                const CGAL::Static_engines_2&)
   {

@@ -5,6 +5,7 @@
 
 #include "oracle.h"
 #include "population_player.h"
+#include "stamps.h"
 
 #include <CGAL/Dynamic_population_2.h>
 #include <CGAL/Edge_changes_visitor_2.h>
@@ -36,8 +37,8 @@ struct Hearsay
   static constexpr std::size_t infinity = std::size_t(-1);
   using Triple = std::array<std::size_t, 3>; // ids, ascending
 
-  std::map<const void*, Triple> faces;
-  std::map<const void*, std::size_t> vertices; // the ids of the finite ones
+  std::map<std::size_t, Triple> faces;         // by their stamps, as vertices
+  std::map<std::size_t, std::size_t> vertices; // the ids of the finite ones
   CGAL::Update_report_2 report;
   int updates = 0, finished_updates = 0;
   int flips = 0, created_faces = 0, created_vertices = 0, removals = 0, merges = 0, id_changes = 0;
@@ -104,14 +105,14 @@ public:
     ++m_hearsay->created_vertices;
     EXPECT_EQ(dt.id(v), id);
     EXPECT_EQ(dt.vertex(id), v);
-    EXPECT_TRUE(m_hearsay->vertices.emplace(&*v, id).second);
+    EXPECT_TRUE(m_hearsay->vertices.emplace(v->info().value, id).second);
   }
 
   template <class Dynamic>
   void before_vertex_removal(const Dynamic&, typename Dynamic::Vertex_handle v, std::size_t id)
   {
     ++m_hearsay->removals;
-    forget_vertex(&*v, id);
+    forget_vertex(v->info().value, id);
   }
 
   template <class Dynamic>
@@ -119,16 +120,16 @@ public:
                            typename Dynamic::Vertex_handle stays)
   {
     ++m_hearsay->merges;
-    forget_vertex(&*v, id);
-    EXPECT_EQ(m_hearsay->vertices.count(&*stays), 1u);
+    forget_vertex(v->info().value, id);
+    EXPECT_EQ(m_hearsay->vertices.count(stays->info().value), 1u);
   }
 
   template <class Dynamic>
   void after_id_change(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id_before)
   {
     ++m_hearsay->id_changes;
-    EXPECT_EQ(m_hearsay->vertices.at(&*v), id_before);
-    m_hearsay->vertices.at(&*v) = dt.id(v);
+    EXPECT_EQ(m_hearsay->vertices.at(v->info().value), id_before);
+    m_hearsay->vertices.at(v->info().value) = dt.id(v);
     for (auto& face : m_hearsay->faces) {
       std::replace(face.second.begin(), face.second.end(), id_before, dt.id(v));
       std::sort(face.second.begin(), face.second.end());
@@ -150,7 +151,7 @@ private:
   template <class Dynamic>
   void forget(const Dynamic& dt, typename Dynamic::Face_handle f)
   {
-    const auto known = m_hearsay->faces.find(&*f);
+    const auto known = m_hearsay->faces.find(f->info().value);
     ASSERT_TRUE(known != m_hearsay->faces.end());
     EXPECT_EQ(known->second, ids_of(dt, f));
     m_hearsay->faces.erase(known);
@@ -159,10 +160,10 @@ private:
   template <class Dynamic>
   void learn(const Dynamic& dt, typename Dynamic::Face_handle f)
   {
-    EXPECT_TRUE(m_hearsay->faces.emplace(&*f, ids_of(dt, f)).second);
+    EXPECT_TRUE(m_hearsay->faces.emplace(f->info().value, ids_of(dt, f)).second);
   }
 
-  void forget_vertex(const void* v, std::size_t id)
+  void forget_vertex(std::size_t v, std::size_t id)
   {
     const auto known = m_hearsay->vertices.find(v);
     ASSERT_TRUE(known != m_hearsay->vertices.end());
@@ -173,15 +174,15 @@ private:
   template <class Dynamic>
   void expect_in_step(const Dynamic& dt) const
   {
-    std::map<const void*, Hearsay::Triple> faces;
+    std::map<std::size_t, Hearsay::Triple> faces;
     if (dt.tds().dimension() == 2)
       for (auto f = dt.tds().faces_begin(); f != dt.tds().faces_end(); ++f)
-        faces.emplace(&*f, ids_of(dt, f));
+        faces.emplace(f->info().value, ids_of(dt, f));
     EXPECT_TRUE(faces == m_hearsay->faces);
-    std::map<const void*, std::size_t> vertices;
+    std::map<std::size_t, std::size_t> vertices;
     for (auto v = dt.tds().vertices_begin(); v != dt.tds().vertices_end(); ++v)
       if (v != dt.infinite_vertex())
-        vertices.emplace(&*v, dt.id(v));
+        vertices.emplace(v->info().value, dt.id(v));
     EXPECT_EQ(vertices, m_hearsay->vertices);
   }
 
@@ -190,8 +191,9 @@ private:
 
 template <class Visitor, class Classifier = CGAL::Circumcircle_classifier_2,
           class Repair = CGAL::Default, class Kernel = Epick>
-using Visited = CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, Repair, CGAL::Default,
-                                                       CGAL::Default, Visitor>;
+using Visited =
+    CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, Repair,
+                                           Stamped_data_structure<Kernel>, CGAL::Default, Visitor>;
 
 template <class Dynamic>
 Dynamic visited(const std::vector<typename Dynamic::Point>& points,

@@ -5,6 +5,7 @@
 #define RANDOM_OPERATIONS_CHECKED_SUBJECT_H
 
 #include "Subject.h"
+#include "test/Dynamic_Delaunay_triangulation_2/stamps.h"
 
 #include <CGAL/delaunay_agreement.h>
 #include <CGAL/Delaunay_triangulation_2.h>
@@ -165,7 +166,7 @@ protected:
   }
 
   // Vertices may be others from here on.
-  void forget_vertices() { m_vertices.clear(); }
+  void forget_vertices() { m_stamps.clear(); }
 
   // Kernels with exact constructions cannot even represent such points.
   static constexpr bool has_nan = std::is_same_v<typename Dynamic::Geom_traits::FT, double>;
@@ -223,24 +224,27 @@ private:
     for (const auto& [key, place] : points) {
       ++points_at[{place.x, place.y}];
     }
-    std::map<Key, Vertex_handle> vertices;
+    std::map<Key, std::size_t> stamps;
     auto its_id = ids.begin();
     for (const auto& [key, place] : points) {
       const Vertex_handle vertex = dynamic().vertex(*its_id++);
       require(dynamic().point(dynamic().id(vertex)) == point(place), Fault::LOST,
               "a duplicate has a representative somewhere else");
-      if (points_at[{place.x, place.y}] == 1) {
-        const auto before = m_vertices.find(key);
-        require(before == m_vertices.end() || before->second == vertex, Fault::LOST,
-                "a point has another vertex");
-        vertices.emplace_hint(vertices.end(), key, vertex);
+      if constexpr (has_stamps<Dynamic>) {
+        if (points_at[{place.x, place.y}] == 1) {
+          const auto before = m_stamps.find(key);
+          const std::size_t stamp = vertex->info().value;
+          require(before == m_stamps.end() || before->second == stamp, Fault::LOST,
+                  "a point has another vertex");
+          stamps.emplace_hint(stamps.end(), key, stamp);
+        }
       }
     }
-    m_vertices = std::move(vertices);
+    m_stamps = std::move(stamps);
   }
 
   Maker m_maker;
-  std::map<Key, Vertex_handle> m_vertices; // of those that coincide with no other
+  std::map<Key, std::size_t> m_stamps; // of vertices of points that coincide with no other
 };
 
 } // namespace random_operations

@@ -9,6 +9,7 @@
 #include "scenario_runner/Repairs_and_policies.h"
 #include "Setup.h"
 #include "Subject.h"
+#include "test/Dynamic_Delaunay_triangulation_2/stamps.h"
 #include "Triangulation_subject.h"
 
 #include <CGAL/Default.h>
@@ -37,8 +38,9 @@ template <class Kernel, class Classifier>
 struct Maker
 {
   using Dynamic =
-      CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, run::Any_repair, CGAL::Default,
-                                             run::Any_policy, CGAL::Default, Concurrency>;
+      CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, run::Any_repair,
+                                             Stamped_data_structure<Kernel>, run::Any_policy,
+                                             CGAL::Default, Concurrency>;
   using Point = typename Dynamic::Point;
 
   typename Dynamic::Settings settings;

@@ -17,9 +17,12 @@ Between these two
 
 - a visitor may read faces and vertices around those that it is called for, but not all of `tds()`,
   which may contain faces and vertices that are about to be written or deleted;
-- vertices that move, in `update()` and in `move()`, still have their previous points; they get the
-  new ones right before `after_update()`, or in a rebuild. New vertices have theirs at once. So face
-  areas, circumcenters and the like are best computed in `after_update()`;
+- vertices that move, in `update()` and in `move()`, have their new points already, in faces that may
+  be inverted by that. So face areas, circumcenters and the like are best computed in
+  `after_update()`;
+- the handles that a function gets are valid until the next one is called: a rebuild, an insertion or
+  a removal may give vertices and faces other indices, and handles refer to indices. What a visitor
+  wants to remember it keeps under ids, or in data of vertices and faces;
 - a vertex may be outside of all faces, from `before_vertex_relocation()` until the visitor is
   called for the creation of its faces, and `v->face()` then has no meaning;
 - the triangulation is not certified, and may have inverted faces.
@@ -31,8 +34,8 @@ Faces with the infinite vertex are treated like all others. While the points do 
 there are no faces, but vertices are still created and removed.
 
 A face is either flipped, which keeps the handles of both faces, or removed or created. A face that
-is created may have the handle of one that has just been removed, and then contains the user's data
-of that one. If several faces are rewritten together, the visitor is called first for all removals,
+is created may have the handle of one that has been removed, and then contains the user's data of that
+one, or of another one after a rebuild. If several faces are rewritten together, the visitor is called first for all removals,
 then for the changes of vertices, and then for all creations. There is one exception: for a new
 vertex that is put into faces, it is called before their removal. In a rebuild all faces are
 rewritten. An edge may be flipped more than once in an update, and a face may be removed and
@@ -104,7 +107,8 @@ public:
   /*!
   is called before vertex `v`, the vertex of the point with this id, is removed, and after
   `before_face_removal()` for its faces. The point itself may stay: if other points shared its
-  vertex, these get a new one in a rebuild.
+  vertex, these get a new one in a rebuild. A rebuild that fails, as memory runs out, calls
+  `after_vertex_creation()` for the vertices whose removal it has announced.
   */
   template <class Dynamic>
   void before_vertex_removal(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id);
@@ -112,7 +116,7 @@ public:
   /*!
   is called when vertex `v`, the vertex of the point with this id, is taken out of its faces because
   it jumped, and after `before_face_removal()` for these faces. The vertex will be put in elsewhere,
-  and keeps its handle, its id and the user's data: `after_face_creation()` is called for its new
+  and keeps its id and the user's data: `after_face_creation()` is called for its new
   faces later in the same call. If another vertex is at its new position, `before_vertex_merge()` is
   called for it instead. A rebuild in between may rewrite all faces.
   */

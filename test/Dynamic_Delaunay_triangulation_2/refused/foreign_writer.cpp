@@ -9,9 +9,7 @@
 
 namespace internal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Tds =
-    CGAL::Triangulation_data_structure_2<CGAL::Dynamic_Delaunay_triangulation_vertex_base_2<Kernel>,
-                                         CGAL::Triangulation_face_base_2<Kernel>>;
+using Tds = CGAL::Indexed_triangulation_data_structure_2<Kernel>;
 struct Silent_calls
 {
   static constexpr bool is_heard = false;
@@ -23,15 +21,15 @@ using Topology = Maintained::Topology;
 
 // Even with objects that it may change.
 void write(Maintained& maintained, Topology& topology, Positions& positions,
-           internal::Neighborhood_mirror_2& mirror)
+           internal::Halfedge_arrays_2& arrays)
 {
   maintained.m_topology;
   topology.m_triangulation.tds().create_vertex();
-  topology.m_vertices.clear();
+  topology.m_storage.set_face(0, 0);
   topology.m_ids.reset(0);
   topology.m_changes.new_edges.clear();
   internal::Input_frame_2<Maintained>::Key();
-  mirror.flip(0);
-  positions.stage(1, Kernel::Point_2(0, 0));
+  arrays.flip(0);
+  positions.set(1, Kernel::Point_2(0, 0));
   maintained.triangulation().tds().create_vertex();
 }

@@ -45,14 +45,14 @@ public:
   Splice_result_2 run(Topology_editor_2<Maintained>& editor, const std::vector<Index>& classified,
                       unsigned padding, Splice_limits_2& limits)
   {
-    const std::size_t bound = m_maintained.vertices().size();
+    const std::size_t bound = m_maintained.arrays().number_of_vertices();
     m_inner.clear(bound);
     m_border.clear(bound);
     m_spliced.clear(bound);
     m_boundary_edges.clear();
     m_prepared.clear();
     for (const Index v : classified)
-      if (!m_maintained.mirror().is_outside(v))
+      if (!m_maintained.arrays().is_outside(v))
         m_inner.insert(v);
     m_number_of_classified = m_inner.size();
     for (unsigned layer = 0; layer < padding; ++layer)
@@ -85,7 +85,7 @@ private:
   {
     const std::size_t size = m_inner.size();
     for (std::size_t i = 0; i < size; ++i)
-      m_maintained.mirror().for_each_neighbor(m_inner[i], [&](Index w) {
+      m_maintained.arrays().for_each_neighbor(m_inner[i], [&](Index w) {
         if (w != infinite_index)
           m_inner.insert(w);
       });
@@ -112,14 +112,10 @@ private:
   void prefetch_following(const Topology_editor_2<Maintained>& editor) const
   {
     constexpr std::size_t ahead = 2;
-    if (const auto* const record = m_prepared.following(2 * ahead)) {
-      editor.prefetch_handles(record->old_faces, record->cluster);
-      editor.prefetch_handles({}, record->border);
-    }
-    if (const auto* const record = m_prepared.following(ahead)) {
-      editor.prefetch_faces(record->old_faces, record->cluster);
-      editor.prefetch_faces({}, record->border);
-    }
+    if (const auto* const record = m_prepared.following(2 * ahead))
+      editor.prefetch(record->old_faces);
+    if (const auto* const record = m_prepared.following(ahead))
+      editor.prefetch_edges(record->old_faces);
   }
 
   void put_in(Topology_editor_2<Maintained>& editor)
@@ -131,8 +127,8 @@ private:
     }
     m_outside.clear();
     for (const Boundary_edge_2& edge : m_cluster.old_boundary()) {
-      m_outside.push_back(m_maintained.mirror().twin(edge.halfedge));
-      m_boundary_edges.push_back(m_maintained.mirror().edge_of(edge.halfedge));
+      m_outside.push_back(m_maintained.arrays().twin(edge.halfedge));
+      m_boundary_edges.push_back(m_maintained.arrays().edge_of(edge.halfedge));
     }
     for (const Index v : m_cluster.cluster()) {
       m_spliced.insert(v);

@@ -7,7 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/enum.h>
 
 #include <cstddef>
@@ -42,11 +42,11 @@ public:
     const Vertex_predicates_2<Maintained> predicates(m_maintained);
     const auto is_larger = [&](Index v, Index w) { return predicates.compare_xy(v, w) == LARGER; };
     int summits = 0;
-    const auto& mirror = m_maintained.mirror();
-    mirror.for_each_corner(infinite_index, [&](Index corner) {
-      const Index v = mirror.target(corner);
-      const Index next = mirror.target(mirror.next_corner(corner));
-      summits += is_larger(v, mirror.source(corner)) && is_larger(v, next);
+    const auto& arrays = m_maintained.arrays();
+    arrays.for_each_corner(infinite_index, [&](Index corner) {
+      const Index v = arrays.target(corner);
+      const Index next = arrays.target(arrays.next_corner(corner));
+      summits += is_larger(v, arrays.source(corner)) && is_larger(v, next);
     });
     return summits == 1;
   }
@@ -54,7 +54,7 @@ public:
   bool holds() const
   {
     const Edge_test_2<Maintained> test(m_maintained); // conditions 1 to 3 at one edge
-    return Maintained::Parts::all_of(m_maintained.mirror().number_of_edges(),
+    return Maintained::Parts::all_of(m_maintained.arrays().number_of_edges(),
                                      [&](std::size_t first, std::size_t beyond) {
                                        for (std::size_t e = first; e < beyond; ++e)
                                          if (test.state(Index(e)) != Edge_state_2::DELAUNAY)

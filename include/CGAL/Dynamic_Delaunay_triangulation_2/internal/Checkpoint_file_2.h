@@ -9,7 +9,7 @@
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Decimal_number_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Guibas_stolfi_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_ids_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Fraction_traits.h>
@@ -368,15 +368,15 @@ public:
   static bool read(std::string_view text, double& x) { return read_finite(text, x); }
 };
 
-// Half-edges and faces are named by their numbers in the mirror.
+// Half-edges and faces are named by their numbers in the arrays.
 struct Checkpoint_edge_2
 {
   Index forward;  // the half-edge from the edge's source to its target
-  Index halfedge; // the half-edge that the mirror stores: `forward` or its twin
+  Index halfedge; // the half-edge that the arrays stores: `forward` or its twin
 };
 struct Checkpoint_corner_2
 {
-  Index halfedge; // the corner that the mirror stores
+  Index halfedge; // the corner that the arrays stores
   Index face;     // the face that CGAL's vertex stores
 };
 

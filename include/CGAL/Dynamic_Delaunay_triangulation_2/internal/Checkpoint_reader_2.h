@@ -10,8 +10,8 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Guibas_stolfi_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Repair_costs_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Surface_check_2.h>
@@ -218,7 +218,7 @@ private:
       const Index forward = read_halfedge();
       const Index halfedge = read_halfedge();
       m_file.end_line();
-      const Index twin = Flat_faces_2::number_in_mirror(m_kept.faces.twin(flat(forward)));
+      const Index twin = Flat_faces_2::number_in_arrays(m_kept.faces.twin(flat(forward)));
       if (halfedge != forward && halfedge != twin)
         m_file.refuse("these are half-edges of two edges");
       if (has_edge[forward])

@@ -57,7 +57,7 @@ public:
         [&](const Point& p) {
           return std::make_pair(Coordinate::text(p.x()), Coordinate::text(p.y()));
         });
-    if (m_maintained.is_mirrored())
+    if (m_maintained.spans_plane())
       write_topology(file);
     append(file);
     file.finish();
@@ -66,7 +66,7 @@ public:
 private:
   void check_completeness() const
   {
-    bool is_complete = m_is_certified || m_maintained.is_mirrored();
+    bool is_complete = m_is_certified || m_maintained.spans_plane();
     for (const auto& duplicate : m_maintained.ids().duplicates())
       is_complete = is_complete &&
                     duplicate.point == m_maintained.point(m_maintained.ids().vertex(duplicate.id));
@@ -78,7 +78,7 @@ private:
   // computed, which is not kept.
   void write_vertex(Checkpoint_output_2& file, Index v) const
   {
-    const Point& p = m_maintained.vertices()[v]->point();
+    const Point& p = m_maintained.point(v);
     const Index id = m_maintained.ids().representative(v);
     const Position_2& position = m_maintained.positions()[v];
     if constexpr (Maintained::coordinates_are_doubles)
@@ -89,30 +89,18 @@ private:
 
   void write_topology(Checkpoint_output_2& file) const
   {
-    const auto& mirror = m_maintained.mirror();
-    file.line("faces", mirror.number_of_faces());
-    for (Index f = 0; f < mirror.number_of_faces(); ++f)
-      file.line(mirror.apex(3 * f), mirror.apex(3 * f + 1), mirror.apex(3 * f + 2));
-    file.line("corners", m_maintained.vertices().size());
-    for (Index v = 0; v < Index(m_maintained.vertices().size()); ++v)
-      file.line(mirror.corner(v), face_of_vertex(v));
-    file.line("edges", mirror.number_of_edges());
-    for (Index e = 0; e < mirror.number_of_edges(); ++e) {
-      const Index h = mirror.halfedge(e);
-      file.line(mirror.source(h) == mirror.edge(e).source ? h : mirror.twin(h), h);
+    const auto& arrays = m_maintained.arrays();
+    file.line("faces", arrays.number_of_faces());
+    for (Index f = 0; f < arrays.number_of_faces(); ++f)
+      file.line(arrays.apex(3 * f), arrays.apex(3 * f + 1), arrays.apex(3 * f + 2));
+    file.line("corners", arrays.number_of_vertices());
+    for (Index v = 0; v < arrays.number_of_vertices(); ++v)
+      file.line(arrays.corner(v), arrays.corner(v) / 3);
+    file.line("edges", arrays.number_of_edges());
+    for (Index e = 0; e < arrays.number_of_edges(); ++e) {
+      const Index h = arrays.halfedge(e);
+      file.line(arrays.source(h) == arrays.edge(e).source ? h : arrays.twin(h), h);
     }
-  }
-
-  // The number of the face that CGAL's vertex stores. After flips, the mirror's corner may be in
-  // another face.
-  Index face_of_vertex(Index v) const
-  {
-    Index face = m_maintained.mirror().corner(v) / 3;
-    m_maintained.mirror().for_each_corner(v, [&](Index h) {
-      if (m_maintained.faces()[h / 3] == m_maintained.vertices()[v]->face())
-        face = h / 3;
-    });
-    return face;
   }
 
   const Maintained& m_maintained;

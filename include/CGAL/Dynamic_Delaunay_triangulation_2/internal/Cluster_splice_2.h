@@ -7,7 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Spatial_order_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulator_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_editor_2.h>
@@ -39,7 +39,7 @@ struct Splice_limits_2
 template <class Maintained>
 class Cluster_splice_2
 {
-  using Mirror = Neighborhood_mirror_2;
+  using Arrays = Halfedge_arrays_2;
 
 public:
   explicit Cluster_splice_2(const Maintained& maintained)
@@ -56,10 +56,10 @@ public:
   template <class Belongs>
   bool collect(Index v, std::size_t most, const Belongs& belongs)
   {
-    m_cluster.clear(m_maintained.vertices().size());
+    m_cluster.clear(m_maintained.arrays().number_of_vertices());
     m_cluster.insert(v);
     for (std::size_t i = 0; i < m_cluster.size() && m_cluster.size() <= most; ++i)
-      m_maintained.mirror().for_each_neighbor(m_cluster[i], [&](Index w) {
+      m_maintained.arrays().for_each_neighbor(m_cluster[i], [&](Index w) {
         if (belongs(w))
           m_cluster.insert(w);
       });
@@ -131,10 +131,10 @@ public:
   // Makes what another object has made and recorded.
   void take(Record&& record)
   {
-    const std::size_t vertices = m_maintained.vertices().size();
+    const std::size_t vertices = m_maintained.arrays().number_of_vertices();
     m_cluster.assign(record.cluster, vertices);
     m_border.assign(record.border, vertices);
-    m_old_faces.assign(record.old_faces, m_maintained.mirror().number_of_faces());
+    m_old_faces.assign(record.old_faces, m_maintained.arrays().number_of_faces());
     m_first_size = record.first_size;
     m_fits = record.fits;
     m_old_boundary.swap(record.old_boundary);
@@ -157,7 +157,7 @@ private:
     for (std::size_t first = 0; doubles && m_cluster.size() < 2 * size;) {
       const std::size_t beyond = m_cluster.size();
       for (; first < beyond; ++first)
-        m_maintained.mirror().for_each_neighbor(m_cluster[first], [&](Index w) {
+        m_maintained.arrays().for_each_neighbor(m_cluster[first], [&](Index w) {
           if (w != infinite_index)
             m_cluster.insert(w);
         });
@@ -171,14 +171,14 @@ private:
   // Collects the faces around the cluster, their outer vertices and their boundary.
   void collect_old_faces()
   {
-    const Mirror& mirror = m_maintained.mirror();
-    m_old_faces.clear(mirror.number_of_faces());
-    m_border.clear(m_maintained.vertices().size());
+    const Arrays& arrays = m_maintained.arrays();
+    m_old_faces.clear(arrays.number_of_faces());
+    m_border.clear(m_maintained.arrays().number_of_vertices());
     m_has_infinite_faces = false;
     for (const Index v : m_cluster)
-      mirror.for_each_corner(v, [&](Index h) {
+      arrays.for_each_corner(v, [&](Index h) {
         m_old_faces.insert(h / 3);
-        const Index w = mirror.source(h);
+        const Index w = arrays.source(h);
         if (w == infinite_index)
           m_has_infinite_faces = true;
         else if (!m_cluster.contains(w))
@@ -187,8 +187,8 @@ private:
     m_old_boundary.clear();
     for (const Index f : m_old_faces)
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (!m_old_faces.contains(mirror.twin(h) / 3))
-          m_old_boundary.push_back({mirror.source(h), mirror.target(h), h});
+        if (!m_old_faces.contains(arrays.twin(h) / 3))
+          m_old_boundary.push_back({arrays.source(h), arrays.target(h), h});
     std::sort(m_old_boundary.begin(), m_old_boundary.end());
   }
 
@@ -221,7 +221,7 @@ private:
       if (m_new_number[f] != no_index)
         for (Index i = 0; i < 3; ++i) {
           const Index h = Flat_faces_2::first_halfedge(f) + i;
-          const Index g = Flat_faces_2::number_in_mirror(faces.twin(h));
+          const Index g = Flat_faces_2::number_in_arrays(faces.twin(h));
           const Index neighbor = m_new_number[g / 3];
           m_new.apexes.push_back(faces.apex(h));
           m_new.twins.push_back(neighbor == no_index ? no_index : 3 * neighbor + g % 3);
@@ -270,7 +270,7 @@ private:
   bool doubles_an_edge()
   {
     for (Index h = 0; h < Index(m_new.twins.size()); ++h) {
-      const Index v = m_new.apexes[Mirror::next(h)], w = m_new.apexes[Mirror::previous(h)];
+      const Index v = m_new.apexes[Arrays::next(h)], w = m_new.apexes[Arrays::previous(h)];
       if (m_new.twins[h] != no_index && v < w && !m_cluster.contains(v) && !m_cluster.contains(w) &&
           is_edge_outside(w, v)) {
         m_disagreeing.push_back(v);
@@ -283,13 +283,13 @@ private:
   // Walks around v, which must be finite.
   bool is_edge_outside(Index v, Index w)
   {
-    const Mirror& mirror = m_maintained.mirror();
+    const Arrays& arrays = m_maintained.arrays();
     bool is_outside = false;
-    mirror.for_each_corner(v, [&](Index h) {
-      const Index beyond = mirror.twin(Mirror::previous(h));
+    arrays.for_each_corner(v, [&](Index h) {
+      const Index beyond = arrays.twin(Arrays::previous(h));
       m_looked_at.push_back(h / 3);
       is_outside =
-          is_outside || (mirror.apex(Mirror::next(h)) == w &&
+          is_outside || (arrays.apex(Arrays::next(h)) == w &&
                          !(m_old_faces.contains(h / 3) && m_old_faces.contains(beyond / 3)));
     });
     return is_outside;

@@ -8,7 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_image_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ namespace internal {
 template <class Points>
 class Distributed_cells_2
 {
-  using Mirror = Neighborhood_mirror_2;
+  using Arrays = Halfedge_arrays_2;
 
 public:
   using Id = Distributed_id_2;
@@ -136,7 +136,7 @@ private:
   template <class Function>
   void for_each_cell(const Function& f) const
   {
-    const Mirror& mirror = m_frame.maintained().mirror();
+    const Arrays& arrays = m_frame.maintained().arrays();
     std::vector<bool> are_seen(m_frame.number_of_faces(), false);
     std::vector<Corner> corners;
     for (Index face = 0; face < m_frame.number_of_faces(); ++face) {
@@ -144,10 +144,10 @@ private:
       if (are_seen[face] || std::find(v.begin(), v.end(), infinite_index) != v.end())
         continue;
       const auto outward = [&](Index h) {
-        are_seen[Mirror::face_of(h)] = true;
-        while (m_are_inner[mirror.edge_of(h)]) {
-          h = Mirror::next(mirror.twin(h));
-          are_seen[Mirror::face_of(h)] = true;
+        are_seen[Arrays::face_of(h)] = true;
+        while (m_are_inner[arrays.edge_of(h)]) {
+          h = Arrays::next(arrays.twin(h));
+          are_seen[Arrays::face_of(h)] = true;
         }
         return h;
       };
@@ -156,10 +156,10 @@ private:
       const Index first = outward(3 * face);
       Index h = first;
       do {
-        const Index a = mirror.source(h);
+        const Index a = arrays.source(h);
         has_owned = has_owned || m_are_owned[a];
-        corners.push_back({m_labels[a], mirror.apex(mirror.twin(h)) == infinite_index});
-        h = outward(Mirror::next(h));
+        corners.push_back({m_labels[a], arrays.apex(arrays.twin(h)) == infinite_index});
+        h = outward(Arrays::next(h));
       } while (h != first);
       if (!has_owned)
         continue;

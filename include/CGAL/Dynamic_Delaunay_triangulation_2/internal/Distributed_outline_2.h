@@ -8,7 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_question_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_ranks_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -121,9 +121,9 @@ private:
       return corners;
     }
     const std::vector<std::uint8_t> are_owned = points.owned_vertices();
-    const auto& mirror = frame.maintained().mirror();
+    const auto& arrays = frame.maintained().arrays();
     std::vector<Index> hull; // clockwise
-    mirror.for_each_neighbor(0, [&](Index v) { hull.push_back(v); });
+    arrays.for_each_neighbor(0, [&](Index v) { hull.push_back(v); });
     const auto orientation = Kernel().orientation_2_object();
     const auto at = [&](std::size_t k) {
       const Position_2 p = frame.position(hull[k % hull.size()]);

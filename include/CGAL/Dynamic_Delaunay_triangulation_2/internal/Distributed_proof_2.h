@@ -14,7 +14,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_ranks_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_search_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_zone_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/Update_report_2.h>
 
 #include <algorithm>

@@ -13,8 +13,8 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_proof_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Distributed_ranks_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Message_exchange_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Update_report_2.h>
 

@@ -8,7 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_filter_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_type_basic.h>
@@ -283,7 +283,7 @@ public:
   Edge_state_2 state(Index e) const
   {
     return by_kind(
-        m_maintained.mirror().edge(e), [&] { return inner_edge_state(e); },
+        m_maintained.arrays().edge(e), [&] { return inner_edge_state(e); },
         [&](Index a, Index b, Index c) { return hull_edge_state(a, b, c); },
         [&](Index p, Index q, Index r) { return hull_corner_state(p, q, r); });
   }
@@ -310,7 +310,7 @@ public:
   {
     if (m_maintained.positions_are_exact())
       return internal::append_unproved<typename Maintained::Space>(
-          m_maintained.mirror().edges().data(), m_maintained.positions(), first, beyond, unproved);
+          m_maintained.arrays().edges().data(), m_maintained.positions(), first, beyond, unproved);
     for (Index e = first; e < beyond; ++e)
       unproved.push_back(e);
   }
@@ -319,7 +319,7 @@ public:
   {
     if (m_maintained.positions_are_exact())
       return append_unproved_of<typename Maintained::Space>(
-          m_maintained.mirror().edges().data(), m_maintained.positions(), list, unproved);
+          m_maintained.arrays().edges().data(), m_maintained.positions(), list, unproved);
     unproved.insert(unproved.end(), list.begin(), list.end());
   }
 
@@ -336,7 +336,7 @@ private:
       if (filter.proves_illegal())
         return Edge_state_2::ILLEGAL;
     }
-    const Edge_2& edge = m_maintained.mirror().edge(e);
+    const Edge_2& edge = m_maintained.arrays().edge(e);
     const bool is_twisted = orientation(edge.left, edge.source, edge.target) != LEFT_TURN ||
                             orientation(edge.right, edge.target, edge.source) != LEFT_TURN;
     if (m_predicates.side_of_circle(edge.left, edge.source, edge.target, edge.right) ==
@@ -397,9 +397,9 @@ void keep_unproved(const Maintained& maintained, std::vector<Index>& edges)
   const typename Maintained::Edge_test test(maintained);
   remove_by_parts<Parts>(edges, least, [&](std::size_t i, std::size_t beyond) {
     if (i + 2 * ahead < beyond)
-      maintained.mirror().prefetch_edge(edges[i + 2 * ahead]);
+      maintained.arrays().prefetch_edge(edges[i + 2 * ahead]);
     if (i + ahead < beyond)
-      prefetch_corners(maintained.mirror().edge(edges[i + ahead]), maintained.positions().data());
+      prefetch_corners(maintained.arrays().edge(edges[i + ahead]), maintained.positions().data());
     return test.state(edges[i]) == Edge_state_2::DELAUNAY;
   });
 }

@@ -29,7 +29,12 @@ using Index = std::uint32_t;
 
 /// The coordinates of a vertex in the flat arrays: exact where the kernel's coordinates are
 /// doubles, the nearest doubles elsewhere.
+#ifdef __GNUC__
+// A kernel's point of two doubles may be the same memory.
+struct __attribute__((may_alias)) Position_2
+#else
 struct Position_2
+#endif
 {
   double x, y;
 };

@@ -6,8 +6,9 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Parallel_parts_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Spatial_order_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/tags.h>
@@ -24,7 +25,7 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// The numbers of half-edges of so many vertices fit into Index, here and in a mirror.
+// The numbers of half-edges of so many vertices fit into Index, here and in a arrays.
 constexpr Index max_vertices = no_index / 8;
 
 // The faces of a fresh triangulation under construction, infinite ones included. Each has three
@@ -39,8 +40,8 @@ public:
   static Index first_halfedge(Index face) { return 4 * face; }
   static Index next(Index h) { return (h & 3) == 2 ? h - 2 : h + 1; }
   static Index previous(Index h) { return (h & 3) == 0 ? h + 2 : h - 1; }
-  // The number of half-edge h in a mirror with the same faces.
-  static Index number_in_mirror(Index h) { return h - h / 4; }
+  // The number of half-edge h in arrays with the same faces.
+  static Index number_in_arrays(Index h) { return h - h / 4; }
 
   Index number_of_faces() const { return Index(m_halfedges.size() / 4); }
   Index apex(Index h) const { return m_halfedges[h].apex; }
@@ -48,6 +49,11 @@ public:
   Index source(Index h) const { return apex(next(h)); }
   Index target(Index h) const { return apex(previous(h)); }
 
+  void reserve(std::size_t faces)
+  {
+    m_halfedges.reserve(4 * faces);
+    ask_for_huge_pages(m_halfedges);
+  }
   void resize(std::size_t faces) { m_halfedges.resize(4 * faces); }
   void set_apex(Index h, Index v) { m_halfedges[h].apex = v; }
   void set_vertices(Index face, Index a, Index b, Index c)
@@ -108,7 +114,9 @@ public:
   {
     const std::size_t n = order.size();
     m_has_finite_faces = false;
-    m_faces.resize(n < 2 ? 0 : 2 * n - 2);
+    const std::size_t faces = n < 2 ? 0 : 2 * n - 2;
+    m_faces.reserve(faces);
+    m_faces.resize(faces);
     m_stretches.clear();
     if (Parts::are_shared(Parts::number(n)))
       triangulate_stretches(order, companion);

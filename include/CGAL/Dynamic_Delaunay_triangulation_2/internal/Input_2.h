@@ -8,8 +8,8 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Guibas_stolfi_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
@@ -105,8 +105,8 @@ std::size_t length_within_limit(const InputIterator& first, const InputIterator&
   return 0;
 }
 
-// Reads and checks the positions of a frame before anything changes. Afterwards takes them back, or
-// writes them to CGAL's vertices. Only this class has the key to the points of duplicates.
+// Reads and checks the positions of a frame before anything changes, and can take them back. Only
+// this class has the key to the points of duplicates.
 template <class Maintained>
 class Input_frame_2
 {
@@ -127,60 +127,44 @@ public:
   {
   }
 
-  // Reads a frame into the positions. CGAL's vertices keep the points of the last frame until the
-  // new ones are written. If the frame is refused, or reading it throws, nothing has changed.
+  // Reads a frame, whose positions then are those of now. If the frame is refused, or reading it
+  // throws, nothing has changed.
   template <class InputIterator, class PointMap>
   void stage(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
     m_next_duplicates = m_maintained.ids().duplicates();
-    m_were_exact = m_positions.m_are_exact;
-    try {
-      stage_all(first, beyond, point_map);
-    } catch (...) {
-      m_positions.take_back(m_maintained.vertices(), m_were_exact);
-      throw;
-    }
-    m_positions.m_are_written = false;
+    m_were_exact = m_positions.are_exact();
+    m_positions.begin_frame();
+    const bool are_exact = stage_all(first, beyond, point_map);
+    m_positions.accept_frame(are_exact); // nothing throws from here on
     exchange_duplicates();
   }
 
   // Restores the positions of the last frame.
   void take_back()
   {
-    m_positions.take_back(m_maintained.vertices(), m_were_exact);
+    m_positions.take_back(m_were_exact);
     exchange_duplicates();
   }
 
-  // Writes the points of the frame to CGAL's vertices.
-  void write() { m_positions.template write<Parts>(m_maintained.vertices()); }
-
-  // The same if only the points with these ids have moved. Ids may be removed by now.
-  void write(const std::vector<Index>& moved_ids)
-  {
-    if (std::exchange(m_positions.m_are_written, true))
-      return;
-    const auto& ids = m_maintained.ids();
-    for (const Index id : moved_ids)
-      if (ids.is_taken(id)) {
-        const Index v = ids.vertex(id);
-        m_positions.write_one(v, m_maintained.vertices()[v]);
-      }
-  }
+  // To be called at the end of a call: previous positions are not needed any more.
+  void settle() { m_positions.forget_previous(); }
 
 private:
+  // Returns whether no coordinate is rounded.
   template <class InputIterator, class PointMap>
-  void stage_all(InputIterator first, InputIterator beyond, const PointMap& point_map)
+  bool stage_all(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
     if constexpr (is_random_access<InputIterator>)
       if (m_maintained.ids().duplicates().empty())
         return stage_all_representatives(first, beyond, point_map);
-    stage_one_by_one(first, beyond, point_map);
+    return stage_one_by_one(first, beyond, point_map);
   }
 
   // For random-access input where each point has a vertex of its own: stages in the order of the
   // vertices.
   template <class RandomAccessIterator, class PointMap>
-  void stage_all_representatives(RandomAccessIterator first, RandomAccessIterator beyond,
+  bool stage_all_representatives(RandomAccessIterator first, RandomAccessIterator beyond,
                                  const PointMap& point_map)
   {
     const std::size_t ids = m_maintained.ids().number_of_ids();
@@ -198,7 +182,7 @@ private:
     });
     if (!are_right)
       throw_refused(first, beyond, point_map);
-    m_positions.m_are_exact = are_exact;
+    return are_exact;
   }
 
   // Stages the vertices from v to before `end`, without branches. False if a coordinate is refused.
@@ -209,7 +193,8 @@ private:
   {
     using Difference = typename std::iterator_traits<RandomAccessIterator>::difference_type;
     const Index* const representatives = m_maintained.ids().representatives();
-    const auto stage = [&](std::size_t i, Limit_check_2& check) {
+    const auto staged = m_positions.staged();
+    const auto stage = [&, staged](std::size_t i, Limit_check_2& check) {
       // iterators may store or make their values, and maps may refer into these: keep them alive
       const RandomAccessIterator iterator = first + Difference(representatives[i]);
       auto&& value = *iterator;
@@ -217,13 +202,12 @@ private:
       const Position_2 position{CGAL::to_double(p.x()), CGAL::to_double(p.y())};
       check.add(position);
       are_exact = are_exact && has_exact_position(p);
-      m_positions.stage(Index(i), position, p);
+      staged.set(Index(i), position, p);
     };
     // consecutive in the plane, the points are scattered over the range
     const auto prefetch_point = [&](std::size_t i) {
       if constexpr (is_in_memory<RandomAccessIterator>)
         prefetch(&*(first + Difference(representatives[i])));
-      prefetch(&m_maintained.positions()[i]);
     };
     constexpr std::size_t ahead = 128;
     const std::size_t points = m_maintained.number_of_vertices();
@@ -253,10 +237,11 @@ private:
   }
 
   template <class InputIterator, class PointMap>
-  void stage_one_by_one(InputIterator first, InputIterator beyond, const PointMap& point_map)
+  bool stage_one_by_one(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
     const Index ids = m_maintained.ids().number_of_ids();
     bool are_exact = true;
+    const auto staged = m_positions.staged();
     auto duplicate = m_next_duplicates.begin(); // sorted by id
     Index id = 0;
     for (; id < ids && first != beyond; ++id, ++first) {
@@ -268,13 +253,13 @@ private:
       if (duplicate != m_next_duplicates.end() && duplicate->id == id)
         (duplicate++)->point = p;
       else
-        m_positions.stage(m_maintained.ids().vertex(id), position, p);
+        staged.set(m_maintained.ids().vertex(id), position, p);
     }
     if (first != beyond)
       throw Point_count_error_2(ids, ids + std::size_t(1));
     if (id < ids)
       throw Point_count_error_2(ids, id);
-    m_positions.m_are_exact = are_exact;
+    return are_exact;
   }
 
   void exchange_duplicates()

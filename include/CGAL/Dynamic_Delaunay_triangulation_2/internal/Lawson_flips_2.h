@@ -8,7 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_parts_2.h>
 
@@ -62,22 +62,20 @@ private:
                             bool faces_tile_hull, std::size_t limit)
   {
     std::size_t flips = 0;
-    editor.flip_in_series([&](const auto& flip) {
-      const auto try_flip = [&](Index h) {
-        const bool is_right = faces_tile_hull || editor.can_flip(h);
-        if (is_right)
-          flip(h);
-        return is_right;
-      };
-      for (std::size_t before = limit; !open.empty() && flips != before;) {
-        before = flips;
-        m_work.seeds.swap(open);
-        flip_from_seeds(maintained, m_work, limit - flips, try_flip);
-        open.swap(m_work.open);
-        flips += m_work.flips;
-        keep_unproved(maintained, open);
-      }
-    });
+    const auto try_flip = [&](Index h) {
+      const bool is_right = faces_tile_hull || editor.can_flip(h);
+      if (is_right)
+        editor.flip(h);
+      return is_right;
+    };
+    for (std::size_t before = limit; !open.empty() && flips != before;) {
+      before = flips;
+      m_work.seeds.swap(open);
+      flip_from_seeds(maintained, m_work, limit - flips, try_flip);
+      open.swap(m_work.open);
+      flips += m_work.flips;
+      keep_unproved(maintained, open);
+    }
     return flips;
   }
 
@@ -88,12 +86,12 @@ private:
                            bool faces_tile_hull, std::size_t limit)
   {
     using Parts = typename Maintained::Parts;
-    const std::size_t faces = maintained.mirror().number_of_faces(), seeds = open.size();
+    const std::size_t faces = maintained.arrays().number_of_faces(), seeds = open.size();
     const std::size_t parts =
         Parts::number(faces, (std::max)(Parts::usual_size, faces / max_parts));
     if (parts < Parts::least_shared || seeds < parts * (Parts::usual_size / 256))
       return 0;
-    const Topology_parts_2 topology(maintained.mirror(), maintained.positions().size(), parts);
+    const Topology_parts_2 topology(maintained.arrays(), maintained.positions().size(), parts);
     divide<Parts>(topology, parts, open);
     editor.flip_in_parts(topology, parts, faces_tile_hull, limit,
                          [&](std::size_t part, const auto& try_flip) {
@@ -169,8 +167,8 @@ private:
     const Edge_state_2 state = typename Maintained::Edge_test(maintained).state(e);
     if (state == Edge_state_2::DELAUNAY)
       return false;
-    const auto& mirror = maintained.mirror();
-    if (state == Edge_state_2::TWISTED || !try_flip(mirror.halfedge(e))) {
+    const auto& arrays = maintained.arrays();
+    if (state == Edge_state_2::TWISTED || !try_flip(arrays.halfedge(e))) {
       (state == Edge_state_2::TWISTED ? work.twisted : work.open).push_back(e);
       return false;
     }
@@ -179,7 +177,7 @@ private:
     // the old diagonal, so it is Delaunay as soon as its faces, and thus its sides, are proved.
     if (state == Edge_state_2::CROSSED)
       work.touched.push_back(e);
-    mirror.for_each_side(e, [&](Index side) { work.touched.push_back(side); });
+    arrays.for_each_side(e, [&](Index side) { work.touched.push_back(side); });
     return true;
   }
 
@@ -191,24 +189,24 @@ private:
   static void prefetch_stretch(const Maintained& maintained, const std::vector<Index>& seeds,
                                std::size_t first)
   {
-    const auto& mirror = maintained.mirror();
+    const auto& arrays = maintained.arrays();
     const Position_2* const positions = maintained.positions().data();
     const auto for_each_seed = [&](const auto& f) {
       const std::size_t beyond = (std::min)(first + stretch, seeds.size());
       for (std::size_t i = first; i < beyond; ++i)
         f(seeds[i]);
     };
-    for_each_seed([&](Index e) { mirror.prefetch_edge(e); });
+    for_each_seed([&](Index e) { arrays.prefetch_edge(e); });
     for_each_seed([&](Index e) {
-      mirror.prefetch_face_at(e);
-      prefetch_corners(mirror.edge(e), positions);
+      arrays.prefetch_face_at(e);
+      prefetch_corners(arrays.edge(e), positions);
     });
-    for_each_seed([&](Index e) { mirror.prefetch_face_beyond(e); });
-    for_each_seed([&](Index e) { mirror.prefetch_around(e); });
+    for_each_seed([&](Index e) { arrays.prefetch_face_beyond(e); });
+    for_each_seed([&](Index e) { arrays.prefetch_around(e); });
     for_each_seed([&](Index e) {
-      mirror.for_each_side(e, [&](Index side) {
-        prefetch(positions + mirror.edge(side).left);
-        prefetch(positions + mirror.edge(side).right);
+      arrays.for_each_side(e, [&](Index side) {
+        prefetch(positions + arrays.edge(side).left);
+        prefetch(positions + arrays.edge(side).right);
       });
     });
   }

@@ -8,7 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Parallel_parts_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_ids_2.h>
@@ -36,7 +36,7 @@ struct Periodic_slacks_2;
 //
 // An edge may go from a vertex to an image of the same vertex, and several may connect two
 // vertices. There is no infinite vertex. Where the four corners of an edge have the same shift, the
-// edge stands in the mirror as in the plane, so that the pass over the edges can test it there.
+// edge stands in the arrays as in the plane, so that the pass over the edges can test it there.
 // Elsewhere all its vertices there are infinite: the pass in the plane never proves these.
 template <class Point_, class ConcurrencyTag>
 class Maintained_periodic_triangulation_2
@@ -59,7 +59,7 @@ public:
   }
 
   const Torus_2& torus() const { return m_torus; }
-  const Neighborhood_mirror_2& mirror() const { return m_mirror; }
+  const Halfedge_arrays_2& arrays() const { return m_arrays; }
   const std::vector<Position_2>& positions() const { return m_positions; }
   const Ids& ids() const { return m_ids; }
   // If vertices, edges or faces have other numbers, everything is new.
@@ -71,28 +71,28 @@ public:
   // The same with other positions of the vertices.
   Image_2 image(Index corner, const std::vector<Position_2>& positions) const
   {
-    return {positions[m_mirror.apex(corner)], m_shifts[corner]};
+    return {positions[m_arrays.apex(corner)], m_shifts[corner]};
   }
 
   // What is added to shifts in the face beyond h for shifts in the face of h.
   Periodic_shift_2 transition(Index h) const
   {
-    using Mirror = Neighborhood_mirror_2;
-    return m_shifts[Mirror::next(h)] - m_shifts[Mirror::previous(m_mirror.twin(h))];
+    using Arrays = Halfedge_arrays_2;
+    return m_shifts[Arrays::next(h)] - m_shifts[Arrays::previous(m_arrays.twin(h))];
   }
 
   // The corners of the faces at half-edge h, in the frame of its face.
   Edge_images_2 corners_at(Index h) const { return corners_at(h, m_positions); }
   Edge_images_2 corners_at(Index h, const std::vector<Position_2>& positions) const
   {
-    using Mirror = Neighborhood_mirror_2;
-    Image_2 right = image(m_mirror.twin(h), positions);
+    using Arrays = Halfedge_arrays_2;
+    Image_2 right = image(m_arrays.twin(h), positions);
     right.shift = right.shift + transition(h);
-    return {image(h, positions), image(Mirror::next(h), positions),
-            image(Mirror::previous(h), positions), right};
+    return {image(h, positions), image(Arrays::next(h), positions),
+            image(Arrays::previous(h), positions), right};
   }
 
-  bool is_shifted(Index e) const { return m_mirror.edge(e).source == infinite_index; }
+  bool is_shifted(Index e) const { return m_arrays.edge(e).source == infinite_index; }
 
   std::size_t number_of_cell_changes() const { return m_cell_changes; }
 
@@ -105,18 +105,18 @@ public:
 
   Edge_2 edge(Index e) const
   {
-    using Mirror = Neighborhood_mirror_2;
-    if (!is_shifted(e) || m_mirror.is_empty_edge(e))
-      return m_mirror.edge(e);
-    const Index h = m_mirror.halfedge(e);
-    return {m_mirror.apex(Mirror::next(h)), m_mirror.apex(Mirror::previous(h)), m_mirror.apex(h),
-            m_mirror.apex(m_mirror.twin(h))};
+    using Arrays = Halfedge_arrays_2;
+    if (!is_shifted(e) || m_arrays.is_empty_edge(e))
+      return m_arrays.edge(e);
+    const Index h = m_arrays.halfedge(e);
+    return {m_arrays.apex(Arrays::next(h)), m_arrays.apex(Arrays::previous(h)), m_arrays.apex(h),
+            m_arrays.apex(m_arrays.twin(h))};
   }
   std::array<Index, 3> face(Index f) const
   {
-    return m_mirror.is_empty_face(f)
+    return m_arrays.is_empty_face(f)
                ? std::array<Index, 3>{infinite_index, infinite_index, infinite_index}
-               : m_mirror.face(f);
+               : m_arrays.face(f);
   }
   static constexpr bool is_along(Index, Index) { return true; } // halfedge(e) goes along edge(e)
 
@@ -125,9 +125,9 @@ public:
   {
     if (!is_shifted(e))
       return false;
-    if (m_mirror.is_empty_edge(e))
+    if (m_arrays.is_empty_edge(e))
       return true;
-    const auto [a, b, c, d] = corners_at(m_mirror.halfedge(e));
+    const auto [a, b, c, d] = corners_at(m_arrays.halfedge(e));
     return m_torus.are_across(a.shift, b.shift) || m_torus.are_across(b.shift, c.shift) ||
            m_torus.are_across(c.shift, d.shift);
   }
@@ -141,23 +141,23 @@ public:
   Edge_corners_2 corners(Index e, const std::vector<Position_2>& positions) const
   {
     if (!is_shifted(e))
-      return Space::corners(m_mirror.edge(e), positions);
+      return Space::corners(m_arrays.edge(e), positions);
     if (is_at_infinity(e))
       return {nowhere(), nowhere(), nowhere(), nowhere()};
-    return m_torus.rounded_corners(corners_at(m_mirror.halfedge(e), positions)).first;
+    return m_torus.rounded_corners(corners_at(m_arrays.halfedge(e), positions)).first;
   }
   Position_2 edge_vector(Index e) const
   {
     if (!is_shifted(e))
-      return m_positions[m_mirror.edge(e).target] - m_positions[m_mirror.edge(e).source];
-    if (m_mirror.is_empty_edge(e))
+      return m_positions[m_arrays.edge(e).target] - m_positions[m_arrays.edge(e).source];
+    if (m_arrays.is_empty_edge(e))
       return nowhere();
-    const Edge_images_2 corners = corners_at(m_mirror.halfedge(e));
+    const Edge_images_2 corners = corners_at(m_arrays.halfedge(e));
     return rounded_vector(corners.source, corners.target);
   }
   std::array<Position_2, 3> face_corners(Index f) const
   {
-    if (m_mirror.is_empty_face(f))
+    if (m_arrays.is_empty_face(f))
       return {nowhere(), nowhere(), nowhere()};
     return {Position_2{0, 0}, rounded_vector(image(3 * f), image(3 * f + 1)),
             rounded_vector(image(3 * f), image(3 * f + 2))};
@@ -180,7 +180,7 @@ private:
   friend class Periodic_editor_2;
 
   Torus_2 m_torus;
-  Neighborhood_mirror_2 m_mirror;
+  Halfedge_arrays_2 m_arrays;
   std::vector<Periodic_shift_2> m_shifts; // indexed by half-edges
   std::vector<Position_2> m_positions = {nowhere()};
   std::vector<Position_2> m_other_positions;

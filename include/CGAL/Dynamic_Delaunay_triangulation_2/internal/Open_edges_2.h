@@ -53,7 +53,7 @@ public:
   {
     clear();
     if (classification.is_everything()) {
-      m_uncertain.resize(maintained.mirror().number_of_edges());
+      m_uncertain.resize(maintained.arrays().number_of_edges());
       std::iota(m_uncertain.begin(), m_uncertain.end(), Index(0));
       return;
     }
@@ -72,21 +72,21 @@ public:
   template <class Maintained>
   void open_new_edges(const Maintained& maintained, std::size_t i)
   {
-    const auto& mirror = maintained.mirror();
+    const auto& arrays = maintained.arrays();
     const auto& new_edges = maintained.changes().new_edges;
-    m_opened_last.clear(mirror.number_of_edges()); // each occurs some five times
+    m_opened_last.clear(arrays.number_of_edges()); // each occurs some five times
     for (; i < new_edges.size(); ++i)
-      if (!mirror.is_empty_edge(new_edges[i])) {
+      if (!arrays.is_empty_edge(new_edges[i])) {
         m_opened_last.insert(new_edges[i]);
-        mirror.for_each_side(new_edges[i], [this](Index e) { m_opened_last.insert(e); });
+        arrays.for_each_side(new_edges[i], [this](Index e) { m_opened_last.insert(e); });
       }
     using Parts = typename Maintained::Parts;
     constexpr std::size_t least = (std::max)(Parts::usual_size / 4, std::size_t(1));
     remove_by_parts<Parts>(m_illegal, least, [&](std::size_t k, std::size_t) {
-      return mirror.is_empty_edge(m_illegal[k]);
+      return arrays.is_empty_edge(m_illegal[k]);
     });
     remove_by_parts<Parts>(m_uncertain, least, [&](std::size_t k, std::size_t) {
-      return mirror.is_empty_edge(m_uncertain[k]) || m_opened_last.contains(m_uncertain[k]);
+      return arrays.is_empty_edge(m_uncertain[k]) || m_opened_last.contains(m_uncertain[k]);
     });
     m_uncertain.insert(m_uncertain.end(), m_opened_last.begin(), m_opened_last.end());
     m_faces_tile_hull = false;
@@ -136,7 +136,7 @@ public:
   void for_each_uncertain_vertex(const Maintained& maintained, const Function& f) const
   {
     for (const Index e : m_uncertain) {
-      const Edge_2& edge = maintained.mirror().edge(e);
+      const Edge_2& edge = maintained.arrays().edge(e);
       for (const Index v : {edge.source, edge.target, edge.left, edge.right})
         if (v != infinite_index)
           f(v);

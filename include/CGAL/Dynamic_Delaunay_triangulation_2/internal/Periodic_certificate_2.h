@@ -8,7 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Torus_2.h>
 #include <CGAL/number_utils.h>
 
@@ -25,7 +25,7 @@ namespace internal {
 template <class Maintained>
 class Periodic_certificate_2
 {
-  using Mirror = Neighborhood_mirror_2;
+  using Arrays = Halfedge_arrays_2;
 
 public:
   explicit Periodic_certificate_2(const Maintained& maintained)
@@ -44,7 +44,7 @@ public:
   {
     const Torus_2& torus = m_maintained.torus();
     Torus_2::Polynomial<1> area{0, 0}, area_of_cell = torus.exact_double_area();
-    for (Index h = 0; h < 3 * mirror().number_of_faces(); h += 3) {
+    for (Index h = 0; h < 3 * arrays().number_of_faces(); h += 3) {
       const auto face = torus.exact_double_area(m_maintained.image(h), m_maintained.image(h + 1),
                                                 m_maintained.image(h + 2));
       area = {area[0] + face[0], area[1] + face[1]};
@@ -58,7 +58,7 @@ public:
   bool is_delaunay() const
   {
     const typename Maintained::Edge_test test(m_maintained);
-    return Maintained::Parts::all_of(mirror().number_of_edges(),
+    return Maintained::Parts::all_of(arrays().number_of_edges(),
                                      [&](std::size_t first, std::size_t beyond) {
                                        for (std::size_t e = first; e < beyond; ++e)
                                          if (test.state(Index(e)) != Edge_state_2::DELAUNAY)
@@ -68,26 +68,26 @@ public:
   }
 
 private:
-  const Mirror& mirror() const { return m_maintained.mirror(); }
+  const Arrays& arrays() const { return m_maintained.arrays(); }
 
   bool is_full() const
   {
     const Index n = m_maintained.number_of_vertices();
     const auto& ids = m_maintained.ids();
-    bool is = mirror().number_of_faces() == 2 * n && mirror().number_of_edges() == 3 * n &&
+    bool is = arrays().number_of_faces() == 2 * n && arrays().number_of_edges() == 3 * n &&
               ids.number_of_representatives() == n;
     for (Index v = 1; is && v <= n; ++v)
-      is = !mirror().is_outside(v) && ids.has_representative(v);
+      is = !arrays().is_outside(v) && ids.has_representative(v);
     for (Index f = 0; is && f < 2 * n; ++f)
-      is = !mirror().is_empty_face(f);
+      is = !arrays().is_empty_face(f);
     return is;
   }
 
   bool do_shifts_agree() const
   {
-    for (Index h = 0; h < 3 * mirror().number_of_faces(); ++h) {
-      const Index g = mirror().twin(h);
-      if (mirror().twin(g) != h || mirror().source(h) != mirror().target(g) ||
+    for (Index h = 0; h < 3 * arrays().number_of_faces(); ++h) {
+      const Index g = arrays().twin(h);
+      if (arrays().twin(g) != h || arrays().source(h) != arrays().target(g) ||
           !are_equal(m_maintained.transition(h), no_shift - m_maintained.transition(g)))
         return false;
     }

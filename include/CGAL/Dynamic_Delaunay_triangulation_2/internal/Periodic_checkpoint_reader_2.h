@@ -10,8 +10,8 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Guibas_stolfi_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Lattice_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_builder_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_editor_2.h>
@@ -39,7 +39,7 @@ namespace internal {
 template <class Maintained>
 class Periodic_checkpoint_reader_2
 {
-  using Mirror = Neighborhood_mirror_2;
+  using Arrays = Halfedge_arrays_2;
 
 public:
   // `check(cell)` throws Periodic_cell_error_2 for a cell that cannot be used.
@@ -151,8 +151,8 @@ private:
         m_faces.shifts.push_back(read_shift());
       m_file.end_line();
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (m_faces.apexes[h] == m_faces.apexes[Mirror::next(h)] &&
-            are_equal(side(Mirror::previous(h)), no_shift))
+        if (m_faces.apexes[h] == m_faces.apexes[Arrays::next(h)] &&
+            are_equal(side(Arrays::previous(h)), no_shift))
           m_file.refuse("the face has a corner twice");
     }
   }
@@ -168,7 +168,7 @@ private:
   // From the source of a half-edge to its target.
   Periodic_shift_2 side(Index h) const
   {
-    return m_faces.shifts[Mirror::previous(h)] - m_faces.shifts[Mirror::next(h)];
+    return m_faces.shifts[Arrays::previous(h)] - m_faces.shifts[Arrays::next(h)];
   }
 
   void read_corners()
@@ -211,8 +211,8 @@ private:
   bool run_along_each_other(Index h, Index g) const
   {
     const auto& apexes = m_faces.apexes;
-    return apexes[Mirror::next(h)] == apexes[Mirror::previous(g)] &&
-           apexes[Mirror::previous(h)] == apexes[Mirror::next(g)] &&
+    return apexes[Arrays::next(h)] == apexes[Arrays::previous(g)] &&
+           apexes[Arrays::previous(h)] == apexes[Arrays::next(g)] &&
            are_equal(side(h), no_shift - side(g));
   }
 

@@ -72,18 +72,18 @@ private:
   // not follow from the faces.
   void write_topology(Checkpoint_output_2& file) const
   {
-    const auto& mirror = m_maintained.mirror();
-    file.line("faces", mirror.number_of_faces());
-    for (Index h = 0; h < 3 * mirror.number_of_faces(); h += 3) {
+    const auto& arrays = m_maintained.arrays();
+    file.line("faces", arrays.number_of_faces());
+    for (Index h = 0; h < 3 * arrays.number_of_faces(); h += 3) {
       const Periodic_shift_2 &s = m_maintained.shift(h + 1), &t = m_maintained.shift(h + 2);
-      file.line(mirror.apex(h), mirror.apex(h + 1), mirror.apex(h + 2), s[0], s[1], t[0], t[1]);
+      file.line(arrays.apex(h), arrays.apex(h + 1), arrays.apex(h + 2), s[0], s[1], t[0], t[1]);
     }
     file.line("corners", m_maintained.number_of_vertices());
     for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
-      file.line(mirror.corner(v));
-    file.line("edges", mirror.number_of_edges());
-    for (Index e = 0; e < mirror.number_of_edges(); ++e)
-      file.line(mirror.halfedge(e), mirror.twin(mirror.halfedge(e)));
+      file.line(arrays.corner(v));
+    file.line("edges", arrays.number_of_edges());
+    for (Index e = 0; e < arrays.number_of_edges(); ++e)
+      file.line(arrays.halfedge(e), arrays.twin(arrays.halfedge(e)));
   }
 
   const Maintained& m_maintained;

@@ -31,18 +31,18 @@ public:
 
   Edge_state_2 state(Index e) const
   {
-    const auto& mirror = m_maintained.mirror();
-    if (mirror.is_empty_edge(e))
+    const auto& arrays = m_maintained.arrays();
+    if (arrays.is_empty_edge(e))
       return Edge_state_2::DELAUNAY;
     if (!m_maintained.is_shifted(e)) {
       using Space = typename Maintained::Space;
-      const Edge_filter_2 filter(Space::corners(mirror.edge(e), m_maintained.positions()));
+      const Edge_filter_2 filter(Space::corners(arrays.edge(e), m_maintained.positions()));
       if (filter.proves_delaunay())
         return Edge_state_2::DELAUNAY;
       if (filter.proves_illegal())
         return Edge_state_2::ILLEGAL;
     }
-    return m_maintained.torus().edge_state(m_maintained.corners_at(mirror.halfedge(e)));
+    return m_maintained.torus().edge_state(m_maintained.corners_at(arrays.halfedge(e)));
   }
 
   // The same: a filter in front of an exact test costs little here.
@@ -54,7 +54,7 @@ public:
   {
     const std::size_t before = unproved.size();
     internal::append_unproved<typename Maintained::Space>(
-        m_maintained.mirror().edges().data(), m_maintained.positions(), first, beyond, unproved);
+        m_maintained.arrays().edges().data(), m_maintained.positions(), first, beyond, unproved);
     keep_unproved(unproved, before);
   }
 
@@ -62,21 +62,21 @@ public:
   void append_unproved(const std::vector<Index>& list, std::vector<Index>& unproved) const
   {
     const std::size_t first = unproved.size();
-    append_unproved_of<typename Maintained::Space>(m_maintained.mirror().edges().data(),
+    append_unproved_of<typename Maintained::Space>(m_maintained.arrays().edges().data(),
                                                    m_maintained.positions(), list, unproved);
     keep_unproved(unproved, first);
   }
 
   bool proves_delaunay(Index e) const
   {
-    const auto& mirror = m_maintained.mirror();
-    if (mirror.is_empty_edge(e))
+    const auto& arrays = m_maintained.arrays();
+    if (arrays.is_empty_edge(e))
       return true;
     if (m_maintained.is_shifted(e))
       return m_maintained.torus().filter_proves_delaunay(
-          m_maintained.corners_at(mirror.halfedge(e)));
+          m_maintained.corners_at(arrays.halfedge(e)));
     using Space = typename Maintained::Space;
-    return Edge_filter_2(Space::corners(mirror.edge(e), m_maintained.positions()))
+    return Edge_filter_2(Space::corners(arrays.edge(e), m_maintained.positions()))
         .proves_delaunay();
   }
 
@@ -84,13 +84,13 @@ private:
   // Of the edges from place `first` on, which the pass in the plane did not prove.
   void keep_unproved(std::vector<Index>& unproved, std::size_t first) const
   {
-    const auto& mirror = m_maintained.mirror();
-    const auto corners = [&](Index e) { return m_maintained.corners_at(mirror.halfedge(e)); };
+    const auto& arrays = m_maintained.arrays();
+    const auto corners = [&](Index e) { return m_maintained.corners_at(arrays.halfedge(e)); };
     std::array<Index, 4> shifted;
     std::size_t kept = first, waiting = 0;
     for (std::size_t i = first; i < unproved.size(); ++i) {
       const Index e = unproved[i];
-      if (mirror.is_empty_edge(e))
+      if (arrays.is_empty_edge(e))
         continue;
       if (!m_maintained.is_shifted(e)) {
         unproved[kept++] = e;

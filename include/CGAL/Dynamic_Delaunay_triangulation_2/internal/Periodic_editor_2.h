@@ -8,7 +8,7 @@
 
 #include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_builder_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_change_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
@@ -34,8 +34,8 @@ namespace internal {
 template <class Maintained, bool is_logged_>
 class Periodic_editor_2
 {
-  using Mirror = Neighborhood_mirror_2;
-  using Slot = Mirror::Slot;
+  using Arrays = Halfedge_arrays_2;
+  using Slot = Arrays::Slot;
   using Ids = typename Maintained::Ids;
   using Kind = Periodic_change_2::Kind;
   using Parts = typename Maintained::Parts;
@@ -62,9 +62,9 @@ public:
   void note_all_edges(Kind kind)
   {
     if constexpr (is_logged)
-      for (Index e = 0; e < mirror().number_of_edges(); ++e)
-        if (!mirror().is_empty_edge(e))
-          note_edge(kind, mirror().halfedge(e), m_log);
+      for (Index e = 0; e < arrays().number_of_edges(); ++e)
+        if (!arrays().is_empty_edge(e))
+          note_edge(kind, arrays().halfedge(e), m_log);
   }
 
   // CHANGES -------------------------------------------------------------------------------------
@@ -92,10 +92,10 @@ public:
     if (are_equal(shift, no_shift))
       return;
     note([&] { return Periodic_change_2::translation(ids().representative(v), shift); });
-    if (mirror().is_outside(v))
+    if (arrays().is_outside(v))
       return;
     changes().relocated.push_back(v);
-    mirror().for_each_corner(v, [&](Index h) { m_corners.push_back(h); });
+    arrays().for_each_corner(v, [&](Index h) { m_corners.push_back(h); });
     for (const Index h : m_corners)
       shifts()[h] = shifts()[h] - shift;
     for (const Index h : m_corners)
@@ -109,7 +109,7 @@ public:
                  const Periodic_shift_2& shift)
   {
     const Index v = ids().vertex(duplicate);
-    provide_for_log(2 * std::size_t(mirror().degree(v)) + 1);
+    provide_for_log(2 * std::size_t(arrays().degree(v)) + 1);
     note_edges_around(Kind::EDGE_REMOVED, v);
     ids().hand_over(duplicate, before);
     note_edges_around(Kind::EDGE_CREATED, v);
@@ -136,8 +136,8 @@ public:
   // around both ends of the new edge in step, because one of them may have many neighbors.
   bool can_flip(Index h) const
   {
-    const Index g = mirror().twin(h);
-    const Index a = mirror().apex(h), d = mirror().apex(g);
+    const Index g = arrays().twin(h);
+    const Index a = arrays().apex(h), d = arrays().apex(g);
     const Periodic_shift_2 way = shifts()[g] + m_maintained.transition(h) - shifts()[h];
     if (h / 3 == g / 3 || (a == d && are_equal(way, no_shift)))
       return false;
@@ -145,8 +145,8 @@ public:
     do {
       if (leads(i, d, way) || leads(k, a, no_shift - way))
         return false;
-      i = mirror().next_corner(i);
-      k = mirror().next_corner(k);
+      i = arrays().next_corner(i);
+      k = arrays().next_corner(k);
     } while (i != h && k != g);
     return true;
   }
@@ -156,13 +156,6 @@ public:
     provide_for_log(2);
     provide(changes().new_edges, 1);
     flip(h, changes().new_edges, m_log);
-  }
-
-  // As `Topology_editor_2` has it: calls f(flip).
-  template <class Function>
-  void flip_in_series(const Function& f)
-  {
-    f([this](Index h) { flip(h); });
   }
 
   // As `Topology_editor_2` has it: calls f(part, try_flip) for all parts, for `most` flips at most.
@@ -205,17 +198,17 @@ public:
   void start(const Position_2& p, const Periodic_shift_2& r, const Periodic_shift_2& t)
   {
     changes().everything_is_new = true;
-    mirror().resize(1, 2);
+    arrays().resize(1, 2);
     ids().append_vertex();
     m_maintained.m_positions.push_back(p);
     for (Index h = 0; h < 6; ++h)
-      mirror().set_apex(h, 1);
+      arrays().set_apex(h, 1);
     // the faces (0, r, r + t) and (0, r + t, t) of a parallelogram
     shifts() = {no_shift, r, r + t, no_shift, r + t, t};
-    mirror().link(0, 4);
-    mirror().link(1, 5);
-    mirror().link(2, 3);
-    mirror().template number_edges<Parts>();
+    arrays().link(0, 4);
+    arrays().link(1, 5);
+    arrays().link(2, 3);
+    arrays().template number_edges<Parts>();
     write_face(0);
     write_face(1);
   }
@@ -234,7 +227,7 @@ public:
       ids().set_representative(Index(i + 1), ids_of_points[point]);
     });
     write_faces(faces, positions);
-    mirror().template number_edges<Parts>();
+    arrays().template number_edges<Parts>();
     hide_shifted_edges();
   }
 
@@ -246,9 +239,9 @@ public:
   {
     write_faces(faces, positions);
     for (Index e = 0; e < Index(halfedges.size()); ++e)
-      mirror().set_edge(e, halfedges[e]);
+      arrays().set_edge(e, halfedges[e]);
     for (Index v = 1; v <= Index(corners.size()); ++v)
-      mirror().set_corner(v, corners[v - 1]);
+      arrays().set_corner(v, corners[v - 1]);
     hide_shifted_edges();
     ids() = ids_of_vertices;
   }
@@ -256,7 +249,7 @@ public:
   // Makes a vertex outside of all faces. Its point has no id yet.
   Slot make_slot()
   {
-    mirror().provide_for_slot();
+    arrays().provide_for_slot();
     ids().provide_for_vertex();
     provide(shifts(), 6);
     provide(m_maintained.m_positions, 1);
@@ -264,7 +257,7 @@ public:
     shifts().resize(shifts().size() + 6);
     m_maintained.m_positions.push_back(nowhere());
     changes().everything_is_new = true;
-    return mirror().append_slot();
+    return arrays().append_slot();
   }
 
   // Puts the slot's vertex into face f, at the image of p by `shift` in the frame of f.
@@ -273,7 +266,7 @@ public:
     provide_for_log(3);
     const Index g = slot.faces[0], k = slot.faces[1];
     const Periodic_shift_2 a = shifts()[3 * f], b = shifts()[3 * f + 1], c = shifts()[3 * f + 2];
-    mirror().put_in(slot, f);
+    arrays().put_in(slot, f);
     set_position(slot.vertex, p);
     changes().relocated.push_back(slot.vertex);
     set_shifts(f, shift, b, c);
@@ -290,16 +283,16 @@ public:
   {
     provide_for_log(3);
     note_edges_around(Kind::EDGE_REMOVED, v);
-    const Index h = mirror().corner(v), g = mirror().next_corner(h);
-    const Periodic_shift_2 a = shifts()[Mirror::next(h)], b = shifts()[Mirror::previous(h)];
-    const Periodic_shift_2 c = shifts()[Mirror::previous(g)] + shifts()[h] - shifts()[g];
-    const Slot slot = mirror().take_out(v);
+    const Index h = arrays().corner(v), g = arrays().next_corner(h);
+    const Periodic_shift_2 a = shifts()[Arrays::next(h)], b = shifts()[Arrays::previous(h)];
+    const Periodic_shift_2 c = shifts()[Arrays::previous(g)] + shifts()[h] - shifts()[g];
+    const Slot slot = arrays().take_out(v);
     shifts()[h] = c;
-    shifts()[Mirror::next(h)] = a;
-    shifts()[Mirror::previous(h)] = b;
+    shifts()[Arrays::next(h)] = a;
+    shifts()[Arrays::previous(h)] = b;
     write_face(h / 3);
     hide_edges(slot);
-    changes().new_edges.push_back(mirror().edge_of(h)); // the face has no other new edges
+    changes().new_edges.push_back(arrays().edge_of(h)); // the face has no other new edges
     return slot;
   }
 
@@ -317,15 +310,15 @@ public:
     for (auto* numbers : {&vertices, &faces, &edges}) // from the last on, which thus is not empty
       std::sort(numbers->rbegin(), numbers->rend());
     for (const Index f : faces) {
-      const Index last = 3 * (mirror().number_of_faces() - 1);
+      const Index last = 3 * (arrays().number_of_faces() - 1);
       set_shifts(f, shifts()[last], shifts()[last + 1], shifts()[last + 2]);
-      mirror().move_last_face_to(f);
+      arrays().move_last_face_to(f);
       shifts().resize(last);
     }
     for (const Index e : edges)
-      mirror().move_last_edge_to(e);
+      arrays().move_last_edge_to(e);
     for (const Index v : vertices) {
-      mirror().move_last_vertex_to(v);
+      arrays().move_last_vertex_to(v);
       ids().move_last_vertex_to(v);
       set_position(v, m_maintained.m_positions.back());
       m_maintained.m_positions.pop_back();
@@ -333,8 +326,8 @@ public:
   }
 
 private:
-  Neighborhood_mirror_2& mirror() { return m_maintained.m_mirror; }
-  const Neighborhood_mirror_2& mirror() const { return m_maintained.m_mirror; }
+  Halfedge_arrays_2& arrays() { return m_maintained.m_arrays; }
+  const Halfedge_arrays_2& arrays() const { return m_maintained.m_arrays; }
   Change_log_2& changes() { return m_maintained.m_changes; }
   std::vector<Periodic_shift_2>& shifts() { return m_maintained.m_shifts; }
   const std::vector<Periodic_shift_2>& shifts() const { return m_maintained.m_shifts; }
@@ -342,18 +335,18 @@ private:
   // Flips the edge of half-edge h. There must be memory for one new edge, and for two changes.
   void flip(Index h, std::vector<Index>& new_edges, std::vector<Periodic_change_2>& log)
   {
-    const Index g = mirror().twin(h);
+    const Index g = arrays().twin(h);
     const Edge_images_2 images = m_maintained.corners_at(h);
     note_edge(Kind::EDGE_REMOVED, h, log);
-    mirror().flip_glued(h);
-    shifts()[Mirror::previous(h)] = images.right.shift;
+    arrays().flip_glued(h);
+    shifts()[Arrays::previous(h)] = images.right.shift;
     shifts()[g] = images.right.shift;
-    shifts()[Mirror::next(g)] = images.target.shift;
-    shifts()[Mirror::previous(g)] = images.left.shift;
+    shifts()[Arrays::next(g)] = images.target.shift;
+    shifts()[Arrays::previous(g)] = images.left.shift;
     write_face(h / 3);
     write_face(g / 3);
-    new_edges.push_back(mirror().edge_of(Mirror::next(g)));
-    note_edge(Kind::EDGE_CREATED, Mirror::next(g), log);
+    new_edges.push_back(arrays().edge_of(Arrays::next(g)));
+    note_edge(Kind::EDGE_CREATED, Arrays::next(g), log);
   }
 
   // What was flipped in a part: the new edges, and the entries of the log.
@@ -365,12 +358,12 @@ private:
 
   bool try_flip(const Topology_parts_2& topology, std::size_t part, Index h, Flips_of_part& flips)
   {
-    if (!topology.is_inside(part, mirror().edge_of(h)) || !can_flip(h))
+    if (!topology.is_inside(part, arrays().edge_of(h)) || !can_flip(h))
       return false;
     provide(flips.edges, 1);
     if constexpr (is_logged)
       provide(flips.log, 2);
-    CGAL_assertion_code(const Edge_2 edge = m_maintained.edge(mirror().edge_of(h)));
+    CGAL_assertion_code(const Edge_2 edge = m_maintained.edge(arrays().edge_of(h)));
     CGAL_assertion(topology.has_all(part, {edge.source, edge.target, edge.left, edge.right}));
     flip(h, flips.edges, flips.log);
     return true;
@@ -401,11 +394,11 @@ private:
   void note_edge(Kind kind, Index h, std::vector<Periodic_change_2>& log) const
   {
     if constexpr (is_logged) {
-      const Index from = Mirror::next(h), to = Mirror::previous(h);
+      const Index from = Arrays::next(h), to = Arrays::previous(h);
       if (!m_maintained.torus().are_across(shifts()[from], shifts()[to]))
         log.push_back(Periodic_change_2::edge(
-            kind, m_maintained.ids().representative(mirror().apex(from)),
-            m_maintained.ids().representative(mirror().apex(to)), shifts()[to] - shifts()[from]));
+            kind, m_maintained.ids().representative(arrays().apex(from)),
+            m_maintained.ids().representative(arrays().apex(to)), shifts()[to] - shifts()[from]));
     }
   }
 
@@ -413,31 +406,31 @@ private:
   void note_edges_around(Kind kind, Index v)
   {
     if constexpr (is_logged)
-      mirror().for_each_corner(v, [&](Index h) {
-        const Index spoke = Mirror::previous(h);
-        if (mirror().target(spoke) != v || spoke == mirror().halfedge(mirror().edge_of(spoke)))
+      arrays().for_each_corner(v, [&](Index h) {
+        const Index spoke = Arrays::previous(h);
+        if (arrays().target(spoke) != v || spoke == arrays().halfedge(arrays().edge_of(spoke)))
           note_edge(kind, spoke, m_log);
       });
   }
 
   void note_new_edges_around(Index v)
   {
-    mirror().for_each_corner(
-        v, [&](Index h) { changes().new_edges.push_back(mirror().edge_of(Mirror::previous(h))); });
+    arrays().for_each_corner(
+        v, [&](Index h) { changes().new_edges.push_back(arrays().edge_of(Arrays::previous(h))); });
   }
 
   // So that passes over all edges need not look whether they are empty.
   void hide_edges(const Slot& slot)
   {
     for (const Index e : slot.edges)
-      mirror().hide_edge(e);
+      arrays().hide_edge(e);
   }
 
   // Whether the next edge at this corner goes to the image of v by `way`.
   bool leads(Index corner, Index v, const Periodic_shift_2& way) const
   {
-    const Index end = Mirror::next(corner);
-    return mirror().apex(end) == v && are_equal(shifts()[end] - shifts()[corner], way);
+    const Index end = Arrays::next(corner);
+    return arrays().apex(end) == v && are_equal(shifts()[end] - shifts()[corner], way);
   }
 
   void set_shifts(Index f, Periodic_shift_2 a, Periodic_shift_2 b, Periodic_shift_2 c)
@@ -452,23 +445,23 @@ private:
   {
     changes().everything_is_new = true;
     const Index vertices = Index(positions.size());
-    mirror().resize(vertices, 2 * vertices);
+    arrays().resize(vertices, 2 * vertices);
     m_maintained.m_positions.insert(m_maintained.m_positions.end(), positions.begin(),
                                     positions.end());
     shifts() = faces.shifts;
     for_each_in_parts(2 * vertices, [&](std::size_t f) {
       for (Index h = Index(3 * f); h < 3 * f + 3; ++h)
-        mirror().set_apex_and_twin(h, faces.apexes[h], faces.twins[h]);
+        arrays().set_apex_and_twin(h, faces.apexes[h], faces.twins[h]);
       move_frame(Index(f));
     });
-    mirror().template find_corners<Parts>();
+    arrays().template find_corners<Parts>();
   }
 
   void hide_shifted_edges()
   {
-    for_each_in_parts(mirror().number_of_edges(), [&](std::size_t e) {
-      if (!has_equal_shifts(mirror().halfedge(Index(e))))
-        mirror().hide_edge(Index(e));
+    for_each_in_parts(arrays().number_of_edges(), [&](std::size_t e) {
+      if (!has_equal_shifts(arrays().halfedge(Index(e))))
+        arrays().hide_edge(Index(e));
     });
   }
 
@@ -487,11 +480,11 @@ private:
   {
     move_frame(f);
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      const Index e = mirror().edge_of(h);
+      const Index e = arrays().edge_of(h);
       if (has_equal_shifts(h))
-        mirror().set_edge(e, mirror().halfedge(e));
+        arrays().set_edge(e, arrays().halfedge(e));
       else
-        mirror().hide_edge(e);
+        arrays().hide_edge(e);
     }
   }
 

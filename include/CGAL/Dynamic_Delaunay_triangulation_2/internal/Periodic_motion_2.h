@@ -8,7 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Torus_2.h>
@@ -31,7 +31,7 @@ namespace internal {
 template <class Maintained, class Editor>
 class Periodic_motion_2
 {
-  using Mirror = Neighborhood_mirror_2;
+  using Arrays = Halfedge_arrays_2;
   using Parts = typename Maintained::Parts;
 
 public:
@@ -233,8 +233,8 @@ private:
   {
     double least = std::numeric_limits<double>::infinity();
     const Torus_2& torus = m_maintained.torus();
-    m_maintained.mirror().for_each_corner(v, [&](Index h) {
-      const Image_2 p = m_maintained.image(h), q = m_maintained.image(Mirror::next(h));
+    m_maintained.arrays().for_each_corner(v, [&](Index h) {
+      const Image_2 p = m_maintained.image(h), q = m_maintained.image(Arrays::next(h));
       if (!torus.are_across(p.shift, q.shift))
         least = (std::min)(least, squared_distance(torus.rounded(p), torus.rounded(q)));
     });

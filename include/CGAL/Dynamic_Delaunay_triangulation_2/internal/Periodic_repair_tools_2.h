@@ -8,9 +8,9 @@
 
 #include <CGAL/Dynamic_classification_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Lattice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Lawson_flips_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_builder_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_change_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Spatial_order_2.h>
@@ -39,8 +39,8 @@ namespace internal {
 template <class Maintained, class Editor>
 class Periodic_repair_tools_2
 {
-  using Mirror = Neighborhood_mirror_2;
-  using Slot = Mirror::Slot;
+  using Arrays = Halfedge_arrays_2;
+  using Slot = Arrays::Slot;
   using Edge_test = typename Maintained::Edge_test;
   using Parts = typename Maintained::Parts;
 
@@ -84,11 +84,11 @@ public:
       m_open.resize(number_of_edges());
       std::iota(m_open.begin(), m_open.end(), Index(0));
     } else {
-      const auto& mirror = m_maintained.mirror();
+      const auto& arrays = m_maintained.arrays();
       for (const Index v : m_classification.whole_vertices())
-        if (!mirror.is_outside(v))
-          mirror.for_each_corner(
-              v, [&](Index h) { m_open.push_back(mirror.edge_of(Mirror::previous(h))); });
+        if (!arrays.is_outside(v))
+          arrays.for_each_corner(
+              v, [&](Index h) { m_open.push_back(arrays.edge_of(Arrays::previous(h))); });
     }
     // in the order of space: in another one 1,000 points at steps of 0.03 spacings took 3.1 instead
     // of 2.7 relocations a frame
@@ -142,7 +142,7 @@ public:
     });
     const Index number_of_ids = ids().number_of_ids();
     const std::size_t logged = m_editor.log().size();
-    m_editor.provide_for_log(m_maintained.mirror().number_of_edges());
+    m_editor.provide_for_log(m_maintained.arrays().number_of_edges());
     m_editor.note_all_edges(Periodic_change_2::Kind::EDGE_REMOVED);
     Maintained before(m_maintained.torus().cell());
     m_editor.swap(before);
@@ -166,7 +166,7 @@ public:
   const Classification& classification() const { return m_classification; }
   bool has_to_prove() const { return m_has_to_prove; }
   bool has_rebuilt() const { return m_report->rebuilt(); }
-  std::size_t number_of_edges() const { return m_maintained.mirror().number_of_edges(); }
+  std::size_t number_of_edges() const { return m_maintained.arrays().number_of_edges(); }
   std::size_t number_of_open_edges() const { return m_open.size(); }
   bool has_inverted_edges() const { return !find_tangled().empty(); }
 
@@ -199,7 +199,7 @@ public:
     std::vector<Index> region = m_classification.vertices();
     m_padded = pad(region, padding);
     for (const Index v : region)
-      if (!m_maintained.mirror().is_outside(v))
+      if (!m_maintained.arrays().is_outside(v))
         open_surroundings(v);
     m_border = pad(region, 1);
     m_report->padded = m_padded.size();
@@ -281,7 +281,7 @@ public:
     }
     const Place found = locate(p);
     if (found.corner != no_index)
-      return m_editor.ids().place_duplicate(id, m_maintained.mirror().apex(found.corner), p);
+      return m_editor.ids().place_duplicate(id, m_maintained.arrays().apex(found.corner), p);
     const Slot slot = m_editor.make_slot();
     m_editor.ids().place_representative(id, slot.vertex);
     put_in(slot, p, found);
@@ -321,7 +321,7 @@ public:
     const typename Maintained::Ids ids_before = m_maintained.ids();
     m_editor.build(builder.faces(), ids, points);
     builder.release();
-    m_editor.provide_for_log(m_maintained.mirror().number_of_edges());
+    m_editor.provide_for_log(m_maintained.arrays().number_of_edges());
     m_editor.note_all_edges(Periodic_change_2::Kind::EDGE_CREATED);
     examine_everything();
     m_flips_left = m_open.size() + points.size();
@@ -343,10 +343,10 @@ public:
     for (const Index v : vertices) {
       if (!reduce_degree(v, are_tangled))
         return false;
-      const Index f = m_maintained.mirror().corner(v) / 3;
+      const Index f = m_maintained.arrays().corner(v) / 3;
       m_taken_out.push_back(m_editor.take_out(v));
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        m_open.push_back(m_maintained.mirror().edge_of(h));
+        m_open.push_back(m_maintained.arrays().edge_of(h));
     }
     close_empty();
     return true;
@@ -383,16 +383,16 @@ public:
   bool are_faces_counterclockwise(Index v) const
   {
     bool are = true;
-    m_maintained.mirror().for_each_corner(v, [&](Index h) { are = are && is_counterclockwise(h); });
+    m_maintained.arrays().for_each_corner(v, [&](Index h) { are = are && is_counterclockwise(h); });
     return are;
   }
 
   void open_surroundings(Index v)
   {
-    const auto& mirror = m_maintained.mirror();
-    mirror.for_each_corner(v, [&](Index h) {
-      m_open.push_back(mirror.edge_of(h));
-      m_open.push_back(mirror.edge_of(Mirror::next(h)));
+    const auto& arrays = m_maintained.arrays();
+    arrays.for_each_corner(v, [&](Index h) {
+      m_open.push_back(arrays.edge_of(h));
+      m_open.push_back(arrays.edge_of(Arrays::next(h)));
     });
   }
 
@@ -409,7 +409,7 @@ private:
 
   void close_empty()
   {
-    const auto is_empty = [this](Index e) { return m_maintained.mirror().is_empty_edge(e); };
+    const auto is_empty = [this](Index e) { return m_maintained.arrays().is_empty_edge(e); };
     m_open.erase(std::remove_if(m_open.begin(), m_open.end(), is_empty), m_open.end());
   }
 
@@ -438,14 +438,14 @@ private:
   // Adds layers of neighbors, and returns these.
   std::vector<Index> pad(std::vector<Index>& region, unsigned layers)
   {
-    const auto& mirror = m_maintained.mirror();
+    const auto& arrays = m_maintained.arrays();
     m_region.clear(m_maintained.positions().size());
     for (const Index v : region)
       m_region.insert(v);
     for (unsigned layer = 0; layer < layers; ++layer)
       for (std::size_t i = 0, size = m_region.size(); i < size; ++i)
-        if (!mirror.is_outside(m_region[i]))
-          mirror.for_each_neighbor(m_region[i], [this](Index w) { m_region.insert(w); });
+        if (!arrays.is_outside(m_region[i]))
+          arrays.for_each_neighbor(m_region[i], [this](Index w) { m_region.insert(w); });
     const auto beyond = m_region.begin() + std::ptrdiff_t(region.size());
     region.insert(region.end(), beyond, m_region.end());
     return std::vector<Index>(beyond, m_region.end());
@@ -463,7 +463,7 @@ private:
   void renew(std::vector<Index> region, unsigned padding)
   {
     pad(region, padding);
-    const auto is_outside = [this](Index v) { return m_maintained.mirror().is_outside(v); };
+    const auto is_outside = [this](Index v) { return m_maintained.arrays().is_outside(v); };
     region.erase(std::remove_if(region.begin(), region.end(), is_outside), region.end());
     if (m_taken_out.size() + region.size() > max_taken_out())
       rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
@@ -475,12 +475,12 @@ private:
   // Vertices of faces that flips could not turn counterclockwise.
   std::vector<Index> find_tangled() const
   {
-    const auto& mirror = m_maintained.mirror();
+    const auto& arrays = m_maintained.arrays();
     std::vector<Index> tangled;
     for (const Index e : m_open)
-      for (const Index h : {mirror.halfedge(e), mirror.twin(mirror.halfedge(e))})
+      for (const Index h : {arrays.halfedge(e), arrays.twin(arrays.halfedge(e))})
         if (!is_counterclockwise(h))
-          for (const Index v : mirror.face(h / 3))
+          for (const Index v : arrays.face(h / 3))
             tangled.push_back(v);
     make_distinct(tangled);
     return tangled;
@@ -499,16 +499,16 @@ private:
   // Walks through faces that are all counterclockwise and Delaunay, so the walk ends.
   Place locate(const Position_2& p)
   {
-    const auto& mirror = m_maintained.mirror();
-    while (m_hint > m_maintained.number_of_vertices() || mirror.is_outside(m_hint))
+    const auto& arrays = m_maintained.arrays();
+    while (m_hint > m_maintained.number_of_vertices() || arrays.is_outside(m_hint))
       m_hint = m_hint % m_maintained.number_of_vertices() + 1;
-    const Index start = mirror.corner(m_hint);
+    const Index start = arrays.corner(m_hint);
     Place place{start / 3,
                 m_maintained.shift(start) + shift_of_step(p, m_maintained.positions()[m_hint])};
     Index entry = no_index;
     for (Index h = exit_of(place, p, entry); h != no_index; h = exit_of(place, p, entry)) {
       place.shift = place.shift - m_maintained.transition(h);
-      entry = mirror.twin(h);
+      entry = arrays.twin(h);
       place.face = entry / 3;
     }
     return place;
@@ -522,7 +522,7 @@ private:
       if (h == entry)
         continue;
       const Orientation turn = m_maintained.torus().orientation(
-          m_maintained.image(Mirror::next(h)), m_maintained.image(Mirror::previous(h)),
+          m_maintained.image(Arrays::next(h)), m_maintained.image(Arrays::previous(h)),
           {p, place.shift});
       if (turn == RIGHT_TURN)
         return h;
@@ -540,7 +540,7 @@ private:
   // Puts the slot's vertex where p was found, which is no vertex.
   void put_in(const Slot& slot, const Position_2& p, const Place& found)
   {
-    const auto& mirror = m_maintained.mirror();
+    const auto& arrays = m_maintained.arrays();
     const Index v = slot.vertex;
     m_editor.put_in(slot, p, found.shift, found.face);
     m_hint = v;
@@ -549,7 +549,7 @@ private:
       const Index place = found.edge % 3;
       m_editor.flip(3 * faces[place] + place);
     }
-    mirror.for_each_corner(v, [&](Index h) { m_open.push_back(mirror.edge_of(h)); });
+    arrays.for_each_corner(v, [&](Index h) { m_open.push_back(arrays.edge_of(h)); });
     legalize();
   }
 
@@ -563,7 +563,7 @@ private:
       return true;
     }
     m_editor.ids().provide_for_duplicates(1);
-    m_editor.ids().merge(slot.vertex, m_maintained.mirror().apex(found.corner), p);
+    m_editor.ids().merge(slot.vertex, m_maintained.arrays().apex(found.corner), p);
     ++m_report->merged;
     return false;
   }
@@ -573,20 +573,20 @@ private:
   // Among tangled faces any ear will do if there is no counterclockwise one.
   bool reduce_degree(Index v, bool is_tangled)
   {
-    const auto& mirror = m_maintained.mirror();
-    for (Index degree = mirror.degree(v); degree != 3; degree = mirror.degree(v)) {
+    const auto& arrays = m_maintained.arrays();
+    for (Index degree = arrays.degree(v); degree != 3; degree = arrays.degree(v)) {
       Index spoke = degree > 3 ? find_ear(v, false) : no_index;
       if (spoke == no_index && degree > 3 && is_tangled)
         spoke = find_ear(v, true);
       if (spoke == no_index)
         return false;
-      m_open.push_back(mirror.edge_of(spoke));
-      mirror.for_each_side(mirror.edge_of(spoke), [this](Index e) { m_open.push_back(e); });
+      m_open.push_back(arrays.edge_of(spoke));
+      arrays.for_each_side(arrays.edge_of(spoke), [this](Index e) { m_open.push_back(e); });
       m_editor.flip(spoke);
       ++m_report->flips;
     }
     bool is_simple = true;
-    mirror.for_each_neighbor(v, [&](Index w) { is_simple = is_simple && w != v; });
+    arrays.for_each_neighbor(v, [&](Index w) { is_simple = is_simple && w != v; });
     return is_simple;
   }
 
@@ -595,21 +595,21 @@ private:
   // neighbor.
   Index find_ear(Index v, bool is_any) const
   {
-    const auto& mirror = m_maintained.mirror();
+    const auto& arrays = m_maintained.arrays();
     const Torus_2& torus = m_maintained.torus();
-    const Index first = mirror.corner(v);
+    const Index first = arrays.corner(v);
     Index h = first;
     do {
-      const Index spoke = Mirror::next(h);
+      const Index spoke = Arrays::next(h);
       const auto [a, b, c, d] = m_maintained.corners_at(spoke);
-      const Index opposite = mirror.apex(mirror.twin(spoke));
-      const int ends = (mirror.source(spoke) == v) + 1;
-      const int ends_after = (mirror.apex(spoke) == v) + (opposite == v);
+      const Index opposite = arrays.apex(arrays.twin(spoke));
+      const int ends = (arrays.source(spoke) == v) + 1;
+      const int ends_after = (arrays.apex(spoke) == v) + (opposite == v);
       if (ends_after < ends && m_editor.can_flip(spoke) &&
           (is_any ||
            (torus.orientation(a, b, d) == LEFT_TURN && torus.orientation(a, d, c) != RIGHT_TURN)))
         return spoke;
-      h = mirror.next_corner(h);
+      h = arrays.next_corner(h);
     } while (h != first);
     return no_index;
   }
@@ -617,8 +617,8 @@ private:
   bool is_counterclockwise(Index h) const
   {
     return m_maintained.torus().orientation(m_maintained.image(h),
-                                            m_maintained.image(Mirror::next(h)),
-                                            m_maintained.image(Mirror::previous(h))) == LEFT_TURN;
+                                            m_maintained.image(Arrays::next(h)),
+                                            m_maintained.image(Arrays::previous(h))) == LEFT_TURN;
   }
 
   Maintained& m_maintained;

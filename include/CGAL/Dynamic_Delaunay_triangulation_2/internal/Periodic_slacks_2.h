@@ -31,7 +31,7 @@ struct Periodic_slacks_2
   template <class Frame>
   static double value(const Frame& frame, Index e)
   {
-    if (frame.maintained().mirror().is_empty_edge(e))
+    if (frame.maintained().arrays().is_empty_edge(e))
       return std::numeric_limits<double>::quiet_NaN();
     const Edge_images_2 corners = corners_of(frame, e, frame.positions());
     return is_across(torus(frame), corners)
@@ -44,7 +44,7 @@ struct Periodic_slacks_2
                       double tolerance)
   {
     const auto& maintained = frame.maintained();
-    if (maintained.mirror().is_empty_edge(e))
+    if (maintained.arrays().is_empty_edge(e))
       return false;
     if (maintained.is_shifted(e))
       return is_safe(maintained.torus(), corners_of(frame, e, references), tolerance);
@@ -84,7 +84,7 @@ private:
   static Edge_images_2 corners_of(const Frame& frame, Index e,
                                   const std::vector<Position_2>& positions)
   {
-    return frame.maintained().corners_at(frame.maintained().mirror().halfedge(e), positions);
+    return frame.maintained().corners_at(frame.maintained().arrays().halfedge(e), positions);
   }
 
   static bool is_across(const Torus_2& torus, const Edge_images_2& corners)

@@ -7,8 +7,8 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_periodic_triangulation_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_memory_2.h>
@@ -227,8 +227,8 @@ public:
   Update_report_2 restore(Maintained& maintained, bool is_certified,
                           const Periodic_memory_2& memory)
   {
-    m_editor.provide_for_log(std::size_t(m_maintained.mirror().number_of_edges()) +
-                             maintained.mirror().number_of_edges());
+    m_editor.provide_for_log(std::size_t(m_maintained.arrays().number_of_edges()) +
+                             maintained.arrays().number_of_edges());
     m_editor.note_all_edges(Periodic_change_2::Kind::EDGE_REMOVED);
     m_editor.swap(maintained);
     m_editor.note_all_edges(Periodic_change_2::Kind::EDGE_CREATED);

@@ -61,7 +61,7 @@ public:
     m_place = {m_parts.size(), 0};
     if (!Parts::are_shared(parts))
       return;
-    m_replaced.clear(m_maintained.mirror().number_of_faces());
+    m_replaced.clear(m_maintained.arrays().number_of_faces());
     m_place = {0, 0};
     m_parts.resize((std::max)(parts, m_parts.size()));
     for (Part& part : m_parts)
@@ -130,7 +130,7 @@ private:
     if (!part.splice)
       part.splice = std::make_unique<Cluster_splice>(m_maintained);
     part.splice->set_engine(m_engine);
-    part.seen.clear(m_maintained.vertices().size());
+    part.seen.clear(m_maintained.arrays().number_of_vertices());
     for (std::size_t i = first; i < beyond; ++i) {
       if (part.seen.contains(inner[i]) || spliced.contains(inner[i]) ||
           !collect(part, inner[i], inner, spliced))

@@ -175,7 +175,9 @@ public:
       forget_sets();
   }
 
-  // Exchanges the whole triangulation with `other`. Throws nothing.
+  void provide_for_exchange(const Maintained& other) { m_builder.provide_for_exchange(other); }
+
+  // Exchanges the whole triangulation with `other`. Throws nothing after provide_for_exchange().
   void exchange(Maintained& other)
   {
     m_builder.exchange(other);
@@ -192,7 +194,7 @@ public:
   bool has_inverted_edges() const { return !m_open.uncertain().empty(); }
   bool has_to_prove() const { return m_has_to_prove; }
   bool has_rebuilt() const { return m_report->rebuilt(); }
-  std::size_t number_of_edges() const { return m_maintained.mirror().number_of_edges(); }
+  std::size_t number_of_edges() const { return m_maintained.arrays().number_of_edges(); }
   std::size_t number_of_classified_edges() const { return m_classified_edges; }
   const std::vector<Index>& padded() const { return m_padded; }
   const std::vector<Index>& border() const { return m_border; }
@@ -292,13 +294,13 @@ public:
   {
     if (m_traffic.is_under_way())
       return rebuild(Rebuild_reason_2::POPULATION);
-    if (!m_was_certified || m_maintained.points_are_written())
+    if (!m_was_certified || !m_maintained.have_points_moved())
       return rebuild(Rebuild_reason_2::STUCK);
     const bool all_arrived = m_builder.relocate_all(m_report->relocated);
     m_open.clear();
     if (!all_arrived)
       rebuild(Rebuild_reason_2::COINCIDENCE);
-    else if (!m_maintained.is_mirrored()) // without edges, nothing but a rebuild can help
+    else if (!m_maintained.spans_plane()) // without edges, nothing but a rebuild can help
       rebuild(Rebuild_reason_2::DIMENSION);
     else if (!Certificate(m_maintained).holds())
       rebuild(Rebuild_reason_2::STUCK);
@@ -310,7 +312,7 @@ public:
       rebuild_with_traffic();
     else
       m_builder.rebuild();
-    m_report->rebuild_reason = m_maintained.is_mirrored() ? reason : Rebuild_reason_2::DIMENSION;
+    m_report->rebuild_reason = m_maintained.spans_plane() ? reason : Rebuild_reason_2::DIMENSION;
     forget();
   }
 
@@ -366,7 +368,7 @@ private:
 
   bool can_take_out() const
   {
-    return m_may_take_out && m_has_to_prove && !m_maintained.points_are_written() && !has_rebuilt();
+    return m_may_take_out && m_has_to_prove && m_maintained.have_points_moved() && !has_rebuilt();
   }
 
   // Takes these vertices out if the budget allows it and at least three remain. Whether it did.
@@ -381,23 +383,15 @@ private:
       return false;
     }
     const std::size_t first_new = m_maintained.changes().new_edges.size();
+    constexpr std::size_t ahead = 4; // none of them is outside of all faces
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-      prefetch_some(vertices, i);
+      if (i + ahead < vertices.size())
+        m_editor.prefetch_around(vertices[i + ahead]);
       m_traffic.take_out(vertices[i]);
     }
     m_budget.spend(price);
     m_open.open_new_edges(m_maintained, first_new);
     return true;
-  }
-
-  // The vertices are scattered over the memory. None of them is outside of all faces.
-  void prefetch_some(const std::vector<Index>& vertices, std::size_t i) const
-  {
-    constexpr std::size_t ahead = 4;
-    if (i + 2 * ahead < vertices.size())
-      m_editor.prefetch_handles_around(vertices[i + 2 * ahead]);
-    if (i + ahead < vertices.size())
-      m_editor.prefetch_faces_around(vertices[i + ahead]);
   }
 
   // The price of a vertex includes a few flips. A vertex of high degree takes more.
@@ -409,7 +403,7 @@ private:
     return Parts::sum(vertices.size(), least, [&](std::size_t first, std::size_t beyond) {
       std::size_t price = 0;
       for (std::size_t i = first; i < beyond; ++i) {
-        const std::size_t degree = m_maintained.mirror().degree(vertices[i]);
+        const std::size_t degree = m_maintained.arrays().degree(vertices[i]);
         price += Repair_budget_2::relocation / 2 +
                  Repair_budget_2::flip * (degree - (std::min)(degree, usual_degree));
       }
@@ -438,11 +432,11 @@ private:
   // Flips around a vertex that was put in.
   void settle(Index v)
   {
-    const auto& mirror = m_maintained.mirror();
+    const auto& arrays = m_maintained.arrays();
     m_around.clear();
-    mirror.for_each_corner(v, [&](Index h) {
-      m_around.push_back(mirror.edge_of(h));
-      m_around.push_back(mirror.edge_of(Neighborhood_mirror_2::previous(h)));
+    arrays.for_each_corner(v, [&](Index h) {
+      m_around.push_back(arrays.edge_of(h));
+      m_around.push_back(arrays.edge_of(Halfedge_arrays_2::previous(h)));
     });
     const std::size_t flips = m_lawson.run(m_maintained, m_editor, m_around, false, most_flips());
     m_report->flips += flips;

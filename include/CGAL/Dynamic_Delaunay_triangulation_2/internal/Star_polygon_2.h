@@ -11,7 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ namespace internal {
 // put in, it is the other way around.
 class Star_polygon_2
 {
-  using Mirror = Neighborhood_mirror_2;
+  using Arrays = Halfedge_arrays_2;
 
 public:
   // Side i goes from the i-th corner of the polygon to the next, counterclockwise.
@@ -59,13 +59,13 @@ public:
   // THE POLYGON -----------------------------------------------------------------------------------
 
   // Reads the polygon around v, which is in its faces.
-  void read(const Mirror& mirror, Index v)
+  void read(const Arrays& arrays, Index v)
   {
     clear(v);
-    mirror.for_each_corner(v, [&](Index h) {
-      m_sides.push_back({mirror.source(h), mirror.twin(h), mirror.edge_of(h)});
-      m_faces.push_back(Mirror::face_of(h));
-      m_edges.push_back(mirror.edge_of(Mirror::previous(h)));
+    arrays.for_each_corner(v, [&](Index h) {
+      m_sides.push_back({arrays.source(h), arrays.twin(h), arrays.edge_of(h)});
+      m_faces.push_back(Arrays::face_of(h));
+      m_edges.push_back(arrays.edge_of(Arrays::previous(h)));
     });
   }
 
@@ -84,12 +84,12 @@ public:
   template <class Maintained>
   bool find_as_delaunay(const Maintained& maintained, Index f, Index v, std::size_t most)
   {
-    const Mirror& mirror = maintained.mirror();
+    const Arrays& arrays = maintained.arrays();
     const Vertex_predicates_2<Maintained> predicates(maintained);
     const auto is_in_circle = [&](Index outer) {
-      const Index apex = mirror.apex(outer);
+      const Index apex = arrays.apex(outer);
       return apex != infinite_index &&
-             predicates.side_of_circle(apex, mirror.source(outer), mirror.target(outer), v) ==
+             predicates.side_of_circle(apex, arrays.source(outer), arrays.target(outer), v) ==
                  ON_POSITIVE_SIDE;
     };
     clear(v);
@@ -98,21 +98,21 @@ public:
     for (const Index h : {3 * f + 2, 3 * f + 1, 3 * f})
       m_open.push_back(h);
     while (!m_open.empty() && m_faces.size() <= most) {
-      const Index h = m_open.back(), outer = mirror.twin(h);
+      const Index h = m_open.back(), outer = arrays.twin(h);
       m_open.pop_back();
       if (is_in_circle(outer)) {
-        m_faces.push_back(Mirror::face_of(outer));
-        m_edges.push_back(mirror.edge_of(outer));
-        m_open.push_back(Mirror::previous(outer));
-        m_open.push_back(Mirror::next(outer));
+        m_faces.push_back(Arrays::face_of(outer));
+        m_edges.push_back(arrays.edge_of(outer));
+        m_open.push_back(Arrays::previous(outer));
+        m_open.push_back(Arrays::next(outer));
       } else
-        m_sides.push_back({mirror.source(h), outer, mirror.edge_of(h)});
+        m_sides.push_back({arrays.source(h), outer, arrays.edge_of(h)});
     }
     return m_faces.size() <= most;
   }
 
   // Adds the faces and edges of the slot that the center has kept, or got.
-  void add(const Mirror::Slot& slot)
+  void add(const Arrays::Slot& slot)
   {
     for (const Index f : slot.faces)
       m_faces.push_back(f);
@@ -296,7 +296,7 @@ private:
       if (!(cross(q - p, r - p) > 0 && cross(p - place, r - place) >= 0))
         return false;
     }
-    return !maintained.mirror().are_neighbors(before, after);
+    return !maintained.arrays().are_neighbors(before, after);
   }
 
   Index m_center = no_index;

@@ -58,7 +58,7 @@ public:
 private:
   static Flaw flaw_at(Index halfedge, const char* what)
   {
-    return {what, Flat_faces_2::number_in_mirror(halfedge) / 3};
+    return {what, Flat_faces_2::number_in_arrays(halfedge) / 3};
   }
 
   template <class Function>
@@ -147,7 +147,7 @@ private:
       const Index h = Flat_faces_2::first_halfedge(waiting.back());
       waiting.pop_back();
       for (Index i = 0; i < 3; ++i) {
-        const Index f = Flat_faces_2::number_in_mirror(m_faces.twin(h + i)) / 3;
+        const Index f = Flat_faces_2::number_in_arrays(m_faces.twin(h + i)) / 3;
         if (!is_reached[f])
           waiting.push_back(f);
         is_reached[f] = true;

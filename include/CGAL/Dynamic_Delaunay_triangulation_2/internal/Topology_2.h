@@ -8,7 +8,7 @@
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_ids_2.h>
 
 #include <cstddef>
@@ -22,7 +22,7 @@ namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
 // Reports to the user's visitor what an update changes. None of these calls throws, because
-// topology is written where an exception would leave its two copies inconsistent. An exception of
+// topology is written where an exception would leave it inconsistent. An exception of
 // the visitor is kept until `finish()`, and the visitor is not called again before that.
 //
 // `Dynamic` is the triangulation that a visitor is shown, and `void` for the default visitor: then
@@ -125,6 +125,8 @@ private:
 
 template <class Maintained>
 class Input_frame_2;
+template <class Traits, class Tds, class VisitorCalls, class ConcurrencyTag>
+class Maintained_triangulation_2;
 
 // The changes since the classifier was last told: everything is new, or some edges are.
 struct Change_log_2
@@ -143,10 +145,10 @@ struct Change_log_2
   }
 };
 
-// The topology: CGAL's triangulation, its mirror, the handles of both, the ids and the log of
-// changes. Reading is public. Only two friends can change it: `Topology_editor_2`, which writes
-// parts, and `Topology_builder_2`, which writes everything. They keep its members consistent and
-// tell the visitor.
+// The topology: CGAL's triangulation, whose data structure is the arrays themselves; the ids, and
+// the log of changes. Reading is public. Only two friends can change it: `Topology_editor_2`, which
+// writes parts, and `Topology_builder_2`, which writes everything. They keep its members consistent
+// and tell the visitor.
 template <class Traits, class Tds, class VisitorCalls>
 class Topology_2
 {
@@ -156,6 +158,7 @@ public:
   using Vertex_handle = typename Triangulation::Vertex_handle;
   using Face_handle = typename Triangulation::Face_handle;
   using Point = typename Triangulation::Point;
+  using Storage = typename Tds::Storage;
   using Ids = Point_ids_2<Point>;
 
   Topology_2(const Topology_2&) = delete;
@@ -163,21 +166,24 @@ public:
 
   explicit Topology_2(const Traits& traits)
     : m_triangulation(traits)
-    , m_vertices(1, m_triangulation.infinite_vertex())
+    , m_storage(storage_of(m_triangulation))
   {
     m_ids.reset(0);
-    auto& stored = m_triangulation.tds().faces(); // an empty triangulation has one face
-    for (auto f = stored.begin(); f != stored.end(); ++f)
-      m_faces.push_back(f);
+    m_storage.m_is_written_by_handles = false;
   }
 
   const Triangulation& triangulation() const { return m_triangulation; }
-  const Neighborhood_mirror_2& mirror() const { return m_mirror; }
-  // Handles, indexed like vertices and faces in the mirror.
-  const std::vector<Vertex_handle>& vertices() const { return m_vertices; }
-  const std::vector<Face_handle>& faces() const { return m_faces; }
+  const Halfedge_arrays_2& arrays() const { return m_storage.arrays(); }
   const Ids& ids() const { return m_ids; }
   const Change_log_2& changes() const { return m_changes; }
+  // Whether anything was changed through handles, which the user has.
+  bool is_written_by_handles() const { return m_storage.is_written_by_handles(); }
+
+  Vertex_handle vertex_handle(Index v) const { return Vertex_handle(&m_storage, v); }
+  Face_handle face_handle(Index f) const { return Face_handle(&m_storage, f); }
+
+  typename Storage::Vertex_properties& vertex_properties() { return m_storage.vertex_properties(); }
+  typename Storage::Face_properties& face_properties() { return m_storage.face_properties(); }
 
   // Only `Input_frame_2` has the key to this, because the points of duplicates belong to a frame,
   // like all positions. The ids in the list must be those of the duplicates.
@@ -193,11 +199,19 @@ private:
   friend class Topology_builder_2;
   template <class Maintained>
   friend class Topology_editor_2;
+  template <class Traits_, class Tds_, class VisitorCalls_, class ConcurrencyTag>
+  friend class Maintained_triangulation_2;
+
+  static Storage& storage_of(Triangulation& triangulation)
+  {
+    return *triangulation.tds().m_storage;
+  }
+
+  // `Positions_2` writes them.
+  typename Storage::Points& points() { return m_storage.m_points; }
 
   Triangulation m_triangulation;
-  Neighborhood_mirror_2 m_mirror;
-  std::vector<Vertex_handle> m_vertices;
-  std::vector<Face_handle> m_faces;
+  Storage& m_storage; // of its data structure
   Ids m_ids;
   Change_log_2 m_changes;
   Visitor_calls m_visitor_calls;

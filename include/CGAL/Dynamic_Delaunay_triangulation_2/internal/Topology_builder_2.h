@@ -8,16 +8,16 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Guibas_stolfi_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Point_ids_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Positions_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Spatial_order_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulator_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_2.h>
 #include <CGAL/enum.h>
-#include <CGAL/Unique_hash_map.h>
 
 #include <boost/iterator/counting_iterator.hpp>
 
@@ -31,7 +31,7 @@ namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
 // Puts points into a spatial order, distinguishes representatives from duplicates, and numbers the
-// vertices in that order. Where points coincide, a former representative is preferred.
+// vertices in that order. Where points coincide, one that keeps its vertex is preferred.
 template <class Maintained>
 class Point_numbering_2
 {
@@ -46,16 +46,20 @@ public:
   }
 
   // Numbers these points with these ids. All ids are smaller than `number_of_ids`.
-  void number(std::vector<Index> ids, std::vector<Point> points, Index number_of_ids)
+  // `keeps_vertex(id)` says whether a point has a vertex of its own already, and goes on to have
+  // one.
+  template <class Predicate>
+  void number(std::vector<Index> ids, std::vector<Point> points, Index number_of_ids,
+              const Predicate& keeps_vertex)
   {
     m_point_ids = std::move(ids);
     m_points = std::move(points);
     sort_points();
-    number_points(number_of_ids);
+    number_points(number_of_ids, keeps_vertex);
   }
 
-  // The same for the vertices of the maintained triangulation, at their present positions and in
-  // this order. No vertices may coincide, and there must be no duplicates.
+  // Numbers the vertices of the maintained triangulation, at their present positions and in this
+  // order. No vertices may coincide, and there must be no duplicates.
   void number(Spatial_order_2 order)
   {
     const Index vertices = m_maintained.number_of_vertices();
@@ -68,10 +72,10 @@ public:
         m_points[v] = m_maintained.point(v);
       }
     });
-    number_points(m_maintained.ids().number_of_ids());
+    number_points(m_maintained.ids().number_of_ids(), [](Index) { return true; });
   }
 
-  // The same for all points of the maintained triangulation, at their present positions.
+  // Numbers all points of the maintained triangulation, at their present positions.
   void number()
   {
     const Ids& ids = m_maintained.ids();
@@ -82,7 +86,8 @@ public:
       points.push_back(m_maintained.point(v));
     for (const auto& duplicate : ids.duplicates())
       points.push_back(duplicate.point);
-    number(std::move(point_ids), std::move(points), ids.number_of_ids());
+    number(std::move(point_ids), std::move(points), ids.number_of_ids(),
+           [&](Index id) { return ids.is_representative(id); });
   }
 
   // The vertices, by their new numbers.
@@ -109,7 +114,8 @@ public:
 
 private:
   // Replaces the indices of points in the order by numbers of vertices.
-  void number_points(Index number_of_ids)
+  template <class Predicate>
+  void number_points(Index number_of_ids, const Predicate& keeps_vertex)
   {
     const auto are_in_one_place = [this](Index i, Index j) {
       return coincide(m_maintained.traits(), m_points[i], m_points[j]);
@@ -120,8 +126,8 @@ private:
     if (m_order.template are_distinct<Parts>(are_in_one_place))
       number_distinct_points();
     else
-      m_order.merge_coincident(are_in_one_place, [this](std::size_t first, std::size_t beyond) {
-        return add_vertex(first, beyond);
+      m_order.merge_coincident(are_in_one_place, [&](std::size_t first, std::size_t beyond) {
+        return add_vertex(first, beyond, keeps_vertex);
       });
     m_ids.settle();
   }
@@ -158,12 +164,13 @@ private:
   }
 
   // Adds a vertex for the coincident points in these places of the order.
-  Index add_vertex(std::size_t first, std::size_t beyond)
+  template <class Predicate>
+  Index add_vertex(std::size_t first, std::size_t beyond, const Predicate& keeps_vertex)
   {
     std::size_t representative = first;
-    while (representative + 1 < beyond && !was_representative(m_point_ids[m_order[representative]]))
+    while (representative < beyond && !keeps_vertex(m_point_ids[m_order[representative]]))
       ++representative;
-    if (!was_representative(m_point_ids[m_order[representative]]))
+    if (representative == beyond)
       representative = first;
     const Index id = m_point_ids[m_order[representative]];
     const Index vertex = m_ids.add_representative(id);
@@ -174,12 +181,6 @@ private:
     return vertex;
   }
 
-  bool was_representative(Index id) const
-  {
-    const Ids& ids = m_maintained.ids();
-    return ids.is_taken(id) && ids.is_representative(id);
-  }
-
   const Maintained& m_maintained;
   Spatial_order_2 m_order;
   std::vector<Point> m_points; // the points to number
@@ -188,24 +189,29 @@ private:
   Ids m_ids;
 };
 
-// Writes the whole topology at once, into the CGAL triangulation and the mirror: triangulates from
-// scratch, restores, or reads back what CGAL has changed. Afterwards everything is new.
+// Writes the whole topology at once: triangulates from scratch, restores, or takes over what CGAL's
+// algorithms have made. Afterwards everything is new.
 template <class Maintained>
 class Topology_builder_2
 {
   using Topology = typename Maintained::Topology;
   using Positions = typename Maintained::Positions;
   using Point = typename Maintained::Point;
+  using Triangulation = typename Maintained::Triangulation;
   using Vertex_handle = typename Maintained::Vertex_handle;
   using Face_handle = typename Maintained::Face_handle;
+  using Storage = typename Topology::Storage;
   using Ids = Point_ids_2<Point>;
   using Parts = typename Maintained::Parts;
-  using Static_triangulation = Static_triangulation_2<typename Maintained::Traits>;
+  using Arrays = Point_arrays_2<Point>;
+  using Stored_point = typename Arrays::Stored_point;
 
 public:
   explicit Topology_builder_2(Maintained& maintained)
     : m_maintained(maintained)
     , m_topology(maintained.m_topology)
+    , m_storage(maintained.m_topology.m_storage)
+    , m_arrays(maintained.m_topology.m_storage.m_arrays)
     , m_positions(maintained.m_positions)
     , m_vertex_order(maintained)
     , m_numbering(maintained)
@@ -220,12 +226,13 @@ public:
   void build(std::vector<Index> ids, std::vector<Point> points, Index number_of_ids)
   {
     write_all_anew([&] {
-      m_numbering.number(std::move(ids), std::move(points), number_of_ids);
+      m_numbering.number(std::move(ids), std::move(points), number_of_ids,
+                         [&](Index id) { return keeps_vertex(id, m_topology.m_ids); });
       triangulate_numbered();
     });
   }
 
-  // The same for the present points except those in `gone`, and for the points that come.
+  // Triangulates the present points except those in `gone`, and the points that come.
   void build_with(const std::vector<Index>& gone, std::vector<Index> coming_ids,
                   std::vector<Point> coming_points)
   {
@@ -276,9 +283,14 @@ public:
     CGAL_precondition(m_maintained.number_of_vertices() == 0);
     restore_vertices(kept);
     if (kept.faces.number_of_faces() == 0)
-      return triangulate_line();
-    take_faces(kept.faces);
-    restore_numbers(kept);
+      triangulate_line();
+    else {
+      provide_faces(kept.faces.number_of_faces());
+      take_faces(kept.faces);
+      restore_numbers(kept);
+    }
+    m_storage.resize_data(m_maintained.number_of_vertices() + std::size_t(1),
+                          m_arrays.faces_with_holes());
   }
 
   // Makes the triangulation, which must be empty, a copy of another one, with all user data in
@@ -286,36 +298,55 @@ public:
   void copy(const Maintained& other)
   {
     CGAL_precondition(m_maintained.number_of_vertices() == 0);
-    copy_handles(other);
-    m_topology.m_mirror = other.mirror();
+    m_storage.copy(other.m_topology.m_storage);
+    set_dimension(other.triangulation().dimension());
     m_topology.m_ids = other.ids();
     m_topology.m_changes = other.changes();
-    m_positions = other.m_positions;
+    m_positions.copy(other.m_positions);
   }
 
-  // Exchanges everything with another one, except the user's visitor. Throws nothing.
+  // Reserves the memory that exchange() needs.
+  void provide_for_exchange(const Maintained& other)
+  {
+    m_storage.reserve_data(other.number_of_vertices() + std::size_t(1),
+                           other.arrays().faces_with_holes());
+  }
+
+  // Exchanges everything with another one, except the user's visitor and the user's data, which are
+  // as in new vertices and faces then. Throws nothing after provide_for_exchange().
   void exchange(Maintained& other)
   {
     auto& visitor_calls = m_topology.m_visitor_calls;
     tell_of_faces_before();
     for_each_vertex([&](Vertex_handle v, Index id) { visitor_calls.before_vertex_removal(v, id); });
-    exchange_topology(other.m_topology);
-    std::swap(m_positions, other.m_positions);
+    const int dimension = m_maintained.triangulation().dimension();
+    set_dimension(other.triangulation().dimension());
+    other.m_topology.m_triangulation.tds().set_dimension(dimension);
+    m_storage.exchange(other.m_topology.m_storage);
+    std::swap(m_topology.m_ids, other.m_topology.m_ids);
+    std::swap(m_topology.m_changes, other.m_topology.m_changes);
+    m_positions.exchange_all_but_points(other.m_positions);
     for_each_vertex([&](Vertex_handle v, Index id) { visitor_calls.after_vertex_creation(v, id); });
     tell_of_faces_after();
   }
 
-  // Moves each vertex from its last position, in a Delaunay triangulation, to its present one with
-  // CGAL's own functions. Then reads CGAL's faces back. `relocated` counts the moved vertices.
-  // False if others stay in the places of some vertices: all points are written then, but the
-  // triangulation is not Delaunay.
+  // Moves each vertex from its place in the last frame, where all is Delaunay, to its present one
+  // by CGAL's own functions. `relocated` counts the vertices that moved. False if others stay in
+  // the places of some vertices: then the triangulation is not Delaunay. If memory runs out,
+  // nothing has changed: CGAL works on a copy.
   bool relocate_all(std::size_t& relocated)
   {
     bool all_arrived = false;
     write_all_anew([&] {
-      all_arrived = relocate_one_by_one(relocated);
-      m_positions.template write<Parts>(m_topology.m_vertices);
-      read_back();
+      Triangulation copy(m_maintained.traits());
+      Storage& storage = Topology::storage_of(copy);
+      storage.copy(m_storage);
+      storage.m_arrays.drop_edges();
+      storage.m_points = m_positions.m_other_points;
+      copy.tds().set_dimension(m_maintained.triangulation().dimension());
+      all_arrived = relocate_one_by_one(copy, relocated);
+      take_arrays(copy);
+      m_positions.forget_previous();
     });
     return all_arrived;
   }
@@ -352,23 +383,56 @@ private:
   void for_each_face(const Function& f) const
   {
     if constexpr (Maintained::Visitor_calls::is_heard)
-      if (m_maintained.is_mirrored())
-        for (const Face_handle face : m_topology.m_faces)
-          f(face);
+      for (Index face = 0; face < m_arrays.number_of_faces(); ++face)
+        f(m_topology.face_handle(face));
+  }
+
+  // Calls f(vertex, id of its representative) if the visitor listens.
+  template <class Function>
+  void for_each_vertex(const Function& f) const
+  {
+    if constexpr (Maintained::Visitor_calls::is_heard)
+      for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
+        f(m_topology.vertex_handle(v), m_topology.m_ids.representative(v));
+  }
+
+  // Tells of the vertices that are not kept when these ids take the place of the present ones.
+  void tell_of_going_vertices(const Ids& next_ids)
+  {
+    auto& visitor_calls = m_topology.m_visitor_calls;
+    for_each_vertex([&](Vertex_handle v, Index id) {
+      if (!next_ids.is_taken(id) || goes(id))
+        visitor_calls.before_vertex_removal(v, id);
+      else if (!next_ids.is_representative(id)) {
+        const Index stays = next_ids.representative(next_ids.vertex(id)); // keeps its vertex, too
+        visitor_calls.before_vertex_merge(v, id,
+                                          m_topology.vertex_handle(m_topology.m_ids.vertex(stays)));
+      }
+    });
+  }
+
+  // Tells of the vertices that were not there when these ids were.
+  void tell_of_new_vertices(const Ids& former_ids)
+  {
+    for_each_vertex([&](Vertex_handle v, Index id) {
+      if (!keeps_vertex(id, former_ids))
+        m_topology.m_visitor_calls.after_vertex_creation(v, id);
+    });
   }
 
   // RELOCATING ----------------------------------------------------------------------------------
 
-  bool relocate_one_by_one(std::size_t& relocated)
+  bool relocate_one_by_one(Triangulation& triangulation, std::size_t& relocated)
   {
+    const auto& tds = triangulation.tds();
     std::vector<Index> waiting;
     for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
-      if (!coincide(m_maintained.traits(), m_maintained.point(v), m_maintained.previous_point(v)))
+      if (!coincide(m_maintained.traits(), m_maintained.point(v), tds.vertex_handle(v)->point()))
         waiting.push_back(v);
     const auto arrives = [&](Index v) {
-      const Vertex_handle vertex = m_topology.m_vertices[v];
+      const Vertex_handle vertex = tds.vertex_handle(v);
       const bool arrived =
-          m_topology.m_triangulation.move_if_no_collision(vertex, m_maintained.point(v)) == vertex;
+          triangulation.move_if_no_collision(vertex, m_maintained.point(v)) == vertex;
       relocated += arrived;
       return arrived;
     };
@@ -380,73 +444,24 @@ private:
     return waiting.empty();
   }
 
-  // Reads the topology into the mirror after CGAL has changed it.
-  void read_back()
+  // Takes over the faces of a triangulation that CGAL's algorithms have made of vertices with the
+  // same numbers. If this throws, nothing has changed.
+  void take_arrays(Triangulation& other)
   {
-    auto& faces = m_topology.m_faces;
-    faces.clear();
-    auto& stored = m_topology.m_triangulation.tds().faces();
-    for (auto f = stored.begin(); f != stored.end(); ++f)
-      faces.push_back(f);
-    if (m_maintained.is_mirrored())
-      read_faces();
-    else
-      m_topology.m_mirror.clear();
-  }
-
-  // COPYING -------------------------------------------------------------------------------------
-
-  void copy_handles(const Maintained& other)
-  {
-    auto& tds = m_topology.m_triangulation.tds();
-    auto& vertices = m_topology.m_vertices;
-    auto& faces = m_topology.m_faces;
-    drop_faces(0);
-    faces.reserve(other.faces().size());
-    vertices.reserve(other.vertices().size());
-    for (const Face_handle f : other.faces())
-      faces.push_back(tds.create_face(f));
-    *vertices.front() = *other.vertices().front();
-    for (Index v = 1; v < Index(other.vertices().size()); ++v)
-      vertices.push_back(tds.create_vertex(other.vertices()[v]));
-    tds.set_dimension(other.triangulation().dimension());
-    redirect_copies(other);
-  }
-
-  // The copies still refer to the faces and vertices of the other one. In a dimension below 2 faces
-  // have fewer vertices and neighbors.
-  void redirect_copies(const Maintained& other)
-  {
-    const auto& vertices = m_topology.m_vertices;
-    const auto& faces = m_topology.m_faces;
-    Unique_hash_map<Face_handle, Index> number_of_face(no_index, faces.size());
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      number_of_face[other.faces()[f]] = Index(f);
-    const auto copy_of = [&](Face_handle f) {
-      return f == Face_handle() ? f : faces[number_of_face[f]];
-    };
-    for (const Face_handle f : faces)
-      for (int i = 0; i < 3; ++i) {
-        if (f->vertex(i) != Vertex_handle())
-          f->set_vertex(i, vertices[f->vertex(i)->mirror_index()]);
-        f->set_neighbor(i, copy_of(f->neighbor(i)));
-      }
-    for (const Vertex_handle v : vertices)
-      v->set_face(copy_of(v->face()));
+    Storage& storage = Topology::storage_of(other);
+    storage.collect_garbage(); // at most the last vertex, which CGAL has used on the way
+    CGAL_assertion(storage.m_arrays.number_of_vertices() == m_maintained.positions().size());
+    if (other.dimension() == 2)
+      storage.m_arrays.template number_from_neighbors<Parts>();
+    m_storage.reserve_data(0, storage.m_arrays.faces_with_holes());
+    std::swap(m_arrays, storage.m_arrays); // nothing throws from here on
+    set_dimension(other.dimension());
+    finish_faces();
   }
 
   // BUILDING ------------------------------------------------------------------------------------
 
-  // Exchanges everything except the visitor, which belongs to the user's object.
-  void exchange_topology(Topology& other)
-  {
-    m_topology.m_triangulation.swap(other.m_triangulation);
-    std::swap(m_topology.m_mirror, other.m_mirror);
-    m_topology.m_vertices.swap(other.m_vertices);
-    m_topology.m_faces.swap(other.m_faces);
-    std::swap(m_topology.m_ids, other.m_ids);
-    std::swap(m_topology.m_changes, other.m_changes);
-  }
+  void set_dimension(int dimension) { m_topology.m_triangulation.tds().set_dimension(dimension); }
 
   // Representatives come first.
   std::vector<Index> ids_without(const std::vector<Index>& gone)
@@ -465,12 +480,18 @@ private:
   // Whether the point with this id is removed. A new point may get its id, but not its vertex.
   bool goes(Index id) const { return id < m_goes.size() && m_goes[id]; }
 
+  bool keeps_vertex(Index id, const Ids& ids) const
+  {
+    return ids.is_taken(id) && ids.is_representative(id) && !goes(id);
+  }
+
   // False if the vertices may change, because points coincide now, or duplicates may part.
   bool sort_vertices()
   {
     if (!m_topology.m_ids.duplicates().empty())
       return false;
-    const boost::counting_iterator<Index> first(1), beyond(Index(m_topology.m_vertices.size()));
+    const boost::counting_iterator<Index> first(1),
+        beyond(m_maintained.number_of_vertices() + Index(1));
     m_vertex_order.sort(first, beyond);
     return !m_vertex_order.has_coincident_vertices();
   }
@@ -478,314 +499,169 @@ private:
   // Whether consecutive vertices in space have distant numbers often enough to pay for new ones.
   bool are_numbers_far_apart() const
   {
-    return 8 * m_vertex_order.number_of_far_steps() > m_topology.m_vertices.size();
+    return 8 * m_vertex_order.number_of_far_steps() > m_maintained.positions().size();
   }
 
   // Triangulates the vertices as m_numbering numbers them. Representatives that had vertices of
-  // their own keep them. If memory runs out, nothing has changed.
+  // their own keep them, and the data in them. If memory runs out, nothing has changed.
   void triangulate_numbered()
   {
     Ids& ids = m_numbering.ids();
-    Vertices fresh(m_topology, ids.number_of_representatives(), m_positions.m_are_exact);
+    std::vector<Stored_point> points;
+    std::vector<Position_2> positions;
+    collect_points(points, positions);
+    const std::vector<Index> before = numbers_before();
+    auto data = m_storage.renumbered_vertex_data(before);
+    m_numbering.release_points();
+    tell_of_going_vertices(ids);
+    const auto exchange = [&] {
+      m_positions.exchange(points, positions);
+      std::swap(m_topology.m_ids, ids);
+    };
+    exchange();
     try {
-      collect_vertices(fresh);
-      m_numbering.release_points();
-      exchange_vertices(fresh, ids);
-      try {
-        triangulate(m_numbering.order());
-      } catch (...) {
-        exchange_vertices(fresh, ids);
-        throw;
-      }
+      triangulate(m_numbering.order());
     } catch (...) {
-      delete_vertices(fresh.handles, ids, m_topology.m_ids);
+      exchange();
+      tell_of_new_vertices(ids);
       throw;
     }
-    m_positions.template write<Parts>(m_topology.m_vertices);
-    tell_of_vertices(fresh.handles, ids);
-    delete_vertices(fresh.handles, ids, m_topology.m_ids);
+    m_positions.forget_previous();
+    if (m_storage.has_vertex_data())
+      m_storage.take_vertex_data(data);
+    else
+      m_storage.resize_vertex_data(m_positions.positions().size());
+    tell_of_new_vertices(ids);
     m_numbering.release();
   }
 
-  // Handles of vertices, and their positions.
-  struct Vertices
+  // The points of the vertices as m_numbering numbers them, and of the infinite one.
+  void collect_points(std::vector<Stored_point>& points, std::vector<Position_2>& positions)
   {
-    std::vector<Vertex_handle> handles;
-    Positions positions;
-
-    // With the infinite vertex, and memory for so many more.
-    Vertices(const Topology& topology, std::size_t number, bool are_exact)
-    {
-      handles.reserve(number + 1);
-      positions.reserve(number + 1);
-      handles.push_back(topology.triangulation().infinite_vertex());
-      positions.m_are_written = false;
-      positions.m_are_exact = are_exact;
-    }
-
-    void append(Vertex_handle vertex, const Point& p)
-    {
-      handles.push_back(vertex);
-      positions.append(p);
-    }
-  };
-
-  void exchange_vertices(Vertices& others, Ids& other_ids)
-  {
-    m_topology.m_vertices.swap(others.handles);
-    std::swap(m_topology.m_ids, other_ids);
-    std::swap(m_positions, others.positions);
+    const std::size_t vertices = m_numbering.ids().number_of_representatives() + std::size_t(1);
+    points.reserve(vertices);
+    ask_for_huge_pages(points);
+    points.resize(vertices);
+    points.front() = m_positions.m_points.front();
+    if constexpr (!Positions::points_are_two_doubles)
+      positions.resize(vertices, nowhere());
+    Parts::for_each(vertices - 1, [&](std::size_t, std::size_t first, std::size_t beyond) {
+      for (Index v = Index(first) + 1; v <= beyond; ++v) {
+        const Point& p = m_numbering.point(v);
+        const Position_2 position = approximation(p);
+        points[v] = Arrays::stored(position, p);
+        if constexpr (!Positions::points_are_two_doubles)
+          positions[v] = position;
+      }
+    });
   }
 
-  void collect_vertices(Vertices& fresh)
+  // For each vertex as m_numbering numbers them, the number that it had, or `no_index` if it is
+  // new. Empty if nobody wants to know.
+  std::vector<Index> numbers_before()
   {
-    const Ids &ids = m_numbering.ids(), &old_ids = m_topology.m_ids;
+    std::vector<Index> before;
+    if (!m_storage.has_vertex_data())
+      return before;
+    const Ids &ids = m_numbering.ids(), &present_ids = m_topology.m_ids;
+    before.push_back(infinite_index);
     for (Index v = 1; v <= ids.number_of_representatives(); ++v) {
       const Index id = ids.representative(v);
-      fresh.handles.push_back(keeps_vertex(id, old_ids)
-                                  ? m_topology.m_vertices[old_ids.vertex(id)]
-                                  : m_topology.m_triangulation.tds().create_vertex());
+      before.push_back(keeps_vertex(id, present_ids) ? present_ids.vertex(id) : no_index);
     }
-    fresh.positions.resize(fresh.handles.size());
-    Parts::for_each(fresh.handles.size() - 1,
-                    [&](std::size_t, std::size_t first, std::size_t beyond) {
-                      for (Index v = Index(first) + 1; v <= beyond; ++v)
-                        fresh.positions.stage(v, m_numbering.point(v));
-                    });
+    return before;
   }
 
-  // Calls f(vertex, id of its representative) if the visitor listens.
-  template <class Function>
-  void for_each_vertex(const Function& f) const
-  {
-    if constexpr (Maintained::Visitor_calls::is_heard)
-      for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
-        f(m_topology.m_vertices[v], m_topology.m_ids.representative(v));
-  }
-
-  // Reports the new vertices, and those before that are to be deleted.
-  void tell_of_vertices(const std::vector<Vertex_handle>& vertices_before, const Ids& ids_before)
-  {
-    if constexpr (Maintained::Visitor_calls::is_heard) {
-      auto& visitor_calls = m_topology.m_visitor_calls;
-      const Ids& ids = m_topology.m_ids;
-      for_each_vertex([&](Vertex_handle v, Index id) {
-        if (!keeps_vertex(id, ids_before))
-          visitor_calls.after_vertex_creation(v, id);
-      });
-      for (Index v = 1; v < Index(vertices_before.size()); ++v) {
-        const Index id = ids_before.representative(v);
-        if (!ids.is_taken(id) || goes(id))
-          visitor_calls.before_vertex_removal(vertices_before[v], id);
-        else if (!ids.is_representative(id))
-          visitor_calls.before_vertex_merge(vertices_before[v], id,
-                                            m_topology.m_vertices[ids.vertex(id)]);
-      }
-    }
-  }
-
-  static bool is_representative(Index id, const Ids& ids)
-  {
-    return ids.is_taken(id) && ids.is_representative(id);
-  }
-  bool keeps_vertex(Index id, const Ids& ids) const
-  {
-    return is_representative(id, ids) && !goes(id);
-  }
-
-  // Deletes those of `vertices` that are not kept in `elsewhere`.
-  void delete_vertices(const std::vector<Vertex_handle>& vertices, const Ids& ids,
-                       const Ids& elsewhere)
-  {
-    for (Index v = 1; v < Index(vertices.size()); ++v) {
-      const Index id = ids.representative(v);
-      if (!keeps_vertex(id, elsewhere))
-        m_topology.m_triangulation.tds().delete_vertex(vertices[v]);
-    }
-  }
-
-  // Triangulates all vertices in this order: into the mirror, and from there, face by face, into
-  // CGAL's structure. Frees the temporary data, which would take as much memory as the
-  // triangulation. If memory runs out, nothing has changed.
+  // Triangulates all vertices in this order. Frees the temporary data, which would take as much
+  // memory as the triangulation. If memory runs out, nothing has changed.
   void triangulate(const Spatial_order_2& order)
   {
-    const std::size_t faces_before = m_topology.m_faces.size();
-    try {
-      m_triangulator.run(order, [&] { provide_faces(2 * order.size() - 2); });
-      m_vertex_order.release();
-      m_numbering.release_order();
-      if (m_triangulator.faces().number_of_faces() > 0)
-        take_faces(m_triangulator.faces());
-      else
-        triangulate_line();
-    } catch (...) {
-      drop_faces(faces_before);
-      throw;
-    }
+    m_triangulator.run(order, [&] { provide_faces(2 * order.size() - 2); });
+    m_vertex_order.release();
+    m_numbering.release_order();
+    if (m_triangulator.faces().number_of_faces() > 0) {
+      provide_faces(m_triangulator.faces().number_of_faces());
+      take_faces(m_triangulator.faces());
+    } else
+      triangulate_line();
     m_triangulator.release();
+  }
+
+  // Reserves memory for take_faces().
+  void provide_faces(std::size_t number)
+  {
+    m_arrays.reserve(m_maintained.number_of_vertices(), Index(number));
+    m_storage.reserve_data(0, number);
   }
 
   void take_faces(const Flat_faces_2& faces)
   {
     const Index number = faces.number_of_faces();
-    auto& mirror = m_topology.m_mirror;
-    mirror.reserve(m_maintained.number_of_vertices(), number);
-    provide_faces(number); // nothing throws from here on
-    drop_faces(number);
-    mirror.resize(m_maintained.number_of_vertices(), number);
+    m_arrays.resize(m_maintained.number_of_vertices(), number);
     Parts::for_each(number, [&](std::size_t, std::size_t first, std::size_t beyond) {
       for (Index f = Index(first); f < beyond; ++f)
         for (Index i = 0; i < 3; ++i) {
           const Index h = Flat_faces_2::first_halfedge(f) + i;
-          mirror.set_apex_and_twin(3 * f + i, faces.apex(h),
-                                   Flat_faces_2::number_in_mirror(faces.twin(h)));
+          m_arrays.set_apex_and_twin(3 * f + i, faces.apex(h),
+                                     Flat_faces_2::number_in_arrays(faces.twin(h)));
         }
     });
-    mirror.template find_corners<Parts>();
-    mirror.template number_edges<Parts>();
-    m_topology.m_triangulation.tds().set_dimension(2);
-    write_all_faces();
+    m_arrays.template find_corners<Parts>();
+    m_arrays.template number_edges<Parts>();
+    set_dimension(2);
+    finish_faces();
   }
 
-  // Triangulates vertices that do not span the plane, by CGAL's insertion. Then there is no mirror.
+  // The data of users that faces have were those of others.
+  void finish_faces()
+  {
+    m_storage.resize_face_data(m_arrays.faces_with_holes());
+    m_storage.m_is_written_by_handles = false;
+  }
+
+  // Triangulates vertices that do not span the plane, by CGAL's insertion.
   void triangulate_line()
   {
-    Static_triangulation line(m_maintained.traits());
+    Triangulation line(m_maintained.traits());
+    Face_handle near;
     for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
-      line.insert(m_maintained.point(v), v);
-    std::vector<typename Static_triangulation::Face_handle> faces;
-    for (auto f = line.faces().begin(); f != line.faces().end(); ++f) {
-      f->info() = Index(faces.size());
-      faces.push_back(f);
-    }
-    provide_faces(faces.size()); // nothing throws from here on
-    drop_faces(faces.size());
-    m_topology.m_mirror.clear();
-    m_topology.m_triangulation.tds().set_dimension(line.triangulation().dimension());
-    copy_faces(faces);
+      near = line.insert(m_maintained.point(v), near)->face();
+    take_arrays(line);
   }
 
   // RESTORING -----------------------------------------------------------------------------------
 
   void restore_vertices(Checkpoint_arrays_2<Point>& kept)
   {
-    auto& triangulation = m_topology.m_triangulation;
-    Vertices fresh(m_topology, kept.points.size(), kept.positions_are_exact);
-    for (const Point& p : kept.points)
-      fresh.append(triangulation.tds().create_vertex(), p);
-    std::copy(kept.positions.begin(), kept.positions.end(),
-              fresh.positions.m_positions.begin() + 1);
-    exchange_vertices(fresh, kept.ids);
-    m_positions.template write<Parts>(m_topology.m_vertices);
+    std::vector<Stored_point> points(kept.points.size() + 1);
+    points.front() = m_positions.m_points.front();
+    for (std::size_t i = 0; i < kept.points.size(); ++i)
+      points[i + 1] = Arrays::stored(kept.positions[i], kept.points[i]);
+    std::vector<Position_2> positions;
+    if constexpr (!Positions::points_are_two_doubles) {
+      positions.push_back(nowhere());
+      positions.insert(positions.end(), kept.positions.begin(), kept.positions.end());
+    }
+    m_positions.exchange(points, positions);
+    m_positions.m_are_exact = kept.positions_are_exact;
+    std::swap(m_topology.m_ids, kept.ids);
   }
 
-  // Restores the numbers of edges, the corners, and the faces that CGAL's vertices store.
+  // Restores the numbers of edges, and the corners.
   void restore_numbers(const Checkpoint_arrays_2<Point>& kept)
   {
-    auto& mirror = m_topology.m_mirror;
-    for (Index e = 0; e < mirror.number_of_edges(); ++e) {
-      mirror.set_edge(e, kept.edges[e].forward);
-      mirror.set_halfedge(e, kept.edges[e].halfedge);
+    for (Index e = 0; e < m_arrays.number_of_edges(); ++e) {
+      m_arrays.set_edge(e, kept.edges[e].forward);
+      m_arrays.set_halfedge(e, kept.edges[e].halfedge);
     }
-    for (Index v = 0; v < Index(m_topology.m_vertices.size()); ++v) {
-      mirror.set_corner(v, kept.corners[v].halfedge);
-      m_topology.m_vertices[v]->set_face(m_topology.m_faces[kept.corners[v].face]);
-    }
-  }
-
-  // BUILDING AND RESTORING ----------------------------------------------------------------------
-
-  void provide_faces(std::size_t number)
-  {
-    auto& faces = m_topology.m_faces;
-    const std::size_t before = faces.size();
-    faces.reserve(number);
-    try {
-      while (faces.size() < number)
-        faces.push_back(m_topology.m_triangulation.tds().create_face());
-    } catch (...) {
-      drop_faces(before);
-      throw;
-    }
-  }
-
-  void drop_faces(std::size_t number)
-  {
-    auto& faces = m_topology.m_faces;
-    while (faces.size() > number) {
-      m_topology.m_triangulation.tds().delete_face(faces.back());
-      faces.pop_back();
-    }
-  }
-
-  // Copies the mirror into CGAL's structure.
-  void write_all_faces()
-  {
-    const auto& mirror = m_topology.m_mirror;
-    const auto& vertices = m_topology.m_vertices;
-    const auto& faces = m_topology.m_faces;
-    Parts::for_each(faces.size(), [&](std::size_t, std::size_t first, std::size_t beyond) {
-      for (Index f = Index(first); f < beyond; ++f) {
-        const Index h = 3 * f;
-        faces[f]->set_vertices(vertices[mirror.apex(h)], vertices[mirror.apex(h + 1)],
-                               vertices[mirror.apex(h + 2)]);
-        faces[f]->set_neighbors(faces[mirror.twin(h) / 3], faces[mirror.twin(h + 1) / 3],
-                                faces[mirror.twin(h + 2) / 3]);
-      }
-    });
-    // a vertex stays where it is in memory, wherever it has moved in the plane
-    constexpr Index ahead = 16;
-    Parts::for_each(vertices.size(), [&](std::size_t, std::size_t first, std::size_t beyond) {
-      for (Index v = Index(first); v < beyond; ++v) {
-        if (v + ahead < beyond)
-          prefetch(&*vertices[v + ahead]);
-        vertices[v]->set_mirror_index(v);
-        vertices[v]->set_face(faces[mirror.corner(v) / 3]);
-      }
-    });
-  }
-
-  template <class Static_face_handle>
-  void copy_faces(const std::vector<Static_face_handle>& static_faces)
-  {
-    for (Index v = 0; v < Index(m_topology.m_vertices.size()); ++v)
-      m_topology.m_vertices[v]->set_mirror_index(v);
-    const auto& faces = m_topology.m_faces;
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      for (int i = 0; i < 3; ++i) {
-        const auto v = static_faces[f]->vertex(i);
-        const auto g = static_faces[f]->neighbor(i);
-        const bool has_vertex = v != typename Static_triangulation::Vertex_handle();
-        const bool has_neighbor = g != Static_face_handle();
-        faces[f]->set_vertex(i, has_vertex ? m_topology.m_vertices[v->info()] : Vertex_handle());
-        faces[f]->set_neighbor(i, has_neighbor ? faces[g->info()] : Face_handle());
-        if (has_vertex)
-          faces[f]->vertex(i)->set_face(faces[f]);
-      }
-  }
-
-  void read_faces()
-  {
-    const auto& faces = m_topology.m_faces;
-    Unique_hash_map<Face_handle, Index> number_of_face(no_index, faces.size());
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      number_of_face[faces[f]] = Index(f);
-    auto& mirror = m_topology.m_mirror;
-    mirror.resize(m_maintained.number_of_vertices(), Index(faces.size()));
-    for (Index f = 0; f < Index(faces.size()); ++f)
-      for (int i = 0; i < 3; ++i) {
-        const Face_handle g = faces[f]->neighbor(i);
-        mirror.set_apex_and_twin(3 * f + Index(i), faces[f]->vertex(i)->mirror_index(),
-                                 3 * number_of_face[g] + Index(g->index(faces[f])));
-      }
-    mirror.template find_corners<Parts>();
-    mirror.template number_edges<Parts>();
-    for (Index v = 0; v < Index(m_topology.m_vertices.size()); ++v)
-      m_topology.m_vertices[v]->set_face(faces[mirror.corner(v) / 3]);
+    for (Index v = 0; v < m_arrays.number_of_vertices(); ++v)
+      m_arrays.set_corner(v, kept.corners[v].halfedge);
   }
 
   const Maintained& m_maintained;
   Topology& m_topology;
+  Storage& m_storage;
+  Halfedge_arrays_2& m_arrays;
   Positions& m_positions;
   Vertex_order_2<Maintained> m_vertex_order;
   Point_numbering_2<Maintained> m_numbering;

@@ -7,8 +7,8 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Star_polygon_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_parts_2.h>
@@ -38,7 +38,7 @@ struct Boundary_edge_2
 };
 
 // A set of faces on its own. Half-edge 3k+i is opposite to vertex i of its k-th face, as in the
-// mirror. Half-edges on the boundary have no twin.
+// m_arrays. Half-edges on the boundary have no twin.
 struct Patch_2
 {
   std::vector<Index> apexes;
@@ -56,18 +56,17 @@ struct Patch_2
 
   void find_boundary()
   {
-    using Mirror = Neighborhood_mirror_2;
+    using Arrays = Halfedge_arrays_2;
     boundary.clear();
     for (Index h = 0; h < Index(twins.size()); ++h)
       if (twins[h] == no_index)
-        boundary.push_back({apexes[Mirror::next(h)], apexes[Mirror::previous(h)], h});
+        boundary.push_back({apexes[Arrays::next(h)], apexes[Arrays::previous(h)], h});
     std::sort(boundary.begin(), boundary.end());
   }
 };
 
 // Writes parts of the topology; `Topology_builder_2` writes the whole, and nothing else can write.
-// Each operation changes the CGAL triangulation and the mirror together, keeps all vertex handles,
-// logs the new edges, and calls the user's visitor.
+// Each operation logs the new edges, and calls the user's visitor.
 template <class Maintained>
 class Topology_editor_2
 {
@@ -77,13 +76,16 @@ class Topology_editor_2
   using Vertex_handle = typename Maintained::Vertex_handle;
   using Face_handle = typename Maintained::Face_handle;
   using Edge = typename Maintained::Triangulation::Edge;
+  using Storage = typename Topology::Storage;
 
 public:
-  using Slot = Neighborhood_mirror_2::Slot;
+  using Slot = Halfedge_arrays_2::Slot;
 
   explicit Topology_editor_2(Maintained& maintained)
     : m_maintained(maintained)
     , m_topology(maintained.m_topology)
+    , m_storage(maintained.m_topology.m_storage)
+    , m_arrays(maintained.m_topology.m_storage.m_arrays)
     , m_positions(maintained.m_positions)
   {
   }
@@ -129,51 +131,43 @@ public:
   // Refuses flips that would double an edge, because the vertices of an edge identify it in
   // simplicial complexes. Among these are all flips at vertices of degree 3. Counterclockwise faces
   // at the edge do not exclude them, because other faces may overlap these.
-  bool can_flip(Index h) const { return !m_topology.m_mirror.are_apexes_neighbors(h); }
+  bool can_flip(Index h) const { return !m_arrays.are_apexes_neighbors(h); }
 
-  // Calls f(flip), where flip(h) exchanges the diagonal at half-edge h. The mirror is flipped at
-  // once. CGAL's structure is flipped when f ends, also by an exception, in the same order: the
-  // data of these flips are scattered over the memory, and a separate loop can prefetch them.
-  template <class Function>
-  void flip_in_series(const Function& f)
+  // Exchanges the diagonal at half-edge h. If it throws, nothing has changed.
+  void flip(Index h)
   {
-    const auto flip = [this](Index h) {
-      provide(m_flipped, 1);
-      m_topology.m_changes.new_edges.push_back(m_topology.m_mirror.edge_of(h));
-      m_flipped.push_back(m_topology.m_mirror.flip(h)); // throws nothing
-    };
-    try {
-      f(flip);
-    } catch (...) {
-      visit_and_write_flips(m_flipped);
-      throw;
-    }
-    visit_and_write_flips(m_flipped);
+    m_topology.m_changes.new_edges.push_back(m_arrays.edge_of(h));
+    flip_and_tell(h); // throws nothing
   }
 
   // Calls f(part, try_flip) for all parts of `topology`, which threads share. try_flip(h) returns
   // whether the edge of half-edge h is inside of the part and its flip doubles no edge, which it
-  // cannot if `no_edge_doubles`, and flips it if so: at most `most` times in all. CGAL's structure
-  // is flipped at the end of each part, or, where a visitor hears of it, part by part at the end.
-  // The result depends on the parts alone.
+  // cannot if `no_edge_doubles`, and flips it if so. A visitor that listens hears of one part after
+  // the other: then there are no threads. The result depends on the parts alone.
   template <class Function>
   void flip_in_parts(const Topology_parts_2& topology, std::size_t parts, bool no_edge_doubles,
                      std::size_t, const Function& f)
   {
     m_flipped_in_parts.resize((std::max)(parts, m_flipped_in_parts.size()));
-    const auto finish = [&] {
+    const auto flip_part = [&](std::size_t part) {
+      std::vector<Index>& flipped = m_flipped_in_parts[part];
+      f(part, [&](Index h) { return try_flip(topology, part, no_edge_doubles, h, flipped); });
+    };
+    const auto log = [&] {
       for (std::size_t part = 0; part < parts; ++part)
-        finish_part(m_flipped_in_parts[part]);
+        log_flips(m_flipped_in_parts[part]);
     };
     try {
-      Maintained::Parts::run(parts, [&](std::size_t part) {
-        flip_part(topology, part, no_edge_doubles, m_flipped_in_parts[part], f);
-      });
+      if constexpr (Topology::Visitor_calls::is_heard)
+        for (std::size_t part = 0; part < parts; ++part)
+          flip_part(part);
+      else
+        Maintained::Parts::run(parts, flip_part);
     } catch (...) {
-      finish();
+      log();
       throw;
     }
-    finish();
+    log();
   }
 
   // Replaces `old_faces` by the faces of `patch`. Both have equal numbers of faces and equal
@@ -187,102 +181,62 @@ public:
     auto& new_edges = m_topology.m_changes.new_edges;
     new_edges.insert(new_edges.end(), m_inner_edges.begin(), m_inner_edges.end());
     for (const Index f : old_faces) // nothing throws from here on
-      m_topology.m_visitor_calls.before_face_removal(m_topology.m_faces[f]);
-    write_faces(old_faces, patch);
-    auto& mirror = m_topology.m_mirror;
+      tell_before_removal(f);
     const auto global = [&](Index h) { return 3 * old_faces[h / 3] + h % 3; };
+    for (Index h = 0; h < Index(patch.apexes.size()); ++h)
+      m_arrays.set_apex(global(h), patch.apexes[h]);
     for (Index h = 0; h < Index(patch.twins.size()); ++h)
       if (patch.twins[h] != no_index && h < patch.twins[h])
-        link(global(h), global(patch.twins[h]));
+        m_arrays.link(global(h), global(patch.twins[h]));
     for (std::size_t i = 0; i < outside.size(); ++i)
-      link(global(patch.boundary[i].halfedge), outside[i]);
+      m_arrays.link(global(patch.boundary[i].halfedge), outside[i]);
     auto edge = m_inner_edges.begin();
     for (Index h = 0; h < Index(patch.twins.size()); ++h)
       if (patch.twins[h] != no_index && h < patch.twins[h])
-        mirror.set_edge(*edge++, global(h));
+        m_arrays.set_edge(*edge++, global(h));
     for (const Index h : outside)
-      mirror.set_edge(mirror.edge_of(h), h);
+      m_arrays.set_edge(m_arrays.edge_of(h), h);
     for (const Index f : old_faces)
-      m_topology.m_visitor_calls.after_face_creation(m_topology.m_faces[f]);
+      tell_after_creation(f);
   }
 
-  // Fetches what replace() will write for these faces and vertices: first handles, to be called
-  // some time before, then what they refer to.
-  void prefetch_handles(const std::vector<Index>& faces, const std::vector<Index>& vertices) const
+  // Fetches what replace() will write: first these faces, some time later what they refer to.
+  void prefetch(const std::vector<Index>& faces) const
   {
-    for (const Index f : faces) {
-      prefetch(&m_topology.m_faces[f]);
-      m_topology.m_mirror.prefetch_face(3 * f);
-    }
-    for (const Index v : vertices)
-      prefetch(&m_topology.m_vertices[v]);
+    for (const Index f : faces)
+      m_arrays.prefetch_face(3 * f);
   }
-  void prefetch_faces(const std::vector<Index>& faces, const std::vector<Index>& vertices) const
+  void prefetch_edges(const std::vector<Index>& faces) const
   {
-    const auto& mirror = m_topology.m_mirror;
-    for (const Index f : faces) {
-      prefetch_face(m_topology.m_faces[f]);
+    for (const Index f : faces)
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        mirror.prefetch_edge(mirror.edge_of(h));
-    }
-    for (const Index v : vertices)
-      prefetch(&*m_topology.m_vertices[v]);
-  }
-
-  // Fetches what take_out() will write around v: first handles, to be called some time before, then
-  // what they refer to.
-  void prefetch_handles_around(Index v) const
-  {
-    const auto& mirror = m_topology.m_mirror;
-    mirror.for_each_corner(v, [&](Index h) {
-      prefetch(&m_topology.m_faces[h / 3]);
-      prefetch(&m_topology.m_vertices[mirror.source(h)]);
-      prefetch(&m_maintained.positions()[mirror.source(h)]);
-      mirror.prefetch_edge(mirror.edge_of(h));
-      mirror.prefetch_edge(mirror.edge_of(Neighborhood_mirror_2::next(h)));
-      mirror.prefetch_face(mirror.twin(h));
-    });
-  }
-  void prefetch_faces_around(Index v) const
-  {
-    const auto& mirror = m_topology.m_mirror;
-    mirror.for_each_corner(v, [&](Index h) {
-      prefetch_face(m_topology.m_faces[h / 3]);
-      prefetch(&m_topology.m_faces[mirror.twin(h) / 3]);
-      prefetch(&*m_topology.m_vertices[mirror.source(h)]);
-    });
+        m_arrays.prefetch_edge(m_arrays.edge_of(h));
   }
 
   // OUT OF FACES AND INTO FACES -------------------------------------------------------------------
   // To take a vertex out, the faces around it are replaced by those of a triangulated polygon. To
   // put one in, a face is split. Both work for any positions.
 
-  // Fetches what take_out() will write, in two steps as above, if there are many vertices.
-  void prefetch_handles(const Star_polygon_2& polygon) const
+  // Fetches what take_out() will write around v.
+  void prefetch_around(Index v) const
   {
-    if (m_topology.m_vertices.size() < min_vertices_to_prefetch)
+    m_arrays.for_each_corner(v, [&](Index h) {
+      internal::prefetch(&m_maintained.positions()[m_arrays.source(h)]);
+      m_arrays.prefetch_edge(m_arrays.edge_of(h));
+      m_arrays.prefetch_edge(m_arrays.edge_of(Halfedge_arrays_2::next(h)));
+      m_arrays.prefetch_face(m_arrays.twin(h));
+    });
+  }
+  void prefetch(const Star_polygon_2& polygon) const
+  {
+    if (m_arrays.number_of_vertices() < min_vertices_to_prefetch)
       return;
-    for (const Index f : polygon.faces())
-      prefetch(&m_topology.m_faces[f]);
     for (const Star_polygon_2::Side& side : polygon.sides()) {
-      prefetch(&m_topology.m_faces[side.outer / 3]);
-      prefetch(&m_topology.m_vertices[side.corner]);
-      prefetch(&m_positions.positions()[side.corner]);
-      m_topology.m_mirror.prefetch_edge(side.edge);
+      internal::prefetch(&m_maintained.positions()[side.corner]);
+      m_arrays.prefetch_edge(side.edge);
     }
     for (const Index e : polygon.edges())
-      m_topology.m_mirror.prefetch_edge(e);
-  }
-  void prefetch_faces(const Star_polygon_2& polygon) const
-  {
-    if (m_topology.m_vertices.size() < min_vertices_to_prefetch)
-      return;
-    for (const Index f : polygon.faces())
-      prefetch_face(m_topology.m_faces[f]);
-    for (const Star_polygon_2::Side& side : polygon.sides()) {
-      prefetch_face(m_topology.m_faces[side.outer / 3]);
-      prefetch(&*m_topology.m_vertices[side.corner]);
-    }
+      m_arrays.prefetch_edge(e);
   }
 
   // Takes the polygon's center out of all faces, to be put in again. If this throws, it is still in
@@ -291,7 +245,7 @@ public:
   {
     const Index v = polygon.center();
     return take_out(polygon, [&] {
-      m_topology.m_visitor_calls.before_vertex_relocation(m_topology.m_vertices[v],
+      m_topology.m_visitor_calls.before_vertex_relocation(m_topology.vertex_handle(v),
                                                           m_topology.m_ids.representative(v));
     });
   }
@@ -302,7 +256,7 @@ public:
     const Index v = polygon.center();
     return take_out(polygon, [&] {
       const Index id = m_topology.m_ids.representative(v);
-      m_topology.m_visitor_calls.before_vertex_removal(m_topology.m_vertices[v], id);
+      m_topology.m_visitor_calls.before_vertex_removal(m_topology.vertex_handle(v), id);
       m_topology.m_ids.remove_representative(id);
     });
   }
@@ -317,22 +271,18 @@ public:
   // for six new edges.
   void put_in(const Slot& slot, Index f)
   {
-    auto& mirror = m_topology.m_mirror;
     auto& new_edges = m_topology.m_changes.new_edges;
     if (!m_topology.m_changes.everything_is_new)
       provide(new_edges, 6);
-    auto& visitor_calls = m_topology.m_visitor_calls;
-    visitor_calls.before_face_removal(m_topology.m_faces[f]);
-    mirror.put_in(slot, f);
-    const std::array<Index, 3> faces{f, slot.faces[0], slot.faces[1]};
-    for (const Index g : faces)
-      write_face(g);
+    tell_before_removal(f);
+    m_arrays.put_in(slot, f);
     if (!m_topology.m_changes.everything_is_new) {
       new_edges.insert(new_edges.end(), slot.edges.begin(), slot.edges.end());
-      mirror.for_each_corner(slot.vertex, [&](Index h) { new_edges.push_back(mirror.edge_of(h)); });
+      m_arrays.for_each_corner(slot.vertex,
+                               [&](Index h) { new_edges.push_back(m_arrays.edge_of(h)); });
     }
-    for (const Index g : faces)
-      visitor_calls.after_face_creation(m_topology.m_faces[g]);
+    for (const Index g : {f, slot.faces[0], slot.faces[1]})
+      tell_after_creation(g);
   }
 
   // Puts the center of a polygon that has faces and edges for it in their place. Throws nothing if
@@ -341,45 +291,29 @@ public:
   {
     CGAL_precondition(polygon.has_star() && polygon.center() == slot.vertex);
     auto& new_edges = m_topology.m_changes.new_edges;
-    auto& visitor_calls = m_topology.m_visitor_calls;
     for (std::size_t i = 0; i + slot.faces.size() < polygon.faces().size(); ++i)
-      visitor_calls.before_face_removal(m_topology.m_faces[polygon.faces()[i]]);
+      tell_before_removal(polygon.faces()[i]);
     write_star(polygon);
     new_edges.insert(new_edges.end(), polygon.edges().begin(), polygon.edges().end());
     for (const Index f : polygon.faces())
-      visitor_calls.after_face_creation(m_topology.m_faces[f]);
+      tell_after_creation(f);
   }
 
   // Makes a slot with the next numbers and a vertex at p without representative. If it throws,
   // nothing has changed.
   Slot make_slot(const Point& p)
   {
-    auto& mirror = m_topology.m_mirror;
-    auto& tds = m_topology.m_triangulation.tds();
-    mirror.provide_for_slot();
+    m_arrays.provide_for_slot();
     m_topology.m_ids.provide_for_vertex();
-    provide(m_topology.m_faces, 2);
+    m_positions.provide_for_vertex();
+    m_storage.provide_for_slot();
     append_vertex(p);
-    std::array<Face_handle, 2> faces;
-    try {
-      faces[0] = tds.create_face();
-      try {
-        faces[1] = tds.create_face();
-      } catch (...) {
-        tds.delete_face(faces[0]);
-        throw;
-      }
-    } catch (...) {
-      drop_last_vertex();
-      throw;
-    }
-    const Slot slot = mirror.append_slot();
+    const Slot slot = m_arrays.append_slot();
     m_topology.m_ids.append_vertex();
-    m_topology.m_changes.renumberings.vertices.note_appended(slot.vertex);
-    m_topology.m_changes.renumberings.edges.note_appended(slot.edges[0]);
-    m_topology.m_changes.renumberings.faces.note_appended(slot.faces[0]);
-    m_topology.m_faces.push_back(faces[0]);
-    m_topology.m_faces.push_back(faces[1]);
+    auto& renumberings = m_topology.m_changes.renumberings;
+    renumberings.vertices.note_appended(slot.vertex);
+    renumberings.edges.note_appended(slot.edges[0]);
+    renumberings.faces.note_appended(slot.faces[0]);
     return slot;
   }
 
@@ -387,18 +321,9 @@ public:
   // nothing has changed.
   void renew_vertex(const Slot& slot, const Point& p)
   {
-    auto& tds = m_topology.m_triangulation.tds();
     m_topology.m_changes.renumberings.vertices.provide(1);
-    const Vertex_handle fresh = tds.create_vertex();
-    try {
-      fresh->set_point(p);
-      m_positions.stage(slot.vertex, p);
-    } catch (...) {
-      tds.delete_vertex(fresh);
-      throw;
-    }
-    fresh->set_mirror_index(slot.vertex);
-    tds.delete_vertex(std::exchange(m_topology.m_vertices[slot.vertex], fresh));
+    m_positions.restart(slot.vertex, p);
+    m_storage.renew_vertex(slot.vertex);
     m_topology.m_changes.renumberings.vertices.note_replacement(slot.vertex);
   }
 
@@ -407,7 +332,7 @@ public:
   void drop(const std::vector<Slot>& empty_slots)
   {
     collect_numbers(empty_slots);
-    const std::size_t kept_edges = m_topology.m_mirror.number_of_edges() - m_empty_edges.size();
+    const std::size_t kept_edges = m_arrays.number_of_edges() - m_empty_edges.size();
     m_number_of_edge.assign(m_empty_edges.size(), no_index); // from `kept_edges` on
     m_topology.m_changes.renumberings.provide_for_removals(empty_slots.size());
     const auto note = [&](Index from, Index to) { m_number_of_edge[from - kept_edges] = to; };
@@ -468,7 +393,7 @@ public:
   void put_in_new(const Slot& slot, const Place& place, Index id)
   {
     m_topology.m_ids.place_representative(id, slot.vertex);
-    m_topology.m_visitor_calls.after_vertex_creation(m_topology.m_vertices[slot.vertex], id);
+    m_topology.m_visitor_calls.after_vertex_creation(m_topology.vertex_handle(slot.vertex), id);
     put_in(slot, place);
   }
 
@@ -486,7 +411,7 @@ public:
   {
     auto& ids = m_topology.m_ids;
     m_topology.m_visitor_calls.before_vertex_merge(
-        m_topology.m_vertices[goes], ids.representative(goes), m_topology.m_vertices[stays]);
+        m_topology.vertex_handle(goes), ids.representative(goes), m_topology.vertex_handle(stays));
     ids.merge(goes, stays, p);
   }
 
@@ -497,31 +422,30 @@ public:
     const Index representative = m_topology.m_ids.representative(v);
     const Point point = m_topology.m_ids.duplicate(duplicate).point;
     m_topology.m_ids.hand_over(duplicate, p);
-    m_positions.stage(v, point);
-    if (m_positions.m_are_written)
-      m_topology.m_vertices[v]->set_point(point);
-    m_topology.m_visitor_calls.after_id_change(m_topology.m_vertices[v], representative);
+    m_positions.set(v, point);
+    m_topology.m_visitor_calls.after_id_change(m_topology.vertex_handle(v), representative);
   }
 
-  // Stages points that move alone. If points of a vertex stay, one of them becomes its
-  // representative. Otherwise the vertex moves with its representative.
-  void stage_moved(const std::vector<Index>& ids, const std::vector<Point>& points, bool are_exact)
+  // Moves single points. If points of a vertex stay, one of them becomes its representative.
+  // Otherwise the vertex moves with its representative.
+  void move(const std::vector<Index>& ids, const std::vector<Point>& points, bool are_exact)
   {
     m_positions.m_are_exact &= are_exact;
     if (ids.empty())
       return;
     provide_for_duplicates(ids.size());
-    m_positions.m_are_written = false;
+    m_positions.provide_for_moves(ids.size());
     for (std::size_t i = 0; i < ids.size(); ++i)
       if (!m_topology.m_ids.is_representative(ids[i]))
         m_topology.m_ids.duplicate(ids[i]).point = points[i];
     for (std::size_t i = 0; i < ids.size(); ++i)
       if (m_topology.m_ids.is_representative(ids[i]))
-        stage_representative(ids[i], points[i]);
+        move_representative(ids[i], points[i]);
+    m_positions.end_moves();
   }
 
 private:
-  void stage_representative(Index id, const Point& p)
+  void move_representative(Index id, const Point& p)
   {
     const auto& ids = m_topology.m_ids;
     const Index v = ids.vertex(id);
@@ -535,63 +459,66 @@ private:
                                     return is_at(duplicate.point, place);
                                   });
     if (successor == no_index)
-      return m_positions.stage(v, p); // the point may hold more than a position
-    const Point point_of_successor = ids.duplicate(successor).point;
-    hand_over(successor, v, p);
-    m_topology.m_vertices[v]->set_point(point_of_successor);
+      m_positions.move(v, p); // also to the same place: the point may hold more than a position
+    else
+      hand_over(successor, v, p);
   }
 
-  // VERTICES ------------------------------------------------------------------------------------
+  // THE VISITOR ---------------------------------------------------------------------------------
 
-  // Appends a vertex at p, with the next number, without faces and without points. If it throws,
-  // nothing has changed.
-  void append_vertex(const Point& p)
+  void tell_before_removal(Index f)
   {
-    auto& vertices = m_topology.m_vertices;
-    provide(vertices, 1);
-    m_positions.provide_for_vertex();
-    const Vertex_handle vertex = m_topology.m_triangulation.tds().create_vertex();
-    vertex->set_mirror_index(Index(vertices.size()));
-    vertices.push_back(vertex);
-    try {
-      vertex->set_point(p);
-      m_positions.append(p);
-    } catch (...) {
-      drop_last_vertex();
-      throw;
-    }
+    m_topology.m_visitor_calls.before_face_removal(m_topology.face_handle(f));
+  }
+  void tell_after_creation(Index f)
+  {
+    m_topology.m_visitor_calls.after_face_creation(m_topology.face_handle(f));
   }
 
-  // Reverts append_vertex().
-  void drop_last_vertex()
+  void flip_and_tell(Index h)
   {
-    m_topology.m_triangulation.tds().delete_vertex(m_topology.m_vertices.back());
-    m_topology.m_vertices.pop_back();
-    m_positions.resize(m_topology.m_vertices.size());
+    const Face_handle f = m_topology.face_handle(h / 3);
+    const int place = int(h % 3);
+    m_topology.m_visitor_calls.before_flip(Edge(f, place));
+    m_arrays.flip(h);
+    m_topology.m_visitor_calls.after_flip(Edge(f, Triangulation_cw_ccw_2::ccw(place)));
   }
 
   // OUT OF FACES AND INTO FACES -------------------------------------------------------------------
+
+  // Appends the data of a slot, with a vertex at p. If it throws, nothing has changed.
+  void append_vertex(const Point& p)
+  {
+    const std::size_t vertices = m_arrays.number_of_vertices(), faces = m_arrays.number_of_faces();
+    try {
+      m_positions.append(p);
+      m_storage.append_slot();
+    } catch (...) {
+      m_positions.resize(vertices);
+      m_storage.resize_data(vertices, faces);
+      throw;
+    }
+  }
 
   // `vacate()`, which must not throw, is called before the center leaves its faces, after the
   // visitor was told of them.
   template <class Vacate>
   Slot take_out(const Star_polygon_2& polygon, const Vacate& vacate)
   {
-    CGAL_precondition(!m_topology.m_mirror.is_outside(polygon.center()));
+    CGAL_precondition(!m_arrays.is_outside(polygon.center()));
     CGAL_precondition(polygon.is_triangulated());
-    auto& visitor_calls = m_topology.m_visitor_calls;
     const std::size_t degree = polygon.sides().size();
     provide(m_topology.m_changes.new_edges, degree);
     m_open_sides.resize(degree); // nothing throws from here on
     for (const Index f : polygon.faces())
-      visitor_calls.before_face_removal(m_topology.m_faces[f]);
+      tell_before_removal(f);
     vacate();
     write_ears(polygon);
     const Slot slot = slot_left_by(polygon);
-    m_topology.m_mirror.empty(slot);
+    m_arrays.empty(slot);
     log_ears(polygon);
     for (std::size_t i = 0; i + 2 < degree; ++i)
-      visitor_calls.after_face_creation(m_topology.m_faces[polygon.faces()[i]]);
+      tell_after_creation(polygon.faces()[i]);
     return slot;
   }
 
@@ -611,9 +538,9 @@ private:
     for (std::size_t i = 0; i < ears.size(); ++i) {
       const Star_polygon_2::Ear& ear = ears[i];
       const Index f = polygon.faces()[i];
-      write_vertex(3 * f, sides[ear.before].corner);
-      write_vertex(3 * f + 1, sides[ear.tip].corner);
-      write_vertex(3 * f + 2, sides[ear.after].corner);
+      m_arrays.set_apex(3 * f, sides[ear.before].corner);
+      m_arrays.set_apex(3 * f + 1, sides[ear.tip].corner);
+      m_arrays.set_apex(3 * f + 2, sides[ear.after].corner);
       close(m_open_sides[ear.before], 3 * f + 2);
       close(m_open_sides[ear.tip], 3 * f);
       m_open_sides[ear.before] = {3 * f + 1, polygon.edges()[i]};
@@ -623,20 +550,11 @@ private:
     close(m_open_sides[last.after], 3 * polygon.faces()[ears.size() - 1] + 1);
   }
 
-  // Puts v at the apex of half-edge h, in both structures.
-  void write_vertex(Index h, Index v)
-  {
-    const Face_handle f = m_topology.m_faces[h / 3];
-    m_topology.m_mirror.set_apex(h, v);
-    f->set_vertex(int(h % 3), m_topology.m_vertices[v]);
-    m_topology.m_vertices[v]->set_face(f);
-  }
-
   // Makes h, whose face has its vertices, the other half-edge of an open side.
   void close(const Open_side& side, Index h)
   {
-    link(h, side.outer);
-    m_topology.m_mirror.set_edge(side.edge, h);
+    m_arrays.link(h, side.outer);
+    m_arrays.set_edge(side.edge, h);
   }
 
   // The numbers that write_ears() does not use.
@@ -655,27 +573,26 @@ private:
     new_edges.insert(new_edges.end(), edges.begin(), edges.end() - 3);
     const Index last = polygon.faces()[polygon.ears().size() - 1];
     for (Index h = 3 * last; h < 3 * last + 3; ++h)
-      new_edges.push_back(m_topology.m_mirror.edge_of(h));
+      new_edges.push_back(m_arrays.edge_of(h));
   }
 
   // The i-th side gets the i-th face, and the edge to its end the i-th edge.
   void write_star(const Star_polygon_2& polygon)
   {
-    auto& mirror = m_topology.m_mirror;
     const auto& sides = polygon.sides();
     const Index v = polygon.center();
     const std::size_t degree = sides.size();
     for (std::size_t i = 0; i < degree; ++i) {
       const Index h = 3 * polygon.faces()[i];
-      write_vertex(h, v);
-      write_vertex(h + 1, sides[i].corner);
-      write_vertex(h + 2, sides[i + 1 < degree ? i + 1 : 0].corner);
+      m_arrays.set_apex(h, v);
+      m_arrays.set_apex(h + 1, sides[i].corner);
+      m_arrays.set_apex(h + 2, sides[i + 1 < degree ? i + 1 : 0].corner);
     }
     for (std::size_t i = 0; i < degree; ++i) {
       const Index h = 3 * polygon.faces()[i];
       close({sides[i].outer, sides[i].edge}, h);
-      link(h + 1, 3 * polygon.faces()[i + 1 < degree ? i + 1 : 0] + 2);
-      mirror.set_edge(polygon.edges()[i], h + 1);
+      m_arrays.link(h + 1, 3 * polygon.faces()[i + 1 < degree ? i + 1 : 0] + 2);
+      m_arrays.set_edge(polygon.edges()[i], h + 1);
     }
   }
 
@@ -701,46 +618,29 @@ private:
   template <class Note>
   void drop_collected(const Note& note)
   {
-    auto& mirror = m_topology.m_mirror;
     auto& renumberings = m_topology.m_changes.renumberings;
     const bool are_noted = !m_topology.m_changes.everything_is_new;
     for (const Index f : m_empty_faces) {
       if (are_noted)
-        renumberings.faces.note_move(mirror.number_of_faces() - 1, f);
-      m_topology.m_triangulation.tds().delete_face(m_topology.m_faces[f]);
-      m_topology.m_faces[f] = m_topology.m_faces.back();
-      m_topology.m_faces.pop_back();
-      mirror.move_last_face_to(f);
+        renumberings.faces.note_move(m_arrays.number_of_faces() - 1, f);
+      m_arrays.move_last_face_to(f);
+      m_storage.move_last_face_data_to(f);
     }
     for (const Index e : m_empty_edges) {
-      const Index last = mirror.number_of_edges() - 1;
+      const Index last = m_arrays.number_of_edges() - 1;
       if (are_noted)
         renumberings.edges.note_move(last, e);
       if (last != e)
         note(last, e);
-      mirror.move_last_edge_to(e);
+      m_arrays.move_last_edge_to(e);
     }
     for (const Index v : m_empty_vertices) {
       if (are_noted)
         renumberings.vertices.note_move(m_maintained.number_of_vertices(), v);
-      const Vertex_handle vertex = m_topology.m_vertices[v];
-      mirror.move_last_vertex_to(v);
+      m_arrays.move_last_vertex_to(v);
       m_topology.m_ids.move_last_vertex_to(v);
-      m_topology.m_vertices[v] = m_topology.m_vertices.back();
-      m_topology.m_vertices[v]->set_mirror_index(v);
-      m_topology.m_vertices.pop_back();
       m_positions.move_last_to(v);
-      m_topology.m_triangulation.tds().delete_vertex(vertex);
-    }
-  }
-
-  // Writes face f, and its neighbors' references to it, into CGAL's structure.
-  void write_face(Index f)
-  {
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      write_vertex(h);
-      write_neighbors(h);
-      m_topology.m_vertices[m_topology.m_mirror.apex(h)]->set_face(m_topology.m_faces[f]);
+      m_storage.move_last_vertex_data_to(v);
     }
   }
 
@@ -748,175 +648,46 @@ private:
 
   void collect_inner_edges(const Index_set_2& faces)
   {
-    const auto& mirror = m_topology.m_mirror;
     m_inner_edges.clear();
     for (const Index f : faces)
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (h < mirror.twin(h) && faces.contains(mirror.twin(h) / 3))
-          m_inner_edges.push_back(mirror.edge_of(h));
-  }
-
-  void write_faces(const Index_set_2& old_faces, const Patch_2& patch)
-  {
-    for (Index k = 0; k < patch.number_of_faces(); ++k) {
-      const Index f = old_faces[k];
-      for (Index i = 0; i < 3; ++i) {
-        const Index v = patch.apexes[3 * k + i];
-        m_topology.m_mirror.set_apex(3 * f + i, v);
-        write_vertex(3 * f + i);
-        m_topology.m_vertices[v]->set_face(m_topology.m_faces[f]);
-      }
-    }
-  }
-
-  void link(Index h, Index g)
-  {
-    m_topology.m_mirror.link(h, g);
-    write_neighbors(h);
-  }
-
-  // CGAL ----------------------------------------------------------------------------------------
-
-  void visit_and_write_flips(std::vector<Flip_2>& flips)
-  {
-    for_each_prefetched(flips, [this](const Flip_2& flip) {
-      const Face_handle f = m_topology.m_faces[flip.h / 3];
-      const int place = int(flip.h % 3);
-      m_topology.m_visitor_calls.before_flip(Edge(f, place));
-      write_flip(flip);
-      m_topology.m_visitor_calls.after_flip(Edge(f, Triangulation_cw_ccw_2::ccw(place)));
-    });
-    flips.clear();
-  }
-
-  // Does in CGAL's structure what the flip has done in the mirror.
-  void write_flip(const Flip_2& flip)
-  {
-    using Mirror = Neighborhood_mirror_2;
-    const auto set_apex = [this](Index h, Index v) {
-      m_topology.m_faces[h / 3]->set_vertex(int(h % 3), m_topology.m_vertices[v]);
-    };
-    const auto set_face = [this](Index v, Index h) {
-      m_topology.m_vertices[v]->set_face(m_topology.m_faces[h / 3]);
-    };
-    set_apex(Mirror::previous(flip.h), flip.d);
-    set_apex(Mirror::previous(flip.g), flip.a);
-    write_neighbors(flip.h, flip.outer_bd);
-    write_neighbors(flip.g, flip.outer_ca);
-    write_neighbors(Mirror::next(flip.h), Mirror::next(flip.g));
-    set_face(flip.c, flip.g);
-    set_face(flip.b, flip.h);
-  }
-
-  // Calls f for each flip; fetches what write_flip() writes some flips before.
-  template <class Function>
-  void for_each_prefetched(const std::vector<Flip_2>& flips, const Function& f) const
-  {
-    for (std::size_t i = 0; i < flips.size(); ++i) {
-      if (i % stretch == 0)
-        prefetch_stretch(flips.data() + i, (std::min)(stretch, flips.size() - i));
-      f(flips[i]);
-    }
-  }
-
-  // Fetches the handles first, then what they refer to.
-  void prefetch_stretch(const Flip_2* flips, std::size_t number) const
-  {
-    const auto& faces = m_topology.m_faces;
-    const auto& vertices = m_topology.m_vertices;
-    for (std::size_t i = 0; i < number; ++i) {
-      for (const Index h : {flips[i].h, flips[i].g, flips[i].outer_bd, flips[i].outer_ca})
-        prefetch(&faces[h / 3]);
-      for (const Index v : {flips[i].a, flips[i].b, flips[i].c, flips[i].d})
-        prefetch(&vertices[v]);
-    }
-    for (std::size_t i = 0; i < number; ++i) {
-      for (const Index h : {flips[i].h, flips[i].g, flips[i].outer_bd, flips[i].outer_ca})
-        prefetch_face(faces[h / 3]);
-      prefetch(&*vertices[flips[i].b]);
-      prefetch(&*vertices[flips[i].c]);
-    }
-  }
-
-  static void prefetch_face(Face_handle f)
-  {
-    prefetch(&*f);
-    prefetch(reinterpret_cast<const char*>(&*f) + sizeof(*f) - 1);
-  }
-
-  void write_vertex(Index h)
-  {
-    m_topology.m_faces[h / 3]->set_vertex(int(h % 3),
-                                          m_topology.m_vertices[m_topology.m_mirror.apex(h)]);
-  }
-
-  // Writes the references of both faces at h to each other.
-  void write_neighbors(Index h) { write_neighbors(h, m_topology.m_mirror.twin(h)); }
-  void write_neighbors(Index h, Index g)
-  {
-    m_topology.m_faces[h / 3]->set_neighbor(int(h % 3), m_topology.m_faces[g / 3]);
-    m_topology.m_faces[g / 3]->set_neighbor(int(g % 3), m_topology.m_faces[h / 3]);
+        if (h < m_arrays.twin(h) && faces.contains(m_arrays.twin(h) / 3))
+          m_inner_edges.push_back(m_arrays.edge_of(h));
   }
 
   // FLIPS IN PARTS ------------------------------------------------------------------------------
 
-  template <class Function>
-  void flip_part(const Topology_parts_2& topology, std::size_t part, bool no_edge_doubles,
-                 std::vector<Flip_2>& flips, const Function& f)
+  bool try_flip(const Topology_parts_2& topology, std::size_t part, bool no_edge_doubles, Index h,
+                std::vector<Index>& flipped)
   {
-    auto& mirror = m_topology.m_mirror;
-    const auto try_flip = [&](Index h) {
-      if (!topology.is_inside(part, mirror.edge_of(h)) || !(no_edge_doubles || can_flip(h)))
-        return false;
-      provide(flips, 1);
-      flips.push_back(mirror.flip(h)); // throws nothing
-      CGAL_assertion(
-          topology.has_all(part, {flips.back().a, flips.back().b, flips.back().c, flips.back().d}));
-      return true;
-    };
-    const auto write = [&] {
-      if constexpr (!Topology::Visitor_calls::is_heard)
-        for_each_prefetched(flips, [this](const Flip_2& flip) { write_flip(flip); });
-    };
-    try {
-      f(part, try_flip);
-    } catch (...) {
-      write();
-      throw;
-    }
-    write();
-  }
-
-  void finish_part(std::vector<Flip_2>& flips)
-  {
-    log_flips(flips);
-    if constexpr (Topology::Visitor_calls::is_heard)
-      visit_and_write_flips(flips);
-    flips.clear();
+    const Index e = m_arrays.edge_of(h);
+    if (!topology.is_inside(part, e) || !(no_edge_doubles || can_flip(h)))
+      return false;
+    flipped.push_back(e);
+    flip_and_tell(h); // throws nothing
+    return true;
   }
 
   // Everything is new where there is no memory to list it.
-  void log_flips(const std::vector<Flip_2>& flips)
+  void log_flips(std::vector<Index>& flipped)
   {
     auto& changes = m_topology.m_changes;
     try {
-      provide(changes.new_edges, flips.size());
-      for (const Flip_2& flip : flips)
-        changes.new_edges.push_back(flip.edge);
+      changes.new_edges.insert(changes.new_edges.end(), flipped.begin(), flipped.end());
     } catch (const std::bad_alloc&) {
       changes.everything_is_new = true;
     }
+    flipped.clear();
   }
-
-  static constexpr std::size_t stretch = 16; // flips that are fetched together
 
   const Maintained& m_maintained;
   Topology& m_topology;
+  Storage& m_storage;
+  Halfedge_arrays_2& m_arrays;
   Positions& m_positions;
   std::vector<Index> m_inner_edges;
   std::vector<Open_side> m_open_sides;
-  std::vector<Flip_2> m_flipped; // in their order
-  std::vector<std::vector<Flip_2>> m_flipped_in_parts;
+  std::vector<std::vector<Index>> m_flipped_in_parts;                // edges
   std::vector<Index> m_empty_vertices, m_empty_faces, m_empty_edges; // to be dropped
   std::vector<Index> m_number_of_edge;                               // after that
 };

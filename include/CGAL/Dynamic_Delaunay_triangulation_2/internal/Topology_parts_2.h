@@ -7,7 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -29,7 +29,7 @@ namespace internal {
 // changes by this part alone; the vertices of other faces, and what is at other edges, never.
 // Nothing else is read where edges are examined, or where a walk goes around a vertex of the part.
 //
-// In periodic space, edges whose corners have different shifts stand in the mirror with infinite
+// In periodic space, edges whose corners have different shifts stand in the arrays with infinite
 // vertices alone. They are inside of no part. At the others all shifts of both faces are zero, as
 // those of first corners are. So flips inside of parts change no shifts, and an edge at the side of
 // such faces has corners with different shifts before as after.
@@ -39,18 +39,18 @@ namespace internal {
 class Topology_parts_2
 {
 public:
-  Topology_parts_2(const Neighborhood_mirror_2& mirror, std::size_t vertices, std::size_t parts)
-    : m_mirror(mirror)
+  Topology_parts_2(const Halfedge_arrays_2& arrays, std::size_t vertices, std::size_t parts)
+    : m_arrays(arrays)
     , m_vertices((vertices + parts - 1) / parts)
   {
   }
 
   // The part of one of the vertices of edge e.
-  std::size_t part_of(Index e) const { return m_mirror.edge(e).source / m_vertices; }
+  std::size_t part_of(Index e) const { return m_arrays.edge(e).source / m_vertices; }
 
   bool is_inside(std::size_t part, Index e) const
   {
-    const Edge_2& edge = m_mirror.edge(e);
+    const Edge_2& edge = m_arrays.edge(e);
     return edge.source != edge.target && has_vertex(part, edge.source) &&
            has_vertex(part, edge.target) && has_vertex(part, edge.left) &&
            has_vertex(part, edge.right);
@@ -67,7 +67,7 @@ public:
   {
     constexpr std::size_t ahead = 16;
     if (i + ahead < edges.size())
-      m_mirror.prefetch_edge(edges[i + ahead]);
+      m_arrays.prefetch_edge(edges[i + ahead]);
   }
 
 private:
@@ -76,7 +76,7 @@ private:
     return v - part * m_vertices < m_vertices; // false if v is smaller: nothing is signed
   }
 
-  const Neighborhood_mirror_2& m_mirror;
+  const Halfedge_arrays_2& m_arrays;
   const std::size_t m_vertices; // of a part
 };
 

@@ -98,7 +98,7 @@ public:
   // Whether the triangulation is Delaunay; changes only the certified flag.
   bool certify()
   {
-    m_is_certified = m_is_certified || (m_maintained.is_mirrored() && parted_duplicates().empty() &&
+    m_is_certified = m_is_certified || (m_maintained.spans_plane() && parted_duplicates().empty() &&
                                         Certificate_2<Maintained>(m_maintained).holds());
     return m_is_certified;
   }
@@ -123,14 +123,14 @@ private:
   {
     Update_report_2 report;
     const bool was_certified = std::exchange(m_is_certified, false);
-    if (change.is_empty() && !m_maintained.is_mirrored()) {
+    if (change.is_empty() && !m_maintained.spans_plane()) {
       m_is_certified = was_certified;
       return report;
     }
     Rebuild_reason_2 reason;
     try {
       begin(change, is_informed, Classifier::is_exact, report);
-      m_tools.editor().stage_moved(change.moved, change.moved_points, change.are_exact);
+      m_tools.editor().move(change.moved, change.moved_points, change.are_exact);
       constexpr bool may_sample =
           Classifier::is_exact && std::is_base_of_v<Flip_and_splice_repair_2, Repair>;
       reason = reason_to_rebuild(change, policy, may_sample);
@@ -181,7 +181,7 @@ private:
   template <class Policy>
   Rebuild_reason_2 reason_to_rebuild(const Change& change, Policy& policy, bool may_sample)
   {
-    if (!m_maintained.is_mirrored() || leaves_too_few(change))
+    if (!m_maintained.spans_plane() || leaves_too_few(change))
       return Rebuild_reason_2::DIMENSION;
     const std::size_t parted = parted_duplicates().size();
     if (are_too_many(change.gone.size() + change.coming.size() + parted))
@@ -259,14 +259,14 @@ private:
 
   void rebuild(Change& change, Rebuild_reason_2 reason, Update_report_2& report)
   {
-    const bool spanned_plane = m_maintained.is_mirrored();
+    const bool spanned_plane = m_maintained.spans_plane();
     if (change.gone.empty() && change.coming.empty()) {
       m_tools.rebuild(reason);
     } else {
       m_tools.builder().build_with(change.gone, std::move(change.coming),
                                    std::move(change.coming_points));
       report.rebuild_reason =
-          spanned_plane && m_maintained.is_mirrored() ? reason : Rebuild_reason_2::DIMENSION;
+          spanned_plane && m_maintained.spans_plane() ? reason : Rebuild_reason_2::DIMENSION;
     }
     m_has_removed = true;
     m_is_certified = true;
@@ -324,7 +324,7 @@ private:
   {
     const auto is_on_hull = [&](Index id) {
       bool sees_infinity = false;
-      m_maintained.mirror().for_each_neighbor(
+      m_maintained.arrays().for_each_neighbor(
           m_maintained.ids().vertex(id), [&](Index w) { sees_infinity |= w == infinite_index; });
       return sees_infinity;
     };

@@ -34,8 +34,8 @@ public:
   {
     return says(is_data_structure_valid(level), "the triangulation data structure is not valid") &&
            says(is_no_point_lost(is_certified), "a point has no vertex, or not its own") &&
-           says(is_no_vertex_moved(), "a vertex was moved from outside") &&
-           says(is_mirror_in_step(), "the flat arrays differ from the data structure") &&
+           says(!m_maintained.is_written_by_handles(), "handles have changed a vertex or a face") &&
+           says(are_arrays_consistent(), "the half-edges are not those of a triangulation") &&
            says(is_simplicial(), "two edges have the same vertices") &&
            says(!is_certified || is_delaunay(), "the triangulation is certified, and not Delaunay");
   }
@@ -76,9 +76,6 @@ private:
     const auto& ids = m_maintained.ids();
     if (m_maintained.triangulation().number_of_vertices() != m_maintained.number_of_vertices())
       return false;
-    for (Index v = 0; v < Index(m_maintained.vertices().size()); ++v)
-      if (m_maintained.vertices()[v]->mirror_index() != v)
-        return false;
     Index duplicates = 0;
     for (Index id = 0; id < ids.number_of_ids(); ++id) {
       if (!ids.is_taken(id))
@@ -100,65 +97,52 @@ private:
            m_maintained.number_of_vertices() == ids.number_of_representatives();
   }
 
-  // Users can set the points of vertices through handles.
-  bool is_no_vertex_moved() const
+  bool are_arrays_consistent() const
   {
-    return all_of(1, m_maintained.vertices().size(), [this](Index v) {
-      const auto& p = m_maintained.vertices()[v]->point();
-      if constexpr (Maintained::coordinates_are_doubles)
-        return p.x() == m_maintained.positions()[v].x && p.y() == m_maintained.positions()[v].y;
-      else
-        return coincide(m_maintained.traits(), p, m_maintained.points()[v]);
-    });
-  }
-
-  bool is_mirror_in_step() const
-  {
-    const auto& mirror = m_maintained.mirror();
-    const auto& faces = m_maintained.faces();
-    if (!m_maintained.is_mirrored())
-      return mirror.number_of_faces() == 0;
-    if (faces.size() != m_maintained.triangulation().tds().number_of_faces())
+    const auto& arrays = m_maintained.arrays();
+    if (m_maintained.positions().size() != arrays.number_of_vertices())
       return false;
-    return all_of(0, 3 * faces.size(), [this](Index h) { return is_halfedge_in_step(h); }) &&
-           all_of(0, m_maintained.vertices().size(),
-                  [&](Index v) { return mirror.apex(mirror.corner(v)) == v; });
+    if (!m_maintained.spans_plane())
+      return arrays.number_of_faces() == 0;
+    return all_of(0, 3 * std::size_t(arrays.number_of_faces()),
+                  [this](Index h) { return is_halfedge_consistent(h); }) &&
+           all_of(0, arrays.number_of_vertices(),
+                  [&](Index v) { return arrays.apex(arrays.corner(v)) == v; });
   }
 
   bool is_simplicial() const
   {
-    if (!m_maintained.is_mirrored())
+    if (!m_maintained.spans_plane())
       return true;
-    std::vector<Index> last_neighbor_of(m_maintained.vertices().size(), no_index);
+    std::vector<Index> last_neighbor_of(m_maintained.arrays().number_of_vertices(), no_index);
     bool is_simplicial = true;
-    for (Index v = 0; v < Index(m_maintained.vertices().size()); ++v)
-      m_maintained.mirror().for_each_neighbor(v, [&](Index w) {
+    for (Index v = 0; v < m_maintained.arrays().number_of_vertices(); ++v)
+      m_maintained.arrays().for_each_neighbor(v, [&](Index w) {
         is_simplicial = is_simplicial && last_neighbor_of[w] != v;
         last_neighbor_of[w] = v;
       });
     return is_simplicial;
   }
 
-  bool is_halfedge_in_step(Index h) const
+  bool is_halfedge_consistent(Index h) const
   {
-    const auto& mirror = m_maintained.mirror();
-    const auto& face = m_maintained.faces()[h / 3];
-    const Index g = mirror.twin(h);
-    const Edge_2& edge = mirror.edge(mirror.edge_of(h));
-    const bool is_forward = edge.source == mirror.source(h);
+    const auto& arrays = m_maintained.arrays();
+    const Index g = arrays.twin(h);
+    const Edge_2& edge = arrays.edge(arrays.edge_of(h));
+    const bool is_forward = edge.source == arrays.source(h);
     const Index left = is_forward ? edge.left : edge.right;
     const Index right = is_forward ? edge.right : edge.left;
-    return face->vertex(int(h % 3)) == m_maintained.vertices()[mirror.apex(h)] &&
-           face->neighbor(int(h % 3)) == m_maintained.faces()[g / 3] && mirror.twin(g) == h &&
-           mirror.edge_of(g) == mirror.edge_of(h) && left == mirror.apex(h) &&
-           right == mirror.apex(g) && (is_forward ? edge.target : edge.source) == mirror.target(h);
+    return arrays.twin(g) == h && arrays.edge_of(g) == arrays.edge_of(h) &&
+           arrays.source(g) == arrays.target(h) && arrays.target(g) == arrays.source(h) &&
+           left == arrays.apex(h) && right == arrays.apex(g) &&
+           (is_forward ? edge.target : edge.source) == arrays.target(h);
   }
 
   bool is_delaunay() const
   {
-    if (m_maintained.is_mirrored())
+    if (m_maintained.spans_plane())
       return Certificate_2<Maintained>(m_maintained).holds();
-    try { // without a mirror the triangulation is CGAL's own work
+    try { // without a arrays the triangulation is CGAL's own work
       return m_maintained.triangulation().is_valid();
     } catch (const Failure_exception&) {
       return false;

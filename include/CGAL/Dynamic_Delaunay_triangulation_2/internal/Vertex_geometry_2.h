@@ -8,7 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_type_basic.h>
@@ -55,7 +55,7 @@ private:
     auto neighbor = m_dt.tds().incident_vertices(m_dt.vertex(m_frame.id(v)));
     const auto first = neighbor;
     do
-      f(neighbor->mirror_index());
+      f(neighbor.base().index());
     while (++neighbor != first);
   }
 

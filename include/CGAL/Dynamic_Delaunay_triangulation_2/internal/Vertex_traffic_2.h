@@ -10,7 +10,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Neighborhood_mirror_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Spatial_order_2.h>
@@ -48,14 +48,14 @@ public:
   }
 
   // Finds jumpers among the vertices of these edges, in the order in which they are met. This and
-  // all functions below need the points of the last frame in CGAL's vertices.
+  // all functions below need the previous positions.
   const std::vector<Index>& find_jumpers(const std::vector<Index>& edges)
   {
     collect_from_parts(edges.size(), m_suspects, [&](std::size_t i, Work& work) {
       prefetch_edges(edges, i);
-      look_at(m_maintained.mirror().edge(edges[i]), work.found);
+      look_at(m_maintained.arrays().edge(edges[i]), work.found);
     });
-    m_seen.clear(m_maintained.vertices().size());
+    m_seen.clear(m_maintained.arrays().number_of_vertices());
     m_suspects.erase(std::remove_if(m_suspects.begin(), m_suspects.end(),
                                     [this](Index v) { return !m_seen.insert(v); }),
                      m_suspects.end());
@@ -71,9 +71,9 @@ public:
   const std::vector<Index>& find_farthest(const std::vector<Index>& edges)
   {
     m_jumpers.clear();
-    m_seen.clear(m_maintained.vertices().size());
+    m_seen.clear(m_maintained.arrays().number_of_vertices());
     for (const Index e : edges) {
-      const Edge_2& edge = m_maintained.mirror().edge(e);
+      const Edge_2& edge = m_maintained.arrays().edge(e);
       const std::array<Index, 4> vertices{edge.source, edge.target, edge.left, edge.right};
       const auto is_taken = [this](Index v) { return m_seen.contains(v); };
       if (std::any_of(vertices.begin(), vertices.end(), is_taken))
@@ -91,7 +91,7 @@ public:
     const Position_2 place = previous_position(v);
     const double square = squared_distance(m_maintained.positions()[v], place);
     std::size_t neighbors = 0, passed = 0;
-    m_maintained.mirror().for_each_neighbor(v, [&](Index w) {
+    m_maintained.arrays().for_each_neighbor(v, [&](Index w) {
       const double squared_length = squared_distance(place, m_maintained.positions()[w]);
       neighbors += w != infinite_index;
       passed += square > max_way * max_way * squared_length; // false for the infinite one
@@ -204,22 +204,16 @@ private:
   void prefetch_edges(const std::vector<Index>& edges, std::size_t i) const
   {
     constexpr std::size_t ahead = 4;
-    if (i + 3 * ahead < edges.size())
-      prefetch(&m_maintained.mirror().edge(edges[i + 3 * ahead]));
     if (i + 2 * ahead < edges.size())
-      for_each_vertex(edges[i + 2 * ahead], [this](Index v) {
-        prefetch(&m_maintained.vertices()[v]);
-        prefetch(&m_maintained.positions()[v]);
-      });
+      prefetch(&m_maintained.arrays().edge(edges[i + 2 * ahead]));
     if (i + ahead < edges.size())
-      for_each_vertex(edges[i + ahead],
-                      [this](Index v) { prefetch(&*m_maintained.vertices()[v]); });
+      for_each_vertex(edges[i + ahead], [this](Index v) { m_maintained.prefetch_positions(v); });
   }
 
   template <class Function>
   void for_each_vertex(Index e, const Function& f) const
   {
-    const Edge_2& edge = m_maintained.mirror().edge(e);
+    const Edge_2& edge = m_maintained.arrays().edge(e);
     for (const Index v : {edge.source, edge.target, edge.left, edge.right})
       f(v);
   }
@@ -231,7 +225,7 @@ private:
     work.y.clear();
     work.squared_lengths.clear();
     const Position_2 place = previous_position(v);
-    m_maintained.mirror().for_each_neighbor(v, [&](Index w) {
+    m_maintained.arrays().for_each_neighbor(v, [&](Index w) {
       if (w == infinite_index)
         return;
       const Position_2 step = displacement(w);
@@ -241,10 +235,7 @@ private:
     });
   }
 
-  Position_2 previous_position(Index v) const
-  {
-    return approximation(m_maintained.previous_point(v));
-  }
+  Position_2 previous_position(Index v) const { return m_maintained.previous_position(v); }
 
   Position_2 displacement(Index v) const
   {
@@ -297,7 +288,7 @@ struct Place_2
 template <class Maintained>
 class Point_location_2
 {
-  using Mirror = Neighborhood_mirror_2;
+  using Arrays = Halfedge_arrays_2;
 
 public:
   explicit Point_location_2(const Maintained& maintained)
@@ -310,20 +301,20 @@ public:
   // the vertices around v are expected to differ from its number by at most `spread`.
   Place_2 locate(Index v, Index nearby, Index spread) const
   {
-    const Mirror& mirror = m_maintained.mirror();
-    const Index start = mirror.corner(nearest(v, nearby, spread)) / 3;
+    const Arrays& arrays = m_maintained.arrays();
+    const Index start = arrays.corner(nearest(v, nearby, spread)) / 3;
     Index steps = 0;
     Index h = way_out(start, v);
     if (h == no_index)
       return place_in(start, v, steps);
-    while (++steps < mirror.number_of_faces()) {
-      const Index entry = mirror.twin(h);
+    while (++steps < arrays.number_of_faces()) {
+      const Index entry = arrays.twin(h);
       h = way_on(entry, v, steps % 2 == 0);
       if (h == no_index)
         return place_in(entry / 3, v, steps);
     }
-    for (Index g = 0; g < mirror.number_of_faces(); ++g)
-      if (!mirror.is_empty_face(g) && way_out(g, v) == no_index)
+    for (Index g = 0; g < arrays.number_of_faces(); ++g)
+      if (!arrays.is_empty_face(g) && way_out(g, v) == no_index)
         return place_in(g, v, steps);
     return place_in(start, v, steps);
   }
@@ -364,7 +355,7 @@ private:
   void consider(Index w, Nearest& best) const
   {
     const double square = squared_distance(position(best.of), position(w));
-    if (square < best.squared_distance && !m_maintained.mirror().is_outside(w)) {
+    if (square < best.squared_distance && !m_maintained.arrays().is_outside(w)) {
       best.squared_distance = square;
       best.vertex = w;
     }
@@ -375,9 +366,9 @@ private:
   // The edge of face f that separates it from v; `no_index` if v is in f.
   Index way_out(Index f, Index v) const
   {
-    const Mirror& mirror = m_maintained.mirror();
+    const Arrays& arrays = m_maintained.arrays();
     for (Index h = 3 * f; h < 3 * f + 3; ++h) // an infinite face has one finite edge
-      if (mirror.apex(h) == infinite_index)
+      if (arrays.apex(h) == infinite_index)
         return orientation(h, v) == LEFT_TURN ? no_index : h;
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
       if (orientation(h, v) == RIGHT_TURN)
@@ -389,9 +380,9 @@ private:
   // which edge is tested first: always preferring the same one can cause detours.
   Index way_on(Index entry, Index v, bool turn) const
   {
-    if (m_maintained.mirror().apex(entry) == infinite_index)
+    if (m_maintained.arrays().apex(entry) == infinite_index)
       return no_index;
-    const Index next = Mirror::next(entry), previous = Mirror::previous(entry);
+    const Index next = Arrays::next(entry), previous = Arrays::previous(entry);
     const Index first = turn ? next : previous, second = turn ? previous : next;
     if (orientation(first, v) == RIGHT_TURN)
       return first;
@@ -400,8 +391,8 @@ private:
 
   Orientation orientation(Index h, Index v) const
   {
-    const Mirror& mirror = m_maintained.mirror();
-    return m_predicates.orientation(mirror.source(h), mirror.target(h), v);
+    const Arrays& arrays = m_maintained.arrays();
+    return m_predicates.orientation(arrays.source(h), arrays.target(h), v);
   }
 
   Place_2 place_in(Index f, Index v, Index steps) const
@@ -411,7 +402,7 @@ private:
     place.face = f;
     place.is_inside = is_strictly_inside(f, v);
     if (!place.is_inside)
-      for (const Index w : m_maintained.mirror().face(f))
+      for (const Index w : m_maintained.arrays().face(f))
         if (w != infinite_index && m_predicates.compare_xy(v, w) == EQUAL)
           place.vertex = w;
     return place;
@@ -419,7 +410,7 @@ private:
 
   bool is_strictly_inside(Index f, Index v) const
   {
-    const auto corners = m_maintained.mirror().face(f);
+    const auto corners = m_maintained.arrays().face(f);
     return std::find(corners.begin(), corners.end(), infinite_index) == corners.end() &&
            orientation(3 * f, v) == LEFT_TURN && orientation(3 * f + 1, v) == LEFT_TURN &&
            orientation(3 * f + 2, v) == LEFT_TURN;
@@ -520,7 +511,7 @@ public:
     m_rest.clear();
     for (const Index id : ids)
       remove(id, are_delaunay, moved);
-    const auto is_outside = [this](Index v) { return m_maintained.mirror().is_outside(v); };
+    const auto is_outside = [this](Index v) { return m_maintained.arrays().is_outside(v); };
     moved.erase(std::remove_if(moved.begin(), moved.end(), is_outside), moved.end());
     return moved;
   }
@@ -619,9 +610,9 @@ public:
       return;
     m_editor.note_everything_is_new();
     for (const Slot& slot : m_waiting)
-      if (m_maintained.mirror().is_outside(slot.vertex) &&
+      if (m_maintained.arrays().is_outside(slot.vertex) &&
           m_maintained.ids().has_representative(slot.vertex))
-        m_editor.put_in(slot, m_maintained.mirror().corner(any_vertex()) / 3);
+        m_editor.put_in(slot, m_maintained.arrays().corner(any_vertex()) / 3);
     m_editor.drop_in_need(m_empty);
     for_each_coming([this](Index id, const Point&) { m_editor.release_id(id); });
     m_empty.clear();
@@ -640,16 +631,15 @@ private:
 
   bool triangulate_as_delaunay_without(Index v)
   {
-    m_polygon.read(m_maintained.mirror(), v);
-    m_editor.prefetch_handles(m_polygon);
-    m_editor.prefetch_faces(m_polygon);
+    m_polygon.read(m_maintained.arrays(), v);
+    m_editor.prefetch(m_polygon);
     return m_polygon.triangulate_as_delaunay(m_maintained);
   }
 
   // The faces around v have it at its previous position.
   void triangulate_anyhow_without(Index v)
   {
-    m_polygon.read(m_maintained.mirror(), v);
+    m_polygon.read(m_maintained.arrays(), v);
     m_polygon.triangulate_anyhow(m_maintained, m_maintained.previous_position(v));
   }
 
@@ -699,7 +689,7 @@ private:
   Index any_vertex() const
   {
     Index v = 1;
-    while (m_maintained.mirror().is_outside(v))
+    while (m_maintained.arrays().is_outside(v))
       ++v;
     return v;
   }
@@ -714,7 +704,7 @@ private:
   Hint hint_at(Index v) const
   {
     Index nearby = v;
-    m_maintained.mirror().for_each_neighbor(
+    m_maintained.arrays().for_each_neighbor(
         v, [&](Index w) { nearby = w == infinite_index ? nearby : w; });
     const std::size_t spread = 4 * m_maintained.number_of_vertices() / m_order.size();
     return {nearby, Index(spread)};

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_NEIGHBORHOOD_MIRROR_2_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_NEIGHBORHOOD_MIRROR_2_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_HALFEDGE_ARRAYS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_HALFEDGE_ARRAYS_2_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
@@ -29,30 +29,40 @@ template <class Maintained>
 class Topology_editor_2;
 template <class Maintained, bool is_logged>
 class Periodic_editor_2;
+template <class Point, class VertexInfo, class FaceInfo>
+class Indexed_storage_2;
 
-// What a flip has changed: faces (a, b, c) and (d, c, b) to (a, b, d) and (d, c, a).
-struct Flip_2
-{
-  Index h, g;               // the half-edges of the old diagonal, which are now those of bd and ca
-  Index outer_bd, outer_ca; // their new twins
-  Index edge;               // the diagonal
-  Index a, b, c, d;
-};
-
-// The topology of a two-dimensional CGAL triangulation in flat arrays.
+// The topology of a triangulation in flat arrays, which know no positions.
 //
 // Vertex 0 is the infinite one. Its position is NaN, so that every comparison with it fails and
 // passes over all edges need no branch for the hull. Half-edge 3f+i is the edge of face f opposite
-// to its i-th vertex. Face f here and the CGAL face f have the same vertices in the same places,
-// not even rotated.
-class Neighborhood_mirror_2
+// to its i-th vertex.
+//
+// Edges have numbers, and vertices true corners, wherever the editors and builders write. Where
+// CGAL's algorithms write, and in dimensions below 2, there are no edges; see `Indexed_storage_2`.
+class Halfedge_arrays_2
 {
 public:
+  struct Without_edges
+  {
+  };
+
+  Halfedge_arrays_2() = default;
+  // A copy whose edges have no numbers.
+  Halfedge_arrays_2(const Halfedge_arrays_2& other, Without_edges)
+    : m_halfedges(other.m_halfedges)
+    , m_corner(other.m_corner)
+  {
+  }
+
   static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
   static Index face_of(Index h) { return h / 3; }
 
-  Index number_of_faces() const { return Index(m_halfedges.size() / 3); }
+  // With the infinite one.
+  Index number_of_vertices() const { return Index(m_corner.size()); }
+  // 0 unless edges have numbers.
+  Index number_of_faces() const { return m_edges.empty() ? 0 : faces_with_holes(); }
   Index number_of_edges() const { return Index(m_edges.size()); }
 
   // The vertex opposite to half-edge h: vertex h % 3 of its face.
@@ -175,6 +185,8 @@ public:
     std::array<Index, 3> edges;
   };
 
+  Index faces_with_holes() const { return Index(m_halfedges.size() / 3); }
+
   bool is_outside(Index v) const { return m_corner[v] == no_index; }
   bool is_empty_face(Index f) const { return apex(3 * f) == no_index; }
   bool is_empty_edge(Index e) const { return m_halfedge_of_edge[e] == no_index; }
@@ -186,15 +198,22 @@ private:
   friend class Topology_editor_2;
   template <class Maintained, bool is_logged>
   friend class Periodic_editor_2;
+  template <class Point, class VertexInfo, class FaceInfo>
+  friend class Indexed_storage_2;
 
   // WRITING -------------------------------------------------------------------------------------
 
   void clear()
   {
     m_halfedges.clear();
+    m_corner.clear();
+    drop_edges();
+  }
+
+  void drop_edges()
+  {
     m_edges.clear();
     m_halfedge_of_edge.clear();
-    m_corner.clear();
   }
 
   // After this, resize() throws nothing.
@@ -204,6 +223,10 @@ private:
     m_halfedges.reserve(3 * std::size_t(faces));
     m_edges.reserve(3 * std::size_t(faces) / 2);
     m_halfedge_of_edge.reserve(3 * std::size_t(faces) / 2);
+    ask_for_huge_pages(m_corner);
+    ask_for_huge_pages(m_halfedges);
+    ask_for_huge_pages(m_edges);
+    ask_for_huge_pages(m_halfedge_of_edge);
   }
 
   void resize(Index vertices, Index faces)
@@ -249,6 +272,24 @@ private:
   {
     m_halfedges[h].apex = v;
     m_halfedges[h].twin = g;
+  }
+
+  // Where only the vertices and the neighbors of faces are known, as CGAL's algorithms leave them:
+  // finds twins and corners, and numbers the edges. If it throws, nothing has changed.
+  template <class Parts>
+  void number_from_neighbors()
+  {
+    m_edges.resize(m_halfedges.size() / 2);
+    m_halfedge_of_edge.resize(m_halfedges.size() / 2);
+    for (Index h = 0; h < Index(m_halfedges.size()); ++h) {
+      const Index neighbor = m_halfedges[h].twin / 3;
+      for (Index g = 3 * neighbor; g < 3 * neighbor + 3; ++g)
+        if (source(g) == target(h) && target(g) == source(h))
+          m_halfedges[h].twin = g;
+    }
+    std::fill(m_corner.begin(), m_corner.end(), no_index);
+    find_corners<Parts>();
+    number_edges<Parts>();
   }
 
   // Makes the last half-edge with apex v the corner of v. Each part of the half-edges finds the
@@ -326,7 +367,7 @@ private:
   // Exchanges the diagonal at half-edge h, vertex by vertex as CGAL's TDS_2::flip(face, i) does.
   // The corners of the two vertices that leave a face are set even where they do not change: a
   // store is cheaper than a branch.
-  Flip_2 flip(Index h)
+  void flip(Index h)
   {
     const Index g = twin(h);
     const Index h_next = next(h), h_previous = previous(h);
@@ -337,9 +378,8 @@ private:
 
     m_halfedges[h_previous].apex = d;
     m_halfedges[g_previous].apex = a;
-    const Index outer_bd = twin(g_next), outer_ca = twin(h_next);
-    link(h, outer_bd);
-    link(g, outer_ca);
+    link(h, twin(g_next));
+    link(g, twin(h_next));
     link(h_next, g_next);
     set_corner(c, g_next);
     set_corner(b, h_next);
@@ -355,7 +395,6 @@ private:
     exchange_opposite(bd, c, a);
     exchange_opposite(dc, b, a);
     exchange_opposite(ca, b, d);
-    return {h, g, outer_bd, outer_ca, diagonal, a, b, c, d};
   }
 
   // The same where the two faces may share more edges than that at h, and vertices may have edges
@@ -545,4 +584,4 @@ private:
 } // namespace Dynamic_Delaunay_triangulations_2
 } // namespace CGAL
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_NEIGHBORHOOD_MIRROR_2_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_HALFEDGE_ARRAYS_2_H
