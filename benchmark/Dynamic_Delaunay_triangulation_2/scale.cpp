@@ -70,6 +70,7 @@ const Motion_kind calm{"calm", 0.0, 0.001, 0.0, false};
 const Motion_kind rough{"rough", 0.0, 0.03, 0.0, false};
 const Motion_kind jumps{"jumps", 0.0, 0.001, 0.01, false};
 const Motion_kind rebuild{"rebuild", 0.0, 0.03, 0.0, true};
+const Motion_kind after_work{"calm after work", 0.0, 0.001, 0.0, false, 0.3};
 const Motion_kind cell_rough{"cell rough", 0.0, 0.03, 0.0, false};
 
 void add_options(CLI::App& app, Scale_options& options)
@@ -99,7 +100,8 @@ Frame_numbers frame_numbers(std::size_t points, bool is_quick)
 
 std::vector<Case_record> run_cases(const Scale_options& options, Time_table& table)
 {
-  constexpr std::size_t most_in_a_cell = 1'000'000;
+  constexpr std::size_t most_in_a_cell = 1'000'000, fewest_shared = 100'000,
+                        most_after_work = 1'000'000;
   std::vector<Case_record> records;
   for (const std::size_t points : options.points) {
     const Scale_run<In_the_plane> run(points, options.threads);
@@ -110,6 +112,9 @@ std::vector<Case_record> run_cases(const Scale_options& options, Time_table& tab
     };
     for (const Motion_kind& kind : {drift, calm, rough, jumps}) {
       take(run.follow(kind, frames));
+    }
+    if (points >= fewest_shared && points <= most_after_work && !options.is_quick) {
+      take(run.follow(after_work, {2, 20}));
     }
     const std::size_t rebuilds = (std::min)(frames.timed, std::size_t(3) + frames.timed / 8);
     take(run.follow(rebuild, {1, rebuilds}));

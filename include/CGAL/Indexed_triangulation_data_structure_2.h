@@ -56,7 +56,7 @@ vertices and faces when indices change.
   Without it, vertices have no `info()`.
 \tparam FaceInfo the same for faces.
 
-\cgalModels `TriangulationDataStructure_2`
+\cgalModels{TriangulationDataStructure_2}
 
 \sa `Triangulation_data_structure_2`
 */

@@ -8,6 +8,7 @@
 #include "scenario_runner/Simulated_motion.h"
 #include "scenario_runner/Static_triangulation.h"
 
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -25,7 +26,22 @@ struct Motion_kind
   double step;   // of each coordinate on its own, standard deviation
   double jumps;  // the share of points that jump anywhere
   bool rebuilds; // the policy asks for it
+  // What one thread computes before each update, as a simulation does, while the others fall
+  // asleep.
+  double seconds_alone = 0;
 };
+
+inline void compute_alone(double seconds)
+{
+  const auto start = std::chrono::steady_clock::now();
+  volatile double sum = 0;
+  while (std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() <
+         seconds) {
+    for (int i = 0; i < 1000; ++i) {
+      sum = sum + std::sqrt(static_cast<double>(i));
+    }
+  }
+}
 
 // A random cloud, one point to a unit of area, that moves.
 class Scale_motion

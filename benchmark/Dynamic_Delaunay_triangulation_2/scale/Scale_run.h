@@ -61,6 +61,9 @@ public:
       for (std::size_t frame = 0; frame != frames.warm_up + frames.timed; ++frame) {
         motion.advance(kind);
         common::in_turn(frame, group.size(), [&](std::size_t i) {
+          if (kind.seconds_alone > 0) {
+            compute_alone(kind.seconds_alone);
+          }
           const Frame_times times = group[i]->update(motion.points(), kind.rebuilds);
           if (frame >= frames.warm_up) {
             series[i]->frames.push_back(times);

@@ -102,8 +102,8 @@ public:
 
   bool empty() const { return m_arrays.n_properties() == 0; }
 
-  // Lets the values follow: the element with number i had before[i] in `others`, a copy of these, or
-  // is new if that is `no_index`. There must be memory for all of them.
+  // Lets the values follow: the element with number i had before[i] in `others`, a copy of these,
+  // or is new if that is `no_index`. There must be memory for all of them.
   void renumber(const Indexed_properties_2& others, const std::vector<Index>& before)
   {
     m_arrays.resize(before.size());
@@ -386,8 +386,8 @@ public:
         vertices_with_holes(), [this](Index v) { return is_erased_vertex(v); });
     const auto [faces_before, new_face] =
         numbers_without_holes(faces_with_holes(), [this](Index f) { return is_erased_face(f); });
-    Renumbered_data face_data(m_face_properties, m_face_infos, faces_before);
-    Renumbered_data vertex_data(m_vertex_properties, m_vertex_infos, vertices_before);
+    Renumbered_face_data face_data(m_face_properties, m_face_infos, faces_before);
+    Renumbered_vertex_data vertex_data(m_vertex_properties, m_vertex_infos, vertices_before);
     m_arrays.drop_edges(); // nothing throws from here on, unless copying a point or a value does
     for (Index v = 0; v < Index(vertices_before.size()); ++v) {
       m_points[v] = std::move(m_points[vertices_before[v]]);
@@ -460,7 +460,7 @@ private:
 
   auto renumbered_vertex_data(const std::vector<Index>& before)
   {
-    return Renumbered_data(m_vertex_properties, m_vertex_infos, before);
+    return Renumbered_vertex_data(m_vertex_properties, m_vertex_infos, before);
   }
   template <class Data>
   void take_vertex_data(Data& data)
@@ -550,6 +550,8 @@ private:
     Data m_properties;
     Infos m_infos;
   };
+  using Renumbered_vertex_data = Renumbered_data<Vertex_properties, Info_array_2<Vertex_info>>;
+  using Renumbered_face_data = Renumbered_data<Face_properties, Info_array_2<Face_info>>;
 
   static constexpr Index erased_index = no_index - 1;
 

@@ -37,14 +37,14 @@ constexpr bool is_made_of_x_and_y = false;
 template <class Kernel>
 constexpr bool is_made_of_x_and_y<CGAL::Point_2<Kernel>> = true;
 
-// Whether a point is just two doubles. Kernels may add data to points, which are then larger. Points
-// of other types need not even have coordinates.
+// Whether a point is just two doubles. Kernels may add data to points, which are then larger.
+// Points of other types need not even have coordinates.
 template <class Point>
 constexpr bool is_two_doubles = false;
 template <class Kernel>
-constexpr bool is_two_doubles<CGAL::Point_2<Kernel>> =
-    has_double_coordinates<CGAL::Point_2<Kernel>> &&
-    sizeof(CGAL::Point_2<Kernel>) == 2 * sizeof(double);
+constexpr bool
+    is_two_doubles<CGAL::Point_2<Kernel>> = has_double_coordinates<CGAL::Point_2<Kernel>> &&
+                                            sizeof(CGAL::Point_2<Kernel>) == 2 * sizeof(double);
 
 inline Position_2 nowhere()
 {
