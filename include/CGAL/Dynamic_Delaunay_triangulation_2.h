@@ -58,7 +58,8 @@ Points have ids: 0, 1, 2, ... in the order in which they are given. An id keeps 
 all updates, unless its point coincides with another one: points that coincide share a vertex as
 long as they do. `insert()` adds points, and `remove()` removes them. The id of a removed point is
 free, and the next point that is inserted gets the smallest free id. `Dynamic_population_2` is for
-ids that the user chooses.
+ids that the user chooses. Handles of vertices and faces are indices: they are valid until the next
+call that changes the triangulation.
 
 After construction, and after every update with an exact classifier, the triangulation is
 <em>certified</em>: exact predicates have proved that its faces are counterclockwise, that its hull
@@ -145,9 +146,9 @@ public:
   using Triangulation_data_structure = Data_structure;
   /// a point.
   using Point = typename Triangulation::Point;
-  /// a vertex of the CGAL triangulation.
+  /// a vertex of the CGAL triangulation; valid until the next call that changes it.
   using Vertex_handle = typename Triangulation::Vertex_handle;
-  /// a face.
+  /// a face, for as long.
   using Face_handle = typename Triangulation::Face_handle;
   /// an edge as CGAL represents it: a face, and the index of the vertex opposite to the edge.
   using Edge = typename Triangulation::Edge;
@@ -274,9 +275,9 @@ public:
   }
 
   /// takes everything from the other triangulation. That one is then empty, with the same
-  /// classifier, repair and policy, and with a visitor that was moved from. Vertices and faces stay
-  /// where they are in memory. Allocates memory for the empty triangulation and for copies of the
-  /// classifier, the repair and the policy.
+  /// classifier, repair and policy, and with a visitor that was moved from. Handles stay valid.
+  /// Allocates memory for the empty triangulation and for copies of the classifier, the repair and
+  /// the policy.
   Dynamic_Delaunay_triangulation_2(Dynamic_Delaunay_triangulation_2&& other)
     : Dynamic_Delaunay_triangulation_2(other, std::make_unique<Core>())
   {
@@ -289,8 +290,7 @@ public:
     return *this;
   }
 
-  /// exchanges everything with the other triangulation. Vertices and faces stay where they are in
-  /// memory.
+  /// exchanges everything with the other triangulation. Handles stay valid.
   void swap(Dynamic_Delaunay_triangulation_2& other)
   {
     using std::swap;
@@ -317,8 +317,9 @@ public:
   ///
   /// Cost: one pass over all ids, free ones included; the classifier's pass; and the repair of what
   /// it classified, which for points that jump is proportional to their number. The total is never
-  /// much more than the cost of a rebuild. Where nothing breaks nothing is allocated, except when
-  /// the circumcircle classifier skips edges for the first time (16 bytes a vertex).
+  /// much more than the cost of a rebuild. Where nothing breaks nothing is allocated, except in the
+  /// first frame, and when the circumcircle classifier skips edges for the first time (16 bytes a
+  /// vertex each).
   /// \throws Point_count_error_2 if the number of positions is not `number_of_ids()`.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
   /// \throws Coordinate_range_error_2 if a coordinate is too large for this program.
@@ -582,7 +583,7 @@ public:
   /// the number of finite vertices: less than the number of points if points coincide.
   size_type number_of_vertices() const { return m_core->maintained.number_of_vertices(); }
 
-  /// the vertex of a point. It stays the same as long as the point does not coincide with others.
+  /// the vertex of a point. The handle is valid until the next call that changes the triangulation.
   /// \throws Unknown_id_error_2 if no point has this id.
   Vertex_handle vertex(size_type id) const
   {
@@ -626,8 +627,9 @@ public:
 
   /// adds a property to the vertices, with `value` for all of them and all that come, as
   /// `Indexed_triangulation_data_structure_2::add_vertex_property()` does. A vertex keeps its
-  /// values as long as it lives. The map is valid until this object is destroyed, assigned to, or
-  /// moved from. \return the map, and whether it is new. Cost: linear.
+  /// values as long as it lives. The map is valid until this object is destroyed or assigned to; if
+  /// it is moved or swapped, the map belongs to the other object. \return the map, and whether it
+  /// is new. Cost: linear.
   template <class T>
   auto add_vertex_property(const std::string& name, const T& value = T())
   {
@@ -739,7 +741,7 @@ public:
     Delaunay_classifier classifier = m_classifier;
     inform_classifier(classifier, Frame(maintained));
     m_core->update.tools().provide_for_exchange(maintained);
-    start_visit([] {});
+    start_visit();
     m_classifier = std::move(classifier); // nothing throws from here on
     m_core->update.tools().exchange(maintained);
     m_core->update.restore(reader.is_certified(), reader.experience());
@@ -755,10 +757,10 @@ public:
   /// \name Checking
   /// @{
 
-  /// whether the object is valid: the data structure is, the flat arrays agree with it, no point is
-  /// lost, and the certificate holds if `is_certified()`. Cost: linear. \param verbose whether to
-  /// print to `std::cerr` what is wrong. \param level is passed to the data structure's
-  /// `is_valid()`.
+  /// whether the object is valid: the data structure is, no point is lost, no handle has set a
+  /// point, a vertex or a neighbor since everything was built last, and the certificate holds if
+  /// `is_certified()`. Cost: linear. \param verbose whether to print to `std::cerr` what is wrong.
+  /// \param level is passed to the data structure's `is_valid()`.
   bool is_valid(bool verbose = false, int level = 0) const
   {
     using Check = Dynamic_Delaunay_triangulations_2::internal::Validity_check_2<Maintained>;
@@ -816,7 +818,9 @@ private:
       return change.moved.empty();
     };
     m_core->update.enter();
-    start_visit(take_back);
+    start_visit(); // an exception leaves a frame that was read unused
+    if (change.is_frame)
+      m_core->input.accept();
     try {
       const Update_report_2 report = run_phases(change, take_back);
       finish_visit(report);
@@ -843,15 +847,9 @@ private:
   }
 
   // Calls `before_update()`; if that throws, nothing has changed yet.
-  template <class Take_back>
-  void start_visit(const Take_back& take_back)
+  void start_visit()
   {
-    try {
-      m_visitor.before_update(std::as_const(*this));
-    } catch (...) {
-      take_back();
-      throw;
-    }
+    m_visitor.before_update(std::as_const(*this));
     m_core->update.tools().editor().start_visit(m_visitor, this);
   }
 

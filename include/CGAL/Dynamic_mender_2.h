@@ -118,8 +118,9 @@ public:
   void splice_inverted(unsigned padding) { m_tools.splice_inverted(padding); }
 
   /// lets CGAL's `move_if_no_collision()` move one vertex after the other from its position one
-  /// frame ago to the current one. Rebuilds if the triangulation was not certified a frame ago, if
-  /// it was rebuilt since, if points coincide, or if the same update inserts or removes points.
+  /// frame ago to the current one, in a copy, and takes over the result. Rebuilds if the
+  /// triangulation was not certified a frame ago, if it was rebuilt since, if points coincide, or
+  /// if the same update inserts or removes points.
   void relocate() { m_tools.relocate(); }
 
   /// triangulates everything anew, in the order of the last triangulation, and closes all edges.

@@ -36,7 +36,7 @@ A triangulation data structure on flat arrays with indices of 32 bits. `Delaunay
 and CGAL's other triangulations without constraints run on it, with all their functions. A
 `Dynamic_Delaunay_triangulation_2` keeps its topology in one, and nowhere else.
 
-A vertex takes 20 bytes, and a face 36: 92 bytes a point, where CGAL's
+A vertex whose point is two doubles takes 20 bytes, and a face 36: 92 bytes a point, where CGAL's
 `Triangulation_data_structure_2` takes 136. A `Dynamic_Delaunay_triangulation_2` adds 60 bytes a
 point for its edges.
 
@@ -250,7 +250,8 @@ public:
 
   /// adds a property to the vertices, with `value` for all of them and all that come. \return its
   /// map, and true; if there is a property with this name and type, the map of that, and false. The
-  /// map is valid as long as this structure, or the one that it is moved to.
+  /// map is valid until this structure is destroyed or assigned to; if it is moved or swapped, the
+  /// map belongs to the other structure.
   template <class T>
   std::pair<Vertex_property_map<T>, bool> add_vertex_property(const std::string& name,
                                                               const T& value = T())

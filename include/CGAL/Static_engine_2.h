@@ -16,7 +16,7 @@ triangulation, by exact predicates. Where points are cocircular, the results may
 */
 enum class Static_engine_2 {
   /// divide and conquer on flat arrays (thesis 3.2; Guibas and Stolfi 1985), with cuts across both
-  /// axes in turn (Dwyer 1987). CGAL's data structure is written at the end. O(n log n).
+  /// axes in turn (Dwyer 1987). The data structure takes the faces over at the end. O(n log n).
   GUIBAS_STOLFI,
   /// CGAL's insertion of one point after the other, in a spatial order, by flips. Expected cost in
   /// that order: O(n).

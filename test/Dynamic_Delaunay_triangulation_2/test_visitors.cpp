@@ -321,6 +321,39 @@ TEST(Visitor, is_told_that_a_checkpoint_replaces_everything)
   EXPECT_EQ(dt.visitor().hearsay().finished_updates, 2);
 }
 
+// Before an update all is as it was, so CGAL's triangulation is safe to use there.
+struct Looks_before : CGAL::Delaunay_update_visitor_base_2
+{
+  template <class Dynamic>
+  void before_update(const Dynamic& dt)
+  {
+    ASSERT_TRUE(dt.is_certified());
+    EXPECT_TRUE(dt.triangulation().is_valid());
+    if (dt.has_id(0))
+      before = dt.point(0);
+  }
+  template <class Dynamic>
+  void after_flip(const Dynamic& dt, const typename Dynamic::Edge&)
+  {
+    EXPECT_FALSE(dt.is_certified());
+  }
+
+  Epick::Point_2 before{0, 0};
+};
+
+TEST(Visitor, sees_the_last_frame_before_an_update)
+{
+  Cloud<Epick> cloud(6);
+  Points points = cloud.uniform(100);
+  auto dt = visited<Visited<Looks_before>>(points);
+  for (const double step : {0.01, 0.1, 3.}) {
+    const auto last = points.front();
+    cloud.shake(points, step);
+    update(dt, points);
+    EXPECT_EQ(dt.visitor().before, last);
+  }
+}
+
 TEST(Visitor, is_told_nothing_of_input_that_is_refused)
 {
   Cloud<Epick> cloud(5);

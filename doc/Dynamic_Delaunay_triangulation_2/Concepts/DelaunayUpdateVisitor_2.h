@@ -17,12 +17,12 @@ Between these two
 
 - a visitor may read faces and vertices around those that it is called for, but not all of `tds()`,
   which may contain faces and vertices that are about to be written or deleted;
-- vertices that move, in `update()` and in `move()`, have their new points already, in faces that may
-  be inverted by that. So face areas, circumcenters and the like are best computed in
+- vertices that move, in `update()` and in `move()`, have their new points already, in faces that
+  may be inverted by that. So face areas, circumcenters and the like are best computed in
   `after_update()`;
-- the handles that a function gets are valid until the next one is called: a rebuild, an insertion or
-  a removal may give vertices and faces other indices, and handles refer to indices. What a visitor
-  wants to remember it keeps under ids, or in data of vertices and faces;
+- the handles that a function gets are valid until the next one is called: a rebuild, an insertion
+  or a removal may give vertices and faces other indices, and handles refer to indices. What a
+  visitor wants to remember it keeps under ids, or in data of vertices and faces;
 - a vertex may be outside of all faces, from `before_vertex_relocation()` until the visitor is
   called for the creation of its faces, and `v->face()` then has no meaning;
 - the triangulation is not certified, and may have inverted faces.
@@ -34,12 +34,13 @@ Faces with the infinite vertex are treated like all others. While the points do 
 there are no faces, but vertices are still created and removed.
 
 A face is either flipped, which keeps the handles of both faces, or removed or created. A face that
-is created may have the handle of one that has been removed, and then contains the user's data of that
-one, or of another one after a rebuild. If several faces are rewritten together, the visitor is called first for all removals,
-then for the changes of vertices, and then for all creations. There is one exception: for a new
-vertex that is put into faces, it is called before their removal. In a rebuild all faces are
-rewritten. An edge may be flipped more than once in an update, and a face may be removed and
-created.
+is created may have the handle of one that has been removed, and then contains the user's data of
+that one, or of another one after a rebuild. If several faces are rewritten together, the visitor is
+called first for all removals, then for the changes of vertices, and then for all creations. There
+is one exception: for a new vertex that is put into faces, it is called before their removal. In a
+rebuild all faces are rewritten: the visitor is called for the vertices that go before that, and for
+new vertices after it. An edge may be flipped more than once in an update, and a face may be removed
+and created.
 
 If a visitor throws in `before_update()`, nothing changes. If it throws in one of the functions
 between `before_update()` and `after_update()`, it is not called again in this call, not even
@@ -98,8 +99,8 @@ public:
   void after_face_creation(const Dynamic& dt, typename Dynamic::Face_handle f);
 
   /*!
-  is called after vertex `v` was created for the point with this id. It has its point; its faces
-  will be created later.
+  is called after vertex `v` was created for the point with this id. It has its point;
+  `after_face_creation()` is called for its faces later.
   */
   template <class Dynamic>
   void after_vertex_creation(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id);

@@ -15,8 +15,8 @@ the whole point that the user gave last, and a vertex has the point of its repre
 is `CGAL::Dynamic_Delaunay_triangulation_2::id()`. Points *coincide* if they are equal in `x()` and
 `y()`, whatever else they contain. A frame in which only heights change breaks nothing.
 
-The fastest points are a kernel's `Point_2` with doubles for coordinates: they can be made from the
-flat arrays, and need no memory of their own. Other points are stored beside these arrays. If their
+The fastest points are a kernel's `Point_2` that is two doubles and nothing else: the array of
+positions is that of the points. Other points are stored beside their positions. If their
 coordinates are doubles, the floating-point filters decide nearly all signs just the same.
 
 Checkpoints keep `x()` and `y()` only. Therefore

@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// The numbers of half-edges of so many vertices fit into Index, here and in a arrays.
+// The numbers of half-edges of so many vertices fit into Index, here and in `Halfedge_arrays_2`.
 constexpr Index max_vertices = no_index / 8;
 
 // The faces of a fresh triangulation under construction, infinite ones included. Each has three

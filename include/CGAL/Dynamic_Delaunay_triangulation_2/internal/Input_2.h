@@ -127,16 +127,20 @@ public:
   {
   }
 
-  // Reads a frame, whose positions then are those of now. If the frame is refused, or reading it
-  // throws, nothing has changed.
+  // Reads a frame, to be accepted. Nothing has changed before that, also if it is refused.
   template <class InputIterator, class PointMap>
   void stage(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
     m_next_duplicates = m_maintained.ids().duplicates();
     m_were_exact = m_positions.are_exact();
     m_positions.begin_frame();
-    const bool are_exact = stage_all(first, beyond, point_map);
-    m_positions.accept_frame(are_exact); // nothing throws from here on
+    m_are_exact = stage_all(first, beyond, point_map);
+  }
+
+  // Makes the positions that were read those of now. Throws nothing.
+  void accept()
+  {
+    m_positions.accept_frame(m_are_exact);
     exchange_duplicates();
   }
 
@@ -270,7 +274,7 @@ private:
   Maintained& m_maintained;
   typename Maintained::Positions& m_positions;
   std::vector<typename Ids::Duplicate> m_next_duplicates;
-  bool m_were_exact = true;
+  bool m_were_exact = true, m_are_exact = true;
 };
 
 // Reads and checks the input for points to insert, remove or move alone, before anything changes.

@@ -623,9 +623,9 @@ private:
   void triangulate_line()
   {
     Triangulation line(m_maintained.traits());
-    Face_handle near;
+    Face_handle last;
     for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
-      near = line.insert(m_maintained.point(v), near)->face();
+      last = line.insert(m_maintained.point(v), last)->face();
     take_arrays(line);
   }
 

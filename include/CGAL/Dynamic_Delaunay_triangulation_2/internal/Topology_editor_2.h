@@ -38,7 +38,7 @@ struct Boundary_edge_2
 };
 
 // A set of faces on its own. Half-edge 3k+i is opposite to vertex i of its k-th face, as in the
-// m_arrays. Half-edges on the boundary have no twin.
+// arrays. Half-edges on the boundary have no twin.
 struct Patch_2
 {
   std::vector<Index> apexes;

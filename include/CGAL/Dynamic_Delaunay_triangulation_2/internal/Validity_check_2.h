@@ -142,7 +142,7 @@ private:
   {
     if (m_maintained.spans_plane())
       return Certificate_2<Maintained>(m_maintained).holds();
-    try { // without a arrays the triangulation is CGAL's own work
+    try { // on a line the triangulation is CGAL's own work
       return m_maintained.triangulation().is_valid();
     } catch (const Failure_exception&) {
       return false;
