@@ -49,11 +49,7 @@ public:
   Index source(Index h) const { return apex(next(h)); }
   Index target(Index h) const { return apex(previous(h)); }
 
-  void reserve(std::size_t faces)
-  {
-    m_halfedges.reserve(4 * faces);
-    ask_for_huge_pages(m_halfedges);
-  }
+  void reserve(std::size_t faces) { m_halfedges.reserve(4 * faces); }
   void resize(std::size_t faces) { m_halfedges.resize(4 * faces); }
   void set_apex(Index h, Index v) { m_halfedges[h].apex = v; }
   void set_vertices(Index face, Index a, Index b, Index c)

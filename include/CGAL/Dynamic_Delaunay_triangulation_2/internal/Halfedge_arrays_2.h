@@ -223,10 +223,6 @@ private:
     m_halfedges.reserve(3 * std::size_t(faces));
     m_edges.reserve(3 * std::size_t(faces) / 2);
     m_halfedge_of_edge.reserve(3 * std::size_t(faces) / 2);
-    ask_for_huge_pages(m_corner);
-    ask_for_huge_pages(m_halfedges);
-    ask_for_huge_pages(m_edges);
-    ask_for_huge_pages(m_halfedge_of_edge);
   }
 
   void resize(Index vertices, Index faces)

@@ -116,10 +116,6 @@ private:
   // Makes room for a frame. If it throws, or if no other function is called, nothing has changed.
   void begin_frame()
   {
-    if (m_other_points.capacity() < m_points.size()) {
-      m_other_points.reserve(m_points.size());
-      ask_for_huge_pages(m_other_points);
-    }
     m_other_points.resize(m_points.size());
     m_other_points.front() = m_points.front();
     m_other_positions.resize(m_positions.size(), nowhere());

@@ -17,13 +17,6 @@
 #include <immintrin.h>
 #endif
 
-#ifdef __linux__
-#include <sys/mman.h>
-#ifdef MADV_HUGEPAGE
-#define CGAL_DYNAMIC_DELAUNAY_HAS_MADVISE
-#endif
-#endif
-
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
@@ -52,23 +45,6 @@ inline void prefetch(const void* address)
   __asm__ volatile("");
 #else
   static_cast<void>(address);
-#endif
-}
-
-// Asks for huge pages in the memory of a large vector, where the system gives them on request only.
-// A million points are then constructed in 0.8 of the time, and their frames take 0.97 of it:
-// there are fewer pages to be given, and fewer to be looked up. Whatever the answer is, nothing but
-// the time depends on it.
-template <class Vector>
-void ask_for_huge_pages([[maybe_unused]] Vector& data)
-{
-#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_MADVISE
-  constexpr std::uintptr_t page = std::uintptr_t(1) << 21;
-  const auto begin = reinterpret_cast<std::uintptr_t>(data.data());
-  const std::uintptr_t end = begin + data.capacity() * sizeof(*data.data());
-  const std::uintptr_t first = (begin + page - 1) / page * page, beyond = end / page * page;
-  if (first < beyond)
-    madvise(reinterpret_cast<void*>(first), beyond - first, MADV_HUGEPAGE);
 #endif
 }
 

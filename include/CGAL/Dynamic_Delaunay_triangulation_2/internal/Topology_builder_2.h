@@ -539,8 +539,6 @@ private:
   void collect_points(std::vector<Stored_point>& points, std::vector<Position_2>& positions)
   {
     const std::size_t vertices = m_numbering.ids().number_of_representatives() + std::size_t(1);
-    points.reserve(vertices);
-    ask_for_huge_pages(points);
     points.resize(vertices);
     points.front() = m_positions.m_points.front();
     if constexpr (!Positions::points_are_two_doubles)
