@@ -7,11 +7,11 @@
 #include "bindings/Change_reading.h"
 #include "bindings/Subject.h"
 
-#include <CGAL/Delaunay_neighbor_lists_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_neighbor_lists_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cells_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Periodic_cell_2.h>
-#include <CGAL/Voronoi_cell_measures_2.h>
-#include <CGAL/Voronoi_cells_2.h>
 
 #include <array>
 #include <cmath>

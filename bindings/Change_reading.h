@@ -7,7 +7,7 @@
 #include "bindings/Recorded_changes.h"
 #include "bindings/Subject.h"
 
-#include <CGAL/Periodic_edge_changes_visitor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Periodic_edge_changes_visitor_2.h>
 
 #include <algorithm>
 #include <array>

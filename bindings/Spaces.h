@@ -12,10 +12,10 @@
 
 #include <CGAL/Default.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Edge_changes_visitor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Periodic_edge_changes_visitor_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
-#include <CGAL/Edge_changes_visitor_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Periodic_edge_changes_visitor_2.h>
 
 #include <memory>
 #include <string>

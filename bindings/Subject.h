@@ -4,7 +4,7 @@
 #ifndef BINDINGS_SUBJECT_H
 #define BINDINGS_SUBJECT_H
 
-#include <CGAL/Update_report_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 
 #include <cstddef>
 #include <cstdint>

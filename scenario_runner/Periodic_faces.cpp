@@ -3,7 +3,7 @@
 
 #include "scenario_runner/Periodic_faces.h"
 
-#include <CGAL/delaunay_agreement.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/delaunay_agreement.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #ifndef SCENARIO_RUNNER_REBUILD_REASON_NAME_H
 #define SCENARIO_RUNNER_REBUILD_REASON_NAME_H
 
-#include <CGAL/Update_report_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 
 namespace run {
 

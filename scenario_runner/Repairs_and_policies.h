@@ -6,16 +6,16 @@
 
 #include "scenario_runner/Method_choice.h"
 
-#include <CGAL/Always_dynamic_policy_2.h>
-#include <CGAL/Always_static_policy_2.h>
-#include <CGAL/Border_splice_repair_2.h>
-#include <CGAL/Flip_and_splice_repair_2.h>
-#include <CGAL/Flip_repair_2.h>
-#include <CGAL/Hybrid_policy_2.h>
-#include <CGAL/Key_frame_policy_2.h>
-#include <CGAL/Rebuild_repair_2.h>
-#include <CGAL/Relocation_repair_2.h>
-#include <CGAL/Static_engine_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_static_policy_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Hybrid_policy_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Key_frame_policy_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Border_splice_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_and_splice_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Rebuild_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Relocation_repair_2.h>
 
 #include <optional>
 #include <string>

@@ -9,8 +9,8 @@
 #include "scenario_runner/Static_triangulation.h"
 #include "scenario_runner/Threads.h"
 
-#include <CGAL/delaunay_agreement.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/delaunay_agreement.h>
 #include <CGAL/iterator.h>
 
 #include <cstddef>

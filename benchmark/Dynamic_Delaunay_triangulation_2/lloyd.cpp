@@ -34,7 +34,7 @@
 #include "scenario_runner/Static_triangulation.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
-#include <CGAL/Voronoi_cell_measures_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
 
 #include <algorithm>
 #include <cmath>

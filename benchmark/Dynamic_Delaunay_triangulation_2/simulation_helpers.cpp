@@ -8,14 +8,14 @@
 // cases with `periodic` in a periodic square. The counter s/point is the time divided by the points
 // or queries.
 
-#include <CGAL/Delaunay_neighbor_lists_2.h>
-#include <CGAL/Delaunay_point_queries_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_neighbor_lists_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_point_queries_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_gradients_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cells_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Voronoi_cell_gradients_2.h>
-#include <CGAL/Voronoi_cell_measures_2.h>
-#include <CGAL/Voronoi_cells_2.h>
 
 #include <benchmark/benchmark.h>
 

@@ -29,9 +29,9 @@
 #include "scenario_runner/Simulated_motion.h"
 #include "scenario_runner/Static_triangulation.h"
 
-#include <CGAL/Border_splice_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
-#include <CGAL/Rebuild_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Border_splice_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Rebuild_repair_2.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 // have the length that they were made with, follows the triangulation.
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
-#include <CGAL/Edge_changes_visitor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Edge_changes_visitor_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <cmath>

@@ -5,11 +5,11 @@
 // the area of the Voronoi cell in the hall (Steffen, Seyfried: Methods for measuring pedestrian
 // density, flow, speed and direction with minimal scatter, Physica A 389, 2010).
 
-#include <CGAL/Delaunay_point_queries_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_point_queries_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
 #include <CGAL/Dynamic_population_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Voronoi_cell_measures_2.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 // exact when that is wanted.
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Point_distance_classifier_2.h>
 
 #include <cstddef>
 #include <iostream>

@@ -3,16 +3,16 @@
 
 // A few lines for each part of the interface. The manual and the README show them.
 
-#include <CGAL/Delaunay_neighbor_lists_2.h>
-#include <CGAL/Delaunay_point_queries_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Key_frame_policy_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_neighbor_lists_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_point_queries_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_gradients_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cells_2.h>
 #include <CGAL/Dynamic_population_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Key_frame_policy_2.h>
-#include <CGAL/Point_distance_classifier_2.h>
-#include <CGAL/Voronoi_cell_gradients_2.h>
-#include <CGAL/Voronoi_cell_measures_2.h>
-#include <CGAL/Voronoi_cells_2.h>
 
 #include <boost/property_map/property_map.hpp>
 

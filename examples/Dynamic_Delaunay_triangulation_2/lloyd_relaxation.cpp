@@ -8,8 +8,8 @@
 // lloyd_relaxation [POINTS [ITERATIONS]]
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Voronoi_cell_measures_2.h>
 
 #include <cmath>
 #include <cstddef>

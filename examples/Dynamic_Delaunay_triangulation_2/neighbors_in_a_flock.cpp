@@ -4,9 +4,9 @@
 // Birds that start in all directions take the mean heading of their Delaunay neighbors, turn away
 // from whoever is too close, and become a flock.
 
-#include <CGAL/Delaunay_neighbor_lists_2.h>
-#include <CGAL/Delaunay_point_queries_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_neighbor_lists_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_point_queries_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>

@@ -5,8 +5,8 @@
 // neighborhood was last triangulated, than a share of the distance to their nearest neighbor at
 // that time.
 
-#include <CGAL/delaunay_agreement.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/delaunay_agreement.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <cmath>

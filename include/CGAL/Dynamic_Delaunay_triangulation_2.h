@@ -6,32 +6,32 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/accepts_inexact_predicates_2.h>
-#include <CGAL/Always_dynamic_policy_2.h>
-#include <CGAL/Circumcircle_classifier_2.h>
 #include <CGAL/Default.h>
 #include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Delaunay_update_visitor_base_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_file_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_reader_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_streams_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_writer_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_triangulation_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Topology_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Update_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Usual_repair_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Validity_check_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Circumcircle_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/inform_classifier.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Input_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Maintained_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_reader_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_streams_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_writer_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Validity_check_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Usual_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/accepts_inexact_predicates_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Dynamic_triangulation_settings_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Dynamic_frame_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Delaunay_update_visitor_base_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
-#include <CGAL/Dynamic_frame_2.h>
-#include <CGAL/Dynamic_triangulation_settings_2.h>
 #include <CGAL/Indexed_triangulation_data_structure_2.h>
-#include <CGAL/inform_classifier.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
-#include <CGAL/Update_report_2.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -6,29 +6,29 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Always_dynamic_policy_2.h>
-#include <CGAL/Circumcircle_classifier_2.h>
 #include <CGAL/Default.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_file_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_streams_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Floating_point_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Maintained_periodic_triangulation_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_change_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_checkpoint_reader_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_checkpoint_writer_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_editor_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Periodic_update_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Processor_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Usual_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Circumcircle_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/inform_classifier.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Input_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_streams_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Periodic_checkpoint_reader_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Periodic_checkpoint_writer_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Maintained_periodic_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_change_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_editor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_update_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Usual_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Dynamic_triangulation_settings_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Periodic_update_visitor_base_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
-#include <CGAL/Dynamic_triangulation_settings_2.h>
-#include <CGAL/inform_classifier.h>
 #include <CGAL/Periodic_cell_2.h>
-#include <CGAL/Periodic_update_visitor_base_2.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
-#include <CGAL/Update_report_2.h>
 
 #include <array>
 #include <cmath>

@@ -7,15 +7,15 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_streams_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Input_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Points_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/User_id_table_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Input_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/User_id_table_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_streams_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Periodic_cell_2.h>
 #include <CGAL/property_map.h>
-#include <CGAL/Update_report_2.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -7,8 +7,8 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Indexed_elements_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Indexed_storage_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Indexed_elements_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Indexed_storage_2.h>
 #include <CGAL/Triangulation_data_structure_2.h>
 #include <CGAL/Triangulation_ds_face_base_2.h>
 #include <CGAL/Triangulation_ds_vertex_base_2.h>

@@ -8,7 +8,7 @@
 #include "bindings/Report_fields.h"
 #include "page/wasm/Subjects.h"
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Decimal_number_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Decimal_number_2.h>
 
 #include <emscripten/emscripten.h>
 

@@ -6,10 +6,10 @@
 #ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_ARCHETYPES_H
 #define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_ARCHETYPES_H
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/number_utils.h>
-#include <CGAL/Update_report_2.h>
 #include <CGAL/version.h>
 
 #include <cstddef>

@@ -10,7 +10,7 @@
 #include "stamps.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
-#include <CGAL/inform_classifier.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/inform_classifier.h>
 
 #include <gtest/gtest.h>
 

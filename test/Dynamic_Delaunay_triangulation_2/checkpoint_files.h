@@ -10,8 +10,8 @@
 #include "replaced_heap.h"
 #include "sealed_checkpoint.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
-#include <CGAL/Update_report_2.h>
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include "plain_oracle.h"
 
-#include <CGAL/Point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
 
 #include <limits>
 #include <utility>

@@ -7,7 +7,7 @@
 #ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_EXACT_SIGNS_H
 #define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_EXACT_SIGNS_H
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 

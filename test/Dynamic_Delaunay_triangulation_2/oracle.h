@@ -6,9 +6,9 @@
 #ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_ORACLE_H
 #define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_ORACLE_H
 
-#include <CGAL/delaunay_agreement.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/delaunay_agreement.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -9,9 +9,9 @@
 
 #undef NDEBUG
 
-#include <CGAL/delaunay_agreement.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/delaunay_agreement.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
 

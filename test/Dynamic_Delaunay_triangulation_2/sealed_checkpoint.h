@@ -6,7 +6,7 @@
 #ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_SEALED_CHECKPOINT_H
 #define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_SEALED_CHECKPOINT_H
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 
 #include <sstream>
 #include <string>

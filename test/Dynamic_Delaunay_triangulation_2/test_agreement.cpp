@@ -5,7 +5,7 @@
 
 #include "oracle.h"
 
-#include <CGAL/Point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
 
 namespace {
 

@@ -6,17 +6,17 @@
 #include "change_ledger.h"
 #include "oracle.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Estimated_voronoi_circumcenter_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Inflation_aware_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Nearly_delaunay_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Safe_region_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Voronoi_circumcenter_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Voronoi_edge_length_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_and_splice_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Edge_changes_visitor_2.h>
 #include <CGAL/Dynamic_population_2.h>
-#include <CGAL/Edge_changes_visitor_2.h>
-#include <CGAL/Estimated_voronoi_circumcenter_classifier_2.h>
-#include <CGAL/Flip_and_splice_repair_2.h>
-#include <CGAL/Inflation_aware_classifier_2.h>
-#include <CGAL/Nearly_delaunay_classifier_2.h>
-#include <CGAL/Point_distance_classifier_2.h>
-#include <CGAL/Random_classifier_2.h>
-#include <CGAL/Safe_region_classifier_2.h>
-#include <CGAL/Voronoi_circumcenter_classifier_2.h>
-#include <CGAL/Voronoi_edge_length_classifier_2.h>
 
 #include <algorithm>
 #include <array>

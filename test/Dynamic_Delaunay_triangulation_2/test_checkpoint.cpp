@@ -7,13 +7,13 @@
 #include "checkpoint_files.h"
 #include "oracle.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Nearly_delaunay_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Safe_region_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Hybrid_policy_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_repair_2.h>
 #include <CGAL/Dynamic_population_2.h>
-#include <CGAL/Flip_repair_2.h>
-#include <CGAL/Hybrid_policy_2.h>
 #include <CGAL/IO/io.h>
-#include <CGAL/Nearly_delaunay_classifier_2.h>
-#include <CGAL/Point_distance_classifier_2.h>
-#include <CGAL/Safe_region_classifier_2.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>

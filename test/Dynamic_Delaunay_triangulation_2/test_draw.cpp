@@ -6,8 +6,8 @@
 #define CGAL_TEST_SUITE 1 // the viewer then opens no window
 
 #include <CGAL/draw_dynamic_delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Point_distance_classifier_2.h>
 
 #include <gtest/gtest.h>
 

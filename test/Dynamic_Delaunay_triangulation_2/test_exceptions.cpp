@@ -8,9 +8,9 @@
 #include "oracle.h"
 #include "replaced_heap.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Safe_region_classifier_2.h>
 #include <CGAL/Dynamic_population_2.h>
-#include <CGAL/Point_distance_classifier_2.h>
-#include <CGAL/Safe_region_classifier_2.h>
 
 #include <cmath>
 #include <functional>

@@ -8,8 +8,8 @@
 #include "exact_signs.h"
 #include "quadruples.h"
 
-#include <CGAL/Nearly_delaunay_classifier_2.h>
-#include <CGAL/Point_distance_times_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Nearly_delaunay_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_times_2.h>
 
 #include <algorithm>
 #include <array>

@@ -8,9 +8,9 @@
 #include "replaced_heap.h"
 #include "stamps.h"
 
-#include <CGAL/Flip_repair_2.h>
-#include <CGAL/Point_distance_classifier_2.h>
-#include <CGAL/Random_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_repair_2.h>
 
 #include <array>
 #include <limits>

@@ -7,16 +7,16 @@
 #include "../../benchmark/Dynamic_Delaunay_triangulation_2/random_operations/Arithmetic.h"
 #include "oracle.h"
 
-#include <CGAL/accepts_inexact_predicates_2.h>
 #include <CGAL/Cartesian.h>
-#include <CGAL/Delaunay_point_queries_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/accepts_inexact_predicates_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_point_queries_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Rebuild_repair_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_population_2.h>
 #include <CGAL/iterator.h>
-#include <CGAL/Point_distance_classifier_2.h>
 #include <CGAL/Projection_traits_xy_3.h>
 #include <CGAL/property_map.h>
-#include <CGAL/Rebuild_repair_2.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <boost/iterator/counting_iterator.hpp>

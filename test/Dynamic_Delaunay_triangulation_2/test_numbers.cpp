@@ -10,18 +10,18 @@
 #include "oracle.h"
 #include "quadruples.h"
 
-#include <CGAL/Estimated_voronoi_circumcenter_classifier_2.h>
-#include <CGAL/Flip_repair_2.h>
-#include <CGAL/Inflation_aware_classifier_2.h>
-#include <CGAL/Nearly_delaunay_classifier_2.h>
-#include <CGAL/Point_distance_classifier_2.h>
-#include <CGAL/Predictive_point_distance_classifier_2.h>
-#include <CGAL/Random_classifier_2.h>
-#include <CGAL/Refined_classifier_2.h>
-#include <CGAL/Relocation_repair_2.h>
-#include <CGAL/Safe_region_classifier_2.h>
-#include <CGAL/Voronoi_circumcenter_classifier_2.h>
-#include <CGAL/Voronoi_edge_length_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Estimated_voronoi_circumcenter_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Inflation_aware_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Nearly_delaunay_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Predictive_point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Refined_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Safe_region_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Voronoi_circumcenter_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Voronoi_edge_length_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Relocation_repair_2.h>
 
 #include <algorithm>
 #include <array>

@@ -6,9 +6,9 @@
 #include "oracle.h"
 #include "sealed_checkpoint.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Safe_region_classifier_2.h>
 #include <CGAL/Dynamic_population_2.h>
-#include <CGAL/Point_distance_classifier_2.h>
-#include <CGAL/Safe_region_classifier_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 

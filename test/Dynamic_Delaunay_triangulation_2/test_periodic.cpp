@@ -6,9 +6,9 @@
 #include "periodic_oracle.h"
 #include "random_points.h"
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Torus_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Periodic_edge_changes_visitor_2.h>
 #include <CGAL/Dynamic_population_2.h>
-#include <CGAL/Periodic_edge_changes_visitor_2.h>
 
 #include <algorithm>
 #include <array>

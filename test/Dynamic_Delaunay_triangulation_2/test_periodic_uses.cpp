@@ -8,12 +8,12 @@
 
 #include <CGAL/convert_to_periodic_2_delaunay_triangulation_2.h>
 #include <CGAL/draw_dynamic_periodic_delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Periodic_point_queries_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Periodic_2_Delaunay_triangulation_2.h>
 #include <CGAL/Periodic_2_Delaunay_triangulation_traits_2.h>
-#include <CGAL/Periodic_point_queries_2.h>
 
 #include <gtest/gtest.h>
 

@@ -6,18 +6,18 @@
 
 #include "oracle.h"
 
-#include <CGAL/Always_static_policy_2.h>
-#include <CGAL/Estimated_voronoi_circumcenter_classifier_2.h>
-#include <CGAL/Hybrid_policy_2.h>
-#include <CGAL/Inflation_aware_classifier_2.h>
-#include <CGAL/Key_frame_policy_2.h>
-#include <CGAL/Nearly_delaunay_classifier_2.h>
-#include <CGAL/Point_distance_classifier_2.h>
-#include <CGAL/Random_classifier_2.h>
-#include <CGAL/Relocation_repair_2.h>
-#include <CGAL/Safe_region_classifier_2.h>
-#include <CGAL/Voronoi_circumcenter_classifier_2.h>
-#include <CGAL/Voronoi_edge_length_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Estimated_voronoi_circumcenter_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Inflation_aware_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Nearly_delaunay_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Safe_region_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Voronoi_circumcenter_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Voronoi_edge_length_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_static_policy_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Hybrid_policy_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Key_frame_policy_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Relocation_repair_2.h>
 
 #include <algorithm>
 #include <memory>

@@ -7,14 +7,14 @@
 #include "oracle.h"
 #include "population_player.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Inflation_aware_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Safe_region_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Voronoi_circumcenter_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Voronoi_edge_length_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_repair_2.h>
 #include <CGAL/Dynamic_population_2.h>
-#include <CGAL/Flip_repair_2.h>
-#include <CGAL/Inflation_aware_classifier_2.h>
-#include <CGAL/Point_distance_classifier_2.h>
-#include <CGAL/Random_classifier_2.h>
-#include <CGAL/Safe_region_classifier_2.h>
-#include <CGAL/Voronoi_circumcenter_classifier_2.h>
-#include <CGAL/Voronoi_edge_length_classifier_2.h>
 
 #include <algorithm>
 #include <array>

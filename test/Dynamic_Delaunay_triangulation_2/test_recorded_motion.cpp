@@ -7,12 +7,12 @@
 #include "scenario_runner/Open_motion.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Estimated_voronoi_circumcenter_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Inflation_aware_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Voronoi_edge_length_classifier_2.h>
 #include <CGAL/Dynamic_population_2.h>
-#include <CGAL/Estimated_voronoi_circumcenter_classifier_2.h>
-#include <CGAL/Inflation_aware_classifier_2.h>
-#include <CGAL/Point_distance_classifier_2.h>
-#include <CGAL/Random_classifier_2.h>
-#include <CGAL/Voronoi_edge_length_classifier_2.h>
 
 #include <gtest/gtest.h>
 

@@ -5,12 +5,12 @@
 
 #include "oracle.h"
 
-#include <CGAL/Border_splice_repair_2.h>
-#include <CGAL/Flip_repair_2.h>
-#include <CGAL/Point_distance_classifier_2.h>
-#include <CGAL/Random_classifier_2.h>
-#include <CGAL/Rebuild_repair_2.h>
-#include <CGAL/Relocation_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Border_splice_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Rebuild_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Relocation_repair_2.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,9 +6,9 @@
 #include "oracle.h"
 #include "stamps.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Relocation_repair_2.h>
 #include <CGAL/Dynamic_population_2.h>
-#include <CGAL/Random_classifier_2.h>
-#include <CGAL/Relocation_repair_2.h>
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include "scenario_runner/Scenario_run.h"
 #include "temporary_files.h"
 
-#include <CGAL/Random_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
 
 #include <gtest/gtest.h>
 

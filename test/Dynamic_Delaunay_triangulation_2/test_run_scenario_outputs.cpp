@@ -11,9 +11,9 @@
 #include "temporary_files.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Point_distance_classifier_2.h>
-#include <CGAL/Random_classifier_2.h>
 
 #include <gtest/gtest.h>
 

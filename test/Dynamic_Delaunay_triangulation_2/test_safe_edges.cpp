@@ -7,11 +7,11 @@
 #include "oracle.h"
 #include "replaced_heap.h"
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Safe_edges_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Safe_edges_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Rebuild_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Relocation_repair_2.h>
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Flip_repair_2.h>
-#include <CGAL/Rebuild_repair_2.h>
-#include <CGAL/Relocation_repair_2.h>
 
 #include <algorithm>
 #include <array>

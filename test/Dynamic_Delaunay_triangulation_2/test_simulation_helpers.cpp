@@ -7,12 +7,12 @@
 #include "oracle.h"
 #include "replaced_heap.h"
 
-#include <CGAL/Delaunay_neighbor_lists_2.h>
-#include <CGAL/Delaunay_point_queries_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_neighbor_lists_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_point_queries_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Edge_changes_visitor_2.h>
 #include <CGAL/Dynamic_population_2.h>
-#include <CGAL/Edge_changes_visitor_2.h>
-#include <CGAL/Random_classifier_2.h>
-#include <CGAL/Voronoi_cell_measures_2.h>
 
 #include <algorithm>
 #include <cmath>

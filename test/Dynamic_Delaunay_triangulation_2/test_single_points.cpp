@@ -6,7 +6,7 @@
 
 #include "oracle.h"
 
-#include <CGAL/Random_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,12 +7,12 @@
 #include "oracle.h"
 #include "stamps.h"
 
-#include <CGAL/Border_splice_repair_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Guibas_stolfi_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Spatial_order_2.h>
-#include <CGAL/Nearly_delaunay_classifier_2.h>
-#include <CGAL/Random_classifier_2.h>
-#include <CGAL/Rebuild_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Nearly_delaunay_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Spatial_order_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Guibas_stolfi_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Border_splice_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Rebuild_repair_2.h>
 
 #include <algorithm>
 #include <array>

@@ -9,16 +9,16 @@
 #include "oracle.h"
 #include "random_points.h"
 
-#include <CGAL/Border_splice_repair_2.h>
-#include <CGAL/Delaunay_neighbor_lists_2.h>
-#include <CGAL/Delaunay_point_queries_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_neighbor_lists_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_point_queries_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Periodic_point_queries_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_gradients_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Border_splice_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_repair_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_population_2.h>
-#include <CGAL/Flip_repair_2.h>
-#include <CGAL/Periodic_point_queries_2.h>
-#include <CGAL/Random_classifier_2.h>
-#include <CGAL/Voronoi_cell_gradients_2.h>
-#include <CGAL/Voronoi_cell_measures_2.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 

@@ -8,10 +8,10 @@
 #include "archetypes.h"
 #include "oracle.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Relocation_repair_2.h>
 #include <CGAL/Indexed_triangulation_data_structure_2.h>
-#include <CGAL/Point_distance_classifier_2.h>
 #include <CGAL/Projection_traits_xy_3.h>
-#include <CGAL/Relocation_repair_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 

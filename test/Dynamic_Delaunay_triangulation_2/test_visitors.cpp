@@ -7,12 +7,12 @@
 #include "population_player.h"
 #include "stamps.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Rebuild_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Relocation_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Edge_changes_visitor_2.h>
 #include <CGAL/Dynamic_population_2.h>
-#include <CGAL/Edge_changes_visitor_2.h>
-#include <CGAL/Flip_repair_2.h>
-#include <CGAL/Point_distance_classifier_2.h>
-#include <CGAL/Rebuild_repair_2.h>
-#include <CGAL/Relocation_repair_2.h>
 
 #include <algorithm>
 #include <array>

@@ -7,11 +7,11 @@
 #include "oracle.h"
 #include "replaced_heap.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_gradients_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cells_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
-#include <CGAL/Random_classifier_2.h>
-#include <CGAL/Voronoi_cell_gradients_2.h>
-#include <CGAL/Voronoi_cell_measures_2.h>
-#include <CGAL/Voronoi_cells_2.h>
 
 #include <algorithm>
 #include <array>

@@ -11,7 +11,7 @@
 #include "scenario_runner/Scenario_run.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
-#include <CGAL/Update_report_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 
 #include <algorithm>
 #include <cstddef>

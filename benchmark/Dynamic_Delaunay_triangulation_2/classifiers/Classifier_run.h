@@ -11,8 +11,8 @@
 #include "scenario_runner/Repairs_and_policies.h"
 #include "scenario_runner/Static_triangulation.h"
 
-#include <CGAL/delaunay_agreement.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/delaunay_agreement.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -8,7 +8,7 @@
 #include "scenario_runner/Simulated_motion.h"
 #include "scenario_runner/Static_triangulation.h"
 
-#include <CGAL/delaunay_agreement.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/delaunay_agreement.h>
 
 #include <cmath>
 #include <cstddef>

@@ -8,7 +8,7 @@
 #include "scenario_runner/Recorded_motion.h"
 #include "scenario_runner/Static_triangulation.h"
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Static_triangulator_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Static_triangulator_2.h>
 #include <CGAL/hilbert_sort.h>
 
 #include <cstddef>

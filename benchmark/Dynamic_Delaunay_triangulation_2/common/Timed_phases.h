@@ -4,8 +4,8 @@
 #ifndef COMMON_TIMED_PHASES_H
 #define COMMON_TIMED_PHASES_H
 
-#include <CGAL/Circumcircle_classifier_2.h>
-#include <CGAL/Flip_and_splice_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Circumcircle_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_and_splice_repair_2.h>
 
 #include <chrono>
 #include <optional>

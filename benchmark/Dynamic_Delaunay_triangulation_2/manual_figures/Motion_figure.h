@@ -7,7 +7,7 @@
 #include "Followed_motion.h"
 #include "scenario_runner/Pictures.h"
 
-#include <CGAL/Circumcircle_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Circumcircle_classifier_2.h>
 
 #include <cmath>
 #include <cstddef>

@@ -8,8 +8,8 @@
 #include "Panel.h"
 #include "scenario_runner/Pictures.h"
 
-#include <CGAL/Circumcircle_classifier_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/Edge_slack_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Circumcircle_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_slack_2.h>
 #include <CGAL/Kernel/global_functions.h>
 
 #include <algorithm>

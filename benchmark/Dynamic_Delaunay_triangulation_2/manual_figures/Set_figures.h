@@ -8,10 +8,10 @@
 #include "Panel.h"
 #include "scenario_runner/Pictures.h"
 
-#include <CGAL/Border_splice_repair_2.h>
-#include <CGAL/Circumcircle_classifier_2.h>
 #include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Circumcircle_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Border_splice_repair_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>

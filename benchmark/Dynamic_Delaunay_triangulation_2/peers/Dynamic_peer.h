@@ -8,7 +8,7 @@
 #include "scenario_runner/Measurement.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
-#include <CGAL/Point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
 
 #include <cstddef>
 #include <optional>

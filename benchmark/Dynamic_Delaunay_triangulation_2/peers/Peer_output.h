@@ -6,7 +6,7 @@
 
 #include "scenario_runner/Static_triangulation.h"
 
-#include <CGAL/delaunay_agreement.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/delaunay_agreement.h>
 #include <CGAL/Unique_hash_map.h>
 
 #include <algorithm>

@@ -14,10 +14,10 @@
 
 #include <CGAL/Default.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Predictive_point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Predictive_point_distance_classifier_2.h>
-#include <CGAL/Static_engine_2.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>

@@ -10,7 +10,7 @@
 #include "scenario_runner/Repairs_and_policies.h"
 #include "Trial.h"
 
-#include <CGAL/Static_engine_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
 
 #include <algorithm>
 #include <cmath>

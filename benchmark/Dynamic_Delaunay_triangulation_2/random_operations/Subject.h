@@ -6,7 +6,7 @@
 
 #include "Cloud.h"
 
-#include <CGAL/Update_report_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 
 #include <array>
 #include <cstddef>

@@ -12,10 +12,10 @@
 
 #include <CGAL/Default.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Periodic_cell_2.h>
 #include <CGAL/tags.h>
-#include <CGAL/Update_report_2.h>
 
 #include <cmath>
 #include <optional>

@@ -8,7 +8,7 @@
 //   mpirun -n 4 distributed_shear
 
 #include <CGAL/Distributed_dynamic_periodic_Delaunay_triangulation_2.h>
-#include <CGAL/Distributed_neighbor_lists_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/distributed/Distributed_neighbor_lists_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <mpi.h>

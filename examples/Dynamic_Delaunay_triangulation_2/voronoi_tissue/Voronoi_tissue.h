@@ -4,12 +4,12 @@
 #ifndef VORONOI_TISSUE_VORONOI_TISSUE_H
 #define VORONOI_TISSUE_VORONOI_TISSUE_H
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_gradients_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Periodic_edge_changes_visitor_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Periodic_edge_changes_visitor_2.h>
-#include <CGAL/Update_report_2.h>
-#include <CGAL/Voronoi_cell_gradients_2.h>
-#include <CGAL/Voronoi_cell_measures_2.h>
 
 #include <cmath>
 #include <cstddef>

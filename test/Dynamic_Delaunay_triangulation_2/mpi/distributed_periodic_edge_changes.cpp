@@ -6,8 +6,8 @@
 
 #include "distributed_periodic_oracle.h"
 
-#include <CGAL/Distributed_periodic_edge_changes_2.h>
-#include <CGAL/Periodic_edge_changes_visitor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/distributed/Distributed_periodic_edge_changes_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Periodic_edge_changes_visitor_2.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 
 #include "distributed_periodic_oracle.h"
 
-#include <CGAL/Distributed_neighbor_lists_2.h>
-#include <CGAL/Voronoi_cell_measures_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/distributed/Distributed_neighbor_lists_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
 
 #include <algorithm>
 #include <cmath>

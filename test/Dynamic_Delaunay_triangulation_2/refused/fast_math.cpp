@@ -4,7 +4,7 @@
 // Must not compile under -ffast-math and its like, nor with x87 arithmetic, whichever header comes
 // first.
 
-#include <CGAL/Circumcircle_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Circumcircle_classifier_2.h>
 
 int main()
 {

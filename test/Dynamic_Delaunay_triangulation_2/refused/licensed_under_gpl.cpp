@@ -4,7 +4,7 @@
 // Must not compile with CGAL_LICENSE_ERROR, by which a program asks not to use anything under the
 // GPL.
 
-#include <CGAL/Update_report_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 
 int main()
 {

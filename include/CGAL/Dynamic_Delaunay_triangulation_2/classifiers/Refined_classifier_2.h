@@ -1,0 +1,185 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_CLASSIFIERS_REFINED_CLASSIFIER_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_CLASSIFIERS_REFINED_CLASSIFIER_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/inform_classifier.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Classifiers
+
+Reduces what a first classifier picks to what a second one picks, too (thesis 7.2.1). A classifier
+<em>picks</em> the vertices and edges that it names, and all edges of these vertices. The result has
+- the vertices that both name,
+- the edges that one names and the other one picks,
+- if both are exact, also the edges that one picks for one end, and the other one for the other end.
+
+It is *exact* if both are: then both pick each edge that is not Delaunay, and every such edge is in
+the above list.
+
+Cost: that of the first classifier, and that of the second one at the edges that the first one
+picks, if the second one has `names_edge()`; otherwise that of both in full. One or two sets of
+vertices are allocated in every frame.
+
+\tparam First a model of `DelaunayClassifier_2`
+\tparam Second a model of `DelaunayClassifier_2`
+
+\cgalModels{DelaunayClassifier_2}
+*/
+template <class First, class Second>
+class Refined_classifier_2
+{
+public:
+  /// it misses no edge if neither does.
+  static constexpr bool is_exact = First::is_exact && Second::is_exact;
+
+  /// \param first the classifier that picks.
+  /// \param second the classifier that reduces this.
+  explicit Refined_classifier_2(const First& first = First(), const Second& second = Second())
+    : m_first(first)
+    , m_second(second)
+  {
+  }
+
+  /// the classifier that picks.
+  const First& first() const { return m_first; }
+  /// the classifier that reduces this.
+  const Second& second() const { return m_second; }
+
+  /// classifies.
+  template <class Frame, class Classification>
+  void operator()(const Frame& frame, Classification& classified)
+  {
+    Classification first = classified.empty_copy();
+    m_first(frame, first);
+    if (first.hull_turns_once())
+      classified.set_hull_turns_once();
+    if constexpr (Has_names_edge<Second, Frame>::value)
+      ask_edge_by_edge(frame, first, classified);
+    else
+      ask(frame, first, classified);
+  }
+
+  /// informs both classifiers.
+  template <class Frame>
+  void after_update(const Frame& frame)
+  {
+    inform_classifier(m_first, frame);
+    inform_classifier(m_second, frame);
+  }
+
+private:
+  using Index = Dynamic_Delaunay_triangulations_2::Index;
+
+  template <class C, class Frame, class = void>
+  struct Has_names_edge : std::false_type
+  {
+  };
+  template <class C, class Frame>
+  struct Has_names_edge<C, Frame,
+                        std::void_t<decltype(std::declval<const C&>().names_edge(
+                            std::declval<const Frame&>(), Index()))>> : std::true_type
+  {
+  };
+
+  // A second classifier that decides edge by edge names no vertices.
+  template <class Frame, class Classification>
+  void ask_edge_by_edge(const Frame& frame, const Classification& first, Classification& classified)
+  {
+    if (frame.has_changes())
+      inform_classifier(m_second, frame); // as its operator() would do
+    m_seen.clear(frame.number_of_edges());
+    const std::size_t first_illegal = first.edges().size() - first.number_of_illegal_edges();
+    for (std::size_t i = 0; i < first.edges().size(); ++i) {
+      const Index e = first.edges()[i];
+      if (m_seen.insert(e) && m_second.names_edge(frame, e))
+        add_edge(e, i >= first_illegal, classified);
+    }
+    for (const Index v : first.whole_vertices())
+      frame.for_each_incident_edge(v, [&](Index e) {
+        if (m_seen.insert(e) && m_second.names_edge(frame, e))
+          classified.add_edge(e);
+      });
+  }
+
+  template <class Frame, class Classification>
+  void ask(const Frame& frame, const Classification& first, Classification& classified)
+  {
+    Classification second = classified.empty_copy();
+    m_second(frame, second);
+    for (const Index v : first.whole_vertices())
+      if (second.is_whole_vertex(v))
+        classified.add_vertex(v);
+    m_seen.clear(frame.number_of_edges());
+    m_named.clear(frame.number_of_edges());
+    for (const Index e : second.edges())
+      m_named.insert(e);
+    keep_named(
+        frame, first, second, [this](Index e) { return m_named.contains(e); }, classified);
+    keep_named(
+        frame, second, first, [](Index) { return false; },
+        classified); // those that it names are in already
+    if constexpr (is_exact)
+      keep_of_opposite_ends(frame, first, second, classified);
+    if (second.hull_turns_once())
+      classified.set_hull_turns_once();
+  }
+
+  // Keeps the edges that `namer` names, if the other one names them too, or names an end of them.
+  template <class Frame, class Classification, class Is_named>
+  void keep_named(const Frame& frame, const Classification& namer, const Classification& other,
+                  Is_named is_named, Classification& classified)
+  {
+    const auto& edges = namer.edges();
+    const std::size_t first_illegal = edges.size() - namer.number_of_illegal_edges();
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const auto& edge = frame.edge(edges[i]);
+      const bool is_picked = is_named(edges[i]) || other.is_whole_vertex(edge.source) ||
+                             other.is_whole_vertex(edge.target);
+      if (is_picked && m_seen.insert(edges[i]))
+        add_edge(edges[i], i >= first_illegal, classified);
+    }
+  }
+
+  template <class Classification>
+  static void add_edge(Index e, bool is_illegal, Classification& classified)
+  {
+    if (is_illegal)
+      classified.add_illegal_edge(e);
+    else
+      classified.add_edge(e);
+  }
+
+  template <class Frame, class Classification>
+  void keep_of_opposite_ends(const Frame& frame, const Classification& first,
+                             const Classification& second, Classification& classified)
+  {
+    for (const Index v : first.whole_vertices())
+      if (!second.is_whole_vertex(v))
+        frame.for_each_incident_edge(v, [&](Index e) {
+          const auto& edge = frame.edge(e);
+          const Index w = edge.source == v ? edge.target : edge.source;
+          if (second.is_whole_vertex(w) && !first.is_whole_vertex(w) && m_seen.insert(e))
+            classified.add_edge(e);
+        });
+  }
+
+  First m_first;
+  Second m_second;
+  Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_seen;  // edges
+  Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_named; // edges, by the second one
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_CLASSIFIERS_REFINED_CLASSIFIER_2_H

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_COMPUTED_GEOMETRY_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_COMPUTED_GEOMETRY_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Plain floating-point geometry without error bounds. Heuristic classifiers use the rounded results
+// as they are; exact ones bound the error themselves.
+
+inline double squared_distance(const Position_2& p, const Position_2& q)
+{
+  const double x = p.x - q.x, y = p.y - q.y;
+  return x * x + y * y;
+}
+
+inline double distance(const Position_2& p, const Position_2& q)
+{
+  return std::sqrt(squared_distance(p, q));
+}
+
+inline Position_2 operator-(const Position_2& p, const Position_2& q)
+{
+  return {p.x - q.x, p.y - q.y};
+}
+
+inline double cross(const Position_2& u, const Position_2& v)
+{
+  return u.x * v.y - u.y * v.x;
+}
+
+inline double dot(const Position_2& u, const Position_2& v)
+{
+  return u.x * v.x + u.y * v.y;
+}
+
+// The circumcenter of the triangle of the origin, u and v, in either order. Infinite or NaN for
+// collinear ones.
+inline Position_2 circumcenter(const Position_2& u, const Position_2& v)
+{
+  const double uu = dot(u, u), vv = dot(v, v);
+  const double scale = 0.5 / cross(u, v);
+  return {(v.y * uu - u.y * vv) * scale, (u.x * vv - v.x * uu) * scale};
+}
+
+// For an edge at infinity: whether its finite face is not counterclockwise, or the hull turns right
+// at the edge's finite end. False for all other edges.
+inline bool breaks_hull(const Edge_2& edge, const std::vector<Position_2>& positions)
+{
+  const auto orientation = [&](Index p, Index q, Index r) {
+    return cross(positions[q] - positions[p], positions[r] - positions[p]);
+  };
+  return by_kind(
+      edge, [] { return false; },
+      [&](Index a, Index b, Index c) { return !(orientation(a, b, c) > 0); },
+      [&](Index p, Index q, Index r) { return !(orientation(p, q, r) >= 0); });
+}
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_COMPUTED_GEOMETRY_2_H

@@ -1,0 +1,346 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_FLAT_ARRAYS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_FLAT_ARRAYS_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <type_traits>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+/// Index of a vertex, a half-edge, an edge or a face in the flat arrays.
+using Index = std::uint32_t;
+
+/// The coordinates of a vertex in the flat arrays: exact where the kernel's coordinates are
+/// doubles, the nearest doubles elsewhere.
+#ifdef __GNUC__
+// A kernel's point of two doubles may be the same memory.
+struct __attribute__((may_alias)) Position_2
+#else
+struct Position_2
+#endif
+{
+  double x, y;
+};
+
+/// An edge with its two opposite vertices: (left, source, target) and (right, target, source) are
+/// the two faces at the edge, both counterclockwise.
+struct Edge_2
+{
+  Index source, target, left, right;
+};
+
+/// The positions of the four vertices of an edge, as seen from the edge. `left` and `right` are the
+/// vertices opposite to it.
+struct Edge_corners_2
+{
+  Position_2 left, source, target, right;
+};
+
+namespace internal {
+
+constexpr Index infinite_index = 0;
+constexpr Index no_index = (std::numeric_limits<Index>::max)();
+
+// Makes room for `more` further elements, so that appending them cannot throw. Grows by doubling,
+// which `reserve()` alone does not.
+template <class Vector>
+void provide(Vector& data, std::size_t more)
+{
+  if (data.capacity() < data.size() + more)
+    data.reserve(2 * data.size() + more);
+}
+
+// Leaves elements that a vector appends by their number alone without a value. The operating system
+// then gives memory to the threads that write them first, and not page by page to one of them.
+template <class T>
+struct Uninitialized_allocator_2 : std::allocator<T>
+{
+  template <class U>
+  struct rebind
+  {
+    using other = Uninitialized_allocator_2<U>;
+  };
+
+  template <class U>
+  void construct(U* place) noexcept
+  {
+    static_assert(std::is_trivially_destructible_v<U>);
+    ::new (static_cast<void*>(place)) U;
+  }
+  template <class U, class... Arguments>
+  void construct(U* place, Arguments&&... arguments)
+  {
+    ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
+  }
+};
+template <class T>
+using Uninitialized_vector_2 = std::vector<T, Uninitialized_allocator_2<T>>;
+
+// A list that keeps its memory. Appending to it is one comparison and one store, which compilers
+// put in place; std::vector's is a function that they call.
+template <class T>
+class Kept_list_2
+{
+public:
+  void clear() { m_size = 0; }
+
+  void push_back(const T& element)
+  {
+    if (m_size == m_elements.size())
+      m_elements.resize(2 * m_size + 8);
+    m_elements[m_size++] = element;
+  }
+  void pop_back() { --m_size; }
+
+  std::size_t size() const { return m_size; }
+  bool empty() const { return m_size == 0; }
+  const T& back() const { return m_elements[m_size - 1]; }
+  const T& operator[](std::size_t i) const { return m_elements[i]; }
+  T& operator[](std::size_t i) { return m_elements[i]; }
+  const T* begin() const { return m_elements.data(); }
+  const T* end() const { return m_elements.data() + m_size; }
+
+private:
+  std::vector<T> m_elements;
+  std::size_t m_size = 0;
+};
+
+// A set of indices below a bound, in the order of insertion. Membership is stored as bits, so that
+// random look-ups stay in the cache. Clearing takes time proportional to the number of members.
+// After the first frames nothing is allocated.
+class Index_set_2
+{
+public:
+  void clear(std::size_t bound)
+  {
+    for (const Index i : m_members)
+      m_words[i / bits] = 0;
+    m_members.clear();
+    m_words.resize((bound + bits - 1) / bits, 0);
+  }
+
+  bool contains(Index i) const { return m_words[i / bits] >> i % bits & 1; }
+
+  bool insert(Index i)
+  {
+    if (contains(i))
+      return false;
+    m_members.push_back(i); // may throw
+    m_words[i / bits] |= std::uint64_t(1) << i % bits;
+    return true;
+  }
+
+  // Calls f(insert) with a function that inserts up to `most` times. It has no branch, which would
+  // be unpredictable where many indices are inserted more than once.
+  template <class Function>
+  void insert_up_to(std::size_t most, const Function& f)
+  {
+    std::size_t size = m_members.size();
+    m_members.resize(size + most);
+    f([&](Index i) {
+      std::uint64_t& word = m_words[i / bits];
+      const std::uint64_t bit = std::uint64_t(1) << i % bits;
+      m_members[size] = i;
+      size += (word & bit) == 0;
+      word |= bit;
+    });
+    m_members.resize(size);
+  }
+
+  // Replaces the content by these indices.
+  void assign(const std::vector<Index>& indices, std::size_t bound)
+  {
+    clear(bound);
+    for (const Index i : indices)
+      insert(i);
+  }
+
+  // Replaces the content by all indices from `first` to below `bound`.
+  void fill(Index first, Index bound)
+  {
+    clear(bound);
+    m_members.resize(bound - first);
+    std::iota(m_members.begin(), m_members.end(), first);
+    for (const Index i : m_members)
+      m_words[i / bits] |= std::uint64_t(1) << i % bits;
+  }
+
+  std::size_t size() const { return m_members.size(); }
+  bool empty() const { return m_members.empty(); }
+  Index operator[](std::size_t i) const { return m_members[i]; }
+  const std::vector<Index>& members() const { return m_members; }
+  auto begin() const { return m_members.begin(); }
+  auto end() const { return m_members.end(); }
+
+private:
+  static constexpr Index bits = 64;
+
+  std::vector<Index> m_members;
+  std::vector<std::uint64_t> m_words;
+};
+
+// Sorts the indices and removes repeated ones, by a bit for each from the smallest to the largest.
+// False, and nothing is done, if looking through the bits would take longer than sorting.
+inline bool make_distinct_by_bits(std::vector<Index>& indices)
+{
+  constexpr std::size_t few = 64, words_per_index = 8;
+  constexpr Index bits = 64;
+  if (indices.size() < few)
+    return false;
+  const auto [smallest, largest] = std::minmax_element(indices.begin(), indices.end());
+  const Index first = *smallest;
+  const std::size_t words = (*largest - first) / bits + std::size_t(1);
+  if (words / words_per_index > indices.size())
+    return false;
+  std::vector<std::uint64_t> are_there(words);
+  for (const Index i : indices)
+    are_there[(i - first) / bits] |= std::uint64_t(1) << (i - first) % bits;
+  auto place = indices.begin();
+  for (std::size_t w = 0; w < words; ++w)
+    for (std::uint64_t word = are_there[w]; word != 0; word &= word - 1)
+      *place++ = first + Index(w) * bits + lowest_bit(word);
+  indices.erase(place, indices.end());
+  return true;
+}
+
+// Sorts the indices and removes repeated ones. Sorting takes some 50 nanoseconds for each of many.
+inline void make_distinct(std::vector<Index>& indices)
+{
+  if (make_distinct_by_bits(indices))
+    return;
+  boost::sort::spreadsort::integer_sort(indices.begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+}
+
+// Removes the i-th of the indices if is(i, beyond). Threads share that; `beyond` is the end of a
+// thread's part, up to which it may fetch ahead.
+template <class Parts, class Predicate>
+void remove_by_parts(std::vector<Index>& indices, std::size_t least, const Predicate& is)
+{
+  Parts::for_each(indices.size(), least, [&](std::size_t, std::size_t i, std::size_t beyond) {
+    for (; i < beyond; ++i)
+      if (is(i, beyond))
+        indices[i] = no_index;
+  });
+  indices.erase(std::remove(indices.begin(), indices.end(), no_index), indices.end());
+}
+
+// Throws if an id occurs more than once.
+template <class Id>
+void check_distinct(const std::vector<Id>& given)
+{
+  if (given.size() < 2) // most are points that move or go alone
+    return;
+  std::vector<Id> ids = given;
+  std::sort(ids.begin(), ids.end());
+  const auto twice = std::adjacent_find(ids.begin(), ids.end());
+  if (twice != ids.end())
+    throw Repeated_id_error_2(*twice);
+}
+
+// How the numbers of vertices, edges or faces have changed in a call. The last element takes the
+// number of a removed one. An added element takes the number of a removed one, or the next number.
+class Renumbering_2
+{
+public:
+  bool is_none() const { return m_kept == no_index && m_moves.empty(); }
+
+  // Reserves memory for so many removals. Then nothing here throws, except follow().
+  void provide(std::size_t number) { m_moves.reserve(m_moves.size() + number); }
+
+  void clear()
+  {
+    m_moves.clear();
+    m_kept = no_index;
+  }
+
+  // The last element takes the number of a removed one.
+  void note_move(Index last, Index to)
+  {
+    const bool has_come = last >= m_kept;
+    m_kept = (std::min)(m_kept, last);
+    if (to < m_kept)
+      m_moves.emplace_back(has_come ? no_index : last, to);
+  }
+
+  // An added element takes the number of a removed one.
+  void note_replacement(Index i)
+  {
+    if (i < m_kept)
+      m_moves.emplace_back(no_index, i);
+  }
+
+  // Added elements get the numbers from `first` on.
+  void note_appended(Index first) { m_kept = (std::min)(m_kept, first); }
+
+  // Renumbers `data`, one entry per element, in the same way. `make(i)` makes the entry of an added
+  // element, whose number is i.
+  template <class T, class Make>
+  void follow(std::vector<T>& data, std::size_t size, const Make& make) const
+  {
+    std::unordered_set<Index> come; // added elements that have the number of a removed one
+    for (const auto& [from, to] : m_moves) {
+      come.erase(to);
+      if (from == no_index || come.erase(from) > 0)
+        come.insert(to);
+      else if (from < data.size())
+        data[to] = data[from];
+    }
+    if (m_kept < data.size())
+      data.erase(data.begin() + std::ptrdiff_t(m_kept), data.end());
+    while (data.size() < size)
+      data.push_back(make(Index(data.size())));
+    for (const Index i : come)
+      if (i < m_kept)
+        data[i] = make(i);
+  }
+
+private:
+  // Moves in order, from number to number; from `no_index` if the element was added in this call.
+  std::vector<std::pair<Index, Index>> m_moves;
+  Index m_kept = no_index; // the elements from before the call all have smaller numbers now
+};
+
+struct Renumberings_2
+{
+  Renumbering_2 vertices, edges, faces;
+
+  bool are_none() const { return vertices.is_none() && edges.is_none() && faces.is_none(); }
+
+  void provide_for_removals(std::size_t number)
+  {
+    vertices.provide(number);
+    edges.provide(3 * number);
+    faces.provide(2 * number);
+  }
+
+  void clear()
+  {
+    vertices.clear();
+    edges.clear();
+    faces.clear();
+  }
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_FLAT_ARRAYS_2_H

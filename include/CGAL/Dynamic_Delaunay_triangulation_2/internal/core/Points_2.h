@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_POINTS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_POINTS_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+#include <CGAL/enum.h>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/number_type_basic.h>
+#include <CGAL/Point_2.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// What the triangulation needs to know of points of any type: their places in the plane, by their x
+// and y. Points may hold more data, such as a height, which are passed along.
+
+template <class Point>
+constexpr bool has_double_coordinates =
+    std::is_same_v<std::decay_t<decltype(std::declval<const Point&>().x())>, double>;
+
+// Whether a point can be made from its x and y.
+template <class Point>
+constexpr bool is_made_of_x_and_y = false;
+template <class Kernel>
+constexpr bool is_made_of_x_and_y<CGAL::Point_2<Kernel>> = true;
+
+// Whether a point is just two doubles. Kernels may add data to points, which are then larger.
+// Points of other types need not even have coordinates.
+template <class Point>
+constexpr bool is_two_doubles = false;
+template <class Kernel>
+constexpr bool
+    is_two_doubles<CGAL::Point_2<Kernel>> = has_double_coordinates<CGAL::Point_2<Kernel>> &&
+                                            sizeof(CGAL::Point_2<Kernel>) == 2 * sizeof(double);
+
+inline Position_2 nowhere()
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  return {nan, nan};
+}
+
+template <class Point>
+Position_2 approximation(const Point& p)
+{
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
+}
+
+template <class Traits, class Point>
+Comparison_result compare_xy(const Traits& traits, const Point& p, const Point& q)
+{
+  if constexpr (has_double_coordinates<Point>) {
+    return p.x() != q.x() ? CGAL::compare(p.x(), q.x()) : CGAL::compare(p.y(), q.y());
+  } else {
+    const Comparison_result x = traits.compare_x_2_object()(p, q);
+    return x != EQUAL ? x : traits.compare_y_2_object()(p, q);
+  }
+}
+
+// Points coincide if they have the same place in the plane.
+template <class Traits, class Point>
+bool coincide(const Traits& traits, const Point& p, const Point& q)
+{
+  return compare_xy(traits, p, q) == EQUAL;
+}
+
+// The kernel's predicates are exact for coordinates below this magnitude.
+//
+// Compiled for SSE4.1 or AVX, CGAL's interval product loses a 0 that meets an infinity: [-1, 0]
+// times [1, inf] is [-inf, -1] (CGAL 5.5; cf. its issue 4312). Such an interval can exclude the
+// true sign, so that exact arithmetic is not used. For that, an operand of a product must overflow.
+// The largest operands, in the in-circle determinant, are sums of two products of two differences.
+// With coordinates below 2^510 they are at most 2 * 2^511 * 2^511 = 2^1023.
+#if defined(CGAL_USE_SSE2) && (defined(__SSE4_1__) || defined(__AVX__))
+constexpr double coordinate_limit = 0x1p510;
+// The product of this with any coordinate beyond the limit overflows.
+constexpr double factor_beyond_limit = 0x1p514;
+#else
+constexpr double coordinate_limit = std::numeric_limits<double>::infinity();
+constexpr double factor_beyond_limit = 1;
+#endif
+
+inline bool is_within_limit(double coordinate)
+{
+  return std::isfinite(factor_beyond_limit * coordinate);
+}
+
+// Whether all coordinates of some positions are finite and within the limit, found without
+// branches: a coordinate x is finite if 0x is 0, and within the limit if its product with the
+// factor is finite.
+class Limit_check_2
+{
+public:
+  void add(const Position_2& p)
+  {
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2 // g++ takes the coordinates apart
+    const __m128d product = _mm_mul_pd(_mm_set1_pd(factor_beyond_limit), _mm_loadu_pd(&p.x));
+    m_zero = _mm_add_pd(m_zero, _mm_mul_pd(_mm_setzero_pd(), product));
+#else
+    m_zero.x += 0 * (factor_beyond_limit * p.x);
+    m_zero.y += 0 * (factor_beyond_limit * p.y);
+#endif
+  }
+
+  bool holds() const
+  {
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+    return _mm_movemask_pd(_mm_cmpeq_pd(m_zero, _mm_setzero_pd())) == 3;
+#else
+    return m_zero.x == 0 && m_zero.y == 0;
+#endif
+  }
+
+private:
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+  __m128d m_zero = _mm_setzero_pd();
+#else
+  Position_2 m_zero{0, 0};
+#endif
+};
+
+// The position of a point. Throws if its coordinates are not finite, or beyond the limit.
+template <class Point>
+Position_2 checked_position(const Point& p, std::size_t id)
+{
+  const Position_2 position{CGAL::to_double(p.x()), CGAL::to_double(p.y())};
+  if (!std::isfinite(position.x) || !std::isfinite(position.y))
+    throw Non_finite_coordinate_error_2(id, position.x, position.y);
+  if (!is_within_limit(position.x) || !is_within_limit(position.y))
+    throw Coordinate_range_error_2(id, position.x, position.y, coordinate_limit);
+  return position;
+}
+
+// Whether the position is known to be exact, judging by the intervals of the coordinates.
+template <class Point>
+bool has_exact_position(const Point& p)
+{
+  if constexpr (has_double_coordinates<Point>) {
+    return true;
+  } else {
+    const auto is_a_double = [](const auto& coordinate) {
+      const std::pair<double, double> interval = CGAL::to_interval(coordinate);
+      return interval.first == interval.second;
+    };
+    return is_a_double(p.x()) && is_a_double(p.y());
+  }
+}
+
+// The same, but also clears `are_exact` if a coordinate is rounded.
+template <class Point>
+Position_2 checked_position(const Point& p, std::size_t id, bool& are_exact)
+{
+  const Position_2 position = checked_position(p, id);
+  are_exact = are_exact && has_exact_position(p);
+  return position;
+}
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_POINTS_2_H

@@ -1,0 +1,292 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_POSITIONS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_POSITIONS_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// A point for each vertex, and its position: the same array if points are just two doubles.
+template <class Point>
+struct Point_arrays_2
+{
+  static constexpr bool points_are_two_doubles = is_two_doubles<Point>;
+  using Stored_point = std::conditional_t<points_are_two_doubles, Position_2, Point>;
+
+  static Point as_point(const Position_2& p)
+  {
+    static_assert(points_are_two_doubles);
+    return Point(p.x, p.y);
+  }
+  static const Point& as_point(const Point& p) { return p; }
+
+  static Stored_point stored(const Position_2& position, [[maybe_unused]] const Point& p)
+  {
+    if constexpr (points_are_two_doubles)
+      return position;
+    else
+      return p;
+  }
+};
+
+// The positions of the vertices, now and one frame ago. Those of now are in the data structure's
+// own array of points. A frame is read into another array, and both are exchanged; so taking a
+// refused frame back is one more exchange. If single points move, only their former places are
+// kept. Reading is public. `Input_frame_2` stages and restores; the editor and the builder add and
+// remove entries along with vertices.
+template <class Point>
+class Positions_2
+{
+  using Arrays = Point_arrays_2<Point>;
+  using Stored_point = typename Arrays::Stored_point;
+
+public:
+  static constexpr bool points_are_two_doubles = Arrays::points_are_two_doubles;
+
+  // The infinite vertex must be there, as the first one.
+  explicit Positions_2(std::vector<Stored_point>& points)
+    : m_points(points)
+    , m_positions(points_are_two_doubles ? 0 : 1, nowhere())
+  {
+    if constexpr (points_are_two_doubles)
+      m_points.front() = nowhere();
+  }
+
+  // The points, rounded if their coordinates are not doubles. Indexed by vertices.
+  const std::vector<Position_2>& positions() const
+  {
+    if constexpr (points_are_two_doubles)
+      return m_points;
+    else
+      return m_positions;
+  }
+  decltype(auto) point(Index v) const { return Arrays::as_point(m_points[v]); }
+
+  // Whether no coordinate was rounded in positions().
+  bool are_exact() const { return m_are_exact; }
+
+  // Whether points have moved in the present call. Otherwise their previous places are not known,
+  // and the functions below return those of now.
+  bool have_moved() const { return m_is_frame || !m_moved.empty(); }
+
+  Position_2 previous_position(Index v) const
+  {
+    if constexpr (points_are_two_doubles)
+      return *previous(v);
+    else
+      return approximation(*previous(v));
+  }
+
+  // Fetches the position of a vertex, and the previous one.
+  void prefetch(Index v) const
+  {
+    internal::prefetch(&positions()[v]);
+    if (m_is_frame)
+      internal::prefetch(&m_other_points[v]);
+  }
+
+private:
+  template <class Maintained>
+  friend class Input_frame_2;
+  template <class Maintained>
+  friend class Topology_builder_2;
+  template <class Maintained>
+  friend class Topology_editor_2;
+
+  Positions_2(const Positions_2&) = delete;
+  Positions_2& operator=(const Positions_2&) = delete;
+
+  // A FRAME -------------------------------------------------------------------------------------
+
+  // Makes room for a frame. If it throws, or if no other function is called, nothing has changed.
+  void begin_frame()
+  {
+    m_other_points.resize(m_points.size());
+    m_other_points.front() = m_points.front();
+    m_other_positions.resize(m_positions.size(), nowhere());
+  }
+
+  // Where to put the frame, for every finite vertex. Threads may share that.
+  struct Staged
+  {
+    Stored_point* points;
+    Position_2* positions;
+
+    void set(Index v, const Position_2& position, const Point& p) const
+    {
+      points[v] = Arrays::stored(position, p);
+      if constexpr (!points_are_two_doubles)
+        positions[v] = position;
+    }
+  };
+  Staged staged() { return {m_other_points.data(), m_other_positions.data()}; }
+
+  void accept_frame(bool are_exact)
+  {
+    exchange();
+    m_are_exact = are_exact;
+    m_is_frame = true;
+  }
+
+  void take_back(bool were_exact)
+  {
+    CGAL_precondition(m_is_frame);
+    exchange();
+    m_are_exact = were_exact;
+    m_is_frame = false;
+  }
+
+  void exchange()
+  {
+    m_points.swap(m_other_points);
+    m_positions.swap(m_other_positions);
+  }
+
+  // SINGLE POINTS -------------------------------------------------------------------------------
+
+  // Reserves memory for so many moves. Then move() throws only what copying a point throws.
+  void provide_for_moves(std::size_t number) { provide(m_moved, number); }
+
+  void move(Index v, const Point& p)
+  {
+    m_moved.emplace_back(v, m_points[v]);
+    set(v, p);
+  }
+
+  // To be called after the last move(), for distinct vertices.
+  void end_moves()
+  {
+    std::sort(m_moved.begin(), m_moved.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+  }
+
+  void set(Index v, const Point& p)
+  {
+    const Position_2 position = approximation(p);
+    m_points[v] = Arrays::stored(position, p);
+    if constexpr (!points_are_two_doubles)
+      m_positions[v] = position;
+  }
+
+  // The same for a vertex that was elsewhere only by its number.
+  void restart(Index v, const Point& p)
+  {
+    set(v, p);
+    if (have_moved())
+      *previous(v) = m_points[v];
+  }
+
+  // To be called at the end of a call, or when vertices get other numbers.
+  void forget_previous()
+  {
+    m_is_frame = false;
+    m_moved.clear();
+  }
+
+  // IN STEP WITH THE VERTICES -------------------------------------------------------------------
+
+  // After this, append() throws only what copying a point throws.
+  void provide_for_vertex()
+  {
+    provide(m_points, 1);
+    if constexpr (!points_are_two_doubles)
+      provide(m_positions, 1);
+    if (m_is_frame)
+      provide(m_other_points, 1);
+  }
+
+  void append(const Point& p)
+  {
+    const Position_2 position = approximation(p);
+    m_points.push_back(Arrays::stored(position, p));
+    if constexpr (!points_are_two_doubles)
+      m_positions.push_back(position);
+    if (m_is_frame)
+      m_other_points.push_back(m_points.back());
+  }
+
+  // Drops what was appended beyond this number.
+  void resize(std::size_t number)
+  {
+    m_points.resize(number);
+    if constexpr (!points_are_two_doubles)
+      m_positions.resize(number);
+    if (m_is_frame)
+      m_other_points.resize(number);
+  }
+
+  void move_last_to(Index v)
+  {
+    forget_previous();
+    m_points[v] = m_points.back();
+    m_points.pop_back();
+    if constexpr (!points_are_two_doubles) {
+      m_positions[v] = m_positions.back();
+      m_positions.pop_back();
+    }
+  }
+
+  // Copies what is not in the data structure's array.
+  void copy(const Positions_2& other)
+  {
+    m_positions = other.m_positions;
+    m_are_exact = other.m_are_exact;
+  }
+  void exchange_all_but_points(Positions_2& other)
+  {
+    m_positions.swap(other.m_positions);
+    std::swap(m_are_exact, other.m_are_exact);
+  }
+
+  // Exchanges the points of all vertices, and their positions, if they are kept apart.
+  void exchange(std::vector<Stored_point>& points, std::vector<Position_2>& positions)
+  {
+    m_points.swap(points);
+    m_positions.swap(positions);
+  }
+
+  // The place of a vertex before it moved, as it is stored.
+  const Stored_point* previous(Index v) const
+  {
+    if (m_is_frame)
+      return &m_other_points[v];
+    if (m_moved.empty())
+      return &m_points[v];
+    const auto moved = std::lower_bound(m_moved.begin(), m_moved.end(), v,
+                                        [](const auto& entry, Index w) { return entry.first < w; });
+    return moved != m_moved.end() && moved->first == v ? &moved->second : &m_points[v];
+  }
+  Stored_point* previous(Index v)
+  {
+    return const_cast<Stored_point*>(std::as_const(*this).previous(v));
+  }
+
+  std::vector<Stored_point>& m_points; // those of the data structure
+  std::vector<Position_2> m_positions; // empty if they would say the same
+  std::vector<Stored_point> m_other_points;
+  std::vector<Position_2> m_other_positions;
+  std::vector<std::pair<Index, Stored_point>> m_moved; // single points, from these places
+  bool m_is_frame = false;                             // the other arrays are one frame old
+  bool m_are_exact = true;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_POSITIONS_2_H

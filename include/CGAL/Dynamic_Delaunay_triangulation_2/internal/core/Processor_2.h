@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_PROCESSOR_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_PROCESSOR_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <cstdint>
+
+// AVX2 is selected at run time, so that it does not need special compiler flags.
+// CGAL_DYNAMIC_DELAUNAY_NO_SIMD disables it.
+#if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__)) &&                            \
+    !defined(CGAL_DYNAMIC_DELAUNAY_NO_SIMD)
+#define CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+#define CGAL_DYNAMIC_DELAUNAY_AVX2 __attribute__((target("avx2"), always_inline)) static inline
+#include <immintrin.h>
+#endif
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+
+inline bool has_avx2()
+{
+  static const bool has = __builtin_cpu_supports("avx2");
+  return has;
+}
+
+#endif // CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+
+// With more vertices than this, and other work between the frames, the flat arrays are not in the
+// second-level cache, and passes over them prefetch. That saves a fifth of the pass over the edges
+// at 4,000 points and half at 10^5; at 1,000 it would add a fifth.
+constexpr std::uint32_t min_vertices_to_prefetch = 3 << 10;
+
+// Fetches memory that will be needed soon; does nothing if the compiler does not support it. The
+// empty statement is a side effect: g++ would remove calls of a function that only prefetches.
+inline void prefetch(const void* address)
+{
+#if defined(__GNUC__) || defined(__clang__)
+  __builtin_prefetch(address);
+  __asm__ volatile("");
+#else
+  static_cast<void>(address);
+#endif
+}
+
+// The place of the lowest bit that is set. One of them must be.
+inline unsigned lowest_bit(std::uint64_t word)
+{
+#if defined(__GNUC__) || defined(__clang__)
+  return unsigned(__builtin_ctzll(word));
+#else
+  unsigned place = 0;
+  for (; (word & 1) == 0; word >>= 1)
+    ++place;
+  return place;
+#endif
+}
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_PROCESSOR_2_H

@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_MAINTAINED_TRIANGULATION_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_MAINTAINED_TRIANGULATION_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Parallel_parts_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Positions_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_slack_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
+#include <CGAL/number_type_basic.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// What an update works on: the topology and the positions of its vertices. Reading is public; only
+// the friends of each class can write.
+template <class Traits_, class Tds_, class Visitor_calls_, class ConcurrencyTag>
+class Maintained_triangulation_2
+{
+public:
+  using Traits = Traits_;
+  using Tds = Tds_;
+  using Visitor_calls = Visitor_calls_;
+  using Topology = Topology_2<Traits, Tds, Visitor_calls>;
+  using Triangulation = typename Topology::Triangulation;
+  using Vertex_handle = typename Topology::Vertex_handle;
+  using Face_handle = typename Topology::Face_handle;
+  using Point = typename Topology::Point;
+  using Ids = typename Topology::Ids;
+  using Positions = Positions_2<Point>;
+  using Space = Plane_2;
+  using Edge_test = Edge_test_2<Maintained_triangulation_2>;
+  using Slacks = Plane_slacks_2;
+
+  static constexpr bool is_periodic = false;
+
+  static constexpr bool coordinates_are_doubles = has_double_coordinates<Point>;
+
+  // How passes are divided. Numbers that are computed when they are needed, and shared by points,
+  // are left to one thread.
+  using Parts =
+      Parallel_parts_2<std::conditional_t<coordinates_are_doubles, ConcurrencyTag, Sequential_tag>>;
+
+  explicit Maintained_triangulation_2(const Traits& traits = Traits())
+    : m_topology(traits)
+    , m_positions(m_topology.points())
+  {
+  }
+
+  const Traits& traits() const { return triangulation().geom_traits(); }
+
+  // TOPOLOGY ------------------------------------------------------------------------------------
+
+  const Triangulation& triangulation() const { return m_topology.triangulation(); }
+  const Halfedge_arrays_2& arrays() const { return m_topology.arrays(); }
+  bool is_written_by_handles() const { return m_topology.is_written_by_handles(); }
+  Vertex_handle vertex_handle(Index v) const { return m_topology.vertex_handle(v); }
+  const Ids& ids() const { return m_topology.ids(); }
+  const Change_log_2& changes() const { return m_topology.changes(); }
+
+  auto& vertex_properties() { return m_topology.vertex_properties(); }
+  auto& face_properties() { return m_topology.face_properties(); }
+
+  // Without the infinite one.
+  Index number_of_vertices() const { return Index(positions().size()) - 1; }
+
+  // In lower dimensions there are no edges and faces, and every frame is a rebuild.
+  bool spans_plane() const { return triangulation().dimension() == 2; }
+
+  // POSITIONS -----------------------------------------------------------------------------------
+
+  const std::vector<Position_2>& positions() const { return m_positions.positions(); }
+  bool positions_are_exact() const { return m_positions.are_exact(); }
+  bool have_points_moved() const { return m_positions.have_moved(); }
+
+  const Edge_2& edge(Index e) const { return arrays().edge(e); }
+  std::array<Index, 3> face(Index f) const { return arrays().face(f); }
+  // Whether half-edge h of edge e goes from its source to its target.
+  bool is_along(Index e, Index h) const { return arrays().source(h) == edge(e).source; }
+  bool is_at_infinity(Index e) const { return internal::is_at_infinity(edge(e)); }
+  bool breaks_hull(Index e) const { return internal::breaks_hull(edge(e), positions()); }
+
+  Position_2 edge_vector(Index e) const
+  {
+    return positions()[edge(e).target] - positions()[edge(e).source];
+  }
+  std::array<Position_2, 3> face_corners(Index f) const
+  {
+    const auto [a, b, c] = arrays().face(f);
+    return {positions()[a], positions()[b], positions()[c]};
+  }
+
+  static constexpr std::size_t number_of_cell_changes() { return 0; }
+
+  bool corners_are_exact(Index) const { return positions_are_exact(); }
+  // The corners of an edge, as seen from it.
+  Edge_corners_2 corners(Index e) const { return corners(e, positions()); }
+  // The same for other positions of the vertices.
+  Edge_corners_2 corners(Index e, const std::vector<Position_2>& others) const
+  {
+    return Space::corners(arrays().edge(e), others);
+  }
+
+  // The present point of a vertex.
+  decltype(auto) point(Index v) const { return m_positions.point(v); }
+
+  // The position of a vertex one frame ago, or before it moved alone in this call.
+  Position_2 previous_position(Index v) const { return m_positions.previous_position(v); }
+
+  void prefetch_positions(Index v) const { m_positions.prefetch(v); }
+
+  // The present point with this id.
+  Point point_of_id(Index id) const
+  {
+    return ids().is_representative(id) ? point(ids().vertex(id)) : ids().duplicate(id).point;
+  }
+
+private:
+  template <class Maintained>
+  friend class Input_frame_2;
+  template <class Maintained>
+  friend class Topology_builder_2;
+  template <class Maintained>
+  friend class Topology_editor_2;
+
+  Topology m_topology;
+  Positions m_positions;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_MAINTAINED_TRIANGULATION_2_H

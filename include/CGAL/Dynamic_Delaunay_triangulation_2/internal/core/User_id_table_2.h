@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_USER_ID_TABLE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_USER_ID_TABLE_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Maps the user's ids, which are any integers, to ids of points. Open addressing with linear
+// probing: a look-up reads one place in memory, where std::unordered_map reads three and allocates
+// each entry, which took a fifth of the frame where many of 100,000 points come and go.
+template <class UserId>
+class User_id_table_2
+{
+public:
+  static constexpr std::size_t no_id = std::size_t(-1);
+
+  User_id_table_2() = default;
+  User_id_table_2(const User_id_table_2&) = default;
+  User_id_table_2& operator=(const User_id_table_2&) = default;
+  User_id_table_2(User_id_table_2&& other) noexcept { swap(other); }
+  User_id_table_2& operator=(User_id_table_2&& other) noexcept
+  {
+    User_id_table_2 taken(std::move(other));
+    swap(taken);
+    return *this;
+  }
+
+  std::size_t size() const { return m_size; }
+
+  // `no_id` if there is none. Most new ids are larger than all before, and found missing at once.
+  std::size_t find(UserId user_id) const
+  {
+    return m_size == 0 || user_id > m_largest ? no_id : m_slots[slot_of(user_id)].id;
+  }
+
+  // Prefetches the memory that `find()` will read first.
+  void prefetch(UserId user_id) const
+  {
+    if (!m_slots.empty())
+      internal::prefetch(&m_slots[first_slot(user_id)]);
+  }
+
+  // Reserves memory for so many more entries. Then `set()` throws nothing.
+  void provide(std::size_t number)
+  {
+    if (2 * (m_size + number) <= m_slots.size())
+      return;
+    int bits = 4;
+    while ((std::size_t(1) << bits) < 2 * (m_size + number))
+      ++bits;
+    std::vector<Slot> old_slots(std::size_t(1) << bits);
+    old_slots.swap(m_slots);
+    m_bits = bits;
+    for (const Slot& slot : old_slots)
+      if (slot.id != no_id)
+        m_slots[slot_of(slot.user_id)] = slot;
+  }
+
+  // \pre There is memory for the entry.
+  void set(UserId user_id, std::size_t id)
+  {
+    Slot& slot = m_slots[slot_of(user_id)];
+    m_largest = m_size == 0 ? user_id : (std::max)(m_largest, user_id);
+    m_size += slot.id == no_id;
+    slot = Slot{user_id, id};
+    CGAL_postcondition(2 * m_size <= m_slots.size());
+  }
+
+  // Does nothing if there is no such entry.
+  void erase(UserId user_id)
+  {
+    if (find(user_id) == no_id)
+      return;
+    --m_size;
+    std::size_t hole = slot_of(user_id);
+    m_slots[hole].id = no_id;
+    // entries that would not be found beyond the hole move into it
+    for (std::size_t i = next(hole); m_slots[i].id != no_id; i = next(i))
+      if (distance(first_slot(m_slots[i].user_id), i) >= distance(hole, i)) {
+        m_slots[hole] = m_slots[i];
+        m_slots[i].id = no_id;
+        hole = i;
+      }
+  }
+
+  void swap(User_id_table_2& other) noexcept
+  {
+    m_slots.swap(other.m_slots);
+    std::swap(m_size, other.m_size);
+    std::swap(m_largest, other.m_largest);
+    std::swap(m_bits, other.m_bits);
+  }
+
+private:
+  struct Slot
+  {
+    UserId user_id = UserId();
+    std::size_t id = no_id;
+  };
+
+  // Multiples of the golden ratio are spread evenly, whatever the steps between ids are.
+  std::size_t first_slot(UserId user_id) const
+  {
+    return std::size_t(std::uint64_t(user_id) * 0x9E3779B97F4A7C15u >> (64 - m_bits));
+  }
+
+  std::size_t next(std::size_t slot) const { return (slot + 1) & (m_slots.size() - 1); }
+
+  std::size_t distance(std::size_t from, std::size_t to) const
+  {
+    return (to - from) & (m_slots.size() - 1);
+  }
+
+  // The slot of this id, or the empty one where it belongs.
+  std::size_t slot_of(UserId user_id) const
+  {
+    std::size_t i = first_slot(user_id);
+    while (m_slots[i].id != no_id && m_slots[i].user_id != user_id)
+      i = next(i);
+    return i;
+  }
+
+  std::vector<Slot> m_slots; // 0 or a power of two; at least half are empty
+  std::size_t m_size = 0;
+  UserId m_largest = UserId(); // the largest id ever set
+  int m_bits = 0;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_USER_ID_TABLE_2_H

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_PLANE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_PLANE_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_question_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_ranks_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/zones/Distributed_deformation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/zones/Distributed_image_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/zones/Distributed_outline_2.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// The open plane, as a space of distributed points: each of them has one image, itself.
+template <class Kernel_>
+class Distributed_plane_2
+{
+public:
+  using Kernel = Kernel_;
+  using Shift = No_shift_2;
+  using Image = Distributed_image_2<Shift>;
+  template <class Points>
+  using Outline = Distributed_outline_2<Points>;
+
+  static constexpr bool is_periodic = false;
+  // Of the finite vertices, edges and faces: that of a disk.
+  static constexpr std::uint64_t euler_characteristic = 1;
+
+  // What checkpoints say of the space.
+  struct Parameters
+  {
+  };
+  static constexpr std::array<char, 24> file_name = checkpoint_name("distributed Delaunay 1\n");
+
+  Distributed_plane_2() = default;
+  explicit Distributed_plane_2(const Parameters&) {}
+  Parameters parameters() const { return {}; }
+  // Whether all ranks were given the same space. Collective. Throws if not.
+  void agree(Distributed_ranks_2&) const {}
+
+  // What is triangulated where the user gives this point. Throws if that is impossible.
+  template <class Point>
+  Position_2 checked(const Point& p, std::size_t place) const
+  {
+    return checked_position(p, place);
+  }
+
+  // The image of a point that its owner holds, when it is new, and when it was elsewhere before.
+  Image first_image(const Position_2& given) const { return {{}, given.x, given.y}; }
+  Image next_image(const Position_2& given, const Position_2&, const Distributed_plane_2&) const
+  {
+    return first_image(given);
+  }
+  // What the user gave for such an image.
+  Position_2 given(const Image& image) const { return {image.x, image.y}; }
+
+  // What moves an own image by a shift.
+  Position_2 vector(const Shift&) const { return {0, 0}; }
+  Image translated(const Image& image, const Shift&) const { return image; }
+  bool is_none(const Shift&) const { return true; }
+  // Calls f(shift) for each shift by which something in one box may be in the other.
+  template <class Function>
+  void for_each_shift(const Box_2&, const Box_2&, const Function& f) const
+  {
+    f(Shift());
+  }
+
+  // What is deformed with the space.
+  Basis_2 basis() const { return unit_basis; }
+  // Compared with the largest coordinate, the size of the smallest cells of a zone.
+  static constexpr double finest_zone = 0x1p-40;
+
+  // Whether what ranks have sent each other in the other space is of use in this one.
+  bool continues(const Distributed_plane_2&) const { return true; }
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_PLANE_2_H

@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_RANKS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_RANKS_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Message_exchange_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+
+#include <mpi.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// What each rank gave, one after the other.
+template <class T>
+struct Gathered_2
+{
+  std::vector<T> values;
+  std::vector<std::size_t> offsets; // by ranks, and the end
+};
+
+// The ranks of a communicator of our own: nothing that the program sends meets what we do. All
+// functions but `rank()` and `size()` are collective.
+class Distributed_ranks_2
+{
+public:
+  explicit Distributed_ranks_2(MPI_Comm communicator)
+    : m_communicator(copy(communicator))
+    , m_exchange(m_communicator)
+  {
+    MPI_Comm_rank(m_communicator, &m_rank);
+    MPI_Comm_size(m_communicator, &m_size);
+  }
+  Distributed_ranks_2(const Distributed_ranks_2&) = delete;
+  Distributed_ranks_2& operator=(const Distributed_ranks_2&) = delete;
+  ~Distributed_ranks_2()
+  {
+    int is_over = 0;
+    MPI_Finalized(&is_over);
+    if (!is_over)
+      MPI_Comm_free(&m_communicator);
+  }
+
+  MPI_Comm communicator() const { return m_communicator; }
+  int rank() const { return m_rank; }
+  std::size_t size() const { return std::size_t(m_size); }
+  const Message_exchange_2& exchange() const { return m_exchange; }
+  Message_exchange_2& exchange() { return m_exchange; }
+  // What `gather()` has brought.
+  std::size_t gathered_bytes() const { return m_gathered_bytes; }
+
+  std::uint64_t sum(std::uint64_t value) { return reduced(value, MPI_UINT64_T, MPI_SUM); }
+  std::uint64_t largest(std::uint64_t value) { return reduced(value, MPI_UINT64_T, MPI_MAX); }
+  std::int64_t largest(std::int64_t value) { return reduced(value, MPI_INT64_T, MPI_MAX); }
+  std::int64_t lowest(std::int64_t value) { return reduced(value, MPI_INT64_T, MPI_MIN); }
+  double largest(double value) { return reduced(value, MPI_DOUBLE, MPI_MAX); }
+  template <std::size_t n>
+  std::array<std::uint64_t, n> largest(const std::array<std::uint64_t, n>& values)
+  {
+    const double begin = MPI_Wtime();
+    std::array<std::uint64_t, n> result;
+    MPI_Allreduce(values.data(), result.data(), int(n), MPI_UINT64_T, MPI_MAX, m_communicator);
+    m_exchange.add_seconds(MPI_Wtime() - begin);
+    return result;
+  }
+  bool is_any(bool is_so) { return largest(std::uint64_t(is_so)) != 0; }
+
+  template <class T>
+  Gathered_2<T> gather(const std::vector<T>& own)
+  {
+    static_assert(std::is_trivially_copyable_v<T>, "only plain data can be sent");
+    const double begin = MPI_Wtime();
+    const std::uint64_t size = own.size();
+    std::vector<std::uint64_t> sizes(this->size());
+    MPI_Allgather(&size, 1, MPI_UINT64_T, sizes.data(), 1, MPI_UINT64_T, m_communicator);
+    Gathered_2<T> all;
+    all.offsets.push_back(0);
+    std::vector<int> bytes, places;
+    for (const std::uint64_t n : sizes) {
+      places.push_back(int(all.offsets.back() * sizeof(T)));
+      bytes.push_back(int(n * sizeof(T)));
+      all.offsets.push_back(all.offsets.back() + n);
+      if (all.offsets.back() > std::size_t((std::numeric_limits<int>::max)()) / sizeof(T))
+        throw std::length_error("what all ranks have to know is longer than 2 GB");
+    }
+    all.values.resize(all.offsets.back());
+    m_gathered_bytes += all.values.size() * sizeof(T);
+    if (!all.values.empty())
+      MPI_Allgatherv(own.data(), int(size * sizeof(T)), MPI_BYTE, all.values.data(), bytes.data(),
+                     places.data(), MPI_BYTE, m_communicator);
+    m_exchange.add_seconds(MPI_Wtime() - begin);
+    return all;
+  }
+
+  // Messages to some of the ranks; empty ones are not sent.
+  std::vector<Message_2> empty_messages() const
+  {
+    std::vector<Message_2> messages;
+    for (int r = 0; r < m_size; ++r)
+      messages.emplace_back(r);
+    return messages;
+  }
+  std::vector<Message_2> send(std::vector<Message_2> messages)
+  {
+    m_exchange.start();
+    for (Message_2& message : messages)
+      m_exchange.send(std::move(message));
+    return m_exchange.finish();
+  }
+
+  // Reads input; if that throws on any rank it throws on all of them.
+  template <class Read>
+  void agree(const Read& read)
+  {
+    std::exception_ptr error;
+    try {
+      read();
+    } catch (...) {
+      error = std::current_exception();
+    }
+    const std::int64_t first = lowest(std::int64_t(error ? m_rank : m_size));
+    if (error)
+      std::rethrow_exception(error);
+    if (first < m_size)
+      throw Distributed_input_error_2(int(first));
+  }
+
+private:
+  static MPI_Comm copy(MPI_Comm communicator)
+  {
+    MPI_Comm copied;
+    MPI_Comm_dup(communicator, &copied);
+    return copied;
+  }
+
+  template <class T>
+  T reduced(T value, MPI_Datatype type, MPI_Op operation)
+  {
+    const double begin = MPI_Wtime();
+    T result;
+    MPI_Allreduce(&value, &result, 1, type, operation, m_communicator);
+    m_exchange.add_seconds(MPI_Wtime() - begin);
+    return result;
+  }
+
+  MPI_Comm m_communicator;
+  Message_exchange_2 m_exchange;
+  int m_rank = 0, m_size = 1;
+  std::size_t m_gathered_bytes = 0;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_RANKS_2_H

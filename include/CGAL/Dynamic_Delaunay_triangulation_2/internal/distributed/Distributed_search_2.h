@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_SEARCH_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_SEARCH_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_question_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Finds the own points in the regions of questions, by a grid of about two points a cell. Cost: the
+// points are sorted into cells once; then proportional to the cells around the boundary of a region
+// and to what it contains, with a logarithm for the way there.
+template <class Points>
+class Distributed_search_2
+{
+  using Kernel = typename Points::Kernel;
+  using Question = Distributed_question_2;
+
+public:
+  explicit Distributed_search_2(const Points& points)
+    : m_points(points)
+  {
+    for (const Index place : points.owned())
+      m_box.add(points.point(place).x(), points.point(place).y());
+    if (m_box.is_empty())
+      return;
+    const double width = m_box.x_high - m_box.x_low, height = m_box.y_high - m_box.y_low;
+    const double coordinates = (std::max)({std::abs(m_box.x_low), std::abs(m_box.x_high),
+                                           std::abs(m_box.y_low), std::abs(m_box.y_high)});
+    const auto cells = (std::max)(1.0, double(points.owned().size()) / 2);
+    // Large enough for the ends of cells to be off by far less than a cell; not more cells in a row
+    // than there are points, however long the box is.
+    m_size = (std::max)({std::sqrt(width / cells) * std::sqrt(height),
+                         (std::max)(width, height) / cells, 0x1p-40 * coordinates, 0x1p-1000});
+    m_columns = long(width / m_size) + 1;
+    m_rows = long(height / m_size) + 1;
+    sort_into_cells();
+  }
+
+  // Around the own points.
+  const Box_2& box() const { return m_box; }
+
+  // About the distance between neighbors.
+  double cell_size() const { return m_size; }
+
+  // Calls f(place) for each own point that is in the region and in a box, and for some near the
+  // box.
+  template <class Function>
+  void for_each_inside(const Question& question, const Box_2& box, const Function& f) const
+  {
+    if (!m_box.is_empty())
+      search(question, box, {0, 0}, {m_columns - 1, m_rows - 1}, f);
+  }
+
+private:
+  struct Cell
+  {
+    long column, row;
+  };
+
+  Cell cell_of(Index place) const
+  {
+    const auto& p = m_points.point(place);
+    return {(std::min)(long((p.x() - m_box.x_low) / m_size), m_columns - 1),
+            (std::min)(long((p.y() - m_box.y_low) / m_size), m_rows - 1)};
+  }
+  std::size_t number(Cell cell) const { return std::size_t(cell.row * m_columns + cell.column); }
+
+  void sort_into_cells()
+  {
+    m_first.assign(std::size_t(m_columns * m_rows) + 1, 0);
+    for (const Index place : m_points.owned())
+      ++m_first[number(cell_of(place)) + 1];
+    for (std::size_t k = 1; k < m_first.size(); ++k)
+      m_first[k] += m_first[k - 1];
+    std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
+    m_sorted.resize(m_points.owned().size());
+    for (const Index place : m_points.owned())
+      m_sorted[next[number(cell_of(place))]++] = place;
+  }
+
+  // Around all points of these cells, and a cell more, for rounding.
+  Box_2 box_around(Cell low, Cell high) const
+  {
+    return {m_box.x_low + double(low.column - 1) * m_size,
+            m_box.y_low + double(low.row - 1) * m_size,
+            m_box.x_low + double(high.column + 2) * m_size,
+            m_box.y_low + double(high.row + 2) * m_size};
+  }
+
+  template <class Function>
+  void search(const Question& question, const Box_2& box, Cell low, Cell high,
+              const Function& f) const
+  {
+    const Box_2 around = box_around(low, high);
+    if (!around.meets(box) || !question.may_meet<Kernel>(around))
+      return;
+    const long width = high.column - low.column, height = high.row - low.row;
+    if (width == 0 && height == 0) {
+      for (std::size_t k = m_first[number(low)]; k < m_first[number(low) + 1]; ++k) {
+        const auto& p = m_points.point(m_sorted[k]);
+        if (question.contains<Kernel>(p.x(), p.y()))
+          f(m_sorted[k]);
+      }
+      return;
+    }
+    Cell end_of_first = high, begin_of_second = low;
+    if (width > height)
+      begin_of_second.column = (end_of_first.column = low.column + width / 2) + 1;
+    else
+      begin_of_second.row = (end_of_first.row = low.row + height / 2) + 1;
+    search(question, box, low, end_of_first, f);
+    search(question, box, begin_of_second, high, f);
+  }
+
+  const Points& m_points;
+  Box_2 m_box;
+  double m_size = 1;
+  long m_columns = 0, m_rows = 0;
+  std::vector<std::size_t> m_first; // by cells: where their points begin
+  std::vector<Index> m_sorted;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_SEARCH_2_H

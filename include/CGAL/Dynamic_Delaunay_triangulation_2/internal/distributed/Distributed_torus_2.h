@@ -1,0 +1,252 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_TORUS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_TORUS_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_question_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_ranks_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/zones/Distributed_deformation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/zones/Distributed_image_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/zones/Distributed_surroundings_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_grid_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+#include <CGAL/Periodic_cell_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// A flat torus, as a space of distributed points. Ranks hold images of points as points of the
+// plane. `Lattice_grid_2` makes all of them exact; this class has the limits within which it does.
+//
+// Images are numbered by a *basis* of the lattice, two short vectors. It is kept while the cell is
+// deformed, so that what ranks have sent each other stays of use; by other vectors of the same
+// lattice, which the user may take for the cell, it does not change.
+//
+// Limits. Let H be the sum of the lengths of the shortest basis, as it is now, or was then. While
+// the basis is deformed by at most a factor of 2 in each direction, and back, since it was the
+// shortest one, it is no longer than 4 H; and H of any two such times differ by a factor of at most
+// 4. An own image is at most one cell of the basis outside of the one at the origin: no farther
+// from the origin than 2 * 4 H. A zone is around disks at own images, whose diameters are less than
+// H, with a margin of 8 cells of at most H / 2, and a cell for rounding: it reached no farther than
+// 13.5 H then. It is deformed with the basis, by at most a factor of 2 since, so that H was at most
+// twice what it is now: it reaches no farther than 54 H. So do images in it; those that are asked
+// for are nearer. The grid has room for 128 H, and images beyond that are in no zone.
+template <class Kernel_>
+class Distributed_torus_2
+{
+public:
+  using Kernel = Kernel_;
+  using Shift = Periodic_shift_2;
+  using Image = Distributed_image_2<Shift>;
+  template <class Points>
+  using Outline = Distributed_surroundings_2<Points>;
+
+  static constexpr bool is_periodic = true;
+  // That of a torus.
+  static constexpr std::uint64_t euler_characteristic = 0;
+
+  struct Parameters
+  {
+    std::array<double, 4> cell;
+  };
+  static constexpr std::array<char, 24> file_name = checkpoint_name("distributed periodic 1\n");
+
+  Distributed_torus_2()
+    : Distributed_torus_2(Periodic_cell_2(1, 1))
+  {
+  }
+  explicit Distributed_torus_2(const Parameters& parameters)
+    : Distributed_torus_2(Periodic_cell_2(parameters.cell[0], parameters.cell[1],
+                                          parameters.cell[2], parameters.cell[3]))
+  {
+  }
+  // With the vectors of a cell, or those nearest to them on a grid. Throws if there are none.
+  explicit Distributed_torus_2(const Periodic_cell_2& given)
+    : m_grid(given)
+    , m_torus(m_grid.cell())
+  {
+    set_basis(short_basis(m_torus));
+    m_first_basis = m_basis;
+    m_reach = (length(m_basis[0]) + length(m_basis[1])) * (1 + 0x1p-40);
+  }
+  // The same, after another space.
+  Distributed_torus_2(const Periodic_cell_2& given, const Distributed_torus_2& last)
+    : Distributed_torus_2(given)
+  {
+    m_number = last.m_number + 1;
+    const Distributed_torus_2 with_short_basis = *this;
+    if (!keep_basis(last))
+      *this = with_short_basis;
+  }
+
+  const Periodic_cell_2& cell() const { return m_torus.cell(); }
+  Parameters parameters() const { return {{cell().ax(), cell().ay(), cell().bx(), cell().by()}}; }
+  // How far points matter to a face.
+  double reach() const { return m_reach; }
+
+  void agree(Distributed_ranks_2& ranks) const
+  {
+    const auto all = ranks.gather(std::vector<Parameters>{parameters()}).values;
+    for (const Parameters& p : all)
+      if (p.cell != all.front().cell)
+        throw Periodic_cell_error_2(p.cell[0], p.cell[1], p.cell[2], p.cell[3],
+                                    "it must be the same on all ranks");
+  }
+
+  template <class Point>
+  Position_2 checked(const Point& p, std::size_t place) const
+  {
+    const Position_2 position = checked_position(p, place);
+    const Position_2 m = m_torus.multiples(position);
+    if (!(std::abs(m.x) < most_cells && std::abs(m.y) < most_cells && m_grid.has_room(position)))
+      throw Periodic_range_error_2(place, position.x, position.y, most_cells);
+    return m_grid.rounded(position);
+  }
+
+  // In the cell of the basis at the origin, but for rounding.
+  Image first_image(const Position_2& given) const
+  {
+    const Position_2 m = multiples(given);
+    return image(given, -std::floor(m.x), -std::floor(m.y));
+  }
+  // The one nearest to where it was, unless that is more than a cell of the basis away from there.
+  Image next_image(const Position_2& given, const Position_2& before,
+                   const Distributed_torus_2& last) const
+  {
+    const Position_2 m = multiples(given), then = last.multiples(before);
+    const double i = std::round(then.x - m.x), j = std::round(then.y - m.y);
+    const auto is_near = [](double t) { return t >= -0.9 && t <= 1.9; };
+    return is_near(m.x + i) && is_near(m.y + j) ? image(given, i, j) : first_image(given);
+  }
+  Position_2 given(const Image& image) const
+  {
+    return m_grid.sum({image.x, image.y}, -std::int64_t(image[0]), -std::int64_t(image[1]));
+  }
+
+  Position_2 vector(const Shift& shift) const
+  {
+    const auto [i, j] = in_cells(shift[0], shift[1]);
+    return m_grid.sum({0, 0}, i, j);
+  }
+  Image translated(const Image& image, const Shift& shift) const
+  {
+    const auto [i, j] = in_cells(shift[0], shift[1]);
+    const Position_2 v = m_grid.sum({0, 0}, i, j);
+    return {{image[0] + int(i), image[1] + int(j)}, image.x + v.x, image.y + v.y};
+  }
+  bool is_none(const Shift& shift) const { return shift[0] == 0 && shift[1] == 0; }
+
+  // The vectors from a place in one box to one in the other are a box; its corners, in multiples of
+  // the basis, are around their shifts.
+  template <class Function>
+  void for_each_shift(const Box_2& from, const Box_2& to, const Function& f) const
+  {
+    if (from.is_empty() || to.is_empty())
+      return;
+    Box_2 around;
+    for (const double x : {to.x_low - from.x_high, to.x_high - from.x_low})
+      for (const double y : {to.y_low - from.y_high, to.y_high - from.y_low}) {
+        const Position_2 m = multiples({x, y});
+        around.add(m.x, m.y);
+      }
+    const double most = (std::max)({-around.x_low, around.x_high, -around.y_low, around.y_high});
+    around = around.enlarged(0x1p-20 + 0x1p-30 * most); // for rounding
+    for (double i = std::ceil(around.x_low); i <= around.x_high; ++i)
+      for (double j = std::ceil(around.y_low); j <= around.y_high; ++j) {
+        const Shift shift{int(i), int(j)};
+        if (from.moved(vector(shift)).meets(to))
+          f(shift);
+      }
+  }
+
+  // What is deformed with the cell.
+  const Basis_2& basis() const { return m_basis; }
+  static constexpr double finest_zone = 0x1p-24;
+
+  bool continues(const Distributed_torus_2& last) const { return m_number == last.m_number; }
+
+private:
+  static constexpr double most_cells = 0x1p16; // that a point may be away from the origin
+
+  static double length(const Position_2& v) { return std::hypot(v.x, v.y); }
+
+  // Vectors of the lattice, as multiples of those of the cell.
+  void set_basis(const std::array<Shift, 2>& basis)
+  {
+    m_in_cells = basis;
+    m_basis = {vector({1, 0}), vector({0, 1})};
+    const double d = m_basis[0].x * m_basis[1].y - m_basis[0].y * m_basis[1].x;
+    m_inverse_x = {m_basis[1].y / d, -m_basis[1].x / d};
+    m_inverse_y = {-m_basis[0].y / d, m_basis[0].x / d};
+  }
+
+  // Takes the basis of the last space, deformed with the cell, if it is not deformed much.
+  bool keep_basis(const Distributed_torus_2& last)
+  {
+    const auto [a, b] = multiples_in_new_cell(last.m_torus, m_torus);
+    std::array<Shift, 2> basis;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::int64_t m = last.m_in_cells[k][0], n = last.m_in_cells[k][1];
+      const std::int64_t i = m * a[0] + n * b[0], j = m * a[1] + n * b[1];
+      const Position_2 about = m_torus.vector({double(i), double(j)});
+      if (!(double(std::abs(i)) < max_shift && double(std::abs(j)) < max_shift &&
+            length(about) < 8 * m_reach))
+        return false;
+      basis[k] = {int(i), int(j)};
+    }
+    set_basis(basis);
+    m_first_basis = last.m_first_basis;
+    m_number = last.m_number;
+    return Distributed_deformation_2(m_first_basis, m_basis).sum_of_squares() <= 4 &&
+           Distributed_deformation_2(m_basis, m_first_basis).sum_of_squares() <= 4;
+  }
+
+  // In multiples of the basis, rounded.
+  Position_2 multiples(const Position_2& v) const
+  {
+    return {v.x * m_inverse_x.x + v.y * m_inverse_x.y, v.x * m_inverse_y.x + v.y * m_inverse_y.y};
+  }
+
+  // A shift, in multiples of the cell's vectors.
+  std::array<std::int64_t, 2> in_cells(std::int64_t i, std::int64_t j) const
+  {
+    return {i * m_in_cells[0][0] + j * m_in_cells[1][0],
+            i * m_in_cells[0][1] + j * m_in_cells[1][1]};
+  }
+
+  Image image(const Position_2& given, double i, double j) const
+  {
+    const auto [k, l] = in_cells(std::int64_t(i), std::int64_t(j));
+    const Position_2 p = m_grid.sum(given, k, l);
+    return {{int(k), int(l)}, p.x, p.y};
+  }
+
+  Lattice_grid_2 m_grid;
+  Torus_2 m_torus;
+  std::array<Shift, 2> m_in_cells; // the basis in multiples of the cell's vectors
+  Basis_2 m_basis, m_first_basis;  // now, and when it was the shortest one
+  Position_2 m_inverse_x, m_inverse_y;
+  double m_reach;
+  std::uint64_t m_number = 0; // of the basis, among those since the points were given
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_TORUS_2_H

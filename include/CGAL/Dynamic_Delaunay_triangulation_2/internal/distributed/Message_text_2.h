@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_MESSAGE_TEXT_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_MESSAGE_TEXT_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Decimal_number_2.h>
+
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+template <class Part>
+void append_part(std::string& text, const Part& part)
+{
+  if constexpr (std::is_arithmetic_v<Part>)
+    append_number(text, part);
+  else
+    text += part;
+}
+
+// Texts and numbers, one after the other. A stream would write numbers as the global locale wants
+// them, and bring all of the library's locales into a program that is loaded over a network.
+template <class... Parts>
+std::string message_text(const Parts&... parts)
+{
+  std::string text;
+  (append_part(text, parts), ...);
+  return text;
+}
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_MESSAGE_TEXT_2_H

@@ -1,0 +1,185 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_ZONES_DISTRIBUTED_CELLS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_ZONES_DISTRIBUTED_CELLS_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/zones/Distributed_image_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// The cells of the Delaunay complex of all points that have an owned corner: those of points on one
+// empty circle. The rank holds all of them whole, as it holds all points on these circles. Each
+// cell is cut by diagonals from the corner with the smallest id, and of images of that point from
+// the leftmost, lowest one: whatever rank looks at it, and wherever in a periodic space. Of points
+// that coincide the one with the smallest id, their *label*, stands for all of them.
+template <class Points>
+class Distributed_cells_2
+{
+  using Arrays = Halfedge_arrays_2;
+
+public:
+  using Id = Distributed_id_2;
+
+  explicit Distributed_cells_2(const Points& points)
+    : m_points(points)
+    , m_frame(points.dt().frame())
+    , m_are_owned(points.owned_vertices())
+  {
+    find_labels();
+    find_inner_edges();
+  }
+
+  // Of a held point: the place of its label.
+  Index label(Index place) const { return m_labels[m_frame.vertex(place)]; }
+
+  // Calls f(i, j) with the places of the labels at both ends, that of the smaller id first, once
+  // for each edge with an owned corner at one of its ends or beside it; some have no owned end.
+  template <class Function>
+  void for_each_edge(const Function& f) const
+  {
+    if (m_frame.number_of_faces() == 0) {
+      m_points.dt().for_each_edge([&](std::size_t i, std::size_t j) {
+        const auto [first, second] = ordered(label(Index(i)), label(Index(j)));
+        f(first, second);
+      });
+      return;
+    }
+    for_each_cell([&](const std::vector<Corner>& corners, std::size_t apex) {
+      const std::size_t n = corners.size();
+      for (std::size_t k = 0; k < n; ++k) {
+        const Index a = corners[k].label, b = corners[(k + 1) % n].label;
+        const auto [first, second] = ordered(a, b);
+        if (a == first || corners[k].is_on_hull)
+          f(first, second);
+        if (k >= 2 && k + 1 < n)
+          f(corners[apex].label, corners[(apex + k) % n].label);
+      }
+    });
+  }
+
+  // Calls f(i, j, k) with the places of the labels of each face of these cells, counterclockwise,
+  // the one with the smallest id of the cell first.
+  template <class Function>
+  void for_each_face(const Function& f) const
+  {
+    for_each_cell([&](const std::vector<Corner>& corners, std::size_t apex) {
+      const std::size_t n = corners.size();
+      for (std::size_t k = 1; k + 1 < n; ++k)
+        f(corners[apex].label, corners[(apex + k) % n].label, corners[(apex + k + 1) % n].label);
+    });
+  }
+
+private:
+  struct Corner
+  {
+    Index label;
+    bool is_on_hull; // the edge to the next corner
+  };
+
+  bool comes_first(Index a, Index b) const
+  {
+    const auto key = [&](Index place) {
+      return std::make_tuple(m_points.id(place), m_points.point(place).x(),
+                             m_points.point(place).y());
+    };
+    return key(a) < key(b);
+  }
+  std::pair<Index, Index> ordered(Index a, Index b) const
+  {
+    return comes_first(a, b) ? std::make_pair(a, b) : std::make_pair(b, a);
+  }
+
+  void find_labels()
+  {
+    m_labels.assign(m_frame.number_of_vertices() + std::size_t(1), no_index);
+    m_points.for_each_held([&](Index place) {
+      Index& label = m_labels[m_frame.vertex(place)];
+      if (label == no_index || m_points.id(place) < m_points.id(label))
+        label = place;
+    });
+  }
+
+  // An edge is inner if its four corners are on one circle.
+  void find_inner_edges()
+  {
+    m_are_inner.assign(m_frame.number_of_edges(), false);
+    std::vector<Index> unproved;
+    m_frame.append_unproved(0, m_frame.number_of_edges(), unproved);
+    const Vertex_predicates_2<std::decay_t<decltype(m_frame.maintained())>> predicates(
+        m_frame.maintained());
+    for (const Index e : unproved)
+      if (!m_frame.is_at_infinity(e)) {
+        const auto& edge = m_frame.edge(e);
+        m_are_inner[e] = predicates.side_of_circle(edge.left, edge.source, edge.target,
+                                                   edge.right) == ON_ORIENTED_BOUNDARY;
+      }
+  }
+
+  // Calls f(corners, apex): corners counterclockwise, and the place of the one among them from
+  // which the cell is cut.
+  template <class Function>
+  void for_each_cell(const Function& f) const
+  {
+    const Arrays& arrays = m_frame.maintained().arrays();
+    std::vector<bool> are_seen(m_frame.number_of_faces(), false);
+    std::vector<Corner> corners;
+    for (Index face = 0; face < m_frame.number_of_faces(); ++face) {
+      const std::array<Index, 3> v = m_frame.face(face);
+      if (are_seen[face] || std::find(v.begin(), v.end(), infinite_index) != v.end())
+        continue;
+      const auto outward = [&](Index h) {
+        are_seen[Arrays::face_of(h)] = true;
+        while (m_are_inner[arrays.edge_of(h)]) {
+          h = Arrays::next(arrays.twin(h));
+          are_seen[Arrays::face_of(h)] = true;
+        }
+        return h;
+      };
+      corners.clear();
+      bool has_owned = false;
+      const Index first = outward(3 * face);
+      Index h = first;
+      do {
+        const Index a = arrays.source(h);
+        has_owned = has_owned || m_are_owned[a];
+        corners.push_back({m_labels[a], arrays.apex(arrays.twin(h)) == infinite_index});
+        h = outward(Arrays::next(h));
+      } while (h != first);
+      if (!has_owned)
+        continue;
+      const auto apex =
+          std::min_element(corners.begin(), corners.end(), [&](const Corner& a, const Corner& b) {
+            return comes_first(a.label, b.label);
+          });
+      f(corners, std::size_t(apex - corners.begin()));
+    }
+  }
+
+  const Points& m_points;
+  typename Points::Dynamic::Frame m_frame;
+  std::vector<std::uint8_t> m_are_owned; // by vertices
+  std::vector<Index> m_labels;           // by vertices
+  std::vector<bool> m_are_inner;         // by edges
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_ZONES_DISTRIBUTED_CELLS_2_H

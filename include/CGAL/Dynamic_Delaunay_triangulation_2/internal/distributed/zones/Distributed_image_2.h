@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_ZONES_DISTRIBUTED_IMAGE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_ZONES_DISTRIBUTED_IMAGE_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+using Distributed_id_2 = std::int64_t;
+
+// A point as the user gave it, or what is triangulated for that.
+struct Distributed_entry_2
+{
+  Distributed_id_2 id;
+  double x, y;
+};
+
+// What the files with the points of a space begin with.
+template <std::size_t size>
+constexpr std::array<char, size> checkpoint_name(const char (&name)[size])
+{
+  std::array<char, size> characters{};
+  for (std::size_t i = 0; i < size; ++i)
+    characters[i] = name[i];
+  return characters;
+}
+
+// The shift of spaces in which each point has only one image.
+struct No_shift_2
+{
+  friend bool operator<(const No_shift_2&, const No_shift_2&) { return false; }
+};
+
+// An image of a point: where it is, and by which shift that is from where the user gave the point.
+template <class Shift>
+struct Distributed_image_2 : Shift
+{
+  double x, y;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_ZONES_DISTRIBUTED_IMAGE_2_H

@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_ZONES_DISTRIBUTED_ORDER_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_ZONES_DISTRIBUTED_ORDER_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Spatial_order_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_question_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_ranks_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/zones/Distributed_image_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Spreads points evenly over ranks, each a stretch of the Hilbert curve through the box of all
+// points: sorting by regular samples (H. Shi, J. Schaeffer, Parallel sorting by regular sampling,
+// 1992). Points in one cell of the curve are in the order of their ids. Keeps where points went, so
+// that the user's data can follow them.
+class Distributed_order_2
+{
+  using Id = Distributed_id_2;
+  using Entry = Distributed_entry_2;
+
+public:
+  // The points that this rank owns from now on, in their order along the curve. Collective.
+  template <class Space>
+  std::vector<Entry> distribute(Distributed_ranks_2& ranks, const Space& space,
+                                const std::vector<Entry>& own)
+  {
+    const std::vector<Key> keys = keys_of(ranks, space, own);
+    const std::vector<Key> splitters = find_splitters(ranks, keys);
+    m_destinations.clear();
+    std::vector<Message_2> messages = ranks.empty_messages();
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      const auto r = std::size_t(std::upper_bound(splitters.begin(), splitters.end(), keys[k]) -
+                                 splitters.begin());
+      m_destinations.push_back(r);
+      messages[r].write(keys[k]);
+      messages[r].write(own[k]);
+    }
+    std::vector<Arrival> arrivals;
+    for (Message_2& message : ranks.send(std::move(messages)))
+      while (!message.is_read()) {
+        const auto key = message.template read<Key>();
+        arrivals.push_back({key, message.template read<Entry>(), arrivals.size()});
+      }
+    std::sort(arrivals.begin(), arrivals.end(),
+              [](const Arrival& a, const Arrival& b) { return a.key < b.key; });
+    std::vector<Entry> entries;
+    m_origins.clear();
+    for (const Arrival& arrival : arrivals) {
+      entries.push_back(arrival.entry);
+      m_origins.push_back(arrival.number);
+    }
+    return entries;
+  }
+
+  // How many points this rank owned before, and owns since.
+  std::size_t size_before() const { return m_destinations.size(); }
+  // Where they went.
+  const std::vector<std::size_t>& destinations() const { return m_destinations; }
+
+  // Data of the points as this rank owned them before: data of those it owns since. Collective.
+  template <class T>
+  std::vector<T> carry(Distributed_ranks_2& ranks, const std::vector<T>& data) const
+  {
+    std::vector<Message_2> messages = ranks.empty_messages();
+    for (std::size_t k = 0; k < data.size(); ++k)
+      messages[m_destinations[k]].write(data[k]);
+    std::vector<T> arrived, carried;
+    for (Message_2& message : ranks.send(std::move(messages)))
+      while (!message.is_read())
+        arrived.push_back(message.template read<T>());
+    for (const std::size_t k : m_origins)
+      carried.push_back(arrived[k]);
+    return carried;
+  }
+
+private:
+  struct Key
+  {
+    std::uint64_t place;
+    Id id;
+
+    friend bool operator<(const Key& a, const Key& b)
+    {
+      return std::tie(a.place, a.id) < std::tie(b.place, b.id);
+    }
+  };
+  struct Arrival
+  {
+    Key key;
+    Entry entry;
+    std::size_t number;
+  };
+  struct Sample
+  {
+    Key key;
+    double weight; // how many points it stands for
+  };
+
+  static constexpr std::size_t samples_per_rank = 64;
+
+  template <class Space>
+  static std::vector<Key> keys_of(Distributed_ranks_2& ranks, const Space& space,
+                                  const std::vector<Entry>& own)
+  {
+    Box_2 box;
+    std::vector<typename Space::Image> images;
+    for (const Entry& entry : own) {
+      images.push_back(space.first_image({entry.x, entry.y}));
+      box.add(images.back().x, images.back().y);
+    }
+    box.x_high = ranks.largest(box.x_high);
+    box.y_high = ranks.largest(box.y_high);
+    box.x_low = -ranks.largest(-box.x_low);
+    box.y_low = -ranks.largest(-box.y_low);
+    // Halves, as the difference of two doubles may be none.
+    const double half = (std::max)(box.x_high / 2 - box.x_low / 2, box.y_high / 2 - box.y_low / 2);
+    const auto cell = [&](double coordinate, double low) {
+      const double part = half > 0 ? (coordinate / 2 - low / 2) / half : 0;
+      return std::uint32_t((std::min)(part * 0x1p16, 0x1p16 - 1));
+    };
+    const Hilbert_curve_2 curve;
+    std::vector<Key> keys;
+    for (std::size_t k = 0; k < own.size(); ++k)
+      keys.push_back(
+          {curve.place(cell(images[k].x, box.x_low), cell(images[k].y, box.y_low)), own[k].id});
+    return keys;
+  }
+
+  // Rank r gets keys from the one before r on, up to before the one of r.
+  static std::vector<Key> find_splitters(Distributed_ranks_2& ranks, std::vector<Key> keys)
+  {
+    std::sort(keys.begin(), keys.end());
+    const std::size_t n = keys.size(), number = (std::min)(n, samples_per_rank);
+    std::vector<Sample> samples;
+    for (std::size_t k = 0; k < number; ++k)
+      samples.push_back({keys[k * n / number], double(n) / double(number)});
+    std::vector<Sample> all = ranks.gather(samples).values;
+    std::sort(all.begin(), all.end(),
+              [](const Sample& a, const Sample& b) { return a.key < b.key; });
+    double total = 0, sum = 0;
+    for (const Sample& sample : all)
+      total += sample.weight;
+    std::vector<Key> splitters;
+    for (const Sample& sample : all) {
+      while (splitters.size() + 1 < ranks.size() &&
+             sum >= total * double(splitters.size() + 1) / double(ranks.size()) - 1e-6)
+        splitters.push_back(sample.key);
+      sum += sample.weight;
+    }
+    return splitters;
+  }
+
+  std::vector<std::size_t> m_destinations; // of the points before
+  std::vector<std::size_t> m_origins;      // of the points since: their numbers in order of arrival
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_ZONES_DISTRIBUTED_ORDER_2_H

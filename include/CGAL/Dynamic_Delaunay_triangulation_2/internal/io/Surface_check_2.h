@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_IO_SURFACE_CHECK_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_IO_SURFACE_CHECK_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Guibas_stolfi_2.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Checks whether faces form a triangulated closed surface:
+//   - each edge has two faces, which run along it in opposite directions,
+//   - the faces at each vertex form one cycle, and
+//   - all faces are connected.
+// By Euler's formula it is a sphere if it has four faces fewer than twice as many as vertices, and
+// a torus if it has twice as many.
+class Surface_check_2
+{
+public:
+  // What is wrong, and at which face. `what` is null if nothing is.
+  struct Flaw
+  {
+    const char* what = nullptr;
+    Index face = 0;
+  };
+
+  // The vertices are 0, 1, ..., one fewer than `vertices`.
+  Surface_check_2(Flat_faces_2& faces, Index vertices)
+    : m_faces(faces)
+    , m_vertices(vertices)
+  {
+  }
+
+  // Links faces that are given by their vertices alone. There must be no doubled edges. Returns the
+  // first flaw.
+  Flaw link_and_run()
+  {
+    sort_halfedges();
+    const Flaw flaw = link();
+    return flaw.what ? flaw : check();
+  }
+
+  // The same where twins are known, which run along each other in opposite directions.
+  Flaw run()
+  {
+    sort_halfedges();
+    return check();
+  }
+
+private:
+  static Flaw flaw_at(Index halfedge, const char* what)
+  {
+    return {what, Flat_faces_2::number_in_arrays(halfedge) / 3};
+  }
+
+  template <class Function>
+  void for_each_halfedge(const Function& f) const
+  {
+    for (Index face = 0; face < m_faces.number_of_faces(); ++face)
+      for (Index i = 0; i < 3; ++i)
+        f(Flat_faces_2::first_halfedge(face) + i);
+  }
+
+  // Sorts by sources.
+  void sort_halfedges()
+  {
+    m_first.assign(m_vertices + std::size_t(1), 0);
+    for_each_halfedge([this](Index h) { ++m_first[m_faces.source(h)]; });
+    for (Index v = 0; v < m_vertices; ++v)
+      m_first[v + 1] += m_first[v];
+    m_sorted.resize(m_first[m_vertices]);
+    for_each_halfedge([this](Index h) { m_sorted[--m_first[m_faces.source(h)]] = h; });
+  }
+
+  template <class Function>
+  void for_each_halfedge_from(Index v, const Function& f) const
+  {
+    for (Index i = m_first[v]; i < m_first[v + 1]; ++i)
+      f(m_sorted[i]);
+  }
+
+  Flaw link()
+  {
+    Flaw flaw;
+    std::vector<Index> halfedge_to(m_vertices, no_index); // from v to each vertex
+    for (Index v = 0; v < m_vertices; ++v) {
+      for_each_halfedge_from(v, [&](Index h) {
+        Index& there = halfedge_to[m_faces.target(h)];
+        if (m_faces.target(h) == v)
+          flaw = flaw_at(h, "the face has a vertex twice");
+        else if (there != no_index)
+          flaw = flaw_at(h, "an edge of the face is there twice");
+        there = h;
+      });
+      for_each_halfedge_from(v, [&](Index h) {
+        const Index arriving = Flat_faces_2::previous(h);
+        const Index back = halfedge_to[m_faces.source(arriving)];
+        if (back == no_index)
+          flaw = flaw_at(h, "an edge of the face has no other face");
+        m_faces.set_twin(arriving, back);
+      });
+      for_each_halfedge_from(v, [&](Index h) { halfedge_to[m_faces.target(h)] = no_index; });
+      if (flaw.what)
+        return flaw;
+    }
+    return flaw;
+  }
+
+  Flaw check() const
+  {
+    const Flaw flaw = check_vertices();
+    return flaw.what ? flaw : check_connection();
+  }
+
+  Flaw check_vertices() const
+  {
+    for (Index v = 0; v < m_vertices; ++v) {
+      const Index degree = m_first[v + 1] - m_first[v];
+      if (degree == 0)
+        return {"a vertex is in no face", m_faces.number_of_faces() - 1};
+      const Index start = m_sorted[m_first[v]];
+      Index around = 0, h = start;
+      do {
+        h = m_faces.twin(Flat_faces_2::previous(h));
+        ++around;
+      } while (h != start);
+      if (around != degree)
+        return flaw_at(start, "the faces at a vertex of the face are not one cycle");
+    }
+    return {};
+  }
+
+  Flaw check_connection() const
+  {
+    std::vector<bool> is_reached(m_faces.number_of_faces());
+    std::vector<Index> waiting(1, 0);
+    is_reached[0] = true;
+    while (!waiting.empty()) {
+      const Index h = Flat_faces_2::first_halfedge(waiting.back());
+      waiting.pop_back();
+      for (Index i = 0; i < 3; ++i) {
+        const Index f = Flat_faces_2::number_in_arrays(m_faces.twin(h + i)) / 3;
+        if (!is_reached[f])
+          waiting.push_back(f);
+        is_reached[f] = true;
+      }
+    }
+    for (Index f = 0; f < m_faces.number_of_faces(); ++f)
+      if (!is_reached[f])
+        return {"the face hangs together with the first one by no edges", f};
+    return {};
+  }
+
+  Flat_faces_2& m_faces;
+  Index m_vertices;
+  std::vector<Index> m_first;  // index in m_sorted of the first half-edge from each vertex
+  std::vector<Index> m_sorted; // the half-edges by their sources
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_IO_SURFACE_CHECK_2_H

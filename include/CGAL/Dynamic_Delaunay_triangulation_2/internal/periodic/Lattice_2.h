@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_LATTICE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_LATTICE_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+#include <CGAL/enum.h>
+#include <CGAL/Periodic_cell_2.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// The limits of points and reduced bases in multiples of the cell's vectors, and of the multiples
+// by which one cell is exchanged for another. Then the shifts of a face are below 2^22, and their
+// sums of products when a cell is exchanged below 2^31.
+constexpr double max_shift = 0x1p20, max_multiple = 0x1p8;
+
+// A short basis of the cell's lattice, counterclockwise (Lagrange's reduction), in rounded
+// arithmetic: any basis is right, and a short one quick to start from.
+inline std::array<Periodic_shift_2, 2> short_basis(const Torus_2& torus)
+{
+  const Periodic_cell_2& cell = torus.cell();
+  if (cell.is_slab())
+    return {{{1, 0}, {0, 1}}};
+  std::array<Position_2, 2> v{{{cell.ax(), cell.ay()}, {cell.bx(), cell.by()}}};
+  std::array<std::array<double, 2>, 2> basis{{{1, 0}, {0, 1}}};
+  const auto product = [](const Position_2& p, const Position_2& q) {
+    return p.x * q.x + p.y * q.y;
+  };
+  for (int steps = 0; steps < 64; ++steps) {
+    if (product(v[0], v[0]) > product(v[1], v[1])) {
+      std::swap(v[0], v[1]);
+      std::swap(basis[0], basis[1]);
+    }
+    const double k = std::round(product(v[0], v[1]) / product(v[0], v[0]));
+    if (!(std::abs(k) >= 1))
+      break;
+    for (std::size_t i = 0; i < 2; ++i)
+      basis[1][i] -= k * basis[0][i];
+    if (!(std::abs(basis[1][0]) < max_shift && std::abs(basis[1][1]) < max_shift))
+      throw Periodic_cell_error_2(cell.ax(), cell.ay(), cell.bx(), cell.by(),
+                                  "a reduced basis needs too large multiples of them");
+    v[1] = {v[1].x - k * v[0].x, v[1].y - k * v[0].y};
+  }
+  std::array<Periodic_shift_2, 2> shifts;
+  for (std::size_t i = 0; i < 2; ++i)
+    shifts[i] = {int(basis[i][0]), int(basis[i][1])};
+  const Position_2 origin{0, 0};
+  if (torus.orientation({origin, no_shift}, {origin, shifts[0]}, {origin, shifts[1]}) != LEFT_TURN)
+    std::swap(shifts[0], shifts[1]);
+  return shifts;
+}
+
+// The vectors of the old cell in those of the new one, if these are other vectors of about the same
+// lattice, as after a Lees-Edwards flip. If no integers are near, the cell was deformed.
+inline std::array<Periodic_shift_2, 2> multiples_in_new_cell(const Torus_2& old_torus,
+                                                             const Torus_2& new_torus)
+{
+  constexpr std::array<Periodic_shift_2, 2> unit{{{1, 0}, {0, 1}}};
+  const Periodic_cell_2& old_cell = old_torus.cell();
+  const Position_2 a = new_torus.multiples({old_cell.ax(), old_cell.ay()});
+  if (old_cell.is_slab())
+    return a.x < 0 ? std::array<Periodic_shift_2, 2>{{{-1, 0}, {0, -1}}} : unit;
+  const Position_2 b = new_torus.multiples({old_cell.bx(), old_cell.by()});
+  for (const double x : {a.x, a.y, b.x, b.y})
+    if (!(std::abs(x) < max_multiple))
+      return unit;
+  const Periodic_shift_2 i = new_torus.nearest_shift(a), j = new_torus.nearest_shift(b);
+  const auto determinant = std::int64_t(i[0]) * j[1] - std::int64_t(i[1]) * j[0];
+  if (determinant != 1 && determinant != -1)
+    return unit;
+  return {i, j};
+}
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_LATTICE_2_H

@@ -1,0 +1,498 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_PERIODIC_BUILDER_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_PERIODIC_BUILDER_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Parallel_parts_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Spatial_order_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Guibas_stolfi_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/tags.h>
+
+#include <boost/iterator/counting_iterator.hpp>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// The faces of a closed surface over the vertices 1, 2, ..., with a shift for each corner.
+struct Periodic_faces_2
+{
+  std::vector<Index> apexes, twins;     // of each half-edge, three for a face
+  std::vector<Periodic_shift_2> shifts; // of its apex
+  std::vector<Index> points;            // of each vertex; the first one is not used
+};
+
+// Images of points in the plane, rounded, as predicates on vertices ask for them. Number 0 is at
+// infinity. At first the numbers are those in which images were given; arrange() gives them numbers
+// along a curve, so that what is close in space is close in memory.
+class Image_cloud_2
+{
+public:
+  using Traits = Exact_predicates_inexact_constructions_kernel;
+
+  struct Image
+  {
+    Position_2 position;
+    Index point;
+    Periodic_shift_2 shift;
+  };
+
+  void resize(std::size_t images)
+  {
+    m_positions.resize(images + 1);
+    m_points.resize(images + 1);
+    m_shifts.resize(images + 1);
+    m_positions[infinite_index] = nowhere();
+  }
+  void set(Index number, const Image& image)
+  {
+    m_positions[number] = image.position;
+    m_points[number] = image.point;
+    m_shifts[number] = image.shift;
+  }
+
+  // Numbers the images in this order, which has their new numbers afterwards.
+  template <class Parts>
+  void arrange(Spatial_order_2& order)
+  {
+    const auto arrange_all = [&](auto& data) {
+      std::remove_reference_t<decltype(data)> arranged(data.size());
+      arranged[infinite_index] = data[infinite_index];
+      Parts::for_each(order.size(), [&](std::size_t, std::size_t first, std::size_t beyond) {
+        for (std::size_t i = first; i < beyond; ++i)
+          arranged[i + 1] = data[order[i]];
+      });
+      data.swap(arranged);
+    };
+    arrange_all(m_positions);
+    arrange_all(m_points);
+    arrange_all(m_shifts);
+    Parts::for_each(order.size(), [&](std::size_t, std::size_t first, std::size_t beyond) {
+      for (std::size_t i = first; i < beyond; ++i)
+        order.renumber(i, Index(i + 1));
+    });
+  }
+
+  void release()
+  {
+    std::vector<Position_2>().swap(m_positions);
+    std::vector<Index>().swap(m_points);
+    std::vector<Periodic_shift_2>().swap(m_shifts);
+  }
+
+  std::size_t size() const { return m_positions.size(); }
+  Index point_of(Index image) const { return m_points[image]; }
+  const Periodic_shift_2& shift(Index image) const { return m_shifts[image]; }
+
+  const std::vector<Position_2>& positions() const { return m_positions; }
+  static constexpr bool positions_are_exact() { return true; }
+  Traits::Point_2 point(Index image) const { return {m_positions[image].x, m_positions[image].y}; }
+  const Traits& traits() const { return m_traits; }
+
+private:
+  std::vector<Position_2> m_positions;
+  std::vector<Index> m_points;
+  std::vector<Periodic_shift_2> m_shifts;
+  Traits m_traits;
+};
+
+// Triangulates points of a torus from scratch, by the engine of the plane: wraps all points into a
+// cell of short vectors, adds the images around it, as far as circles may reach where points are
+// about evenly spread, and keeps one face of each class of faces that are translations of each
+// other.
+//
+// Images are rounded, ties are broken in any way, and there may be too few images. So the result is
+// not taken for Delaunay, only for a triangulation of the torus, and that is checked: there are
+// twice as many faces as points, each half-edge has one twin, the faces around a vertex are one
+// cycle, and their areas sum up to that of the cell. Rounding cannot hide another degree than one,
+// since the sum is a multiple of the cell's area. Where a check fails there is no result. That is
+// so for grids, whose ties are broken differently in different images.
+//
+// Threads share all of it, but for the few images around the cell and the edges that these cut.
+template <class Parts = Parallel_parts_2<Sequential_tag>>
+class Periodic_builder_2
+{
+  using Predicates = Vertex_predicates_2<Image_cloud_2>;
+  using Image = Image_cloud_2::Image;
+
+public:
+  Periodic_builder_2()
+    : m_guibas_stolfi(Predicates(m_cloud), m_planar)
+  {
+  }
+  Periodic_builder_2(const Periodic_builder_2&) = delete;
+  Periodic_builder_2& operator=(const Periodic_builder_2&) = delete;
+
+  // Fewer points are inserted faster.
+  static constexpr std::size_t min_points = 100;
+
+  // False if there is no result.
+  bool run(const Torus_2& torus, const std::vector<Position_2>& points)
+  {
+    return points.size() >= min_points && !torus.cell().is_slab() && make_cloud(torus, points) &&
+           triangulate(points.size()) && glue(points.size()) && are_stars(points.size()) &&
+           cover_once(torus);
+  }
+
+  const Periodic_faces_2& faces() const { return m_faces; }
+
+  // Frees the memory.
+  void release()
+  {
+    m_faces = Periodic_faces_2();
+    m_cloud.release();
+    m_planar.release();
+    m_order.release();
+    std::vector<Index>().swap(m_vertex_of_image);
+    std::vector<Index>().swap(m_wrapped);
+    std::vector<Index>().swap(m_face_numbers);
+    std::vector<Open_halfedge>().swap(m_open);
+  }
+
+private:
+  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+
+  // The wrapped points, and then their images around the cell.
+  bool make_cloud(const Torus_2& torus, const std::vector<Position_2>& points)
+  {
+    const auto basis = short_basis(torus);
+    const Position_2 r = torus.vector({double(basis[0][0]), double(basis[0][1])});
+    const Position_2 t = torus.vector({double(basis[1][0]), double(basis[1][1])});
+    const Torus_2 short_torus(Periodic_cell_2(r.x, r.y, t.x, t.y));
+    const double n = double(points.size()), area = torus.cell().area();
+    // the largest empty circles of n random points have a radius of about sqrt(log n / pi) spacings
+    const double margin = 1.2 * std::sqrt(std::log(n) * area / n);
+    const double along_r = margin * std::hypot(t.x, t.y) / area;
+    const double along_t = margin * std::hypot(r.x, r.y) / area;
+    if (!(along_r < 0.5 && along_t < 0.5))
+      return false;
+    m_cloud.resize(points.size());
+    std::vector<std::vector<Image>> around(Parts::number(points.size()));
+    Parts::for_each(points.size(), [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      for (Index i = Index(first); i < beyond; ++i) {
+        Position_2 m = short_torus.multiples(points[i]);
+        const Periodic_shift_2 wrap{int(-std::floor(m.x)), int(-std::floor(m.y))};
+        m = {m.x + wrap[0], m.y + wrap[1]};
+        const Periodic_shift_2 k = combination(basis, wrap);
+        const auto image = [&](int r_multiple, int t_multiple) {
+          const Periodic_shift_2 shift = k + combination(basis, {r_multiple, t_multiple});
+          return Image{torus.rounded({points[i], shift}), i, shift};
+        };
+        m_cloud.set(i + 1, image(0, 0));
+        const int u = side(m.x, along_r), v = side(m.y, along_t);
+        if (u != 0)
+          around[part].push_back(image(u, 0));
+        if (v != 0)
+          around[part].push_back(image(0, v));
+        if (u != 0 && v != 0)
+          around[part].push_back(image(u, v));
+      }
+    });
+    return append(around);
+  }
+
+  // False if these are too many for the plane, whose numbers have 32 bits as well.
+  bool append(const std::vector<std::vector<Image>>& around)
+  {
+    std::size_t next_number = m_cloud.size(), size = m_cloud.size();
+    for (const auto& images : around)
+      size += images.size();
+    if (size > max_vertices)
+      return false;
+    m_cloud.resize(size - 1);
+    for (const auto& images : around)
+      for (const Image& image : images)
+        m_cloud.set(Index(next_number++), image);
+    return true;
+  }
+
+  // In which direction the images of a point are around the cell.
+  static int side(double multiple, double margin)
+  {
+    return multiple < margin ? 1 : multiple > 1 - margin ? -1 : 0;
+  }
+
+  static Periodic_shift_2 combination(const std::array<Periodic_shift_2, 2>& basis,
+                                      const Periodic_shift_2& k)
+  {
+    return {k[0] * basis[0][0] + k[1] * basis[1][0], k[0] * basis[0][1] + k[1] * basis[1][1]};
+  }
+
+  // False if two images are in one place.
+  bool triangulate(std::size_t points)
+  {
+    const boost::counting_iterator<Index> first(1), beyond(Index(m_cloud.size()));
+    m_order.template sort<Parts>(m_cloud.positions(), first, beyond);
+    if (!m_order.template are_distinct<Parts>(
+            [this](Index image, Index other) { return are_together(image, other); }))
+      return false;
+    number_vertices(points);
+    m_guibas_stolfi.run(m_order);
+    return true;
+  }
+
+  bool are_together(Index image, Index other) const
+  {
+    const Position_2 &p = m_cloud.positions()[image], &q = m_cloud.positions()[other];
+    return p.x == q.x && p.y == q.y;
+  }
+
+  // Numbers the vertices in the order of the wrapped points, which are the first images so far, and
+  // the images in their order.
+  void number_vertices(std::size_t points)
+  {
+    m_faces.points.resize(points + 1);
+    m_faces.points[infinite_index] = no_index;
+    m_wrapped.resize(points + 1);
+    std::vector<Index> vertex_of_point(points);
+    number_in_parts(
+        m_order.size(), [&](std::size_t i) { return m_order[i] <= points; },
+        [&](std::size_t i, Index number) {
+          m_faces.points[number + 1] = m_order[i] - 1;
+          m_wrapped[number + 1] = Index(i + 1);
+          vertex_of_point[m_order[i] - 1] = number + 1;
+        });
+    m_cloud.template arrange<Parts>(m_order);
+    m_vertex_of_image.resize(m_cloud.size());
+    for_each_in_parts(m_order.size(), [&](std::size_t i) {
+      m_vertex_of_image[i + 1] = vertex_of_point[m_cloud.point_of(Index(i + 1))];
+    });
+  }
+
+  // Calls f(i) for all i below `size`.
+  template <class Function>
+  static void for_each_in_parts(std::size_t size, const Function& f)
+  {
+    Parts::for_each(size, [&](std::size_t, std::size_t first, std::size_t beyond) {
+      for (std::size_t i = first; i < beyond; ++i)
+        f(i);
+    });
+  }
+
+  // Numbers those i below `size` for which counts(i) is true: calls note(i, number). Returns how
+  // many there are.
+  template <class Predicate, class Note>
+  static Index number_in_parts(std::size_t size, const Predicate& counts, const Note& note)
+  {
+    std::array<Index, Parts::max_parts> numbers;
+    Parts::for_each(size, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      numbers[part] = 0;
+      for (std::size_t i = first; i < beyond; ++i)
+        numbers[part] += counts(i);
+    });
+    Index sum = 0;
+    for (std::size_t part = 0; part < Parts::number(size); ++part)
+      sum += std::exchange(numbers[part], sum);
+    Parts::for_each(size, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      for (std::size_t i = first; i < beyond; ++i)
+        if (counts(i))
+          note(i, numbers[part]++);
+    });
+    return sum;
+  }
+
+  Index vertex(Index image) const { return m_vertex_of_image[image]; }
+  bool is_wrapped(Index image) const { return m_wrapped[vertex(image)] == image; }
+
+  // Of all translations of a face it is the one whose first corner is a wrapped point. The first
+  // corner has the smallest vertex, and the smallest shift if several corners have that vertex.
+  bool is_kept(Index planar_face) const
+  {
+    const Index h = Flat_faces_2::first_halfedge(planar_face);
+    std::array<Index, 3> corners{m_planar.apex(h), m_planar.apex(h + 1), m_planar.apex(h + 2)};
+    if (std::find(corners.begin(), corners.end(), infinite_index) != corners.end())
+      return false;
+    const Index first = *std::min_element(corners.begin(), corners.end(), [&](Index a, Index b) {
+      return std::make_tuple(vertex(a), m_cloud.shift(a)) <
+             std::make_tuple(vertex(b), m_cloud.shift(b));
+    });
+    return is_wrapped(first);
+  }
+
+  // Copies the faces that are kept, and links them. False if they are not one of each class.
+  bool glue(std::size_t points)
+  {
+    if (number_faces() != 2 * points)
+      return false;
+    m_faces.twins.resize(6 * points);
+    std::vector<std::vector<Open_halfedge>> open(Parts::number(m_planar.number_of_faces()));
+    Parts::for_each(
+        m_planar.number_of_faces(), [&](std::size_t part, std::size_t first, std::size_t beyond) {
+          for (Index f = Index(first); f < beyond; ++f)
+            for (Index i = 0; i < 3 && m_face_numbers[f] != no_index; ++i)
+              link(Flat_faces_2::first_halfedge(f) + i, 3 * m_face_numbers[f] + i, open[part]);
+        });
+    m_open.clear();
+    for (const auto& of_part : open)
+      m_open.insert(m_open.end(), of_part.begin(), of_part.end());
+    std::sort(m_open.begin(), m_open.end());
+    for (std::size_t i = 0; i < m_open.size(); i += 2) {
+      if (i + 1 == m_open.size() || !m_open[i].is_twin_of(m_open[i + 1]) ||
+          (i + 2 < m_open.size() && m_open[i + 1].has_edge_of(m_open[i + 2])))
+        return false;
+      m_faces.twins[m_open[i].halfedge] = m_open[i + 1].halfedge;
+      m_faces.twins[m_open[i + 1].halfedge] = m_open[i].halfedge;
+    }
+    return true;
+  }
+
+  // Returns how many faces are kept.
+  std::size_t number_faces()
+  {
+    const Index planar_faces = m_planar.number_of_faces();
+    m_face_numbers.resize(planar_faces);
+    for_each_in_parts(planar_faces, [&](std::size_t f) {
+      m_face_numbers[f] = is_kept(Index(f)) ? infinite_index : no_index;
+    });
+    const Index kept = number_in_parts(
+        planar_faces, [&](std::size_t f) { return m_face_numbers[f] != no_index; },
+        [&](std::size_t f, Index number) { m_face_numbers[f] = number; });
+    m_faces.apexes.resize(3 * std::size_t(kept));
+    m_faces.shifts.resize(3 * std::size_t(kept));
+    for_each_in_parts(planar_faces, [&](std::size_t f) {
+      if (m_face_numbers[f] == no_index)
+        return;
+      const Index h = Flat_faces_2::first_halfedge(Index(f)), to = 3 * m_face_numbers[f];
+      for (Index i = 0; i < 3; ++i) {
+        const Index image = m_planar.apex(h + i);
+        m_faces.apexes[to + i] = vertex(image);
+        m_faces.shifts[to + i] = m_cloud.shift(image) - m_cloud.shift(m_planar.apex(h));
+      }
+    });
+    return kept;
+  }
+
+  // A half-edge whose twin in the plane is of a face that is not kept.
+  struct Open_halfedge
+  {
+    Index from, to; // in ascending order
+    Periodic_shift_2 shift;
+    bool is_reversed;
+    Index halfedge;
+
+    auto edge() const { return std::tie(from, to, shift); }
+    bool has_edge_of(const Open_halfedge& other) const { return edge() == other.edge(); }
+    bool is_twin_of(const Open_halfedge& other) const
+    {
+      return has_edge_of(other) && is_reversed != other.is_reversed;
+    }
+    friend bool operator<(const Open_halfedge& g, const Open_halfedge& h)
+    {
+      return std::tuple_cat(g.edge(), std::tie(g.is_reversed)) <
+             std::tuple_cat(h.edge(), std::tie(h.is_reversed));
+    }
+  };
+
+  void link(Index planar, Index h, std::vector<Open_halfedge>& open)
+  {
+    const Index twin = m_planar.twin(planar), number = m_face_numbers[twin / 4];
+    if (number != no_index) {
+      m_faces.twins[h] = 3 * number + twin % 4;
+      return;
+    }
+    Index from = m_faces.apexes[next(h)], to = m_faces.apexes[previous(h)];
+    Periodic_shift_2 shift = m_faces.shifts[previous(h)] - m_faces.shifts[next(h)];
+    const bool is_reversed = from > to || (from == to && shift < no_shift);
+    if (is_reversed) {
+      std::swap(from, to);
+      shift = no_shift - shift;
+    }
+    open.push_back({from, to, shift, is_reversed, h});
+  }
+
+  // Whether the corners of each vertex are one cycle. It does not matter from which of them a walk
+  // starts: if there are several cycles, some corners are not met.
+  bool are_stars(std::size_t points) const
+  {
+    const std::size_t corners = m_faces.apexes.size();
+    std::vector<std::atomic<Index>> start(points + 1); // of each vertex: behind one of its corners
+    for_each_in_parts(corners, [&](std::size_t h) {
+      start[m_faces.apexes[h]].store(Index(h + 1), std::memory_order_relaxed);
+    });
+    return Parts::sum(points, [&](std::size_t first, std::size_t beyond) {
+             std::size_t met = 0;
+             for (Index v = Index(first) + 1; v <= beyond; ++v)
+               met += size_of_cycle(v, start[v].load(std::memory_order_relaxed));
+             return met;
+           }) == corners;
+  }
+
+  // The number of corners of v that a walk around it meets. Zero if it has none, or the walk meets
+  // those of others.
+  std::size_t size_of_cycle(Index v, Index start) const
+  {
+    if (start == 0)
+      return 0;
+    std::size_t met = 0;
+    Index h = start - 1;
+    do {
+      h = next(m_faces.twins[next(h)]);
+      if (m_faces.apexes[h] != v || ++met > m_faces.apexes.size())
+        return 0;
+    } while (h != start - 1);
+    return met;
+  }
+
+  // Whether the faces cover the torus once.
+  bool cover_once(const Torus_2& torus) const
+  {
+    std::array<double, Parts::max_parts> doubled_areas;
+    const Index faces = m_planar.number_of_faces();
+    Parts::for_each(faces, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      double sum = 0;
+      for (Index f = Index(first); f < beyond; ++f)
+        if (m_face_numbers[f] != no_index)
+          sum += doubled_area(Flat_faces_2::first_halfedge(f));
+      doubled_areas[part] = sum;
+    });
+    const double sum = std::accumulate(
+        doubled_areas.begin(), doubled_areas.begin() + std::ptrdiff_t(Parts::number(faces)), 0.);
+    return std::abs(sum / torus.cell().area() - 2) < 0.5;
+  }
+
+  // Of the planar face that begins with half-edge h.
+  double doubled_area(Index h) const
+  {
+    const Position_2& p = m_cloud.positions()[m_planar.apex(h)];
+    const Position_2& q = m_cloud.positions()[m_planar.apex(h + 1)];
+    const Position_2& s = m_cloud.positions()[m_planar.apex(h + 2)];
+    return (q.x - p.x) * (s.y - p.y) - (q.y - p.y) * (s.x - p.x);
+  }
+
+  Image_cloud_2 m_cloud;
+  Spatial_order_2 m_order;
+  Flat_faces_2 m_planar;
+  Guibas_stolfi_2<Predicates, Parts> m_guibas_stolfi;
+  std::vector<Index> m_vertex_of_image;
+  std::vector<Index> m_wrapped;      // the image of each vertex's point in the cell
+  std::vector<Index> m_face_numbers; // of the planar faces that are kept
+  std::vector<Open_halfedge> m_open;
+  Periodic_faces_2 m_faces;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_PERIODIC_BUILDER_2_H

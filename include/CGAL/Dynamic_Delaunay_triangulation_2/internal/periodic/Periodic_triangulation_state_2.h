@@ -1,0 +1,196 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_MAINTAINED_PERIODIC_TRIANGULATION_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_MAINTAINED_PERIODIC_TRIANGULATION_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Parallel_parts_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Point_ids_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Periodic_edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+struct Periodic_slacks_2;
+
+// A triangulation of a flat torus: its faces in one sheet, however few its points are. Reading is
+// public; `Periodic_editor_2` alone writes.
+//
+// Each corner of a face, a half-edge with its apex, has a *shift*. The images of the three vertices
+// by the shifts of a face are the corners of one triangle in the plane. Faces have frames of their
+// own: the first corner of each has no shift. Along an edge, the frames of both faces differ by a
+// translation, which follows from their shifts.
+//
+// An edge may go from a vertex to an image of the same vertex, and several may connect two
+// vertices. There is no infinite vertex. Where the four corners of an edge have the same shift, the
+// edge stands in the arrays as in the plane, so that the pass over the edges can test it there.
+// Elsewhere all its vertices there are infinite: the pass in the plane never proves these.
+template <class Point_, class ConcurrencyTag>
+class Maintained_periodic_triangulation_2
+{
+public:
+  using Point = Point_;
+  using Space = Plane_2; // of the edges without shifts
+  using Edge_test = Periodic_edge_test_2<Maintained_periodic_triangulation_2>;
+  using Slacks = Periodic_slacks_2;
+  using Ids = Point_ids_2<Position_2>;
+
+  using Parts = Parallel_parts_2<ConcurrencyTag>; // how passes are divided
+
+  static constexpr bool is_periodic = true;
+
+  explicit Maintained_periodic_triangulation_2(const Periodic_cell_2& cell)
+    : m_torus(cell)
+  {
+    m_ids.reset(0);
+  }
+
+  const Torus_2& torus() const { return m_torus; }
+  const Halfedge_arrays_2& arrays() const { return m_arrays; }
+  const std::vector<Position_2>& positions() const { return m_positions; }
+  const Ids& ids() const { return m_ids; }
+  // If vertices, edges or faces have other numbers, everything is new.
+  const Change_log_2& changes() const { return m_changes; }
+  Index number_of_vertices() const { return Index(m_positions.size()) - 1; }
+
+  const Periodic_shift_2& shift(Index corner) const { return m_shifts[corner]; }
+  Image_2 image(Index corner) const { return image(corner, m_positions); }
+  // The same with other positions of the vertices.
+  Image_2 image(Index corner, const std::vector<Position_2>& positions) const
+  {
+    return {positions[m_arrays.apex(corner)], m_shifts[corner]};
+  }
+
+  // What is added to shifts in the face beyond h for shifts in the face of h.
+  Periodic_shift_2 transition(Index h) const
+  {
+    using Arrays = Halfedge_arrays_2;
+    return m_shifts[Arrays::next(h)] - m_shifts[Arrays::previous(m_arrays.twin(h))];
+  }
+
+  // The corners of the faces at half-edge h, in the frame of its face.
+  Edge_images_2 corners_at(Index h) const { return corners_at(h, m_positions); }
+  Edge_images_2 corners_at(Index h, const std::vector<Position_2>& positions) const
+  {
+    using Arrays = Halfedge_arrays_2;
+    Image_2 right = image(m_arrays.twin(h), positions);
+    right.shift = right.shift + transition(h);
+    return {image(h, positions), image(Arrays::next(h), positions),
+            image(Arrays::previous(h), positions), right};
+  }
+
+  bool is_shifted(Index e) const { return m_arrays.edge(e).source == infinite_index; }
+
+  std::size_t number_of_cell_changes() const { return m_cell_changes; }
+
+  // FRAMES, as Dynamic_frame_2 shows them. Empty edges and faces have infinite vertices.
+
+  static constexpr bool positions_are_exact() { return true; }
+  const Position_2& previous_position(Index v) const { return m_other_positions[v]; }
+  // By vertices: of the next frame while it is read, then of the last one.
+  const std::vector<Position_2>& other_positions() const { return m_other_positions; }
+
+  Edge_2 edge(Index e) const
+  {
+    using Arrays = Halfedge_arrays_2;
+    if (!is_shifted(e) || m_arrays.is_empty_edge(e))
+      return m_arrays.edge(e);
+    const Index h = m_arrays.halfedge(e);
+    return {m_arrays.apex(Arrays::next(h)), m_arrays.apex(Arrays::previous(h)), m_arrays.apex(h),
+            m_arrays.apex(m_arrays.twin(h))};
+  }
+  std::array<Index, 3> face(Index f) const
+  {
+    return m_arrays.is_empty_face(f)
+               ? std::array<Index, 3>{infinite_index, infinite_index, infinite_index}
+               : m_arrays.face(f);
+  }
+  static constexpr bool is_along(Index, Index) { return true; } // halfedge(e) goes along edge(e)
+
+  // Whether the corners of an edge are on both sides of the gap beside a slab.
+  bool is_at_infinity(Index e) const
+  {
+    if (!is_shifted(e))
+      return false;
+    if (m_arrays.is_empty_edge(e))
+      return true;
+    const auto [a, b, c, d] = corners_at(m_arrays.halfedge(e));
+    return m_torus.are_across(a.shift, b.shift) || m_torus.are_across(b.shift, c.shift) ||
+           m_torus.are_across(c.shift, d.shift);
+  }
+  bool breaks_hull(Index e) const
+  {
+    return is_at_infinity(e) && Edge_test(*this).state(e) != Edge_state_2::DELAUNAY;
+  }
+
+  bool corners_are_exact(Index e) const { return !is_shifted(e); }
+  Edge_corners_2 corners(Index e) const { return corners(e, m_positions); }
+  Edge_corners_2 corners(Index e, const std::vector<Position_2>& positions) const
+  {
+    if (!is_shifted(e))
+      return Space::corners(m_arrays.edge(e), positions);
+    if (is_at_infinity(e))
+      return {nowhere(), nowhere(), nowhere(), nowhere()};
+    return m_torus.rounded_corners(corners_at(m_arrays.halfedge(e), positions)).first;
+  }
+  Position_2 edge_vector(Index e) const
+  {
+    if (!is_shifted(e))
+      return m_positions[m_arrays.edge(e).target] - m_positions[m_arrays.edge(e).source];
+    if (m_arrays.is_empty_edge(e))
+      return nowhere();
+    const Edge_images_2 corners = corners_at(m_arrays.halfedge(e));
+    return rounded_vector(corners.source, corners.target);
+  }
+  std::array<Position_2, 3> face_corners(Index f) const
+  {
+    if (m_arrays.is_empty_face(f))
+      return {nowhere(), nowhere(), nowhere()};
+    return {Position_2{0, 0}, rounded_vector(image(3 * f), image(3 * f + 1)),
+            rounded_vector(image(3 * f), image(3 * f + 2))};
+  }
+
+  Position_2 position_of_id(Index id) const
+  {
+    return m_ids.is_representative(id) ? m_positions[m_ids.vertex(id)] : m_ids.duplicate(id).point;
+  }
+
+private:
+  // NaNs across the gap beside a slab.
+  Position_2 rounded_vector(const Image_2& from, const Image_2& to) const
+  {
+    double ignored = 0;
+    return m_torus.are_across(from.shift, to.shift) ? nowhere() : m_torus.vector(from, to, ignored);
+  }
+
+  template <class Maintained, bool is_logged>
+  friend class Periodic_editor_2;
+
+  Torus_2 m_torus;
+  Halfedge_arrays_2 m_arrays;
+  std::vector<Periodic_shift_2> m_shifts; // indexed by half-edges
+  std::vector<Position_2> m_positions = {nowhere()};
+  std::vector<Position_2> m_other_positions;
+  Change_log_2 m_changes;
+  std::size_t m_cell_changes = 0;
+  Ids m_ids;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_MAINTAINED_PERIODIC_TRIANGULATION_2_H

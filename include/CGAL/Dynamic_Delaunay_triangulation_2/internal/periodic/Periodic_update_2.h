@@ -1,0 +1,337 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_PERIODIC_UPDATE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_PERIODIC_UPDATE_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/inform_classifier.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Maintained_periodic_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_editor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_memory_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_motion_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_repair_tools_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Periodic_certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Periodic_slacks_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Dynamic_frame_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Dynamic_mender_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_and_splice_repair_2.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Keeps a periodic triangulation Delaunay: builds it, and repairs it after points have moved, come
+// or gone. update() shows the phases of a frame in their order. Only this class knows whether the
+// triangulation is certified.
+template <class Maintained, class Editor>
+class Periodic_update_2
+{
+  using Tools = Periodic_repair_tools_2<Maintained, Editor>;
+  using Mender = Dynamic_mender_2<Tools>;
+
+public:
+  using Frame = Dynamic_frame_2<Maintained>;
+
+  explicit Periodic_update_2(Maintained& maintained)
+    : m_maintained(maintained)
+    , m_editor(maintained)
+    , m_motion(maintained, m_editor)
+    , m_tools(maintained, m_editor)
+  {
+  }
+
+  // Makes the triangulation a copy of another one, whose state was `update`.
+  void copy_state(const Periodic_update_2& update)
+  {
+    set_engines(update.engines());
+    set_memory(update.memory());
+    m_is_certified = update.m_is_certified;
+    m_is_whole = update.m_is_whole;
+  }
+
+  const Tools& tools() const { return m_tools; }
+  const Static_engines_2& engines() const { return m_tools.engines(); }
+  void set_engines(const Static_engines_2& engines) { m_tools.set_engines(engines); }
+
+  bool is_certified() const { return m_is_certified && m_is_whole; }
+  // False after an exception has ended a call in the middle.
+  bool is_whole() const { return m_is_whole; }
+
+  // What has changed since the log was last cleared, if it is kept.
+  std::vector<Periodic_change_2>& log() { return m_editor.log(); }
+
+  // A call. `change()` makes it; it is given the report.
+  template <class Classifier, class Change>
+  Update_report_2 run(Classifier& classifier, const Change& change)
+  {
+    Update_report_2 report;
+    m_tools.start(report, true);
+    if (!std::exchange(m_is_whole, false)) {
+      m_tools.rebuild(Rebuild_reason_2::STUCK);
+      m_is_certified = true;
+    }
+    change(report);
+    m_is_whole = true;
+    report.certified = m_is_certified;
+    m_editor.end_changes();
+    inform_classifier(classifier, Frame(m_maintained));
+    m_editor.begin_changes();
+    return report;
+  }
+
+  // POPULATION ----------------------------------------------------------------------------------
+
+  // Inserts points with the next ids.
+  void insert(const std::vector<Index>& next_ids, const std::vector<Position_2>& points,
+              Update_report_2& report)
+  {
+    certify_all(report);
+    m_editor.ids().reserve(next_ids);
+    m_tools.place_all(next_ids, points);
+    report.inserted += points.size();
+  }
+
+  void remove(Index id, Update_report_2& report)
+  {
+    certify_all(report);
+    ++report.removed;
+    m_tools.make_duplicate_if_shared(id);
+    if (!ids().is_representative(id))
+      return m_editor.ids().remove_duplicate(id);
+    const Index v = ids().vertex(id);
+    const bool is_out = m_maintained.number_of_vertices() > 1 && m_tools.take_out({v}, false);
+    if (!is_out)
+      return m_tools.rebuild(Rebuild_reason_2::STUCK, id);
+    m_editor.ids().provide_for_removals(1);
+    m_editor.ids().remove_representative(id);
+    m_tools.legalize();
+    m_tools.drop_taken_out();
+  }
+
+  // Moves one point.
+  void move(Index id, const Position_2& p, Update_report_2& report)
+  {
+    certify_all(report);
+    m_tools.make_duplicate_if_shared(id);
+    const Index v = ids().vertex(id);
+    if (!ids().is_representative(id)) {
+      if (m_tools.coincide(p, m_maintained.positions()[v]))
+        m_editor.ids().duplicate(id).point = p;
+      else
+        m_tools.place(id, p);
+      return;
+    }
+    const Position_2 before = m_maintained.positions()[v];
+    const Periodic_shift_2 shift = m_tools.shift_of_step(before, p);
+    m_editor.set_position(v, p);
+    m_editor.shift_images(v, shift);
+    if (m_tools.are_faces_counterclockwise(v)) {
+      m_tools.open_surroundings(v);
+      return m_tools.legalize();
+    }
+    m_editor.set_position(v, before);
+    m_editor.shift_images(v, no_shift - shift);
+    const bool is_out = m_tools.take_out({v}, false);
+    m_editor.set_position(v, p);
+    if (!is_out)
+      return m_tools.rebuild(Rebuild_reason_2::STUCK);
+    m_tools.legalize();
+    m_tools.put_back_all();
+  }
+
+  // MOTION --------------------------------------------------------------------------------------
+
+  // Reads the position `next(id)` of each point for update(). False if a coordinate is not finite,
+  // or a point out of range in the new cell.
+  template <class Next>
+  bool stage(const Next& next, const Periodic_cell_2& cell)
+  {
+    return m_motion.stage(next, cell);
+  }
+
+  // Moves all points to the positions that were staged, and are given again, in the same cell.
+  template <class Next, class Classifier, class Repair, class Policy>
+  void update(const Next& next, const Periodic_cell_2& cell, Classifier& classifier, Repair& repair,
+              Policy& policy, Update_report_2& report)
+  {
+    m_tools.start(report, Classifier::is_exact);
+    const bool was_certified = m_is_certified;
+    const Periodic_cell_2 cell_before = m_maintained.torus().cell();
+    m_is_certified = m_is_certified && Classifier::is_exact;
+    // at their old places, because the faces there are proved
+    const std::vector<Index> jumpers =
+        m_is_certified ? m_motion.find_jumpers() : std::vector<Index>();
+    const bool are_many = jumpers.size() > m_tools.max_taken_out();
+    const bool is_out = are_many || m_tools.take_out(jumpers, false);
+    if (is_out)
+      m_tools.legalize();
+    m_motion.move_vertices(cell);
+    Rebuild_reason_2 reason;
+    try {
+      reason = reason_to_rebuild(policy, is_out, are_many);
+      if (reason == Rebuild_reason_2::NONE)
+        classify(classifier);
+    } catch (...) {
+      m_motion.move_vertices_back(cell_before);
+      m_tools.put_back_all();
+      m_is_certified = was_certified;
+      m_is_whole = true;
+      throw;
+    }
+    const std::vector<Index> parted = move_duplicates(next);
+    if (reason != Rebuild_reason_2::NONE)
+      m_tools.rebuild(reason);
+    else
+      mend(repair);
+    prove(report);
+    for (const Index id : parted)
+      if (!ids().is_representative(id))
+        move(id, next(id), report);
+    report.parted += parted.size();
+  }
+
+  // Whether the triangulation is Delaunay; changes only the certified flag.
+  bool certify()
+  {
+    if (m_is_whole && !m_is_certified)
+      m_is_certified = Periodic_certificate_2<Maintained>(m_maintained).is_delaunay();
+    return is_certified();
+  }
+
+  // Makes it Delaunay if it is not.
+  void certify_all(Update_report_2& report)
+  {
+    if (m_is_certified)
+      return;
+    m_tools.start(report, true);
+    mend_everything();
+    prove(report);
+  }
+
+  // CHECKPOINTS ---------------------------------------------------------------------------------
+
+  Periodic_memory_2 memory() const { return {m_tools.hint(), m_motion.mean_way()}; }
+
+  // Exchanges everything for what was read, of which the classifier was told. If it throws, nothing
+  // has changed.
+  Update_report_2 restore(Maintained& maintained, bool is_certified,
+                          const Periodic_memory_2& memory)
+  {
+    m_editor.provide_for_log(std::size_t(m_maintained.arrays().number_of_edges()) +
+                             maintained.arrays().number_of_edges());
+    m_editor.note_all_edges(Periodic_change_2::Kind::EDGE_REMOVED);
+    m_editor.swap(maintained);
+    m_editor.note_all_edges(Periodic_change_2::Kind::EDGE_CREATED);
+    Update_report_2 report;
+    m_tools.start(report, true);
+    set_memory(memory);
+    report.certified = m_is_certified = is_certified;
+    m_is_whole = true;
+    m_editor.begin_changes();
+    return report;
+  }
+
+  // CERTIFICATE ---------------------------------------------------------------------------------
+
+  // Tests everything again, exactly: that the shifts agree, and that the areas of the faces,
+  // negative where they are clockwise, sum up to that of the cell; and if it is certified, that all
+  // faces are counterclockwise, all edges locally Delaunay, and duplicates where their
+  // representatives are.
+  bool is_valid() const
+  {
+    const Periodic_certificate_2<Maintained> certificate(m_maintained);
+    return certificate.is_triangulation() && (!m_is_certified || certificate.is_delaunay());
+  }
+
+private:
+  const typename Maintained::Ids& ids() const { return m_maintained.ids(); }
+
+  void set_memory(const Periodic_memory_2& memory)
+  {
+    m_tools.set_hint(memory.hint);
+    m_motion.set_mean_way(memory.mean_way);
+  }
+
+  // Returns the duplicates that are no longer where their vertices are.
+  template <class Next>
+  std::vector<Index> move_duplicates(const Next& next)
+  {
+    std::vector<Index> parted;
+    for (auto& duplicate : m_editor.ids().duplicates()) {
+      duplicate.point = next(duplicate.id);
+      if (!m_tools.coincide(duplicate.point, m_maintained.positions()[ids().vertex(duplicate.id)]))
+        parted.push_back(duplicate.id);
+    }
+    return parted;
+  }
+
+  template <class Policy>
+  Rebuild_reason_2 reason_to_rebuild(Policy& policy, bool are_jumpers_out, bool are_many) const
+  {
+    if (!are_jumpers_out)
+      return Rebuild_reason_2::STUCK;
+    if (m_maintained.number_of_vertices() > 0 && policy.wants_rebuild(Frame(m_maintained)))
+      return Rebuild_reason_2::POLICY;
+    return are_many && m_tools.is_much_broken() ? Rebuild_reason_2::TOO_MUCH_BROKEN
+                                                : Rebuild_reason_2::NONE;
+  }
+
+  // No classifier is asked where there are no edges.
+  template <class Classifier>
+  void classify(Classifier& classifier)
+  {
+    if (m_maintained.number_of_vertices() == 0)
+      return;
+    classifier(Frame(m_maintained), m_tools.classification());
+    m_tools.take_classification();
+  }
+
+  template <class Repair>
+  void mend(Repair& repair)
+  {
+    Mender mender(m_tools);
+    if (!m_tools.classification().empty() || m_tools.number_of_open_edges() > 0)
+      repair(mender);
+  }
+
+  void mend_everything()
+  {
+    m_tools.examine_everything();
+    Mender mender(m_tools);
+    Flip_and_splice_repair_2()(mender);
+  }
+
+  // Completes the proof if there has to be one.
+  void prove(const Update_report_2& report)
+  {
+    m_is_certified = m_tools.has_to_prove() || report.rebuilt();
+    if (!m_is_certified || report.rebuilt())
+      return;
+    if (m_tools.number_of_open_edges() > 0)
+      return m_tools.rebuild(Rebuild_reason_2::STUCK);
+    m_tools.put_back_all();
+  }
+
+  Maintained& m_maintained;
+  Editor m_editor;
+  Periodic_motion_2<Maintained, Editor> m_motion;
+  Tools m_tools;
+  bool m_is_certified = true;
+  bool m_is_whole = true;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_PERIODIC_UPDATE_2_H

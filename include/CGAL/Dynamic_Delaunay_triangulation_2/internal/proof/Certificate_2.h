@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PROOF_CERTIFICATE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PROOF_CERTIFICATE_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/enum.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// The certificate: a triangulated sphere with one vertex at infinity is the Delaunay triangulation
+// of its points if and only if
+//   1. every finite face is counterclockwise,
+//   2. every edge between two finite faces is locally Delaunay,
+//   3. the hull turns left or goes straight on at each of its vertices, and
+//   4. the hull turns around once.
+// By 1 and 3, the map from the triangulation to the plane is a covering of the hull's inside with
+// as many sheets as the hull has turns, branched at most at vertices. By 4 it has one sheet, so the
+// faces tile the convex hull. By 2 that tiling is Delaunay (Delaunay's lemma). Without 4, a vertex
+// star that winds around its center twice would pass 1 to 3. Edge_test_2 tests 1 to 3 edge by edge.
+template <class Maintained>
+class Certificate_2
+{
+public:
+  explicit Certificate_2(const Maintained& maintained)
+    : m_maintained(maintained)
+  {
+  }
+
+  // Condition 4. A locally convex closed curve turns around as often as it has a summit, a vertex
+  // that is lexicographically larger than both its neighbors.
+  bool hull_turns_once() const
+  {
+    const Vertex_predicates_2<Maintained> predicates(m_maintained);
+    const auto is_larger = [&](Index v, Index w) { return predicates.compare_xy(v, w) == LARGER; };
+    int summits = 0;
+    const auto& arrays = m_maintained.arrays();
+    arrays.for_each_corner(infinite_index, [&](Index corner) {
+      const Index v = arrays.target(corner);
+      const Index next = arrays.target(arrays.next_corner(corner));
+      summits += is_larger(v, arrays.source(corner)) && is_larger(v, next);
+    });
+    return summits == 1;
+  }
+
+  bool holds() const
+  {
+    const Edge_test_2<Maintained> test(m_maintained); // conditions 1 to 3 at one edge
+    return Maintained::Parts::all_of(m_maintained.arrays().number_of_edges(),
+                                     [&](std::size_t first, std::size_t beyond) {
+                                       for (std::size_t e = first; e < beyond; ++e)
+                                         if (test.state(Index(e)) != Edge_state_2::DELAUNAY)
+                                           return false;
+                                       return true;
+                                     }) &&
+           hull_turns_once();
+  }
+
+private:
+  const Maintained& m_maintained;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PROOF_CERTIFICATE_2_H

@@ -1,0 +1,411 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PROOF_EDGE_TEST_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PROOF_EDGE_TEST_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_filter_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/enum.h>
+#include <CGAL/number_type_basic.h>
+
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+
+/// The state of an edge, decided by exact predicates.
+enum class Edge_state_2 {
+  DELAUNAY, ///< locally Delaunay; its finite faces are counterclockwise, and the hull is convex
+            ///< there.
+  ILLEGAL,  ///< both faces are counterclockwise, and each circle holds the other's vertex: flip it.
+  CROSSED,  ///< a face is not counterclockwise, or the hull not convex; a flip may repair that.
+  TWISTED   ///< as CROSSED, but a flip does not repair it.
+};
+
+namespace internal {
+
+// The space in which the points move: the open plane. A space says where the corners of an edge are
+// as seen from that edge. All proofs about edges ask it. In the plane, a corner is its vertex's
+// position, and the vector between two corners is a difference that is rounded once: the bounds of
+// `Edge_filter_2` and `Edge_slack_2` are derived for that.
+class Plane_2
+{
+public:
+  // `positions` are indexed by vertices.
+  template <class Positions>
+  static Edge_corners_2 corners(const Edge_2& edge, const Positions& positions)
+  {
+    return {positions[edge.left], positions[edge.source], positions[edge.target],
+            positions[edge.right]};
+  }
+
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+
+  // The same for four edges at once.
+  CGAL_DYNAMIC_DELAUNAY_AVX2 Four_corners_2 corners_of_four(const Edge_2* edges,
+                                                            const Position_2* positions)
+  {
+    return {load(positions, edges[0].left, edges[1].left, edges[2].left, edges[3].left),
+            load(positions, edges[0].source, edges[1].source, edges[2].source, edges[3].source),
+            load(positions, edges[0].target, edges[1].target, edges[2].target, edges[3].target),
+            load(positions, edges[0].right, edges[1].right, edges[2].right, edges[3].right)};
+  }
+
+private:
+  CGAL_DYNAMIC_DELAUNAY_AVX2 Four_positions_2 load(const Position_2* positions, Index i, Index j,
+                                                   Index k, Index l)
+  {
+    return load_four(positions[i], positions[j], positions[k], positions[l]);
+  }
+
+#endif // CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+};
+
+// The condition at an edge depends on which of its four vertices is infinite, if any. Calls
+//   inner()               if none is;
+//   hull_edge(a, b, c)    if the edge goes from b to c, and its only finite face is (a, b, c);
+//   hull_corner(p, q, r)  if the edge goes from q to infinity, and the hull from p through q to r.
+template <class Inner, class Hull_edge, class Hull_corner>
+auto by_kind(const Edge_2& edge, const Inner& inner, const Hull_edge& hull_edge,
+             const Hull_corner& hull_corner)
+{
+  if (edge.left == infinite_index)
+    return hull_edge(edge.right, edge.target, edge.source);
+  if (edge.right == infinite_index)
+    return hull_edge(edge.left, edge.source, edge.target);
+  if (edge.source == infinite_index)
+    return hull_corner(edge.left, edge.target, edge.right);
+  if (edge.target == infinite_index)
+    return hull_corner(edge.right, edge.source, edge.left);
+  return inner();
+}
+
+inline bool is_at_infinity(const Edge_2& edge)
+{
+  return edge.source == infinite_index || edge.target == infinite_index ||
+         edge.left == infinite_index || edge.right == infinite_index;
+}
+
+// THE PASS OVER EDGES -----------------------------------------------------------------------------
+
+inline void prefetch_corners(const Edge_2& edge, const Position_2* positions)
+{
+  for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+    prefetch(positions + v);
+}
+
+// Appends those of the edges [first, beyond) that Edge_filter_2 does not prove Delaunay, among them
+// all edges at infinity: their corners are NaN.
+template <class Space>
+void append_unproved_plain(const Edge_2* edges, const Position_2* positions, Index first,
+                           Index beyond, std::vector<Index>& unproved)
+{
+  for (Index e = first; e < beyond; ++e)
+    if (!Edge_filter_2(Space::corners(edges[e], positions)).proves_delaunay())
+      unproved.push_back(e);
+}
+
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+
+// Prefetches one corner of each edge, which fetches nearly all vertices: to prefetch all four takes
+// longer than it saves.
+template <class Space, bool prefetches>
+__attribute__((target("avx2"))) void
+append_unproved_avx2(const Edge_2* edges, const Position_2* positions, Index first, Index beyond,
+                     std::vector<Index>& unproved)
+{
+  constexpr Index ahead = 128, far_ahead = 512;
+  Index e = first;
+  for (; e + 4 <= beyond; e += 4) {
+    if (prefetches && e + far_ahead < beyond) {
+      prefetch(edges + e + far_ahead);
+      for (Index i = e + ahead; i < e + ahead + 4; ++i)
+        prefetch(positions + edges[i].left);
+    }
+    const int proved = Edge_filter_avx2_2::prove(Space::corners_of_four(edges + e, positions));
+    if (proved != 15)
+      for (Index i = 0; i < 4; ++i)
+        if (!(proved >> i & 1))
+          unproved.push_back(e + i);
+  }
+  append_unproved_plain<Space>(edges, positions, e, beyond, unproved);
+}
+
+// The same for the edges in `list`.
+template <class Space>
+__attribute__((target("avx2"))) void
+append_unproved_of_avx2(const Edge_2* edges, const Position_2* positions,
+                        const std::vector<Index>& list, std::vector<Index>& unproved)
+{
+  std::size_t i = 0;
+  for (; i + 4 <= list.size(); i += 4) {
+    const Edge_2 four[4] = {edges[list[i]], edges[list[i + 1]], edges[list[i + 2]],
+                            edges[list[i + 3]]};
+    const int proved = Edge_filter_avx2_2::prove(Space::corners_of_four(four, positions));
+    if (proved != 15)
+      for (std::size_t k = 0; k < 4; ++k)
+        if (!(proved >> k & 1))
+          unproved.push_back(list[i + k]);
+  }
+  for (; i < list.size(); ++i)
+    append_unproved_plain<Space>(edges, positions, list[i], list[i] + 1, unproved);
+}
+
+#endif // CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+
+template <class Space>
+void append_unproved(const Edge_2* edges, const std::vector<Position_2>& positions, Index first,
+                     Index beyond, std::vector<Index>& unproved)
+{
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+  if (has_avx2()) {
+    if (positions.size() < min_vertices_to_prefetch)
+      append_unproved_avx2<Space, false>(edges, positions.data(), first, beyond, unproved);
+    else
+      append_unproved_avx2<Space, true>(edges, positions.data(), first, beyond, unproved);
+    return;
+  }
+#endif
+  append_unproved_plain<Space>(edges, positions.data(), first, beyond, unproved);
+}
+
+template <class Space>
+void append_unproved_of(const Edge_2* edges, const std::vector<Position_2>& positions,
+                        const std::vector<Index>& list, std::vector<Index>& unproved)
+{
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+  if (has_avx2())
+    return append_unproved_of_avx2<Space>(edges, positions.data(), list, unproved);
+#endif
+  for (const Index e : list)
+    append_unproved_plain<Space>(edges, positions.data(), e, e + 1, unproved);
+}
+
+// EXACT SIGNS -------------------------------------------------------------------------------------
+
+// The exact predicates on vertices, given by their indices. A floating-point filter with a proved
+// bound comes first; the kernel decides where the filter fails.
+template <class Maintained>
+class Vertex_predicates_2
+{
+public:
+  explicit Vertex_predicates_2(const Maintained& maintained)
+    : m_maintained(maintained)
+  {
+  }
+
+  Orientation orientation(Index a, Index b, Index c) const
+  {
+    if (m_maintained.positions_are_exact()) {
+      const auto& positions = m_maintained.positions();
+      if (const int sign = filtered_orientation(positions[a], positions[b], positions[c]))
+        return sign > 0 ? LEFT_TURN : RIGHT_TURN;
+    }
+    return kernel_orientation(a, b, c);
+  }
+
+  // The side of d of the circle through a, b and c, which must be counterclockwise.
+  Oriented_side side_of_circle(Index a, Index b, Index c, Index d) const
+  {
+    if (m_maintained.positions_are_exact()) {
+      const auto& positions = m_maintained.positions();
+      if (const int sign =
+              filtered_in_circle(positions[a], positions[b], positions[c], positions[d]))
+        return sign > 0 ? ON_POSITIVE_SIDE : ON_NEGATIVE_SIDE;
+    }
+    return kernel_side_of_circle(a, b, c, d);
+  }
+
+  Comparison_result compare_xy(Index v, Index w) const
+  {
+    const Comparison_result x = compare_x(v, w);
+    return x != EQUAL ? x : compare_y(v, w);
+  }
+
+  Comparison_result compare_yx(Index v, Index w) const
+  {
+    const Comparison_result y = compare_y(v, w);
+    return y != EQUAL ? y : compare_x(v, w);
+  }
+
+private:
+  // Separate functions, so that compilers inline the filters.
+
+  BOOST_NOINLINE Orientation kernel_orientation(Index a, Index b, Index c) const
+  {
+    return m_maintained.traits().orientation_2_object()(
+        m_maintained.point(a), m_maintained.point(b), m_maintained.point(c));
+  }
+
+  BOOST_NOINLINE Oriented_side kernel_side_of_circle(Index a, Index b, Index c, Index d) const
+  {
+    return m_maintained.traits().side_of_oriented_circle_2_object()(
+        m_maintained.point(a), m_maintained.point(b), m_maintained.point(c), m_maintained.point(d));
+  }
+
+  Comparison_result compare_x(Index v, Index w) const
+  {
+    if (m_maintained.positions_are_exact())
+      return CGAL::compare(m_maintained.positions()[v].x, m_maintained.positions()[w].x);
+    return m_maintained.traits().compare_x_2_object()(m_maintained.point(v), m_maintained.point(w));
+  }
+  Comparison_result compare_y(Index v, Index w) const
+  {
+    if (m_maintained.positions_are_exact())
+      return CGAL::compare(m_maintained.positions()[v].y, m_maintained.positions()[w].y);
+    return m_maintained.traits().compare_y_2_object()(m_maintained.point(v), m_maintained.point(w));
+  }
+
+  const Maintained& m_maintained;
+};
+
+// The one test of an edge, at the present positions. All signs are exact: the kernel's predicates
+// decide where the filter fails.
+template <class Maintained>
+class Edge_test_2
+{
+public:
+  explicit Edge_test_2(const Maintained& maintained)
+    : m_maintained(maintained)
+    , m_predicates(maintained)
+  {
+  }
+
+  Edge_state_2 state(Index e) const
+  {
+    return by_kind(
+        m_maintained.arrays().edge(e), [&] { return inner_edge_state(e); },
+        [&](Index a, Index b, Index c) { return hull_edge_state(a, b, c); },
+        [&](Index p, Index q, Index r) { return hull_corner_state(p, q, r); });
+  }
+
+  // The same at lower cost, but may report a TWISTED edge as CROSSED.
+  Edge_state_2 rough_state(Index e) const
+  {
+    const Edge_filter_2 filter(m_maintained.corners(e));
+    if (m_maintained.positions_are_exact() && filter.disproves_delaunay())
+      return filter.proves_illegal() ? Edge_state_2::ILLEGAL : Edge_state_2::CROSSED;
+    return state(e);
+  }
+
+  // Whether the filter alone proves the edge Delaunay. It never does for an edge at infinity.
+  bool proves_delaunay(Index e) const
+  {
+    return m_maintained.positions_are_exact() &&
+           Edge_filter_2(m_maintained.corners(e)).proves_delaunay();
+  }
+
+  // Appends those of the edges [first, beyond) that the filter does not prove Delaunay, among them
+  // all edges at infinity.
+  void append_unproved(Index first, Index beyond, std::vector<Index>& unproved) const
+  {
+    if (m_maintained.positions_are_exact())
+      return internal::append_unproved<typename Maintained::Space>(
+          m_maintained.arrays().edges().data(), m_maintained.positions(), first, beyond, unproved);
+    for (Index e = first; e < beyond; ++e)
+      unproved.push_back(e);
+  }
+  // The same for the edges of a list.
+  void append_unproved(const std::vector<Index>& list, std::vector<Index>& unproved) const
+  {
+    if (m_maintained.positions_are_exact())
+      return append_unproved_of<typename Maintained::Space>(
+          m_maintained.arrays().edges().data(), m_maintained.positions(), list, unproved);
+    unproved.insert(unproved.end(), list.begin(), list.end());
+  }
+
+private:
+  // Whether to flip depends on the sign of the in-circle determinant alone, even where a face is
+  // inverted: if a vertex has crossed an edge, the determinant at that edge is positive, and
+  // flipping the edge makes both faces counterclockwise.
+  Edge_state_2 inner_edge_state(Index e) const
+  {
+    if (m_maintained.positions_are_exact()) {
+      const Edge_filter_2 filter(m_maintained.corners(e));
+      if (filter.proves_delaunay())
+        return Edge_state_2::DELAUNAY;
+      if (filter.proves_illegal())
+        return Edge_state_2::ILLEGAL;
+    }
+    const Edge_2& edge = m_maintained.arrays().edge(e);
+    const bool is_twisted = orientation(edge.left, edge.source, edge.target) != LEFT_TURN ||
+                            orientation(edge.right, edge.target, edge.source) != LEFT_TURN;
+    if (m_predicates.side_of_circle(edge.left, edge.source, edge.target, edge.right) ==
+        ON_POSITIVE_SIDE)
+      return is_twisted ? Edge_state_2::CROSSED : Edge_state_2::ILLEGAL;
+    return is_twisted ? Edge_state_2::TWISTED : Edge_state_2::DELAUNAY;
+  }
+
+  // Tests the hull edge from b to c with the finite face (a, b, c): a must be on its left.
+  Edge_state_2 hull_edge_state(Index a, Index b, Index c) const
+  {
+    switch (orientation(a, b, c)) {
+    case LEFT_TURN:
+      return Edge_state_2::DELAUNAY;
+    case RIGHT_TURN:
+      return Edge_state_2::CROSSED;
+    default:
+      return is_strictly_between(b, a, c) ? Edge_state_2::CROSSED : Edge_state_2::TWISTED;
+    }
+  }
+
+  // Tests the turn of the hull at v; the hull is counterclockwise.
+  Edge_state_2 hull_corner_state(Index before, Index v, Index after) const
+  {
+    switch (orientation(before, v, after)) {
+    case LEFT_TURN:
+      return Edge_state_2::DELAUNAY;
+    case RIGHT_TURN:
+      return Edge_state_2::CROSSED;
+    default: // the hull must not turn back on itself
+      return is_strictly_between(before, v, after) ? Edge_state_2::DELAUNAY : Edge_state_2::TWISTED;
+    }
+  }
+
+  Orientation orientation(Index a, Index b, Index c) const
+  {
+    return m_predicates.orientation(a, b, c);
+  }
+
+  // Whether q is strictly between p and r, for collinear points.
+  bool is_strictly_between(Index p, Index q, Index r) const
+  {
+    const Comparison_result pq = m_predicates.compare_xy(p, q);
+    return pq != EQUAL && pq == m_predicates.compare_xy(q, r);
+  }
+
+  const Maintained& m_maintained;
+  Vertex_predicates_2<Maintained> m_predicates;
+};
+
+// Leaves each edge of the list once, in ascending order, unless it is Delaunay.
+template <class Maintained>
+void keep_unproved(const Maintained& maintained, std::vector<Index>& edges)
+{
+  using Parts = typename Maintained::Parts;
+  constexpr std::size_t least = (std::max)(Parts::usual_size / 16, std::size_t(1)), ahead = 8;
+  make_distinct(edges);
+  const typename Maintained::Edge_test test(maintained);
+  remove_by_parts<Parts>(edges, least, [&](std::size_t i, std::size_t beyond) {
+    if (i + 2 * ahead < beyond)
+      maintained.arrays().prefetch_edge(edges[i + 2 * ahead]);
+    if (i + ahead < beyond)
+      prefetch_corners(maintained.arrays().edge(edges[i + ahead]), maintained.positions().data());
+    return test.state(edges[i]) == Edge_state_2::DELAUNAY;
+  });
+}
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PROOF_EDGE_TEST_2_H

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_VORONOI_FACE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_VORONOI_FACE_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// A Delaunay face, by its sides and cotangents. All that Voronoi cells have is a sum over faces of
+// expressions in these.
+//
+// Take the edge from corner i to corner j with the length l, the vector d, and the angle at the
+// opposite corner whose cotangent is h. The circumcenter of the face is at i + d/2 + (h/2) n, where
+// n is d, turned left: it points into the face. So the face owns h l / 2 of the edge's Voronoi
+// edge, and a triangle with the area h l^2 / 8 on each side of it. Both are negative where the
+// circumcenter is beyond the edge; the face there owns as much more.
+class Voronoi_face_2
+{
+public:
+  // Each side is opposite to the corner with its number, and they run around the face,
+  // counterclockwise: side i from corner i + 1 to corner i + 2. No coordinate of theirs is farther
+  // from the truth than `error`, beside the rounding of one subtraction.
+  explicit Voronoi_face_2(const std::array<Position_2, 3>& sides, double error = 0)
+    : m_sides(sides)
+    , m_squares{dot(sides[0], sides[0]), dot(sides[1], sides[1]), dot(sides[2], sides[2])}
+    , m_doubled_area(cross_of_shorter(error))
+  {
+  }
+
+  // Whether rounding hides if the face is counterclockwise. Then nothing else means anything.
+  bool is_flat() const { return m_doubled_area == 0; }
+
+  double doubled_area() const { return m_doubled_area; }
+  const Position_2& side(std::size_t i) const { return m_sides[i]; }
+  double squared_length(std::size_t i) const { return m_squares[i]; }
+  double length(std::size_t i) const { return std::sqrt(m_squares[i]); }
+  // Side i, turned left: it points into the face.
+  Position_2 normal(std::size_t i) const { return {-m_sides[i].y, m_sides[i].x}; }
+
+  // Of the angle at corner i, which is opposite to side i.
+  double cotangent(std::size_t i) const
+  {
+    return -dot(m_sides[(i + 1) % 3], m_sides[(i + 2) % 3]) / m_doubled_area;
+  }
+
+  // The vector from corner i to the circumcenter.
+  Position_2 to_circumcenter(std::size_t i) const
+  {
+    return to_circumcenter(i, cotangent((i + 2) % 3));
+  }
+  // The same; h is the cotangent of the angle at corner i + 2.
+  Position_2 to_circumcenter(std::size_t i, double h) const
+  {
+    const std::size_t k = (i + 2) % 3; // this side begins at corner i
+    const Position_2 n = normal(k);
+    return {(m_sides[k].x + h * n.x) / 2, (m_sides[k].y + h * n.y) / 2};
+  }
+
+private:
+  // The cross product of the two shorter sides, which best tell how flat a face is. It is 0 if
+  // rounding may have changed its sign: beside what `error` does, its error is less than
+  // 4 * 2^-53 times the sum of both products.
+  double cross_of_shorter(double error) const
+  {
+    const auto longest =
+        std::size_t(std::max_element(m_squares.begin(), m_squares.end()) - m_squares.begin());
+    const Position_2& p = m_sides[(longest + 1) % 3];
+    const Position_2& q = m_sides[(longest + 2) % 3];
+    const double plus = p.x * q.y, minus = p.y * q.x;
+    double bound = 0x1p-51 * (std::abs(plus) + std::abs(minus));
+    if (error > 0)
+      bound += 2 * error * (std::abs(p.x) + std::abs(p.y) + std::abs(q.x) + std::abs(q.y));
+    return plus - minus > bound ? plus - minus : 0;
+  }
+
+  std::array<Position_2, 3> m_sides;
+  std::array<double, 3> m_squares;
+  double m_doubled_area;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_VORONOI_FACE_2_H

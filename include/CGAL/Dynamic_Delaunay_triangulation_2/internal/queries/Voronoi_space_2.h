@@ -1,0 +1,339 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_VORONOI_SPACE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_VORONOI_SPACE_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/check_certified_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Vertex_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Voronoi_face_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+#include <CGAL/Periodic_cell_2.h>
+
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+template <class Dynamic, class = void>
+constexpr bool is_periodic = false;
+template <class Dynamic>
+constexpr bool is_periodic<Dynamic, std::void_t<decltype(std::declval<const Dynamic&>().cell())>> =
+    true;
+
+// A triangulation as Voronoi cells see it: the plane and periodic space look alike. Cells have
+// numbers; points that coincide share one. A cell is open if one of its edges has a single face:
+// it is unbounded then.
+template <class Dynamic, bool = is_periodic<Dynamic>>
+class Voronoi_space_2;
+
+// The other end of an edge, as seen from a point.
+struct Voronoi_neighbor_2
+{
+  std::size_t id;
+  Periodic_shift_2 shift;
+  Position_2 vector; // NaN to the infinite vertex, which has no id
+
+  bool is_infinite() const { return std::isnan(vector.x); }
+};
+
+// THE PLANE ---------------------------------------------------------------------------------------
+
+template <class Dynamic>
+class Voronoi_space_2<Dynamic, false>
+{
+public:
+  // Throws unless it is certified.
+  explicit Voronoi_space_2(const Dynamic& dt)
+    : m_dimension(dt.triangulation().dimension())
+    , m_frame(dt.frame())
+    , m_vector(dt)
+    , m_neighbors(dt)
+    , m_cells_of_part(number_of_cells() / number_of_face_parts() + 1)
+  {
+  }
+
+  Index number_of_ids() const { return m_frame.number_of_ids(); }
+  bool has_id(std::size_t id) const { return m_frame.has_id(id); }
+  bool is_representative(std::size_t id) const { return m_frame.id(m_frame.vertex(id)) == id; }
+  Index number_of_cells() const { return m_frame.number_of_vertices() + 1; }
+  Index cell(std::size_t id) const { return m_frame.vertex(id); }
+  Position_2 position(std::size_t id) const { return m_frame.position(m_frame.vertex(id)); }
+
+  template <class Function>
+  void for_each_duplicate(const Function& f) const
+  {
+    m_frame.for_each_duplicate(f);
+  }
+
+  // Threads share the parts of the faces. Each part has some of the cells, most of them around its
+  // own faces.
+  std::size_t number_of_face_parts() const
+  {
+    return Parts::number(m_frame.number_of_faces(), faces_of_part());
+  }
+  bool has_cell(std::size_t part, Index c) const
+  {
+    return c - part * m_cells_of_part < m_cells_of_part; // false if c is smaller: nothing is signed
+  }
+
+  // Calls f(part, cells, face).
+  template <class Function>
+  void for_each_face(const Function& f) const
+  {
+    if (m_dimension < 2)
+      return;
+    Parts::for_each(m_frame.number_of_faces(), faces_of_part(),
+                    [&](std::size_t part, std::size_t first, std::size_t beyond) {
+                      for (std::size_t i = first; i < beyond; ++i)
+                        call_with_face(part, Index(i), f);
+                    });
+  }
+
+  // Calls f(first, beyond) for parts of the ids, or of the cells.
+  template <class Function>
+  static void for_each_range(std::size_t size, const Function& f)
+  {
+    Parts::for_each(size, [&](std::size_t, std::size_t first, std::size_t beyond) {
+      f(Index(first), Index(beyond));
+    });
+  }
+
+  template <class Function>
+  void for_each_open_cell(std::vector<int>&, const Function& f) const
+  {
+    if (m_dimension == 2)
+      m_frame.for_each_neighbor(infinite_index, f);
+    else
+      for (Index v = 1; v < number_of_cells(); ++v)
+        f(v);
+  }
+
+  // Calls f(neighbor) counterclockwise, also for the infinite vertex.
+  template <class Function>
+  void for_each_neighbor(std::size_t id, const Function& f) const
+  {
+    const Index v = m_frame.vertex(id);
+    if (m_dimension == 2)
+      m_frame.for_each_neighbor(v, [&](Index w) { f(neighbor(v, w)); });
+    else
+      m_neighbors.for_each(v, [&](Index w) { f(neighbor(v, w)); });
+  }
+
+  // Of a point and two neighbors, the second one left of the first.
+  std::optional<Voronoi_face_2> face(std::size_t, const Voronoi_neighbor_2& right,
+                                     const Voronoi_neighbor_2& left) const
+  {
+    if (right.is_infinite() || left.is_infinite())
+      return std::nullopt;
+    const Voronoi_face_2 face({m_vector(m_frame.vertex(right.id), m_frame.vertex(left.id)),
+                               Position_2{-left.vector.x, -left.vector.y}, right.vector});
+    return face.is_flat() ? std::nullopt : std::optional<Voronoi_face_2>(face);
+  }
+
+private:
+  using Parts = typename Dynamic::Frame::Parts;
+
+  // Fewer and larger parts have fewer faces between them.
+  std::size_t faces_of_part() const
+  {
+    constexpr std::size_t max_parts = 32;
+    return (std::max)(Parts::usual_size, std::size_t(m_frame.number_of_faces()) / max_parts);
+  }
+
+  template <class Function>
+  BOOST_FORCEINLINE void call_with_face(std::size_t part, Index i, const Function& f) const
+  {
+    const std::array<Index, 3> v = m_frame.face(i);
+    if (std::none_of(v.begin(), v.end(), [&](Index w) { return m_frame.is_infinite(w); }))
+      f(part, v,
+        Voronoi_face_2({m_vector(v[1], v[2]), m_vector(v[2], v[0]), m_vector(v[0], v[1])}));
+  }
+
+  Voronoi_neighbor_2 neighbor(Index v, Index w) const
+  {
+    if (m_frame.is_infinite(w))
+      return {0, {0, 0}, m_frame.position(w)};
+    return {m_frame.id(w), {0, 0}, m_vector(v, w)};
+  }
+
+  const int m_dimension;
+  const typename Dynamic::Frame m_frame;
+  const Vertex_differences_2<Dynamic> m_vector;
+  const Finite_neighbors_2<Dynamic> m_neighbors;
+  const std::size_t m_cells_of_part;
+};
+
+// PERIODIC SPACE ----------------------------------------------------------------------------------
+
+template <class Dynamic>
+class Voronoi_space_2<Dynamic, true>
+{
+public:
+  // Throws unless it is certified.
+  explicit Voronoi_space_2(const Dynamic& dt)
+    : m_dt(dt)
+    , m_cell(dt.cell())
+  {
+    check_certified(dt);
+  }
+
+  Index number_of_ids() const { return Index(m_dt.number_of_ids()); }
+  bool has_id(std::size_t id) const { return m_dt.has_id(id); }
+  bool is_representative(std::size_t id) const { return m_dt.representative(id) == id; }
+  Index number_of_cells() const { return number_of_ids(); }
+  Index cell(std::size_t id) const { return Index(m_dt.representative(id)); }
+  Position_2 position(std::size_t id) const
+  {
+    const auto p = m_dt.point(id);
+    return {p.x(), p.y()};
+  }
+
+  template <class Function>
+  void for_each_duplicate(const Function& f) const
+  {
+    if (m_dt.number_of_points() == m_dt.number_of_vertices())
+      return;
+    for (Index id = 0; id < number_of_ids(); ++id)
+      if (has_id(id) && !is_representative(id))
+        f(id);
+  }
+
+  // Its faces are visited one after the other, by one thread.
+  static std::size_t number_of_face_parts() { return 1; }
+  static bool has_cell(std::size_t, Index) { return true; }
+
+  // Calls f(part, cells, face).
+  template <class Function>
+  void for_each_face(const Function& f) const
+  {
+    m_dt.for_each_face(
+        [&](const std::array<std::size_t, 3>& ids, const std::array<Periodic_shift_2, 3>& shifts) {
+          const Position_2 p = position(ids[0]), q = position(ids[1]), r = position(ids[2]);
+          const Position_2 first = vector(p, q, shifts[1]);
+          const Position_2 second = vector(q, r, difference(shifts[2], shifts[1]));
+          const Position_2 last = vector(r, p, {-shifts[2][0], -shifts[2][1]});
+          f(std::size_t(0), std::array<Index, 3>{Index(ids[0]), Index(ids[1]), Index(ids[2])},
+            Voronoi_face_2({second, last, first}, error(p, first, shifts[1], last, shifts[2])));
+        });
+  }
+
+  template <class Function>
+  static void for_each_range(std::size_t size, const Function& f)
+  {
+    f(Index(0), Index(size));
+  }
+
+  // A closed cell has as many faces as ends of edges.
+  template <class Function>
+  void for_each_open_cell(std::vector<int>& missing_faces, const Function& f) const
+  {
+    missing_faces.assign(number_of_cells(), 0);
+    m_dt.for_each_edge([&](std::size_t i, std::size_t j, const Periodic_shift_2&) {
+      ++missing_faces[i];
+      ++missing_faces[j];
+    });
+    m_dt.for_each_face([&](const std::array<std::size_t, 3>& ids, const auto&) {
+      for (const std::size_t id : ids)
+        --missing_faces[id];
+    });
+    for (Index id = 0; id < number_of_cells(); ++id)
+      if (missing_faces[id] > 0)
+        f(id);
+  }
+
+  // Calls f(neighbor) counterclockwise.
+  template <class Function>
+  void for_each_neighbor(std::size_t id, const Function& f) const
+  {
+    const Position_2 p = position(cell(id));
+    m_dt.for_each_neighbor(id, [&](std::size_t j, const Periodic_shift_2& shift) {
+      f(Voronoi_neighbor_2{j, shift, vector(p, position(j), shift)});
+    });
+  }
+
+  // Of a point and two neighbors, the second one left of the first. Across an open side the angle
+  // between them is at least straight, so they do not make a face.
+  std::optional<Voronoi_face_2> face(std::size_t id, const Voronoi_neighbor_2& right,
+                                     const Voronoi_neighbor_2& left) const
+  {
+    const Position_2 last{-left.vector.x, -left.vector.y};
+    const Position_2 opposite =
+        vector(position(right.id), position(left.id), difference(left.shift, right.shift));
+    const Voronoi_face_2 face(
+        {opposite, last, right.vector},
+        error(position(cell(id)), right.vector, right.shift, last, left.shift));
+    return face.is_flat() ? std::nullopt : std::optional<Voronoi_face_2>(face);
+  }
+
+private:
+  static Periodic_shift_2 difference(const Periodic_shift_2& s, const Periodic_shift_2& t)
+  {
+    return {s[0] - t[0], s[1] - t[1]};
+  }
+
+  // Where a direction is open, its vector means nothing, and no shift takes it.
+  static double times(int number, double x) { return number == 0 ? 0 : number * x; }
+
+  // As the triangulation has it.
+  Position_2 vector(const Position_2& p, const Position_2& q, const Periodic_shift_2& shift) const
+  {
+    return {q.x - p.x + (times(shift[0], m_cell.ax()) + times(shift[1], m_cell.bx())),
+            q.y - p.y + (times(shift[0], m_cell.ay()) + times(shift[1], m_cell.by()))};
+  }
+
+  // A bound for the rounding errors of a face's vectors. With u = 2^-53, a coordinate of a vector
+  // is computed from those of p, q and two products t with an error of less than
+  // 4u (|p| + |q| + |t|), and each |q| is at most |p| + |t| + |v|, where v is the vector.
+  double error(const Position_2& p, const Position_2& v, const Periodic_shift_2& s,
+               const Position_2& w, const Periodic_shift_2& t) const
+  {
+    const auto sum = [](const Position_2& u) { return std::abs(u.x) + std::abs(u.y); };
+    const double a = std::abs(m_cell.ax()) + std::abs(m_cell.ay());
+    const double b = std::abs(m_cell.bx()) + std::abs(m_cell.by());
+    return 0x1p-50 * (sum(p) + sum(v) + sum(w) + times(std::abs(s[0]) + std::abs(t[0]), a) +
+                      times(std::abs(s[1]) + std::abs(t[1]), b));
+  }
+
+  const Dynamic& m_dt;
+  const Periodic_cell_2& m_cell;
+};
+
+// FACES AROUND A POINT ----------------------------------------------------------------------------
+
+// Calls f(right, left, face) for each two consecutive neighbors of a point, counterclockwise. There
+// is no face where the cell is open, or where rounding hides how flat the face is.
+template <class Space, class Function>
+void for_each_face_around(const Space& space, std::size_t id, const Function& f)
+{
+  std::optional<Voronoi_neighbor_2> first, last;
+  space.for_each_neighbor(id, [&](const Voronoi_neighbor_2& next) {
+    if (last)
+      f(*last, next, space.face(id, *last, next));
+    else
+      first = next;
+    last = next;
+  });
+  if (last)
+    f(*last, *first, space.face(id, *last, *first));
+}
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_VORONOI_SPACE_2_H

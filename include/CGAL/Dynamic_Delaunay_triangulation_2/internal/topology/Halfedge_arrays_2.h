@@ -1,0 +1,583 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_HALFEDGE_ARRAYS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_HALFEDGE_ARRAYS_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+
+namespace internal {
+
+template <class Maintained>
+class Topology_builder_2;
+template <class Maintained>
+class Topology_editor_2;
+template <class Maintained, bool is_logged>
+class Periodic_editor_2;
+template <class Point, class VertexInfo, class FaceInfo>
+class Indexed_storage_2;
+
+// The topology of a triangulation in flat arrays, which know no positions.
+//
+// Vertex 0 is the infinite one. Its position is NaN, so that every comparison with it fails and
+// passes over all edges need no branch for the hull. Half-edge 3f+i is the edge of face f opposite
+// to its i-th vertex.
+//
+// Edges have numbers, and vertices true corners, wherever the editors and builders write. Where
+// CGAL's algorithms write, and in dimensions below 2, there are no edges; see `Indexed_storage_2`.
+class Halfedge_arrays_2
+{
+public:
+  struct Without_edges
+  {
+  };
+
+  Halfedge_arrays_2() = default;
+  // A copy whose edges have no numbers.
+  Halfedge_arrays_2(const Halfedge_arrays_2& other, Without_edges)
+    : m_halfedges(other.m_halfedges)
+    , m_corner(other.m_corner)
+  {
+  }
+
+  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  static Index face_of(Index h) { return h / 3; }
+
+  // With the infinite one.
+  Index number_of_vertices() const { return Index(m_corner.size()); }
+  // 0 unless edges have numbers.
+  Index number_of_faces() const { return m_edges.empty() ? 0 : faces_with_holes(); }
+  Index number_of_edges() const { return Index(m_edges.size()); }
+
+  // The vertex opposite to half-edge h: vertex h % 3 of its face.
+  Index apex(Index h) const { return m_halfedges[h].apex; }
+  Index source(Index h) const { return apex(next(h)); }
+  Index target(Index h) const { return apex(previous(h)); }
+  Index twin(Index h) const { return m_halfedges[h].twin; }
+  Index edge_of(Index h) const { return m_halfedges[h].edge; }
+  Index halfedge(Index edge) const { return m_halfedge_of_edge[edge]; }
+  const Edge_2& edge(Index e) const { return m_edges[e]; }
+  const std::vector<Edge_2>& edges() const { return m_edges; }
+  std::array<Index, 3> face(Index f) const
+  {
+    return {apex(3 * f), apex(3 * f + 1), apex(3 * f + 2)};
+  }
+
+  // For a flip of edge e, to be called in this order: each step reads what the one before has
+  // fetched. First edge(e) and halfedge(e), then the two faces at e, then what the flip changes
+  // around them.
+  void prefetch_edge(Index e) const
+  {
+    prefetch(&m_edges[e]);
+    prefetch(&m_halfedge_of_edge[e]);
+  }
+  void prefetch_face_at(Index e) const { prefetch_face(halfedge(e)); }
+  void prefetch_face_beyond(Index e) const { prefetch_face(twin(halfedge(e))); }
+  void prefetch_around(Index e) const
+  {
+    for (const Index h : {halfedge(e), twin(halfedge(e))}) {
+      const Index side = next(h);
+      prefetch(&m_edges[edge_of(side)]);
+      prefetch(&m_edges[edge_of(previous(h))]);
+      prefetch(&m_halfedge_of_edge[edge_of(side)]);
+      prefetch(&m_halfedges[twin(side)]);
+      prefetch(&m_corner[apex(side)]);
+    }
+  }
+  void prefetch_face(Index h) const
+  {
+    prefetch(&m_halfedges[h / 3 * 3]);
+    prefetch(&m_halfedges[h / 3 * 3 + 2].edge);
+  }
+  // Calls f(edge) for the edges of the two faces at edge e other than e.
+  template <class Function>
+  void for_each_side(Index e, Function&& f) const
+  {
+    for (const Index h : {halfedge(e), twin(halfedge(e))}) {
+      f(edge_of(next(h)));
+      f(edge_of(previous(h)));
+    }
+  }
+
+  // A corner of v: a half-edge whose apex is v.
+  Index corner(Index v) const { return m_corner[v]; }
+  // The corner of the same vertex in the next face counterclockwise.
+  Index next_corner(Index h) const { return next(twin(next(h))); }
+
+  // Calls f(corner) for every face at v, counterclockwise.
+  template <class Function>
+  void for_each_corner(Index v, Function&& f) const
+  {
+    const Index first = m_corner[v];
+    Index h = first;
+    do {
+      f(h);
+      h = next_corner(h);
+    } while (h != first);
+  }
+
+  // Calls f(w) for every neighbor w of v, counterclockwise, the infinite vertex among them.
+  template <class Function>
+  void for_each_neighbor(Index v, Function&& f) const
+  {
+    for_each_corner(v, [&](Index h) { f(apex(next(h))); });
+  }
+
+  // The number of edges at v.
+  Index degree(Index v) const
+  {
+    Index degree = 0;
+    for_each_corner(v, [&](Index) { ++degree; });
+    return degree;
+  }
+
+  // Whether the apexes of h and of its twin are neighbors, apart from the two faces. Walks around
+  // both apexes in step, because one of them may have many neighbors, like the infinite vertex.
+  bool are_apexes_neighbors(Index h) const
+  {
+    const Index g = twin(h);
+    for (Index i = next_corner(h), k = next_corner(g); i != h && k != g;
+         i = next_corner(i), k = next_corner(k))
+      if (apex(next(i)) == apex(g) || apex(next(k)) == apex(h))
+        return true;
+    return false;
+  }
+
+  // Whether v and w have an edge. Walks around both in step, for the same reason.
+  bool are_neighbors(Index v, Index w) const
+  {
+    Index i = corner(v), k = corner(w);
+    do {
+      if (apex(next(i)) == w || apex(next(k)) == v)
+        return true;
+      i = next_corner(i);
+      k = next_corner(k);
+    } while (i != corner(v) && k != corner(w));
+    return false;
+  }
+
+  // VERTICES OUTSIDE OF ALL FACES -------------------------------------------------------------
+  //
+  // A vertex that is taken out of its faces keeps a *slot*: its own number, and the numbers of two
+  // faces and three edges that are then superfluous. They mean nothing until a vertex is put in
+  // with them, or the last elements take the numbers.
+
+  struct Slot
+  {
+    Index vertex;
+    std::array<Index, 2> faces;
+    std::array<Index, 3> edges;
+  };
+
+  Index faces_with_holes() const { return Index(m_halfedges.size() / 3); }
+
+  bool is_outside(Index v) const { return m_corner[v] == no_index; }
+  bool is_empty_face(Index f) const { return apex(3 * f) == no_index; }
+  bool is_empty_edge(Index e) const { return m_halfedge_of_edge[e] == no_index; }
+
+private:
+  template <class Maintained>
+  friend class Topology_builder_2;
+  template <class Maintained>
+  friend class Topology_editor_2;
+  template <class Maintained, bool is_logged>
+  friend class Periodic_editor_2;
+  template <class Point, class VertexInfo, class FaceInfo>
+  friend class Indexed_storage_2;
+
+  // WRITING -------------------------------------------------------------------------------------
+
+  void clear()
+  {
+    m_halfedges.clear();
+    m_corner.clear();
+    drop_edges();
+  }
+
+  void drop_edges()
+  {
+    m_edges.clear();
+    m_halfedge_of_edge.clear();
+  }
+
+  // After this, resize() throws nothing.
+  void reserve(Index vertices, Index faces)
+  {
+    m_corner.reserve(vertices + std::size_t(1));
+    m_halfedges.reserve(3 * std::size_t(faces));
+    m_edges.reserve(3 * std::size_t(faces) / 2);
+    m_halfedge_of_edge.reserve(3 * std::size_t(faces) / 2);
+  }
+
+  void resize(Index vertices, Index faces)
+  {
+    m_corner.assign(vertices + 1, no_index);
+    m_halfedges.resize(3 * std::size_t(faces));
+    m_edges.resize(3 * std::size_t(faces) / 2);
+    m_halfedge_of_edge.resize(3 * std::size_t(faces) / 2);
+  }
+
+  void set_apex(Index h, Index v)
+  {
+    m_halfedges[h].apex = v;
+    m_corner[v] = h;
+  }
+
+  void set_twin(Index h, Index g) { m_halfedges[h].twin = g; }
+
+  void link(Index h, Index g)
+  {
+    m_halfedges[h].twin = g;
+    m_halfedges[g].twin = h;
+  }
+
+  // Makes e the edge of h and of its twin, and sets its four vertices.
+  void set_edge(Index e, Index h)
+  {
+    const Index g = twin(h);
+    m_halfedges[h].edge = m_halfedges[g].edge = e;
+    m_halfedge_of_edge[e] = h;
+    m_edges[e] = Edge_2{source(h), target(h), apex(h), apex(g)};
+  }
+
+  // Set the half-edge that is stored for edge e, or the corner for vertex v.
+  void set_halfedge(Index e, Index h) { m_halfedge_of_edge[e] = h; }
+  void set_corner(Index v, Index h) { m_corner[v] = h; }
+
+  // WRITING EVERYTHING --------------------------------------------------------------------------
+  //
+  // In this order, with the apex and the twin of each half-edge first.
+
+  void set_apex_and_twin(Index h, Index v, Index g)
+  {
+    m_halfedges[h].apex = v;
+    m_halfedges[h].twin = g;
+  }
+
+  // Where only the vertices and the neighbors of faces are known, as CGAL's algorithms leave them:
+  // finds twins and corners, and numbers the edges. If it throws, nothing has changed.
+  template <class Parts>
+  void number_from_neighbors()
+  {
+    m_edges.resize(m_halfedges.size() / 2);
+    m_halfedge_of_edge.resize(m_halfedges.size() / 2);
+    for (Index h = 0; h < Index(m_halfedges.size()); ++h) {
+      const Index neighbor = m_halfedges[h].twin / 3;
+      for (Index g = 3 * neighbor; g < 3 * neighbor + 3; ++g)
+        if (source(g) == target(h) && target(g) == source(h))
+          m_halfedges[h].twin = g;
+    }
+    std::fill(m_corner.begin(), m_corner.end(), no_index);
+    find_corners<Parts>();
+    number_edges<Parts>();
+  }
+
+  // Makes the last half-edge with apex v the corner of v. Each part of the half-edges finds the
+  // corners of a part of the vertices; the others are left over: few, where faces and vertices are
+  // numbered in the same order and the parts are large. They form a list, through the numbers of
+  // edges, which are not needed yet.
+  template <class Parts>
+  void find_corners()
+  {
+    const std::size_t halfedges = m_halfedges.size(), vertices = m_corner.size();
+    if (!Parts::are_shared(Parts::number(halfedges))) {
+      for (Index h = 0; h < halfedges; ++h)
+        m_corner[apex(h)] = h;
+      return;
+    }
+    constexpr std::size_t few_parts = 16;
+    const std::size_t least = (std::max)(Parts::usual_size, halfedges / few_parts);
+    const std::size_t parts = Parts::number(halfedges, least);
+    std::array<Index, Parts::max_parts> left_over;
+    Parts::for_each(halfedges, least, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      const std::size_t low = Parts::begin(part, parts, vertices),
+                        high = Parts::begin(part + 1, parts, vertices);
+      left_over[part] = no_index;
+      for (Index h = Index(first); h < beyond; ++h)
+        if (apex(h) >= low && apex(h) < high)
+          m_corner[apex(h)] = h;
+        else
+          m_halfedges[h].edge = std::exchange(left_over[part], h);
+    });
+    for (std::size_t part = 0; part < parts; ++part)
+      for (Index h = left_over[part]; h != no_index; h = edge_of(h)) {
+        Index& corner = m_corner[apex(h)];
+        corner = corner == no_index ? h : (std::max)(corner, h);
+      }
+  }
+
+  // Numbers the edges along the faces, so that edges close in space are close in memory.
+  template <class Parts>
+  void number_edges()
+  {
+    const std::size_t halfedges = m_halfedges.size();
+    if (!Parts::are_shared(Parts::number(halfedges)))
+      return number_edges_of(0, Index(halfedges), 0);
+    std::array<Index, Parts::max_parts> edges;
+    Parts::for_each(halfedges, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      edges[part] = 0;
+      for (Index h = Index(first); h < beyond; ++h)
+        edges[part] += h < twin(h);
+    });
+    Index sum = 0;
+    for (std::size_t part = 0; part < Parts::number(halfedges); ++part)
+      sum += std::exchange(edges[part], sum);
+    Parts::for_each(halfedges, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      number_edges_of(Index(first), Index(beyond), edges[part]);
+    });
+  }
+
+  // Numbers the edges whose first half-edges are in a range, from e on. Lists these half-edges
+  // without a branch on which of two is the first, because it would be unpredictable.
+  void number_edges_of(Index first, Index beyond, Index e)
+  {
+    constexpr Index stretch = 256;
+    std::array<Index, stretch> firsts;
+    for (Index h = first; h < beyond;) {
+      Index number = 0;
+      for (const Index end = (std::min)(beyond, h + stretch); h < end; ++h) {
+        firsts[number] = h;
+        number += h < twin(h);
+      }
+      for (Index i = 0; i < number; ++i)
+        set_edge(e++, twin(firsts[i]));
+    }
+  }
+
+  // Exchanges the diagonal at half-edge h, vertex by vertex as CGAL's TDS_2::flip(face, i) does.
+  // The corners of the two vertices that leave a face are set even where they do not change: a
+  // store is cheaper than a branch.
+  void flip(Index h)
+  {
+    const Index g = twin(h);
+    const Index h_next = next(h), h_previous = previous(h);
+    const Index g_next = next(g), g_previous = previous(g);
+    const Index a = apex(h), b = apex(h_next), c = apex(h_previous), d = apex(g);
+    const Index ab = edge_of(h_previous), bd = edge_of(g_next);
+    const Index dc = edge_of(g_previous), ca = edge_of(h_next), diagonal = edge_of(h);
+
+    m_halfedges[h_previous].apex = d;
+    m_halfedges[g_previous].apex = a;
+    link(h, twin(g_next));
+    link(g, twin(h_next));
+    link(h_next, g_next);
+    set_corner(c, g_next);
+    set_corner(b, h_next);
+
+    m_halfedges[h].edge = bd;
+    m_halfedges[g].edge = ca;
+    m_halfedges[h_next].edge = m_halfedges[g_next].edge = diagonal;
+    m_halfedge_of_edge[bd] = h;
+    m_halfedge_of_edge[ca] = g;
+    m_halfedge_of_edge[diagonal] = h_next;
+    m_edges[diagonal] = Edge_2{d, a, b, c};
+    exchange_opposite(ab, c, d);
+    exchange_opposite(bd, c, a);
+    exchange_opposite(dc, b, a);
+    exchange_opposite(ca, b, d);
+  }
+
+  // The same where the two faces may share more edges than that at h, and vertices may have edges
+  // to themselves, as on a torus. The faces must be different.
+  void flip_glued(Index h)
+  {
+    const Index g = twin(h);
+    const Index h_next = next(h), g_next = next(g);
+    const Index outer_bd = twin(g_next), outer_ca = twin(h_next);
+    const Index bd = edge_of(g_next), ca = edge_of(h_next), diagonal = edge_of(h);
+    const Index a = apex(h), d = apex(g);
+    // the sides bd and ca move to h and g, also where they are each other's twins
+    link(h, outer_bd == h_next ? g : outer_bd);
+    link(g, outer_ca == g_next ? h : outer_ca);
+    link(h_next, g_next);
+    set_apex(previous(h), d);
+    set_apex(previous(g), a);
+    for (const Index corner : {h, h_next, g, g_next})
+      set_corner(apex(corner), corner);
+    set_edge(bd, h);
+    set_edge(ca, g);
+    set_edge(diagonal, h_next);
+    set_edge(edge_of(previous(h)), previous(h));
+    set_edge(edge_of(previous(g)), previous(g));
+  }
+
+  // Leaves an edge without vertices: passes over the edges then never prove it.
+  void hide_edge(Index e)
+  {
+    m_edges[e] = Edge_2{infinite_index, infinite_index, infinite_index, infinite_index};
+  }
+
+  // Reserves memory for one more slot. Then append_slot() throws nothing.
+  void provide_for_slot()
+  {
+    provide(m_halfedges, 6);
+    provide(m_edges, 3);
+    provide(m_halfedge_of_edge, 3);
+    provide(m_corner, 1);
+  }
+
+  // Appends a slot with the next numbers.
+  Slot append_slot()
+  {
+    const Index faces = number_of_faces(), edges = number_of_edges();
+    const Slot slot{Index(m_corner.size()), {faces, faces + 1}, {edges, edges + 1, edges + 2}};
+    m_corner.push_back(no_index);
+    m_halfedges.resize(m_halfedges.size() + 6, Halfedge{no_index, no_index, no_index});
+    m_edges.resize(m_edges.size() + 3);
+    m_halfedge_of_edge.resize(m_halfedge_of_edge.size() + 3, no_index);
+    empty(slot);
+    return slot;
+  }
+
+  // Puts the slot's vertex v into face f. Face f keeps the edge opposite to its first vertex, and v
+  // replaces that vertex. The edges opposite to the second and third vertex go to the slot's faces,
+  // where v replaces the second and third vertex.
+  void put_in(const Slot& slot, Index f)
+  {
+    const Index v = slot.vertex;
+    const Index g = slot.faces[0], k = slot.faces[1];
+    const std::array<Index, 3> corners = face(f);
+    const Index outer_g = twin(3 * f + 1), outer_k = twin(3 * f + 2);
+    const Index edge_g = edge_of(3 * f + 1), edge_k = edge_of(3 * f + 2);
+    set_face(g, corners[0], v, corners[2]);
+    set_face(k, corners[0], corners[1], v);
+    set_face(f, v, corners[1], corners[2]);
+    link(3 * g + 1, outer_g);
+    link(3 * k + 2, outer_k);
+    link(3 * f + 1, 3 * g);
+    link(3 * f + 2, 3 * k);
+    link(3 * g + 2, 3 * k + 1);
+    set_edge(edge_of(3 * f), 3 * f);
+    set_edge(edge_g, 3 * g + 1);
+    set_edge(edge_k, 3 * k + 2);
+    set_edge(slot.edges[0], 3 * f + 1);
+    set_edge(slot.edges[1], 3 * f + 2);
+    set_edge(slot.edges[2], 3 * g + 2);
+  }
+
+  // The reverse, for a vertex of degree 3: the face at v's corner replaces the three faces.
+  Slot take_out(Index v)
+  {
+    const Index h = corner(v), g = next_corner(h), k = next_corner(g);
+    const Slot slot{v, {g / 3, k / 3}, {edge_of(next(h)), edge_of(next(g)), edge_of(next(k))}};
+    const Index a = source(h), b = target(h), c = target(g);
+    const Index outer_g = twin(g), outer_k = twin(k);
+    const Index edge_g = edge_of(g), edge_k = edge_of(k);
+    set_apex(h, c);
+    set_apex(next(h), a);
+    set_apex(previous(h), b);
+    link(next(h), outer_g);
+    link(previous(h), outer_k);
+    set_edge(edge_of(h), h);
+    set_edge(edge_g, next(h));
+    set_edge(edge_k, previous(h));
+    empty(slot);
+    return slot;
+  }
+
+  // The last face, edge or vertex takes the number of an empty one. The last one must not be empty
+  // itself, unless both are the same.
+  void move_last_face_to(Index f)
+  {
+    const Index last = number_of_faces() - 1;
+    for (Index i = 0; i < 3 && f != last; ++i) {
+      const Index from = 3 * last + i, to = 3 * f + i;
+      m_halfedges[to] = m_halfedges[from];
+      m_halfedges[twin(to)].twin = to;
+      if (m_halfedge_of_edge[edge_of(to)] == from)
+        m_halfedge_of_edge[edge_of(to)] = to;
+      m_corner[apex(to)] = to;
+    }
+    m_halfedges.resize(m_halfedges.size() - 3);
+  }
+
+  void move_last_edge_to(Index e)
+  {
+    const Index last = number_of_edges() - 1;
+    if (e != last) {
+      m_edges[e] = m_edges[last];
+      const Index h = m_halfedge_of_edge[e] = m_halfedge_of_edge[last];
+      m_halfedges[h].edge = m_halfedges[twin(h)].edge = e;
+    }
+    m_edges.pop_back();
+    m_halfedge_of_edge.pop_back();
+  }
+
+  void move_last_vertex_to(Index v)
+  {
+    const Index last = Index(m_corner.size()) - 1;
+    if (v != last) {
+      for_each_corner(last, [&](Index h) {
+        m_halfedges[h].apex = v;
+        rename(edge_of(h), last, v);
+        rename(edge_of(previous(h)), last, v);
+      });
+      m_corner[v] = m_corner[last];
+    }
+    m_corner.pop_back();
+  }
+
+  void empty(const Slot& slot)
+  {
+    m_corner[slot.vertex] = no_index;
+    for (const Index f : slot.faces)
+      m_halfedges[3 * f].apex = no_index;
+    for (const Index e : slot.edges)
+      m_halfedge_of_edge[e] = no_index;
+  }
+
+  void set_face(Index f, Index a, Index b, Index c)
+  {
+    set_apex(3 * f, a);
+    set_apex(3 * f + 1, b);
+    set_apex(3 * f + 2, c);
+  }
+
+  void rename(Index e, Index from, Index to)
+  {
+    Edge_2& edge = m_edges[e];
+    edge.source = edge.source == from ? to : edge.source;
+    edge.target = edge.target == from ? to : edge.target;
+    edge.left = edge.left == from ? to : edge.left;
+    edge.right = edge.right == from ? to : edge.right;
+  }
+
+  // The three half-edges of a face stand together, because they are needed together.
+  struct Halfedge
+  {
+    Index apex, twin, edge;
+  };
+
+  void exchange_opposite(Index e, Index from, Index to)
+  {
+    Edge_2& edge = m_edges[e];
+    (edge.left == from ? edge.left : edge.right) = to;
+  }
+
+  Uninitialized_vector_2<Halfedge> m_halfedges;
+  std::vector<Edge_2> m_edges;
+  Uninitialized_vector_2<Index> m_halfedge_of_edge;
+  std::vector<Index> m_corner;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_HALFEDGE_ARRAYS_2_H

@@ -1,0 +1,315 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_STAR_POLYGON_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_STAR_POLYGON_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/accepts_inexact_predicates_2.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// The polygon of the neighbors of a vertex, its center. When the center is taken out, faces of a
+// triangulation of the polygon replace those around it. The triangulation is a sequence of *ears*,
+// triangles of three consecutive corners that are cut off one after the other. When the center is
+// put in, it is the other way around.
+class Star_polygon_2
+{
+  using Arrays = Halfedge_arrays_2;
+
+public:
+  // Side i goes from the i-th corner of the polygon to the next, counterclockwise.
+  struct Side
+  {
+    Index corner;
+    Index outer; // the half-edge on the other side
+    Index edge;
+  };
+
+  // The numbers of three corners. Cutting the ear off removes `tip` from the polygon.
+  struct Ear
+  {
+    Index before, tip, after;
+  };
+
+  Index center() const { return m_center; }
+  const Kept_list_2<Side>& sides() const { return m_sides; }
+  const Kept_list_2<Ear>& ears() const { return m_ears; }
+  bool is_triangulated() const { return m_ears.size() + 2 == m_sides.size(); }
+
+  // Whether faces() and edges() are as many as the center needs.
+  bool has_star() const { return m_faces.size() == m_sides.size(); }
+  // The faces inside of the polygon, and the edges between them.
+  const Kept_list_2<Index>& faces() const { return m_faces; }
+  const Kept_list_2<Index>& edges() const { return m_edges; }
+
+  // THE POLYGON -----------------------------------------------------------------------------------
+
+  // Reads the polygon around v, which is in its faces.
+  void read(const Arrays& arrays, Index v)
+  {
+    clear(v);
+    arrays.for_each_corner(v, [&](Index h) {
+      m_sides.push_back({arrays.source(h), arrays.twin(h), arrays.edge_of(h)});
+      m_faces.push_back(Arrays::face_of(h));
+      m_edges.push_back(arrays.edge_of(Arrays::previous(h)));
+    });
+  }
+
+  // Finds the polygon for v, which is in no face, but strictly inside of the finite face f, so that
+  // everything stays Delaunay. False if its faces would be more than `most`. Everything has to be
+  // Delaunay.
+  //
+  // It consists of the faces that flips would remove, if v divided f in three (C. Lawson 1977;
+  // Guibas and Stolfi 1985): only edges opposite to v can be illegal, and these are if v is inside
+  // of the circle of the face beyond. An edge from v to w comes into being when a face with corner
+  // w that was Delaunay before is divided or flipped away, and v is strictly inside of its circle:
+  // inside of that face, or beyond an illegal edge. The circle through v that touches this one in w
+  // from inside contains no other vertex, so the edge is Delaunay in every triangulation with v.
+  // All other faces stay Delaunay. Faces are counterclockwise all the time, and those around v
+  // surround it once, so no two edges go from v in the same direction: all corners are different.
+  template <class Maintained>
+  bool find_as_delaunay(const Maintained& maintained, Index f, Index v, std::size_t most)
+  {
+    const Arrays& arrays = maintained.arrays();
+    const Vertex_predicates_2<Maintained> predicates(maintained);
+    const auto is_in_circle = [&](Index outer) {
+      const Index apex = arrays.apex(outer);
+      return apex != infinite_index &&
+             predicates.side_of_circle(apex, arrays.source(outer), arrays.target(outer), v) ==
+                 ON_POSITIVE_SIDE;
+    };
+    clear(v);
+    m_faces.push_back(f);
+    m_open.clear();
+    for (const Index h : {3 * f + 2, 3 * f + 1, 3 * f})
+      m_open.push_back(h);
+    while (!m_open.empty() && m_faces.size() <= most) {
+      const Index h = m_open.back(), outer = arrays.twin(h);
+      m_open.pop_back();
+      if (is_in_circle(outer)) {
+        m_faces.push_back(Arrays::face_of(outer));
+        m_edges.push_back(arrays.edge_of(outer));
+        m_open.push_back(Arrays::previous(outer));
+        m_open.push_back(Arrays::next(outer));
+      } else
+        m_sides.push_back({arrays.source(h), outer, arrays.edge_of(h)});
+    }
+    return m_faces.size() <= most;
+  }
+
+  // Adds the faces and edges of the slot that the center has kept, or got.
+  void add(const Arrays::Slot& slot)
+  {
+    for (const Index f : slot.faces)
+      m_faces.push_back(f);
+    for (const Index e : slot.edges)
+      m_edges.push_back(e);
+  }
+
+  // TRIANGULATIONS --------------------------------------------------------------------------------
+
+  // Triangulates the polygon if that is known to leave everything Delaunay. False, without ears, if
+  // the center is at the hull, or has many neighbors. Everything has to be Delaunay, except that
+  // the center may have moved since.
+  //
+  // The faces at each side are found from its left: the circle through the side and the apex of its
+  // face contains no other corner that is on its left. Let S be the points without the center v.
+  //   - All faces but those of v stay Delaunay, as their circles have no point of S inside. So S
+  //     has a Delaunay triangulation that differs from the old one in the polygon P alone.
+  //   - Its face at a side, or at an edge that divides P, has its apex among the corners of that
+  //     part of P. Its circle C contains no point of S, so only another corner on C can win the
+  //     search instead.
+  //   - Such a corner w will do, too, if it sees the side inside of P: then the corners on C that
+  //     belong to this part of P form a convex polygon in it, and any triangulation of that is
+  //     Delaunay. Otherwise a side (p, q) of P with both ends on C separates w from there, and from
+  //     v, which is on the left of each side. P is covered by the faces of v, so that v is not
+  //     outside of C: a face inside of P would be Delaunay beside v as well, but faces that
+  //     overlap have one circle. If v is inside of C, w is inside of the circle through v, p and
+  //     q, which was empty. If v is on C, the edges from v to w and from p to q cross. Neither can
+  //     be.
+  //   - A corner in a circle of the search is on the left of the side: on its right, such a circle
+  //     is inside of C.
+  // So the search finds Delaunay faces that tile P.
+  template <class Maintained>
+  bool triangulate_as_delaunay(const Maintained& maintained)
+  {
+    if constexpr (!Are_known_to_be_inexact_2<typename Maintained::Traits>::value) {
+      constexpr std::size_t max_degree = 24; // flips take less time beyond
+      if (m_sides.size() > max_degree || is_at_infinity())
+        return false;
+      divide(Vertex_predicates_2<Maintained>(maintained), 0, Index(m_sides.size() - 1));
+      return true;
+    }
+    return false;
+  }
+
+  // Triangulates the polygon anyhow, so that no edge is doubled. Where the faces around the center,
+  // which is at `place`, allow it, the new faces are counterclockwise. They are Delaunay only by
+  // chance.
+  //
+  // An ear whose third edge does not exist yet always remains: if one edge exists elsewhere, it
+  // separates the third edges of other ears.
+  template <class Maintained>
+  void triangulate_anyhow(const Maintained& maintained, const Position_2& place)
+  {
+    link_corners();
+    for (const Kind kind : {Kind::CONVEX, Kind::AT_INFINITY, Kind::ANY})
+      cut_ears(maintained, place, kind);
+    cut(m_last);
+    CGAL_postcondition(is_triangulated());
+  }
+
+private:
+  void clear(Index center)
+  {
+    m_center = center;
+    m_sides.clear();
+    m_faces.clear();
+    m_edges.clear();
+    m_ears.clear();
+  }
+
+  // DELAUNAY FACES --------------------------------------------------------------------------------
+
+  bool is_at_infinity() const
+  {
+    return std::any_of(m_sides.begin(), m_sides.end(),
+                       [](const Side& side) { return side.corner == infinite_index; });
+  }
+
+  // Triangulates the part of the polygon from corner `first` to corner `last`, which is on the left
+  // of the edge from `last` to `first`.
+  template <class Predicates>
+  void divide(const Predicates& predicates, Index first, Index last)
+  {
+    if (last - first < 2)
+      return;
+    const Index apex = find_apex(predicates, first, last);
+    divide(predicates, first, apex);
+    divide(predicates, apex, last);
+    m_ears.push_back({first, apex, last});
+  }
+
+  template <class Predicates>
+  Index find_apex(const Predicates& predicates, Index first, Index last) const
+  {
+    if (last - first == 2) // a triangle
+      return first + 1;
+    const Index source = m_sides[last].corner, target = m_sides[first].corner;
+    const auto is_on_left = [&](Index v) {
+      return predicates.orientation(source, target, v) == LEFT_TURN;
+    };
+    Index apex = first + 1;
+    while (apex + 1 < last && !is_on_left(m_sides[apex].corner))
+      ++apex;
+    for (Index i = apex + 1; i < last; ++i) {
+      const Index v = m_sides[i].corner;
+      if (predicates.side_of_circle(m_sides[apex].corner, source, target, v) == ON_POSITIVE_SIDE)
+        apex = i;
+    }
+    return apex;
+  }
+
+  // ANY FACES -------------------------------------------------------------------------------------
+
+  enum class Kind { CONVEX, AT_INFINITY, ANY };
+
+  struct Links
+  {
+    Index before, after;
+  };
+
+  void link_corners()
+  {
+    const Index size = Index(m_sides.size());
+    m_links.resize(size);
+    for (Index i = 0; i < size; ++i)
+      m_links[i] = {i == 0 ? size - 1 : i - 1, i + 1 == size ? 0 : i + 1};
+    m_last = 0;
+  }
+
+  // The number of corners that are left.
+  std::size_t size() const { return m_sides.size() - m_ears.size(); }
+
+  // Cuts off the ear after corner i.
+  void cut(Index i)
+  {
+    const Index tip = m_links[i].after, after = m_links[tip].after;
+    m_ears.push_back({i, tip, after});
+    m_links[i].after = after;
+    m_links[after].before = i;
+    m_last = i;
+  }
+
+  // Cuts off every other ear of this kind in each round, until there is none or a triangle is left.
+  // If ears were cut one after the other, their edges would all end at one vertex. Ears at infinity
+  // do so in any case, and are cut side by side. Gives up after a few rounds, because a round may
+  // find only the one ear that the last round has made, as at a vertex beside a line of a thousand;
+  // any ears will do in the end.
+  template <class Maintained>
+  void cut_ears(const Maintained& maintained, const Position_2& place, Kind kind)
+  {
+    constexpr std::size_t max_rounds = 4;
+    std::size_t looks = kind == Kind::ANY ? std::size_t(-1) : max_rounds * size();
+    Index i = m_last;
+    for (std::size_t left = size(); left > 0 && looks > 0 && size() > 3; --left, --looks) {
+      if (is_ear(maintained, place, i, kind)) {
+        cut(i);
+        left = size() + 1;
+        if (kind == Kind::AT_INFINITY)
+          continue;
+      }
+      i = m_links[i].after;
+    }
+  }
+
+  // Whether an ear of this kind follows corner i, and its third edge does not exist. Any kind is
+  // valid, so plain floating point suffices for that.
+  template <class Maintained>
+  bool is_ear(const Maintained& maintained, const Position_2& place, Index i, Kind kind) const
+  {
+    const Index k = m_links[i].after;
+    const Index before = m_sides[i].corner, tip = m_sides[k].corner;
+    const Index after = m_sides[m_links[k].after].corner;
+    const bool ends_at_infinity = before == infinite_index || after == infinite_index;
+    if (kind == Kind::AT_INFINITY && (tip == infinite_index || !ends_at_infinity))
+      return false;
+    if (kind == Kind::CONVEX) {
+      if (tip == infinite_index || ends_at_infinity)
+        return false;
+      const auto& positions = maintained.positions();
+      const Position_2 &p = positions[before], &q = positions[tip], &r = positions[after];
+      if (!(cross(q - p, r - p) > 0 && cross(p - place, r - place) >= 0))
+        return false;
+    }
+    return !maintained.arrays().are_neighbors(before, after);
+  }
+
+  Index m_center = no_index;
+  Kept_list_2<Side> m_sides;
+  Kept_list_2<Index> m_faces, m_edges;
+  Kept_list_2<Index> m_open; // half-edges whose other sides are to be examined
+  Kept_list_2<Ear> m_ears;
+  std::vector<Links> m_links; // of the corners that are left
+  Index m_last = 0;           // one of them
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_STAR_POLYGON_2_H

@@ -1,0 +1,224 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_TOPOLOGY_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_TOPOLOGY_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Point_ids_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+
+#include <cstddef>
+#include <exception>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Reports to the user's visitor what an update changes. None of these calls throws, because
+// topology is written where an exception would leave it inconsistent. An exception of
+// the visitor is kept until `finish()`, and the visitor is not called again before that.
+//
+// `Dynamic` is the triangulation that a visitor is shown, and `void` for the default visitor: then
+// triangulations that differ in classifier, repair and policy share the compiled core.
+template <class Visitor, class Dynamic>
+class Visitor_calls_2
+{
+public:
+  // False for the default visitor; then none of the calls is compiled.
+  static constexpr bool is_heard = !std::is_void_v<Dynamic>;
+
+  // Both objects may have moved since the last update.
+  void start(Visitor& visitor, const Dynamic* dynamic)
+  {
+    m_visitor = &visitor;
+    m_dynamic = dynamic;
+    m_failure = nullptr;
+  }
+
+  void finish()
+  {
+    m_visitor = nullptr;
+    if (m_failure)
+      std::rethrow_exception(std::exchange(m_failure, nullptr));
+  }
+
+  template <class Edge>
+  void before_flip(const Edge& e)
+  {
+    call([&](auto& visitor, auto& dt) { visitor.before_flip(dt, e); });
+  }
+
+  template <class Edge>
+  void after_flip(const Edge& e)
+  {
+    call([&](auto& visitor, auto& dt) { visitor.after_flip(dt, e); });
+  }
+
+  template <class Face_handle>
+  void before_face_removal(Face_handle f)
+  {
+    call([&](auto& visitor, auto& dt) { visitor.before_face_removal(dt, f); });
+  }
+
+  template <class Face_handle>
+  void after_face_creation(Face_handle f)
+  {
+    call([&](auto& visitor, auto& dt) { visitor.after_face_creation(dt, f); });
+  }
+
+  template <class Vertex_handle>
+  void after_vertex_creation(Vertex_handle v, std::size_t id)
+  {
+    call([&](auto& visitor, auto& dt) { visitor.after_vertex_creation(dt, v, id); });
+  }
+
+  template <class Vertex_handle>
+  void before_vertex_removal(Vertex_handle v, std::size_t id)
+  {
+    call([&](auto& visitor, auto& dt) { visitor.before_vertex_removal(dt, v, id); });
+  }
+
+  template <class Vertex_handle>
+  void before_vertex_relocation(Vertex_handle v, std::size_t id)
+  {
+    call([&](auto& visitor, auto& dt) { visitor.before_vertex_relocation(dt, v, id); });
+  }
+
+  template <class Vertex_handle>
+  void before_vertex_merge(Vertex_handle v, std::size_t id, Vertex_handle stays)
+  {
+    call([&](auto& visitor, auto& dt) { visitor.before_vertex_merge(dt, v, id, stays); });
+  }
+
+  template <class Vertex_handle>
+  void after_id_change(Vertex_handle v, std::size_t id_before)
+  {
+    call([&](auto& visitor, auto& dt) { visitor.after_id_change(dt, v, id_before); });
+  }
+
+private:
+  template <class Function>
+  void call(const Function& f) noexcept
+  {
+    if constexpr (is_heard) {
+      if (m_visitor == nullptr || m_failure)
+        return;
+      try {
+        f(*m_visitor, *m_dynamic);
+      } catch (...) {
+        m_failure = std::current_exception();
+      }
+    }
+  }
+
+  Visitor* m_visitor = nullptr;
+  const Dynamic* m_dynamic = nullptr;
+  std::exception_ptr m_failure;
+};
+
+template <class Maintained>
+class Input_frame_2;
+template <class Traits, class Tds, class VisitorCalls, class ConcurrencyTag>
+class Maintained_triangulation_2;
+
+// The changes since the classifier was last told: everything is new, or some edges are.
+struct Change_log_2
+{
+  bool everything_is_new = true;
+  std::vector<Index> new_edges;
+  std::vector<Index> relocated; // vertices that were put into other faces
+  Renumberings_2 renumberings;  // of what is not new
+
+  void clear()
+  {
+    everything_is_new = false;
+    new_edges.clear();
+    relocated.clear();
+    renumberings.clear();
+  }
+};
+
+// The topology: CGAL's triangulation, whose data structure is the arrays themselves; the ids, and
+// the log of changes. Reading is public. Only two friends can change it: `Topology_editor_2`, which
+// writes parts, and `Topology_builder_2`, which writes everything. They keep its members consistent
+// and tell the visitor.
+template <class Traits, class Tds, class VisitorCalls>
+class Topology_2
+{
+public:
+  using Visitor_calls = VisitorCalls;
+  using Triangulation = Delaunay_triangulation_2<Traits, Tds>;
+  using Vertex_handle = typename Triangulation::Vertex_handle;
+  using Face_handle = typename Triangulation::Face_handle;
+  using Point = typename Triangulation::Point;
+  using Storage = typename Tds::Storage;
+  using Ids = Point_ids_2<Point>;
+
+  Topology_2(const Topology_2&) = delete;
+  Topology_2& operator=(const Topology_2&) = delete;
+
+  explicit Topology_2(const Traits& traits)
+    : m_triangulation(traits)
+    , m_storage(storage_of(m_triangulation))
+  {
+    m_ids.reset(0);
+    m_storage.m_is_written_by_handles = false;
+  }
+
+  const Triangulation& triangulation() const { return m_triangulation; }
+  const Halfedge_arrays_2& arrays() const { return m_storage.arrays(); }
+  const Ids& ids() const { return m_ids; }
+  const Change_log_2& changes() const { return m_changes; }
+  // Whether anything was changed through handles, which the user has.
+  bool is_written_by_handles() const { return m_storage.is_written_by_handles(); }
+
+  Vertex_handle vertex_handle(Index v) const { return Vertex_handle(&m_storage, v); }
+  Face_handle face_handle(Index f) const { return Face_handle(&m_storage, f); }
+
+  typename Storage::Vertex_properties& vertex_properties() { return m_storage.vertex_properties(); }
+  typename Storage::Face_properties& face_properties() { return m_storage.face_properties(); }
+
+  // Only `Input_frame_2` has the key to this, because the points of duplicates belong to a frame,
+  // like all positions. The ids in the list must be those of the duplicates.
+  template <class Maintained>
+  void exchange_duplicates(const typename Input_frame_2<Maintained>::Key&,
+                           std::vector<typename Ids::Duplicate>& others)
+  {
+    m_ids.duplicates().swap(others);
+  }
+
+private:
+  template <class Maintained>
+  friend class Topology_builder_2;
+  template <class Maintained>
+  friend class Topology_editor_2;
+  template <class Traits_, class Tds_, class VisitorCalls_, class ConcurrencyTag>
+  friend class Maintained_triangulation_2;
+
+  static Storage& storage_of(Triangulation& triangulation)
+  {
+    return *triangulation.tds().m_storage;
+  }
+
+  // `Positions_2` writes them.
+  typename Storage::Points& points() { return m_storage.m_points; }
+
+  Triangulation m_triangulation;
+  Storage& m_storage; // of its data structure
+  Ids m_ids;
+  Change_log_2 m_changes;
+  Visitor_calls m_visitor_calls;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_TOPOLOGY_2_H

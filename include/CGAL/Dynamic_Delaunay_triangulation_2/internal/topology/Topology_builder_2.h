@@ -1,0 +1,674 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_TOPOLOGY_BUILDER_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_TOPOLOGY_BUILDER_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Maintained_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Point_ids_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Positions_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Spatial_order_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Guibas_stolfi_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Static_triangulator_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
+#include <CGAL/enum.h>
+
+#include <boost/iterator/counting_iterator.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Puts points into a spatial order, distinguishes representatives from duplicates, and numbers the
+// vertices in that order. Where points coincide, one that keeps its vertex is preferred.
+template <class Maintained>
+class Point_numbering_2
+{
+  using Point = typename Maintained::Point;
+  using Ids = Point_ids_2<Point>;
+  using Parts = typename Maintained::Parts;
+
+public:
+  explicit Point_numbering_2(const Maintained& maintained)
+    : m_maintained(maintained)
+  {
+  }
+
+  // Numbers these points with these ids. All ids are smaller than `number_of_ids`.
+  // `keeps_vertex(id)` says whether a point has a vertex of its own already, and goes on to have
+  // one.
+  template <class Predicate>
+  void number(std::vector<Index> ids, std::vector<Point> points, Index number_of_ids,
+              const Predicate& keeps_vertex)
+  {
+    m_point_ids = std::move(ids);
+    m_points = std::move(points);
+    sort_points();
+    number_points(number_of_ids, keeps_vertex);
+  }
+
+  // Numbers the vertices of the maintained triangulation, at their present positions and in this
+  // order. No vertices may coincide, and there must be no duplicates.
+  void number(Spatial_order_2 order)
+  {
+    const Index vertices = m_maintained.number_of_vertices();
+    m_order = std::move(order);
+    m_point_ids.resize(vertices + std::size_t(1)); // the infinite vertex has no point
+    m_points.resize(vertices + std::size_t(1));
+    Parts::for_each(vertices, [&](std::size_t, std::size_t first, std::size_t beyond) {
+      for (Index v = Index(first) + 1; v <= beyond; ++v) {
+        m_point_ids[v] = m_maintained.ids().representative(v);
+        m_points[v] = m_maintained.point(v);
+      }
+    });
+    number_points(m_maintained.ids().number_of_ids(), [](Index) { return true; });
+  }
+
+  // Numbers all points of the maintained triangulation, at their present positions.
+  void number()
+  {
+    const Ids& ids = m_maintained.ids();
+    std::vector<Index> point_ids = ids.representatives_and_duplicates();
+    std::vector<Point> points;
+    points.reserve(point_ids.size());
+    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
+      points.push_back(m_maintained.point(v));
+    for (const auto& duplicate : ids.duplicates())
+      points.push_back(duplicate.point);
+    number(std::move(point_ids), std::move(points), ids.number_of_ids(),
+           [&](Index id) { return ids.is_representative(id); });
+  }
+
+  // The vertices, by their new numbers.
+  const Spatial_order_2& order() const { return m_order; }
+  // The results: the ids, and the point of each vertex.
+  Ids& ids() { return m_ids; }
+  const Point& point(Index vertex) const { return m_points[m_place_of_vertex[vertex - 1]]; }
+
+  // Free memory that is not needed any more: the points, the order, and all the rest. Throw
+  // nothing.
+  void release_points()
+  {
+    std::vector<Point>().swap(m_points);
+    std::vector<Index>().swap(m_point_ids);
+    std::vector<Index>().swap(m_place_of_vertex);
+  }
+  void release_order() { m_order.release(); }
+  void release()
+  {
+    release_points();
+    release_order();
+    m_ids = Ids();
+  }
+
+private:
+  // Replaces the indices of points in the order by numbers of vertices.
+  template <class Predicate>
+  void number_points(Index number_of_ids, const Predicate& keeps_vertex)
+  {
+    const auto are_in_one_place = [this](Index i, Index j) {
+      return coincide(m_maintained.traits(), m_points[i], m_points[j]);
+    };
+    m_ids.reset(number_of_ids);
+    m_place_of_vertex.clear();
+    m_place_of_vertex.reserve(m_points.size());
+    if (m_order.template are_distinct<Parts>(are_in_one_place))
+      number_distinct_points();
+    else
+      m_order.merge_coincident(are_in_one_place, [&](std::size_t first, std::size_t beyond) {
+        return add_vertex(first, beyond, keeps_vertex);
+      });
+    m_ids.settle();
+  }
+
+  // Each point gets a vertex, so threads need not know of each other's.
+  void number_distinct_points()
+  {
+    m_place_of_vertex.resize(m_order.size());
+    m_ids.resize(Index(m_order.size()));
+    Parts::for_each(m_order.size(), [&](std::size_t, std::size_t i, std::size_t beyond) {
+      for (; i < beyond; ++i) {
+        const Index place = m_order[i], vertex = Index(i) + 1;
+        m_place_of_vertex[i] = place;
+        m_ids.set_representative(vertex, m_point_ids[place]);
+        m_order.renumber(i, vertex);
+      }
+    });
+  }
+
+  void sort_points()
+  {
+    const boost::counting_iterator<Index> first(0), beyond(Index(m_points.size()));
+    if (m_maintained.positions_are_exact()) {
+      std::vector<Position_2> positions(m_points.size());
+      Parts::for_each(m_points.size(), [&](std::size_t, std::size_t i, std::size_t end) {
+        for (; i < end; ++i)
+          positions[i] = approximation(m_points[i]);
+      });
+      m_order.template sort<Parts>(positions, first, beyond);
+    } else
+      m_order.sort_by_comparisons(first, beyond, [this](Index i, Index j) {
+        return compare_xy(m_maintained.traits(), m_points[i], m_points[j]) == SMALLER;
+      });
+  }
+
+  // Adds a vertex for the coincident points in these places of the order.
+  template <class Predicate>
+  Index add_vertex(std::size_t first, std::size_t beyond, const Predicate& keeps_vertex)
+  {
+    std::size_t representative = first;
+    while (representative < beyond && !keeps_vertex(m_point_ids[m_order[representative]]))
+      ++representative;
+    if (representative == beyond)
+      representative = first;
+    const Index id = m_point_ids[m_order[representative]];
+    const Index vertex = m_ids.add_representative(id);
+    m_place_of_vertex.push_back(m_order[representative]);
+    for (std::size_t i = first; i < beyond; ++i)
+      if (i != representative)
+        m_ids.add_duplicate(m_point_ids[m_order[i]], id, m_points[m_order[i]]);
+    return vertex;
+  }
+
+  const Maintained& m_maintained;
+  Spatial_order_2 m_order;
+  std::vector<Point> m_points; // the points to number
+  std::vector<Index> m_point_ids;
+  std::vector<Index> m_place_of_vertex; // index in m_points of its representative
+  Ids m_ids;
+};
+
+// Writes the whole topology at once: triangulates from scratch, restores, or takes over what CGAL's
+// algorithms have made. Afterwards everything is new.
+template <class Maintained>
+class Topology_builder_2
+{
+  using Topology = typename Maintained::Topology;
+  using Positions = typename Maintained::Positions;
+  using Point = typename Maintained::Point;
+  using Triangulation = typename Maintained::Triangulation;
+  using Vertex_handle = typename Maintained::Vertex_handle;
+  using Face_handle = typename Maintained::Face_handle;
+  using Storage = typename Topology::Storage;
+  using Ids = Point_ids_2<Point>;
+  using Parts = typename Maintained::Parts;
+  using Arrays = Point_arrays_2<Point>;
+  using Stored_point = typename Arrays::Stored_point;
+
+public:
+  explicit Topology_builder_2(Maintained& maintained)
+    : m_maintained(maintained)
+    , m_topology(maintained.m_topology)
+    , m_storage(maintained.m_topology.m_storage)
+    , m_arrays(maintained.m_topology.m_storage.m_arrays)
+    , m_positions(maintained.m_positions)
+    , m_vertex_order(maintained)
+    , m_numbering(maintained)
+    , m_triangulator(maintained)
+  {
+  }
+
+  void set_engine(Static_engine_2 engine) { m_triangulator.set_engine(engine); }
+
+  // Replaces everything by a fresh triangulation of these points with these ids, all of which are
+  // smaller than `number_of_ids`. Points that are present already keep their vertices.
+  void build(std::vector<Index> ids, std::vector<Point> points, Index number_of_ids)
+  {
+    write_all_anew([&] {
+      m_numbering.number(std::move(ids), std::move(points), number_of_ids,
+                         [&](Index id) { return keeps_vertex(id, m_topology.m_ids); });
+      triangulate_numbered();
+    });
+  }
+
+  // Triangulates the present points except those in `gone`, and the points that come.
+  void build_with(const std::vector<Index>& gone, std::vector<Index> coming_ids,
+                  std::vector<Point> coming_points)
+  {
+    try {
+      Index number_of_ids = m_topology.m_ids.number_of_ids();
+      for (const Index id : coming_ids)
+        number_of_ids = (std::max)(number_of_ids, id + 1);
+      std::vector<Index> ids = ids_without(gone);
+      std::vector<Point> points;
+      if (ids.empty()) { // as at a construction, where memory counts
+        ids = std::move(coming_ids);
+        points = std::move(coming_points);
+      } else {
+        points.reserve(ids.size() + coming_ids.size());
+        for (const Index id : ids)
+          points.push_back(m_maintained.point_of_id(id));
+        points.insert(points.end(), coming_points.begin(), coming_points.end());
+        ids.insert(ids.end(), coming_ids.begin(), coming_ids.end());
+      }
+      build(std::move(ids), std::move(points), number_of_ids);
+    } catch (...) {
+      m_goes.clear();
+      throw;
+    }
+    m_goes.clear();
+  }
+
+  // A fresh triangulation of the points at their present positions. The vertices keep their numbers
+  // while these fit the positions.
+  void rebuild()
+  {
+    write_all_anew([&] {
+      if (!sort_vertices()) {
+        m_numbering.number();
+        triangulate_numbered();
+      } else if (are_numbers_far_apart()) {
+        m_numbering.number(m_vertex_order.take_order());
+        triangulate_numbered();
+      } else
+        triangulate(m_vertex_order.order());
+    });
+  }
+
+  // Restores a triangulation that was kept, and must be valid, into one without points. If memory
+  // runs out, the target can only be discarded.
+  void restore(Checkpoint_arrays_2<Point>& kept)
+  {
+    CGAL_precondition(m_maintained.number_of_vertices() == 0);
+    restore_vertices(kept);
+    if (kept.faces.number_of_faces() == 0)
+      triangulate_line();
+    else {
+      provide_faces(kept.faces.number_of_faces());
+      take_faces(kept.faces);
+      restore_numbers(kept);
+    }
+    m_storage.resize_data(m_maintained.number_of_vertices() + std::size_t(1),
+                          m_arrays.faces_with_holes());
+  }
+
+  // Makes the triangulation, which must be empty, a copy of another one, with all user data in
+  // vertices and faces. The visitor is not called. If this throws, the copy can only be discarded.
+  void copy(const Maintained& other)
+  {
+    CGAL_precondition(m_maintained.number_of_vertices() == 0);
+    m_storage.copy(other.m_topology.m_storage);
+    set_dimension(other.triangulation().dimension());
+    m_topology.m_ids = other.ids();
+    m_topology.m_changes = other.changes();
+    m_positions.copy(other.m_positions);
+  }
+
+  // Reserves the memory that exchange() needs.
+  void provide_for_exchange(const Maintained& other)
+  {
+    m_storage.reserve_data(other.number_of_vertices() + std::size_t(1),
+                           other.arrays().faces_with_holes());
+  }
+
+  // Exchanges everything with another one, except the user's visitor and the user's data, which are
+  // as in new vertices and faces then. Throws nothing after provide_for_exchange().
+  void exchange(Maintained& other)
+  {
+    auto& visitor_calls = m_topology.m_visitor_calls;
+    tell_of_faces_before();
+    for_each_vertex([&](Vertex_handle v, Index id) { visitor_calls.before_vertex_removal(v, id); });
+    const int dimension = m_maintained.triangulation().dimension();
+    set_dimension(other.triangulation().dimension());
+    other.m_topology.m_triangulation.tds().set_dimension(dimension);
+    m_storage.exchange(other.m_topology.m_storage);
+    std::swap(m_topology.m_ids, other.m_topology.m_ids);
+    std::swap(m_topology.m_changes, other.m_topology.m_changes);
+    m_positions.exchange_all_but_points(other.m_positions);
+    for_each_vertex([&](Vertex_handle v, Index id) { visitor_calls.after_vertex_creation(v, id); });
+    tell_of_faces_after();
+  }
+
+  // Moves each vertex from its place in the last frame, where all is Delaunay, to its present one
+  // by CGAL's own functions. `relocated` counts the vertices that moved. False if others stay in
+  // the places of some vertices: then the triangulation is not Delaunay. If memory runs out,
+  // nothing has changed: CGAL works on a copy.
+  bool relocate_all(std::size_t& relocated)
+  {
+    bool all_arrived = false;
+    write_all_anew([&] {
+      Triangulation copy(m_maintained.traits());
+      Storage& storage = Topology::storage_of(copy);
+      storage.copy(m_storage);
+      storage.m_arrays.drop_edges();
+      storage.m_points = m_positions.m_other_points;
+      copy.tds().set_dimension(m_maintained.triangulation().dimension());
+      all_arrived = relocate_one_by_one(copy, relocated);
+      take_arrays(copy);
+      m_positions.forget_previous();
+    });
+    return all_arrived;
+  }
+
+private:
+  // THE VISITOR -----------------------------------------------------------------------------------
+
+  // Writes all faces anew by f(), and calls the visitor before and after, even if f() throws.
+  template <class Function>
+  void write_all_anew(const Function& f)
+  {
+    m_topology.m_changes.everything_is_new = true; // also if memory runs out on the way
+    tell_of_faces_before();
+    try {
+      f();
+    } catch (...) {
+      tell_of_faces_after();
+      throw;
+    }
+    tell_of_faces_after();
+  }
+
+  void tell_of_faces_before()
+  {
+    for_each_face([this](Face_handle f) { m_topology.m_visitor_calls.before_face_removal(f); });
+  }
+  void tell_of_faces_after()
+  {
+    for_each_face([this](Face_handle f) { m_topology.m_visitor_calls.after_face_creation(f); });
+  }
+
+  // Does nothing if the visitor does not listen.
+  template <class Function>
+  void for_each_face(const Function& f) const
+  {
+    if constexpr (Maintained::Visitor_calls::is_heard)
+      for (Index face = 0; face < m_arrays.number_of_faces(); ++face)
+        f(m_topology.face_handle(face));
+  }
+
+  // Calls f(vertex, id of its representative) if the visitor listens.
+  template <class Function>
+  void for_each_vertex(const Function& f) const
+  {
+    if constexpr (Maintained::Visitor_calls::is_heard)
+      for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
+        f(m_topology.vertex_handle(v), m_topology.m_ids.representative(v));
+  }
+
+  // Tells of the vertices that are not kept when these ids take the place of the present ones.
+  void tell_of_going_vertices(const Ids& next_ids)
+  {
+    auto& visitor_calls = m_topology.m_visitor_calls;
+    for_each_vertex([&](Vertex_handle v, Index id) {
+      if (!next_ids.is_taken(id) || goes(id))
+        visitor_calls.before_vertex_removal(v, id);
+      else if (!next_ids.is_representative(id)) {
+        const Index stays = next_ids.representative(next_ids.vertex(id)); // keeps its vertex, too
+        visitor_calls.before_vertex_merge(v, id,
+                                          m_topology.vertex_handle(m_topology.m_ids.vertex(stays)));
+      }
+    });
+  }
+
+  // Tells of the vertices that were not there when these ids were.
+  void tell_of_new_vertices(const Ids& former_ids)
+  {
+    for_each_vertex([&](Vertex_handle v, Index id) {
+      if (!keeps_vertex(id, former_ids))
+        m_topology.m_visitor_calls.after_vertex_creation(v, id);
+    });
+  }
+
+  // RELOCATING ----------------------------------------------------------------------------------
+
+  bool relocate_one_by_one(Triangulation& triangulation, std::size_t& relocated)
+  {
+    const auto& tds = triangulation.tds();
+    std::vector<Index> waiting;
+    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
+      if (!coincide(m_maintained.traits(), m_maintained.point(v), tds.vertex_handle(v)->point()))
+        waiting.push_back(v);
+    const auto arrives = [&](Index v) {
+      const Vertex_handle vertex = tds.vertex_handle(v);
+      const bool arrived =
+          triangulation.move_if_no_collision(vertex, m_maintained.point(v)) == vertex;
+      relocated += arrived;
+      return arrived;
+    };
+    // a vertex whose place is taken tries again after the others have moved
+    for (std::size_t before = waiting.size() + 1; !waiting.empty() && waiting.size() < before;) {
+      before = waiting.size();
+      waiting.erase(std::remove_if(waiting.begin(), waiting.end(), arrives), waiting.end());
+    }
+    return waiting.empty();
+  }
+
+  // Takes over the faces of a triangulation that CGAL's algorithms have made of vertices with the
+  // same numbers. If this throws, nothing has changed.
+  void take_arrays(Triangulation& other)
+  {
+    Storage& storage = Topology::storage_of(other);
+    storage.collect_garbage(); // at most the last vertex, which CGAL has used on the way
+    CGAL_assertion(storage.m_arrays.number_of_vertices() == m_maintained.positions().size());
+    if (other.dimension() == 2)
+      storage.m_arrays.template number_from_neighbors<Parts>();
+    m_storage.reserve_data(0, storage.m_arrays.faces_with_holes());
+    std::swap(m_arrays, storage.m_arrays); // nothing throws from here on
+    set_dimension(other.dimension());
+    finish_faces();
+  }
+
+  // BUILDING ------------------------------------------------------------------------------------
+
+  void set_dimension(int dimension) { m_topology.m_triangulation.tds().set_dimension(dimension); }
+
+  // Representatives come first.
+  std::vector<Index> ids_without(const std::vector<Index>& gone)
+  {
+    std::vector<Index> ids = m_topology.m_ids.representatives_and_duplicates();
+    if (gone.empty())
+      return ids;
+    m_goes.assign(m_topology.m_ids.number_of_ids(), false);
+    for (const Index id : gone)
+      m_goes[id] = true;
+    ids.erase(std::remove_if(ids.begin(), ids.end(), [this](Index id) { return goes(id); }),
+              ids.end());
+    return ids;
+  }
+
+  // Whether the point with this id is removed. A new point may get its id, but not its vertex.
+  bool goes(Index id) const { return id < m_goes.size() && m_goes[id]; }
+
+  bool keeps_vertex(Index id, const Ids& ids) const
+  {
+    return ids.is_taken(id) && ids.is_representative(id) && !goes(id);
+  }
+
+  // False if the vertices may change, because points coincide now, or duplicates may part.
+  bool sort_vertices()
+  {
+    if (!m_topology.m_ids.duplicates().empty())
+      return false;
+    const boost::counting_iterator<Index> first(1),
+        beyond(m_maintained.number_of_vertices() + Index(1));
+    m_vertex_order.sort(first, beyond);
+    return !m_vertex_order.has_coincident_vertices();
+  }
+
+  // Whether consecutive vertices in space have distant numbers often enough to pay for new ones.
+  bool are_numbers_far_apart() const
+  {
+    return 8 * m_vertex_order.number_of_far_steps() > m_maintained.positions().size();
+  }
+
+  // Triangulates the vertices as m_numbering numbers them. Representatives that had vertices of
+  // their own keep them, and the data in them. If memory runs out, nothing has changed.
+  void triangulate_numbered()
+  {
+    Ids& ids = m_numbering.ids();
+    std::vector<Stored_point> points;
+    std::vector<Position_2> positions;
+    collect_points(points, positions);
+    const std::vector<Index> before = numbers_before();
+    auto data = m_storage.renumbered_vertex_data(before);
+    m_numbering.release_points();
+    tell_of_going_vertices(ids);
+    const auto exchange = [&] {
+      m_positions.exchange(points, positions);
+      std::swap(m_topology.m_ids, ids);
+    };
+    exchange();
+    try {
+      triangulate(m_numbering.order());
+    } catch (...) {
+      exchange();
+      tell_of_new_vertices(ids);
+      throw;
+    }
+    m_positions.forget_previous();
+    if (m_storage.has_vertex_data())
+      m_storage.take_vertex_data(data);
+    else
+      m_storage.resize_vertex_data(m_positions.positions().size());
+    tell_of_new_vertices(ids);
+    m_numbering.release();
+  }
+
+  // The points of the vertices as m_numbering numbers them, and of the infinite one.
+  void collect_points(std::vector<Stored_point>& points, std::vector<Position_2>& positions)
+  {
+    const std::size_t vertices = m_numbering.ids().number_of_representatives() + std::size_t(1);
+    points.resize(vertices);
+    points.front() = m_positions.m_points.front();
+    if constexpr (!Positions::points_are_two_doubles)
+      positions.resize(vertices, nowhere());
+    Parts::for_each(vertices - 1, [&](std::size_t, std::size_t first, std::size_t beyond) {
+      for (Index v = Index(first) + 1; v <= beyond; ++v) {
+        const Point& p = m_numbering.point(v);
+        const Position_2 position = approximation(p);
+        points[v] = Arrays::stored(position, p);
+        if constexpr (!Positions::points_are_two_doubles)
+          positions[v] = position;
+      }
+    });
+  }
+
+  // For each vertex as m_numbering numbers them, the number that it had, or `no_index` if it is
+  // new. Empty if nobody wants to know.
+  std::vector<Index> numbers_before()
+  {
+    std::vector<Index> before;
+    if (!m_storage.has_vertex_data())
+      return before;
+    const Ids &ids = m_numbering.ids(), &present_ids = m_topology.m_ids;
+    before.push_back(infinite_index);
+    for (Index v = 1; v <= ids.number_of_representatives(); ++v) {
+      const Index id = ids.representative(v);
+      before.push_back(keeps_vertex(id, present_ids) ? present_ids.vertex(id) : no_index);
+    }
+    return before;
+  }
+
+  // Triangulates all vertices in this order. Frees the temporary data, which would take as much
+  // memory as the triangulation. If memory runs out, nothing has changed.
+  void triangulate(const Spatial_order_2& order)
+  {
+    m_triangulator.run(order, [&] { provide_faces(2 * order.size() - 2); });
+    m_vertex_order.release();
+    m_numbering.release_order();
+    if (m_triangulator.faces().number_of_faces() > 0) {
+      provide_faces(m_triangulator.faces().number_of_faces());
+      take_faces(m_triangulator.faces());
+    } else
+      triangulate_line();
+    m_triangulator.release();
+  }
+
+  // Reserves memory for take_faces().
+  void provide_faces(std::size_t number)
+  {
+    m_arrays.reserve(m_maintained.number_of_vertices(), Index(number));
+    m_storage.reserve_data(0, number);
+  }
+
+  void take_faces(const Flat_faces_2& faces)
+  {
+    const Index number = faces.number_of_faces();
+    m_arrays.resize(m_maintained.number_of_vertices(), number);
+    Parts::for_each(number, [&](std::size_t, std::size_t first, std::size_t beyond) {
+      for (Index f = Index(first); f < beyond; ++f)
+        for (Index i = 0; i < 3; ++i) {
+          const Index h = Flat_faces_2::first_halfedge(f) + i;
+          m_arrays.set_apex_and_twin(3 * f + i, faces.apex(h),
+                                     Flat_faces_2::number_in_arrays(faces.twin(h)));
+        }
+    });
+    m_arrays.template find_corners<Parts>();
+    m_arrays.template number_edges<Parts>();
+    set_dimension(2);
+    finish_faces();
+  }
+
+  // The data of users that faces have were those of others.
+  void finish_faces()
+  {
+    m_storage.resize_face_data(m_arrays.faces_with_holes());
+    m_storage.m_is_written_by_handles = false;
+  }
+
+  // Triangulates vertices that do not span the plane, by CGAL's insertion.
+  void triangulate_line()
+  {
+    Triangulation line(m_maintained.traits());
+    Face_handle last;
+    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
+      last = line.insert(m_maintained.point(v), last)->face();
+    take_arrays(line);
+  }
+
+  // RESTORING -----------------------------------------------------------------------------------
+
+  void restore_vertices(Checkpoint_arrays_2<Point>& kept)
+  {
+    std::vector<Stored_point> points(kept.points.size() + 1);
+    points.front() = m_positions.m_points.front();
+    for (std::size_t i = 0; i < kept.points.size(); ++i)
+      points[i + 1] = Arrays::stored(kept.positions[i], kept.points[i]);
+    std::vector<Position_2> positions;
+    if constexpr (!Positions::points_are_two_doubles) {
+      positions.push_back(nowhere());
+      positions.insert(positions.end(), kept.positions.begin(), kept.positions.end());
+    }
+    m_positions.exchange(points, positions);
+    m_positions.m_are_exact = kept.positions_are_exact;
+    std::swap(m_topology.m_ids, kept.ids);
+  }
+
+  // Restores the numbers of edges, and the corners.
+  void restore_numbers(const Checkpoint_arrays_2<Point>& kept)
+  {
+    for (Index e = 0; e < m_arrays.number_of_edges(); ++e) {
+      m_arrays.set_edge(e, kept.edges[e].forward);
+      m_arrays.set_halfedge(e, kept.edges[e].halfedge);
+    }
+    for (Index v = 0; v < m_arrays.number_of_vertices(); ++v)
+      m_arrays.set_corner(v, kept.corners[v].halfedge);
+  }
+
+  const Maintained& m_maintained;
+  Topology& m_topology;
+  Storage& m_storage;
+  Halfedge_arrays_2& m_arrays;
+  Positions& m_positions;
+  Vertex_order_2<Maintained> m_vertex_order;
+  Point_numbering_2<Maintained> m_numbering;
+  std::vector<bool> m_goes; // indexed by ids, while points come
+  Static_triangulator_2<Maintained> m_triangulator;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_TOPOLOGY_BUILDER_2_H

@@ -1,0 +1,699 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_TOPOLOGY_EDITOR_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_TOPOLOGY_EDITOR_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Maintained_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Star_polygon_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_parts_2.h>
+#include <CGAL/Triangulation_utils_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <new>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// A directed edge on the boundary of a set of faces. The set is on its left.
+struct Boundary_edge_2
+{
+  Index source, target, halfedge;
+
+  bool operator<(const Boundary_edge_2& other) const
+  {
+    return source != other.source ? source < other.source : target < other.target;
+  }
+};
+
+// A set of faces on its own. Half-edge 3k+i is opposite to vertex i of its k-th face, as in the
+// arrays. Half-edges on the boundary have no twin.
+struct Patch_2
+{
+  std::vector<Index> apexes;
+  std::vector<Index> twins;
+  std::vector<Boundary_edge_2> boundary; // sorted by source, then target
+
+  Index number_of_faces() const { return Index(apexes.size() / 3); }
+
+  void clear()
+  {
+    apexes.clear();
+    twins.clear();
+    boundary.clear();
+  }
+
+  void find_boundary()
+  {
+    using Arrays = Halfedge_arrays_2;
+    boundary.clear();
+    for (Index h = 0; h < Index(twins.size()); ++h)
+      if (twins[h] == no_index)
+        boundary.push_back({apexes[Arrays::next(h)], apexes[Arrays::previous(h)], h});
+    std::sort(boundary.begin(), boundary.end());
+  }
+};
+
+// Writes parts of the topology; `Topology_builder_2` writes the whole, and nothing else can write.
+// Each operation logs the new edges, and calls the user's visitor.
+template <class Maintained>
+class Topology_editor_2
+{
+  using Topology = typename Maintained::Topology;
+  using Positions = typename Maintained::Positions;
+  using Point = typename Maintained::Point;
+  using Vertex_handle = typename Maintained::Vertex_handle;
+  using Face_handle = typename Maintained::Face_handle;
+  using Edge = typename Maintained::Triangulation::Edge;
+  using Storage = typename Topology::Storage;
+
+public:
+  using Slot = Halfedge_arrays_2::Slot;
+
+  explicit Topology_editor_2(Maintained& maintained)
+    : m_maintained(maintained)
+    , m_topology(maintained.m_topology)
+    , m_storage(maintained.m_topology.m_storage)
+    , m_arrays(maintained.m_topology.m_storage.m_arrays)
+    , m_positions(maintained.m_positions)
+  {
+  }
+
+  // THE VISITOR AND THE LOG OF CHANGES ----------------------------------------------------------
+
+  // From here on the visitor is called.
+  template <class Visitor, class Dynamic>
+  void start_visit(Visitor& visitor, const Dynamic* dynamic)
+  {
+    m_topology.m_visitor_calls.start(visitor, dynamic);
+  }
+
+  // Throws the visitor's first exception, if any.
+  void finish_visit() { m_topology.m_visitor_calls.finish(); }
+
+  // Begins an update. Changes of the last one that the classifier was not told stay in the log.
+  void begin_changes(bool is_classifier_informed)
+  {
+    Change_log_2& changes = m_topology.m_changes;
+    if (is_classifier_informed)
+      changes.clear();
+    else if (!changes.renumberings.are_none()) // another renumbering will follow
+      changes.everything_is_new = true;
+    if (changes.everything_is_new)
+      changes.new_edges.clear();
+  }
+
+  // Ends an update. Each new edge is in the log once afterwards.
+  void end_changes() { make_distinct(m_topology.m_changes.new_edges); }
+
+  void note_everything_is_new() { m_topology.m_changes.everything_is_new = true; }
+
+  // Reports examined edges to a heuristic classifier as if they were new.
+  void note_examined(const std::vector<Index>& edges)
+  {
+    auto& new_edges = m_topology.m_changes.new_edges;
+    new_edges.insert(new_edges.end(), edges.begin(), edges.end());
+  }
+
+  // FLIPS ---------------------------------------------------------------------------------------
+
+  // Refuses flips that would double an edge, because the vertices of an edge identify it in
+  // simplicial complexes. Among these are all flips at vertices of degree 3. Counterclockwise faces
+  // at the edge do not exclude them, because other faces may overlap these.
+  bool can_flip(Index h) const { return !m_arrays.are_apexes_neighbors(h); }
+
+  // Exchanges the diagonal at half-edge h. If it throws, nothing has changed.
+  void flip(Index h)
+  {
+    m_topology.m_changes.new_edges.push_back(m_arrays.edge_of(h));
+    flip_and_tell(h); // throws nothing
+  }
+
+  // Calls f(part, try_flip) for all parts of `topology`, which threads share. try_flip(h) returns
+  // whether the edge of half-edge h is inside of the part and its flip doubles no edge, which it
+  // cannot if `no_edge_doubles`, and flips it if so. A visitor that listens hears of one part after
+  // the other: then there are no threads. The result depends on the parts alone.
+  template <class Function>
+  void flip_in_parts(const Topology_parts_2& topology, std::size_t parts, bool no_edge_doubles,
+                     std::size_t, const Function& f)
+  {
+    m_flipped_in_parts.resize((std::max)(parts, m_flipped_in_parts.size()));
+    const auto flip_part = [&](std::size_t part) {
+      std::vector<Index>& flipped = m_flipped_in_parts[part];
+      f(part, [&](Index h) { return try_flip(topology, part, no_edge_doubles, h, flipped); });
+    };
+    const auto log = [&] {
+      for (std::size_t part = 0; part < parts; ++part)
+        log_flips(m_flipped_in_parts[part]);
+    };
+    try {
+      if constexpr (Topology::Visitor_calls::is_heard)
+        for (std::size_t part = 0; part < parts; ++part)
+          flip_part(part);
+      else
+        Maintained::Parts::run(parts, flip_part);
+    } catch (...) {
+      log();
+      throw;
+    }
+    log();
+  }
+
+  // Replaces `old_faces` by the faces of `patch`. Both have equal numbers of faces and equal
+  // boundaries. The half-edge outside the i-th edge of the patch's boundary is `outside[i]`.
+  void replace(const Index_set_2& old_faces, const Patch_2& patch,
+               const std::vector<Index>& outside)
+  {
+    CGAL_precondition(old_faces.size() == patch.number_of_faces());
+    CGAL_precondition(outside.size() == patch.boundary.size());
+    collect_inner_edges(old_faces);
+    auto& new_edges = m_topology.m_changes.new_edges;
+    new_edges.insert(new_edges.end(), m_inner_edges.begin(), m_inner_edges.end());
+    for (const Index f : old_faces) // nothing throws from here on
+      tell_before_removal(f);
+    const auto global = [&](Index h) { return 3 * old_faces[h / 3] + h % 3; };
+    for (Index h = 0; h < Index(patch.apexes.size()); ++h)
+      m_arrays.set_apex(global(h), patch.apexes[h]);
+    for (Index h = 0; h < Index(patch.twins.size()); ++h)
+      if (patch.twins[h] != no_index && h < patch.twins[h])
+        m_arrays.link(global(h), global(patch.twins[h]));
+    for (std::size_t i = 0; i < outside.size(); ++i)
+      m_arrays.link(global(patch.boundary[i].halfedge), outside[i]);
+    auto edge = m_inner_edges.begin();
+    for (Index h = 0; h < Index(patch.twins.size()); ++h)
+      if (patch.twins[h] != no_index && h < patch.twins[h])
+        m_arrays.set_edge(*edge++, global(h));
+    for (const Index h : outside)
+      m_arrays.set_edge(m_arrays.edge_of(h), h);
+    for (const Index f : old_faces)
+      tell_after_creation(f);
+  }
+
+  // Fetches what replace() will write: first these faces, some time later what they refer to.
+  void prefetch(const std::vector<Index>& faces) const
+  {
+    for (const Index f : faces)
+      m_arrays.prefetch_face(3 * f);
+  }
+  void prefetch_edges(const std::vector<Index>& faces) const
+  {
+    for (const Index f : faces)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        m_arrays.prefetch_edge(m_arrays.edge_of(h));
+  }
+
+  // OUT OF FACES AND INTO FACES -------------------------------------------------------------------
+  // To take a vertex out, the faces around it are replaced by those of a triangulated polygon. To
+  // put one in, a face is split. Both work for any positions.
+
+  // Fetches what take_out() will write around v.
+  void prefetch_around(Index v) const
+  {
+    m_arrays.for_each_corner(v, [&](Index h) {
+      internal::prefetch(&m_maintained.positions()[m_arrays.source(h)]);
+      m_arrays.prefetch_edge(m_arrays.edge_of(h));
+      m_arrays.prefetch_edge(m_arrays.edge_of(Halfedge_arrays_2::next(h)));
+      m_arrays.prefetch_face(m_arrays.twin(h));
+    });
+  }
+  void prefetch(const Star_polygon_2& polygon) const
+  {
+    if (m_arrays.number_of_vertices() < min_vertices_to_prefetch)
+      return;
+    for (const Star_polygon_2::Side& side : polygon.sides()) {
+      internal::prefetch(&m_maintained.positions()[side.corner]);
+      m_arrays.prefetch_edge(side.edge);
+    }
+    for (const Index e : polygon.edges())
+      m_arrays.prefetch_edge(e);
+  }
+
+  // Takes the polygon's center out of all faces, to be put in again. If this throws, it is still in
+  // its faces.
+  Slot take_out(const Star_polygon_2& polygon)
+  {
+    const Index v = polygon.center();
+    return take_out(polygon, [&] {
+      m_topology.m_visitor_calls.before_vertex_relocation(m_topology.vertex_handle(v),
+                                                          m_topology.m_ids.representative(v));
+    });
+  }
+
+  // The same for a vertex whose only point is removed.
+  Slot remove(const Star_polygon_2& polygon)
+  {
+    const Index v = polygon.center();
+    return take_out(polygon, [&] {
+      const Index id = m_topology.m_ids.representative(v);
+      m_topology.m_visitor_calls.before_vertex_removal(m_topology.vertex_handle(v), id);
+      m_topology.m_ids.remove_representative(id);
+    });
+  }
+
+  // The same for a vertex whose points, at p, become duplicates at another vertex.
+  Slot merge(const Star_polygon_2& polygon, Index stays, const Point& p)
+  {
+    return take_out(polygon, [&] { hand_points_to(stays, polygon.center(), p); });
+  }
+
+  // Puts the slot's vertex into a face. Throws nothing if everything is new, or if there is memory
+  // for six new edges.
+  void put_in(const Slot& slot, Index f)
+  {
+    auto& new_edges = m_topology.m_changes.new_edges;
+    if (!m_topology.m_changes.everything_is_new)
+      provide(new_edges, 6);
+    tell_before_removal(f);
+    m_arrays.put_in(slot, f);
+    if (!m_topology.m_changes.everything_is_new) {
+      new_edges.insert(new_edges.end(), slot.edges.begin(), slot.edges.end());
+      m_arrays.for_each_corner(slot.vertex,
+                               [&](Index h) { new_edges.push_back(m_arrays.edge_of(h)); });
+    }
+    for (const Index g : {f, slot.faces[0], slot.faces[1]})
+      tell_after_creation(g);
+  }
+
+  // Puts the center of a polygon that has faces and edges for it in their place. Throws nothing if
+  // there is memory for as many new edges.
+  void put_in(const Slot& slot, const Star_polygon_2& polygon)
+  {
+    CGAL_precondition(polygon.has_star() && polygon.center() == slot.vertex);
+    auto& new_edges = m_topology.m_changes.new_edges;
+    for (std::size_t i = 0; i + slot.faces.size() < polygon.faces().size(); ++i)
+      tell_before_removal(polygon.faces()[i]);
+    write_star(polygon);
+    new_edges.insert(new_edges.end(), polygon.edges().begin(), polygon.edges().end());
+    for (const Index f : polygon.faces())
+      tell_after_creation(f);
+  }
+
+  // Makes a slot with the next numbers and a vertex at p without representative. If it throws,
+  // nothing has changed.
+  Slot make_slot(const Point& p)
+  {
+    m_arrays.provide_for_slot();
+    m_topology.m_ids.provide_for_vertex();
+    m_positions.provide_for_vertex();
+    m_storage.provide_for_slot();
+    append_vertex(p);
+    const Slot slot = m_arrays.append_slot();
+    m_topology.m_ids.append_vertex();
+    auto& renumberings = m_topology.m_changes.renumberings;
+    renumberings.vertices.note_appended(slot.vertex);
+    renumberings.edges.note_appended(slot.edges[0]);
+    renumberings.faces.note_appended(slot.faces[0]);
+    return slot;
+  }
+
+  // Replaces the slot's vertex, which has no representative, by a fresh one at p. If it throws,
+  // nothing has changed.
+  void renew_vertex(const Slot& slot, const Point& p)
+  {
+    m_topology.m_changes.renumberings.vertices.provide(1);
+    m_positions.restart(slot.vertex, p);
+    m_storage.renew_vertex(slot.vertex);
+    m_topology.m_changes.renumberings.vertices.note_replacement(slot.vertex);
+  }
+
+  // Deletes the vertices of these slots, which have no representatives. The last vertices, edges
+  // and faces take the free numbers. No other slots may exist. If it throws, nothing has changed.
+  void drop(const std::vector<Slot>& empty_slots)
+  {
+    collect_numbers(empty_slots);
+    const std::size_t kept_edges = m_arrays.number_of_edges() - m_empty_edges.size();
+    m_number_of_edge.assign(m_empty_edges.size(), no_index); // from `kept_edges` on
+    m_topology.m_changes.renumberings.provide_for_removals(empty_slots.size());
+    const auto note = [&](Index from, Index to) { m_number_of_edge[from - kept_edges] = to; };
+    drop_collected(note); // nothing throws from here on
+    auto& new_edges = m_topology.m_changes.new_edges;
+    if (m_topology.m_changes.everything_is_new) // some of these numbers can no longer be traced
+      return new_edges.clear();
+    for (Index& e : new_edges)
+      while (e != no_index && e >= kept_edges)
+        e = m_number_of_edge[e - kept_edges];
+    new_edges.erase(std::remove(new_edges.begin(), new_edges.end(), no_index), new_edges.end());
+  }
+
+  // The same if memory has run out: throws nothing, and everything is new.
+  void drop_in_need(const std::vector<Slot>& empty_slots)
+  {
+    m_topology.m_changes.everything_is_new = true;
+    collect_numbers(empty_slots);
+    drop_collected([](Index, Index) {});
+  }
+
+  // Reserves memory for drop_in_need() with so many slots.
+  void provide_for_drop(std::size_t number)
+  {
+    m_empty_vertices.reserve(number);
+    m_empty_faces.reserve(2 * number);
+    m_empty_edges.reserve(3 * number);
+  }
+
+  // IDS AND POINTS ------------------------------------------------------------------------------
+
+  // Reserves the next ids, as given by `Point_ids_2::list_next_ids()`, for points to be inserted.
+  // If it throws, nothing has changed. `release_id()` returns an id that was not used.
+  void reserve_ids(const std::vector<Index>& ids) { m_topology.m_ids.reserve(ids); }
+  void release_id(Index id) { m_topology.m_ids.release(id); }
+
+  // Reserve memory. Then the functions below throw nothing.
+  void provide_for_removals(std::size_t number) { m_topology.m_ids.provide_for_removals(number); }
+  void provide_for_duplicates(std::size_t number)
+  {
+    m_topology.m_ids.provide_for_duplicates(number);
+  }
+  void provide_for_new_edges(std::size_t number)
+  {
+    provide(m_topology.m_changes.new_edges, number);
+  }
+
+  void remove_duplicate(Index id) { m_topology.m_ids.remove_duplicate(id); }
+
+  void place_duplicate(Index id, Index vertex, const Point& p)
+  {
+    m_topology.m_ids.place_duplicate(id, vertex, p);
+  }
+
+  // Puts the slot's vertex into a face or a polygon, for the point `id`, which is new or was a
+  // duplicate.
+  template <class Place>
+  void put_in_new(const Slot& slot, const Place& place, Index id)
+  {
+    m_topology.m_ids.place_representative(id, slot.vertex);
+    m_topology.m_visitor_calls.after_vertex_creation(m_topology.vertex_handle(slot.vertex), id);
+    put_in(slot, place);
+  }
+
+  // Puts a vertex that was taken out into a face or a polygon.
+  template <class Place>
+  void put_in_again(const Slot& slot, const Place& place)
+  {
+    provide(m_topology.m_changes.relocated, 1);
+    put_in(slot, place);
+    m_topology.m_changes.relocated.push_back(slot.vertex);
+  }
+
+  // Makes the points of vertex `goes`, which are at p, duplicates at vertex `stays`.
+  void hand_points_to(Index stays, Index goes, const Point& p)
+  {
+    auto& ids = m_topology.m_ids;
+    m_topology.m_visitor_calls.before_vertex_merge(
+        m_topology.vertex_handle(goes), ids.representative(goes), m_topology.vertex_handle(stays));
+    ids.merge(goes, stays, p);
+  }
+
+  // Makes a duplicate at v the representative, so that v has its point. The representative becomes
+  // a duplicate at p.
+  void hand_over(Index duplicate, Index v, const Point& p)
+  {
+    const Index representative = m_topology.m_ids.representative(v);
+    const Point point = m_topology.m_ids.duplicate(duplicate).point;
+    m_topology.m_ids.hand_over(duplicate, p);
+    m_positions.set(v, point);
+    m_topology.m_visitor_calls.after_id_change(m_topology.vertex_handle(v), representative);
+  }
+
+  // Moves single points. If points of a vertex stay, one of them becomes its representative.
+  // Otherwise the vertex moves with its representative.
+  void move(const std::vector<Index>& ids, const std::vector<Point>& points, bool are_exact)
+  {
+    m_positions.m_are_exact &= are_exact;
+    if (ids.empty())
+      return;
+    provide_for_duplicates(ids.size());
+    m_positions.provide_for_moves(ids.size());
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      if (!m_topology.m_ids.is_representative(ids[i]))
+        m_topology.m_ids.duplicate(ids[i]).point = points[i];
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      if (m_topology.m_ids.is_representative(ids[i]))
+        move_representative(ids[i], points[i]);
+    m_positions.end_moves();
+  }
+
+private:
+  void move_representative(Index id, const Point& p)
+  {
+    const auto& ids = m_topology.m_ids;
+    const Index v = ids.vertex(id);
+    const Point place = m_maintained.point(v);
+    const auto is_at = [this](const Point& q, const Point& r) {
+      return coincide(m_maintained.traits(), q, r);
+    };
+    const Index successor = is_at(p, place) || ids.duplicates().empty()
+                                ? no_index
+                                : ids.find_duplicate_at(v, [&](const auto& duplicate) {
+                                    return is_at(duplicate.point, place);
+                                  });
+    if (successor == no_index)
+      m_positions.move(v, p); // also to the same place: the point may hold more than a position
+    else
+      hand_over(successor, v, p);
+  }
+
+  // THE VISITOR ---------------------------------------------------------------------------------
+
+  void tell_before_removal(Index f)
+  {
+    m_topology.m_visitor_calls.before_face_removal(m_topology.face_handle(f));
+  }
+  void tell_after_creation(Index f)
+  {
+    m_topology.m_visitor_calls.after_face_creation(m_topology.face_handle(f));
+  }
+
+  void flip_and_tell(Index h)
+  {
+    const Face_handle f = m_topology.face_handle(h / 3);
+    const int place = int(h % 3);
+    m_topology.m_visitor_calls.before_flip(Edge(f, place));
+    m_arrays.flip(h);
+    m_topology.m_visitor_calls.after_flip(Edge(f, Triangulation_cw_ccw_2::ccw(place)));
+  }
+
+  // OUT OF FACES AND INTO FACES -------------------------------------------------------------------
+
+  // Appends the data of a slot, with a vertex at p. If it throws, nothing has changed.
+  void append_vertex(const Point& p)
+  {
+    const std::size_t vertices = m_arrays.number_of_vertices(), faces = m_arrays.number_of_faces();
+    try {
+      m_positions.append(p);
+      m_storage.append_slot();
+    } catch (...) {
+      m_positions.resize(vertices);
+      m_storage.resize_data(vertices, faces);
+      throw;
+    }
+  }
+
+  // `vacate()`, which must not throw, is called before the center leaves its faces, after the
+  // visitor was told of them.
+  template <class Vacate>
+  Slot take_out(const Star_polygon_2& polygon, const Vacate& vacate)
+  {
+    CGAL_precondition(!m_arrays.is_outside(polygon.center()));
+    CGAL_precondition(polygon.is_triangulated());
+    const std::size_t degree = polygon.sides().size();
+    provide(m_topology.m_changes.new_edges, degree);
+    m_open_sides.resize(degree); // nothing throws from here on
+    for (const Index f : polygon.faces())
+      tell_before_removal(f);
+    vacate();
+    write_ears(polygon);
+    const Slot slot = slot_left_by(polygon);
+    m_arrays.empty(slot);
+    log_ears(polygon);
+    for (std::size_t i = 0; i + 2 < degree; ++i)
+      tell_after_creation(polygon.faces()[i]);
+    return slot;
+  }
+
+  // A side of a polygon while ears are cut off: the half-edge outside of it, and its edge.
+  struct Open_side
+  {
+    Index outer, edge;
+  };
+
+  // The i-th ear gets the i-th face, and what it leaves the i-th edge.
+  void write_ears(const Star_polygon_2& polygon)
+  {
+    const auto& sides = polygon.sides();
+    const auto& ears = polygon.ears();
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      m_open_sides[i] = {sides[i].outer, sides[i].edge};
+    for (std::size_t i = 0; i < ears.size(); ++i) {
+      const Star_polygon_2::Ear& ear = ears[i];
+      const Index f = polygon.faces()[i];
+      m_arrays.set_apex(3 * f, sides[ear.before].corner);
+      m_arrays.set_apex(3 * f + 1, sides[ear.tip].corner);
+      m_arrays.set_apex(3 * f + 2, sides[ear.after].corner);
+      close(m_open_sides[ear.before], 3 * f + 2);
+      close(m_open_sides[ear.tip], 3 * f);
+      m_open_sides[ear.before] = {3 * f + 1, polygon.edges()[i]};
+    }
+    // the last ear is a triangle that has a side of the polygon for its third edge
+    const Star_polygon_2::Ear& last = ears.back();
+    close(m_open_sides[last.after], 3 * polygon.faces()[ears.size() - 1] + 1);
+  }
+
+  // Makes h, whose face has its vertices, the other half-edge of an open side.
+  void close(const Open_side& side, Index h)
+  {
+    m_arrays.link(h, side.outer);
+    m_arrays.set_edge(side.edge, h);
+  }
+
+  // The numbers that write_ears() does not use.
+  static Slot slot_left_by(const Star_polygon_2& polygon)
+  {
+    const auto face = polygon.faces().end();
+    const auto edge = polygon.edges().end();
+    return {polygon.center(), {face[-2], face[-1]}, {edge[-3], edge[-2], edge[-1]}};
+  }
+
+  // Logs all edges of the last face: it has no new one if it is the only face.
+  void log_ears(const Star_polygon_2& polygon)
+  {
+    auto& new_edges = m_topology.m_changes.new_edges;
+    const auto& edges = polygon.edges();
+    new_edges.insert(new_edges.end(), edges.begin(), edges.end() - 3);
+    const Index last = polygon.faces()[polygon.ears().size() - 1];
+    for (Index h = 3 * last; h < 3 * last + 3; ++h)
+      new_edges.push_back(m_arrays.edge_of(h));
+  }
+
+  // The i-th side gets the i-th face, and the edge to its end the i-th edge.
+  void write_star(const Star_polygon_2& polygon)
+  {
+    const auto& sides = polygon.sides();
+    const Index v = polygon.center();
+    const std::size_t degree = sides.size();
+    for (std::size_t i = 0; i < degree; ++i) {
+      const Index h = 3 * polygon.faces()[i];
+      m_arrays.set_apex(h, v);
+      m_arrays.set_apex(h + 1, sides[i].corner);
+      m_arrays.set_apex(h + 2, sides[i + 1 < degree ? i + 1 : 0].corner);
+    }
+    for (std::size_t i = 0; i < degree; ++i) {
+      const Index h = 3 * polygon.faces()[i];
+      close({sides[i].outer, sides[i].edge}, h);
+      m_arrays.link(h + 1, 3 * polygon.faces()[i + 1 < degree ? i + 1 : 0] + 2);
+      m_arrays.set_edge(polygon.edges()[i], h + 1);
+    }
+  }
+
+  // Sorts the numbers in descending order. Then the last element is never empty, unless it is the
+  // one to remove.
+  void collect_numbers(const std::vector<Slot>& empty_slots)
+  {
+    m_empty_vertices.clear();
+    m_empty_faces.clear();
+    m_empty_edges.clear();
+    for (const Slot& slot : empty_slots) {
+      m_empty_vertices.push_back(slot.vertex);
+      for (const Index f : slot.faces)
+        m_empty_faces.push_back(f);
+      for (const Index e : slot.edges)
+        m_empty_edges.push_back(e);
+    }
+    for (std::vector<Index>* numbers : {&m_empty_vertices, &m_empty_faces, &m_empty_edges})
+      std::sort(numbers->begin(), numbers->end(), std::greater<Index>());
+  }
+
+  // Calls `note(from, to)` when edge `from` takes the number `to`.
+  template <class Note>
+  void drop_collected(const Note& note)
+  {
+    auto& renumberings = m_topology.m_changes.renumberings;
+    const bool are_noted = !m_topology.m_changes.everything_is_new;
+    for (const Index f : m_empty_faces) {
+      if (are_noted)
+        renumberings.faces.note_move(m_arrays.number_of_faces() - 1, f);
+      m_arrays.move_last_face_to(f);
+      m_storage.move_last_face_data_to(f);
+    }
+    for (const Index e : m_empty_edges) {
+      const Index last = m_arrays.number_of_edges() - 1;
+      if (are_noted)
+        renumberings.edges.note_move(last, e);
+      if (last != e)
+        note(last, e);
+      m_arrays.move_last_edge_to(e);
+    }
+    for (const Index v : m_empty_vertices) {
+      if (are_noted)
+        renumberings.vertices.note_move(m_maintained.number_of_vertices(), v);
+      m_arrays.move_last_vertex_to(v);
+      m_topology.m_ids.move_last_vertex_to(v);
+      m_positions.move_last_to(v);
+      m_storage.move_last_vertex_data_to(v);
+    }
+  }
+
+  // REPLACING -----------------------------------------------------------------------------------
+
+  void collect_inner_edges(const Index_set_2& faces)
+  {
+    m_inner_edges.clear();
+    for (const Index f : faces)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (h < m_arrays.twin(h) && faces.contains(m_arrays.twin(h) / 3))
+          m_inner_edges.push_back(m_arrays.edge_of(h));
+  }
+
+  // FLIPS IN PARTS ------------------------------------------------------------------------------
+
+  bool try_flip(const Topology_parts_2& topology, std::size_t part, bool no_edge_doubles, Index h,
+                std::vector<Index>& flipped)
+  {
+    const Index e = m_arrays.edge_of(h);
+    if (!topology.is_inside(part, e) || !(no_edge_doubles || can_flip(h)))
+      return false;
+    flipped.push_back(e);
+    flip_and_tell(h); // throws nothing
+    return true;
+  }
+
+  // Everything is new where there is no memory to list it.
+  void log_flips(std::vector<Index>& flipped)
+  {
+    auto& changes = m_topology.m_changes;
+    try {
+      changes.new_edges.insert(changes.new_edges.end(), flipped.begin(), flipped.end());
+    } catch (const std::bad_alloc&) {
+      changes.everything_is_new = true;
+    }
+    flipped.clear();
+  }
+
+  const Maintained& m_maintained;
+  Topology& m_topology;
+  Storage& m_storage;
+  Halfedge_arrays_2& m_arrays;
+  Positions& m_positions;
+  std::vector<Index> m_inner_edges;
+  std::vector<Open_side> m_open_sides;
+  std::vector<std::vector<Index>> m_flipped_in_parts;                // edges
+  std::vector<Index> m_empty_vertices, m_empty_faces, m_empty_edges; // to be dropped
+  std::vector<Index> m_number_of_edge;                               // after that
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_TOPOLOGY_EDITOR_2_H

@@ -1,0 +1,226 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_LAWSON_FLIPS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_LAWSON_FLIPS_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_parts_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Lawson's flips, started from some edges. Every edge that a flip touches is examined again. So an
+// edge that is not returned as open was examined after the last change around it, and is proved.
+class Lawson_flips_2
+{
+public:
+  // Flips from the edges of `open`, and leaves those in `open` that it could not prove. Returns the
+  // number of flips, at most `most`. If the faces tile the convex hull (`faces_tile_hull`), flips
+  // of illegal edges preserve that, and need no search for doubled edges, which takes a sixth of
+  // their time.
+  template <class Maintained, class Editor>
+  std::size_t run(const Maintained& maintained, Editor& editor, std::vector<Index>& open,
+                  bool faces_tile_hull, std::size_t most)
+  {
+    // Lawson's proof of termination needs counterclockwise faces; with inverted ones, flips can
+    // cycle. Recorded motion took at most 3 flips per initial edge.
+    const std::size_t limit = (std::min)(100 + 20 * open.size(), most);
+    m_work.twisted.clear();
+    std::size_t flips = run_in_parts(maintained, editor, open, faces_tile_hull, limit);
+    flips += run_in_series(maintained, editor, open, faces_tile_hull, limit - flips);
+    if (!m_work.twisted.empty()) {
+      open.insert(open.end(), m_work.twisted.begin(), m_work.twisted.end());
+      keep_unproved(maintained, open);
+    }
+    return flips;
+  }
+
+private:
+  // The edges to start from, those to be examined again, those that were not proved, and how many
+  // flips this took. Among those not proved, twisted ones are apart: no flip elsewhere makes a flip
+  // of them possible, and a flip beside them examines them again.
+  struct Work
+  {
+    std::vector<Index> seeds, touched, open, twisted;
+    std::size_t flips = 0;
+  };
+
+  template <class Maintained, class Editor>
+  std::size_t run_in_series(const Maintained& maintained, Editor& editor, std::vector<Index>& open,
+                            bool faces_tile_hull, std::size_t limit)
+  {
+    std::size_t flips = 0;
+    const auto try_flip = [&](Index h) {
+      const bool is_right = faces_tile_hull || editor.can_flip(h);
+      if (is_right)
+        editor.flip(h);
+      return is_right;
+    };
+    for (std::size_t before = limit; !open.empty() && flips != before;) {
+      before = flips;
+      m_work.seeds.swap(open);
+      flip_from_seeds(maintained, m_work, limit - flips, try_flip);
+      open.swap(m_work.open);
+      flips += m_work.flips;
+      keep_unproved(maintained, open);
+    }
+    return flips;
+  }
+
+  // Many flips are made in parts, which threads share, as far as edges are inside of a part. What
+  // is left is open. The parts, and so the result, depend on the triangulation alone.
+  template <class Maintained, class Editor>
+  std::size_t run_in_parts(const Maintained& maintained, Editor& editor, std::vector<Index>& open,
+                           bool faces_tile_hull, std::size_t limit)
+  {
+    using Parts = typename Maintained::Parts;
+    const std::size_t faces = maintained.arrays().number_of_faces(), seeds = open.size();
+    const std::size_t parts =
+        Parts::number(faces, (std::max)(Parts::usual_size, faces / max_parts));
+    if (parts < Parts::least_shared || seeds < parts * (Parts::usual_size / 256))
+      return 0;
+    const Topology_parts_2 topology(maintained.arrays(), maintained.positions().size(), parts);
+    divide<Parts>(topology, parts, open);
+    editor.flip_in_parts(topology, parts, faces_tile_hull, limit,
+                         [&](std::size_t part, const auto& try_flip) {
+                           Work& work = m_parts[part];
+                           const std::size_t share = limit * work.seeds.size() / seeds;
+                           flip_from_seeds(maintained, work, share, try_flip);
+                         });
+    std::size_t flips = 0;
+    for (std::size_t part = 0; part < parts; ++part) {
+      const Work& work = m_parts[part];
+      open.insert(open.end(), work.open.begin(), work.open.end());
+      m_work.twisted.insert(m_work.twisted.end(), work.twisted.begin(), work.twisted.end());
+      flips += work.flips;
+    }
+    return flips;
+  }
+
+  // Gives each part the edges inside of it; the others remain. Threads find out which these are.
+  template <class Parts>
+  void divide(const Topology_parts_2& topology, std::size_t parts, std::vector<Index>& edges)
+  {
+    constexpr std::size_t least = (std::max)(Parts::usual_size / 8, std::size_t(1));
+    constexpr std::uint8_t none = 255;
+    static_assert(max_parts < none);
+    m_parts.resize((std::max)(parts, m_parts.size()));
+    for (Work& part : m_parts) {
+      part.seeds.clear();
+      part.twisted.clear();
+    }
+    m_part_of_seed.resize(edges.size());
+    Parts::for_each(edges.size(), least, [&](std::size_t, std::size_t i, std::size_t beyond) {
+      for (; i < beyond; ++i) {
+        topology.prefetch_some(edges, i);
+        const std::size_t part = topology.part_of(edges[i]);
+        m_part_of_seed[i] = topology.is_inside(part, edges[i]) ? std::uint8_t(part) : none;
+      }
+    });
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      if (m_part_of_seed[i] != none)
+        m_parts[m_part_of_seed[i]].seeds.push_back(edges[i]);
+      else
+        edges[kept++] = edges[i];
+    edges.resize(kept);
+  }
+
+  // Examines touched edges at once, while they are in the cache. Does at most `limit` flips.
+  template <class Maintained, class Try_flip>
+  static void flip_from_seeds(const Maintained& maintained, Work& work, std::size_t limit,
+                              const Try_flip& try_flip)
+  {
+    work.open.clear();
+    work.touched.clear(); // an exception may have ended the last run
+    work.flips = 0;
+    for (std::size_t i = 0; i < work.seeds.size(); ++i) {
+      if (i % stretch == 0)
+        prefetch_stretch(maintained, work.seeds, i);
+      work.touched.push_back(work.seeds[i]);
+      while (!work.touched.empty() && work.flips < limit) {
+        const Index e = work.touched.back();
+        work.touched.pop_back();
+        work.flips += examine(maintained, e, try_flip, work);
+      }
+      work.open.insert(work.open.end(), work.touched.begin(), work.touched.end());
+      work.touched.clear();
+    }
+  }
+
+  // Flips e if a flip may help and is possible. Otherwise adds e to `open`, unless it is Delaunay.
+  template <class Maintained, class Try_flip>
+  static bool examine(const Maintained& maintained, Index e, const Try_flip& try_flip, Work& work)
+  {
+    const Edge_state_2 state = typename Maintained::Edge_test(maintained).state(e);
+    if (state == Edge_state_2::DELAUNAY)
+      return false;
+    const auto& arrays = maintained.arrays();
+    if (state == Edge_state_2::TWISTED || !try_flip(arrays.halfedge(e))) {
+      (state == Edge_state_2::TWISTED ? work.twisted : work.open).push_back(e);
+      return false;
+    }
+    // Between counterclockwise faces the quadrilateral is convex, and the new diagonal Delaunay.
+    // Elsewhere the repair has to know of it. The proof does not: its determinant is minus that of
+    // the old diagonal, so it is Delaunay as soon as its faces, and thus its sides, are proved.
+    if (state == Edge_state_2::CROSSED)
+      work.touched.push_back(e);
+    arrays.for_each_side(e, [&](Index side) { work.touched.push_back(side); });
+    return true;
+  }
+
+  // The data of the next seeds are scattered over the memory. They are fetched in steps, each of
+  // which reads what the one before has fetched. At 10^5 points this saves two thirds of the time
+  // of a flip, at 1,000 with other work between the frames a fifth of it. The last step fetches the
+  // positions needed to examine the sides of the new diagonal.
+  template <class Maintained>
+  static void prefetch_stretch(const Maintained& maintained, const std::vector<Index>& seeds,
+                               std::size_t first)
+  {
+    const auto& arrays = maintained.arrays();
+    const Position_2* const positions = maintained.positions().data();
+    const auto for_each_seed = [&](const auto& f) {
+      const std::size_t beyond = (std::min)(first + stretch, seeds.size());
+      for (std::size_t i = first; i < beyond; ++i)
+        f(seeds[i]);
+    };
+    for_each_seed([&](Index e) { arrays.prefetch_edge(e); });
+    for_each_seed([&](Index e) {
+      arrays.prefetch_face_at(e);
+      prefetch_corners(arrays.edge(e), positions);
+    });
+    for_each_seed([&](Index e) { arrays.prefetch_face_beyond(e); });
+    for_each_seed([&](Index e) { arrays.prefetch_around(e); });
+    for_each_seed([&](Index e) {
+      arrays.for_each_side(e, [&](Index side) {
+        prefetch(positions + arrays.edge(side).left);
+        prefetch(positions + arrays.edge(side).right);
+      });
+    });
+  }
+
+  static constexpr std::size_t stretch = 16;   // seeds that are fetched together
+  static constexpr std::size_t max_parts = 32; // larger ones leave fewer edges between them
+
+  Work m_work;
+  std::vector<Work> m_parts;
+  std::vector<std::uint8_t> m_part_of_seed;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_LAWSON_FLIPS_2_H

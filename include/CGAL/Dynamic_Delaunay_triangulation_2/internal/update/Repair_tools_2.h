@@ -1,0 +1,564 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_REPAIR_TOOLS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_REPAIR_TOOLS_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Dynamic_classification_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_builder_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Border_splice_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Lawson_flips_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Open_edges_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_costs_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Vertex_traffic_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// The tools that mend an update, and its state: the open edges, the vertices outside of all faces,
+// the remaining budget and the report. `Dynamic_mender_2` offers the tools to a repair; `Update_2`
+// uses the rest itself. If mending costs more than it is worth, a rebuild ends it.
+template <class Maintained>
+class Repair_tools_2
+{
+  using Editor = Topology_editor_2<Maintained>;
+  using Certificate = Certificate_2<Maintained>;
+  using Point = typename Maintained::Point;
+  using Traffic = Vertex_traffic_2<Maintained>;
+
+public:
+  using Classification = Dynamic_classification_2<Maintained>;
+
+  explicit Repair_tools_2(Maintained& maintained)
+    : m_maintained(maintained)
+    , m_editor(maintained)
+    , m_builder(maintained)
+    , m_traffic(maintained, m_editor)
+    , m_jumpers(maintained)
+    , m_splice(maintained)
+  {
+  }
+
+  const Static_engines_2& engines() const { return m_engines; }
+  void set_engines(const Static_engines_2& engines)
+  {
+    m_engines = engines;
+    m_builder.set_engine(engines.whole);
+    m_splice.set_engine(engines.region);
+  }
+
+  // AN UPDATE -----------------------------------------------------------------------------------
+
+  // `is_exact`: whether the classifier is. An exact classifier need not be told of edges that were
+  // examined and not changed.
+  void start(Update_report_2& report, bool is_exact)
+  {
+    m_report = &report;
+    m_is_exact = is_exact;
+    forget();
+    m_budget.start_generously(m_maintained.number_of_vertices());
+    m_may_take_out = true;
+  }
+
+  Editor& editor() { return m_editor; }
+  Classification& classification() { return m_classification; }
+  Traffic& traffic() { return m_traffic; }
+  Topology_builder_2<Maintained>& builder() { return m_builder; }
+
+  // To be called after the classifier. `changes` is the number of points inserted and removed.
+  void take_classification(bool has_to_prove, bool was_certified, std::size_t changes)
+  {
+    m_has_to_prove = has_to_prove;
+    m_was_certified = was_certified;
+    m_report->classified = m_classification.size();
+    m_open.take(m_classification, m_maintained);
+    m_classified_edges = m_open.size();
+    m_changes = changes;
+    m_movers = m_maintained.number_of_vertices();
+    m_hull_stays = false;
+    m_jumper = no_index;
+  }
+
+  // To be called after it if so few points have moved, and all others are where they were.
+  // `hull_stays`: whether the hull turned around once, and none of its vertices has moved.
+  // `jumper`: the vertex that is to be taken out, if it is the only one that has moved, everything
+  // was certified before that, and no edge was examined. Open are all edges that see it.
+  void set_movers(std::size_t movers, bool hull_stays, Index jumper)
+  {
+    CGAL_precondition(jumper == no_index || movers == 1);
+    m_movers = movers;
+    m_hull_stays = hull_stays;
+    m_jumper = jumper;
+    if (jumper != no_index)
+      Dynamic_frame_2<Maintained>(m_maintained).for_each_edge_that_sees(jumper, [this](Index e) {
+        m_open.uncertain().push_back(e);
+      });
+  }
+
+  // Whether this vertex has to be taken out, if it is the only one that has moved.
+  bool has_jumped_alone(Index v) const { return m_jumpers.has_jumped_alone(v); }
+
+  // Removes the points with these ids.
+  void remove(const std::vector<Index>& ids)
+  {
+    if (ids.empty())
+      return;
+    const bool are_delaunay = m_was_certified && m_movers == 0;
+    const std::vector<Index> moved = m_traffic.remove(ids, are_delaunay);
+    m_hull_stays = m_hull_stays && moved.empty();
+    const std::size_t first_new = m_maintained.changes().new_edges.size();
+    if (m_traffic.remove_rest())
+      m_open.open_new_edges(m_maintained, first_new);
+    for (const Index v : moved)
+      Dynamic_frame_2<Maintained>(m_maintained).for_each_edge_that_sees(v, [this](Index e) {
+        m_open.uncertain().push_back(e);
+      });
+  }
+
+  // Puts in vertices outside of faces, new points and parted duplicates, with flips around each.
+  void put_in(const std::vector<Index>& parted_duplicates)
+  {
+    CGAL_precondition(!m_has_to_prove || m_open.empty());
+    bool is_delaunay = m_has_to_prove; // if the hull turns around once: see is_proved()
+    m_open.set_planar(false);
+    m_may_take_out = false;
+    m_budget.allow((parted_duplicates.size() + m_traffic.number_to_put_in()) *
+                   Repair_budget_2::relocation);
+    std::size_t steps_before = 0;
+    const auto most_faces = [&] { return is_delaunay ? most_flips() + 1 : 0; };
+    const auto end = [&](Index v, std::size_t steps, std::size_t faces) {
+      m_budget.spend(Repair_budget_2::relocation / 2 +
+                     Repair_budget_2::step_of_a_walk * (steps - steps_before));
+      steps_before = steps;
+      is_delaunay = faces > 0; // never again, once it was not: see most_faces()
+      if (is_delaunay)
+        spend_on_flips(faces - 1); // which would do the same
+      else
+        settle(v);
+      return !m_budget.is_spent();
+    };
+    const auto counts = m_traffic.put_in(parted_duplicates, most_faces, end);
+    m_report->relocated += counts.relocated;
+    m_report->merged += counts.merged;
+    m_report->parted += counts.parted;
+    if (m_budget.is_spent())
+      rebuild(Rebuild_reason_2::BUDGET_SPENT);
+  }
+
+  // Whether nothing is left to prove. No vertex waits outside of all faces then: Update_2 puts in
+  // all that wait unless edges are open, and if the budget does not last everything is rebuilt.
+  bool is_proved() const
+  {
+    CGAL_precondition(!m_open.empty() || m_traffic.number_waiting() == 0);
+    return m_open.empty() && (m_open.faces_tile_hull() || hull_turns_once());
+  }
+
+  // Gives the numbers of removed vertices to others.
+  void finish()
+  {
+    if (m_traffic.finish())
+      forget_sets();
+  }
+
+  void provide_for_exchange(const Maintained& other) { m_builder.provide_for_exchange(other); }
+
+  // Exchanges the whole triangulation with `other`. Throws nothing after provide_for_exchange().
+  void exchange(Maintained& other)
+  {
+    m_builder.exchange(other);
+    m_classification = Classification();
+    m_padded.clear();
+    m_border.clear();
+  }
+
+  // STATE -----------------------------------------------------------------------------------------
+
+  const Classification& classification() const { return m_classification; }
+  const Open_edges_2& open_edges() const { return m_open; }
+  std::size_t number_of_open_edges() const { return m_open.size(); }
+  bool has_inverted_edges() const { return !m_open.uncertain().empty(); }
+  bool has_to_prove() const { return m_has_to_prove; }
+  bool has_rebuilt() const { return m_report->rebuilt(); }
+  std::size_t number_of_edges() const { return m_maintained.arrays().number_of_edges(); }
+  std::size_t number_of_classified_edges() const { return m_classified_edges; }
+  const std::vector<Index>& padded() const { return m_padded; }
+  const std::vector<Index>& border() const { return m_border; }
+
+  // Whether a rebuild is cheaper than mending the classified edges and the points that come and go.
+  bool is_rebuild_cheaper() const
+  {
+    return Repair_budget_2::is_rebuild_cheaper(m_maintained.number_of_vertices(),
+                                               m_classified_edges, m_changes);
+  }
+
+  // Whether mending alone has cost as much as a rebuild.
+  bool has_cost_a_rebuild() const
+  {
+    return m_budget.has_spent_a_rebuild(m_maintained.number_of_vertices());
+  }
+
+  // TOOLS, as Dynamic_mender_2 documents them ----------------------------------------------------
+
+  void limit_cost() { m_budget.start(m_maintained.number_of_vertices(), m_open.size()); }
+
+  void take_out_jumpers()
+  {
+    if (m_jumper != no_index)
+      return take_out_jumper();
+    // where several neighbors jumped, some seem to have stayed until the others are out
+    constexpr unsigned max_rounds = 4;
+    const auto may_others_jump = [this] { return m_traffic.number_waiting() < m_movers; };
+    for (unsigned round = 0; round < max_rounds && can_take_out() && may_others_jump(); ++round) {
+      const std::vector<Index>& edges = round == 0 ? m_open.uncertain() : m_open.opened_last();
+      if (edges.empty())
+        return;
+      m_budget.spend(edges.size() * Repair_budget_2::look_for_jumpers);
+      const std::vector<Index>& jumpers = m_jumpers.find_jumpers(edges);
+      // each counts as a point removed and a point inserted, plus half of that for the search
+      if (Repair_budget_2::is_rebuild_cheaper(m_maintained.number_of_vertices(), 0,
+                                              m_changes + 3 * jumpers.size()))
+        return rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
+      if (!take_out(jumpers))
+        return;
+    }
+  }
+
+  void take_out_farthest()
+  {
+    if (can_take_out())
+      take_out(m_jumpers.find_farthest(m_open.uncertain()));
+  }
+
+  void flip()
+  {
+    if (!m_open.faces_tile_hull())
+      flip_inverted();
+    m_open.open_illegal();
+    flip_uncertain();
+  }
+
+  void flip_inverted()
+  {
+    if (has_rebuilt() || m_open.empty())
+      return;
+    flip_uncertain();
+    if (!m_open.uncertain().empty() && !has_rebuilt()) {
+      m_open.open_surroundings(m_maintained);
+      flip_uncertain();
+    }
+    m_open.set_planar(!has_rebuilt() && m_has_to_prove && m_open.uncertain().empty() &&
+                      hull_turns_once());
+  }
+
+  void splice_classified(unsigned padding)
+  {
+    m_open.open_illegal();
+    constexpr std::size_t any = std::size_t(-2);
+    if (splice(m_classification.vertices(), padding, any, m_has_to_prove)) {
+      for (std::size_t i = 0; i < m_splice.number_of_padded(); ++i)
+        m_padded.push_back(m_splice.padded(i));
+      m_border.assign(m_splice.border().begin(), m_splice.border().end());
+    }
+  }
+
+  void splice_open(unsigned padding)
+  {
+    m_open.open_illegal();
+    splice_inverted(padding);
+  }
+
+  void splice_inverted(unsigned padding)
+  {
+    std::vector<Index> vertices;
+    m_open.for_each_uncertain_vertex(m_maintained, [&](Index v) { vertices.push_back(v); });
+    constexpr std::size_t max_enlargements = 3; // beyond it, padding or a vertex less does better
+    splice(vertices, padding, max_enlargements, true);
+  }
+
+  void relocate()
+  {
+    if (m_traffic.is_under_way())
+      return rebuild(Rebuild_reason_2::POPULATION);
+    if (!m_was_certified || !m_maintained.have_points_moved())
+      return rebuild(Rebuild_reason_2::STUCK);
+    const bool all_arrived = m_builder.relocate_all(m_report->relocated);
+    m_open.clear();
+    if (!all_arrived)
+      rebuild(Rebuild_reason_2::COINCIDENCE);
+    else if (!m_maintained.spans_plane()) // without edges, nothing but a rebuild can help
+      rebuild(Rebuild_reason_2::DIMENSION);
+    else if (!Certificate(m_maintained).holds())
+      rebuild(Rebuild_reason_2::STUCK);
+  }
+
+  void rebuild(Rebuild_reason_2 reason)
+  {
+    if (m_traffic.is_under_way())
+      rebuild_with_traffic();
+    else
+      m_builder.rebuild();
+    m_report->rebuild_reason = m_maintained.spans_plane() ? reason : Rebuild_reason_2::DIMENSION;
+    forget();
+  }
+
+private:
+  // Condition 4 of the certificate. A hull that has turned around once still does so if its
+  // vertices are the same and have not moved. They are the same if no face at infinity is new. Of a
+  // new face at least one edge is in the log: a flip logs the diagonal, which is in both its faces,
+  // a vertex that is put in logs all edges of its faces, and one that is taken out those of the
+  // face that it leaves. So no face at infinity is new if no edge in the log is part of one.
+  // Splices are not considered. Walking around a long hull costs more than all the rest.
+  bool hull_turns_once() const
+  {
+    const Change_log_2& changes = m_maintained.changes();
+    const auto is_at_hull = [this](Index e) { return m_maintained.is_at_infinity(e); };
+    return (m_hull_stays && !changes.everything_is_new &&
+            std::none_of(changes.new_edges.begin(), changes.new_edges.end(), is_at_hull)) ||
+           Certificate(m_maintained).hull_turns_once();
+  }
+
+  void forget()
+  {
+    m_open.clear();
+    forget_sets();
+  }
+
+  // Clears sets of vertices, whose numbers may have changed.
+  void forget_sets()
+  {
+    m_padded.clear();
+    m_border.clear();
+    m_classification.clear(m_maintained);
+  }
+
+  // VERTICES THAT WENT FAR ----------------------------------------------------------------------
+
+  // Takes out the only vertex that has moved. If everything was Delaunay, it stays so without it.
+  void take_out_jumper()
+  {
+    if (can_spare(1) && m_traffic.take_out_of_delaunay(m_jumper)) {
+      m_open.clear();
+      m_budget.spend(Repair_budget_2::relocation / 2);
+    } else if (can_take_out())
+      take_out({m_jumper});
+  }
+
+  // Whether at least three vertices remain without so many.
+  bool can_spare(std::size_t vertices) const
+  {
+    constexpr std::size_t min_vertices = 3;
+    return m_traffic.number_outside() + vertices + min_vertices <=
+           m_maintained.number_of_vertices();
+  }
+
+  bool can_take_out() const
+  {
+    return m_may_take_out && m_has_to_prove && m_maintained.have_points_moved() && !has_rebuilt();
+  }
+
+  // Takes these vertices out if the budget allows it and at least three remain. Whether it did.
+  bool take_out(const std::vector<Index>& vertices)
+  {
+    if (vertices.empty() || vertices.size() * Repair_budget_2::relocation > m_budget.left() ||
+        !can_spare(vertices.size()))
+      return false;
+    const std::size_t price = price_of_taking_out(vertices);
+    if (price > m_budget.left()) { // nothing else could mend so many edges either
+      rebuild(Rebuild_reason_2::BUDGET_SPENT);
+      return false;
+    }
+    const std::size_t first_new = m_maintained.changes().new_edges.size();
+    constexpr std::size_t ahead = 4; // none of them is outside of all faces
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      if (i + ahead < vertices.size())
+        m_editor.prefetch_around(vertices[i + ahead]);
+      m_traffic.take_out(vertices[i]);
+    }
+    m_budget.spend(price);
+    m_open.open_new_edges(m_maintained, first_new);
+    return true;
+  }
+
+  // The price of a vertex includes a few flips. A vertex of high degree takes more.
+  std::size_t price_of_taking_out(const std::vector<Index>& vertices) const
+  {
+    using Parts = typename Maintained::Parts;
+    constexpr std::size_t least = (std::max)(Parts::usual_size / 64, std::size_t(1));
+    constexpr std::size_t usual_degree = 8;
+    return Parts::sum(vertices.size(), least, [&](std::size_t first, std::size_t beyond) {
+      std::size_t price = 0;
+      for (std::size_t i = first; i < beyond; ++i) {
+        const std::size_t degree = m_maintained.arrays().degree(vertices[i]);
+        price += Repair_budget_2::relocation / 2 +
+                 Repair_budget_2::flip * (degree - (std::min)(degree, usual_degree));
+      }
+      return price;
+    });
+  }
+
+  // FLIPS ---------------------------------------------------------------------------------------
+
+  void flip_uncertain()
+  {
+    if (has_rebuilt() || m_open.uncertain().empty())
+      return;
+    std::vector<Index>& edges = m_open.uncertain();
+    // a heuristic classifier treats examined edges as triangulated anew
+    if (!m_is_exact)
+      m_editor.note_examined(edges);
+    const std::size_t flips =
+        m_lawson.run(m_maintained, m_editor, edges, m_open.faces_tile_hull(), most_flips());
+    m_report->flips += flips;
+    m_budget.spend(flips * Repair_budget_2::flip);
+    if (m_budget.is_spent())
+      rebuild(Rebuild_reason_2::BUDGET_SPENT);
+  }
+
+  // Flips around a vertex that was put in.
+  void settle(Index v)
+  {
+    const auto& arrays = m_maintained.arrays();
+    m_around.clear();
+    arrays.for_each_corner(v, [&](Index h) {
+      m_around.push_back(arrays.edge_of(h));
+      m_around.push_back(arrays.edge_of(Halfedge_arrays_2::previous(h)));
+    });
+    const std::size_t flips = m_lawson.run(m_maintained, m_editor, m_around, false, most_flips());
+    m_report->flips += flips;
+    spend_on_flips(flips);
+    m_open.uncertain().insert(m_open.uncertain().end(), m_around.begin(), m_around.end());
+  }
+
+  std::size_t most_flips() const { return m_budget.left() / Repair_budget_2::flip + 1; }
+
+  // The price of putting a vertex in includes the first flips.
+  void spend_on_flips(std::size_t flips)
+  {
+    constexpr std::size_t few = 8;
+    m_budget.spend(flips > few ? (flips - few) * Repair_budget_2::flip : 0);
+  }
+
+  // SPLICES -------------------------------------------------------------------------------------
+
+  // False if this has rebuilt or merged instead.
+  bool splice(const std::vector<Index>& vertices, unsigned padding, std::size_t max_enlargements,
+              bool has_to_look)
+  {
+    if (has_rebuilt())
+      return false;
+    m_open.set_planar(false);
+    m_hull_stays = false;
+    const std::size_t most = m_budget.left() / Repair_budget_2::spliced_vertex;
+    Splice_limits_2 limits{max_enlargements, most};
+    const Splice_result_2 result = m_splice.run(m_editor, vertices, padding, limits);
+    m_budget.spend((most - limits.max_vertices) * Repair_budget_2::spliced_vertex);
+    m_report->enlargements += limits.enlargements;
+    switch (result) {
+    case Splice_result_2::TOO_LARGE:
+      rebuild(limits.enlargements == 0 ? Rebuild_reason_2::TOO_MUCH_BROKEN
+                                       : Rebuild_reason_2::STUCK);
+      return false;
+    case Splice_result_2::TOO_DEAR:
+      rebuild(Rebuild_reason_2::BUDGET_SPENT);
+      return false;
+    case Splice_result_2::COINCIDENCE:
+      merge();
+      return false;
+    default:
+      break;
+    }
+    ++m_report->splices;
+    m_report->padded += m_splice.number_of_padded();
+    m_report->border += m_splice.number_of_border();
+    m_report->spliced += m_splice.number_of_vertices();
+    // the spliced faces are Delaunay among themselves, but their boundary edges may not be
+    if (has_to_look)
+      m_open.reopen(m_maintained, m_splice.boundary_edges());
+    else
+      m_open.uncertain().clear();
+    return true;
+  }
+
+  // Merges vertices that have come to coincide. Other clusters may have been spliced before the
+  // coincidence was found.
+  void merge()
+  {
+    if (!m_has_to_prove)
+      return rebuild(Rebuild_reason_2::COINCIDENCE);
+    m_open.reopen(m_maintained, m_splice.boundary_edges());
+    std::vector<Index> candidates = m_splice.region();
+    m_open.for_each_uncertain_vertex(m_maintained, [&](Index v) { candidates.push_back(v); });
+    make_distinct(candidates);
+    const std::size_t first_new = m_maintained.changes().new_edges.size();
+    const std::size_t merged =
+        m_traffic.merge(candidates, m_budget.left() / Repair_budget_2::relocation);
+    m_report->merged += merged;
+    m_budget.spend(merged * Repair_budget_2::relocation);
+    m_open.open_new_edges(m_maintained, first_new);
+    m_open.reopen(m_maintained, {});
+    if (merged == 0 || m_budget.is_spent())
+      rebuild(Rebuild_reason_2::COINCIDENCE);
+  }
+
+  // REBUILDING ----------------------------------------------------------------------------------
+
+  void rebuild_with_traffic()
+  {
+    std::vector<Index> ids;
+    std::vector<Point> points;
+    m_traffic.for_each_coming([&](Index id, const Point& p) {
+      ids.push_back(id);
+      points.push_back(p);
+    });
+    m_traffic.give_up();
+    if (ids.empty())
+      m_builder.rebuild();
+    else
+      m_builder.build_with({}, std::move(ids), std::move(points));
+  }
+
+  const Maintained& m_maintained;
+  Static_engines_2 m_engines;
+  Editor m_editor;
+  Topology_builder_2<Maintained> m_builder;
+  Traffic m_traffic;
+  Jumper_search_2<Maintained> m_jumpers;
+  Lawson_flips_2 m_lawson;
+  Border_splice_2<Maintained> m_splice;
+  Classification m_classification;
+  Open_edges_2 m_open;
+  Repair_budget_2 m_budget;
+  std::vector<Index> m_around; // edges around a vertex that was put in
+  std::vector<Index> m_padded, m_border;
+  Update_report_2* m_report = nullptr;
+  bool m_has_to_prove = false;
+  bool m_was_certified = false;
+  bool m_is_exact = true;     // whether the classifier is
+  bool m_may_take_out = true; // until a vertex is put in
+  bool m_hull_stays = false;  // see set_movers(); until a splice
+  std::size_t m_movers = 0;
+  Index m_jumper = no_index; // see set_movers()
+  std::size_t m_classified_edges = 0;
+  std::size_t m_changes = 0;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_REPAIR_TOOLS_2_H

@@ -1,0 +1,401 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_UPDATE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_UPDATE_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Circumcircle_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Input_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_filter_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_costs_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_tools_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Dynamic_frame_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Dynamic_mender_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_and_splice_repair_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// An update: everything that one call does to the triangulation, whether all points move or a few,
+// and whether points are inserted or removed. run() shows its phases in their order. Only this
+// class knows whether the triangulation is certified.
+template <class Maintained>
+class Update_2
+{
+  using Point = typename Maintained::Point;
+  using Tools = Repair_tools_2<Maintained>;
+  using Mender = Dynamic_mender_2<Tools>;
+  using Frame = Dynamic_frame_2<Maintained>;
+  using Change = Change_2<Point>;
+
+public:
+  explicit Update_2(Maintained& maintained)
+    : m_maintained(maintained)
+    , m_tools(maintained)
+  {
+  }
+
+  bool is_certified() const { return m_is_certified; }
+  const Repair_experience_2& experience() const { return m_experience; }
+
+  // Makes the empty triangulation a copy of `other`, and takes over the state of `update`.
+  void copy(const Maintained& other, const Update_2& update)
+  {
+    m_tools.builder().copy(other);
+    m_tools.set_engines(update.m_tools.engines());
+    restore(update.m_is_certified, update.m_experience);
+  }
+
+  // To be called after a checkpoint was read.
+  void restore(bool is_certified, const Repair_experience_2& experience)
+  {
+    m_is_certified = is_certified;
+    m_experience = experience;
+  }
+
+  Tools& tools() { return m_tools; }
+  const Tools& tools() const { return m_tools; }
+
+  // A rebuild takes the points that come out of `change`, as memory for both might not be there.
+  // `is_informed`: whether the classifier was told what the last call triangulated anew.
+  // `take_back()` is called if the policy or the classifier throws. It returns whether it undid the
+  // staging.
+  template <class Classifier, class Repair, class Policy, class Take_back>
+  Update_report_2 run(Change& change, Classifier& classifier, Repair& repair, Policy& policy,
+                      bool is_informed, const Take_back& take_back)
+  {
+    try {
+      const Update_report_2 report =
+          run_phases(change, classifier, repair, policy, is_informed, take_back);
+      m_tools.traffic().give_up();
+      return report;
+    } catch (...) {
+      m_tools.traffic().give_up(); // puts all vertices into faces
+      throw;
+    }
+  }
+
+  // To be called at the beginning of a call.
+  void enter() { m_has_removed = false; }
+  // Whether all points to remove in this call, or in the last one, were removed.
+  bool has_removed() const { return m_has_removed; }
+
+  // Whether the triangulation is Delaunay; changes only the certified flag.
+  bool certify()
+  {
+    m_is_certified = m_is_certified || (m_maintained.spans_plane() && parted_duplicates().empty() &&
+                                        Certificate_2<Maintained>(m_maintained).holds());
+    return m_is_certified;
+  }
+
+  // The duplicates that have left their vertices.
+  std::vector<Index> parted_duplicates() const
+  {
+    std::vector<Index> parted;
+    const auto& ids = m_maintained.ids();
+    for (const auto& duplicate : ids.duplicates())
+      if (!are_together(duplicate.point, m_maintained.point(ids.vertex(duplicate.id))))
+        parted.push_back(duplicate.id);
+    return parted;
+  }
+
+private:
+  // PHASES --------------------------------------------------------------------------------------
+
+  template <class Classifier, class Repair, class Policy, class Take_back>
+  Update_report_2 run_phases(Change& change, Classifier& classifier, Repair& repair, Policy& policy,
+                             bool is_informed, const Take_back& take_back)
+  {
+    Update_report_2 report;
+    const bool was_certified = std::exchange(m_is_certified, false);
+    if (change.is_empty() && !m_maintained.spans_plane()) {
+      m_is_certified = was_certified;
+      return report;
+    }
+    Rebuild_reason_2 reason;
+    try {
+      begin(change, is_informed, Classifier::is_exact, report);
+      m_tools.editor().move(change.moved, change.moved_points, change.are_exact);
+      constexpr bool may_sample =
+          Classifier::is_exact && std::is_base_of_v<Flip_and_splice_repair_2, Repair>;
+      reason = reason_to_rebuild(change, policy, may_sample);
+      if (reason == Rebuild_reason_2::NONE)
+        classify(change, classifier, was_certified);
+    } catch (...) {
+      m_is_certified = take_back() && was_certified;
+      throw;
+    }
+    // before points are removed, because a rebuild just leaves them out (exact classifiers only)
+    if (reason == Rebuild_reason_2::NONE && change.has_population() && m_tools.has_to_prove() &&
+        m_tools.is_rebuild_cheaper()) {
+      reason = Rebuild_reason_2::TOO_MUCH_BROKEN;
+      if (change.is_frame)
+        learn(reason);
+    }
+    if (reason != Rebuild_reason_2::NONE) {
+      rebuild(change, reason, report);
+      return report;
+    }
+    if (change.has_population()) {
+      m_tools.remove(change.gone);
+      m_tools.traffic().announce(change.coming, change.coming_points);
+    }
+    m_has_removed = true;
+    mend(change, repair);
+    put_in(report);
+    prove(change, report);
+    return report;
+  }
+
+  void begin(const Change& change, bool is_informed, bool is_exact, Update_report_2& report)
+  {
+    report.inserted = change.coming.size();
+    report.removed = change.gone.size();
+    m_tools.editor().begin_changes(is_informed);
+    m_tools.start(report, is_exact);
+  }
+
+  bool are_together(const Point& p, const Point& q) const
+  {
+    return coincide(m_maintained.traits(), p, q);
+  }
+
+  // TO REBUILD OR NOT ---------------------------------------------------------------------------
+
+  // Why to rebuild, decided before any work that a rebuild would discard.
+  template <class Policy>
+  Rebuild_reason_2 reason_to_rebuild(const Change& change, Policy& policy, bool may_sample)
+  {
+    if (!m_maintained.spans_plane() || leaves_too_few(change))
+      return Rebuild_reason_2::DIMENSION;
+    const std::size_t parted = parted_duplicates().size();
+    if (are_too_many(change.gone.size() + change.coming.size() + parted))
+      return parted > change.gone.size() + change.coming.size() ? Rebuild_reason_2::COINCIDENCE
+                                                                : Rebuild_reason_2::POPULATION;
+    if (change.is_frame && policy.wants_rebuild(Frame(m_maintained)))
+      return Rebuild_reason_2::POLICY;
+    if (change.is_frame && may_sample && is_sample_hopeless()) {
+      m_experience.note_not_tried();
+      return Rebuild_reason_2::TOO_MUCH_BROKEN;
+    }
+    return Rebuild_reason_2::NONE;
+  }
+
+  bool leaves_too_few(const Change& change) const
+  {
+    constexpr std::size_t min_vertices = 3;
+    const auto& ids = m_maintained.ids();
+    const auto representatives =
+        std::size_t(std::count_if(change.gone.begin(), change.gone.end(),
+                                  [&](Index id) { return ids.is_representative(id); }));
+    return m_maintained.number_of_vertices() < min_vertices + representatives;
+  }
+
+  // The cost of each change includes a search through all duplicates.
+  bool are_too_many(std::size_t changes) const
+  {
+    const std::size_t duplicates = m_maintained.ids().duplicates().size();
+    return changes > 0 &&
+           Repair_budget_2::is_rebuild_cheaper(m_maintained.number_of_vertices() + duplicates, 0,
+                                               changes + changes * duplicates / 512);
+  }
+
+  // Samples edges, to avoid a useless classification: many edges if mending was in vain lately, or
+  // if half of the very few edges that are sampled in every frame are broken. Only for the default
+  // repair, because any other repair is called whatever is broken.
+  bool is_sample_hopeless() const
+  {
+    constexpr std::size_t very_few = 8, least = 128, most = 1024;
+    const Frame frame(m_maintained);
+    const std::size_t edges = frame.number_of_edges();
+    const auto is_half_broken = [](const Sample& few) { return 2 * few.broken >= few.size; };
+    const auto is_not_delaunay = [&](Index e) { return !frame.is_delaunay(e); };
+    const auto is_unproved = [&](Index e) {
+      return !frame.is_at_infinity(e) && !frame.proves_delaunay(e);
+    };
+    // the filter alone first, because every frame pays for it
+    if (!m_experience.is_wary() && !(is_half_broken(sample(frame, very_few, is_unproved)) &&
+                                     is_half_broken(sample(frame, very_few, is_not_delaunay))))
+      return false;
+    const std::size_t size = (std::min)((std::max)(edges / 16, least), most);
+    const Sample many = sample(frame, size, is_not_delaunay);
+    // a quarter more than necessary, because a sample may be wrong
+    return m_experience.is_hopeless(many.size, many.broken) ||
+           Repair_budget_2::is_rebuild_cheaper(frame.number_of_vertices(),
+                                               edges * many.broken / many.size * 4 / 5);
+  }
+
+  struct Sample
+  {
+    std::size_t size, broken;
+  };
+
+  // Samples about `size` edges, or all.
+  template <class Is_broken>
+  static Sample sample(const Frame& frame, std::size_t size, const Is_broken& is_broken)
+  {
+    const std::size_t edges = frame.number_of_edges();
+    const std::size_t stride = 1 + edges / size;
+    Sample taken{0, 0};
+    for (std::size_t e = 0; e < edges; e += stride, ++taken.size)
+      taken.broken += is_broken(Index(e));
+    return taken;
+  }
+
+  void rebuild(Change& change, Rebuild_reason_2 reason, Update_report_2& report)
+  {
+    const bool spanned_plane = m_maintained.spans_plane();
+    if (change.gone.empty() && change.coming.empty()) {
+      m_tools.rebuild(reason);
+    } else {
+      m_tools.builder().build_with(change.gone, std::move(change.coming),
+                                   std::move(change.coming_points));
+      report.rebuild_reason =
+          spanned_plane && m_maintained.spans_plane() ? reason : Rebuild_reason_2::DIMENSION;
+    }
+    m_has_removed = true;
+    m_is_certified = true;
+  }
+
+  // CLASSIFICATION ------------------------------------------------------------------------------
+
+  // The user's classifier is called for whole frames only. Otherwise exact predicates decide: at
+  // all edges if these are uncertified and a proof is required, otherwise around the moved points.
+  template <class Classifier>
+  void classify(const Change& change, Classifier& classifier, bool was_certified)
+  {
+    const std::size_t changes = change.gone.size() + change.coming.size();
+    if (change.is_frame) {
+      classifier(Frame(m_maintained), m_tools.classification());
+      m_tools.take_classification(Classifier::is_exact, was_certified, changes);
+    } else if (change.is_mending || (Classifier::is_exact && !was_certified)) {
+      Circumcircle_classifier_2()(Frame(m_maintained), m_tools.classification());
+      m_tools.take_classification(true, was_certified, changes);
+    } else {
+      const Index jumper = was_certified ? find_jumper(change.moved) : no_index;
+      if (jumper == no_index)
+        classify_around(change.moved);
+      else
+        m_tools.classification().add_vertex(jumper);
+      m_tools.take_classification(was_certified, was_certified, changes);
+      m_tools.set_movers(change.moved.size(), was_certified && !is_any_on_hull(change.moved),
+                         jumper);
+    }
+  }
+
+  // Classifies the edges that see one of these points and are not Delaunay.
+  void classify_around(const std::vector<Index>& ids)
+  {
+    const Frame frame(m_maintained);
+    m_edges_around.clear();
+    for (const Index id : ids)
+      frame.for_each_edge_that_sees(frame.vertex(id),
+                                    [&](Index e) { m_edges_around.push_back(e); });
+    if (ids.size() > 1)
+      make_distinct(m_edges_around);
+    m_tools.classification().add_unless_delaunay(frame, m_edges_around);
+  }
+
+  // The vertex of the only point that has moved, if it has jumped. Its edges need no look.
+  Index find_jumper(const std::vector<Index>& ids) const
+  {
+    if (ids.size() != 1)
+      return no_index;
+    const Index v = m_maintained.ids().vertex(ids.front());
+    return m_tools.has_jumped_alone(v) ? v : no_index;
+  }
+
+  bool is_any_on_hull(const std::vector<Index>& ids) const
+  {
+    const auto is_on_hull = [&](Index id) {
+      bool sees_infinity = false;
+      m_maintained.arrays().for_each_neighbor(
+          m_maintained.ids().vertex(id), [&](Index w) { sees_infinity |= w == infinite_index; });
+      return sees_infinity;
+    };
+    return std::any_of(ids.begin(), ids.end(), is_on_hull);
+  }
+
+  // MENDING -------------------------------------------------------------------------------------
+
+  template <class Repair>
+  void mend(const Change& change, Repair& repair)
+  {
+    Mender mender(m_tools);
+    const bool is_nothing_open = m_tools.open_edges().empty();
+    if (!change.is_frame && is_nothing_open)
+      m_tools.limit_cost(); // of putting in
+    else if (!change.is_frame)
+      Flip_and_splice_repair_2()(mender);
+    else if (!is_nothing_open || !m_tools.classification().empty())
+      repair(mender);
+  }
+
+  // Puts in vertices outside of faces, new points and parted duplicates, and mends around them.
+  void put_in(Update_report_2& report)
+  {
+    if (report.rebuilt() || (m_tools.has_to_prove() && !m_tools.open_edges().empty()))
+      return;
+    const std::vector<Index> parted = parted_duplicates();
+    const bool has_left_open = m_tools.traffic().is_under_way() && !m_tools.open_edges().empty();
+    if (!parted.empty() || m_tools.traffic().number_to_put_in() > 0 || has_left_open) {
+      m_tools.put_in(parted);
+      Mender mender(m_tools);
+      if (!mender.is_done())
+        Flip_and_splice_repair_2().mend(mender);
+    }
+  }
+
+  // Rebuilds if a proof is required and was not completed.
+  void prove(const Change& change, Update_report_2& report)
+  {
+    const bool has_to = m_tools.has_to_prove();
+    if (has_to && !report.rebuilt() && !m_tools.is_proved())
+      m_tools.rebuild(Rebuild_reason_2::STUCK);
+    if (!report.rebuilt())
+      m_tools.finish();
+    m_tools.editor().end_changes();
+    m_is_certified = has_to || report.rebuilt();
+    if (change.is_frame)
+      learn(report.rebuild_reason);
+  }
+
+  void learn(Rebuild_reason_2 reason)
+  {
+    const std::size_t open = m_tools.number_of_classified_edges(),
+                      edges = m_tools.number_of_edges();
+    if (reason == Rebuild_reason_2::TOO_MUCH_BROKEN || reason == Rebuild_reason_2::BUDGET_SPENT ||
+        reason == Rebuild_reason_2::STUCK || m_tools.has_cost_a_rebuild())
+      m_experience.note_in_vain(open, edges);
+    else if (reason == Rebuild_reason_2::NONE)
+      m_experience.note_mended(open, edges);
+  }
+
+  const Maintained& m_maintained;
+  Tools m_tools;
+  std::vector<Index> m_edges_around; // points that moved alone
+  bool m_is_certified = true;
+  bool m_has_removed = true;
+  Repair_experience_2 m_experience; // learned from whole frames
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_UPDATE_2_H

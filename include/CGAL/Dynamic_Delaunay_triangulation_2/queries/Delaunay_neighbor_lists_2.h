@@ -1,0 +1,209 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_QUERIES_DELAUNAY_NEIGHBOR_LISTS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_QUERIES_DELAUNAY_NEIGHBOR_LISTS_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Vertex_geometry_2.h>
+#include <CGAL/Iterator_range.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Ref
+
+Neighbor lists of all points, as two plain arrays (compressed sparse rows): `neighbors()` holds the
+neighbors of all points, one list after the other, and `offsets()` tells where each list begins. A
+loop over all neighbors touches no triangulation, and the arrays can be passed to other programs as
+they are.
+
+- The list of a point holds the other ends of its finite edges, counterclockwise around it,
+  beginning anywhere.
+- Points that coincide share the vertex of the one that was there first, the *representative*; the
+  others are its *duplicates*. The list of a duplicate holds only its representative. The list of a
+  representative ends with its duplicates, smaller ids first.
+- The list of a removed id is empty.
+
+So the lists are symmetric, and there are at most six times as many entries as points. Their ids are
+those of the triangulation. For a `Dynamic_population_2`, `population.id(user_id)` and
+`population.user_id(id)` convert between these and the user's ids.
+
+The triangulation need not be certified: the lists follow its current edges.
+
+An object keeps its memory. `compute()` allocates nothing if the triangulation had as many ids,
+vertices and duplicates before.
+
+\cgalExample{Dynamic_Delaunay_triangulation_2/neighbors_in_a_flock.cpp}
+
+\sa `Delaunay_point_queries_2`
+*/
+class Delaunay_neighbor_lists_2
+{
+public:
+  /// \name Types
+  /// @{
+
+  /// an id in the arrays: 32 bits, as inside the triangulation.
+  using Id = std::uint32_t;
+  /// the type of ids and counts.
+  using size_type = std::size_t;
+  /// the list of one point.
+  using Neighbors = Iterator_range<std::vector<Id>::const_iterator>;
+
+  /// @}
+  /// \name Computation
+  /// @{
+
+  /// replaces the lists by those of a triangulation.
+  ///
+  /// Cost: linear, one pass over the edges and one walk around every vertex; with g duplicates,
+  /// O(g log g) more. If memory runs out, there are no lists.
+  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`.
+  /// \post `number_of_ids() == dt.number_of_ids()`
+  template <class Dynamic>
+  void compute(const Dynamic& dt)
+  {
+    provide(dt);
+    const auto frame = dt.frame();
+    note_duplicates(frame);
+    find_offsets(dt);
+    m_neighbors.resize(m_offsets.back());
+    write_neighbors(dt);
+    write_duplicates();
+  }
+
+  /// @}
+  /// \name Access
+  /// @{
+
+  /// one more than the largest id ever in use.
+  size_type number_of_ids() const { return m_offsets.size() - 1; }
+
+  /// where the list of each id begins in `neighbors()`, and where the last list ends:
+  /// `number_of_ids() + 1` numbers.
+  const std::vector<size_type>& offsets() const { return m_offsets; }
+
+  /// all lists. The list of `id` is from `offsets()[id]` to before `offsets()[id + 1]`.
+  const std::vector<Id>& neighbors() const { return m_neighbors; }
+
+  /// the list of a point. It is valid until the next `compute()`. \pre `id < number_of_ids()`
+  Neighbors neighbors(size_type id) const
+  {
+    CGAL_precondition(id < number_of_ids());
+    const auto place = [&](size_type i) {
+      return m_neighbors.begin() + std::vector<Id>::difference_type(m_offsets[i]);
+    };
+    return Neighbors(place(id), place(id + 1));
+  }
+
+  /// the number of neighbors of a point. \pre `id < number_of_ids()`
+  size_type degree(size_type id) const
+  {
+    CGAL_precondition(id < number_of_ids());
+    return m_offsets[id + 1] - m_offsets[id];
+  }
+
+  /// @}
+
+private:
+  struct Duplicate
+  {
+    Id representative, id;
+  };
+
+  // Reserves memory for all that will be appended: a triangulation with n vertices has fewer than
+  // 3n edges, however many of them are on its hull.
+  template <class Dynamic>
+  void provide(const Dynamic& dt)
+  {
+    m_offsets.resize(1);
+    m_neighbors.clear();
+    m_duplicates.clear();
+    const size_type vertices = dt.number_of_vertices();
+    const size_type duplicates = dt.number_of_points() - vertices;
+    provide(m_neighbors, 6 * vertices + 2 * duplicates);
+    provide(m_duplicates, duplicates);
+    provide(m_offsets, dt.number_of_ids() + 1);
+  }
+
+  // Reserves slightly more than needed, so that a steadily growing population seldom allocates.
+  template <class T>
+  static void provide(std::vector<T>& data, size_type size)
+  {
+    if (data.capacity() < size)
+      data.reserve(size + size / 8);
+  }
+
+  // Sorts the duplicates by their representatives, then by their ids.
+  template <class Frame>
+  void note_duplicates(const Frame& frame)
+  {
+    frame.for_each_duplicate([&](Id id) {
+      m_duplicates.push_back({frame.id(frame.vertex(id)), id});
+    });
+    std::sort(m_duplicates.begin(), m_duplicates.end(), [](const Duplicate& g, const Duplicate& h) {
+      return g.representative != h.representative ? g.representative < h.representative
+                                                  : g.id < h.id;
+    });
+  }
+
+  template <class Dynamic>
+  void find_offsets(const Dynamic& dt)
+  {
+    m_offsets.resize(dt.number_of_ids() + 1, 0);
+    const auto count = [&](size_type i, size_type j) {
+      ++m_offsets[i + 1];
+      ++m_offsets[j + 1];
+    };
+    dt.for_each_edge(count);
+    for (const Duplicate& duplicate : m_duplicates)
+      count(duplicate.representative, duplicate.id);
+    std::partial_sum(m_offsets.begin(), m_offsets.end(), m_offsets.begin());
+  }
+
+  // In the order of the vertices, since close vertices are close in memory, too; ids may be
+  // anywhere.
+  template <class Dynamic>
+  void write_neighbors(const Dynamic& dt)
+  {
+    const auto frame = dt.frame();
+    const Dynamic_Delaunay_triangulations_2::internal::Finite_neighbors_2<Dynamic> around(dt);
+    Dynamic::Frame::Parts::for_each(
+        frame.number_of_vertices(), [&](size_type, size_type first, size_type beyond) {
+          for (Id v = Id(first) + 1; v <= beyond; ++v) {
+            size_type place = m_offsets[frame.id(v)];
+            around.for_each(v, [&](Id w) { m_neighbors[place++] = frame.id(w); });
+          }
+        });
+  }
+
+  void write_duplicates()
+  {
+    size_type place = 0;
+    for (auto duplicate = m_duplicates.rbegin(); duplicate != m_duplicates.rend(); ++duplicate) {
+      if (duplicate == m_duplicates.rbegin() ||
+          duplicate->representative != std::prev(duplicate)->representative)
+        place = m_offsets[duplicate->representative + size_type(1)];
+      m_neighbors[--place] = duplicate->id;
+      m_neighbors[m_offsets[duplicate->id]] = duplicate->representative;
+    }
+  }
+
+  std::vector<size_type> m_offsets = {0};
+  std::vector<Id> m_neighbors;
+  std::vector<Duplicate> m_duplicates;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_QUERIES_DELAUNAY_NEIGHBOR_LISTS_2_H

@@ -1,0 +1,358 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_QUERIES_DYNAMIC_FRAME_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_QUERIES_DYNAMIC_FRAME_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Ref
+
+What a classifier sees: the points, edges and faces of the maintained triangulation as flat arrays,
+with the positions of the current frame and the topology of the last one. It is a view: it copies
+nothing, and is valid until the next update.
+
+It is the same for the plane and for periodic space. There is no infinite vertex in periodic space,
+and the corners of edges and faces are images of points: so take the lengths and directions of edges
+from `edge_vector()`, `corners()` and `face_corners()`, not from `position()`. Vertices that jump
+are outside of all faces while an exact classifier is asked there. They have no edges then; the
+numbers of their former edges and faces are those of edges and faces at the infinite vertex, which
+need no repair.
+
+Vertices are numbered from 1 to `number_of_vertices()`, in a spatial order; 0 is the infinite
+vertex. Edges and faces are numbered from 0. A rebuild may change all of these numbers, and an
+insertion or a removal a few of them; the ids of points never change. A frame has edges and faces
+only while the points span the plane; otherwise no classifier is asked.
+
+\tparam Maintained an internal type.
+*/
+template <class Maintained>
+class Dynamic_frame_2
+{
+public:
+  /// the type of all numbers: an unsigned integer of 32 bits.
+  using Index = Dynamic_Delaunay_triangulations_2::Index;
+  /// two doubles, `x` and `y`. If the kernel's coordinates are not doubles, these are the nearest
+  /// ones.
+  using Position = Dynamic_Delaunay_triangulations_2::Position_2;
+  /// four vertices, `source`, `target`, `left` and `right`: the ends of an edge, and the vertices
+  /// opposite to it in its two faces.
+  using Edge = Dynamic_Delaunay_triangulations_2::Edge_2;
+  /// four positions, `left`, `source`, `target` and `right`: those of the vertices of an edge.
+  using Corners = Dynamic_Delaunay_triangulations_2::Edge_corners_2;
+
+  /// \cond
+  explicit Dynamic_frame_2(const Maintained& maintained)
+    : m_maintained(&maintained)
+  {
+  }
+  /// \endcond
+
+  /// \name Sizes
+  /// @{
+
+  /// the number of points.
+  Index number_of_points() const { return m_maintained->ids().number_of_points(); }
+  /// one more than the largest id ever in use.
+  Index number_of_ids() const { return m_maintained->ids().number_of_ids(); }
+  /// the number of finite vertices: less than the number of points if points coincide.
+  Index number_of_vertices() const { return m_maintained->number_of_vertices(); }
+  /// the number of edges, including those to the infinite vertex.
+  Index number_of_edges() const { return m_maintained->arrays().number_of_edges(); }
+  /// the number of faces, including the infinite ones.
+  Index number_of_faces() const { return m_maintained->arrays().number_of_faces(); }
+
+  /// @}
+  /// \name Points
+  /// @{
+
+  /// whether a point has the id `id`.
+  bool has_id(std::size_t id) const { return m_maintained->ids().is_taken(id); }
+  /// the vertex of the point `id`. \pre `has_id(id)`
+  Index vertex(std::size_t id) const { return m_maintained->ids().vertex(Index(id)); }
+  /// the id of the point at the finite vertex `v`. If several points share it: the id of their
+  /// representative, which was there first.
+  Index id(Index v) const { return m_maintained->ids().representative(v); }
+  /// calls `f(i)` for the id `i` of every duplicate, that is, every point that shares the vertex of
+  /// a representative, smaller ids first. Cost: proportional to their number.
+  template <class Function>
+  void for_each_duplicate(Function&& f) const
+  {
+    for (const auto& duplicate : m_maintained->ids().duplicates())
+      f(duplicate.id);
+  }
+  /// whether `v` is the infinite vertex.
+  static bool is_infinite(Index v)
+  {
+    return v == Dynamic_Delaunay_triangulations_2::internal::infinite_index;
+  }
+  /// the position of vertex `v`; NaNs for the infinite vertex.
+  const Position& position(Index v) const { return m_maintained->positions()[v]; }
+  /// the positions of all vertices, indexed by their numbers.
+  const std::vector<Position>& positions() const { return m_maintained->positions(); }
+  /// the position of vertex `v` one frame ago. Valid only while classifying.
+  Position previous_position(Index v) const { return m_maintained->previous_position(v); }
+  /// whether all positions equal the coordinates of the points, with none of them rounded.
+  bool positions_are_exact() const { return m_maintained->positions_are_exact(); }
+
+  /// @}
+  /// \name Edges and Faces
+  /// @{
+
+  /// edge `e` with its two opposite vertices.
+  decltype(auto) edge(Index e) const { return m_maintained->edge(e); }
+  /// all edges, indexed by their numbers. Not in periodic space.
+  const std::vector<Edge>& edges() const
+  {
+    static_assert(!Maintained::is_periodic, "periodic space has no array of edges: use edge()");
+    return m_maintained->arrays().edges();
+  }
+  /// whether one end of `edge` is the infinite vertex.
+  static bool is_infinite(const Edge& edge)
+  {
+    return is_infinite(edge.source) || is_infinite(edge.target);
+  }
+  /// the three vertices of face `f`. They were counterclockwise when the face was made.
+  std::array<Index, 3> face(Index f) const { return m_maintained->face(f); }
+
+  /// the two faces at edge `e`: first the one with the vertex `left` of `edge(e)`, then the one
+  /// with `right`.
+  std::array<Index, 2> faces_at(Index e) const
+  {
+    const auto& arrays = m_maintained->arrays();
+    if (arrays.is_empty_edge(e))
+      return {0, 0};
+    const Index h = arrays.halfedge(e);
+    const Index f = arrays.face_of(h), g = arrays.face_of(arrays.twin(h));
+    return m_maintained->is_along(e, h) ? std::array<Index, 2>{f, g} : std::array<Index, 2>{g, f};
+  }
+
+  /// calls `f(w)` for every neighbor `w` of vertex `v`, including the infinite vertex.
+  template <class Function>
+  void for_each_neighbor(Index v, Function&& f) const
+  {
+    if (!m_maintained->arrays().is_outside(v))
+      m_maintained->arrays().for_each_neighbor(v, f);
+  }
+  /// calls `f(s)` for the four other edges `s` of the two faces at edge `e`.
+  template <class Function>
+  void for_each_side(Index e, Function&& f) const
+  {
+    if (!m_maintained->arrays().is_empty_edge(e))
+      m_maintained->arrays().for_each_side(e, f);
+  }
+  /// calls `f(e)` for every edge `e` at vertex `v`.
+  template <class Function>
+  void for_each_incident_edge(Index v, Function&& f) const
+  {
+    const auto& arrays = m_maintained->arrays();
+    if (!arrays.is_outside(v))
+      arrays.for_each_corner(v, [&](Index h) { f(arrays.edge_of(arrays.previous(h))); });
+  }
+
+  /// calls `f(e)` for every edge `e` whose test depends on the position of vertex `v`: the edges
+  /// that end at `v`, and those to which `v` is opposite.
+  template <class Function>
+  void for_each_edge_that_sees(Index v, Function&& f) const
+  {
+    const auto& arrays = m_maintained->arrays();
+    if (!arrays.is_outside(v))
+      arrays.for_each_corner(v, [&](Index h) {
+        f(arrays.edge_of(h));
+        f(arrays.edge_of(arrays.previous(h)));
+      });
+  }
+
+  /// how often the cell of periodic space has changed; 0 in the plane. What was proved for
+  /// positions in an earlier cell does not hold in this one.
+  std::size_t number_of_cell_changes() const { return m_maintained->number_of_cell_changes(); }
+
+  /// @}
+  /// \name Testing Edges
+  /// @{
+
+  /// the positions of the four vertices of edge `e`, as seen from the edge; NaNs for an infinite
+  /// vertex.
+  Corners corners(Index e) const { return m_maintained->corners(e); }
+  /// the same, but with the given positions, indexed by vertex numbers.
+  Corners corners(Index e, const std::vector<Position>& positions) const
+  {
+    return m_maintained->corners(e, positions);
+  }
+
+  /// whether `corners(e)` equal the coordinates of the points, or of their images, with none of
+  /// them rounded.
+  bool corners_are_exact(Index e) const { return m_maintained->corners_are_exact(e); }
+
+  /// the vector from the source of edge `e` to its target; NaNs if one of them is infinite.
+  Position edge_vector(Index e) const { return m_maintained->edge_vector(e); }
+  /// the positions of the three vertices of face `f`, as seen from the face; NaNs for an infinite
+  /// vertex.
+  std::array<Position, 3> face_corners(Index f) const { return m_maintained->face_corners(f); }
+
+  /// whether one of the four vertices of edge `e` is the infinite one; in a slab, whether they are
+  /// on both sides of the gap beside it.
+  bool is_at_infinity(Index e) const { return m_maintained->is_at_infinity(e); }
+  /// for an edge at infinity: whether its finite face is not counterclockwise, or the hull turns
+  /// right at the edge's end, as computed in floating point. False for all other edges.
+  bool breaks_hull(Index e) const { return m_maintained->breaks_hull(e); }
+
+  /// whether edge `e` needs no repair: it is locally Delaunay, its faces are counterclockwise, and
+  /// the hull is convex there. Decided exactly.
+  bool is_delaunay(Index e) const
+  {
+    return edge_state(e) == Dynamic_Delaunay_triangulations_2::Edge_state_2::DELAUNAY;
+  }
+  /// what is wrong with edge `e`, if anything. Decided exactly, except that a twisted edge may be
+  /// reported as crossed.
+  Dynamic_Delaunay_triangulations_2::Edge_state_2 edge_state(Index e) const
+  {
+    return Edge_test(*m_maintained).rough_state(e);
+  }
+
+  /// true only if edge `e` is Delaunay and not at infinity. Decided in floating point with proved
+  /// bounds alone: false if these do not suffice, or if positions are rounded.
+  bool proves_delaunay(Index e) const { return Edge_test(*m_maintained).proves_delaunay(e); }
+
+  /// appends to `unproved` all edges from `first` to before `beyond` that are not Delaunay, and a
+  /// few others: those for which `proves_delaunay()` is false. An exact classifier tests all edges
+  /// this way, and lets `Dynamic_classification_2::add_unless_delaunay()` decide about the appended
+  /// ones. Cost: one pass, four edges at once if the processor has AVX2.
+  /// \pre `first <= beyond`, and `beyond <= number_of_edges()`
+  void append_unproved(Index first, Index beyond, std::vector<Index>& unproved) const
+  {
+    Edge_test(*m_maintained).append_unproved(first, beyond, unproved);
+  }
+  /// the same, but tests the edges in a list.
+  void append_unproved(const std::vector<Index>& edges, std::vector<Index>& unproved) const
+  {
+    Edge_test(*m_maintained).append_unproved(edges, unproved);
+  }
+
+  /// whether the hull turns around once, given that it is convex at each of its vertices. Otherwise
+  /// a triangulation could overlap itself although all its edges are Delaunay. Cost: a walk around
+  /// the hull. In periodic space there is none to walk around: true.
+  bool hull_turns_once() const
+  {
+    if constexpr (Maintained::is_periodic)
+      return true;
+    else
+      return Dynamic_Delaunay_triangulations_2::internal::Certificate_2<Maintained>(*m_maintained)
+          .hull_turns_once();
+  }
+
+  /// @}
+  /// \name What the last update triangulated anew
+  /// @{
+
+  /// whether everything was triangulated anew: at the start, after a rebuild, and after CGAL's
+  /// relocations.
+  bool everything_is_new() const { return m_maintained->changes().everything_is_new; }
+  /// if not everything is new: the edges in the regions that were triangulated anew. After an
+  /// update each of them is listed once.
+  const std::vector<Index>& new_edges() const { return m_maintained->changes().new_edges; }
+  /// the vertices that jumped and were moved to other faces, if not everything is new and no
+  /// numbers changed. All their edges are among `new_edges()`. In periodic space also the vertices
+  /// of points that are given by another image than before, as where they were wrapped: their edges
+  /// need not be new, and a classifier is told of them already while it classifies. References of
+  /// their positions have to be taken anew.
+  const std::vector<Index>& relocated_vertices() const { return m_maintained->changes().relocated; }
+  /// whether vertices were inserted or removed while not everything is new. Then some vertices,
+  /// edges and faces have taken the numbers of removed ones.
+  bool has_other_numbers() const
+  {
+    return !everything_is_new() && !m_maintained->changes().renumberings.are_none();
+  }
+  /// updates per-vertex data, indexed by vertex numbers from 0 on, after vertices were inserted or
+  /// removed, if not everything is new. Moves the data of vertices whose numbers changed, and
+  /// appends `make(v)` for every inserted vertex `v`. Cost: proportional to the number of those.
+  template <class T, class Make>
+  void follow_vertices(std::vector<T>& data, const Make& make) const
+  {
+    m_maintained->changes().renumberings.vertices.follow(
+        data, number_of_vertices() + std::size_t(1), make);
+  }
+  /// the same, but for per-edge data, with `T()` for new edges; all of them are among
+  /// `new_edges()`.
+  template <class T>
+  void follow_edges(std::vector<T>& data) const
+  {
+    m_maintained->changes().renumberings.edges.follow(data, number_of_edges(),
+                                                      [](Index) { return T(); });
+  }
+  /// the same, but for per-face data; `for_each_changed_face()` visits all new faces.
+  template <class T>
+  void follow_faces(std::vector<T>& data) const
+  {
+    m_maintained->changes().renumberings.faces.follow(data, number_of_faces(),
+                                                      [](Index) { return T(); });
+  }
+  /// whether anything was triangulated anew. While classifying, this is true only if an exception
+  /// ended the last update before the classifier was told.
+  bool has_changes() const
+  {
+    return everything_is_new() || !new_edges().empty() || has_other_numbers();
+  }
+
+  /// calls `f(e)` for every edge `e` that was triangulated anew or whose opposite vertices may have
+  /// changed by that; for some of them more than once. Every changed face has a new edge, so these
+  /// are the new edges and the other edges of their faces.
+  template <class Function>
+  void for_each_changed_edge(Function&& f) const
+  {
+    if (everything_is_new()) {
+      for (Index e = 0; e < number_of_edges(); ++e)
+        f(e);
+      return;
+    }
+    for (const Index e : new_edges()) {
+      f(e);
+      for_each_side(e, f);
+    }
+  }
+
+  /// calls `f(g)` for every face `g` that may have changed by that, for some of them more than
+  /// once.
+  template <class Function>
+  void for_each_changed_face(Function&& f) const
+  {
+    if (everything_is_new()) {
+      for (Index g = 0; g < number_of_faces(); ++g)
+        f(g);
+      return;
+    }
+    for (const Index e : new_edges())
+      for (const Index g : faces_at(e))
+        f(g);
+  }
+
+  /// @}
+
+  /// \cond
+  // The proofs of tolerances for edges.
+  using Slacks = typename Maintained::Slacks;
+  // How passes are divided among threads.
+  using Parts = typename Maintained::Parts;
+  const Maintained& maintained() const { return *m_maintained; }
+  /// \endcond
+
+private:
+  using Edge_test = typename Maintained::Edge_test;
+
+  const Maintained* m_maintained;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_QUERIES_DYNAMIC_FRAME_2_H

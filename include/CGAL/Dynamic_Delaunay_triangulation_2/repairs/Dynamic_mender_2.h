@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_REPAIRS_DYNAMIC_MENDER_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_REPAIRS_DYNAMIC_MENDER_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Dynamic_classification_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
+
+#include <cstddef>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Ref
+
+The tools of a repair, which calls them in any order. A mender knows what was classified and which
+edges are *open*, that is, not yet proved Delaunay. Each tool works on the open edges, and leaves
+open what it could not prove. The edges that are open at the start are those that the classifier
+named, and all edges of the vertices that it named. If the same update removes points, the edges
+that this changed are open, too. Points are inserted after the repair.
+
+The total cost of all tools in an update is limited. When the limit is reached, the next tool
+rebuilds the triangulation, for the reason `Rebuild_reason_2::BUDGET_SPENT`. After a rebuild no edge
+is open, and tools do nothing.
+
+In periodic space a splice works otherwise. `splice_classified()` flips the edges around the
+classified and padded vertices. The other two, and `relocate()`, take the vertices of a region out,
+and insert them anew after the repair. With a heuristic classifier they examine all edges before,
+since points can be inserted only where all is proved. Vertices that jump are taken out before the
+classifier is asked, so `take_out_jumpers()` and `take_out_farthest()` do nothing.
+
+\tparam Repair_tools an internal type.
+*/
+template <class Repair_tools>
+class Dynamic_mender_2
+{
+public:
+  /// the type of all numbers, as in `Dynamic_frame_2`.
+  using Index = Dynamic_Delaunay_triangulations_2::Index;
+
+  /// \cond
+  explicit Dynamic_mender_2(Repair_tools& tools)
+    : m_tools(tools)
+  {
+  }
+  /// \endcond
+
+  /// \name Remaining Work
+  /// @{
+
+  /// what the classifier picked.
+  const typename Repair_tools::Classification& classification() const
+  {
+    return static_cast<const Repair_tools&>(m_tools).classification();
+  }
+  /// whether the update has to end with a proof, that is, the classifier is exact. If so, and if
+  /// the repair leaves edges open, the triangulation is rebuilt after the repair.
+  bool has_to_prove() const { return m_tools.has_to_prove(); }
+  /// the number of open edges.
+  std::size_t number_of_open_edges() const { return m_tools.number_of_open_edges(); }
+  /// whether any open edge may have inverted faces, that is, its faces are not known to be
+  /// counterclockwise.
+  bool has_inverted_edges() const { return m_tools.has_inverted_edges(); }
+  /// the number of all edges.
+  std::size_t number_of_edges() const { return m_tools.number_of_edges(); }
+  /// whether no work is left: no edge is open, or the triangulation was rebuilt.
+  bool is_done() const { return number_of_open_edges() == 0 || m_tools.has_rebuilt(); }
+  /// whether a rebuild is expected to cost less than mending all that was classified.
+  bool is_rebuild_cheaper() const { return m_tools.is_rebuild_cheaper(); }
+
+  /// @}
+  /// \name Tools
+  /// @{
+
+  /// limits what the tools may spend from now on: the expected cost of mending the open edges and a
+  /// quarter more, plus an eighth of the cost of a rebuild. Without this call the limit is the cost
+  /// of two rebuilds.
+  void limit_cost() { m_tools.limit_cost(); }
+
+  /// takes a vertex out of its faces if it is at an open edge that may have inverted faces, and
+  /// went farther than its neighborhood reaches. After the repair these vertices are inserted again
+  /// at their new positions. Cost: proportional to their number; rebuilds if they are so many that
+  /// this costs less. Does nothing if the classifier is heuristic, or if fewer than three vertices
+  /// would stay.
+  void take_out_jumpers() { m_tools.take_out_jumpers(); }
+
+  /// the same, but for what flips have left: for each open edge that may have inverted faces, takes
+  /// out the one of its four vertices that went farthest relative to the others.
+  void take_out_farthest() { m_tools.take_out_farthest(); }
+
+  /// flips edges (Lawson), starting at the open ones, until no flippable edge violates the
+  /// in-circle condition. Expected cost: proportional to the number of flips. Edges that it cannot
+  /// repair stay open: flips can get stuck at inverted faces.
+  void flip() { m_tools.flip(); }
+
+  /// the same, but works only on open edges that may have inverted faces, and on the edges around
+  /// them; the others stay open. If none of the former is left, the faces tile the convex hull.
+  /// Later flips are then cheaper: they cannot double an edge, so this is not tested.
+  void flip_inverted() { m_tools.flip_inverted(); }
+
+  /// splices around the classified vertices with `padding` layers. With a heuristic classifier all
+  /// edges count as closed afterwards, whether they were tested or not. Rebuilds if a region holds
+  /// more than half of the vertices, also after it was enlarged. With a heuristic classifier it
+  /// also rebuilds if points in a region coincide; with an exact one they become one vertex, and
+  /// the edges that this changes are open. It rebuilds as well if fewer than three vertices would
+  /// stay.
+  void splice_classified(unsigned padding) { m_tools.splice_classified(padding); }
+
+  /// splices around the vertices of the open edges with `padding` layers. Edges that it could not
+  /// prove stay open, also around a region that would have to be enlarged too often. Rebuilds in
+  /// the same cases as `splice_classified()`.
+  void splice_open(unsigned padding) { m_tools.splice_open(padding); }
+
+  /// the same, but only around open edges that may have inverted faces.
+  void splice_inverted(unsigned padding) { m_tools.splice_inverted(padding); }
+
+  /// lets CGAL's `move_if_no_collision()` move one vertex after the other from its position one
+  /// frame ago to the current one, in a copy, and takes over the result. Rebuilds if the
+  /// triangulation was not certified a frame ago, if it was rebuilt since, if points coincide, or
+  /// if the same update inserts or removes points.
+  void relocate() { m_tools.relocate(); }
+
+  /// triangulates everything anew, in the order of the last triangulation, and closes all edges.
+  /// This may renumber the vertices, so it empties the sets of classified, padded and border
+  /// vertices.
+  void rebuild(Rebuild_reason_2 reason) { m_tools.rebuild(reason); }
+
+  /// @}
+
+private:
+  Repair_tools& m_tools;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_REPAIRS_DYNAMIC_MENDER_2_H

@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_REPAIRS_FLIP_AND_SPLICE_REPAIR_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_REPAIRS_FLIP_AND_SPLICE_REPAIR_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
+
+#include <cstddef>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Repairs
+
+The default for exact classifiers. If so much is classified that mending would cost more than a
+rebuild, it rebuilds at once. Otherwise it takes out the vertices that went far, flips edges, and
+splices around what flips cannot repair. If edges are still open after that, or if this has cost
+more than it should, it rebuilds. So no edge stays open, not even with a heuristic classifier.
+
+\cgalModels{DelaunayRepair_2}
+*/
+class Flip_and_splice_repair_2
+{
+public:
+  /// \param padding the number of padding layers of the second splice, which follows if the first
+  ///   one, without padding, leaves edges open. Each further splice has one more layer.
+  explicit Flip_and_splice_repair_2(unsigned padding = 1)
+    : m_padding(padding)
+  {
+  }
+
+  /// the number of layers.
+  unsigned padding() const { return m_padding; }
+
+  /// repairs.
+  template <class Mender>
+  void operator()(Mender& mender) const
+  {
+    if (mender.is_rebuild_cheaper())
+      return mender.rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
+    mender.limit_cost();
+    mender.take_out_jumpers();
+    mend(mender);
+  }
+
+  /// flips and splices, however much is classified; rebuilds if edges are open in the end.
+  template <class Mender>
+  void mend(Mender& mender) const
+  {
+    constexpr unsigned rounds = 6;
+    mender.flip_inverted();
+    for (unsigned round = 0; round < rounds && mender.has_inverted_edges(); ++round) {
+      mender.splice_inverted(layers(round));
+      mender.flip_inverted();
+      if (round == 0 && mender.has_inverted_edges()) {
+        mender.take_out_farthest();
+        mender.flip_inverted();
+      }
+    }
+    mender.flip();
+    for (unsigned round = 0; round < rounds && !mender.is_done(); ++round) {
+      mender.splice_open(layers(round));
+      if (!mender.is_done())
+        mender.flip();
+    }
+    if (!mender.is_done())
+      mender.rebuild(Rebuild_reason_2::STUCK);
+  }
+
+private:
+  unsigned layers(unsigned round) const { return round == 0 ? 0 : m_padding + round - 1; }
+
+  unsigned m_padding;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_REPAIRS_FLIP_AND_SPLICE_REPAIR_2_H

@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VISITORS_PERIODIC_EDGE_CHANGES_VISITOR_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VISITORS_PERIODIC_EDGE_CHANGES_VISITOR_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_balance_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Periodic_update_visitor_base_2.h>
+#include <CGAL/Periodic_cell_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Periodic
+
+Lists the edges that were created and removed since `clear()` was last called, or since the visitor
+was constructed. An edge that was removed and created again in between is in neither list. In a
+tissue or a foam these are the neighbor exchanges (T1 events): one removed and one created edge for
+each.
+
+All shifts are those of now: a point that is wrapped, or a cell that is exchanged for another one of
+the same lattice, changes no edge. An edge that was removed is given as it would be called now.
+
+Cost: proportional to the number of changes; a call that triangulates everything anew counts as all
+edges. Asking for the lists costs that number times its logarithm.
+
+\cgalModels{PeriodicUpdateVisitor_2}
+*/
+class Periodic_edge_changes_visitor_2 : public Periodic_update_visitor_base_2
+{
+public:
+  /// an edge from point `i` to the image of point `j` by `shift`. `i` is not larger than `j`; where
+  /// they are equal, the first number of `shift` that is not 0 is positive.
+  struct Edge
+  {
+    std::size_t i;          ///< an id
+    std::size_t j;          ///< an id
+    Periodic_shift_2 shift; ///< of j
+
+    /// compares `i`, `j` and `shift` in turn.
+    friend bool operator<(const Edge& e, const Edge& f)
+    {
+      return std::tie(e.i, e.j, e.shift) < std::tie(f.i, f.j, f.shift);
+    }
+    /// compares all members.
+    friend bool operator==(const Edge& e, const Edge& f)
+    {
+      return std::tie(e.i, e.j, e.shift) == std::tie(f.i, f.j, f.shift);
+    }
+  };
+
+  /// the created edges, in ascending order.
+  const std::vector<Edge>& created_edges() const
+  {
+    sum_up();
+    return m_created;
+  }
+
+  /// the removed edges, in ascending order. Their ids may belong to points that no longer exist, or
+  /// to new points that got the same ids.
+  const std::vector<Edge>& removed_edges() const
+  {
+    sum_up();
+    return m_removed;
+  }
+
+  /// forgets all recorded changes, and starts to record anew.
+  void clear()
+  {
+    m_changes.clear();
+    m_ways.clear();
+    m_is_summed_up = false;
+  }
+
+  /// \cond
+  template <class Dynamic>
+  void after_edge_removal(const Dynamic&, std::size_t i, std::size_t j,
+                          const Periodic_shift_2& shift)
+  {
+    note(i, j, shift, -1);
+  }
+
+  template <class Dynamic>
+  void after_edge_creation(const Dynamic&, std::size_t i, std::size_t j,
+                           const Periodic_shift_2& shift)
+  {
+    note(i, j, shift, 1);
+  }
+
+  template <class Dynamic>
+  void after_translation(const Dynamic&, std::size_t i, const Periodic_shift_2& shift)
+  {
+    if (i >= m_ways.size())
+      m_ways.resize(i + 1, Periodic_shift_2{0, 0});
+    m_ways[i] = {m_ways[i][0] + shift[0], m_ways[i][1] + shift[1]};
+    m_is_summed_up = false;
+  }
+
+  template <class Dynamic>
+  void after_cell_exchange(const Dynamic&, const std::array<Periodic_shift_2, 2>& multiples)
+  {
+    const auto exchange = [&](Periodic_shift_2& s) {
+      s = {s[0] * multiples[0][0] + s[1] * multiples[1][0],
+           s[0] * multiples[0][1] + s[1] * multiples[1][1]};
+    };
+    for (auto& change : m_changes.changes())
+      exchange(change.edge.shift);
+    for (Periodic_shift_2& way : m_ways)
+      exchange(way);
+    m_is_summed_up = false;
+  }
+  /// \endcond
+
+private:
+  Periodic_shift_2 way(std::size_t i) const
+  {
+    return i < m_ways.size() ? m_ways[i] : Periodic_shift_2{0, 0};
+  }
+
+  // The same edge, with the images of its points translated by these shifts.
+  static Edge translated(Edge edge, const Periodic_shift_2& of_i, const Periodic_shift_2& of_j)
+  {
+    for (std::size_t k = 0; k < 2; ++k)
+      edge.shift[k] += of_i[k] - of_j[k];
+    return in_order(edge);
+  }
+
+  static Edge in_order(const Edge& edge)
+  {
+    const Edge reverse{edge.j, edge.i, {-edge.shift[0], -edge.shift[1]}};
+    if (edge.i != edge.j)
+      return edge.i < edge.j ? edge : reverse;
+    return reverse < edge ? edge : reverse;
+  }
+
+  void note(std::size_t i, std::size_t j, const Periodic_shift_2& shift, int sign)
+  {
+    m_is_summed_up = false;
+    const Periodic_shift_2 of_i = way(i), of_j = way(j);
+    m_changes.note(translated({i, j, shift}, {-of_i[0], -of_i[1]}, {-of_j[0], -of_j[1]}), sign);
+  }
+
+  void sum_up() const
+  {
+    if (m_is_summed_up)
+      return;
+    m_created.clear();
+    m_removed.clear();
+    m_changes.for_each_change([this](const Edge& edge, int sum) {
+      (sum > 0 ? m_created : m_removed).push_back(translated(edge, way(edge.i), way(edge.j)));
+    });
+    std::sort(m_created.begin(), m_created.end());
+    std::sort(m_removed.begin(), m_removed.end());
+    m_is_summed_up = true;
+  }
+
+  // Edges as they would be called if no point had been translated since clear().
+  mutable Dynamic_Delaunay_triangulations_2::internal::Edge_balance_2<Edge> m_changes;
+  std::vector<Periodic_shift_2> m_ways; // of each id since clear(), if it was translated
+  mutable std::vector<Edge> m_created, m_removed;
+  mutable bool m_is_summed_up = true;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VISITORS_PERIODIC_EDGE_CHANGES_VISITOR_2_H
