@@ -12,7 +12,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/inform_classifier.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Input_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Maintained_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Triangulation_state_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_reader_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_streams_2.h>
@@ -108,15 +108,14 @@ class Dynamic_Delaunay_triangulation_2
   using Shown_to_visitor =
       std::conditional_t<std::is_same_v<Chosen_visitor, Delaunay_update_visitor_base_2>, void,
                          Dynamic_Delaunay_triangulation_2>;
-  using Maintained = Dynamic_Delaunay_triangulations_2::internal::Maintained_triangulation_2<
+  using State = Dynamic_Delaunay_triangulations_2::internal::Triangulation_state_2<
       Traits, Data_structure,
       Dynamic_Delaunay_triangulations_2::internal::Visitor_calls_2<Chosen_visitor,
                                                                    Shown_to_visitor>,
       ConcurrencyTag>;
-  using Update = Dynamic_Delaunay_triangulations_2::internal::Update_2<Maintained>;
-  using Input = Dynamic_Delaunay_triangulations_2::internal::Input_frame_2<Maintained>;
-  using Population_input =
-      Dynamic_Delaunay_triangulations_2::internal::Population_input_2<Maintained>;
+  using Update = Dynamic_Delaunay_triangulations_2::internal::Update_2<State>;
+  using Input = Dynamic_Delaunay_triangulations_2::internal::Input_frame_2<State>;
+  using Population_input = Dynamic_Delaunay_triangulations_2::internal::Population_input_2<State>;
   using Index = Dynamic_Delaunay_triangulations_2::Index;
   template <class Range>
   using If_range = Dynamic_Delaunay_triangulations_2::internal::If_range<Range>;
@@ -141,7 +140,7 @@ public:
   /// whether work is shared among threads.
   using Concurrency_tag = ConcurrencyTag;
   /// the CGAL triangulation that is maintained.
-  using Triangulation = typename Maintained::Triangulation;
+  using Triangulation = typename State::Triangulation;
   /// the data structure of that triangulation.
   using Triangulation_data_structure = Data_structure;
   /// a point.
@@ -155,7 +154,7 @@ public:
   /// the type of ids and counts.
   using size_type = std::size_t;
   /// the read-only view that classifiers get.
-  using Frame = Dynamic_frame_2<Maintained>;
+  using Frame = Dynamic_frame_2<State>;
 
   /// @}
   /// \name Creation
@@ -264,7 +263,7 @@ public:
     , m_core(std::make_unique<Core>())
     , m_is_classifier_informed(other.m_is_classifier_informed)
   {
-    m_core->update.copy(other.m_core->maintained, other.m_core->update);
+    m_core->update.copy(other.m_core->state, other.m_core->update);
   }
   /// the same, but replaces this triangulation. If it throws, nothing has changed.
   Dynamic_Delaunay_triangulation_2& operator=(const Dynamic_Delaunay_triangulation_2& other)
@@ -397,7 +396,7 @@ public:
   {
     const Floating_point floating_point;
     Change& change = begin_change();
-    Population_input::read_movers(first, beyond, id_map, point_map, m_core->maintained, change);
+    Population_input::read_movers(first, beyond, id_map, point_map, m_core->state, change);
     return run(change);
   }
 
@@ -452,7 +451,7 @@ public:
   {
     const Floating_point floating_point;
     Change& change = begin_change();
-    Population_input::read_newcomers(first, beyond, point_map, m_core->maintained, change);
+    Population_input::read_newcomers(first, beyond, point_map, m_core->state, change);
     for (const Index id : change.coming)
       *ids++ = id;
     return run(change);
@@ -476,7 +475,7 @@ public:
   {
     const Floating_point floating_point;
     Change& change = begin_change();
-    Population_input::read_ids(first, beyond, m_core->maintained, change.gone);
+    Population_input::read_ids(first, beyond, m_core->state, change.gone);
     return run(change);
   }
 
@@ -499,11 +498,11 @@ public:
   {
     const Floating_point floating_point;
     Change& change = begin_change();
-    Population_input::read_newcomers(coming.begin(), coming.end(), Identity_map(),
-                                     m_core->maintained, change);
+    Population_input::read_newcomers(coming.begin(), coming.end(), Identity_map(), m_core->state,
+                                     change);
     change.is_frame = true;
     change.gone.assign(gone.begin(), gone.end());
-    change.coming = m_core->maintained.ids().next_ids(coming.size(), change.gone);
+    change.coming = m_core->state.ids().next_ids(coming.size(), change.gone);
     const std::vector<size_type> ids(change.coming.begin(), change.coming.end());
     m_core->input.stage(first, beyond, Identity_map());
     try {
@@ -561,27 +560,24 @@ public:
   {
     if (!is_certified())
       throw Uncertified_triangulation_error_2();
-    return m_core->maintained.triangulation();
+    return m_core->state.triangulation();
   }
 
   /// the data structure of the CGAL triangulation. It is a valid triangulated sphere even when the
   /// triangulation is not certified.
-  const Triangulation_data_structure& tds() const
-  {
-    return m_core->maintained.triangulation().tds();
-  }
+  const Triangulation_data_structure& tds() const { return m_core->state.triangulation().tds(); }
 
   /// the infinite vertex of `tds()`.
-  Vertex_handle infinite_vertex() const { return m_core->maintained.vertex_handle(0); }
+  Vertex_handle infinite_vertex() const { return m_core->state.vertex_handle(0); }
 
   /// the number of points.
-  size_type number_of_points() const { return m_core->maintained.ids().number_of_points(); }
+  size_type number_of_points() const { return m_core->state.ids().number_of_points(); }
   /// one more than the largest id ever in use. It never decreases.
-  size_type number_of_ids() const { return m_core->maintained.ids().number_of_ids(); }
+  size_type number_of_ids() const { return m_core->state.ids().number_of_ids(); }
   /// whether a point has this id.
-  bool has_id(size_type id) const { return m_core->maintained.ids().is_taken(id); }
+  bool has_id(size_type id) const { return m_core->state.ids().is_taken(id); }
   /// the number of finite vertices: less than the number of points if points coincide.
-  size_type number_of_vertices() const { return m_core->maintained.number_of_vertices(); }
+  size_type number_of_vertices() const { return m_core->state.number_of_vertices(); }
 
   /// the vertex of a point. The handle is valid until the next call that changes the triangulation.
   /// \throws Unknown_id_error_2 if no point has this id.
@@ -589,7 +585,7 @@ public:
   {
     if (!has_id(id))
       throw Unknown_id_error_2(id, number_of_ids());
-    return m_core->maintained.vertex_handle(m_core->maintained.ids().vertex(Index(id)));
+    return m_core->state.vertex_handle(m_core->state.ids().vertex(Index(id)));
   }
 
   /// the position of a point.
@@ -597,7 +593,7 @@ public:
   const Point& point(size_type id) const
   {
     const Vertex_handle representative = vertex(id);
-    const auto& ids = m_core->maintained.ids();
+    const auto& ids = m_core->state.ids();
     return ids.is_representative(Index(id)) ? representative->point()
                                             : ids.duplicate(Index(id)).point;
   }
@@ -606,7 +602,7 @@ public:
   /// representative, which was there first.
   size_type id(Vertex_handle vertex) const
   {
-    return m_core->maintained.ids().representative(vertex.index());
+    return m_core->state.ids().representative(vertex.index());
   }
 
   /// calls `f(i, j)` with the ids of both ends of every finite edge. Where points share a vertex,
@@ -615,7 +611,7 @@ public:
   void for_each_edge(Function&& f) const
   {
     const auto& tds = this->tds();
-    if (!m_core->maintained.spans_plane()) {
+    if (!m_core->state.spans_plane()) {
       for (auto e = tds.edges_begin(); e != tds.edges_end(); ++e)
         call_with_ids(f, e->first->vertex(tds.cw(e->second)).index(),
                       e->first->vertex(tds.ccw(e->second)).index());
@@ -633,17 +629,17 @@ public:
   template <class T>
   auto add_vertex_property(const std::string& name, const T& value = T())
   {
-    return m_core->maintained.vertex_properties().template add<T>(name, value);
+    return m_core->state.vertex_properties().template add<T>(name, value);
   }
   /// adds a property to the faces. The vertices of a face change; a visitor is told when.
   template <class T>
   auto add_face_property(const std::string& name, const T& value = T())
   {
-    return m_core->maintained.face_properties().template add<T>(name, value);
+    return m_core->state.face_properties().template add<T>(name, value);
   }
 
   /// the points, edges and faces as flat arrays.
-  Frame frame() const { return Frame(m_core->maintained); }
+  Frame frame() const { return Frame(m_core->state); }
 
   /// the classifier.
   const Delaunay_classifier& classifier() const { return m_classifier; }
@@ -722,7 +718,7 @@ public:
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     const Floating_point floating_point;
-    Checkpoint_writer_2<Maintained>(m_core->maintained, is_certified(), m_core->update.experience())
+    Checkpoint_writer_2<State>(m_core->state, is_certified(), m_core->update.experience())
         .write(out, subject, append);
   }
 
@@ -733,17 +729,17 @@ public:
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     const Floating_point floating_point;
     Checkpoint_input_2 file(in, subject);
-    Checkpoint_reader_2<Maintained> reader(file);
-    Maintained maintained(m_core->maintained.traits());
-    reader.read(maintained);
-    read_more(file, maintained.ids());
+    Checkpoint_reader_2<State> reader(file);
+    State state(m_core->state.traits());
+    reader.read(state);
+    read_more(file, state.ids());
     file.finish();
     Delaunay_classifier classifier = m_classifier;
-    inform_classifier(classifier, Frame(maintained));
-    m_core->update.tools().provide_for_exchange(maintained);
+    inform_classifier(classifier, Frame(state));
+    m_core->update.tools().reserve_for_exchange(state);
     start_visit();
     m_classifier = std::move(classifier); // nothing throws from here on
-    m_core->update.tools().exchange(maintained);
+    m_core->update.tools().exchange(state);
     m_core->update.restore(reader.is_certified(), reader.experience());
     m_is_classifier_informed = true;
     exchange_more();
@@ -763,9 +759,9 @@ public:
   /// \param level is passed to the data structure's `is_valid()`.
   bool is_valid(bool verbose = false, int level = 0) const
   {
-    using Check = Dynamic_Delaunay_triangulations_2::internal::Validity_check_2<Maintained>;
+    using Check = Dynamic_Delaunay_triangulations_2::internal::Validity_check_2<State>;
     const Floating_point floating_point;
-    return Check(m_core->maintained, verbose).passes(level, is_certified());
+    return Check(m_core->state, verbose).passes(level, is_certified());
   }
 
   /// @}
@@ -781,9 +777,9 @@ private:
   // Must not move in memory: its parts refer to each other.
   struct Core
   {
-    Maintained maintained;
-    Input input{maintained};
-    Update update{maintained};
+    State state;
+    Input input{state};
+    Update update{state};
     Change change; // of the present call, or the last one
   };
 
@@ -863,7 +859,7 @@ private:
   template <class Function>
   void call_with_ids(Function& f, Index v, Index w) const
   {
-    const auto& ids = m_core->maintained.ids();
+    const auto& ids = m_core->state.ids();
     if (!Frame::is_infinite(v) && !Frame::is_infinite(w))
       f(size_type(ids.representative(v)), size_type(ids.representative(w)));
   }

@@ -16,9 +16,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_streams_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Periodic_checkpoint_reader_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Periodic_checkpoint_writer_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Maintained_periodic_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_change_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_editor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_triangulation_state_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_update_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Usual_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
@@ -95,9 +95,8 @@ class Dynamic_periodic_Delaunay_triangulation_2
       Dynamic_Delaunay_triangulations_2::internal::has_double_coordinates<typename Kernel::Point_2>,
       "the coordinates of points in periodic space must be of type double");
 
-  using Maintained =
-      Dynamic_Delaunay_triangulations_2::internal::Maintained_periodic_triangulation_2<
-          typename Kernel::Point_2, ConcurrencyTag>;
+  using State = Dynamic_Delaunay_triangulations_2::internal::Periodic_triangulation_state_2<
+      typename Kernel::Point_2, ConcurrencyTag>;
   using Chosen_classifier = typename Default::Get<Classifier, Circumcircle_classifier_2>::type;
   using Chosen_visitor = typename Default::Get<Visitor, Periodic_update_visitor_base_2>::type;
   using Default_repair =
@@ -105,13 +104,11 @@ class Dynamic_periodic_Delaunay_triangulation_2
   using Policy = typename Default::Get<UpdatePolicy, Always_dynamic_policy_2>::type;
   static constexpr bool has_visitor =
       !std::is_same_v<Chosen_visitor, Periodic_update_visitor_base_2>;
-  using Editor =
-      Dynamic_Delaunay_triangulations_2::internal::Periodic_editor_2<Maintained, has_visitor>;
-  using Update = Dynamic_Delaunay_triangulations_2::internal::Periodic_update_2<Maintained, Editor>;
+  using Editor = Dynamic_Delaunay_triangulations_2::internal::Periodic_editor_2<State, has_visitor>;
+  using Update = Dynamic_Delaunay_triangulations_2::internal::Periodic_update_2<State, Editor>;
   using Change = Dynamic_Delaunay_triangulations_2::internal::Change_2<typename Kernel::Point_2>;
   using Change_of_edges = Dynamic_Delaunay_triangulations_2::internal::Periodic_change_2;
-  using Population_input =
-      Dynamic_Delaunay_triangulations_2::internal::Population_input_2<Maintained>;
+  using Population_input = Dynamic_Delaunay_triangulations_2::internal::Population_input_2<State>;
   using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point_2;
   using Arrays = Dynamic_Delaunay_triangulations_2::internal::Halfedge_arrays_2;
   using Index = Dynamic_Delaunay_triangulations_2::Index;
@@ -146,7 +143,7 @@ public:
   /// whether work is shared among threads.
   using Concurrency_tag = ConcurrencyTag;
   /// the read-only view that classifiers get.
-  using Frame = Dynamic_frame_2<Maintained>;
+  using Frame = Dynamic_frame_2<State>;
 
   /// @}
   /// \name Creation
@@ -221,7 +218,7 @@ public:
     , m_repair(other.m_repair)
     , m_policy(other.m_policy)
     , m_visitor(other.m_visitor)
-    , m_core(std::make_unique<Core>(other.m_core->maintained))
+    , m_core(std::make_unique<Core>(other.m_core->state))
   {
     m_core->update.copy_state(other.m_core->update);
   }
@@ -345,7 +342,7 @@ public:
     const Floating_point floating_point;
     Change change;
     Population_input::read_movers(first, beyond, First_of_pair_property_map<Mover>(),
-                                  Second_of_pair_property_map<Mover>(), m_core->maintained, change);
+                                  Second_of_pair_property_map<Mover>(), m_core->state, change);
     const std::vector<Position> positions = checked(change.moved_points, change.moved, cell());
     return run([&](Update_report_2& report) {
       for (std::size_t i = 0; i < positions.size(); ++i)
@@ -373,8 +370,8 @@ public:
   {
     const Floating_point floating_point;
     Change change;
-    Population_input::read_newcomers(first, beyond, Identity_property_map<Point>(),
-                                     m_core->maintained, change);
+    Population_input::read_newcomers(first, beyond, Identity_property_map<Point>(), m_core->state,
+                                     change);
     const std::vector<Position> positions = checked(change.coming_points, change.coming, cell());
     for (const Index id : change.coming)
       *ids++ = id;
@@ -394,7 +391,7 @@ public:
   {
     const Floating_point floating_point;
     std::vector<Index> gone;
-    Population_input::read_ids(first, beyond, m_core->maintained, gone);
+    Population_input::read_ids(first, beyond, m_core->state, gone);
     return run([&](Update_report_2& report) {
       for (const Index id : gone)
         m_core->update.remove(id, report);
@@ -414,9 +411,9 @@ public:
     check_next(cell);
     Change change;
     Population_input::read_newcomers(coming.begin(), coming.end(), Identity_property_map<Point>(),
-                                     m_core->maintained, change);
+                                     m_core->state, change);
     change.gone.assign(gone.begin(), gone.end());
-    change.coming = m_core->maintained.ids().next_ids(coming.size(), change.gone);
+    change.coming = m_core->state.ids().next_ids(coming.size(), change.gone);
     const std::vector<Position> positions = checked(change.coming_points, change.coming, cell);
     m_next.clear();
     for (; first != beyond; ++first)
@@ -446,11 +443,11 @@ public:
   /// @{
 
   /// the cell of the last frame.
-  const Periodic_cell_2& cell() const { return m_core->maintained.torus().cell(); }
+  const Periodic_cell_2& cell() const { return m_core->state.torus().cell(); }
   /// the number of points, coincident ones included.
-  size_type number_of_points() const { return m_core->maintained.ids().number_of_points(); }
+  size_type number_of_points() const { return m_core->state.ids().number_of_points(); }
   /// the number of different places of points, up to translations of the lattice.
-  size_type number_of_vertices() const { return m_core->maintained.number_of_vertices(); }
+  size_type number_of_vertices() const { return m_core->state.number_of_vertices(); }
   /// three for each vertex; fewer in a slab, where counting them takes a pass.
   size_type number_of_edges() const
   {
@@ -466,20 +463,20 @@ public:
     if (!cell().is_slab())
       return 2 * number_of_vertices();
     size_type faces = 0;
-    for (Index f = 0; f < m_core->maintained.arrays().number_of_faces(); ++f)
+    for (Index f = 0; f < m_core->state.arrays().number_of_faces(); ++f)
       faces += !is_in_gap(f);
     return faces;
   }
   /// one more than the largest id that was ever in use.
-  size_type number_of_ids() const { return m_core->maintained.ids().number_of_ids(); }
+  size_type number_of_ids() const { return m_core->state.ids().number_of_ids(); }
   /// whether a point has this id.
-  bool has_id(size_type id) const { return m_core->maintained.ids().is_taken(id); }
+  bool has_id(size_type id) const { return m_core->state.ids().is_taken(id); }
 
   /// the point with this id, as it was given last. \throws Unknown_id_error_2
   Point point(size_type id) const
   {
     check_id(id);
-    const Position p = m_core->maintained.position_of_id(Index(id));
+    const Position p = m_core->state.position_of_id(Index(id));
     return Point(p.x, p.y);
   }
 
@@ -488,7 +485,7 @@ public:
   size_type representative(size_type id) const
   {
     check_id(id);
-    const auto& ids = m_core->maintained.ids();
+    const auto& ids = m_core->state.ids();
     return ids.representative(ids.vertex(Index(id)));
   }
 
@@ -506,9 +503,9 @@ public:
   template <class Function>
   void for_each_edge(const Function& f) const
   {
-    const auto& maintained = m_core->maintained;
-    for (Index e = 0; e < maintained.arrays().number_of_edges(); ++e) {
-      const Index h = maintained.arrays().halfedge(e);
+    const auto& state = m_core->state;
+    for (Index e = 0; e < state.arrays().number_of_edges(); ++e) {
+      const Index h = state.arrays().halfedge(e);
       const Index from = Arrays::next(h), to = Arrays::previous(h);
       if (!are_across(from, to))
         f(id_at(from), id_at(to), shift_between(from, to));
@@ -521,7 +518,7 @@ public:
   template <class Function>
   void for_each_boundary_edge(const Function& f) const
   {
-    const auto& arrays = m_core->maintained.arrays();
+    const auto& arrays = m_core->state.arrays();
     for (Index h = 0; h < 3 * arrays.number_of_faces(); ++h) {
       const Index from = Arrays::previous(h), to = Arrays::next(h);
       if (is_in_gap(h / 3) && !are_across(from, to))
@@ -536,8 +533,8 @@ public:
   void for_each_neighbor(size_type id, const Function& f) const
   {
     check_id(id);
-    const auto& maintained = m_core->maintained;
-    maintained.arrays().for_each_corner(maintained.ids().vertex(Index(id)), [&](Index h) {
+    const auto& state = m_core->state;
+    state.arrays().for_each_corner(state.ids().vertex(Index(id)), [&](Index h) {
       if (!are_across(h, Arrays::next(h)))
         f(id_at(Arrays::next(h)), shift_between(h, Arrays::next(h)));
     });
@@ -549,7 +546,7 @@ public:
   template <class Function>
   void for_each_face(const Function& f) const
   {
-    for (Index h = 0; h < 3 * m_core->maintained.arrays().number_of_faces(); h += 3)
+    for (Index h = 0; h < 3 * m_core->state.arrays().number_of_faces(); h += 3)
       if (!is_in_gap(h / 3))
         f(std::array<size_type, 3>{id_at(h), id_at(h + 1), id_at(h + 2)},
           std::array<Periodic_shift_2, 3>{shift_between(h, h), shift_between(h, h + 1),
@@ -641,8 +638,7 @@ public:
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     const Floating_point floating_point;
-    Periodic_checkpoint_writer_2<Maintained>(m_core->maintained, is_certified(),
-                                             m_core->update.memory())
+    Periodic_checkpoint_writer_2<State>(m_core->state, is_certified(), m_core->update.memory())
         .write(out, subject, append);
   }
 
@@ -653,17 +649,17 @@ public:
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     const Floating_point floating_point;
     Checkpoint_input_2 file(in, subject);
-    Periodic_checkpoint_reader_2<Maintained> reader(
-        file, [](const Periodic_cell_2& cell) { check(cell); });
-    Maintained maintained = reader.read();
-    read_more(file, maintained.ids());
+    Periodic_checkpoint_reader_2<State> reader(file,
+                                               [](const Periodic_cell_2& cell) { check(cell); });
+    State state = reader.read();
+    read_more(file, state.ids());
     file.finish();
     Delaunay_classifier classifier = m_classifier;
-    inform_classifier(classifier, Frame(maintained));
+    inform_classifier(classifier, Frame(state));
     if constexpr (has_visitor)
       m_visitor.before_update(std::as_const(*this));
     const Update_report_2 report =
-        m_core->update.restore(maintained, reader.is_certified(), reader.memory());
+        m_core->update.restore(state, reader.is_certified(), reader.memory());
     m_classifier = std::move(classifier); // nothing throws from here on
     exchange_more();
     if constexpr (has_visitor)
@@ -682,7 +678,7 @@ public:
   /// the update policy.
   const Policy& policy() const { return m_policy; }
   /// what the classifier gets: points, edges and faces as flat arrays.
-  Frame frame() const { return Frame(m_core->maintained); }
+  Frame frame() const { return Frame(m_core->state); }
   /// the Classified set of the last update, as vertices of `frame()`. Empty if vertices have got
   /// other numbers since, or if points came apart and all edges were examined for that.
   const std::vector<Index>& classified_vertices() const
@@ -707,16 +703,16 @@ private:
   struct Core
   {
     explicit Core(const Periodic_cell_2& cell)
-      : maintained(cell)
-      , update(maintained)
+      : state(cell)
+      , update(state)
     {
     }
-    explicit Core(const Maintained& other)
-      : maintained(other)
-      , update(maintained)
+    explicit Core(const State& other)
+      : state(other)
+      , update(state)
     {
     }
-    Maintained maintained;
+    State state;
     Update update;
   };
 
@@ -855,20 +851,20 @@ private:
 
   size_type id_at(Index corner) const
   {
-    const auto& maintained = m_core->maintained;
-    return maintained.ids().representative(maintained.arrays().apex(corner));
+    const auto& state = m_core->state;
+    return state.ids().representative(state.arrays().apex(corner));
   }
   Periodic_shift_2 shift_between(Index corner, Index other) const
   {
-    const Periodic_shift_2& s = m_core->maintained.shift(corner);
-    const Periodic_shift_2& t = m_core->maintained.shift(other);
+    const Periodic_shift_2& s = m_core->state.shift(corner);
+    const Periodic_shift_2& t = m_core->state.shift(other);
     return {t[0] - s[0], t[1] - s[1]};
   }
 
   bool are_across(Index corner, Index other) const
   {
-    const auto& maintained = m_core->maintained;
-    return maintained.torus().are_across(maintained.shift(corner), maintained.shift(other));
+    const auto& state = m_core->state;
+    return state.torus().are_across(state.shift(corner), state.shift(other));
   }
   // Whether a face is beside a slab, between its sides.
   bool is_in_gap(Index f) const

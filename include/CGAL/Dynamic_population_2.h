@@ -345,7 +345,7 @@ private:
     const size_type points = ids_read.number_of_points();
     file.number_entry("user_ids", points, points);
     user_ids.resize(ids_read.number_of_ids());
-    ids.provide(points);
+    ids.reserve_extra(points);
     for (size_type id = 0; id < user_ids.size(); ++id) {
       if (!ids_read.is_taken(id))
         continue;
@@ -456,7 +456,7 @@ private:
     m_new_ids.reserve(m_newcomers.size());
     m_user_ids.resize(m_triangulation.number_of_ids() + m_newcomers.size());
     m_next_of.resize(m_user_ids.size(), no_id);
-    m_ids.provide(m_newcomers.size());
+    m_ids.reserve_extra(m_newcomers.size());
   }
 
   Update_report_2 insert_newcomers()

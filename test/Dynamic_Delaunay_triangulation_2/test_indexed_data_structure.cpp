@@ -613,7 +613,7 @@ TEST(Indexed_data_structure, can_be_destroyed_while_elements_have_no_neighbors)
 // -------------------------------------------------------------------------------------------------
 // The triangulation of moving points is one of CGAL's, on this structure.
 
-TEST(Maintained_triangulation, works_with_cgals_queries_and_adaptors_after_every_frame)
+TEST(Triangulation_state, works_with_cgals_queries_and_adaptors_after_every_frame)
 {
   std::mt19937 random(40);
   std::normal_distribution<double> step(0, 0.01);
@@ -646,7 +646,7 @@ struct Copied_face
   void operator()(const Indexed::Face&, Usual::Face&) const {}
 };
 
-TEST(Maintained_triangulation, is_copied_to_any_other_one_and_goes_its_own_way_then)
+TEST(Triangulation_state, is_copied_to_any_other_one_and_goes_its_own_way_then)
 {
   const Points points = random_points(200, 42);
   CGAL::Dynamic_Delaunay_triangulation_2<Kernel> dt(points);
@@ -664,7 +664,7 @@ TEST(Maintained_triangulation, is_copied_to_any_other_one_and_goes_its_own_way_t
   expect_same(dt.triangulation(), usual);
 }
 
-TEST(Maintained_triangulation, keeps_properties_through_frames_insertions_removals_and_checkpoints)
+TEST(Triangulation_state, keeps_properties_through_frames_insertions_removals_and_checkpoints)
 {
   std::mt19937 random(43);
   std::uniform_real_distribution<double> coordinate(0, 1);

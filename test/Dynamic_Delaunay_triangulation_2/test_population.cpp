@@ -39,7 +39,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // A point with a coordinate that no double holds.
 template <class Kernel>
-typename Kernel::Point_2 nowhere()
+typename Kernel::Point_2 nan_point()
 {
   if constexpr (std::is_same_v<typename Kernel::FT, double>)
     return {nan, 0};
@@ -317,7 +317,7 @@ TYPED_TEST(Population, does_not_look_at_positions_of_ids_that_are_free)
   for (const std::size_t id : {0u, 50u, 99u}) {
     dt.remove(id);
     model.erase(id);
-    points[id] = nowhere<TypeParam>();
+    points[id] = nan_point<TypeParam>();
   }
   for (int frame = 0; frame < 5; ++frame) {
     for (auto& [id, p] : model)
@@ -330,7 +330,7 @@ TYPED_TEST(Population, does_not_look_at_positions_of_ids_that_are_free)
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model));
   }
   EXPECT_THROW(dt.update(points.begin(), points.end() - 1), CGAL::Point_count_error_2);
-  points[1] = nowhere<TypeParam>();
+  points[1] = nan_point<TypeParam>();
   EXPECT_THROW(dt.update(points.begin(), points.end()), CGAL::Non_finite_coordinate_error_2);
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model));
 }
@@ -342,7 +342,7 @@ TYPED_TEST(Population, refuses_what_is_no_number_unknown_and_repeated_ids_and_do
   typename TestFixture::Dynamic dt(points.begin(), points.end());
   dt.remove(20);
   const auto model = model_of(dt);
-  const Place bad = nowhere<TypeParam>(), good(1, 1);
+  const Place bad = nan_point<TypeParam>(), good(1, 1);
   const std::vector<Place> with_bad = {good, good, bad};
   std::vector<std::size_t> ids;
   EXPECT_THROW(dt.insert(bad), CGAL::Non_finite_coordinate_error_2);
@@ -864,7 +864,7 @@ void expect_a_table_like_a_map(const std::vector<UserId>& user_ids, unsigned see
     const UserId user_id = user_ids[random() % user_ids.size()];
     // it grows for a while, then shrinks
     if (random() % 1000 < (step % 2000 < 1000 ? 700u : 300u)) {
-      table.provide(1);
+      table.reserve_extra(1);
       table.set(user_id, std::size_t(step));
       map[user_id] = std::size_t(step);
     } else {
@@ -899,13 +899,13 @@ TEST(User_id_table, finds_what_is_there_whatever_steps_ids_make)
 TEST(User_id_table, is_empty_after_it_was_moved)
 {
   CGAL::Dynamic_Delaunay_triangulations_2::internal::User_id_table_2<int> table;
-  table.provide(2);
+  table.reserve_extra(2);
   table.set(5, 1);
   auto other = std::move(table);
   EXPECT_EQ(other.find(5), 1u);
   EXPECT_EQ(table.size(), 0u);
   EXPECT_EQ(table.find(5), table.no_id);
-  table.provide(1);
+  table.reserve_extra(1);
   table.set(4, 2);
   EXPECT_EQ(table.find(4), 2u);
 }

@@ -181,37 +181,37 @@ using CGAL::Dynamic_Delaunay_triangulations_2::internal::Repair_experience_2;
 TEST(Repair_experience, expects_nothing_before_something_was_in_vain)
 {
   Repair_experience_2 experience;
-  EXPECT_FALSE(experience.is_wary());
+  EXPECT_FALSE(experience.has_failed_recently());
   EXPECT_FALSE(experience.is_hopeless(100, 100));
-  experience.note_mended(50, 100);
-  experience.note_not_tried();
-  EXPECT_FALSE(experience.is_wary());
+  experience.record_success(50, 100);
+  experience.record_not_tried();
+  EXPECT_FALSE(experience.has_failed_recently());
 }
 
 TEST(Repair_experience, expects_the_same_of_as_much_until_that_was_mended)
 {
   Repair_experience_2 experience;
-  experience.note_in_vain(10, 100);
+  experience.record_failure(10, 100);
   EXPECT_TRUE(experience.is_hopeless(100, 10));
   EXPECT_TRUE(experience.is_hopeless(100, 8));
   EXPECT_FALSE(experience.is_hopeless(100, 7));
-  experience.note_mended(7, 100); // more than half of it: still near
+  experience.record_success(7, 100); // more than half of it: still near
   EXPECT_TRUE(experience.is_hopeless(100, 8));
-  experience.note_mended(12, 100);
+  experience.record_success(12, 100);
   EXPECT_FALSE(experience.is_hopeless(100, 10));
   EXPECT_TRUE(experience.is_hopeless(100, 12));
-  experience.note_mended(1, 100);
-  EXPECT_FALSE(experience.is_wary());
+  experience.record_success(1, 100);
+  EXPECT_FALSE(experience.has_failed_recently());
 }
 
 TEST(Repair_experience, tries_again_the_sooner_the_more_that_may_save)
 {
   const auto frames_not_tried = [](std::size_t broken) {
     Repair_experience_2 experience;
-    experience.note_in_vain(broken, 1000);
+    experience.record_failure(broken, 1000);
     std::size_t frames = 0;
     while (experience.is_hopeless(1000, broken) && frames < 1000) {
-      experience.note_not_tried();
+      experience.record_not_tried();
       ++frames;
     }
     return frames;
@@ -226,12 +226,12 @@ TEST(Repair_experience, tries_again_the_sooner_the_more_that_may_save)
 TEST(Repair_experience, counts_any_number_of_edges)
 {
   Repair_experience_2 experience;
-  experience.note_in_vain(0, 0);
+  experience.record_failure(0, 0);
   EXPECT_FALSE(experience.is_hopeless(0, 0));
-  experience.note_in_vain(0, 3);
+  experience.record_failure(0, 3);
   EXPECT_FALSE(experience.is_hopeless(3, 0));
   experience = Repair_experience_2();
-  experience.note_in_vain(1u << 31, 3u << 30);
+  experience.record_failure(1u << 31, 3u << 30);
   EXPECT_TRUE(experience.is_hopeless(3, 2));
   EXPECT_FALSE(experience.is_hopeless(3, 1));
 }

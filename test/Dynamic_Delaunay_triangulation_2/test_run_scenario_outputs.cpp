@@ -555,9 +555,9 @@ TEST(Every, is_refused_where_it_says_nothing)
 
 TEST(Wrong_paths, end_the_run_before_it_starts)
 {
-  const std::string nowhere = temporary_path("no_such_directory/file");
-  expect_refusal({"--xyz", nowhere}, {nowhere, "cannot be written"});
-  expect_refusal({"--lammps", nowhere}, {nowhere, "cannot be written"});
+  const std::string nan_point = temporary_path("no_such_directory/file");
+  expect_refusal({"--xyz", nan_point}, {nan_point, "cannot be written"});
+  expect_refusal({"--lammps", nan_point}, {nan_point, "cannot be written"});
   expect_refusal({"--vtk", write_file("no_directory", "")}, {"no_directory", "directory"});
 }
 

@@ -740,10 +740,10 @@ TEST(Displacements, count_those_who_are_nowhere_as_moved)
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (Index v = 1; v < 40; ++v)
-    for (const Position_2& nowhere : {Position_2{nan, 0}, {0, nan}, {nan, nan}, {infinity, 0}}) {
+    for (const Position_2& nan_point : {Position_2{nan, 0}, {0, nan}, {nan, nan}, {infinity, 0}}) {
       const std::vector<Position_2> references(40, {0, 0});
       auto positions = references;
-      positions[v] = nowhere;
+      positions[v] = nan_point;
       EXPECT_EQ(moved_vertices(positions, references, 1e100), std::vector<Index>(1, v));
       EXPECT_EQ(moved_vertices(references, positions, 1e100), std::vector<Index>(1, v));
     }

@@ -155,7 +155,7 @@ private:
     find_places(frame);
     std::vector<std::size_t> survivors;
     for (const std::size_t known : m_order) {
-      if (m_places[known] != nowhere) {
+      if (m_places[known] != nan_point) {
         survivors.push_back(m_places[known]);
       }
     }
@@ -167,7 +167,7 @@ private:
   // Where those of the frame before are in this one, and who is new. Both have ascending ids.
   void find_places(const scenario::Recorded_frame& frame)
   {
-    m_places.assign(m_known_ids.size(), nowhere);
+    m_places.assign(m_known_ids.size(), nan_point);
     m_newcomers.clear();
     std::size_t known = 0;
     for (std::size_t place = 0; place != frame.ids.size(); ++place) {
@@ -182,7 +182,7 @@ private:
     }
   }
 
-  static constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+  static constexpr std::size_t nan_point = static_cast<std::size_t>(-1);
 
   Points m_points;
   Points m_unsorted;

@@ -133,11 +133,11 @@ private:
   // Nothing looks at the positions of free ids, so there is none.
   std::vector<Point> positions_of(const Entries& points) const
   {
-    Point nowhere(0, 0);
+    Point nan_point(0, 0);
     if constexpr (Base::has_nan) {
-      nowhere = Base::broken_point(Misuse::NAN_COORDINATE);
+      nan_point = Base::broken_point(Misuse::NAN_COORDINATE);
     }
-    std::vector<Point> positions(m_dynamic.number_of_ids(), nowhere);
+    std::vector<Point> positions(m_dynamic.number_of_ids(), nan_point);
     for (const auto& [key, place] : points) {
       positions[static_cast<std::size_t>(key)] = this->point(place);
     }

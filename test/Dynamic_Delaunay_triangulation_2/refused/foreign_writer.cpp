@@ -14,22 +14,21 @@ struct Silent_calls
 {
   static constexpr bool is_heard = false;
 };
-using Maintained =
-    internal::Maintained_triangulation_2<Kernel, Tds, Silent_calls, CGAL::Sequential_tag>;
-using Positions = Maintained::Positions;
-using Topology = Maintained::Topology;
+using State = internal::Triangulation_state_2<Kernel, Tds, Silent_calls, CGAL::Sequential_tag>;
+using Positions = State::Positions;
+using Topology = State::Topology;
 
 // Even with objects that it may change.
-void write(Maintained& maintained, Topology& topology, Positions& positions,
+void write(State& state, Topology& topology, Positions& positions,
            internal::Halfedge_arrays_2& arrays)
 {
-  maintained.m_topology;
+  state.m_topology;
   topology.m_triangulation.tds().create_vertex();
   topology.m_storage.set_face(0, 0);
   topology.m_ids.reset(0);
   topology.m_changes.new_edges.clear();
-  internal::Input_frame_2<Maintained>::Key();
+  internal::Input_frame_2<State>::Key();
   arrays.flip(0);
   positions.set(1, Kernel::Point_2(0, 0));
-  maintained.triangulation().tds().create_vertex();
+  state.triangulation().tds().create_vertex();
 }

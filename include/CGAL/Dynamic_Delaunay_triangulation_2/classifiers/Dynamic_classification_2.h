@@ -25,7 +25,7 @@ The Classified set of a frame (thesis 4.1.3), which a classifier fills.
 
 \tparam Maintained an internal type.
 */
-template <class Maintained>
+template <class State>
 class Dynamic_classification_2
 {
 public:
@@ -33,11 +33,11 @@ public:
   using Index = Dynamic_Delaunay_triangulations_2::Index;
 
   /// \cond
-  void clear(const Maintained& maintained)
+  void clear(const State& state)
   {
-    m_maintained = &maintained;
-    m_vertices.clear(maintained.positions().size());
-    m_whole_vertices.clear(maintained.positions().size());
+    m_state = &state;
+    m_vertices.clear(state.positions().size());
+    m_whole_vertices.clear(state.positions().size());
     m_edges.clear();
     m_number_of_illegal = 0;
     m_hull_turns_once = false;
@@ -48,7 +48,7 @@ public:
   Dynamic_classification_2 empty_copy() const
   {
     Dynamic_classification_2 copy;
-    copy.clear(*m_maintained);
+    copy.clear(*m_state);
     return copy;
   }
 
@@ -58,8 +58,8 @@ public:
   /// \throws Unknown_index_error_2 if there is no such vertex.
   void add_vertex(Index v)
   {
-    if (v >= m_maintained->positions().size())
-      throw Unknown_index_error_2("vertex", v, m_maintained->positions().size());
+    if (v >= m_state->positions().size())
+      throw Unknown_index_error_2("vertex", v, m_state->positions().size());
     if (v != Dynamic_Delaunay_triangulations_2::internal::infinite_index) {
       m_vertices.insert(v);
       m_whole_vertices.insert(v);
@@ -70,9 +70,9 @@ public:
   /// \throws Unknown_id_error_2 if no point has this id.
   void add_id(std::size_t id)
   {
-    if (!m_maintained->ids().is_taken(id))
-      throw Unknown_id_error_2(id, m_maintained->ids().number_of_ids());
-    add_vertex(m_maintained->ids().vertex(Index(id)));
+    if (!m_state->ids().is_taken(id))
+      throw Unknown_id_error_2(id, m_state->ids().number_of_ids());
+    add_vertex(m_state->ids().vertex(Index(id)));
   }
 
   /// classifies the four vertices of edge `e` because of that edge alone: repairs that work on
@@ -80,8 +80,8 @@ public:
   /// \throws Unknown_index_error_2 if there is no such edge.
   void add_edge(Index e)
   {
-    if (e >= m_maintained->arrays().number_of_edges())
-      throw Unknown_index_error_2("edge", e, m_maintained->arrays().number_of_edges());
+    if (e >= m_state->arrays().number_of_edges())
+      throw Unknown_index_error_2("edge", e, m_state->arrays().number_of_edges());
     list_edge(e);
     add_vertices_of(e);
   }
@@ -90,7 +90,7 @@ public:
   /// adding them one by one.
   void add_everything()
   {
-    const Index bound = Index(m_maintained->positions().size());
+    const Index bound = Index(m_state->positions().size());
     m_vertices.fill(1, bound);
     m_whole_vertices.fill(1, bound);
   }
@@ -99,8 +99,8 @@ public:
   /// \throws Unknown_index_error_2 if there is no such edge.
   void add_illegal_edge(Index e)
   {
-    if (e >= m_maintained->arrays().number_of_edges())
-      throw Unknown_index_error_2("edge", e, m_maintained->arrays().number_of_edges());
+    if (e >= m_state->arrays().number_of_edges())
+      throw Unknown_index_error_2("edge", e, m_state->arrays().number_of_edges());
     list_illegal_edge(e);
     add_vertices_of(e);
   }
@@ -143,7 +143,7 @@ public:
                [&](std::size_t part) { find_broken(frame, lists[part], m_broken[part]); });
     for (std::size_t part = 0; part < lists.size(); ++part)
       add_broken(m_broken[part]);
-    if (m_edges.size() > m_maintained->positions().size()) // what follows needs the memory
+    if (m_edges.size() > m_state->positions().size()) // what follows needs the memory
       std::vector<std::vector<Broken_edge>>().swap(m_broken);
   }
 
@@ -152,10 +152,7 @@ public:
   void set_hull_turns_once() { m_hull_turns_once = true; }
 
   /// whether all vertices are classified because of all their edges.
-  bool is_everything() const
-  {
-    return m_whole_vertices.size() + 1 == m_maintained->positions().size();
-  }
+  bool is_everything() const { return m_whole_vertices.size() + 1 == m_state->positions().size(); }
   /// how many of `edges()` were given to `add_illegal_edge()`; they are the last ones.
   std::size_t number_of_illegal_edges() const { return m_number_of_illegal; }
   /// whether `set_hull_turns_once()` was called.
@@ -215,12 +212,12 @@ private:
   void prefetch_some(const std::vector<Index>& edges, std::size_t i) const
   {
     constexpr std::size_t ahead = 8;
-    const auto& arrays = m_maintained->arrays();
+    const auto& arrays = m_state->arrays();
     if (i + 2 * ahead < edges.size())
       arrays.prefetch_edge(edges[i + 2 * ahead]);
     if (i + ahead < edges.size())
-      Dynamic_Delaunay_triangulations_2::internal::prefetch_corners(
-          arrays.edge(edges[i + ahead]), m_maintained->positions().data());
+      Dynamic_Delaunay_triangulations_2::internal::prefetch_corners(arrays.edge(edges[i + ahead]),
+                                                                    m_state->positions().data());
   }
 
   void list_edge(Index e)
@@ -242,7 +239,7 @@ private:
 
   std::array<Index, 4> vertices_of(Index e) const
   {
-    const auto& edge = m_maintained->edge(e);
+    const auto& edge = m_state->edge(e);
     return {edge.source, edge.target, edge.left, edge.right};
   }
 
@@ -254,7 +251,7 @@ private:
         f(v);
   }
 
-  const Maintained* m_maintained = nullptr;
+  const State* m_state = nullptr;
   Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_vertices;
   Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_whole_vertices;
   std::vector<Index> m_edges;

@@ -73,7 +73,7 @@ public:
   template <class Dynamic>
   void compute(const Dynamic& dt)
   {
-    provide(dt);
+    reserve_extra(dt);
     const auto frame = dt.frame();
     note_duplicates(frame);
     find_offsets(dt);
@@ -124,21 +124,21 @@ private:
   // Reserves memory for all that will be appended: a triangulation with n vertices has fewer than
   // 3n edges, however many of them are on its hull.
   template <class Dynamic>
-  void provide(const Dynamic& dt)
+  void reserve_extra(const Dynamic& dt)
   {
     m_offsets.resize(1);
     m_neighbors.clear();
     m_duplicates.clear();
     const size_type vertices = dt.number_of_vertices();
     const size_type duplicates = dt.number_of_points() - vertices;
-    provide(m_neighbors, 6 * vertices + 2 * duplicates);
-    provide(m_duplicates, duplicates);
-    provide(m_offsets, dt.number_of_ids() + 1);
+    reserve_extra(m_neighbors, 6 * vertices + 2 * duplicates);
+    reserve_extra(m_duplicates, duplicates);
+    reserve_extra(m_offsets, dt.number_of_ids() + 1);
   }
 
   // Reserves slightly more than needed, so that a steadily growing population seldom allocates.
   template <class T>
-  static void provide(std::vector<T>& data, size_type size)
+  static void reserve_extra(std::vector<T>& data, size_type size)
   {
     if (data.capacity() < size)
       data.reserve(size + size / 8);

@@ -37,7 +37,7 @@ only while the points span the plane; otherwise no classifier is asked.
 
 \tparam Maintained an internal type.
 */
-template <class Maintained>
+template <class State>
 class Dynamic_frame_2
 {
 public:
@@ -53,8 +53,8 @@ public:
   using Corners = Dynamic_Delaunay_triangulations_2::Edge_corners_2;
 
   /// \cond
-  explicit Dynamic_frame_2(const Maintained& maintained)
-    : m_maintained(&maintained)
+  explicit Dynamic_frame_2(const State& state)
+    : m_state(&state)
   {
   }
   /// \endcond
@@ -63,33 +63,33 @@ public:
   /// @{
 
   /// the number of points.
-  Index number_of_points() const { return m_maintained->ids().number_of_points(); }
+  Index number_of_points() const { return m_state->ids().number_of_points(); }
   /// one more than the largest id ever in use.
-  Index number_of_ids() const { return m_maintained->ids().number_of_ids(); }
+  Index number_of_ids() const { return m_state->ids().number_of_ids(); }
   /// the number of finite vertices: less than the number of points if points coincide.
-  Index number_of_vertices() const { return m_maintained->number_of_vertices(); }
+  Index number_of_vertices() const { return m_state->number_of_vertices(); }
   /// the number of edges, including those to the infinite vertex.
-  Index number_of_edges() const { return m_maintained->arrays().number_of_edges(); }
+  Index number_of_edges() const { return m_state->arrays().number_of_edges(); }
   /// the number of faces, including the infinite ones.
-  Index number_of_faces() const { return m_maintained->arrays().number_of_faces(); }
+  Index number_of_faces() const { return m_state->arrays().number_of_faces(); }
 
   /// @}
   /// \name Points
   /// @{
 
   /// whether a point has the id `id`.
-  bool has_id(std::size_t id) const { return m_maintained->ids().is_taken(id); }
+  bool has_id(std::size_t id) const { return m_state->ids().is_taken(id); }
   /// the vertex of the point `id`. \pre `has_id(id)`
-  Index vertex(std::size_t id) const { return m_maintained->ids().vertex(Index(id)); }
+  Index vertex(std::size_t id) const { return m_state->ids().vertex(Index(id)); }
   /// the id of the point at the finite vertex `v`. If several points share it: the id of their
   /// representative, which was there first.
-  Index id(Index v) const { return m_maintained->ids().representative(v); }
+  Index id(Index v) const { return m_state->ids().representative(v); }
   /// calls `f(i)` for the id `i` of every duplicate, that is, every point that shares the vertex of
   /// a representative, smaller ids first. Cost: proportional to their number.
   template <class Function>
   void for_each_duplicate(Function&& f) const
   {
-    for (const auto& duplicate : m_maintained->ids().duplicates())
+    for (const auto& duplicate : m_state->ids().duplicates())
       f(duplicate.id);
   }
   /// whether `v` is the infinite vertex.
@@ -98,25 +98,25 @@ public:
     return v == Dynamic_Delaunay_triangulations_2::internal::infinite_index;
   }
   /// the position of vertex `v`; NaNs for the infinite vertex.
-  const Position& position(Index v) const { return m_maintained->positions()[v]; }
+  const Position& position(Index v) const { return m_state->positions()[v]; }
   /// the positions of all vertices, indexed by their numbers.
-  const std::vector<Position>& positions() const { return m_maintained->positions(); }
+  const std::vector<Position>& positions() const { return m_state->positions(); }
   /// the position of vertex `v` one frame ago. Valid only while classifying.
-  Position previous_position(Index v) const { return m_maintained->previous_position(v); }
+  Position previous_position(Index v) const { return m_state->previous_position(v); }
   /// whether all positions equal the coordinates of the points, with none of them rounded.
-  bool positions_are_exact() const { return m_maintained->positions_are_exact(); }
+  bool positions_are_exact() const { return m_state->positions_are_exact(); }
 
   /// @}
   /// \name Edges and Faces
   /// @{
 
   /// edge `e` with its two opposite vertices.
-  decltype(auto) edge(Index e) const { return m_maintained->edge(e); }
+  decltype(auto) edge(Index e) const { return m_state->edge(e); }
   /// all edges, indexed by their numbers. Not in periodic space.
   const std::vector<Edge>& edges() const
   {
-    static_assert(!Maintained::is_periodic, "periodic space has no array of edges: use edge()");
-    return m_maintained->arrays().edges();
+    static_assert(!State::is_periodic, "periodic space has no array of edges: use edge()");
+    return m_state->arrays().edges();
   }
   /// whether one end of `edge` is the infinite vertex.
   static bool is_infinite(const Edge& edge)
@@ -124,39 +124,39 @@ public:
     return is_infinite(edge.source) || is_infinite(edge.target);
   }
   /// the three vertices of face `f`. They were counterclockwise when the face was made.
-  std::array<Index, 3> face(Index f) const { return m_maintained->face(f); }
+  std::array<Index, 3> face(Index f) const { return m_state->face(f); }
 
   /// the two faces at edge `e`: first the one with the vertex `left` of `edge(e)`, then the one
   /// with `right`.
   std::array<Index, 2> faces_at(Index e) const
   {
-    const auto& arrays = m_maintained->arrays();
+    const auto& arrays = m_state->arrays();
     if (arrays.is_empty_edge(e))
       return {0, 0};
     const Index h = arrays.halfedge(e);
     const Index f = arrays.face_of(h), g = arrays.face_of(arrays.twin(h));
-    return m_maintained->is_along(e, h) ? std::array<Index, 2>{f, g} : std::array<Index, 2>{g, f};
+    return m_state->is_along(e, h) ? std::array<Index, 2>{f, g} : std::array<Index, 2>{g, f};
   }
 
   /// calls `f(w)` for every neighbor `w` of vertex `v`, including the infinite vertex.
   template <class Function>
   void for_each_neighbor(Index v, Function&& f) const
   {
-    if (!m_maintained->arrays().is_outside(v))
-      m_maintained->arrays().for_each_neighbor(v, f);
+    if (!m_state->arrays().is_outside(v))
+      m_state->arrays().for_each_neighbor(v, f);
   }
   /// calls `f(s)` for the four other edges `s` of the two faces at edge `e`.
   template <class Function>
   void for_each_side(Index e, Function&& f) const
   {
-    if (!m_maintained->arrays().is_empty_edge(e))
-      m_maintained->arrays().for_each_side(e, f);
+    if (!m_state->arrays().is_empty_edge(e))
+      m_state->arrays().for_each_side(e, f);
   }
   /// calls `f(e)` for every edge `e` at vertex `v`.
   template <class Function>
   void for_each_incident_edge(Index v, Function&& f) const
   {
-    const auto& arrays = m_maintained->arrays();
+    const auto& arrays = m_state->arrays();
     if (!arrays.is_outside(v))
       arrays.for_each_corner(v, [&](Index h) { f(arrays.edge_of(arrays.previous(h))); });
   }
@@ -166,7 +166,7 @@ public:
   template <class Function>
   void for_each_edge_that_sees(Index v, Function&& f) const
   {
-    const auto& arrays = m_maintained->arrays();
+    const auto& arrays = m_state->arrays();
     if (!arrays.is_outside(v))
       arrays.for_each_corner(v, [&](Index h) {
         f(arrays.edge_of(h));
@@ -176,7 +176,7 @@ public:
 
   /// how often the cell of periodic space has changed; 0 in the plane. What was proved for
   /// positions in an earlier cell does not hold in this one.
-  std::size_t number_of_cell_changes() const { return m_maintained->number_of_cell_changes(); }
+  std::size_t number_of_cell_changes() const { return m_state->number_of_cell_changes(); }
 
   /// @}
   /// \name Testing Edges
@@ -184,29 +184,29 @@ public:
 
   /// the positions of the four vertices of edge `e`, as seen from the edge; NaNs for an infinite
   /// vertex.
-  Corners corners(Index e) const { return m_maintained->corners(e); }
+  Corners corners(Index e) const { return m_state->corners(e); }
   /// the same, but with the given positions, indexed by vertex numbers.
   Corners corners(Index e, const std::vector<Position>& positions) const
   {
-    return m_maintained->corners(e, positions);
+    return m_state->corners(e, positions);
   }
 
   /// whether `corners(e)` equal the coordinates of the points, or of their images, with none of
   /// them rounded.
-  bool corners_are_exact(Index e) const { return m_maintained->corners_are_exact(e); }
+  bool corners_are_exact(Index e) const { return m_state->corners_are_exact(e); }
 
   /// the vector from the source of edge `e` to its target; NaNs if one of them is infinite.
-  Position edge_vector(Index e) const { return m_maintained->edge_vector(e); }
+  Position edge_vector(Index e) const { return m_state->edge_vector(e); }
   /// the positions of the three vertices of face `f`, as seen from the face; NaNs for an infinite
   /// vertex.
-  std::array<Position, 3> face_corners(Index f) const { return m_maintained->face_corners(f); }
+  std::array<Position, 3> face_corners(Index f) const { return m_state->face_corners(f); }
 
   /// whether one of the four vertices of edge `e` is the infinite one; in a slab, whether they are
   /// on both sides of the gap beside it.
-  bool is_at_infinity(Index e) const { return m_maintained->is_at_infinity(e); }
+  bool is_at_infinity(Index e) const { return m_state->is_at_infinity(e); }
   /// for an edge at infinity: whether its finite face is not counterclockwise, or the hull turns
   /// right at the edge's end, as computed in floating point. False for all other edges.
-  bool breaks_hull(Index e) const { return m_maintained->breaks_hull(e); }
+  bool breaks_hull(Index e) const { return m_state->breaks_hull(e); }
 
   /// whether edge `e` needs no repair: it is locally Delaunay, its faces are counterclockwise, and
   /// the hull is convex there. Decided exactly.
@@ -218,12 +218,12 @@ public:
   /// reported as crossed.
   Dynamic_Delaunay_triangulations_2::Edge_state_2 edge_state(Index e) const
   {
-    return Edge_test(*m_maintained).rough_state(e);
+    return Edge_test(*m_state).rough_state(e);
   }
 
   /// true only if edge `e` is Delaunay and not at infinity. Decided in floating point with proved
   /// bounds alone: false if these do not suffice, or if positions are rounded.
-  bool proves_delaunay(Index e) const { return Edge_test(*m_maintained).proves_delaunay(e); }
+  bool proves_delaunay(Index e) const { return Edge_test(*m_state).proves_delaunay(e); }
 
   /// appends to `unproved` all edges from `first` to before `beyond` that are not Delaunay, and a
   /// few others: those for which `proves_delaunay()` is false. An exact classifier tests all edges
@@ -232,12 +232,12 @@ public:
   /// \pre `first <= beyond`, and `beyond <= number_of_edges()`
   void append_unproved(Index first, Index beyond, std::vector<Index>& unproved) const
   {
-    Edge_test(*m_maintained).append_unproved(first, beyond, unproved);
+    Edge_test(*m_state).append_unproved(first, beyond, unproved);
   }
   /// the same, but tests the edges in a list.
   void append_unproved(const std::vector<Index>& edges, std::vector<Index>& unproved) const
   {
-    Edge_test(*m_maintained).append_unproved(edges, unproved);
+    Edge_test(*m_state).append_unproved(edges, unproved);
   }
 
   /// whether the hull turns around once, given that it is convex at each of its vertices. Otherwise
@@ -245,10 +245,10 @@ public:
   /// the hull. In periodic space there is none to walk around: true.
   bool hull_turns_once() const
   {
-    if constexpr (Maintained::is_periodic)
+    if constexpr (State::is_periodic)
       return true;
     else
-      return Dynamic_Delaunay_triangulations_2::internal::Certificate_2<Maintained>(*m_maintained)
+      return Dynamic_Delaunay_triangulations_2::internal::Certificate_2<State>(*m_state)
           .hull_turns_once();
   }
 
@@ -258,21 +258,21 @@ public:
 
   /// whether everything was triangulated anew: at the start, after a rebuild, and after CGAL's
   /// relocations.
-  bool everything_is_new() const { return m_maintained->changes().everything_is_new; }
+  bool everything_is_new() const { return m_state->changes().everything_is_new; }
   /// if not everything is new: the edges in the regions that were triangulated anew. After an
   /// update each of them is listed once.
-  const std::vector<Index>& new_edges() const { return m_maintained->changes().new_edges; }
+  const std::vector<Index>& new_edges() const { return m_state->changes().new_edges; }
   /// the vertices that jumped and were moved to other faces, if not everything is new and no
   /// numbers changed. All their edges are among `new_edges()`. In periodic space also the vertices
   /// of points that are given by another image than before, as where they were wrapped: their edges
   /// need not be new, and a classifier is told of them already while it classifies. References of
   /// their positions have to be taken anew.
-  const std::vector<Index>& relocated_vertices() const { return m_maintained->changes().relocated; }
+  const std::vector<Index>& relocated_vertices() const { return m_state->changes().relocated; }
   /// whether vertices were inserted or removed while not everything is new. Then some vertices,
   /// edges and faces have taken the numbers of removed ones.
   bool has_other_numbers() const
   {
-    return !everything_is_new() && !m_maintained->changes().renumberings.are_none();
+    return !everything_is_new() && !m_state->changes().renumberings.are_none();
   }
   /// updates per-vertex data, indexed by vertex numbers from 0 on, after vertices were inserted or
   /// removed, if not everything is new. Moves the data of vertices whose numbers changed, and
@@ -280,23 +280,23 @@ public:
   template <class T, class Make>
   void follow_vertices(std::vector<T>& data, const Make& make) const
   {
-    m_maintained->changes().renumberings.vertices.follow(
-        data, number_of_vertices() + std::size_t(1), make);
+    m_state->changes().renumberings.vertices.follow(data, number_of_vertices() + std::size_t(1),
+                                                    make);
   }
   /// the same, but for per-edge data, with `T()` for new edges; all of them are among
   /// `new_edges()`.
   template <class T>
   void follow_edges(std::vector<T>& data) const
   {
-    m_maintained->changes().renumberings.edges.follow(data, number_of_edges(),
-                                                      [](Index) { return T(); });
+    m_state->changes().renumberings.edges.follow(data, number_of_edges(),
+                                                 [](Index) { return T(); });
   }
   /// the same, but for per-face data; `for_each_changed_face()` visits all new faces.
   template <class T>
   void follow_faces(std::vector<T>& data) const
   {
-    m_maintained->changes().renumberings.faces.follow(data, number_of_faces(),
-                                                      [](Index) { return T(); });
+    m_state->changes().renumberings.faces.follow(data, number_of_faces(),
+                                                 [](Index) { return T(); });
   }
   /// whether anything was triangulated anew. While classifying, this is true only if an exception
   /// ended the last update before the classifier was told.
@@ -341,16 +341,16 @@ public:
 
   /// \cond
   // The proofs of tolerances for edges.
-  using Slacks = typename Maintained::Slacks;
+  using Slacks = typename State::Slacks;
   // How passes are divided among threads.
-  using Parts = typename Maintained::Parts;
-  const Maintained& maintained() const { return *m_maintained; }
+  using Parts = typename State::Parts;
+  const State& state() const { return *m_state; }
   /// \endcond
 
 private:
-  using Edge_test = typename Maintained::Edge_test;
+  using Edge_test = typename State::Edge_test;
 
-  const Maintained* m_maintained;
+  const State* m_state;
 };
 
 } // namespace CGAL

@@ -56,12 +56,12 @@ struct Edge_corners_2
 namespace internal {
 
 constexpr Index infinite_index = 0;
-constexpr Index no_index = (std::numeric_limits<Index>::max)();
+constexpr Index null_index = (std::numeric_limits<Index>::max)();
 
 // Makes room for `more` further elements, so that appending them cannot throw. Grows by doubling,
 // which `reserve()` alone does not.
 template <class Vector>
-void provide(Vector& data, std::size_t more)
+void reserve_extra(Vector& data, std::size_t more)
 {
   if (data.capacity() < data.size() + more)
     data.reserve(2 * data.size() + more);
@@ -237,9 +237,9 @@ void remove_by_parts(std::vector<Index>& indices, std::size_t least, const Predi
   Parts::for_each(indices.size(), least, [&](std::size_t, std::size_t i, std::size_t beyond) {
     for (; i < beyond; ++i)
       if (is(i, beyond))
-        indices[i] = no_index;
+        indices[i] = null_index;
   });
-  indices.erase(std::remove(indices.begin(), indices.end(), no_index), indices.end());
+  indices.erase(std::remove(indices.begin(), indices.end(), null_index), indices.end());
 }
 
 // Throws if an id occurs more than once.
@@ -260,15 +260,15 @@ void check_distinct(const std::vector<Id>& given)
 class Renumbering_2
 {
 public:
-  bool is_none() const { return m_kept == no_index && m_moves.empty(); }
+  bool is_none() const { return m_kept == null_index && m_moves.empty(); }
 
   // Reserves memory for so many removals. Then nothing here throws, except follow().
-  void provide(std::size_t number) { m_moves.reserve(m_moves.size() + number); }
+  void reserve_extra(std::size_t number) { m_moves.reserve(m_moves.size() + number); }
 
   void clear()
   {
     m_moves.clear();
-    m_kept = no_index;
+    m_kept = null_index;
   }
 
   // The last element takes the number of a removed one.
@@ -277,14 +277,14 @@ public:
     const bool has_come = last >= m_kept;
     m_kept = (std::min)(m_kept, last);
     if (to < m_kept)
-      m_moves.emplace_back(has_come ? no_index : last, to);
+      m_moves.emplace_back(has_come ? null_index : last, to);
   }
 
   // An added element takes the number of a removed one.
   void note_replacement(Index i)
   {
     if (i < m_kept)
-      m_moves.emplace_back(no_index, i);
+      m_moves.emplace_back(null_index, i);
   }
 
   // Added elements get the numbers from `first` on.
@@ -298,7 +298,7 @@ public:
     std::unordered_set<Index> come; // added elements that have the number of a removed one
     for (const auto& [from, to] : m_moves) {
       come.erase(to);
-      if (from == no_index || come.erase(from) > 0)
+      if (from == null_index || come.erase(from) > 0)
         come.insert(to);
       else if (from < data.size())
         data[to] = data[from];
@@ -313,9 +313,9 @@ public:
   }
 
 private:
-  // Moves in order, from number to number; from `no_index` if the element was added in this call.
+  // Moves in order, from number to number; from `null_index` if the element was added in this call.
   std::vector<std::pair<Index, Index>> m_moves;
-  Index m_kept = no_index; // the elements from before the call all have smaller numbers now
+  Index m_kept = null_index; // the elements from before the call all have smaller numbers now
 };
 
 struct Renumberings_2
@@ -324,11 +324,11 @@ struct Renumberings_2
 
   bool are_none() const { return vertices.is_none() && edges.is_none() && faces.is_none(); }
 
-  void provide_for_removals(std::size_t number)
+  void reserve_for_removals(std::size_t number)
   {
-    vertices.provide(number);
-    edges.provide(3 * number);
-    faces.provide(2 * number);
+    vertices.reserve_extra(number);
+    edges.reserve_extra(3 * number);
+    faces.reserve_extra(2 * number);
   }
 
   void clear()

@@ -7,9 +7,9 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Triangulation_state_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Guibas_stolfi_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
@@ -107,12 +107,12 @@ std::size_t length_within_limit(const InputIterator& first, const InputIterator&
 
 // Reads and checks the positions of a frame before anything changes, and can take them back. Only
 // this class has the key to the points of duplicates.
-template <class Maintained>
+template <class State>
 class Input_frame_2
 {
-  using Point = typename Maintained::Point;
-  using Ids = typename Maintained::Ids;
-  using Parts = typename Maintained::Parts;
+  using Point = typename State::Point;
+  using Ids = typename State::Ids;
+  using Parts = typename State::Parts;
 
 public:
   class Key
@@ -121,9 +121,9 @@ public:
     Key() {}
   };
 
-  explicit Input_frame_2(Maintained& maintained)
-    : m_maintained(maintained)
-    , m_positions(maintained.m_positions)
+  explicit Input_frame_2(State& state)
+    : m_state(state)
+    , m_positions(state.m_positions)
   {
   }
 
@@ -131,7 +131,7 @@ public:
   template <class InputIterator, class PointMap>
   void stage(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
-    m_next_duplicates = m_maintained.ids().duplicates();
+    m_next_duplicates = m_state.ids().duplicates();
     m_were_exact = m_positions.are_exact();
     m_positions.begin_frame();
     m_are_exact = stage_all(first, beyond, point_map);
@@ -160,7 +160,7 @@ private:
   bool stage_all(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
     if constexpr (is_random_access<InputIterator>)
-      if (m_maintained.ids().duplicates().empty())
+      if (m_state.ids().duplicates().empty())
         return stage_all_representatives(first, beyond, point_map);
     return stage_one_by_one(first, beyond, point_map);
   }
@@ -171,11 +171,11 @@ private:
   bool stage_all_representatives(RandomAccessIterator first, RandomAccessIterator beyond,
                                  const PointMap& point_map)
   {
-    const std::size_t ids = m_maintained.ids().number_of_ids();
+    const std::size_t ids = m_state.ids().number_of_ids();
     const std::size_t given = std::size_t(beyond - first);
     if (given != ids)
       throw Point_count_error_2(ids, (std::min)(given, ids + 1));
-    const Index points = m_maintained.ids().number_of_representatives();
+    const Index points = m_state.ids().number_of_representatives();
     std::atomic<bool> are_right{true}, are_exact{true};
     Parts::for_each(points, [&](std::size_t, std::size_t begin, std::size_t end) {
       bool are_exact_here = true;
@@ -196,7 +196,7 @@ private:
                   std::size_t end, bool& are_exact)
   {
     using Difference = typename std::iterator_traits<RandomAccessIterator>::difference_type;
-    const Index* const representatives = m_maintained.ids().representatives();
+    const Index* const representatives = m_state.ids().representatives();
     const auto staged = m_positions.staged();
     const auto stage = [&, staged](std::size_t i, Limit_check_2& check) {
       // iterators may store or make their values, and maps may refer into these: keep them alive
@@ -214,7 +214,7 @@ private:
         prefetch(&*(first + Difference(representatives[i])));
     };
     constexpr std::size_t ahead = 128;
-    const std::size_t points = m_maintained.number_of_vertices();
+    const std::size_t points = m_state.number_of_vertices();
     const std::size_t end_of_prefetching =
         points < min_vertices_to_prefetch ? 0 : points - ahead - 1;
     Limit_check_2 odd, even;
@@ -236,20 +236,20 @@ private:
   {
     bool are_exact = true;
     for (std::size_t id = 0; first != beyond; ++id, ++first)
-      if (m_maintained.ids().is_taken(id))
+      if (m_state.ids().is_taken(id))
         checked_position(get(point_map, *first), id, are_exact);
   }
 
   template <class InputIterator, class PointMap>
   bool stage_one_by_one(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
-    const Index ids = m_maintained.ids().number_of_ids();
+    const Index ids = m_state.ids().number_of_ids();
     bool are_exact = true;
     const auto staged = m_positions.staged();
     auto duplicate = m_next_duplicates.begin(); // sorted by id
     Index id = 0;
     for (; id < ids && first != beyond; ++id, ++first) {
-      if (!m_maintained.ids().is_taken(id))
+      if (!m_state.ids().is_taken(id))
         continue;
       auto&& value = *first;
       const Point& p = get(point_map, value);
@@ -257,7 +257,7 @@ private:
       if (duplicate != m_next_duplicates.end() && duplicate->id == id)
         (duplicate++)->point = p;
       else
-        staged.set(m_maintained.ids().vertex(id), position, p);
+        staged.set(m_state.ids().vertex(id), position, p);
     }
     if (first != beyond)
       throw Point_count_error_2(ids, ids + std::size_t(1));
@@ -268,58 +268,57 @@ private:
 
   void exchange_duplicates()
   {
-    m_maintained.m_topology.template exchange_duplicates<Maintained>(Key(), m_next_duplicates);
+    m_state.m_topology.template exchange_duplicates<State>(Key(), m_next_duplicates);
   }
 
-  Maintained& m_maintained;
-  typename Maintained::Positions& m_positions;
+  State& m_state;
+  typename State::Positions& m_positions;
   std::vector<typename Ids::Duplicate> m_next_duplicates;
   bool m_were_exact = true, m_are_exact = true;
 };
 
 // Reads and checks the input for points to insert, remove or move alone, before anything changes.
-template <class Maintained>
+template <class State>
 class Population_input_2
 {
-  using Point = typename Maintained::Point;
+  using Point = typename State::Point;
 
 public:
   // Reads points to insert.
   template <class InputIterator, class PointMap>
   static void read_newcomers(InputIterator first, InputIterator beyond, const PointMap& point_map,
-                             const Maintained& maintained, Change_2<Point>& change)
+                             const State& state, Change_2<Point>& change)
   {
     std::vector<Point>& points = change.coming_points;
-    const std::size_t present = maintained.ids().number_of_points();
+    const std::size_t present = state.ids().number_of_points();
     points.reserve(length_within_limit(first, beyond, present));
     for (; first != beyond; ++first) {
       check_limit(present + points.size() + 1);
       points.push_back(get(point_map, *first));
     }
-    maintained.ids().list_next_ids(points.size(), change.coming);
+    state.ids().list_next_ids(points.size(), change.coming);
     for (std::size_t i = 0; i < points.size(); ++i)
       checked_position(points[i], change.coming[i], change.are_exact);
   }
 
   // Appends ids of existing points, without repetition, in the order of the range.
   template <class InputIterator>
-  static void read_ids(InputIterator first, InputIterator beyond, const Maintained& maintained,
+  static void read_ids(InputIterator first, InputIterator beyond, const State& state,
                        std::vector<Index>& ids)
   {
     for (; first != beyond; ++first)
-      ids.push_back(read_id(*first, maintained));
+      ids.push_back(read_id(*first, state));
     check_distinct(ids);
   }
 
   // Reads points with new positions.
   template <class InputIterator, class IdMap, class PointMap>
   static void read_movers(InputIterator first, InputIterator beyond, const IdMap& id_map,
-                          const PointMap& point_map, const Maintained& maintained,
-                          Change_2<Point>& change)
+                          const PointMap& point_map, const State& state, Change_2<Point>& change)
   {
     for (; first != beyond; ++first) {
       auto&& value = *first;
-      change.moved.push_back(read_id(get(id_map, value), maintained));
+      change.moved.push_back(read_id(get(id_map, value), state));
       change.moved_points.push_back(get(point_map, value));
       checked_position(change.moved_points.back(), change.moved.back(), change.are_exact);
     }
@@ -329,10 +328,10 @@ public:
 private:
   // Reads any integer, also a negative one.
   template <class Integer>
-  static Index read_id(const Integer& id, const Maintained& maintained)
+  static Index read_id(const Integer& id, const State& state)
   {
-    if (!maintained.ids().is_taken(std::size_t(id)))
-      throw Unknown_id_error_2(std::size_t(id), maintained.ids().number_of_ids());
+    if (!state.ids().is_taken(std::size_t(id)))
+      throw Unknown_id_error_2(std::size_t(id), state.ids().number_of_ids());
     return Index(id);
   }
 };

@@ -37,11 +37,11 @@ public:
   {
     return number_of_representatives() + Index(m_duplicates.size());
   }
-  bool has_representative(Index vertex) const { return m_representative[vertex] != no_index; }
+  bool has_representative(Index vertex) const { return m_representative[vertex] != null_index; }
   Index number_of_representatives() const { return Index(m_representative.size()) - 1; }
   bool is_taken(std::size_t id) const
   {
-    return id < m_vertex_of_id.size() && m_vertex_of_id[id] != no_index;
+    return id < m_vertex_of_id.size() && m_vertex_of_id[id] != null_index;
   }
   Index vertex(Index id) const { return m_vertex_of_id[id]; }
   Index representative(Index vertex) const { return m_representative[vertex]; }
@@ -113,8 +113,8 @@ public:
   // Starts with so many ids, none of them taken.
   void reset(Index ids)
   {
-    m_vertex_of_id.assign(ids, no_index);
-    m_representative.assign(1, no_index); // the infinite vertex has no point
+    m_vertex_of_id.assign(ids, null_index);
+    m_representative.assign(1, null_index); // the infinite vertex has no point
     m_duplicates.clear();
     m_free_ids.clear();
   }
@@ -148,7 +148,7 @@ public:
     if (!std::is_sorted(m_duplicates.begin(), m_duplicates.end(), comes_before))
       std::sort(m_duplicates.begin(), m_duplicates.end(), comes_before);
     for (Index id = 0; id < number_of_ids(); ++id)
-      if (m_vertex_of_id[id] == no_index)
+      if (m_vertex_of_id[id] == null_index)
         m_free_ids.push_back(id); // ascending numbers are a heap
   }
 
@@ -157,11 +157,11 @@ public:
   // Reserves the next ids for points to be inserted. If it throws, nothing has changed.
   void reserve(const std::vector<Index>& next_ids)
   {
-    provide(m_free_ids, next_ids.size());
-    provide(m_vertex_of_id, next_ids.size());
+    reserve_extra(m_free_ids, next_ids.size());
+    reserve_extra(m_vertex_of_id, next_ids.size());
     for (const Index id : next_ids)
       if (id == number_of_ids()) {
-        m_vertex_of_id.push_back(no_index);
+        m_vertex_of_id.push_back(null_index);
       } else {
         CGAL_precondition(id == m_free_ids.front());
         std::pop_heap(m_free_ids.begin(), m_free_ids.end(), std::greater<Index>());
@@ -178,12 +178,12 @@ public:
 
   // Reserve memory for one more vertex, for more duplicates, or for more free ids. Then nothing
   // below throws.
-  void provide_for_vertex() { provide(m_representative, 1); }
-  void provide_for_duplicates(std::size_t number) { provide(m_duplicates, number); }
-  void provide_for_removals(std::size_t number) { provide(m_free_ids, number); }
+  void reserve_for_vertex() { reserve_extra(m_representative, 1); }
+  void reserve_for_duplicates(std::size_t number) { reserve_extra(m_duplicates, number); }
+  void reserve_for_removals(std::size_t number) { reserve_extra(m_free_ids, number); }
 
   // Appends a vertex without representative.
-  void append_vertex() { m_representative.push_back(no_index); }
+  void append_vertex() { m_representative.push_back(null_index); }
 
   // Makes `id`, a reserved id or that of a duplicate, the representative of a vertex that has none.
   void place_representative(Index id, Index vertex)
@@ -211,23 +211,23 @@ public:
   // Removes a representative without duplicates and frees its id. Its vertex then has none.
   void remove_representative(Index id)
   {
-    m_representative[m_vertex_of_id[id]] = no_index;
+    m_representative[m_vertex_of_id[id]] = null_index;
     free(id);
   }
 
-  // The smallest id of the duplicates at `vertex` for which `pleases` is true, or `no_index`.
+  // The smallest id of the duplicates at `vertex` for which `pleases` is true, or `null_index`.
   template <class Predicate>
   Index find_duplicate_at(Index vertex, const Predicate& pleases) const
   {
     for (const Duplicate& duplicate : m_duplicates)
       if (m_vertex_of_id[duplicate.id] == vertex && pleases(duplicate))
         return duplicate.id;
-    return no_index;
+    return null_index;
   }
 
   // Makes a duplicate the representative of its vertex, and the representative, whose point is
   // `point`, a duplicate.
-  void hand_over(Index duplicate, const Point& point)
+  void exchange_representative(Index duplicate, const Point& point)
   {
     const Index vertex = m_vertex_of_id[duplicate], representative = m_representative[vertex];
     m_duplicates.erase(find_duplicate(m_duplicates, duplicate));
@@ -246,7 +246,7 @@ public:
     const Index id = m_representative[other];
     m_vertex_of_id[id] = vertex;
     m_duplicates.insert(find_duplicate(m_duplicates, id), Duplicate{id, point});
-    m_representative[other] = no_index;
+    m_representative[other] = null_index;
   }
 
   // Moves the points of the last vertex to one without representative, and drops the last one.
@@ -282,11 +282,11 @@ private:
 
   void free(Index id)
   {
-    m_vertex_of_id[id] = no_index;
+    m_vertex_of_id[id] = null_index;
     release(id);
   }
 
-  std::vector<Index> m_vertex_of_id; // no_index for free ids
+  std::vector<Index> m_vertex_of_id; // null_index for free ids
   std::vector<Index> m_representative;
   std::vector<Duplicate> m_duplicates; // sorted by id
   std::vector<Index> m_free_ids;       // a heap, the smallest on top

@@ -46,7 +46,7 @@ constexpr bool
     is_two_doubles<CGAL::Point_2<Kernel>> = has_double_coordinates<CGAL::Point_2<Kernel>> &&
                                             sizeof(CGAL::Point_2<Kernel>) == 2 * sizeof(double);
 
-inline Position_2 nowhere()
+inline Position_2 nan_point()
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   return {nan, nan};

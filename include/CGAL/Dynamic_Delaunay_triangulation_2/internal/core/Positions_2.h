@@ -61,10 +61,10 @@ public:
   // The infinite vertex must be there, as the first one.
   explicit Positions_2(std::vector<Stored_point>& points)
     : m_points(points)
-    , m_positions(points_are_two_doubles ? 0 : 1, nowhere())
+    , m_positions(points_are_two_doubles ? 0 : 1, nan_point())
   {
     if constexpr (points_are_two_doubles)
-      m_points.front() = nowhere();
+      m_points.front() = nan_point();
   }
 
   // The points, rounded if their coordinates are not doubles. Indexed by vertices.
@@ -101,11 +101,11 @@ public:
   }
 
 private:
-  template <class Maintained>
+  template <class State>
   friend class Input_frame_2;
-  template <class Maintained>
+  template <class State>
   friend class Topology_builder_2;
-  template <class Maintained>
+  template <class State>
   friend class Topology_editor_2;
 
   Positions_2(const Positions_2&) = delete;
@@ -118,7 +118,7 @@ private:
   {
     m_other_points.resize(m_points.size());
     m_other_points.front() = m_points.front();
-    m_other_positions.resize(m_positions.size(), nowhere());
+    m_other_positions.resize(m_positions.size(), nan_point());
   }
 
   // Where to put the frame, for every finite vertex. Threads may share that.
@@ -160,7 +160,7 @@ private:
   // SINGLE POINTS -------------------------------------------------------------------------------
 
   // Reserves memory for so many moves. Then move() throws only what copying a point throws.
-  void provide_for_moves(std::size_t number) { provide(m_moved, number); }
+  void reserve_for_moves(std::size_t number) { reserve_extra(m_moved, number); }
 
   void move(Index v, const Point& p)
   {
@@ -201,13 +201,13 @@ private:
   // IN STEP WITH THE VERTICES -------------------------------------------------------------------
 
   // After this, append() throws only what copying a point throws.
-  void provide_for_vertex()
+  void reserve_for_vertex()
   {
-    provide(m_points, 1);
+    reserve_extra(m_points, 1);
     if constexpr (!points_are_two_doubles)
-      provide(m_positions, 1);
+      reserve_extra(m_positions, 1);
     if (m_is_frame)
-      provide(m_other_points, 1);
+      reserve_extra(m_other_points, 1);
   }
 
   void append(const Point& p)

@@ -367,23 +367,23 @@ private:
 };
 
 // A spatial order of vertices at their present positions.
-template <class Maintained>
+template <class State>
 class Vertex_order_2
 {
-  using Parts = typename Maintained::Parts;
+  using Parts = typename State::Parts;
 
 public:
-  explicit Vertex_order_2(const Maintained& maintained)
-    : m_maintained(maintained)
-    , m_predicates(maintained)
+  explicit Vertex_order_2(const State& state)
+    : m_state(state)
+    , m_predicates(state)
   {
   }
 
   template <class Iterator>
   void sort(Iterator first, Iterator beyond)
   {
-    if (m_maintained.positions_are_exact())
-      m_order.template sort<Parts>(m_maintained.positions(), first, beyond);
+    if (m_state.positions_are_exact())
+      m_order.template sort<Parts>(m_state.positions(), first, beyond);
     else
       m_order.sort_by_comparisons(first, beyond, [this](Index v, Index w) {
         return m_predicates.compare_xy(v, w) == SMALLER;
@@ -432,8 +432,8 @@ private:
     return m_predicates.compare_xy(m_order[i - 1], m_order[i]) == EQUAL;
   }
 
-  const Maintained& m_maintained;
-  Vertex_predicates_2<Maintained> m_predicates;
+  const State& m_state;
+  Vertex_predicates_2<State> m_predicates;
   Spatial_order_2 m_order;
 };
 

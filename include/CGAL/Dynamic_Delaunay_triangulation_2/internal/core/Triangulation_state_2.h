@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_MAINTAINED_TRIANGULATION_2_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_MAINTAINED_TRIANGULATION_2_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_TRIANGULATION_STATE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_TRIANGULATION_STATE_2_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
@@ -34,7 +34,7 @@ namespace internal {
 // What an update works on: the topology and the positions of its vertices. Reading is public; only
 // the friends of each class can write.
 template <class Traits_, class Tds_, class Visitor_calls_, class ConcurrencyTag>
-class Maintained_triangulation_2
+class Triangulation_state_2
 {
 public:
   using Traits = Traits_;
@@ -48,7 +48,7 @@ public:
   using Ids = typename Topology::Ids;
   using Positions = Positions_2<Point>;
   using Space = Plane_2;
-  using Edge_test = Edge_test_2<Maintained_triangulation_2>;
+  using Edge_test = Edge_test_2<Triangulation_state_2>;
   using Slacks = Plane_slacks_2;
 
   static constexpr bool is_periodic = false;
@@ -60,7 +60,7 @@ public:
   using Parts =
       Parallel_parts_2<std::conditional_t<coordinates_are_doubles, ConcurrencyTag, Sequential_tag>>;
 
-  explicit Maintained_triangulation_2(const Traits& traits = Traits())
+  explicit Triangulation_state_2(const Traits& traits = Traits())
     : m_topology(traits)
     , m_positions(m_topology.points())
   {
@@ -135,11 +135,11 @@ public:
   }
 
 private:
-  template <class Maintained>
+  template <class State>
   friend class Input_frame_2;
-  template <class Maintained>
+  template <class State>
   friend class Topology_builder_2;
-  template <class Maintained>
+  template <class State>
   friend class Topology_editor_2;
 
   Topology m_topology;
@@ -150,4 +150,4 @@ private:
 } // namespace Dynamic_Delaunay_triangulations_2
 } // namespace CGAL
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_MAINTAINED_TRIANGULATION_2_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_TRIANGULATION_STATE_2_H

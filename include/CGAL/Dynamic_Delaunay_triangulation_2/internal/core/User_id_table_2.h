@@ -55,7 +55,7 @@ public:
   }
 
   // Reserves memory for so many more entries. Then `set()` throws nothing.
-  void provide(std::size_t number)
+  void reserve_extra(std::size_t number)
   {
     if (2 * (m_size + number) <= m_slots.size())
       return;

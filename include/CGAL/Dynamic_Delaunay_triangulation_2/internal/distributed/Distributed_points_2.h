@@ -119,7 +119,7 @@ public:
   // By places: where the own points are in their order.
   std::vector<Index> order() const
   {
-    std::vector<Index> order(m_points.size(), no_index);
+    std::vector<Index> order(m_points.size(), null_index);
     for (std::size_t k = 0; k < m_owned.size(); ++k)
       order[m_owned[k]] = Index(k);
     return order;
@@ -188,7 +188,7 @@ public:
         for (auto& [shift, link] : links)
           if (link.exports_place(place)) {
             end_export(link, place);
-            *std::find(link.exports.begin(), link.exports.end(), place) = no_index;
+            *std::find(link.exports.begin(), link.exports.end(), place) = null_index;
           }
     }
     m_owned.erase(std::remove_if(m_owned.begin(), m_owned.end(),
@@ -302,7 +302,7 @@ public:
 private:
   struct Link
   {
-    std::vector<Index> exports;            // `no_index` where the point was removed
+    std::vector<Index> exports;            // `null_index` where the point was removed
     std::vector<std::uint8_t> idle_frames; // how long each of them has been outside of the zone
     std::vector<bool> are_exported;        // by places
     std::size_t known = 0; // exports, the first ones, whose positions this frame has sent
@@ -528,13 +528,13 @@ private:
     std::size_t kept = 0;
     for (std::size_t k = 0; k < link.exports.size(); ++k) {
       const Index place = link.exports[k];
-      if (place != no_index && link.idle_frames[k] <= patience) {
+      if (place != null_index && link.idle_frames[k] <= patience) {
         link.exports[kept] = place;
         link.idle_frames[kept++] = link.idle_frames[k];
         continue;
       }
       ending.push_back(k);
-      if (place != no_index)
+      if (place != null_index)
         end_export(link, place);
     }
     link.exports.resize(kept);
@@ -559,9 +559,9 @@ private:
       Index& place = imports.at(message.template read<std::uint64_t>());
       gone.push_back(place);
       forget(place);
-      place = no_index;
+      place = null_index;
     }
-    imports.erase(std::remove(imports.begin(), imports.end(), no_index), imports.end());
+    imports.erase(std::remove(imports.begin(), imports.end(), null_index), imports.end());
     for (std::uint64_t k = 0; k < part.staying; ++k)
       put(imports.at(k), message.template read<Image>());
     for (std::uint64_t k = 0; k < part.beginning; ++k)

@@ -75,9 +75,9 @@ public:
   }
 
 private:
-  // Ids must be smaller than `no_index`. The limit for vertices is lower (`max_vertices`), because
-  // Flat_faces_2 numbers eight half-edges per vertex.
-  static constexpr Index max_ids = no_index - 1;
+  // Ids must be smaller than `null_index`. The limit for vertices is lower (`max_vertices`),
+  // because Flat_faces_2 numbers eight half-edges per vertex.
+  static constexpr Index max_ids = null_index - 1;
 
   Index number_of_vertices() const { return Index(m_points.size()); }
 

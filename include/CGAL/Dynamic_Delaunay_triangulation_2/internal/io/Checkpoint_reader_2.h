@@ -6,8 +6,8 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Triangulation_state_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Surface_check_2.h>
@@ -35,10 +35,10 @@ namespace internal {
 
 // Reads a triangulation that Checkpoint_writer_2 has written. Every value is validated before it is
 // used, and memory is allocated only for what was read, whatever numbers the file announces.
-template <class Maintained>
+template <class State>
 class Checkpoint_reader_2
 {
-  using Point = typename Maintained::Point;
+  using Point = typename State::Point;
   using FT = std::decay_t<decltype(std::declval<Point>().x())>;
   using Coordinate = Checkpoint_coordinate_2<FT>;
   static_assert(is_made_of_x_and_y<Point>,
@@ -51,16 +51,16 @@ public:
   }
 
   // Reads into an empty triangulation, which can only be discarded if this throws.
-  void read(Maintained& maintained)
+  void read(State& state)
   {
     read_head();
     read_points();
     if (m_dimension == 2)
       read_topology();
     else
-      check_line(maintained);
-    Topology_builder_2<Maintained>(maintained).restore(m_kept);
-    if (m_is_certified && m_dimension == 2 && !Certificate_2<Maintained>(maintained).holds())
+      check_line(state);
+    Topology_builder_2<State>(state).restore(m_kept);
+    if (m_is_certified && m_dimension == 2 && !Certificate_2<State>(state).holds())
       m_file.refuse(m_certified_line, "the triangulation is not Delaunay, and cannot be certified");
   }
 
@@ -76,7 +76,7 @@ private:
                     ", and those of the triangulation's points of the kind " +
                     Checkpoint_input_2::quoted(Coordinate::kind));
     m_kept.positions_are_exact = m_file.flag_entry("positions", "exact", "rounded");
-    if (Maintained::coordinates_are_doubles && !m_kept.positions_are_exact)
+    if (State::coordinates_are_doubles && !m_kept.positions_are_exact)
       m_file.refuse("doubles are exact, and cannot be rounded");
     m_is_certified = m_file.flag_entry("certified", "yes", "no");
     m_certified_line = m_file.line();
@@ -125,7 +125,7 @@ private:
 
   Position_2 read_position(const Point& p)
   {
-    if constexpr (Maintained::coordinates_are_doubles)
+    if constexpr (State::coordinates_are_doubles)
       return {p.x(), p.y()};
     else
       return {read_rounded("the first coordinate as a double", p.x()),
@@ -148,9 +148,9 @@ private:
   }
 
   // Checks that the points are distinct and collinear.
-  void check_line(const Maintained& maintained) const
+  void check_line(const State& state) const
   {
-    const auto& traits = maintained.traits();
+    const auto& traits = state.traits();
     std::vector<Point> points = m_kept.points;
     std::sort(points.begin(), points.end(), traits.less_xy_2_object());
     for (std::size_t i = 1; i < points.size(); ++i) {

@@ -6,8 +6,8 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Triangulation_state_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_costs_2.h>
@@ -22,19 +22,18 @@ namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
 // Writes a maintained triangulation. The manual's page on checkpoints describes the file.
-template <class Maintained>
+template <class State>
 class Checkpoint_writer_2
 {
-  using Point = typename Maintained::Point;
+  using Point = typename State::Point;
   using FT = std::decay_t<decltype(std::declval<Point>().x())>;
   using Coordinate = Checkpoint_coordinate_2<FT>;
   static_assert(is_made_of_x_and_y<Point>,
                 "a checkpoint keeps x and y, which are not all of these points");
 
 public:
-  Checkpoint_writer_2(const Maintained& maintained, bool is_certified,
-                      const Repair_experience_2& experience)
-    : m_maintained(maintained)
+  Checkpoint_writer_2(const State& state, bool is_certified, const Repair_experience_2& experience)
+    : m_state(state)
     , m_is_certified(is_certified)
     , m_experience(experience)
   {
@@ -47,17 +46,17 @@ public:
     check_completeness();
     Checkpoint_output_2 file(out, subject);
     file.line("coordinates", Coordinate::kind);
-    file.line("positions", m_maintained.positions_are_exact() ? "exact" : "rounded");
+    file.line("positions", m_state.positions_are_exact() ? "exact" : "rounded");
     file.line("certified", m_is_certified ? "yes" : "no");
     file.line("hopeless_share", m_experience.hopeless_share());
-    file.line("dimension", m_maintained.triangulation().dimension());
-    file.line("ids", m_maintained.ids().number_of_ids());
+    file.line("dimension", m_state.triangulation().dimension());
+    file.line("ids", m_state.ids().number_of_ids());
     write_checkpoint_points(
-        file, m_maintained.ids(), [&](Index v) { write_vertex(file, v); },
+        file, m_state.ids(), [&](Index v) { write_vertex(file, v); },
         [&](const Point& p) {
           return std::make_pair(Coordinate::text(p.x()), Coordinate::text(p.y()));
         });
-    if (m_maintained.spans_plane())
+    if (m_state.spans_plane())
       write_topology(file);
     append(file);
     file.finish();
@@ -66,10 +65,10 @@ public:
 private:
   void check_completeness() const
   {
-    bool is_complete = m_is_certified || m_maintained.spans_plane();
-    for (const auto& duplicate : m_maintained.ids().duplicates())
-      is_complete = is_complete &&
-                    duplicate.point == m_maintained.point(m_maintained.ids().vertex(duplicate.id));
+    bool is_complete = m_is_certified || m_state.spans_plane();
+    for (const auto& duplicate : m_state.ids().duplicates())
+      is_complete =
+          is_complete && duplicate.point == m_state.point(m_state.ids().vertex(duplicate.id));
     if (!is_complete)
       refuse_incomplete_triangulation();
   }
@@ -78,10 +77,10 @@ private:
   // computed, which is not kept.
   void write_vertex(Checkpoint_output_2& file, Index v) const
   {
-    const Point& p = m_maintained.point(v);
-    const Index id = m_maintained.ids().representative(v);
-    const Position_2& position = m_maintained.positions()[v];
-    if constexpr (Maintained::coordinates_are_doubles)
+    const Point& p = m_state.point(v);
+    const Index id = m_state.ids().representative(v);
+    const Position_2& position = m_state.positions()[v];
+    if constexpr (State::coordinates_are_doubles)
       file.line(id, p.x(), p.y());
     else
       file.line(id, Coordinate::text(p.x()), Coordinate::text(p.y()), position.x, position.y);
@@ -89,7 +88,7 @@ private:
 
   void write_topology(Checkpoint_output_2& file) const
   {
-    const auto& arrays = m_maintained.arrays();
+    const auto& arrays = m_state.arrays();
     file.line("faces", arrays.number_of_faces());
     for (Index f = 0; f < arrays.number_of_faces(); ++f)
       file.line(arrays.apex(3 * f), arrays.apex(3 * f + 1), arrays.apex(3 * f + 2));
@@ -103,7 +102,7 @@ private:
     }
   }
 
-  const Maintained& m_maintained;
+  const State& m_state;
   bool m_is_certified;
   Repair_experience_2 m_experience;
 };

@@ -36,7 +36,7 @@ namespace internal {
 // Reads a periodic triangulation that Periodic_checkpoint_writer_2 has written. Every value is
 // validated before it is used, and memory is allocated only for what was read, whatever numbers the
 // file announces.
-template <class Maintained>
+template <class State>
 class Periodic_checkpoint_reader_2
 {
   using Arrays = Halfedge_arrays_2;
@@ -51,7 +51,7 @@ public:
   }
 
   // Reads everything that belongs to the triangulation.
-  Maintained read()
+  State read()
   {
     read_head();
     m_points.read(
@@ -62,15 +62,14 @@ public:
     read_corners();
     read_edges();
     check_surface(first_line_of_faces);
-    Maintained maintained(m_torus.cell());
-    Periodic_editor_2<Maintained, false>(maintained)
-        .restore(m_faces, m_positions, m_ids, m_corners, m_edges);
-    const Periodic_certificate_2<Maintained> certificate(maintained);
+    State state(m_torus.cell());
+    Periodic_editor_2<State, false>(state).restore(m_faces, m_positions, m_ids, m_corners, m_edges);
+    const Periodic_certificate_2<State> certificate(state);
     if (!certificate.covers_once())
       m_file.refuse("the faces above do not cover the space once");
     if (m_is_certified && !certificate.is_delaunay())
       m_file.refuse(m_certified_line, "the triangulation is not Delaunay, and cannot be certified");
-    return maintained;
+    return state;
   }
 
   bool is_certified() const { return m_is_certified; }
@@ -187,12 +186,12 @@ private:
   void read_edges()
   {
     m_file.number_entry("edges", number_of_edges(), number_of_edges());
-    m_faces.twins.assign(number_of_halfedges(), no_index);
+    m_faces.twins.assign(number_of_halfedges(), null_index);
     for (Index e = 0; e < number_of_edges(); ++e) {
       m_file.next_line();
       const Index h = read_halfedge(), g = read_halfedge();
       m_file.end_line();
-      if (h == g || m_faces.twins[h] != no_index || m_faces.twins[g] != no_index)
+      if (h == g || m_faces.twins[h] != null_index || m_faces.twins[g] != null_index)
         m_file.refuse("a half-edge is there more than once");
       if (!run_along_each_other(h, g))
         m_file.refuse("these are half-edges of two edges");

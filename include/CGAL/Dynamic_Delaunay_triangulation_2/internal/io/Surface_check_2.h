@@ -90,24 +90,24 @@ private:
   Flaw link()
   {
     Flaw flaw;
-    std::vector<Index> halfedge_to(m_vertices, no_index); // from v to each vertex
+    std::vector<Index> halfedge_to(m_vertices, null_index); // from v to each vertex
     for (Index v = 0; v < m_vertices; ++v) {
       for_each_halfedge_from(v, [&](Index h) {
         Index& there = halfedge_to[m_faces.target(h)];
         if (m_faces.target(h) == v)
           flaw = flaw_at(h, "the face has a vertex twice");
-        else if (there != no_index)
+        else if (there != null_index)
           flaw = flaw_at(h, "an edge of the face is there twice");
         there = h;
       });
       for_each_halfedge_from(v, [&](Index h) {
         const Index arriving = Flat_faces_2::previous(h);
         const Index back = halfedge_to[m_faces.source(arriving)];
-        if (back == no_index)
+        if (back == null_index)
           flaw = flaw_at(h, "an edge of the face has no other face");
         m_faces.set_twin(arriving, back);
       });
-      for_each_halfedge_from(v, [&](Index h) { halfedge_to[m_faces.target(h)] = no_index; });
+      for_each_halfedge_from(v, [&](Index h) { halfedge_to[m_faces.target(h)] = null_index; });
       if (flaw.what)
         return flaw;
     }

@@ -62,7 +62,7 @@ public:
     m_positions.resize(images + 1);
     m_points.resize(images + 1);
     m_shifts.resize(images + 1);
-    m_positions[infinite_index] = nowhere();
+    m_positions[infinite_index] = nan_point();
   }
   void set(Index number, const Image& image)
   {
@@ -263,7 +263,7 @@ private:
   void number_vertices(std::size_t points)
   {
     m_faces.points.resize(points + 1);
-    m_faces.points[infinite_index] = no_index;
+    m_faces.points[infinite_index] = null_index;
     m_wrapped.resize(points + 1);
     std::vector<Index> vertex_of_point(points);
     number_in_parts(
@@ -340,7 +340,7 @@ private:
     Parts::for_each(
         m_planar.number_of_faces(), [&](std::size_t part, std::size_t first, std::size_t beyond) {
           for (Index f = Index(first); f < beyond; ++f)
-            for (Index i = 0; i < 3 && m_face_numbers[f] != no_index; ++i)
+            for (Index i = 0; i < 3 && m_face_numbers[f] != null_index; ++i)
               link(Flat_faces_2::first_halfedge(f) + i, 3 * m_face_numbers[f] + i, open[part]);
         });
     m_open.clear();
@@ -363,15 +363,15 @@ private:
     const Index planar_faces = m_planar.number_of_faces();
     m_face_numbers.resize(planar_faces);
     for_each_in_parts(planar_faces, [&](std::size_t f) {
-      m_face_numbers[f] = is_kept(Index(f)) ? infinite_index : no_index;
+      m_face_numbers[f] = is_kept(Index(f)) ? infinite_index : null_index;
     });
     const Index kept = number_in_parts(
-        planar_faces, [&](std::size_t f) { return m_face_numbers[f] != no_index; },
+        planar_faces, [&](std::size_t f) { return m_face_numbers[f] != null_index; },
         [&](std::size_t f, Index number) { m_face_numbers[f] = number; });
     m_faces.apexes.resize(3 * std::size_t(kept));
     m_faces.shifts.resize(3 * std::size_t(kept));
     for_each_in_parts(planar_faces, [&](std::size_t f) {
-      if (m_face_numbers[f] == no_index)
+      if (m_face_numbers[f] == null_index)
         return;
       const Index h = Flat_faces_2::first_halfedge(Index(f)), to = 3 * m_face_numbers[f];
       for (Index i = 0; i < 3; ++i) {
@@ -407,7 +407,7 @@ private:
   void link(Index planar, Index h, std::vector<Open_halfedge>& open)
   {
     const Index twin = m_planar.twin(planar), number = m_face_numbers[twin / 4];
-    if (number != no_index) {
+    if (number != null_index) {
       m_faces.twins[h] = 3 * number + twin % 4;
       return;
     }
@@ -462,7 +462,7 @@ private:
     Parts::for_each(faces, [&](std::size_t part, std::size_t first, std::size_t beyond) {
       double sum = 0;
       for (Index f = Index(first); f < beyond; ++f)
-        if (m_face_numbers[f] != no_index)
+        if (m_face_numbers[f] != null_index)
           sum += doubled_area(Flat_faces_2::first_halfedge(f));
       doubled_areas[part] = sum;
     });

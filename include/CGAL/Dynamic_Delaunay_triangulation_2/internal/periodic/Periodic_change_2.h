@@ -28,11 +28,11 @@ struct Periodic_change_2
   }
   static Periodic_change_2 translation(Index id, const Periodic_shift_2& shift)
   {
-    return {Kind::POINT_TRANSLATED, id, no_index, {shift, no_shift}};
+    return {Kind::POINT_TRANSLATED, id, null_index, {shift, no_shift}};
   }
   static Periodic_change_2 exchange(const std::array<Periodic_shift_2, 2>& multiples)
   {
-    return {Kind::CELL_EXCHANGED, no_index, no_index, multiples};
+    return {Kind::CELL_EXCHANGED, null_index, null_index, multiples};
   }
 
   Kind kind;

@@ -31,18 +31,18 @@ namespace internal {
 //
 // If `is_logged_`, it keeps a log of all edges that it removes and creates, of the points whose
 // images it numbers anew, and of exchanged cells.
-template <class Maintained, bool is_logged_>
+template <class State, bool is_logged_>
 class Periodic_editor_2
 {
   using Arrays = Halfedge_arrays_2;
   using Slot = Arrays::Slot;
-  using Ids = typename Maintained::Ids;
+  using Ids = typename State::Ids;
   using Kind = Periodic_change_2::Kind;
-  using Parts = typename Maintained::Parts;
+  using Parts = typename State::Parts;
 
 public:
-  explicit Periodic_editor_2(Maintained& maintained)
-    : m_maintained(maintained)
+  explicit Periodic_editor_2(State& state)
+    : m_state(state)
   {
   }
 
@@ -52,10 +52,10 @@ public:
   std::vector<Periodic_change_2>& log() { return m_log; }
 
   // Reserves memory for so many changes.
-  void provide_for_log(std::size_t changes)
+  void reserve_for_log(std::size_t changes)
   {
     if constexpr (is_logged)
-      provide(m_log, changes);
+      reserve_extra(m_log, changes);
   }
 
   // Notes all edges as removed or created. The memory must have been provided.
@@ -76,13 +76,13 @@ public:
 
   // POINTS --------------------------------------------------------------------------------------
 
-  Ids& ids() { return m_maintained.m_ids; }
-  void set_position(Index v, const Position_2& p) { m_maintained.m_positions[v] = p; }
+  Ids& ids() { return m_state.m_ids; }
+  void set_position(Index v, const Position_2& p) { m_state.m_positions[v] = p; }
 
   // The next positions of all vertices, by their numbers, and where to write them.
-  std::vector<Position_2>& next_positions() { return m_maintained.m_other_positions; }
+  std::vector<Position_2>& next_positions() { return m_state.m_other_positions; }
   // Moves all vertices there.
-  void exchange_positions() { m_maintained.m_positions.swap(m_maintained.m_other_positions); }
+  void exchange_positions() { m_state.m_positions.swap(m_state.m_other_positions); }
 
   // To be called where the position of v was replaced by one that is about `shift` away: every
   // image of v stays where it is, about. A vertex that is taken out has none, but the edges that it
@@ -105,13 +105,13 @@ public:
 
   // Exchanges the representative of a vertex for one of its duplicates, which is at p: so
   // far the representative was at `before`, by `shift` away from p.
-  void hand_over(Index duplicate, const Position_2& p, const Position_2& before,
-                 const Periodic_shift_2& shift)
+  void exchange_representative(Index duplicate, const Position_2& p, const Position_2& before,
+                               const Periodic_shift_2& shift)
   {
     const Index v = ids().vertex(duplicate);
-    provide_for_log(2 * std::size_t(arrays().degree(v)) + 1);
+    reserve_for_log(2 * std::size_t(arrays().degree(v)) + 1);
     note_edges_around(Kind::EDGE_REMOVED, v);
-    ids().hand_over(duplicate, before);
+    ids().exchange_representative(duplicate, before);
     note_edges_around(Kind::EDGE_CREATED, v);
     set_position(v, p);
     shift_images(v, shift);
@@ -123,8 +123,8 @@ public:
   {
     if (multiples != std::array<Periodic_shift_2, 2>{{{1, 0}, {0, 1}}})
       note([&] { return Periodic_change_2::exchange(multiples); });
-    ++m_maintained.m_cell_changes;
-    m_maintained.m_torus = Torus_2(cell);
+    ++m_state.m_cell_changes;
+    m_state.m_torus = Torus_2(cell);
     for (Periodic_shift_2& s : shifts())
       s = {s[0] * multiples[0][0] + s[1] * multiples[1][0],
            s[0] * multiples[0][1] + s[1] * multiples[1][1]};
@@ -138,7 +138,7 @@ public:
   {
     const Index g = arrays().twin(h);
     const Index a = arrays().apex(h), d = arrays().apex(g);
-    const Periodic_shift_2 way = shifts()[g] + m_maintained.transition(h) - shifts()[h];
+    const Periodic_shift_2 way = shifts()[g] + m_state.transition(h) - shifts()[h];
     if (h / 3 == g / 3 || (a == d && are_equal(way, no_shift)))
       return false;
     Index i = h, k = g;
@@ -153,8 +153,8 @@ public:
 
   void flip(Index h)
   {
-    provide_for_log(2);
-    provide(changes().new_edges, 1);
+    reserve_for_log(2);
+    reserve_extra(changes().new_edges, 1);
     flip(h, changes().new_edges, m_log);
   }
 
@@ -167,7 +167,7 @@ public:
                      const Function& f)
   {
     m_flips_of_parts.resize((std::max)(parts, m_flips_of_parts.size()));
-    provide_for_log(2 * most);
+    reserve_for_log(2 * most);
     const auto finish = [&] {
       for (std::size_t part = 0; part < parts; ++part)
         finish_part(m_flips_of_parts[part]);
@@ -186,9 +186,9 @@ public:
   // VERTICES ------------------------------------------------------------------------------------
 
   // Exchanges everything with another one.
-  void swap(Maintained& other)
+  void swap(State& other)
   {
-    std::swap(m_maintained, other);
+    std::swap(m_state, other);
     changes().everything_is_new = true;
     other.m_changes.everything_is_new = true;
   }
@@ -200,7 +200,7 @@ public:
     changes().everything_is_new = true;
     arrays().resize(1, 2);
     ids().append_vertex();
-    m_maintained.m_positions.push_back(p);
+    m_state.m_positions.push_back(p);
     for (Index h = 0; h < 6; ++h)
       arrays().set_apex(h, 1);
     // the faces (0, r, r + t) and (0, r + t, t) of a parallelogram
@@ -249,13 +249,13 @@ public:
   // Makes a vertex outside of all faces. Its point has no id yet.
   Slot make_slot()
   {
-    arrays().provide_for_slot();
-    ids().provide_for_vertex();
-    provide(shifts(), 6);
-    provide(m_maintained.m_positions, 1);
+    arrays().reserve_for_slot();
+    ids().reserve_for_vertex();
+    reserve_extra(shifts(), 6);
+    reserve_extra(m_state.m_positions, 1);
     ids().append_vertex();
     shifts().resize(shifts().size() + 6);
-    m_maintained.m_positions.push_back(nowhere());
+    m_state.m_positions.push_back(nan_point());
     changes().everything_is_new = true;
     return arrays().append_slot();
   }
@@ -263,7 +263,7 @@ public:
   // Puts the slot's vertex into face f, at the image of p by `shift` in the frame of f.
   void put_in(const Slot& slot, const Position_2& p, const Periodic_shift_2& shift, Index f)
   {
-    provide_for_log(3);
+    reserve_for_log(3);
     const Index g = slot.faces[0], k = slot.faces[1];
     const Periodic_shift_2 a = shifts()[3 * f], b = shifts()[3 * f + 1], c = shifts()[3 * f + 2];
     arrays().put_in(slot, f);
@@ -281,7 +281,7 @@ public:
   // Takes a vertex of degree 3 out of its faces.
   Slot take_out(Index v)
   {
-    provide_for_log(3);
+    reserve_for_log(3);
     note_edges_around(Kind::EDGE_REMOVED, v);
     const Index h = arrays().corner(v), g = arrays().next_corner(h);
     const Periodic_shift_2 a = shifts()[Arrays::next(h)], b = shifts()[Arrays::previous(h)];
@@ -320,23 +320,23 @@ public:
     for (const Index v : vertices) {
       arrays().move_last_vertex_to(v);
       ids().move_last_vertex_to(v);
-      set_position(v, m_maintained.m_positions.back());
-      m_maintained.m_positions.pop_back();
+      set_position(v, m_state.m_positions.back());
+      m_state.m_positions.pop_back();
     }
   }
 
 private:
-  Halfedge_arrays_2& arrays() { return m_maintained.m_arrays; }
-  const Halfedge_arrays_2& arrays() const { return m_maintained.m_arrays; }
-  Change_log_2& changes() { return m_maintained.m_changes; }
-  std::vector<Periodic_shift_2>& shifts() { return m_maintained.m_shifts; }
-  const std::vector<Periodic_shift_2>& shifts() const { return m_maintained.m_shifts; }
+  Halfedge_arrays_2& arrays() { return m_state.m_arrays; }
+  const Halfedge_arrays_2& arrays() const { return m_state.m_arrays; }
+  Change_log_2& changes() { return m_state.m_changes; }
+  std::vector<Periodic_shift_2>& shifts() { return m_state.m_shifts; }
+  const std::vector<Periodic_shift_2>& shifts() const { return m_state.m_shifts; }
 
   // Flips the edge of half-edge h. There must be memory for one new edge, and for two changes.
   void flip(Index h, std::vector<Index>& new_edges, std::vector<Periodic_change_2>& log)
   {
     const Index g = arrays().twin(h);
-    const Edge_images_2 images = m_maintained.corners_at(h);
+    const Edge_images_2 images = m_state.corners_at(h);
     note_edge(Kind::EDGE_REMOVED, h, log);
     arrays().flip_glued(h);
     shifts()[Arrays::previous(h)] = images.right.shift;
@@ -360,10 +360,10 @@ private:
   {
     if (!topology.is_inside(part, arrays().edge_of(h)) || !can_flip(h))
       return false;
-    provide(flips.edges, 1);
+    reserve_extra(flips.edges, 1);
     if constexpr (is_logged)
-      provide(flips.log, 2);
-    CGAL_assertion_code(const Edge_2 edge = m_maintained.edge(arrays().edge_of(h)));
+      reserve_extra(flips.log, 2);
+    CGAL_assertion_code(const Edge_2 edge = m_state.edge(arrays().edge_of(h)));
     CGAL_assertion(topology.has_all(part, {edge.source, edge.target, edge.left, edge.right}));
     flip(h, flips.edges, flips.log);
     return true;
@@ -373,7 +373,7 @@ private:
   void finish_part(Flips_of_part& flips)
   {
     try {
-      provide(changes().new_edges, flips.edges.size());
+      reserve_extra(changes().new_edges, flips.edges.size());
       changes().new_edges.insert(changes().new_edges.end(), flips.edges.begin(), flips.edges.end());
     } catch (const std::bad_alloc&) {
       changes().everything_is_new = true;
@@ -395,10 +395,10 @@ private:
   {
     if constexpr (is_logged) {
       const Index from = Arrays::next(h), to = Arrays::previous(h);
-      if (!m_maintained.torus().are_across(shifts()[from], shifts()[to]))
+      if (!m_state.torus().are_across(shifts()[from], shifts()[to]))
         log.push_back(Periodic_change_2::edge(
-            kind, m_maintained.ids().representative(arrays().apex(from)),
-            m_maintained.ids().representative(arrays().apex(to)), shifts()[to] - shifts()[from]));
+            kind, m_state.ids().representative(arrays().apex(from)),
+            m_state.ids().representative(arrays().apex(to)), shifts()[to] - shifts()[from]));
     }
   }
 
@@ -446,8 +446,7 @@ private:
     changes().everything_is_new = true;
     const Index vertices = Index(positions.size());
     arrays().resize(vertices, 2 * vertices);
-    m_maintained.m_positions.insert(m_maintained.m_positions.end(), positions.begin(),
-                                    positions.end());
+    m_state.m_positions.insert(m_state.m_positions.end(), positions.begin(), positions.end());
     shifts() = faces.shifts;
     for_each_in_parts(2 * vertices, [&](std::size_t f) {
       for (Index h = Index(3 * f); h < 3 * f + 3; ++h)
@@ -498,12 +497,12 @@ private:
   // Whether the corners of both faces at half-edge h have the same shift.
   bool has_equal_shifts(Index h) const
   {
-    const auto [a, b, c, d] = m_maintained.corners_at(h);
+    const auto [a, b, c, d] = m_state.corners_at(h);
     return are_equal(a.shift, b.shift) && are_equal(b.shift, c.shift) &&
            are_equal(c.shift, d.shift);
   }
 
-  Maintained& m_maintained;
+  State& m_state;
   std::vector<Index> m_corners;
   std::vector<Flips_of_part> m_flips_of_parts;
   std::vector<Periodic_change_2> m_log;

@@ -28,15 +28,15 @@ namespace internal {
 
 // The motion of a frame in periodic space: reads it, and finds which points cross the border of the
 // cell and which ones jump, before anything moves.
-template <class Maintained, class Editor>
+template <class State, class Editor>
 class Periodic_motion_2
 {
   using Arrays = Halfedge_arrays_2;
-  using Parts = typename Maintained::Parts;
+  using Parts = typename State::Parts;
 
 public:
-  Periodic_motion_2(const Maintained& maintained, Editor& editor)
-    : m_maintained(maintained)
+  Periodic_motion_2(const State& state, Editor& editor)
+    : m_state(state)
     , m_editor(editor)
   {
   }
@@ -47,8 +47,8 @@ public:
   bool stage(const Next& next, const Periodic_cell_2& cell)
   {
     const Torus_2 now(cell);
-    const bool is_same = cell == m_maintained.torus().cell();
-    m_multiples = is_same ? unit_multiples : multiples_in_new_cell(m_maintained.torus(), now);
+    const bool is_same = cell == m_state.torus().cell();
+    m_multiples = is_same ? unit_multiples : multiples_in_new_cell(m_state.torus(), now);
     return (is_same ? stage_vertices<true>(next, now) : stage_vertices<false>(next, now)) &&
            std::all_of(ids().duplicates().begin(), ids().duplicates().end(),
                        [&](const auto& d) { return is_in_range(next(d.id), now); });
@@ -75,7 +75,7 @@ public:
   // Moves the vertices where they were staged.
   void move_vertices(const Periodic_cell_2& cell)
   {
-    if (cell != m_maintained.torus().cell())
+    if (cell != m_state.torus().cell())
       m_editor.set_cell(cell, m_multiples);
     m_editor.exchange_positions();
     m_mean_way = m_next_mean_way;
@@ -89,7 +89,7 @@ public:
     for (const auto& [v, shift] : m_translated)
       m_editor.shift_images(v, no_shift - shift);
     m_editor.exchange_positions();
-    if (cell != m_maintained.torus().cell())
+    if (cell != m_state.torus().cell())
       m_editor.set_cell(cell, inverse(m_multiples));
   }
 
@@ -97,7 +97,7 @@ private:
   static constexpr std::array<Periodic_shift_2, 2> unit_multiples{{{1, 0}, {0, 1}}};
   static constexpr Index prefetched_ahead = 64; // points
 
-  const typename Maintained::Ids& ids() const { return m_maintained.ids(); }
+  const typename State::Ids& ids() const { return m_state.ids(); }
 
   // Points that go no farther from the mean motion, to coordinates whose sum is no larger, go less
   // than half through the cell, not far, and stay in range.
@@ -121,9 +121,9 @@ private:
   bool stage_vertices(const Next& next, const Torus_2& now)
   {
     std::vector<Position_2>& staged = m_editor.next_positions();
-    staged.resize(m_maintained.positions().size());
-    staged[infinite_index] = nowhere();
-    const Index vertices = m_maintained.number_of_vertices();
+    staged.resize(m_state.positions().size());
+    staged[infinite_index] = nan_point();
+    const Index vertices = m_state.number_of_vertices();
     const double long_way = squared_long_way();
     const Usual_step usual = is_same ? usual_step(now, long_way) : Usual_step{-1, 0};
     m_parts.resize(Parts::number(vertices));
@@ -155,7 +155,7 @@ private:
       sum = {sum.x + part.sum.x, sum.y + part.sum.y};
       are_in_range &= part.are_in_range;
     }
-    const Index vertices = m_maintained.number_of_vertices();
+    const Index vertices = m_state.number_of_vertices();
     m_next_mean_way =
         vertices > 0 ? Position_2{sum.x / vertices, sum.y / vertices} : Position_2{0, 0};
     return are_in_range;
@@ -167,7 +167,7 @@ private:
   {
     std::vector<Position_2>& staged = m_editor.next_positions();
     const Index* const representatives = ids().representatives();
-    const Index vertices = m_maintained.number_of_vertices();
+    const Index vertices = m_state.number_of_vertices();
     const Index end_of_prefetching =
         vertices < min_vertices_to_prefetch ? 0 : vertices - prefetched_ahead;
     part.translated.clear();
@@ -178,7 +178,7 @@ private:
     for (Index v = first; v < beyond; ++v) {
       if (v < end_of_prefetching)
         next.prefetch(representatives[v + prefetched_ahead]);
-      const Position_2& p = m_maintained.positions()[v];
+      const Position_2& p = m_state.positions()[v];
       const Position_2 q = next(representatives[v]);
       staged[v] = q;
       Position_2 way{q.x - p.x, q.y - p.y};
@@ -215,7 +215,7 @@ private:
   // From p in the old cell to a position in the new one, in multiples of the new cell's vectors.
   Position_2 step_to_new_cell(const Position_2& p, const Position_2& multiples) const
   {
-    const Position_2 s = m_maintained.torus().multiples(p);
+    const Position_2 s = m_state.torus().multiples(p);
     return {multiples.x - (s.x * m_multiples[0][0] + s.y * m_multiples[1][0]),
             multiples.y - (s.x * m_multiples[0][1] + s.y * m_multiples[1][1])};
   }
@@ -232,9 +232,9 @@ private:
   double squared_distance_to_neighbors(Index v) const
   {
     double least = std::numeric_limits<double>::infinity();
-    const Torus_2& torus = m_maintained.torus();
-    m_maintained.arrays().for_each_corner(v, [&](Index h) {
-      const Image_2 p = m_maintained.image(h), q = m_maintained.image(Arrays::next(h));
+    const Torus_2& torus = m_state.torus();
+    m_state.arrays().for_each_corner(v, [&](Index h) {
+      const Image_2 p = m_state.image(h), q = m_state.image(Arrays::next(h));
       if (!torus.are_across(p.shift, q.shift))
         least = (std::min)(least, squared_distance(torus.rounded(p), torus.rounded(q)));
     });
@@ -242,29 +242,26 @@ private:
   }
 
   // A quarter of the spacing.
-  double squared_long_way() const
-  {
-    return area_of_points() / m_maintained.number_of_vertices() / 16;
-  }
+  double squared_long_way() const { return area_of_points() / m_state.number_of_vertices() / 16; }
 
   // That of the cell. In a slab that of the strip with all points, or, where that is thin, of
   // squares between points in a row.
   double area_of_points() const
   {
-    const Torus_2& torus = m_maintained.torus();
+    const Torus_2& torus = m_state.torus();
     if (!torus.cell().is_slab())
       return torus.cell().area();
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v) {
-      const double height = torus.multiples(m_maintained.positions()[v]).y;
+    for (Index v = 1; v <= m_state.number_of_vertices(); ++v) {
+      const double height = torus.multiples(m_state.positions()[v]).y;
       low = (std::min)(low, height);
       high = (std::max)(high, height);
     }
     const double length = std::hypot(torus.cell().ax(), torus.cell().ay());
-    return length * (std::max)(high - low, length / m_maintained.number_of_vertices());
+    return length * (std::max)(high - low, length / m_state.number_of_vertices());
   }
 
-  const Maintained& m_maintained;
+  const State& m_state;
   Editor& m_editor;
   std::vector<std::pair<Index, Periodic_shift_2>> m_translated;
   std::vector<std::pair<Index, Position_2>> m_far; // vertices and their ways

@@ -36,19 +36,19 @@ namespace internal {
 // The tools that repair a periodic triangulation, and their state: the open edges, the vertices
 // outside of all faces, the flips that are left, and the report. `Dynamic_mender_2` offers some of
 // them to a repair; `Periodic_update_2` uses the others itself.
-template <class Maintained, class Editor>
+template <class State, class Editor>
 class Periodic_repair_tools_2
 {
   using Arrays = Halfedge_arrays_2;
   using Slot = Arrays::Slot;
-  using Edge_test = typename Maintained::Edge_test;
-  using Parts = typename Maintained::Parts;
+  using Edge_test = typename State::Edge_test;
+  using Parts = typename State::Parts;
 
 public:
-  using Classification = Dynamic_classification_2<Maintained>;
+  using Classification = Dynamic_classification_2<State>;
 
-  Periodic_repair_tools_2(Maintained& maintained, Editor& editor)
-    : m_maintained(maintained)
+  Periodic_repair_tools_2(State& state, Editor& editor)
+    : m_state(state)
     , m_editor(editor)
   {
   }
@@ -70,7 +70,7 @@ public:
     m_open.clear();
     m_taken_out.clear();
     forget_sets();
-    m_flips_left = 100 + 8 * std::size_t(m_maintained.number_of_vertices());
+    m_flips_left = 100 + 8 * std::size_t(m_state.number_of_vertices());
   }
 
   Classification& classification() { return m_classification; }
@@ -84,7 +84,7 @@ public:
       m_open.resize(number_of_edges());
       std::iota(m_open.begin(), m_open.end(), Index(0));
     } else {
-      const auto& arrays = m_maintained.arrays();
+      const auto& arrays = m_state.arrays();
       for (const Index v : m_classification.whole_vertices())
         if (!arrays.is_outside(v))
           arrays.for_each_corner(
@@ -101,10 +101,10 @@ public:
   {
     m_has_to_prove = true;
     std::vector<std::vector<Index>> open(Parts::number(number_of_edges()));
-    Parts::for_each(
-        number_of_edges(), [&](std::size_t part, std::size_t first, std::size_t beyond) {
-          Edge_test(m_maintained).append_unproved(Index(first), Index(beyond), open[part]);
-        });
+    Parts::for_each(number_of_edges(),
+                    [&](std::size_t part, std::size_t first, std::size_t beyond) {
+                      Edge_test(m_state).append_unproved(Index(first), Index(beyond), open[part]);
+                    });
     m_open.clear();
     for (const std::vector<Index>& of_part : open)
       m_open.insert(m_open.end(), of_part.begin(), of_part.end());
@@ -116,7 +116,7 @@ public:
   {
     constexpr Index sample_size = 100;
     const Index edges = Index(number_of_edges());
-    const Edge_test test(m_maintained);
+    const Edge_test test(m_state);
     Index broken = 0;
     for (Index i = 0; i < sample_size; ++i)
       broken += test.state(Index(std::uint64_t(i) * edges / sample_size)) != Edge_state_2::DELAUNAY;
@@ -124,7 +124,7 @@ public:
   }
 
   // Triangulates all points anew, but for the one with the id `gone`, which is removed.
-  void rebuild(Rebuild_reason_2 reason, Index gone = no_index)
+  void rebuild(Rebuild_reason_2 reason, Index gone = null_index)
   {
     m_report->rebuild_reason = reason;
     m_open.clear();
@@ -138,13 +138,13 @@ public:
     points.resize(taken.size());
     Parts::for_each(taken.size(), [&](std::size_t, std::size_t first, std::size_t beyond) {
       for (std::size_t i = first; i < beyond; ++i)
-        points[i] = m_maintained.position_of_id(taken[i]);
+        points[i] = m_state.position_of_id(taken[i]);
     });
     const Index number_of_ids = ids().number_of_ids();
     const std::size_t logged = m_editor.log().size();
-    m_editor.provide_for_log(m_maintained.arrays().number_of_edges());
+    m_editor.reserve_for_log(m_state.arrays().number_of_edges());
     m_editor.note_all_edges(Periodic_change_2::Kind::EDGE_REMOVED);
-    Maintained before(m_maintained.torus().cell());
+    State before(m_state.torus().cell());
     m_editor.swap(before);
     try {
       m_editor.ids().reset(number_of_ids);
@@ -166,7 +166,7 @@ public:
   const Classification& classification() const { return m_classification; }
   bool has_to_prove() const { return m_has_to_prove; }
   bool has_rebuilt() const { return m_report->rebuilt(); }
-  std::size_t number_of_edges() const { return m_maintained.arrays().number_of_edges(); }
+  std::size_t number_of_edges() const { return m_state.arrays().number_of_edges(); }
   std::size_t number_of_open_edges() const { return m_open.size(); }
   bool has_inverted_edges() const { return !find_tangled().empty(); }
 
@@ -175,12 +175,12 @@ public:
 
   // So many vertices are at most taken out and put back: more are as much work as triangulating
   // anew.
-  std::size_t max_taken_out() const { return 10 + m_maintained.number_of_vertices() / 6; }
+  std::size_t max_taken_out() const { return 10 + m_state.number_of_vertices() / 6; }
 
   // TOOLS, as Dynamic_mender_2 documents them ----------------------------------------------------
 
   // Three flips for two vertices cost about as much as triangulating anew.
-  void limit_cost() { m_flips_left = 100 + 3 * std::size_t(m_maintained.number_of_vertices()) / 2; }
+  void limit_cost() { m_flips_left = 100 + 3 * std::size_t(m_state.number_of_vertices()) / 2; }
 
   void take_out_jumpers() {} // they are out since before anything has moved
   void take_out_farthest() {}
@@ -199,7 +199,7 @@ public:
     std::vector<Index> region = m_classification.vertices();
     m_padded = pad(region, padding);
     for (const Index v : region)
-      if (!m_maintained.arrays().is_outside(v))
+      if (!m_state.arrays().is_outside(v))
         open_surroundings(v);
     m_border = pad(region, 1);
     m_report->padded = m_padded.size();
@@ -216,7 +216,7 @@ public:
     require_proof();
     std::vector<Index> vertices;
     for (const Index e : m_open) {
-      const Edge_2 edge = m_maintained.edge(e);
+      const Edge_2 edge = m_state.edge(e);
       vertices.insert(vertices.end(), {edge.source, edge.target, edge.left, edge.right});
     }
     make_distinct(vertices);
@@ -241,14 +241,14 @@ public:
 
   Periodic_shift_2 shift_of_step(const Position_2& from, const Position_2& to) const
   {
-    const Torus_2& torus = m_maintained.torus();
+    const Torus_2& torus = m_state.torus();
     return torus.nearest_shift(torus.multiples({to.x - from.x, to.y - from.y}));
   }
 
   // Whether two points differ by a vector of the lattice.
   bool coincide(const Position_2& p, const Position_2& q) const
   {
-    return m_maintained.torus().coincide(p, q);
+    return m_state.torus().coincide(p, q);
   }
 
   // If this point represents others at its vertex, one of them becomes the representative instead.
@@ -258,30 +258,30 @@ public:
       return;
     const Index v = ids().vertex(id);
     const Index other = ids().find_duplicate_at(v, [](const auto&) { return true; });
-    if (other == no_index)
+    if (other == null_index)
       return;
-    const Position_2 before = m_maintained.positions()[v], p = ids().duplicate(other).point;
-    m_editor.ids().provide_for_duplicates(1);
-    m_editor.hand_over(other, p, before, shift_of_step(before, p));
+    const Position_2 before = m_state.positions()[v], p = ids().duplicate(other).point;
+    m_editor.ids().reserve_for_duplicates(1);
+    m_editor.exchange_representative(other, p, before, shift_of_step(before, p));
   }
 
   // Makes a vertex for a point with a reserved id or the id of a duplicate, or makes the point a
   // duplicate where a vertex is.
   void place(Index id, const Position_2& p)
   {
-    m_editor.ids().provide_for_duplicates(1);
-    if (m_maintained.number_of_vertices() == 0) {
-      const auto basis = short_basis(m_maintained.torus());
+    m_editor.ids().reserve_for_duplicates(1);
+    if (m_state.number_of_vertices() == 0) {
+      const auto basis = short_basis(m_state.torus());
       m_editor.start(p, basis[0], basis[1]);
       m_editor.ids().place_representative(id, 1);
-      m_editor.provide_for_log(3);
+      m_editor.reserve_for_log(3);
       m_editor.note_all_edges(Periodic_change_2::Kind::EDGE_CREATED);
       m_open = {0, 1, 2};
       return legalize();
     }
     const Place found = locate(p);
-    if (found.corner != no_index)
-      return m_editor.ids().place_duplicate(id, m_maintained.arrays().apex(found.corner), p);
+    if (found.corner != null_index)
+      return m_editor.ids().place_duplicate(id, m_state.arrays().apex(found.corner), p);
     const Slot slot = m_editor.make_slot();
     m_editor.ids().place_representative(id, slot.vertex);
     put_in(slot, p, found);
@@ -290,12 +290,12 @@ public:
   // The same for many points, in an order in which each is near to the one before.
   void place_all(const std::vector<Index>& ids, const std::vector<Position_2>& points)
   {
-    if (m_maintained.number_of_vertices() == 0 &&
-        m_engines.whole == Static_engine_2::GUIBAS_STOLFI && build(ids, points))
+    if (m_state.number_of_vertices() == 0 && m_engines.whole == Static_engine_2::GUIBAS_STOLFI &&
+        build(ids, points))
       return;
     std::vector<Position_2> wrapped;
     for (const Position_2& p : points)
-      wrapped.push_back(m_maintained.torus().wrapped(p));
+      wrapped.push_back(m_state.torus().wrapped(p));
     for_each_in_order(wrapped, [&](Index i) { place(ids[i], points[i]); });
   }
 
@@ -315,19 +315,19 @@ public:
   bool build(const std::vector<Index>& ids, const std::vector<Position_2>& points)
   {
     Periodic_builder_2<Parts> builder;
-    if (!builder.run(m_maintained.torus(), points))
+    if (!builder.run(m_state.torus(), points))
       return false;
     const std::size_t logged = m_editor.log().size();
-    const typename Maintained::Ids ids_before = m_maintained.ids();
+    const typename State::Ids ids_before = m_state.ids();
     m_editor.build(builder.faces(), ids, points);
     builder.release();
-    m_editor.provide_for_log(m_maintained.arrays().number_of_edges());
+    m_editor.reserve_for_log(m_state.arrays().number_of_edges());
     m_editor.note_all_edges(Periodic_change_2::Kind::EDGE_CREATED);
     examine_everything();
     m_flips_left = m_open.size() + points.size();
     if (flip_open())
       return true;
-    Maintained empty(m_maintained.torus().cell());
+    State empty(m_state.torus().cell());
     m_editor.swap(empty);
     m_editor.ids() = ids_before;
     m_editor.log().resize(logged, {});
@@ -343,10 +343,10 @@ public:
     for (const Index v : vertices) {
       if (!reduce_degree(v, are_tangled))
         return false;
-      const Index f = m_maintained.arrays().corner(v) / 3;
+      const Index f = m_state.arrays().corner(v) / 3;
       m_taken_out.push_back(m_editor.take_out(v));
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        m_open.push_back(m_maintained.arrays().edge_of(h));
+        m_open.push_back(m_state.arrays().edge_of(h));
     }
     close_empty();
     return true;
@@ -357,11 +357,11 @@ public:
   {
     std::vector<Position_2> wrapped;
     for (const Slot& slot : m_taken_out)
-      wrapped.push_back(m_maintained.torus().wrapped(m_maintained.positions()[slot.vertex]));
+      wrapped.push_back(m_state.torus().wrapped(m_state.positions()[slot.vertex]));
     std::vector<Slot> merged;
     for_each_in_order(wrapped, [&](Index i) {
       const Slot& slot = m_taken_out[i];
-      if (!put_back(slot, Position_2(m_maintained.positions()[slot.vertex])))
+      if (!put_back(slot, Position_2(m_state.positions()[slot.vertex])))
         merged.push_back(slot);
     });
     if (!merged.empty())
@@ -383,13 +383,13 @@ public:
   bool are_faces_counterclockwise(Index v) const
   {
     bool are = true;
-    m_maintained.arrays().for_each_corner(v, [&](Index h) { are = are && is_counterclockwise(h); });
+    m_state.arrays().for_each_corner(v, [&](Index h) { are = are && is_counterclockwise(h); });
     return are;
   }
 
   void open_surroundings(Index v)
   {
-    const auto& arrays = m_maintained.arrays();
+    const auto& arrays = m_state.arrays();
     arrays.for_each_corner(v, [&](Index h) {
       m_open.push_back(arrays.edge_of(h));
       m_open.push_back(arrays.edge_of(Arrays::next(h)));
@@ -400,16 +400,16 @@ public:
   void legalize()
   {
     while (!m_open.empty())
-      m_report->flips += m_flips.run(m_maintained, m_editor, m_open, false,
-                                     (std::numeric_limits<std::size_t>::max)());
+      m_report->flips +=
+          m_flips.run(m_state, m_editor, m_open, false, (std::numeric_limits<std::size_t>::max)());
   }
 
 private:
-  const typename Maintained::Ids& ids() const { return m_maintained.ids(); }
+  const typename State::Ids& ids() const { return m_state.ids(); }
 
   void close_empty()
   {
-    const auto is_empty = [this](Index e) { return m_maintained.arrays().is_empty_edge(e); };
+    const auto is_empty = [this](Index e) { return m_state.arrays().is_empty_edge(e); };
     m_open.erase(std::remove_if(m_open.begin(), m_open.end(), is_empty), m_open.end());
   }
 
@@ -426,7 +426,7 @@ private:
   bool flip_open()
   {
     while (!m_open.empty()) {
-      const std::size_t flips = m_flips.run(m_maintained, m_editor, m_open, false, m_flips_left);
+      const std::size_t flips = m_flips.run(m_state, m_editor, m_open, false, m_flips_left);
       m_flips_left -= flips;
       m_report->flips += flips;
       if (!m_open.empty() && (flips == 0 || m_flips_left == 0))
@@ -438,8 +438,8 @@ private:
   // Adds layers of neighbors, and returns these.
   std::vector<Index> pad(std::vector<Index>& region, unsigned layers)
   {
-    const auto& arrays = m_maintained.arrays();
-    m_region.clear(m_maintained.positions().size());
+    const auto& arrays = m_state.arrays();
+    m_region.clear(m_state.positions().size());
     for (const Index v : region)
       m_region.insert(v);
     for (unsigned layer = 0; layer < layers; ++layer)
@@ -454,7 +454,7 @@ private:
   // To be called where vertices get other numbers.
   void forget_sets()
   {
-    m_classification.clear(m_maintained);
+    m_classification.clear(m_state);
     m_padded.clear();
     m_border.clear();
   }
@@ -463,7 +463,7 @@ private:
   void renew(std::vector<Index> region, unsigned padding)
   {
     pad(region, padding);
-    const auto is_outside = [this](Index v) { return m_maintained.arrays().is_outside(v); };
+    const auto is_outside = [this](Index v) { return m_state.arrays().is_outside(v); };
     region.erase(std::remove_if(region.begin(), region.end(), is_outside), region.end());
     if (m_taken_out.size() + region.size() > max_taken_out())
       rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
@@ -475,7 +475,7 @@ private:
   // Vertices of faces that flips could not turn counterclockwise.
   std::vector<Index> find_tangled() const
   {
-    const auto& arrays = m_maintained.arrays();
+    const auto& arrays = m_state.arrays();
     std::vector<Index> tangled;
     for (const Index e : m_open)
       for (const Index h : {arrays.halfedge(e), arrays.twin(arrays.halfedge(e))})
@@ -493,46 +493,44 @@ private:
   {
     Index face;
     Periodic_shift_2 shift;
-    Index edge = no_index, corner = no_index; // half-edges of that face
+    Index edge = null_index, corner = null_index; // half-edges of that face
   };
 
   // Walks through faces that are all counterclockwise and Delaunay, so the walk ends.
   Place locate(const Position_2& p)
   {
-    const auto& arrays = m_maintained.arrays();
-    while (m_hint > m_maintained.number_of_vertices() || arrays.is_outside(m_hint))
-      m_hint = m_hint % m_maintained.number_of_vertices() + 1;
+    const auto& arrays = m_state.arrays();
+    while (m_hint > m_state.number_of_vertices() || arrays.is_outside(m_hint))
+      m_hint = m_hint % m_state.number_of_vertices() + 1;
     const Index start = arrays.corner(m_hint);
-    Place place{start / 3,
-                m_maintained.shift(start) + shift_of_step(p, m_maintained.positions()[m_hint])};
-    Index entry = no_index;
-    for (Index h = exit_of(place, p, entry); h != no_index; h = exit_of(place, p, entry)) {
-      place.shift = place.shift - m_maintained.transition(h);
+    Place place{start / 3, m_state.shift(start) + shift_of_step(p, m_state.positions()[m_hint])};
+    Index entry = null_index;
+    for (Index h = exit_of(place, p, entry); h != null_index; h = exit_of(place, p, entry)) {
+      place.shift = place.shift - m_state.transition(h);
       entry = arrays.twin(h);
       place.face = entry / 3;
     }
     return place;
   }
 
-  // The half-edge through which to leave the face, or `no_index`. Then `place` is complete.
+  // The half-edge through which to leave the face, or `null_index`. Then `place` is complete.
   Index exit_of(Place& place, const Position_2& p, Index entry) const
   {
-    place.edge = place.corner = no_index;
+    place.edge = place.corner = null_index;
     for (Index h = 3 * place.face; h < 3 * place.face + 3; ++h) {
       if (h == entry)
         continue;
-      const Orientation turn = m_maintained.torus().orientation(
-          m_maintained.image(Arrays::next(h)), m_maintained.image(Arrays::previous(h)),
-          {p, place.shift});
+      const Orientation turn = m_state.torus().orientation(
+          m_state.image(Arrays::next(h)), m_state.image(Arrays::previous(h)), {p, place.shift});
       if (turn == RIGHT_TURN)
         return h;
       if (turn == COLLINEAR) {
-        if (place.edge != no_index) // opposite to the third corner are neither of both edges
+        if (place.edge != null_index) // opposite to the third corner are neither of both edges
           place.corner = 9 * place.face + 3 - place.edge - h;
         place.edge = h;
       }
     }
-    return no_index;
+    return null_index;
   }
 
   // FACES AND EDGES -----------------------------------------------------------------------------
@@ -540,11 +538,11 @@ private:
   // Puts the slot's vertex where p was found, which is no vertex.
   void put_in(const Slot& slot, const Position_2& p, const Place& found)
   {
-    const auto& arrays = m_maintained.arrays();
+    const auto& arrays = m_state.arrays();
     const Index v = slot.vertex;
     m_editor.put_in(slot, p, found.shift, found.face);
     m_hint = v;
-    if (found.edge != no_index) { // a flat face, opposite to v in it the edge on which v is
+    if (found.edge != null_index) { // a flat face, opposite to v in it the edge on which v is
       const std::array<Index, 3> faces{found.face, slot.faces[0], slot.faces[1]};
       const Index place = found.edge % 3;
       m_editor.flip(3 * faces[place] + place);
@@ -558,12 +556,12 @@ private:
   bool put_back(const Slot& slot, const Position_2& p)
   {
     const Place found = locate(p);
-    if (found.corner == no_index) {
+    if (found.corner == null_index) {
       put_in(slot, p, found);
       return true;
     }
-    m_editor.ids().provide_for_duplicates(1);
-    m_editor.ids().merge(slot.vertex, m_maintained.arrays().apex(found.corner), p);
+    m_editor.ids().reserve_for_duplicates(1);
+    m_editor.ids().merge(slot.vertex, m_state.arrays().apex(found.corner), p);
     ++m_report->merged;
     return false;
   }
@@ -573,12 +571,12 @@ private:
   // Among tangled faces any ear will do if there is no counterclockwise one.
   bool reduce_degree(Index v, bool is_tangled)
   {
-    const auto& arrays = m_maintained.arrays();
+    const auto& arrays = m_state.arrays();
     for (Index degree = arrays.degree(v); degree != 3; degree = arrays.degree(v)) {
-      Index spoke = degree > 3 ? find_ear(v, false) : no_index;
-      if (spoke == no_index && degree > 3 && is_tangled)
+      Index spoke = degree > 3 ? find_ear(v, false) : null_index;
+      if (spoke == null_index && degree > 3 && is_tangled)
         spoke = find_ear(v, true);
-      if (spoke == no_index)
+      if (spoke == null_index)
         return false;
       m_open.push_back(arrays.edge_of(spoke));
       arrays.for_each_side(arrays.edge_of(spoke), [this](Index e) { m_open.push_back(e); });
@@ -595,13 +593,13 @@ private:
   // neighbor.
   Index find_ear(Index v, bool is_any) const
   {
-    const auto& arrays = m_maintained.arrays();
-    const Torus_2& torus = m_maintained.torus();
+    const auto& arrays = m_state.arrays();
+    const Torus_2& torus = m_state.torus();
     const Index first = arrays.corner(v);
     Index h = first;
     do {
       const Index spoke = Arrays::next(h);
-      const auto [a, b, c, d] = m_maintained.corners_at(spoke);
+      const auto [a, b, c, d] = m_state.corners_at(spoke);
       const Index opposite = arrays.apex(arrays.twin(spoke));
       const int ends = (arrays.source(spoke) == v) + 1;
       const int ends_after = (arrays.apex(spoke) == v) + (opposite == v);
@@ -611,17 +609,16 @@ private:
         return spoke;
       h = arrays.next_corner(h);
     } while (h != first);
-    return no_index;
+    return null_index;
   }
 
   bool is_counterclockwise(Index h) const
   {
-    return m_maintained.torus().orientation(m_maintained.image(h),
-                                            m_maintained.image(Arrays::next(h)),
-                                            m_maintained.image(Arrays::previous(h))) == LEFT_TURN;
+    return m_state.torus().orientation(m_state.image(h), m_state.image(Arrays::next(h)),
+                                       m_state.image(Arrays::previous(h))) == LEFT_TURN;
   }
 
-  Maintained& m_maintained;
+  State& m_state;
   Editor& m_editor;
   Static_engines_2 m_engines;
   Classification m_classification;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_MAINTAINED_PERIODIC_TRIANGULATION_2_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_MAINTAINED_PERIODIC_TRIANGULATION_2_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_PERIODIC_TRIANGULATION_STATE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_PERIODIC_TRIANGULATION_STATE_2_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
@@ -39,12 +39,12 @@ struct Periodic_slacks_2;
 // edge stands in the arrays as in the plane, so that the pass over the edges can test it there.
 // Elsewhere all its vertices there are infinite: the pass in the plane never proves these.
 template <class Point_, class ConcurrencyTag>
-class Maintained_periodic_triangulation_2
+class Periodic_triangulation_state_2
 {
 public:
   using Point = Point_;
   using Space = Plane_2; // of the edges without shifts
-  using Edge_test = Periodic_edge_test_2<Maintained_periodic_triangulation_2>;
+  using Edge_test = Periodic_edge_test_2<Periodic_triangulation_state_2>;
   using Slacks = Periodic_slacks_2;
   using Ids = Point_ids_2<Position_2>;
 
@@ -52,7 +52,7 @@ public:
 
   static constexpr bool is_periodic = true;
 
-  explicit Maintained_periodic_triangulation_2(const Periodic_cell_2& cell)
+  explicit Periodic_triangulation_state_2(const Periodic_cell_2& cell)
     : m_torus(cell)
   {
     m_ids.reset(0);
@@ -143,7 +143,7 @@ public:
     if (!is_shifted(e))
       return Space::corners(m_arrays.edge(e), positions);
     if (is_at_infinity(e))
-      return {nowhere(), nowhere(), nowhere(), nowhere()};
+      return {nan_point(), nan_point(), nan_point(), nan_point()};
     return m_torus.rounded_corners(corners_at(m_arrays.halfedge(e), positions)).first;
   }
   Position_2 edge_vector(Index e) const
@@ -151,14 +151,14 @@ public:
     if (!is_shifted(e))
       return m_positions[m_arrays.edge(e).target] - m_positions[m_arrays.edge(e).source];
     if (m_arrays.is_empty_edge(e))
-      return nowhere();
+      return nan_point();
     const Edge_images_2 corners = corners_at(m_arrays.halfedge(e));
     return rounded_vector(corners.source, corners.target);
   }
   std::array<Position_2, 3> face_corners(Index f) const
   {
     if (m_arrays.is_empty_face(f))
-      return {nowhere(), nowhere(), nowhere()};
+      return {nan_point(), nan_point(), nan_point()};
     return {Position_2{0, 0}, rounded_vector(image(3 * f), image(3 * f + 1)),
             rounded_vector(image(3 * f), image(3 * f + 2))};
   }
@@ -173,16 +173,17 @@ private:
   Position_2 rounded_vector(const Image_2& from, const Image_2& to) const
   {
     double ignored = 0;
-    return m_torus.are_across(from.shift, to.shift) ? nowhere() : m_torus.vector(from, to, ignored);
+    return m_torus.are_across(from.shift, to.shift) ? nan_point()
+                                                    : m_torus.vector(from, to, ignored);
   }
 
-  template <class Maintained, bool is_logged>
+  template <class State, bool is_logged>
   friend class Periodic_editor_2;
 
   Torus_2 m_torus;
   Halfedge_arrays_2 m_arrays;
   std::vector<Periodic_shift_2> m_shifts; // indexed by half-edges
-  std::vector<Position_2> m_positions = {nowhere()};
+  std::vector<Position_2> m_positions = {nan_point()};
   std::vector<Position_2> m_other_positions;
   Change_log_2 m_changes;
   std::size_t m_cell_changes = 0;
@@ -193,4 +194,4 @@ private:
 } // namespace Dynamic_Delaunay_triangulations_2
 } // namespace CGAL
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_MAINTAINED_PERIODIC_TRIANGULATION_2_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_PERIODIC_TRIANGULATION_STATE_2_H

@@ -8,11 +8,11 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/inform_classifier.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Maintained_periodic_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_memory_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_motion_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_repair_tools_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_triangulation_state_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Periodic_certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Periodic_slacks_2.h>
@@ -33,20 +33,20 @@ namespace internal {
 // Keeps a periodic triangulation Delaunay: builds it, and repairs it after points have moved, come
 // or gone. update() shows the phases of a frame in their order. Only this class knows whether the
 // triangulation is certified.
-template <class Maintained, class Editor>
+template <class State, class Editor>
 class Periodic_update_2
 {
-  using Tools = Periodic_repair_tools_2<Maintained, Editor>;
+  using Tools = Periodic_repair_tools_2<State, Editor>;
   using Mender = Dynamic_mender_2<Tools>;
 
 public:
-  using Frame = Dynamic_frame_2<Maintained>;
+  using Frame = Dynamic_frame_2<State>;
 
-  explicit Periodic_update_2(Maintained& maintained)
-    : m_maintained(maintained)
-    , m_editor(maintained)
-    , m_motion(maintained, m_editor)
-    , m_tools(maintained, m_editor)
+  explicit Periodic_update_2(State& state)
+    : m_state(state)
+    , m_editor(state)
+    , m_motion(state, m_editor)
+    , m_tools(state, m_editor)
   {
   }
 
@@ -84,7 +84,7 @@ public:
     m_is_whole = true;
     report.certified = m_is_certified;
     m_editor.end_changes();
-    inform_classifier(classifier, Frame(m_maintained));
+    inform_classifier(classifier, Frame(m_state));
     m_editor.begin_changes();
     return report;
   }
@@ -109,10 +109,10 @@ public:
     if (!ids().is_representative(id))
       return m_editor.ids().remove_duplicate(id);
     const Index v = ids().vertex(id);
-    const bool is_out = m_maintained.number_of_vertices() > 1 && m_tools.take_out({v}, false);
+    const bool is_out = m_state.number_of_vertices() > 1 && m_tools.take_out({v}, false);
     if (!is_out)
       return m_tools.rebuild(Rebuild_reason_2::STUCK, id);
-    m_editor.ids().provide_for_removals(1);
+    m_editor.ids().reserve_for_removals(1);
     m_editor.ids().remove_representative(id);
     m_tools.legalize();
     m_tools.drop_taken_out();
@@ -125,13 +125,13 @@ public:
     m_tools.make_duplicate_if_shared(id);
     const Index v = ids().vertex(id);
     if (!ids().is_representative(id)) {
-      if (m_tools.coincide(p, m_maintained.positions()[v]))
+      if (m_tools.coincide(p, m_state.positions()[v]))
         m_editor.ids().duplicate(id).point = p;
       else
         m_tools.place(id, p);
       return;
     }
-    const Position_2 before = m_maintained.positions()[v];
+    const Position_2 before = m_state.positions()[v];
     const Periodic_shift_2 shift = m_tools.shift_of_step(before, p);
     m_editor.set_position(v, p);
     m_editor.shift_images(v, shift);
@@ -166,7 +166,7 @@ public:
   {
     m_tools.start(report, Classifier::is_exact);
     const bool was_certified = m_is_certified;
-    const Periodic_cell_2 cell_before = m_maintained.torus().cell();
+    const Periodic_cell_2 cell_before = m_state.torus().cell();
     m_is_certified = m_is_certified && Classifier::is_exact;
     // at their old places, because the faces there are proved
     const std::vector<Index> jumpers =
@@ -204,7 +204,7 @@ public:
   bool certify()
   {
     if (m_is_whole && !m_is_certified)
-      m_is_certified = Periodic_certificate_2<Maintained>(m_maintained).is_delaunay();
+      m_is_certified = Periodic_certificate_2<State>(m_state).is_delaunay();
     return is_certified();
   }
 
@@ -224,13 +224,12 @@ public:
 
   // Exchanges everything for what was read, of which the classifier was told. If it throws, nothing
   // has changed.
-  Update_report_2 restore(Maintained& maintained, bool is_certified,
-                          const Periodic_memory_2& memory)
+  Update_report_2 restore(State& state, bool is_certified, const Periodic_memory_2& memory)
   {
-    m_editor.provide_for_log(std::size_t(m_maintained.arrays().number_of_edges()) +
-                             maintained.arrays().number_of_edges());
+    m_editor.reserve_for_log(std::size_t(m_state.arrays().number_of_edges()) +
+                             state.arrays().number_of_edges());
     m_editor.note_all_edges(Periodic_change_2::Kind::EDGE_REMOVED);
-    m_editor.swap(maintained);
+    m_editor.swap(state);
     m_editor.note_all_edges(Periodic_change_2::Kind::EDGE_CREATED);
     Update_report_2 report;
     m_tools.start(report, true);
@@ -249,12 +248,12 @@ public:
   // representatives are.
   bool is_valid() const
   {
-    const Periodic_certificate_2<Maintained> certificate(m_maintained);
+    const Periodic_certificate_2<State> certificate(m_state);
     return certificate.is_triangulation() && (!m_is_certified || certificate.is_delaunay());
   }
 
 private:
-  const typename Maintained::Ids& ids() const { return m_maintained.ids(); }
+  const typename State::Ids& ids() const { return m_state.ids(); }
 
   void set_memory(const Periodic_memory_2& memory)
   {
@@ -269,7 +268,7 @@ private:
     std::vector<Index> parted;
     for (auto& duplicate : m_editor.ids().duplicates()) {
       duplicate.point = next(duplicate.id);
-      if (!m_tools.coincide(duplicate.point, m_maintained.positions()[ids().vertex(duplicate.id)]))
+      if (!m_tools.coincide(duplicate.point, m_state.positions()[ids().vertex(duplicate.id)]))
         parted.push_back(duplicate.id);
     }
     return parted;
@@ -280,7 +279,7 @@ private:
   {
     if (!are_jumpers_out)
       return Rebuild_reason_2::STUCK;
-    if (m_maintained.number_of_vertices() > 0 && policy.wants_rebuild(Frame(m_maintained)))
+    if (m_state.number_of_vertices() > 0 && policy.wants_rebuild(Frame(m_state)))
       return Rebuild_reason_2::POLICY;
     return are_many && m_tools.is_much_broken() ? Rebuild_reason_2::TOO_MUCH_BROKEN
                                                 : Rebuild_reason_2::NONE;
@@ -290,9 +289,9 @@ private:
   template <class Classifier>
   void classify(Classifier& classifier)
   {
-    if (m_maintained.number_of_vertices() == 0)
+    if (m_state.number_of_vertices() == 0)
       return;
-    classifier(Frame(m_maintained), m_tools.classification());
+    classifier(Frame(m_state), m_tools.classification());
     m_tools.take_classification();
   }
 
@@ -322,9 +321,9 @@ private:
     m_tools.put_back_all();
   }
 
-  Maintained& m_maintained;
+  State& m_state;
   Editor m_editor;
-  Periodic_motion_2<Maintained, Editor> m_motion;
+  Periodic_motion_2<State, Editor> m_motion;
   Tools m_tools;
   bool m_is_certified = true;
   bool m_is_whole = true;

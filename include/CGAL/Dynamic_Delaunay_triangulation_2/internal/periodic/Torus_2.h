@@ -203,8 +203,8 @@ public:
     const bool is_twisted = orientation(a, b, c) != LEFT_TURN || orientation(d, c, b) != LEFT_TURN;
     if (filter.proves_inside() ||
         (!filter.proves_outside() && exact_side_of_circle(a, b, c, d) == ON_POSITIVE_SIDE))
-      return is_twisted ? Edge_state_2::CROSSED : Edge_state_2::ILLEGAL;
-    return is_twisted ? Edge_state_2::TWISTED : Edge_state_2::DELAUNAY;
+      return is_twisted ? Edge_state_2::INVERTED : Edge_state_2::ILLEGAL;
+    return is_twisted ? Edge_state_2::NOT_FLIPPABLE : Edge_state_2::DELAUNAY;
   }
 
   bool filter_proves_delaunay(const Edge_images_2& corners) const

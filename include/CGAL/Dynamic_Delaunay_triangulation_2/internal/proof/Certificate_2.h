@@ -26,12 +26,12 @@ namespace internal {
 // as many sheets as the hull has turns, branched at most at vertices. By 4 it has one sheet, so the
 // faces tile the convex hull. By 2 that tiling is Delaunay (Delaunay's lemma). Without 4, a vertex
 // star that winds around its center twice would pass 1 to 3. Edge_test_2 tests 1 to 3 edge by edge.
-template <class Maintained>
+template <class State>
 class Certificate_2
 {
 public:
-  explicit Certificate_2(const Maintained& maintained)
-    : m_maintained(maintained)
+  explicit Certificate_2(const State& state)
+    : m_state(state)
   {
   }
 
@@ -39,10 +39,10 @@ public:
   // that is lexicographically larger than both its neighbors.
   bool hull_turns_once() const
   {
-    const Vertex_predicates_2<Maintained> predicates(m_maintained);
+    const Vertex_predicates_2<State> predicates(m_state);
     const auto is_larger = [&](Index v, Index w) { return predicates.compare_xy(v, w) == LARGER; };
     int summits = 0;
-    const auto& arrays = m_maintained.arrays();
+    const auto& arrays = m_state.arrays();
     arrays.for_each_corner(infinite_index, [&](Index corner) {
       const Index v = arrays.target(corner);
       const Index next = arrays.target(arrays.next_corner(corner));
@@ -53,19 +53,19 @@ public:
 
   bool holds() const
   {
-    const Edge_test_2<Maintained> test(m_maintained); // conditions 1 to 3 at one edge
-    return Maintained::Parts::all_of(m_maintained.arrays().number_of_edges(),
-                                     [&](std::size_t first, std::size_t beyond) {
-                                       for (std::size_t e = first; e < beyond; ++e)
-                                         if (test.state(Index(e)) != Edge_state_2::DELAUNAY)
-                                           return false;
-                                       return true;
-                                     }) &&
+    const Edge_test_2<State> test(m_state); // conditions 1 to 3 at one edge
+    return State::Parts::all_of(m_state.arrays().number_of_edges(),
+                                [&](std::size_t first, std::size_t beyond) {
+                                  for (std::size_t e = first; e < beyond; ++e)
+                                    if (test.state(Index(e)) != Edge_state_2::DELAUNAY)
+                                      return false;
+                                  return true;
+                                }) &&
            hull_turns_once();
   }
 
 private:
-  const Maintained& m_maintained;
+  const State& m_state;
 };
 
 } // namespace internal

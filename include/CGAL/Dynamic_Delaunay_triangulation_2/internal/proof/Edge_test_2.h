@@ -27,8 +27,8 @@ enum class Edge_state_2 {
   DELAUNAY, ///< locally Delaunay; its finite faces are counterclockwise, and the hull is convex
             ///< there.
   ILLEGAL,  ///< both faces are counterclockwise, and each circle holds the other's vertex: flip it.
-  CROSSED,  ///< a face is not counterclockwise, or the hull not convex; a flip may repair that.
-  TWISTED   ///< as CROSSED, but a flip does not repair it.
+  INVERTED, ///< a face is not counterclockwise, or the hull not convex; a flip may repair that.
+  NOT_FLIPPABLE ///< as INVERTED, but a flip does not repair it.
 };
 
 namespace internal {
@@ -194,19 +194,19 @@ void append_unproved_of(const Edge_2* edges, const std::vector<Position_2>& posi
 
 // The exact predicates on vertices, given by their indices. A floating-point filter with a proved
 // bound comes first; the kernel decides where the filter fails.
-template <class Maintained>
+template <class State>
 class Vertex_predicates_2
 {
 public:
-  explicit Vertex_predicates_2(const Maintained& maintained)
-    : m_maintained(maintained)
+  explicit Vertex_predicates_2(const State& state)
+    : m_state(state)
   {
   }
 
   Orientation orientation(Index a, Index b, Index c) const
   {
-    if (m_maintained.positions_are_exact()) {
-      const auto& positions = m_maintained.positions();
+    if (m_state.positions_are_exact()) {
+      const auto& positions = m_state.positions();
       if (const int sign = filtered_orientation(positions[a], positions[b], positions[c]))
         return sign > 0 ? LEFT_TURN : RIGHT_TURN;
     }
@@ -216,8 +216,8 @@ public:
   // The side of d of the circle through a, b and c, which must be counterclockwise.
   Oriented_side side_of_circle(Index a, Index b, Index c, Index d) const
   {
-    if (m_maintained.positions_are_exact()) {
-      const auto& positions = m_maintained.positions();
+    if (m_state.positions_are_exact()) {
+      const auto& positions = m_state.positions();
       if (const int sign =
               filtered_in_circle(positions[a], positions[b], positions[c], positions[d]))
         return sign > 0 ? ON_POSITIVE_SIDE : ON_NEGATIVE_SIDE;
@@ -242,84 +242,83 @@ private:
 
   BOOST_NOINLINE Orientation kernel_orientation(Index a, Index b, Index c) const
   {
-    return m_maintained.traits().orientation_2_object()(
-        m_maintained.point(a), m_maintained.point(b), m_maintained.point(c));
+    return m_state.traits().orientation_2_object()(m_state.point(a), m_state.point(b),
+                                                   m_state.point(c));
   }
 
   BOOST_NOINLINE Oriented_side kernel_side_of_circle(Index a, Index b, Index c, Index d) const
   {
-    return m_maintained.traits().side_of_oriented_circle_2_object()(
-        m_maintained.point(a), m_maintained.point(b), m_maintained.point(c), m_maintained.point(d));
+    return m_state.traits().side_of_oriented_circle_2_object()(m_state.point(a), m_state.point(b),
+                                                               m_state.point(c), m_state.point(d));
   }
 
   Comparison_result compare_x(Index v, Index w) const
   {
-    if (m_maintained.positions_are_exact())
-      return CGAL::compare(m_maintained.positions()[v].x, m_maintained.positions()[w].x);
-    return m_maintained.traits().compare_x_2_object()(m_maintained.point(v), m_maintained.point(w));
+    if (m_state.positions_are_exact())
+      return CGAL::compare(m_state.positions()[v].x, m_state.positions()[w].x);
+    return m_state.traits().compare_x_2_object()(m_state.point(v), m_state.point(w));
   }
   Comparison_result compare_y(Index v, Index w) const
   {
-    if (m_maintained.positions_are_exact())
-      return CGAL::compare(m_maintained.positions()[v].y, m_maintained.positions()[w].y);
-    return m_maintained.traits().compare_y_2_object()(m_maintained.point(v), m_maintained.point(w));
+    if (m_state.positions_are_exact())
+      return CGAL::compare(m_state.positions()[v].y, m_state.positions()[w].y);
+    return m_state.traits().compare_y_2_object()(m_state.point(v), m_state.point(w));
   }
 
-  const Maintained& m_maintained;
+  const State& m_state;
 };
 
 // The one test of an edge, at the present positions. All signs are exact: the kernel's predicates
 // decide where the filter fails.
-template <class Maintained>
+template <class State>
 class Edge_test_2
 {
 public:
-  explicit Edge_test_2(const Maintained& maintained)
-    : m_maintained(maintained)
-    , m_predicates(maintained)
+  explicit Edge_test_2(const State& state)
+    : m_state(state)
+    , m_predicates(state)
   {
   }
 
   Edge_state_2 state(Index e) const
   {
     return by_kind(
-        m_maintained.arrays().edge(e), [&] { return inner_edge_state(e); },
+        m_state.arrays().edge(e), [&] { return inner_edge_state(e); },
         [&](Index a, Index b, Index c) { return hull_edge_state(a, b, c); },
         [&](Index p, Index q, Index r) { return hull_corner_state(p, q, r); });
   }
 
-  // The same at lower cost, but may report a TWISTED edge as CROSSED.
+  // The same at lower cost, but may report a NOT_FLIPPABLE edge as INVERTED.
   Edge_state_2 rough_state(Index e) const
   {
-    const Edge_filter_2 filter(m_maintained.corners(e));
-    if (m_maintained.positions_are_exact() && filter.disproves_delaunay())
-      return filter.proves_illegal() ? Edge_state_2::ILLEGAL : Edge_state_2::CROSSED;
+    const Edge_filter_2 filter(m_state.corners(e));
+    if (m_state.positions_are_exact() && filter.disproves_delaunay())
+      return filter.proves_illegal() ? Edge_state_2::ILLEGAL : Edge_state_2::INVERTED;
     return state(e);
   }
 
   // Whether the filter alone proves the edge Delaunay. It never does for an edge at infinity.
   bool proves_delaunay(Index e) const
   {
-    return m_maintained.positions_are_exact() &&
-           Edge_filter_2(m_maintained.corners(e)).proves_delaunay();
+    return m_state.positions_are_exact() && Edge_filter_2(m_state.corners(e)).proves_delaunay();
   }
 
   // Appends those of the edges [first, beyond) that the filter does not prove Delaunay, among them
   // all edges at infinity.
   void append_unproved(Index first, Index beyond, std::vector<Index>& unproved) const
   {
-    if (m_maintained.positions_are_exact())
-      return internal::append_unproved<typename Maintained::Space>(
-          m_maintained.arrays().edges().data(), m_maintained.positions(), first, beyond, unproved);
+    if (m_state.positions_are_exact())
+      return internal::append_unproved<typename State::Space>(
+          m_state.arrays().edges().data(), m_state.positions(), first, beyond, unproved);
     for (Index e = first; e < beyond; ++e)
       unproved.push_back(e);
   }
   // The same for the edges of a list.
   void append_unproved(const std::vector<Index>& list, std::vector<Index>& unproved) const
   {
-    if (m_maintained.positions_are_exact())
-      return append_unproved_of<typename Maintained::Space>(
-          m_maintained.arrays().edges().data(), m_maintained.positions(), list, unproved);
+    if (m_state.positions_are_exact())
+      return append_unproved_of<typename State::Space>(m_state.arrays().edges().data(),
+                                                       m_state.positions(), list, unproved);
     unproved.insert(unproved.end(), list.begin(), list.end());
   }
 
@@ -329,20 +328,20 @@ private:
   // flipping the edge makes both faces counterclockwise.
   Edge_state_2 inner_edge_state(Index e) const
   {
-    if (m_maintained.positions_are_exact()) {
-      const Edge_filter_2 filter(m_maintained.corners(e));
+    if (m_state.positions_are_exact()) {
+      const Edge_filter_2 filter(m_state.corners(e));
       if (filter.proves_delaunay())
         return Edge_state_2::DELAUNAY;
       if (filter.proves_illegal())
         return Edge_state_2::ILLEGAL;
     }
-    const Edge_2& edge = m_maintained.arrays().edge(e);
+    const Edge_2& edge = m_state.arrays().edge(e);
     const bool is_twisted = orientation(edge.left, edge.source, edge.target) != LEFT_TURN ||
                             orientation(edge.right, edge.target, edge.source) != LEFT_TURN;
     if (m_predicates.side_of_circle(edge.left, edge.source, edge.target, edge.right) ==
         ON_POSITIVE_SIDE)
-      return is_twisted ? Edge_state_2::CROSSED : Edge_state_2::ILLEGAL;
-    return is_twisted ? Edge_state_2::TWISTED : Edge_state_2::DELAUNAY;
+      return is_twisted ? Edge_state_2::INVERTED : Edge_state_2::ILLEGAL;
+    return is_twisted ? Edge_state_2::NOT_FLIPPABLE : Edge_state_2::DELAUNAY;
   }
 
   // Tests the hull edge from b to c with the finite face (a, b, c): a must be on its left.
@@ -352,9 +351,9 @@ private:
     case LEFT_TURN:
       return Edge_state_2::DELAUNAY;
     case RIGHT_TURN:
-      return Edge_state_2::CROSSED;
+      return Edge_state_2::INVERTED;
     default:
-      return is_strictly_between(b, a, c) ? Edge_state_2::CROSSED : Edge_state_2::TWISTED;
+      return is_strictly_between(b, a, c) ? Edge_state_2::INVERTED : Edge_state_2::NOT_FLIPPABLE;
     }
   }
 
@@ -365,9 +364,10 @@ private:
     case LEFT_TURN:
       return Edge_state_2::DELAUNAY;
     case RIGHT_TURN:
-      return Edge_state_2::CROSSED;
+      return Edge_state_2::INVERTED;
     default: // the hull must not turn back on itself
-      return is_strictly_between(before, v, after) ? Edge_state_2::DELAUNAY : Edge_state_2::TWISTED;
+      return is_strictly_between(before, v, after) ? Edge_state_2::DELAUNAY
+                                                   : Edge_state_2::NOT_FLIPPABLE;
     }
   }
 
@@ -383,23 +383,23 @@ private:
     return pq != EQUAL && pq == m_predicates.compare_xy(q, r);
   }
 
-  const Maintained& m_maintained;
-  Vertex_predicates_2<Maintained> m_predicates;
+  const State& m_state;
+  Vertex_predicates_2<State> m_predicates;
 };
 
 // Leaves each edge of the list once, in ascending order, unless it is Delaunay.
-template <class Maintained>
-void keep_unproved(const Maintained& maintained, std::vector<Index>& edges)
+template <class State>
+void keep_unproved(const State& state, std::vector<Index>& edges)
 {
-  using Parts = typename Maintained::Parts;
+  using Parts = typename State::Parts;
   constexpr std::size_t least = (std::max)(Parts::usual_size / 16, std::size_t(1)), ahead = 8;
   make_distinct(edges);
-  const typename Maintained::Edge_test test(maintained);
+  const typename State::Edge_test test(state);
   remove_by_parts<Parts>(edges, least, [&](std::size_t i, std::size_t beyond) {
     if (i + 2 * ahead < beyond)
-      maintained.arrays().prefetch_edge(edges[i + 2 * ahead]);
+      state.arrays().prefetch_edge(edges[i + 2 * ahead]);
     if (i + ahead < beyond)
-      prefetch_corners(maintained.arrays().edge(edges[i + ahead]), maintained.positions().data());
+      prefetch_corners(state.arrays().edge(edges[i + ahead]), state.positions().data());
     return test.state(edges[i]) == Edge_state_2::DELAUNAY;
   });
 }

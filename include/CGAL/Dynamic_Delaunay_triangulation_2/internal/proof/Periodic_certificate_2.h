@@ -22,14 +22,14 @@ namespace internal {
 // What must be true of a periodic triangulation, evaluated from scratch in exact arithmetic: the
 // manual's page on periodic space has the proof. Shifts that agree along the edges map the faces to
 // the flat torus; the map's degree is the sum of the faces' areas, in areas of the cell.
-template <class Maintained>
+template <class State>
 class Periodic_certificate_2
 {
   using Arrays = Halfedge_arrays_2;
 
 public:
-  explicit Periodic_certificate_2(const Maintained& maintained)
-    : m_maintained(maintained)
+  explicit Periodic_certificate_2(const State& state)
+    : m_state(state)
   {
   }
 
@@ -42,38 +42,38 @@ public:
 
   bool covers_once() const
   {
-    const Torus_2& torus = m_maintained.torus();
+    const Torus_2& torus = m_state.torus();
     Torus_2::Polynomial<1> area{0, 0}, area_of_cell = torus.exact_double_area();
     for (Index h = 0; h < 3 * arrays().number_of_faces(); h += 3) {
-      const auto face = torus.exact_double_area(m_maintained.image(h), m_maintained.image(h + 1),
-                                                m_maintained.image(h + 2));
+      const auto face =
+          torus.exact_double_area(m_state.image(h), m_state.image(h + 1), m_state.image(h + 2));
       area = {area[0] + face[0], area[1] + face[1]};
     }
     if (CGAL::is_negative(area_of_cell[0]))
       area_of_cell[0] = -area_of_cell[0];
-    return m_maintained.number_of_vertices() == 0 || area == area_of_cell;
+    return m_state.number_of_vertices() == 0 || area == area_of_cell;
   }
 
   // Whether each face is counterclockwise, and each edge locally Delaunay.
   bool is_delaunay() const
   {
-    const typename Maintained::Edge_test test(m_maintained);
-    return Maintained::Parts::all_of(arrays().number_of_edges(),
-                                     [&](std::size_t first, std::size_t beyond) {
-                                       for (std::size_t e = first; e < beyond; ++e)
-                                         if (test.state(Index(e)) != Edge_state_2::DELAUNAY)
-                                           return false;
-                                       return true;
-                                     });
+    const typename State::Edge_test test(m_state);
+    return State::Parts::all_of(arrays().number_of_edges(),
+                                [&](std::size_t first, std::size_t beyond) {
+                                  for (std::size_t e = first; e < beyond; ++e)
+                                    if (test.state(Index(e)) != Edge_state_2::DELAUNAY)
+                                      return false;
+                                  return true;
+                                });
   }
 
 private:
-  const Arrays& arrays() const { return m_maintained.arrays(); }
+  const Arrays& arrays() const { return m_state.arrays(); }
 
   bool is_full() const
   {
-    const Index n = m_maintained.number_of_vertices();
-    const auto& ids = m_maintained.ids();
+    const Index n = m_state.number_of_vertices();
+    const auto& ids = m_state.ids();
     bool is = arrays().number_of_faces() == 2 * n && arrays().number_of_edges() == 3 * n &&
               ids.number_of_representatives() == n;
     for (Index v = 1; is && v <= n; ++v)
@@ -88,7 +88,7 @@ private:
     for (Index h = 0; h < 3 * arrays().number_of_faces(); ++h) {
       const Index g = arrays().twin(h);
       if (arrays().twin(g) != h || arrays().source(h) != arrays().target(g) ||
-          !are_equal(m_maintained.transition(h), no_shift - m_maintained.transition(g)))
+          !are_equal(m_state.transition(h), no_shift - m_state.transition(g)))
         return false;
     }
     return true;
@@ -96,13 +96,13 @@ private:
 
   bool do_duplicates_coincide() const
   {
-    const auto& ids = m_maintained.ids();
+    const auto& ids = m_state.ids();
     return std::all_of(ids.duplicates().begin(), ids.duplicates().end(), [&](const auto& d) {
-      return m_maintained.torus().coincide(d.point, m_maintained.positions()[ids.vertex(d.id)]);
+      return m_state.torus().coincide(d.point, m_state.positions()[ids.vertex(d.id)]);
     });
   }
 
-  const Maintained& m_maintained;
+  const State& m_state;
 };
 
 } // namespace internal

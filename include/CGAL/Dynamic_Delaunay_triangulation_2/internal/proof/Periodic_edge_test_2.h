@@ -20,29 +20,29 @@ namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
 // The one test of an edge, as `Edge_test_2` is in the plane.
-template <class Maintained>
+template <class State>
 class Periodic_edge_test_2
 {
 public:
-  explicit Periodic_edge_test_2(const Maintained& maintained)
-    : m_maintained(maintained)
+  explicit Periodic_edge_test_2(const State& state)
+    : m_state(state)
   {
   }
 
   Edge_state_2 state(Index e) const
   {
-    const auto& arrays = m_maintained.arrays();
+    const auto& arrays = m_state.arrays();
     if (arrays.is_empty_edge(e))
       return Edge_state_2::DELAUNAY;
-    if (!m_maintained.is_shifted(e)) {
-      using Space = typename Maintained::Space;
-      const Edge_filter_2 filter(Space::corners(arrays.edge(e), m_maintained.positions()));
+    if (!m_state.is_shifted(e)) {
+      using Space = typename State::Space;
+      const Edge_filter_2 filter(Space::corners(arrays.edge(e), m_state.positions()));
       if (filter.proves_delaunay())
         return Edge_state_2::DELAUNAY;
       if (filter.proves_illegal())
         return Edge_state_2::ILLEGAL;
     }
-    return m_maintained.torus().edge_state(m_maintained.corners_at(arrays.halfedge(e)));
+    return m_state.torus().edge_state(m_state.corners_at(arrays.halfedge(e)));
   }
 
   // The same: a filter in front of an exact test costs little here.
@@ -53,8 +53,8 @@ public:
   void append_unproved(Index first, Index beyond, std::vector<Index>& unproved) const
   {
     const std::size_t before = unproved.size();
-    internal::append_unproved<typename Maintained::Space>(
-        m_maintained.arrays().edges().data(), m_maintained.positions(), first, beyond, unproved);
+    internal::append_unproved<typename State::Space>(m_state.arrays().edges().data(),
+                                                     m_state.positions(), first, beyond, unproved);
     keep_unproved(unproved, before);
   }
 
@@ -62,44 +62,42 @@ public:
   void append_unproved(const std::vector<Index>& list, std::vector<Index>& unproved) const
   {
     const std::size_t first = unproved.size();
-    append_unproved_of<typename Maintained::Space>(m_maintained.arrays().edges().data(),
-                                                   m_maintained.positions(), list, unproved);
+    append_unproved_of<typename State::Space>(m_state.arrays().edges().data(), m_state.positions(),
+                                              list, unproved);
     keep_unproved(unproved, first);
   }
 
   bool proves_delaunay(Index e) const
   {
-    const auto& arrays = m_maintained.arrays();
+    const auto& arrays = m_state.arrays();
     if (arrays.is_empty_edge(e))
       return true;
-    if (m_maintained.is_shifted(e))
-      return m_maintained.torus().filter_proves_delaunay(
-          m_maintained.corners_at(arrays.halfedge(e)));
-    using Space = typename Maintained::Space;
-    return Edge_filter_2(Space::corners(arrays.edge(e), m_maintained.positions()))
-        .proves_delaunay();
+    if (m_state.is_shifted(e))
+      return m_state.torus().filter_proves_delaunay(m_state.corners_at(arrays.halfedge(e)));
+    using Space = typename State::Space;
+    return Edge_filter_2(Space::corners(arrays.edge(e), m_state.positions())).proves_delaunay();
   }
 
 private:
   // Of the edges from place `first` on, which the pass in the plane did not prove.
   void keep_unproved(std::vector<Index>& unproved, std::size_t first) const
   {
-    const auto& arrays = m_maintained.arrays();
-    const auto corners = [&](Index e) { return m_maintained.corners_at(arrays.halfedge(e)); };
+    const auto& arrays = m_state.arrays();
+    const auto corners = [&](Index e) { return m_state.corners_at(arrays.halfedge(e)); };
     std::array<Index, 4> shifted;
     std::size_t kept = first, waiting = 0;
     for (std::size_t i = first; i < unproved.size(); ++i) {
       const Index e = unproved[i];
       if (arrays.is_empty_edge(e))
         continue;
-      if (!m_maintained.is_shifted(e)) {
+      if (!m_state.is_shifted(e)) {
         unproved[kept++] = e;
         continue;
       }
       shifted[waiting++] = e;
       if (waiting < 4)
         continue;
-      const int proved = m_maintained.torus().filter_proves_delaunay(
+      const int proved = m_state.torus().filter_proves_delaunay(
           {corners(shifted[0]), corners(shifted[1]), corners(shifted[2]), corners(shifted[3])});
       for (waiting = 4; waiting > 0; --waiting)
         if (!(proved >> (waiting - 1) & 1))
@@ -111,7 +109,7 @@ private:
     unproved.resize(kept);
   }
 
-  const Maintained& m_maintained;
+  const State& m_state;
 };
 
 } // namespace internal

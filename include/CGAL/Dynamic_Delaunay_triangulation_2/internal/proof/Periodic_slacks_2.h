@@ -31,7 +31,7 @@ struct Periodic_slacks_2
   template <class Frame>
   static double value(const Frame& frame, Index e)
   {
-    if (frame.maintained().arrays().is_empty_edge(e))
+    if (frame.state().arrays().is_empty_edge(e))
       return std::numeric_limits<double>::quiet_NaN();
     const Edge_images_2 corners = corners_of(frame, e, frame.positions());
     return is_across(torus(frame), corners)
@@ -43,11 +43,11 @@ struct Periodic_slacks_2
   static bool is_safe(const Frame& frame, Index e, const std::vector<Position_2>& references,
                       double tolerance)
   {
-    const auto& maintained = frame.maintained();
-    if (maintained.arrays().is_empty_edge(e))
+    const auto& state = frame.state();
+    if (state.arrays().is_empty_edge(e))
       return false;
-    if (maintained.is_shifted(e))
-      return is_safe(maintained.torus(), corners_of(frame, e, references), tolerance);
+    if (state.is_shifted(e))
+      return is_safe(state.torus(), corners_of(frame, e, references), tolerance);
     return Edge_slack_2(frame.corners(e, references)).is_safe(tolerance);
   }
 
@@ -77,14 +77,14 @@ private:
   template <class Frame>
   static const Torus_2& torus(const Frame& frame)
   {
-    return frame.maintained().torus();
+    return frame.state().torus();
   }
 
   template <class Frame>
   static Edge_images_2 corners_of(const Frame& frame, Index e,
                                   const std::vector<Position_2>& positions)
   {
-    return frame.maintained().corners_at(frame.maintained().arrays().halfedge(e), positions);
+    return frame.state().corners_at(frame.state().arrays().halfedge(e), positions);
   }
 
   static bool is_across(const Torus_2& torus, const Edge_images_2& corners)

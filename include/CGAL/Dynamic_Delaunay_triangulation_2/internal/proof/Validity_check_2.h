@@ -6,8 +6,8 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Triangulation_state_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
 #include <CGAL/exceptions.h>
 
@@ -20,12 +20,12 @@ namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
 // Checks everything that must hold for a maintained triangulation between two calls.
-template <class Maintained>
+template <class State>
 class Validity_check_2
 {
 public:
-  Validity_check_2(const Maintained& maintained, bool verbose)
-    : m_maintained(maintained)
+  Validity_check_2(const State& state, bool verbose)
+    : m_state(state)
     , m_verbose(verbose)
   {
   }
@@ -34,7 +34,7 @@ public:
   {
     return says(is_data_structure_valid(level), "the triangulation data structure is not valid") &&
            says(is_no_point_lost(is_certified), "a point has no vertex, or not its own") &&
-           says(!m_maintained.is_written_by_handles(), "handles have changed a vertex or a face") &&
+           says(!m_state.is_written_by_handles(), "handles have changed a vertex or a face") &&
            says(are_arrays_consistent(), "the half-edges are not those of a triangulation") &&
            says(is_simplicial(), "two edges have the same vertices") &&
            says(!is_certified || is_delaunay(), "the triangulation is certified, and not Delaunay");
@@ -52,7 +52,7 @@ private:
   template <class Predicate>
   static bool all_of(Index first, std::size_t beyond, const Predicate& is)
   {
-    return Maintained::Parts::all_of(beyond - first, [&](std::size_t begin, std::size_t end) {
+    return State::Parts::all_of(beyond - first, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         if (!is(Index(first + i)))
           return false;
@@ -64,7 +64,7 @@ private:
   bool is_data_structure_valid(int level) const
   {
     try {
-      return m_maintained.triangulation().tds().is_valid(m_verbose, level);
+      return m_state.triangulation().tds().is_valid(m_verbose, level);
     } catch (const Failure_exception&) {
       return false;
     }
@@ -73,20 +73,19 @@ private:
   // A duplicate may differ from its vertex only after an exception, until the next proof.
   bool is_no_point_lost(bool is_certified) const
   {
-    const auto& ids = m_maintained.ids();
-    if (m_maintained.triangulation().number_of_vertices() != m_maintained.number_of_vertices())
+    const auto& ids = m_state.ids();
+    if (m_state.triangulation().number_of_vertices() != m_state.number_of_vertices())
       return false;
     Index duplicates = 0;
     for (Index id = 0; id < ids.number_of_ids(); ++id) {
       if (!ids.is_taken(id))
         continue;
       const Index v = ids.vertex(id);
-      if (v == infinite_index || v > m_maintained.number_of_vertices())
+      if (v == infinite_index || v > m_state.number_of_vertices())
         return false;
       if (!ids.is_representative(id)) {
         ++duplicates;
-        if (is_certified &&
-            !coincide(m_maintained.traits(), ids.duplicate(id).point, m_maintained.point(v)))
+        if (is_certified && !coincide(m_state.traits(), ids.duplicate(id).point, m_state.point(v)))
           return false;
       }
     }
@@ -94,15 +93,15 @@ private:
       if (!ids.is_taken(ids.representative(v)) || ids.vertex(ids.representative(v)) != v)
         return false;
     return duplicates == ids.duplicates().size() &&
-           m_maintained.number_of_vertices() == ids.number_of_representatives();
+           m_state.number_of_vertices() == ids.number_of_representatives();
   }
 
   bool are_arrays_consistent() const
   {
-    const auto& arrays = m_maintained.arrays();
-    if (m_maintained.positions().size() != arrays.number_of_vertices())
+    const auto& arrays = m_state.arrays();
+    if (m_state.positions().size() != arrays.number_of_vertices())
       return false;
-    if (!m_maintained.spans_plane())
+    if (!m_state.spans_plane())
       return arrays.number_of_faces() == 0;
     return all_of(0, 3 * std::size_t(arrays.number_of_faces()),
                   [this](Index h) { return is_halfedge_consistent(h); }) &&
@@ -112,12 +111,12 @@ private:
 
   bool is_simplicial() const
   {
-    if (!m_maintained.spans_plane())
+    if (!m_state.spans_plane())
       return true;
-    std::vector<Index> last_neighbor_of(m_maintained.arrays().number_of_vertices(), no_index);
+    std::vector<Index> last_neighbor_of(m_state.arrays().number_of_vertices(), null_index);
     bool is_simplicial = true;
-    for (Index v = 0; v < m_maintained.arrays().number_of_vertices(); ++v)
-      m_maintained.arrays().for_each_neighbor(v, [&](Index w) {
+    for (Index v = 0; v < m_state.arrays().number_of_vertices(); ++v)
+      m_state.arrays().for_each_neighbor(v, [&](Index w) {
         is_simplicial = is_simplicial && last_neighbor_of[w] != v;
         last_neighbor_of[w] = v;
       });
@@ -126,7 +125,7 @@ private:
 
   bool is_halfedge_consistent(Index h) const
   {
-    const auto& arrays = m_maintained.arrays();
+    const auto& arrays = m_state.arrays();
     const Index g = arrays.twin(h);
     const Edge_2& edge = arrays.edge(arrays.edge_of(h));
     const bool is_forward = edge.source == arrays.source(h);
@@ -140,16 +139,16 @@ private:
 
   bool is_delaunay() const
   {
-    if (m_maintained.spans_plane())
-      return Certificate_2<Maintained>(m_maintained).holds();
+    if (m_state.spans_plane())
+      return Certificate_2<State>(m_state).holds();
     try { // on a line the triangulation is CGAL's own work
-      return m_maintained.triangulation().is_valid();
+      return m_state.triangulation().is_valid();
     } catch (const Failure_exception&) {
       return false;
     }
   }
 
-  const Maintained& m_maintained;
+  const State& m_state;
   bool m_verbose;
 };
 

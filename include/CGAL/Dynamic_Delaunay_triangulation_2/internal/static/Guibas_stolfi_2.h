@@ -26,7 +26,7 @@ namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
 // The numbers of half-edges of so many vertices fit into Index, here and in `Halfedge_arrays_2`.
-constexpr Index max_vertices = no_index / 8;
+constexpr Index max_vertices = null_index / 8;
 
 // The faces of a fresh triangulation under construction, infinite ones included. Each has three
 // half-edges, opposite to its vertices. Empty if the points do not span the plane.
@@ -132,7 +132,7 @@ private:
     Index vertex;
     Index first_hull_edge, last_hull_edge;
 
-    bool is_single() const { return first_hull_edge == no_index; }
+    bool is_single() const { return first_hull_edge == null_index; }
   };
 
   struct Waiting_part
@@ -152,7 +152,7 @@ private:
   // parts of stretches among them are there already.
   Part triangulate(const Spatial_order_2& order, std::size_t first, std::size_t beyond)
   {
-    Part part{no_index, no_index, no_index};
+    Part part{null_index, null_index, null_index};
     auto stretch = m_stretches.begin();
     m_waiting.clear();
     for (std::size_t i = first; i < beyond;) {
@@ -268,17 +268,17 @@ private:
     const std::size_t first = i++;
     const int before = rank(order, first), inner = rank(order, i);
     if (i == order.size() || inner > before)
-      return Part{order[first], no_index, no_index};
+      return Part{order[first], null_index, null_index};
     const Index face = Index(2 * first);
     const int second = rank(order, i + 1);
     if (i + 1 < order.size() &&
         (std::max)(inner, second) < (std::min)(before, rank(order, i + 2)) &&
         make_triangle(order[first], order[first + 1], order[first + 2], face)) {
       i = first + 3;
-      return Part{no_index, first_halfedge(face + 1), first_halfedge(face + 3)};
+      return Part{null_index, first_halfedge(face + 1), first_halfedge(face + 3)};
     }
     if (inner > second)
-      return Part{order[first], no_index, no_index};
+      return Part{order[first], null_index, null_index};
     i = first + 2;
     return make_edge(order[first], order[first + 1], face);
   }
@@ -293,7 +293,7 @@ private:
     m_faces.link(h, g);
     m_faces.link(h + 1, g + 2);
     m_faces.link(h + 2, g + 1);
-    return Part{no_index, h, g};
+    return Part{null_index, h, g};
   }
 
   // False if the points lie on a line.
@@ -340,14 +340,14 @@ private:
     m_faces.link(h, gap.base);
     m_faces.link(h + 1, gap.right_side);
     m_faces.link(h + 2, gap.left_side);
-    return Part{no_index, first_halfedge(new_face), h};
+    return Part{null_index, first_halfedge(new_face), h};
   }
 
   // Finds the lower tangent, and puts an infinite face below it.
   Gap open(const Part& left, const Part& right, bool is_horizontal, Index face)
   {
     Index l = left.vertex, r = right.vertex; // and from_l, to_r: the hull edges from l and to r
-    Index from_l = no_index, to_r = no_index;
+    Index from_l = null_index, to_r = null_index;
     if (!left.is_single()) {
       from_l = extreme(left, is_horizontal, LARGER);
       l = m_faces.source(from_l);
@@ -358,12 +358,12 @@ private:
     }
     for (bool has_moved = true; has_moved;) {
       has_moved = false;
-      while (from_l != no_index && is_right_turn(l, r, m_faces.target(from_l))) {
+      while (from_l != null_index && is_right_turn(l, r, m_faces.target(from_l))) {
         l = m_faces.target(from_l);
         from_l = clockwise(from_l);
         has_moved = true;
       }
-      while (to_r != no_index && is_right_turn(l, r, m_faces.source(to_r))) {
+      while (to_r != null_index && is_right_turn(l, r, m_faces.source(to_r))) {
         r = m_faces.source(to_r);
         to_r = counterclockwise(to_r);
         has_moved = true;
@@ -372,11 +372,11 @@ private:
     m_faces.set_vertices(face, infinite_index, r, l);
     const Index h = first_halfedge(face);
     Gap gap{l, r, h, h + 1, h + 2};
-    if (from_l != no_index) {
+    if (from_l != null_index) {
       gap.left_side = m_faces.twin(previous(from_l));
       m_faces.link(h + 1, previous(from_l));
     }
-    if (to_r != no_index) {
+    if (to_r != null_index) {
       gap.right_side = m_faces.twin(next(to_r));
       m_faces.link(h + 2, next(to_r));
     }

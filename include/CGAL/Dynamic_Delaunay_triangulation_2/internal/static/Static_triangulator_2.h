@@ -113,17 +113,17 @@ private:
 
 // Triangulates vertices of the maintained triangulation from scratch: all of them for a rebuild,
 // those of a region for a splice.
-template <class Maintained>
+template <class State>
 class Static_triangulator_2
 {
-  using Predicates = Vertex_predicates_2<Maintained>;
-  using Static_triangulation = Static_triangulation_2<typename Maintained::Traits>;
+  using Predicates = Vertex_predicates_2<State>;
+  using Static_triangulation = Static_triangulation_2<typename State::Traits>;
 
 public:
-  explicit Static_triangulator_2(const Maintained& maintained)
-    : m_maintained(maintained)
-    , m_guibas_stolfi(Predicates(maintained), m_faces)
-    , m_triangulation(maintained.traits())
+  explicit Static_triangulator_2(const State& state)
+    : m_state(state)
+    , m_guibas_stolfi(Predicates(state), m_faces)
+    , m_triangulation(state.traits())
   {
   }
   Static_triangulator_2(const Static_triangulator_2&) = delete;
@@ -163,7 +163,7 @@ private:
   {
     m_triangulation.clear();
     for_each_in_rounds(order.size(),
-                       [&](std::size_t i) { insert(m_maintained.point(order[i]), order[i]); });
+                       [&](std::size_t i) { insert(m_state.point(order[i]), order[i]); });
     copy_faces();
     m_triangulation.clear(); // allocates memory, and may throw
   }
@@ -188,10 +188,10 @@ private:
       }
   }
 
-  const Maintained& m_maintained;
+  const State& m_state;
   Static_engine_2 m_engine = Static_engine_2::GUIBAS_STOLFI;
   Flat_faces_2 m_faces;
-  Guibas_stolfi_2<Predicates, typename Maintained::Parts> m_guibas_stolfi;
+  Guibas_stolfi_2<Predicates, typename State::Parts> m_guibas_stolfi;
   Static_triangulation m_triangulation;
 };
 

@@ -23,11 +23,11 @@ namespace Dynamic_Delaunay_triangulations_2 {
 
 namespace internal {
 
-template <class Maintained>
+template <class State>
 class Topology_builder_2;
-template <class Maintained>
+template <class State>
 class Topology_editor_2;
-template <class Maintained, bool is_logged>
+template <class State, bool is_logged>
 class Periodic_editor_2;
 template <class Point, class VertexInfo, class FaceInfo>
 class Indexed_storage_2;
@@ -187,16 +187,16 @@ public:
 
   Index faces_with_holes() const { return Index(m_halfedges.size() / 3); }
 
-  bool is_outside(Index v) const { return m_corner[v] == no_index; }
-  bool is_empty_face(Index f) const { return apex(3 * f) == no_index; }
-  bool is_empty_edge(Index e) const { return m_halfedge_of_edge[e] == no_index; }
+  bool is_outside(Index v) const { return m_corner[v] == null_index; }
+  bool is_empty_face(Index f) const { return apex(3 * f) == null_index; }
+  bool is_empty_edge(Index e) const { return m_halfedge_of_edge[e] == null_index; }
 
 private:
-  template <class Maintained>
+  template <class State>
   friend class Topology_builder_2;
-  template <class Maintained>
+  template <class State>
   friend class Topology_editor_2;
-  template <class Maintained, bool is_logged>
+  template <class State, bool is_logged>
   friend class Periodic_editor_2;
   template <class Point, class VertexInfo, class FaceInfo>
   friend class Indexed_storage_2;
@@ -227,7 +227,7 @@ private:
 
   void resize(Index vertices, Index faces)
   {
-    m_corner.assign(vertices + 1, no_index);
+    m_corner.assign(vertices + 1, null_index);
     m_halfedges.resize(3 * std::size_t(faces));
     m_edges.resize(3 * std::size_t(faces) / 2);
     m_halfedge_of_edge.resize(3 * std::size_t(faces) / 2);
@@ -283,7 +283,7 @@ private:
         if (source(g) == target(h) && target(g) == source(h))
           m_halfedges[h].twin = g;
     }
-    std::fill(m_corner.begin(), m_corner.end(), no_index);
+    std::fill(m_corner.begin(), m_corner.end(), null_index);
     find_corners<Parts>();
     number_edges<Parts>();
   }
@@ -308,7 +308,7 @@ private:
     Parts::for_each(halfedges, least, [&](std::size_t part, std::size_t first, std::size_t beyond) {
       const std::size_t low = Parts::begin(part, parts, vertices),
                         high = Parts::begin(part + 1, parts, vertices);
-      left_over[part] = no_index;
+      left_over[part] = null_index;
       for (Index h = Index(first); h < beyond; ++h)
         if (apex(h) >= low && apex(h) < high)
           m_corner[apex(h)] = h;
@@ -316,9 +316,9 @@ private:
           m_halfedges[h].edge = std::exchange(left_over[part], h);
     });
     for (std::size_t part = 0; part < parts; ++part)
-      for (Index h = left_over[part]; h != no_index; h = edge_of(h)) {
+      for (Index h = left_over[part]; h != null_index; h = edge_of(h)) {
         Index& corner = m_corner[apex(h)];
-        corner = corner == no_index ? h : (std::max)(corner, h);
+        corner = corner == null_index ? h : (std::max)(corner, h);
       }
   }
 
@@ -424,12 +424,12 @@ private:
   }
 
   // Reserves memory for one more slot. Then append_slot() throws nothing.
-  void provide_for_slot()
+  void reserve_for_slot()
   {
-    provide(m_halfedges, 6);
-    provide(m_edges, 3);
-    provide(m_halfedge_of_edge, 3);
-    provide(m_corner, 1);
+    reserve_extra(m_halfedges, 6);
+    reserve_extra(m_edges, 3);
+    reserve_extra(m_halfedge_of_edge, 3);
+    reserve_extra(m_corner, 1);
   }
 
   // Appends a slot with the next numbers.
@@ -437,10 +437,10 @@ private:
   {
     const Index faces = number_of_faces(), edges = number_of_edges();
     const Slot slot{Index(m_corner.size()), {faces, faces + 1}, {edges, edges + 1, edges + 2}};
-    m_corner.push_back(no_index);
-    m_halfedges.resize(m_halfedges.size() + 6, Halfedge{no_index, no_index, no_index});
+    m_corner.push_back(null_index);
+    m_halfedges.resize(m_halfedges.size() + 6, Halfedge{null_index, null_index, null_index});
     m_edges.resize(m_edges.size() + 3);
-    m_halfedge_of_edge.resize(m_halfedge_of_edge.size() + 3, no_index);
+    m_halfedge_of_edge.resize(m_halfedge_of_edge.size() + 3, null_index);
     empty(slot);
     return slot;
   }
@@ -535,11 +535,11 @@ private:
 
   void empty(const Slot& slot)
   {
-    m_corner[slot.vertex] = no_index;
+    m_corner[slot.vertex] = null_index;
     for (const Index f : slot.faces)
-      m_halfedges[3 * f].apex = no_index;
+      m_halfedges[3 * f].apex = null_index;
     for (const Index e : slot.edges)
-      m_halfedge_of_edge[e] = no_index;
+      m_halfedge_of_edge[e] = null_index;
   }
 
   void set_face(Index f, Index a, Index b, Index c)

@@ -39,7 +39,7 @@ public:
 
 protected:
   Storage* m_storage = nullptr;
-  Index m_index = no_index;
+  Index m_index = null_index;
 };
 
 // CGAL's triangulations look for the type of `info()`, before they accept points with infos.
@@ -68,7 +68,7 @@ public:
   using iterator_category = std::bidirectional_iterator_tag;
 
   // The end of all elements, wherever it is: arrays may grow while somebody has it.
-  static constexpr Index end_index = no_index - 2;
+  static constexpr Index end_index = null_index - 2;
 
   Indexed_handle_2(std::nullptr_t = nullptr) noexcept {}
   Indexed_handle_2(Storage* storage, Index index) noexcept
@@ -154,7 +154,7 @@ public:
   Face_handle face() const
   {
     const Index h = m_storage->arrays().corner(m_index);
-    return h == no_index ? Face_handle() : Face_handle(m_storage, h / 3);
+    return h == null_index ? Face_handle() : Face_handle(m_storage, h / 3);
   }
   void set_face(const Face_handle& f) { m_storage->set_face(m_index, f.index()); }
 
@@ -228,7 +228,7 @@ public:
   Vertex_handle vertex(int i) const
   {
     const Index v = m_storage->arrays().apex(halfedge(i));
-    return v == no_index ? Vertex_handle() : Vertex_handle(m_storage, v);
+    return v == null_index ? Vertex_handle() : Vertex_handle(m_storage, v);
   }
   bool has_vertex(const Vertex_handle& v) const
   {
@@ -241,7 +241,7 @@ public:
   Face_handle neighbor(int i) const
   {
     const Index g = m_storage->arrays().twin(halfedge(i));
-    return g == no_index ? Face_handle() : Face_handle(m_storage, g / 3);
+    return g == null_index ? Face_handle() : Face_handle(m_storage, g / 3);
   }
   bool has_neighbor(const Face_handle& g) const
   {
@@ -292,7 +292,7 @@ public:
   {
     const auto& arrays = m_storage->arrays();
     int i = 2;
-    while (i >= 0 && arrays.apex(halfedge(i)) == no_index)
+    while (i >= 0 && arrays.apex(halfedge(i)) == null_index)
       --i;
     return i;
   }

@@ -75,7 +75,7 @@ public:
   std::vector<std::string> names() const { return m_arrays.properties(); }
 
   // Makes room for so many more elements. Then append() throws only what copying a value throws.
-  void provide(std::size_t number)
+  void reserve_extra(std::size_t number)
   {
     if (m_arrays.capacity() < m_arrays.size() + number)
       m_arrays.reserve(2 * m_arrays.size() + number);
@@ -103,14 +103,14 @@ public:
   bool empty() const { return m_arrays.n_properties() == 0; }
 
   // Lets the values follow: the element with number i had before[i] in `others`, a copy of these,
-  // or is new if that is `no_index`. There must be memory for all of them.
+  // or is new if that is `null_index`. There must be memory for all of them.
   void renumber(const Indexed_properties_2& others, const std::vector<Index>& before)
   {
     m_arrays.resize(before.size());
     if (empty())
       return;
     for (Index i = 0; i < Index(before.size()); ++i)
-      if (before[i] == no_index)
+      if (before[i] == null_index)
         m_arrays.reset(i);
       else
         m_arrays.transfer(others.m_arrays, before[i], i);
@@ -129,7 +129,7 @@ struct Info_array_2
   static_assert(!std::is_same_v<Info, bool>, "take char: there are no references to single bits");
 
   void reserve(std::size_t number) { values.reserve(number); }
-  void provide(std::size_t number) { internal::provide(values, number); }
+  void reserve_extra(std::size_t number) { internal::reserve_extra(values, number); }
   void append() { values.emplace_back(); }
   void resize(std::size_t number) { values.resize(number); }
   void reset(Index i) { values[i] = Info(); }
@@ -145,7 +145,7 @@ struct Info_array_2
     Info_array_2 others;
     others.resize(before.size());
     for (std::size_t i = 0; i < before.size(); ++i)
-      if (before[i] != no_index)
+      if (before[i] != null_index)
         others.values[i] = values[before[i]];
     return others;
   }
@@ -157,7 +157,7 @@ template <>
 struct Info_array_2<void>
 {
   void reserve(std::size_t) {}
-  void provide(std::size_t) {}
+  void reserve_extra(std::size_t) {}
   void append() {}
   void resize(std::size_t) {}
   void reset(Index) {}
@@ -255,19 +255,19 @@ public:
       const Index v = m_free_vertices.back();
       m_free_vertices.pop_back();
       --m_erased_vertices;
-      m_arrays.m_corner[v] = no_index;
+      m_arrays.m_corner[v] = null_index;
       m_vertex_properties.reset(v);
       m_vertex_infos.reset(v);
       return v;
     }
-    provide(m_points, 1);
-    provide(m_arrays.m_corner, 1);
-    m_vertex_properties.provide(1);
-    m_vertex_infos.provide(1);
+    reserve_extra(m_points, 1);
+    reserve_extra(m_arrays.m_corner, 1);
+    m_vertex_properties.reserve_extra(1);
+    m_vertex_infos.reserve_extra(1);
     m_points.emplace_back();
     m_vertex_properties.append();
     m_vertex_infos.append();
-    m_arrays.m_corner.push_back(no_index);
+    m_arrays.m_corner.push_back(null_index);
     return Index(m_arrays.m_corner.size()) - 1;
   }
 
@@ -284,15 +284,15 @@ public:
       m_face_infos.reset(f);
     } else {
       f = faces_with_holes();
-      provide(m_arrays.m_halfedges, 3);
-      m_face_properties.provide(1);
-      m_face_infos.provide(1);
+      reserve_extra(m_arrays.m_halfedges, 3);
+      m_face_properties.reserve_extra(1);
+      m_face_infos.reserve_extra(1);
       m_face_properties.append();
       m_face_infos.append();
       m_arrays.m_halfedges.resize(m_arrays.m_halfedges.size() + 3);
     }
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      m_arrays.m_halfedges[h] = {no_index, no_index, no_index};
+      m_arrays.m_halfedges[h] = {null_index, null_index, null_index};
     return f;
   }
 
@@ -324,13 +324,13 @@ public:
   void set_neighbor(Index h, Index g)
   {
     note_written_by_handle();
-    m_arrays.m_halfedges[h].twin = g == no_index ? no_index : 3 * g;
+    m_arrays.m_halfedges[h].twin = g == null_index ? null_index : 3 * g;
   }
 
   void set_face(Index v, Index f)
   {
     note_written_by_handle();
-    m_arrays.m_corner[v] = f == no_index ? no_index : 3 * f;
+    m_arrays.m_corner[v] = f == null_index ? null_index : 3 * f;
   }
 
   void set_point(Index v, const Point& p)
@@ -397,7 +397,7 @@ public:
       for (Index i = 0; i < 3; ++i) {
         auto& to = m_arrays.m_halfedges[3 * f + i];
         to = m_arrays.m_halfedges[3 * faces_before[f] + i];
-        to.apex = to.apex == no_index ? no_index : new_vertex[to.apex];
+        to.apex = to.apex == null_index ? null_index : new_vertex[to.apex];
         to.twin = with_face(to.twin, new_face);
       }
     m_points.resize(vertices_before.size());
@@ -413,21 +413,21 @@ public:
 private:
   template <class Traits, class Tds, class VisitorCalls>
   friend class Topology_2;
-  template <class Maintained>
+  template <class State>
   friend class Topology_builder_2;
-  template <class Maintained>
+  template <class State>
   friend class Topology_editor_2;
 
   // WHERE THE EDITOR AND THE BUILDER WRITE --------------------------------------------------------
   // They write points and arrays themselves. What users have stored follows by these functions.
 
   // After this, append_slot() throws only what copying a value throws.
-  void provide_for_slot()
+  void reserve_for_slot()
   {
-    m_vertex_properties.provide(1);
-    m_face_properties.provide(2);
-    m_vertex_infos.provide(1);
-    m_face_infos.provide(2);
+    m_vertex_properties.reserve_extra(1);
+    m_face_properties.reserve_extra(2);
+    m_vertex_infos.reserve_extra(1);
+    m_face_infos.reserve_extra(2);
   }
 
   // For a vertex and two faces more.
@@ -526,7 +526,7 @@ private:
   }
 
   // What users have stored, for elements with new numbers: that with number i had before[i], or is
-  // new if that is `no_index`. Made beforehand, so that taking it over needs no memory.
+  // new if that is `null_index`. Made beforehand, so that taking it over needs no memory.
   template <class Data, class Infos>
   class Renumbered_data
   {
@@ -553,7 +553,7 @@ private:
   using Renumbered_vertex_data = Renumbered_data<Vertex_properties, Info_array_2<Vertex_info>>;
   using Renumbered_face_data = Renumbered_data<Face_properties, Info_array_2<Face_info>>;
 
-  static constexpr Index erased_index = no_index - 1;
+  static constexpr Index erased_index = null_index - 1;
 
   static const Point& as_point(const Point& p) { return p; }
   static Point& as_point(Point& p) { return p; }
@@ -577,7 +577,7 @@ private:
   static std::pair<std::vector<Index>, std::vector<Index>>
   numbers_without_holes(Index size, const Predicate& is_hole)
   {
-    std::vector<Index> before, after(size, no_index);
+    std::vector<Index> before, after(size, null_index);
     for (Index i = 0; i < size; ++i)
       if (!is_hole(i)) {
         after[i] = Index(before.size());
@@ -589,7 +589,7 @@ private:
   // The same half-edge of the face with its new number.
   static Index with_face(Index h, const std::vector<Index>& new_face)
   {
-    return h == no_index ? no_index : 3 * new_face[h / 3] + h % 3;
+    return h == null_index ? null_index : 3 * new_face[h / 3] + h % 3;
   }
 
   static std::uint32_t next_serial()

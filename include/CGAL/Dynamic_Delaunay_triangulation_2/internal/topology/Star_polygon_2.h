@@ -81,11 +81,11 @@ public:
   // from inside contains no other vertex, so the edge is Delaunay in every triangulation with v.
   // All other faces stay Delaunay. Faces are counterclockwise all the time, and those around v
   // surround it once, so no two edges go from v in the same direction: all corners are different.
-  template <class Maintained>
-  bool find_as_delaunay(const Maintained& maintained, Index f, Index v, std::size_t most)
+  template <class State>
+  bool find_as_delaunay(const State& state, Index f, Index v, std::size_t most)
   {
-    const Arrays& arrays = maintained.arrays();
-    const Vertex_predicates_2<Maintained> predicates(maintained);
+    const Arrays& arrays = state.arrays();
+    const Vertex_predicates_2<State> predicates(state);
     const auto is_in_circle = [&](Index outer) {
       const Index apex = arrays.apex(outer);
       return apex != infinite_index &&
@@ -144,14 +144,14 @@ public:
   //   - A corner in a circle of the search is on the left of the side: on its right, such a circle
   //     is inside of C.
   // So the search finds Delaunay faces that tile P.
-  template <class Maintained>
-  bool triangulate_as_delaunay(const Maintained& maintained)
+  template <class State>
+  bool triangulate_as_delaunay(const State& state)
   {
-    if constexpr (!Are_known_to_be_inexact_2<typename Maintained::Traits>::value) {
+    if constexpr (!Are_known_to_be_inexact_2<typename State::Traits>::value) {
       constexpr std::size_t max_degree = 24; // flips take less time beyond
       if (m_sides.size() > max_degree || is_at_infinity())
         return false;
-      divide(Vertex_predicates_2<Maintained>(maintained), 0, Index(m_sides.size() - 1));
+      divide(Vertex_predicates_2<State>(state), 0, Index(m_sides.size() - 1));
       return true;
     }
     return false;
@@ -163,12 +163,12 @@ public:
   //
   // An ear whose third edge does not exist yet always remains: if one edge exists elsewhere, it
   // separates the third edges of other ears.
-  template <class Maintained>
-  void triangulate_anyhow(const Maintained& maintained, const Position_2& place)
+  template <class State>
+  void triangulate_anyhow(const State& state, const Position_2& place)
   {
     link_corners();
     for (const Kind kind : {Kind::CONVEX, Kind::AT_INFINITY, Kind::ANY})
-      cut_ears(maintained, place, kind);
+      cut_ears(state, place, kind);
     cut(m_last);
     CGAL_postcondition(is_triangulated());
   }
@@ -260,14 +260,14 @@ private:
   // do so in any case, and are cut side by side. Gives up after a few rounds, because a round may
   // find only the one ear that the last round has made, as at a vertex beside a line of a thousand;
   // any ears will do in the end.
-  template <class Maintained>
-  void cut_ears(const Maintained& maintained, const Position_2& place, Kind kind)
+  template <class State>
+  void cut_ears(const State& state, const Position_2& place, Kind kind)
   {
     constexpr std::size_t max_rounds = 4;
     std::size_t looks = kind == Kind::ANY ? std::size_t(-1) : max_rounds * size();
     Index i = m_last;
     for (std::size_t left = size(); left > 0 && looks > 0 && size() > 3; --left, --looks) {
-      if (is_ear(maintained, place, i, kind)) {
+      if (is_ear(state, place, i, kind)) {
         cut(i);
         left = size() + 1;
         if (kind == Kind::AT_INFINITY)
@@ -279,8 +279,8 @@ private:
 
   // Whether an ear of this kind follows corner i, and its third edge does not exist. Any kind is
   // valid, so plain floating point suffices for that.
-  template <class Maintained>
-  bool is_ear(const Maintained& maintained, const Position_2& place, Index i, Kind kind) const
+  template <class State>
+  bool is_ear(const State& state, const Position_2& place, Index i, Kind kind) const
   {
     const Index k = m_links[i].after;
     const Index before = m_sides[i].corner, tip = m_sides[k].corner;
@@ -291,15 +291,15 @@ private:
     if (kind == Kind::CONVEX) {
       if (tip == infinite_index || ends_at_infinity)
         return false;
-      const auto& positions = maintained.positions();
+      const auto& positions = state.positions();
       const Position_2 &p = positions[before], &q = positions[tip], &r = positions[after];
       if (!(cross(q - p, r - p) > 0 && cross(p - place, r - place) >= 0))
         return false;
     }
-    return !maintained.arrays().are_neighbors(before, after);
+    return !state.arrays().are_neighbors(before, after);
   }
 
-  Index m_center = no_index;
+  Index m_center = null_index;
   Kept_list_2<Side> m_sides;
   Kept_list_2<Index> m_faces, m_edges;
   Kept_list_2<Index> m_open; // half-edges whose other sides are to be examined

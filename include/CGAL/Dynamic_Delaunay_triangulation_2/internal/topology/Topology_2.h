@@ -123,10 +123,10 @@ private:
   std::exception_ptr m_failure;
 };
 
-template <class Maintained>
+template <class State>
 class Input_frame_2;
 template <class Traits, class Tds, class VisitorCalls, class ConcurrencyTag>
-class Maintained_triangulation_2;
+class Triangulation_state_2;
 
 // The changes since the classifier was last told: everything is new, or some edges are.
 struct Change_log_2
@@ -187,20 +187,20 @@ public:
 
   // Only `Input_frame_2` has the key to this, because the points of duplicates belong to a frame,
   // like all positions. The ids in the list must be those of the duplicates.
-  template <class Maintained>
-  void exchange_duplicates(const typename Input_frame_2<Maintained>::Key&,
+  template <class State>
+  void exchange_duplicates(const typename Input_frame_2<State>::Key&,
                            std::vector<typename Ids::Duplicate>& others)
   {
     m_ids.duplicates().swap(others);
   }
 
 private:
-  template <class Maintained>
+  template <class State>
   friend class Topology_builder_2;
-  template <class Maintained>
+  template <class State>
   friend class Topology_editor_2;
   template <class Traits_, class Tds_, class VisitorCalls_, class ConcurrencyTag>
-  friend class Maintained_triangulation_2;
+  friend class Triangulation_state_2;
 
   static Storage& storage_of(Triangulation& triangulation)
   {

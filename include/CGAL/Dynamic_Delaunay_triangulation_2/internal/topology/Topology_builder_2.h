@@ -6,12 +6,12 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Point_ids_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Positions_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Spatial_order_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Triangulation_state_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Guibas_stolfi_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Static_triangulator_2.h>
@@ -32,16 +32,16 @@ namespace internal {
 
 // Puts points into a spatial order, distinguishes representatives from duplicates, and numbers the
 // vertices in that order. Where points coincide, one that keeps its vertex is preferred.
-template <class Maintained>
+template <class State>
 class Point_numbering_2
 {
-  using Point = typename Maintained::Point;
+  using Point = typename State::Point;
   using Ids = Point_ids_2<Point>;
-  using Parts = typename Maintained::Parts;
+  using Parts = typename State::Parts;
 
 public:
-  explicit Point_numbering_2(const Maintained& maintained)
-    : m_maintained(maintained)
+  explicit Point_numbering_2(const State& state)
+    : m_state(state)
   {
   }
 
@@ -62,28 +62,28 @@ public:
   // order. No vertices may coincide, and there must be no duplicates.
   void number(Spatial_order_2 order)
   {
-    const Index vertices = m_maintained.number_of_vertices();
+    const Index vertices = m_state.number_of_vertices();
     m_order = std::move(order);
     m_point_ids.resize(vertices + std::size_t(1)); // the infinite vertex has no point
     m_points.resize(vertices + std::size_t(1));
     Parts::for_each(vertices, [&](std::size_t, std::size_t first, std::size_t beyond) {
       for (Index v = Index(first) + 1; v <= beyond; ++v) {
-        m_point_ids[v] = m_maintained.ids().representative(v);
-        m_points[v] = m_maintained.point(v);
+        m_point_ids[v] = m_state.ids().representative(v);
+        m_points[v] = m_state.point(v);
       }
     });
-    number_points(m_maintained.ids().number_of_ids(), [](Index) { return true; });
+    number_points(m_state.ids().number_of_ids(), [](Index) { return true; });
   }
 
   // Numbers all points of the maintained triangulation, at their present positions.
   void number()
   {
-    const Ids& ids = m_maintained.ids();
+    const Ids& ids = m_state.ids();
     std::vector<Index> point_ids = ids.representatives_and_duplicates();
     std::vector<Point> points;
     points.reserve(point_ids.size());
-    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
-      points.push_back(m_maintained.point(v));
+    for (Index v = 1; v <= m_state.number_of_vertices(); ++v)
+      points.push_back(m_state.point(v));
     for (const auto& duplicate : ids.duplicates())
       points.push_back(duplicate.point);
     number(std::move(point_ids), std::move(points), ids.number_of_ids(),
@@ -118,7 +118,7 @@ private:
   void number_points(Index number_of_ids, const Predicate& keeps_vertex)
   {
     const auto are_in_one_place = [this](Index i, Index j) {
-      return coincide(m_maintained.traits(), m_points[i], m_points[j]);
+      return coincide(m_state.traits(), m_points[i], m_points[j]);
     };
     m_ids.reset(number_of_ids);
     m_place_of_vertex.clear();
@@ -150,7 +150,7 @@ private:
   void sort_points()
   {
     const boost::counting_iterator<Index> first(0), beyond(Index(m_points.size()));
-    if (m_maintained.positions_are_exact()) {
+    if (m_state.positions_are_exact()) {
       std::vector<Position_2> positions(m_points.size());
       Parts::for_each(m_points.size(), [&](std::size_t, std::size_t i, std::size_t end) {
         for (; i < end; ++i)
@@ -159,7 +159,7 @@ private:
       m_order.template sort<Parts>(positions, first, beyond);
     } else
       m_order.sort_by_comparisons(first, beyond, [this](Index i, Index j) {
-        return compare_xy(m_maintained.traits(), m_points[i], m_points[j]) == SMALLER;
+        return compare_xy(m_state.traits(), m_points[i], m_points[j]) == SMALLER;
       });
   }
 
@@ -181,7 +181,7 @@ private:
     return vertex;
   }
 
-  const Maintained& m_maintained;
+  const State& m_state;
   Spatial_order_2 m_order;
   std::vector<Point> m_points; // the points to number
   std::vector<Index> m_point_ids;
@@ -191,31 +191,31 @@ private:
 
 // Writes the whole topology at once: triangulates from scratch, restores, or takes over what CGAL's
 // algorithms have made. Afterwards everything is new.
-template <class Maintained>
+template <class State>
 class Topology_builder_2
 {
-  using Topology = typename Maintained::Topology;
-  using Positions = typename Maintained::Positions;
-  using Point = typename Maintained::Point;
-  using Triangulation = typename Maintained::Triangulation;
-  using Vertex_handle = typename Maintained::Vertex_handle;
-  using Face_handle = typename Maintained::Face_handle;
+  using Topology = typename State::Topology;
+  using Positions = typename State::Positions;
+  using Point = typename State::Point;
+  using Triangulation = typename State::Triangulation;
+  using Vertex_handle = typename State::Vertex_handle;
+  using Face_handle = typename State::Face_handle;
   using Storage = typename Topology::Storage;
   using Ids = Point_ids_2<Point>;
-  using Parts = typename Maintained::Parts;
+  using Parts = typename State::Parts;
   using Arrays = Point_arrays_2<Point>;
   using Stored_point = typename Arrays::Stored_point;
 
 public:
-  explicit Topology_builder_2(Maintained& maintained)
-    : m_maintained(maintained)
-    , m_topology(maintained.m_topology)
-    , m_storage(maintained.m_topology.m_storage)
-    , m_arrays(maintained.m_topology.m_storage.m_arrays)
-    , m_positions(maintained.m_positions)
-    , m_vertex_order(maintained)
-    , m_numbering(maintained)
-    , m_triangulator(maintained)
+  explicit Topology_builder_2(State& state)
+    : m_state(state)
+    , m_topology(state.m_topology)
+    , m_storage(state.m_topology.m_storage)
+    , m_arrays(state.m_topology.m_storage.m_arrays)
+    , m_positions(state.m_positions)
+    , m_vertex_order(state)
+    , m_numbering(state)
+    , m_triangulator(state)
   {
   }
 
@@ -248,7 +248,7 @@ public:
       } else {
         points.reserve(ids.size() + coming_ids.size());
         for (const Index id : ids)
-          points.push_back(m_maintained.point_of_id(id));
+          points.push_back(m_state.point_of_id(id));
         points.insert(points.end(), coming_points.begin(), coming_points.end());
         ids.insert(ids.end(), coming_ids.begin(), coming_ids.end());
       }
@@ -280,7 +280,7 @@ public:
   // runs out, the target can only be discarded.
   void restore(Checkpoint_arrays_2<Point>& kept)
   {
-    CGAL_precondition(m_maintained.number_of_vertices() == 0);
+    CGAL_precondition(m_state.number_of_vertices() == 0);
     restore_vertices(kept);
     if (kept.faces.number_of_faces() == 0)
       triangulate_line();
@@ -289,15 +289,15 @@ public:
       take_faces(kept.faces);
       restore_numbers(kept);
     }
-    m_storage.resize_data(m_maintained.number_of_vertices() + std::size_t(1),
+    m_storage.resize_data(m_state.number_of_vertices() + std::size_t(1),
                           m_arrays.faces_with_holes());
   }
 
   // Makes the triangulation, which must be empty, a copy of another one, with all user data in
   // vertices and faces. The visitor is not called. If this throws, the copy can only be discarded.
-  void copy(const Maintained& other)
+  void copy(const State& other)
   {
-    CGAL_precondition(m_maintained.number_of_vertices() == 0);
+    CGAL_precondition(m_state.number_of_vertices() == 0);
     m_storage.copy(other.m_topology.m_storage);
     set_dimension(other.triangulation().dimension());
     m_topology.m_ids = other.ids();
@@ -306,20 +306,20 @@ public:
   }
 
   // Reserves the memory that exchange() needs.
-  void provide_for_exchange(const Maintained& other)
+  void reserve_for_exchange(const State& other)
   {
     m_storage.reserve_data(other.number_of_vertices() + std::size_t(1),
                            other.arrays().faces_with_holes());
   }
 
   // Exchanges everything with another one, except the user's visitor and the user's data, which are
-  // as in new vertices and faces then. Throws nothing after provide_for_exchange().
-  void exchange(Maintained& other)
+  // as in new vertices and faces then. Throws nothing after reserve_for_exchange().
+  void exchange(State& other)
   {
     auto& visitor_calls = m_topology.m_visitor_calls;
     tell_of_faces_before();
     for_each_vertex([&](Vertex_handle v, Index id) { visitor_calls.before_vertex_removal(v, id); });
-    const int dimension = m_maintained.triangulation().dimension();
+    const int dimension = m_state.triangulation().dimension();
     set_dimension(other.triangulation().dimension());
     other.m_topology.m_triangulation.tds().set_dimension(dimension);
     m_storage.exchange(other.m_topology.m_storage);
@@ -338,12 +338,12 @@ public:
   {
     bool all_arrived = false;
     write_all_anew([&] {
-      Triangulation copy(m_maintained.traits());
+      Triangulation copy(m_state.traits());
       Storage& storage = Topology::storage_of(copy);
       storage.copy(m_storage);
       storage.m_arrays.drop_edges();
       storage.m_points = m_positions.m_other_points;
-      copy.tds().set_dimension(m_maintained.triangulation().dimension());
+      copy.tds().set_dimension(m_state.triangulation().dimension());
       all_arrived = relocate_one_by_one(copy, relocated);
       take_arrays(copy);
       m_positions.forget_previous();
@@ -382,7 +382,7 @@ private:
   template <class Function>
   void for_each_face(const Function& f) const
   {
-    if constexpr (Maintained::Visitor_calls::is_heard)
+    if constexpr (State::Visitor_calls::is_heard)
       for (Index face = 0; face < m_arrays.number_of_faces(); ++face)
         f(m_topology.face_handle(face));
   }
@@ -391,8 +391,8 @@ private:
   template <class Function>
   void for_each_vertex(const Function& f) const
   {
-    if constexpr (Maintained::Visitor_calls::is_heard)
-      for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
+    if constexpr (State::Visitor_calls::is_heard)
+      for (Index v = 1; v <= m_state.number_of_vertices(); ++v)
         f(m_topology.vertex_handle(v), m_topology.m_ids.representative(v));
   }
 
@@ -426,13 +426,12 @@ private:
   {
     const auto& tds = triangulation.tds();
     std::vector<Index> waiting;
-    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
-      if (!coincide(m_maintained.traits(), m_maintained.point(v), tds.vertex_handle(v)->point()))
+    for (Index v = 1; v <= m_state.number_of_vertices(); ++v)
+      if (!coincide(m_state.traits(), m_state.point(v), tds.vertex_handle(v)->point()))
         waiting.push_back(v);
     const auto arrives = [&](Index v) {
       const Vertex_handle vertex = tds.vertex_handle(v);
-      const bool arrived =
-          triangulation.move_if_no_collision(vertex, m_maintained.point(v)) == vertex;
+      const bool arrived = triangulation.move_if_no_collision(vertex, m_state.point(v)) == vertex;
       relocated += arrived;
       return arrived;
     };
@@ -450,7 +449,7 @@ private:
   {
     Storage& storage = Topology::storage_of(other);
     storage.collect_garbage(); // at most the last vertex, which CGAL has used on the way
-    CGAL_assertion(storage.m_arrays.number_of_vertices() == m_maintained.positions().size());
+    CGAL_assertion(storage.m_arrays.number_of_vertices() == m_state.positions().size());
     if (other.dimension() == 2)
       storage.m_arrays.template number_from_neighbors<Parts>();
     m_storage.reserve_data(0, storage.m_arrays.faces_with_holes());
@@ -490,8 +489,7 @@ private:
   {
     if (!m_topology.m_ids.duplicates().empty())
       return false;
-    const boost::counting_iterator<Index> first(1),
-        beyond(m_maintained.number_of_vertices() + Index(1));
+    const boost::counting_iterator<Index> first(1), beyond(m_state.number_of_vertices() + Index(1));
     m_vertex_order.sort(first, beyond);
     return !m_vertex_order.has_coincident_vertices();
   }
@@ -499,7 +497,7 @@ private:
   // Whether consecutive vertices in space have distant numbers often enough to pay for new ones.
   bool are_numbers_far_apart() const
   {
-    return 8 * m_vertex_order.number_of_far_steps() > m_maintained.positions().size();
+    return 8 * m_vertex_order.number_of_far_steps() > m_state.positions().size();
   }
 
   // Triangulates the vertices as m_numbering numbers them. Representatives that had vertices of
@@ -542,7 +540,7 @@ private:
     points.resize(vertices);
     points.front() = m_positions.m_points.front();
     if constexpr (!Positions::points_are_two_doubles)
-      positions.resize(vertices, nowhere());
+      positions.resize(vertices, nan_point());
     Parts::for_each(vertices - 1, [&](std::size_t, std::size_t first, std::size_t beyond) {
       for (Index v = Index(first) + 1; v <= beyond; ++v) {
         const Point& p = m_numbering.point(v);
@@ -554,7 +552,7 @@ private:
     });
   }
 
-  // For each vertex as m_numbering numbers them, the number that it had, or `no_index` if it is
+  // For each vertex as m_numbering numbers them, the number that it had, or `null_index` if it is
   // new. Empty if nobody wants to know.
   std::vector<Index> numbers_before()
   {
@@ -565,7 +563,7 @@ private:
     before.push_back(infinite_index);
     for (Index v = 1; v <= ids.number_of_representatives(); ++v) {
       const Index id = ids.representative(v);
-      before.push_back(keeps_vertex(id, present_ids) ? present_ids.vertex(id) : no_index);
+      before.push_back(keeps_vertex(id, present_ids) ? present_ids.vertex(id) : null_index);
     }
     return before;
   }
@@ -588,14 +586,14 @@ private:
   // Reserves memory for take_faces().
   void provide_faces(std::size_t number)
   {
-    m_arrays.reserve(m_maintained.number_of_vertices(), Index(number));
+    m_arrays.reserve(m_state.number_of_vertices(), Index(number));
     m_storage.reserve_data(0, number);
   }
 
   void take_faces(const Flat_faces_2& faces)
   {
     const Index number = faces.number_of_faces();
-    m_arrays.resize(m_maintained.number_of_vertices(), number);
+    m_arrays.resize(m_state.number_of_vertices(), number);
     Parts::for_each(number, [&](std::size_t, std::size_t first, std::size_t beyond) {
       for (Index f = Index(first); f < beyond; ++f)
         for (Index i = 0; i < 3; ++i) {
@@ -620,10 +618,10 @@ private:
   // Triangulates vertices that do not span the plane, by CGAL's insertion.
   void triangulate_line()
   {
-    Triangulation line(m_maintained.traits());
+    Triangulation line(m_state.traits());
     Face_handle last;
-    for (Index v = 1; v <= m_maintained.number_of_vertices(); ++v)
-      last = line.insert(m_maintained.point(v), last)->face();
+    for (Index v = 1; v <= m_state.number_of_vertices(); ++v)
+      last = line.insert(m_state.point(v), last)->face();
     take_arrays(line);
   }
 
@@ -637,7 +635,7 @@ private:
       points[i + 1] = Arrays::stored(kept.positions[i], kept.points[i]);
     std::vector<Position_2> positions;
     if constexpr (!Positions::points_are_two_doubles) {
-      positions.push_back(nowhere());
+      positions.push_back(nan_point());
       positions.insert(positions.end(), kept.positions.begin(), kept.positions.end());
     }
     m_positions.exchange(points, positions);
@@ -656,15 +654,15 @@ private:
       m_arrays.set_corner(v, kept.corners[v].halfedge);
   }
 
-  const Maintained& m_maintained;
+  const State& m_state;
   Topology& m_topology;
   Storage& m_storage;
   Halfedge_arrays_2& m_arrays;
   Positions& m_positions;
-  Vertex_order_2<Maintained> m_vertex_order;
-  Point_numbering_2<Maintained> m_numbering;
+  Vertex_order_2<State> m_vertex_order;
+  Point_numbering_2<State> m_numbering;
   std::vector<bool> m_goes; // indexed by ids, while points come
-  Static_triangulator_2<Maintained> m_triangulator;
+  Static_triangulator_2<State> m_triangulator;
 };
 
 } // namespace internal

@@ -7,8 +7,8 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Maintained_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Triangulation_state_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Star_polygon_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_parts_2.h>
@@ -59,7 +59,7 @@ struct Patch_2
     using Arrays = Halfedge_arrays_2;
     boundary.clear();
     for (Index h = 0; h < Index(twins.size()); ++h)
-      if (twins[h] == no_index)
+      if (twins[h] == null_index)
         boundary.push_back({apexes[Arrays::next(h)], apexes[Arrays::previous(h)], h});
     std::sort(boundary.begin(), boundary.end());
   }
@@ -67,26 +67,26 @@ struct Patch_2
 
 // Writes parts of the topology; `Topology_builder_2` writes the whole, and nothing else can write.
 // Each operation logs the new edges, and calls the user's visitor.
-template <class Maintained>
+template <class State>
 class Topology_editor_2
 {
-  using Topology = typename Maintained::Topology;
-  using Positions = typename Maintained::Positions;
-  using Point = typename Maintained::Point;
-  using Vertex_handle = typename Maintained::Vertex_handle;
-  using Face_handle = typename Maintained::Face_handle;
-  using Edge = typename Maintained::Triangulation::Edge;
+  using Topology = typename State::Topology;
+  using Positions = typename State::Positions;
+  using Point = typename State::Point;
+  using Vertex_handle = typename State::Vertex_handle;
+  using Face_handle = typename State::Face_handle;
+  using Edge = typename State::Triangulation::Edge;
   using Storage = typename Topology::Storage;
 
 public:
   using Slot = Halfedge_arrays_2::Slot;
 
-  explicit Topology_editor_2(Maintained& maintained)
-    : m_maintained(maintained)
-    , m_topology(maintained.m_topology)
-    , m_storage(maintained.m_topology.m_storage)
-    , m_arrays(maintained.m_topology.m_storage.m_arrays)
-    , m_positions(maintained.m_positions)
+  explicit Topology_editor_2(State& state)
+    : m_state(state)
+    , m_topology(state.m_topology)
+    , m_storage(state.m_topology.m_storage)
+    , m_arrays(state.m_topology.m_storage.m_arrays)
+    , m_positions(state.m_positions)
   {
   }
 
@@ -162,7 +162,7 @@ public:
         for (std::size_t part = 0; part < parts; ++part)
           flip_part(part);
       else
-        Maintained::Parts::run(parts, flip_part);
+        State::Parts::run(parts, flip_part);
     } catch (...) {
       log();
       throw;
@@ -186,13 +186,13 @@ public:
     for (Index h = 0; h < Index(patch.apexes.size()); ++h)
       m_arrays.set_apex(global(h), patch.apexes[h]);
     for (Index h = 0; h < Index(patch.twins.size()); ++h)
-      if (patch.twins[h] != no_index && h < patch.twins[h])
+      if (patch.twins[h] != null_index && h < patch.twins[h])
         m_arrays.link(global(h), global(patch.twins[h]));
     for (std::size_t i = 0; i < outside.size(); ++i)
       m_arrays.link(global(patch.boundary[i].halfedge), outside[i]);
     auto edge = m_inner_edges.begin();
     for (Index h = 0; h < Index(patch.twins.size()); ++h)
-      if (patch.twins[h] != no_index && h < patch.twins[h])
+      if (patch.twins[h] != null_index && h < patch.twins[h])
         m_arrays.set_edge(*edge++, global(h));
     for (const Index h : outside)
       m_arrays.set_edge(m_arrays.edge_of(h), h);
@@ -221,7 +221,7 @@ public:
   void prefetch_around(Index v) const
   {
     m_arrays.for_each_corner(v, [&](Index h) {
-      internal::prefetch(&m_maintained.positions()[m_arrays.source(h)]);
+      internal::prefetch(&m_state.positions()[m_arrays.source(h)]);
       m_arrays.prefetch_edge(m_arrays.edge_of(h));
       m_arrays.prefetch_edge(m_arrays.edge_of(Halfedge_arrays_2::next(h)));
       m_arrays.prefetch_face(m_arrays.twin(h));
@@ -232,7 +232,7 @@ public:
     if (m_arrays.number_of_vertices() < min_vertices_to_prefetch)
       return;
     for (const Star_polygon_2::Side& side : polygon.sides()) {
-      internal::prefetch(&m_maintained.positions()[side.corner]);
+      internal::prefetch(&m_state.positions()[side.corner]);
       m_arrays.prefetch_edge(side.edge);
     }
     for (const Index e : polygon.edges())
@@ -273,7 +273,7 @@ public:
   {
     auto& new_edges = m_topology.m_changes.new_edges;
     if (!m_topology.m_changes.everything_is_new)
-      provide(new_edges, 6);
+      reserve_extra(new_edges, 6);
     tell_before_removal(f);
     m_arrays.put_in(slot, f);
     if (!m_topology.m_changes.everything_is_new) {
@@ -303,10 +303,10 @@ public:
   // nothing has changed.
   Slot make_slot(const Point& p)
   {
-    m_arrays.provide_for_slot();
-    m_topology.m_ids.provide_for_vertex();
-    m_positions.provide_for_vertex();
-    m_storage.provide_for_slot();
+    m_arrays.reserve_for_slot();
+    m_topology.m_ids.reserve_for_vertex();
+    m_positions.reserve_for_vertex();
+    m_storage.reserve_for_slot();
     append_vertex(p);
     const Slot slot = m_arrays.append_slot();
     m_topology.m_ids.append_vertex();
@@ -321,7 +321,7 @@ public:
   // nothing has changed.
   void renew_vertex(const Slot& slot, const Point& p)
   {
-    m_topology.m_changes.renumberings.vertices.provide(1);
+    m_topology.m_changes.renumberings.vertices.reserve_extra(1);
     m_positions.restart(slot.vertex, p);
     m_storage.renew_vertex(slot.vertex);
     m_topology.m_changes.renumberings.vertices.note_replacement(slot.vertex);
@@ -333,17 +333,17 @@ public:
   {
     collect_numbers(empty_slots);
     const std::size_t kept_edges = m_arrays.number_of_edges() - m_empty_edges.size();
-    m_number_of_edge.assign(m_empty_edges.size(), no_index); // from `kept_edges` on
-    m_topology.m_changes.renumberings.provide_for_removals(empty_slots.size());
+    m_number_of_edge.assign(m_empty_edges.size(), null_index); // from `kept_edges` on
+    m_topology.m_changes.renumberings.reserve_for_removals(empty_slots.size());
     const auto note = [&](Index from, Index to) { m_number_of_edge[from - kept_edges] = to; };
     drop_collected(note); // nothing throws from here on
     auto& new_edges = m_topology.m_changes.new_edges;
     if (m_topology.m_changes.everything_is_new) // some of these numbers can no longer be traced
       return new_edges.clear();
     for (Index& e : new_edges)
-      while (e != no_index && e >= kept_edges)
+      while (e != null_index && e >= kept_edges)
         e = m_number_of_edge[e - kept_edges];
-    new_edges.erase(std::remove(new_edges.begin(), new_edges.end(), no_index), new_edges.end());
+    new_edges.erase(std::remove(new_edges.begin(), new_edges.end(), null_index), new_edges.end());
   }
 
   // The same if memory has run out: throws nothing, and everything is new.
@@ -355,7 +355,7 @@ public:
   }
 
   // Reserves memory for drop_in_need() with so many slots.
-  void provide_for_drop(std::size_t number)
+  void reserve_for_drop(std::size_t number)
   {
     m_empty_vertices.reserve(number);
     m_empty_faces.reserve(2 * number);
@@ -370,14 +370,14 @@ public:
   void release_id(Index id) { m_topology.m_ids.release(id); }
 
   // Reserve memory. Then the functions below throw nothing.
-  void provide_for_removals(std::size_t number) { m_topology.m_ids.provide_for_removals(number); }
-  void provide_for_duplicates(std::size_t number)
+  void reserve_for_removals(std::size_t number) { m_topology.m_ids.reserve_for_removals(number); }
+  void reserve_for_duplicates(std::size_t number)
   {
-    m_topology.m_ids.provide_for_duplicates(number);
+    m_topology.m_ids.reserve_for_duplicates(number);
   }
-  void provide_for_new_edges(std::size_t number)
+  void reserve_for_new_edges(std::size_t number)
   {
-    provide(m_topology.m_changes.new_edges, number);
+    reserve_extra(m_topology.m_changes.new_edges, number);
   }
 
   void remove_duplicate(Index id) { m_topology.m_ids.remove_duplicate(id); }
@@ -401,7 +401,7 @@ public:
   template <class Place>
   void put_in_again(const Slot& slot, const Place& place)
   {
-    provide(m_topology.m_changes.relocated, 1);
+    reserve_extra(m_topology.m_changes.relocated, 1);
     put_in(slot, place);
     m_topology.m_changes.relocated.push_back(slot.vertex);
   }
@@ -417,11 +417,11 @@ public:
 
   // Makes a duplicate at v the representative, so that v has its point. The representative becomes
   // a duplicate at p.
-  void hand_over(Index duplicate, Index v, const Point& p)
+  void exchange_representative(Index duplicate, Index v, const Point& p)
   {
     const Index representative = m_topology.m_ids.representative(v);
     const Point point = m_topology.m_ids.duplicate(duplicate).point;
-    m_topology.m_ids.hand_over(duplicate, p);
+    m_topology.m_ids.exchange_representative(duplicate, p);
     m_positions.set(v, point);
     m_topology.m_visitor_calls.after_id_change(m_topology.vertex_handle(v), representative);
   }
@@ -433,8 +433,8 @@ public:
     m_positions.m_are_exact &= are_exact;
     if (ids.empty())
       return;
-    provide_for_duplicates(ids.size());
-    m_positions.provide_for_moves(ids.size());
+    reserve_for_duplicates(ids.size());
+    m_positions.reserve_for_moves(ids.size());
     for (std::size_t i = 0; i < ids.size(); ++i)
       if (!m_topology.m_ids.is_representative(ids[i]))
         m_topology.m_ids.duplicate(ids[i]).point = points[i];
@@ -449,19 +449,19 @@ private:
   {
     const auto& ids = m_topology.m_ids;
     const Index v = ids.vertex(id);
-    const Point place = m_maintained.point(v);
+    const Point place = m_state.point(v);
     const auto is_at = [this](const Point& q, const Point& r) {
-      return coincide(m_maintained.traits(), q, r);
+      return coincide(m_state.traits(), q, r);
     };
     const Index successor = is_at(p, place) || ids.duplicates().empty()
-                                ? no_index
+                                ? null_index
                                 : ids.find_duplicate_at(v, [&](const auto& duplicate) {
                                     return is_at(duplicate.point, place);
                                   });
-    if (successor == no_index)
+    if (successor == null_index)
       m_positions.move(v, p); // also to the same place: the point may hold more than a position
     else
-      hand_over(successor, v, p);
+      exchange_representative(successor, v, p);
   }
 
   // THE VISITOR ---------------------------------------------------------------------------------
@@ -508,7 +508,7 @@ private:
     CGAL_precondition(!m_arrays.is_outside(polygon.center()));
     CGAL_precondition(polygon.is_triangulated());
     const std::size_t degree = polygon.sides().size();
-    provide(m_topology.m_changes.new_edges, degree);
+    reserve_extra(m_topology.m_changes.new_edges, degree);
     m_open_sides.resize(degree); // nothing throws from here on
     for (const Index f : polygon.faces())
       tell_before_removal(f);
@@ -636,7 +636,7 @@ private:
     }
     for (const Index v : m_empty_vertices) {
       if (are_noted)
-        renumberings.vertices.note_move(m_maintained.number_of_vertices(), v);
+        renumberings.vertices.note_move(m_state.number_of_vertices(), v);
       m_arrays.move_last_vertex_to(v);
       m_topology.m_ids.move_last_vertex_to(v);
       m_positions.move_last_to(v);
@@ -680,7 +680,7 @@ private:
     flipped.clear();
   }
 
-  const Maintained& m_maintained;
+  const State& m_state;
   Topology& m_topology;
   Storage& m_storage;
   Halfedge_arrays_2& m_arrays;

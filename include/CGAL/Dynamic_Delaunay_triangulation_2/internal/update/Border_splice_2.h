@@ -24,14 +24,14 @@ namespace internal {
 // triangulation around the Classified and Padded vertices replace the old ones. Clusters of
 // connected vertices are spliced one after the other (`Cluster_splice_2`), so that their data stay
 // in the cache. If there are many, threads make new faces before their turn (`Prepared_splices_2`).
-template <class Maintained>
+template <class State>
 class Border_splice_2
 {
 public:
-  explicit Border_splice_2(const Maintained& maintained)
-    : m_maintained(maintained)
-    , m_cluster(maintained)
-    , m_prepared(maintained)
+  explicit Border_splice_2(const State& state)
+    : m_state(state)
+    , m_cluster(state)
+    , m_prepared(state)
   {
   }
 
@@ -42,17 +42,17 @@ public:
   }
 
   // Splices around `classified` with `padding` layers. Vertices that are in no face are skipped.
-  Splice_result_2 run(Topology_editor_2<Maintained>& editor, const std::vector<Index>& classified,
+  Splice_result_2 run(Topology_editor_2<State>& editor, const std::vector<Index>& classified,
                       unsigned padding, Splice_limits_2& limits)
   {
-    const std::size_t bound = m_maintained.arrays().number_of_vertices();
+    const std::size_t bound = m_state.arrays().number_of_vertices();
     m_inner.clear(bound);
     m_border.clear(bound);
     m_spliced.clear(bound);
     m_boundary_edges.clear();
     m_prepared.clear();
     for (const Index v : classified)
-      if (!m_maintained.arrays().is_outside(v))
+      if (!m_state.arrays().is_outside(v))
         m_inner.insert(v);
     m_number_of_classified = m_inner.size();
     for (unsigned layer = 0; layer < padding; ++layer)
@@ -85,7 +85,7 @@ private:
   {
     const std::size_t size = m_inner.size();
     for (std::size_t i = 0; i < size; ++i)
-      m_maintained.arrays().for_each_neighbor(m_inner[i], [&](Index w) {
+      m_state.arrays().for_each_neighbor(m_inner[i], [&](Index w) {
         if (w != infinite_index)
           m_inner.insert(w);
       });
@@ -93,7 +93,7 @@ private:
 
   // Makes new faces around the i-th inner vertex and all that are connected with it and not spliced
   // yet.
-  Splice_result_2 make_cluster(const Topology_editor_2<Maintained>& editor, std::size_t i,
+  Splice_result_2 make_cluster(const Topology_editor_2<State>& editor, std::size_t i,
                                Splice_limits_2& limits)
   {
     constexpr std::size_t any = std::size_t(-1);
@@ -109,7 +109,7 @@ private:
   }
 
   // What other threads have prepared is not in the cache.
-  void prefetch_following(const Topology_editor_2<Maintained>& editor) const
+  void prefetch_following(const Topology_editor_2<State>& editor) const
   {
     constexpr std::size_t ahead = 2;
     if (const auto* const record = m_prepared.following(2 * ahead))
@@ -118,7 +118,7 @@ private:
       editor.prefetch_edges(record->old_faces);
   }
 
-  void put_in(Topology_editor_2<Maintained>& editor)
+  void put_in(Topology_editor_2<State>& editor)
   {
     if (!m_cluster.fits()) {
       for (std::size_t i = 0; i < m_cluster.first_size(); ++i)
@@ -127,8 +127,8 @@ private:
     }
     m_outside.clear();
     for (const Boundary_edge_2& edge : m_cluster.old_boundary()) {
-      m_outside.push_back(m_maintained.arrays().twin(edge.halfedge));
-      m_boundary_edges.push_back(m_maintained.arrays().edge_of(edge.halfedge));
+      m_outside.push_back(m_state.arrays().twin(edge.halfedge));
+      m_boundary_edges.push_back(m_state.arrays().edge_of(edge.halfedge));
     }
     for (const Index v : m_cluster.cluster()) {
       m_spliced.insert(v);
@@ -140,9 +140,9 @@ private:
     editor.replace(m_cluster.old_faces(), m_cluster.new_faces(), m_outside);
   }
 
-  const Maintained& m_maintained;
-  Cluster_splice_2<Maintained> m_cluster; // that is being spliced
-  Prepared_splices_2<Maintained> m_prepared;
+  const State& m_state;
+  Cluster_splice_2<State> m_cluster; // that is being spliced
+  Prepared_splices_2<State> m_prepared;
   Index_set_2 m_inner;   // Classified, then Padded
   Index_set_2 m_spliced; // a subset of m_inner
   Index_set_2 m_border;

@@ -36,16 +36,16 @@ struct Splice_limits_2
 // A splice is correct only if the old and the new faces have the same boundary, edge for edge (an
 // open problem of the thesis: an edge could get lost). Where the boundaries differ, their vertices
 // join the cluster, which is then triangulated again.
-template <class Maintained>
+template <class State>
 class Cluster_splice_2
 {
   using Arrays = Halfedge_arrays_2;
 
 public:
-  explicit Cluster_splice_2(const Maintained& maintained)
-    : m_maintained(maintained)
-    , m_order(maintained)
-    , m_triangulator(maintained)
+  explicit Cluster_splice_2(const State& state)
+    : m_state(state)
+    , m_order(state)
+    , m_triangulator(state)
   {
   }
 
@@ -56,10 +56,10 @@ public:
   template <class Belongs>
   bool collect(Index v, std::size_t most, const Belongs& belongs)
   {
-    m_cluster.clear(m_maintained.arrays().number_of_vertices());
+    m_cluster.clear(m_state.arrays().number_of_vertices());
     m_cluster.insert(v);
     for (std::size_t i = 0; i < m_cluster.size() && m_cluster.size() <= most; ++i)
-      m_maintained.arrays().for_each_neighbor(m_cluster[i], [&](Index w) {
+      m_state.arrays().for_each_neighbor(m_cluster[i], [&](Index w) {
         if (belongs(w))
           m_cluster.insert(w);
       });
@@ -92,10 +92,7 @@ public:
   }
 
   // From half of all points on, a fresh triangulation of all points costs less.
-  bool is_too_large(std::size_t region) const
-  {
-    return 2 * region > m_maintained.number_of_vertices();
-  }
+  bool is_too_large(std::size_t region) const { return 2 * region > m_state.number_of_vertices(); }
 
   // Whether the new faces can replace the old ones.
   bool fits() const { return m_fits; }
@@ -131,10 +128,10 @@ public:
   // Makes what another object has made and recorded.
   void take(Record&& record)
   {
-    const std::size_t vertices = m_maintained.arrays().number_of_vertices();
+    const std::size_t vertices = m_state.arrays().number_of_vertices();
     m_cluster.assign(record.cluster, vertices);
     m_border.assign(record.border, vertices);
-    m_old_faces.assign(record.old_faces, m_maintained.arrays().number_of_faces());
+    m_old_faces.assign(record.old_faces, m_state.arrays().number_of_faces());
     m_first_size = record.first_size;
     m_fits = record.fits;
     m_old_boundary.swap(record.old_boundary);
@@ -157,7 +154,7 @@ private:
     for (std::size_t first = 0; doubles && m_cluster.size() < 2 * size;) {
       const std::size_t beyond = m_cluster.size();
       for (; first < beyond; ++first)
-        m_maintained.arrays().for_each_neighbor(m_cluster[first], [&](Index w) {
+        m_state.arrays().for_each_neighbor(m_cluster[first], [&](Index w) {
           if (w != infinite_index)
             m_cluster.insert(w);
         });
@@ -171,9 +168,9 @@ private:
   // Collects the faces around the cluster, their outer vertices and their boundary.
   void collect_old_faces()
   {
-    const Arrays& arrays = m_maintained.arrays();
+    const Arrays& arrays = m_state.arrays();
     m_old_faces.clear(arrays.number_of_faces());
-    m_border.clear(m_maintained.arrays().number_of_vertices());
+    m_border.clear(m_state.arrays().number_of_vertices());
     m_has_infinite_faces = false;
     for (const Index v : m_cluster)
       arrays.for_each_corner(v, [&](Index h) {
@@ -209,7 +206,7 @@ private:
   {
     const Flat_faces_2& faces = m_triangulator.faces();
     m_new.clear();
-    m_new_number.assign(faces.number_of_faces(), no_index);
+    m_new_number.assign(faces.number_of_faces(), null_index);
     Index number = 0;
     for (Index f = 0; f < faces.number_of_faces(); ++f) {
       const Index h = Flat_faces_2::first_halfedge(f);
@@ -218,13 +215,13 @@ private:
         m_new_number[f] = number++;
     }
     for (Index f = 0; f < faces.number_of_faces(); ++f)
-      if (m_new_number[f] != no_index)
+      if (m_new_number[f] != null_index)
         for (Index i = 0; i < 3; ++i) {
           const Index h = Flat_faces_2::first_halfedge(f) + i;
           const Index g = Flat_faces_2::number_in_arrays(faces.twin(h));
           const Index neighbor = m_new_number[g / 3];
           m_new.apexes.push_back(faces.apex(h));
-          m_new.twins.push_back(neighbor == no_index ? no_index : 3 * neighbor + g % 3);
+          m_new.twins.push_back(neighbor == null_index ? null_index : 3 * neighbor + g % 3);
         }
     m_new.find_boundary();
   }
@@ -271,8 +268,8 @@ private:
   {
     for (Index h = 0; h < Index(m_new.twins.size()); ++h) {
       const Index v = m_new.apexes[Arrays::next(h)], w = m_new.apexes[Arrays::previous(h)];
-      if (m_new.twins[h] != no_index && v < w && !m_cluster.contains(v) && !m_cluster.contains(w) &&
-          is_edge_outside(w, v)) {
+      if (m_new.twins[h] != null_index && v < w && !m_cluster.contains(v) &&
+          !m_cluster.contains(w) && is_edge_outside(w, v)) {
         m_disagreeing.push_back(v);
         m_disagreeing.push_back(w);
       }
@@ -283,7 +280,7 @@ private:
   // Walks around v, which must be finite.
   bool is_edge_outside(Index v, Index w)
   {
-    const Arrays& arrays = m_maintained.arrays();
+    const Arrays& arrays = m_state.arrays();
     bool is_outside = false;
     arrays.for_each_corner(v, [&](Index h) {
       const Index beyond = arrays.twin(Arrays::previous(h));
@@ -295,9 +292,9 @@ private:
     return is_outside;
   }
 
-  const Maintained& m_maintained;
-  Vertex_order_2<Maintained> m_order;
-  Static_triangulator_2<Maintained> m_triangulator;
+  const State& m_state;
+  Vertex_order_2<State> m_order;
+  Static_triangulator_2<State> m_triangulator;
   Index_set_2 m_cluster, m_border, m_old_faces;
   std::size_t m_first_size = 0;
   bool m_fits = false;

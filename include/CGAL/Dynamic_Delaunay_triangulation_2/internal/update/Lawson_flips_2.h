@@ -30,35 +30,35 @@ public:
   // number of flips, at most `most`. If the faces tile the convex hull (`faces_tile_hull`), flips
   // of illegal edges preserve that, and need no search for doubled edges, which takes a sixth of
   // their time.
-  template <class Maintained, class Editor>
-  std::size_t run(const Maintained& maintained, Editor& editor, std::vector<Index>& open,
+  template <class State, class Editor>
+  std::size_t run(const State& state, Editor& editor, std::vector<Index>& open,
                   bool faces_tile_hull, std::size_t most)
   {
     // Lawson's proof of termination needs counterclockwise faces; with inverted ones, flips can
     // cycle. Recorded motion took at most 3 flips per initial edge.
     const std::size_t limit = (std::min)(100 + 20 * open.size(), most);
-    m_work.twisted.clear();
-    std::size_t flips = run_in_parts(maintained, editor, open, faces_tile_hull, limit);
-    flips += run_in_series(maintained, editor, open, faces_tile_hull, limit - flips);
-    if (!m_work.twisted.empty()) {
-      open.insert(open.end(), m_work.twisted.begin(), m_work.twisted.end());
-      keep_unproved(maintained, open);
+    m_work.not_flippable.clear();
+    std::size_t flips = run_in_parts(state, editor, open, faces_tile_hull, limit);
+    flips += run_in_series(state, editor, open, faces_tile_hull, limit - flips);
+    if (!m_work.not_flippable.empty()) {
+      open.insert(open.end(), m_work.not_flippable.begin(), m_work.not_flippable.end());
+      keep_unproved(state, open);
     }
     return flips;
   }
 
 private:
   // The edges to start from, those to be examined again, those that were not proved, and how many
-  // flips this took. Among those not proved, twisted ones are apart: no flip elsewhere makes a flip
-  // of them possible, and a flip beside them examines them again.
+  // flips this took. Among those not proved, not_flippable ones are apart: no flip elsewhere makes
+  // a flip of them possible, and a flip beside them examines them again.
   struct Work
   {
-    std::vector<Index> seeds, touched, open, twisted;
+    std::vector<Index> seeds, touched, open, not_flippable;
     std::size_t flips = 0;
   };
 
-  template <class Maintained, class Editor>
-  std::size_t run_in_series(const Maintained& maintained, Editor& editor, std::vector<Index>& open,
+  template <class State, class Editor>
+  std::size_t run_in_series(const State& state, Editor& editor, std::vector<Index>& open,
                             bool faces_tile_hull, std::size_t limit)
   {
     std::size_t flips = 0;
@@ -71,39 +71,40 @@ private:
     for (std::size_t before = limit; !open.empty() && flips != before;) {
       before = flips;
       m_work.seeds.swap(open);
-      flip_from_seeds(maintained, m_work, limit - flips, try_flip);
+      flip_from_seeds(state, m_work, limit - flips, try_flip);
       open.swap(m_work.open);
       flips += m_work.flips;
-      keep_unproved(maintained, open);
+      keep_unproved(state, open);
     }
     return flips;
   }
 
   // Many flips are made in parts, which threads share, as far as edges are inside of a part. What
   // is left is open. The parts, and so the result, depend on the triangulation alone.
-  template <class Maintained, class Editor>
-  std::size_t run_in_parts(const Maintained& maintained, Editor& editor, std::vector<Index>& open,
+  template <class State, class Editor>
+  std::size_t run_in_parts(const State& state, Editor& editor, std::vector<Index>& open,
                            bool faces_tile_hull, std::size_t limit)
   {
-    using Parts = typename Maintained::Parts;
-    const std::size_t faces = maintained.arrays().number_of_faces(), seeds = open.size();
+    using Parts = typename State::Parts;
+    const std::size_t faces = state.arrays().number_of_faces(), seeds = open.size();
     const std::size_t parts =
         Parts::number(faces, (std::max)(Parts::usual_size, faces / max_parts));
     if (parts < Parts::least_shared || seeds < parts * (Parts::usual_size / 256))
       return 0;
-    const Topology_parts_2 topology(maintained.arrays(), maintained.positions().size(), parts);
+    const Topology_parts_2 topology(state.arrays(), state.positions().size(), parts);
     divide<Parts>(topology, parts, open);
     editor.flip_in_parts(topology, parts, faces_tile_hull, limit,
                          [&](std::size_t part, const auto& try_flip) {
                            Work& work = m_parts[part];
                            const std::size_t share = limit * work.seeds.size() / seeds;
-                           flip_from_seeds(maintained, work, share, try_flip);
+                           flip_from_seeds(state, work, share, try_flip);
                          });
     std::size_t flips = 0;
     for (std::size_t part = 0; part < parts; ++part) {
       const Work& work = m_parts[part];
       open.insert(open.end(), work.open.begin(), work.open.end());
-      m_work.twisted.insert(m_work.twisted.end(), work.twisted.begin(), work.twisted.end());
+      m_work.not_flippable.insert(m_work.not_flippable.end(), work.not_flippable.begin(),
+                                  work.not_flippable.end());
       flips += work.flips;
     }
     return flips;
@@ -119,7 +120,7 @@ private:
     m_parts.resize((std::max)(parts, m_parts.size()));
     for (Work& part : m_parts) {
       part.seeds.clear();
-      part.twisted.clear();
+      part.not_flippable.clear();
     }
     m_part_of_seed.resize(edges.size());
     Parts::for_each(edges.size(), least, [&](std::size_t, std::size_t i, std::size_t beyond) {
@@ -139,8 +140,8 @@ private:
   }
 
   // Examines touched edges at once, while they are in the cache. Does at most `limit` flips.
-  template <class Maintained, class Try_flip>
-  static void flip_from_seeds(const Maintained& maintained, Work& work, std::size_t limit,
+  template <class State, class Try_flip>
+  static void flip_from_seeds(const State& state, Work& work, std::size_t limit,
                               const Try_flip& try_flip)
   {
     work.open.clear();
@@ -148,12 +149,12 @@ private:
     work.flips = 0;
     for (std::size_t i = 0; i < work.seeds.size(); ++i) {
       if (i % stretch == 0)
-        prefetch_stretch(maintained, work.seeds, i);
+        prefetch_stretch(state, work.seeds, i);
       work.touched.push_back(work.seeds[i]);
       while (!work.touched.empty() && work.flips < limit) {
         const Index e = work.touched.back();
         work.touched.pop_back();
-        work.flips += examine(maintained, e, try_flip, work);
+        work.flips += examine(state, e, try_flip, work);
       }
       work.open.insert(work.open.end(), work.touched.begin(), work.touched.end());
       work.touched.clear();
@@ -161,21 +162,21 @@ private:
   }
 
   // Flips e if a flip may help and is possible. Otherwise adds e to `open`, unless it is Delaunay.
-  template <class Maintained, class Try_flip>
-  static bool examine(const Maintained& maintained, Index e, const Try_flip& try_flip, Work& work)
+  template <class State, class Try_flip>
+  static bool examine(const State& state, Index e, const Try_flip& try_flip, Work& work)
   {
-    const Edge_state_2 state = typename Maintained::Edge_test(maintained).state(e);
-    if (state == Edge_state_2::DELAUNAY)
+    const Edge_state_2 verdict = typename State::Edge_test(state).state(e);
+    if (verdict == Edge_state_2::DELAUNAY)
       return false;
-    const auto& arrays = maintained.arrays();
-    if (state == Edge_state_2::TWISTED || !try_flip(arrays.halfedge(e))) {
-      (state == Edge_state_2::TWISTED ? work.twisted : work.open).push_back(e);
+    const auto& arrays = state.arrays();
+    if (verdict == Edge_state_2::NOT_FLIPPABLE || !try_flip(arrays.halfedge(e))) {
+      (verdict == Edge_state_2::NOT_FLIPPABLE ? work.not_flippable : work.open).push_back(e);
       return false;
     }
     // Between counterclockwise faces the quadrilateral is convex, and the new diagonal Delaunay.
     // Elsewhere the repair has to know of it. The proof does not: its determinant is minus that of
     // the old diagonal, so it is Delaunay as soon as its faces, and thus its sides, are proved.
-    if (state == Edge_state_2::CROSSED)
+    if (verdict == Edge_state_2::INVERTED)
       work.touched.push_back(e);
     arrays.for_each_side(e, [&](Index side) { work.touched.push_back(side); });
     return true;
@@ -185,12 +186,12 @@ private:
   // which reads what the one before has fetched. At 10^5 points this saves two thirds of the time
   // of a flip, at 1,000 with other work between the frames a fifth of it. The last step fetches the
   // positions needed to examine the sides of the new diagonal.
-  template <class Maintained>
-  static void prefetch_stretch(const Maintained& maintained, const std::vector<Index>& seeds,
+  template <class State>
+  static void prefetch_stretch(const State& state, const std::vector<Index>& seeds,
                                std::size_t first)
   {
-    const auto& arrays = maintained.arrays();
-    const Position_2* const positions = maintained.positions().data();
+    const auto& arrays = state.arrays();
+    const Position_2* const positions = state.positions().data();
     const auto for_each_seed = [&](const auto& f) {
       const std::size_t beyond = (std::min)(first + stretch, seeds.size());
       for (std::size_t i = first; i < beyond; ++i)

@@ -47,17 +47,16 @@ public:
   }
 
   // Takes the classified edges, and the edges at the vertices that were classified as a whole.
-  template <class Maintained>
-  void take(const Dynamic_classification_2<Maintained>& classification,
-            const Maintained& maintained)
+  template <class State>
+  void take(const Dynamic_classification_2<State>& classification, const State& state)
   {
     clear();
     if (classification.is_everything()) {
-      m_uncertain.resize(maintained.arrays().number_of_edges());
+      m_uncertain.resize(state.arrays().number_of_edges());
       std::iota(m_uncertain.begin(), m_uncertain.end(), Index(0));
       return;
     }
-    const Dynamic_frame_2<Maintained> frame(maintained);
+    const Dynamic_frame_2<State> frame(state);
     for (const Index v : classification.whole_vertices())
       frame.for_each_incident_edge(v, [this](Index e) { m_uncertain.push_back(e); });
     const auto& edges = classification.edges();
@@ -69,18 +68,18 @@ public:
 
   // Opens the edges that were triangulated anew, from the i-th of the log on, and those around
   // them, whose opposite vertices may have changed. Drops edges that are empty by now.
-  template <class Maintained>
-  void open_new_edges(const Maintained& maintained, std::size_t i)
+  template <class State>
+  void open_new_edges(const State& state, std::size_t i)
   {
-    const auto& arrays = maintained.arrays();
-    const auto& new_edges = maintained.changes().new_edges;
+    const auto& arrays = state.arrays();
+    const auto& new_edges = state.changes().new_edges;
     m_opened_last.clear(arrays.number_of_edges()); // each occurs some five times
     for (; i < new_edges.size(); ++i)
       if (!arrays.is_empty_edge(new_edges[i])) {
         m_opened_last.insert(new_edges[i]);
         arrays.for_each_side(new_edges[i], [this](Index e) { m_opened_last.insert(e); });
       }
-    using Parts = typename Maintained::Parts;
+    using Parts = typename State::Parts;
     constexpr std::size_t least = (std::max)(Parts::usual_size / 4, std::size_t(1));
     remove_by_parts<Parts>(m_illegal, least, [&](std::size_t k, std::size_t) {
       return arrays.is_empty_edge(m_illegal[k]);
@@ -103,14 +102,14 @@ public:
   }
 
   // Opens the edges around open ones, because an illegal edge nearby may prevent their flips.
-  template <class Maintained>
-  void open_surroundings(const Maintained& maintained)
+  template <class State>
+  void open_surroundings(const State& state)
   {
-    using Parts = typename Maintained::Parts;
+    using Parts = typename State::Parts;
     constexpr std::size_t least = (std::max)(Parts::usual_size / 64, std::size_t(1));
-    const Dynamic_frame_2<Maintained> frame(maintained);
+    const Dynamic_frame_2<State> frame(state);
     std::vector<Index> vertices;
-    for_each_uncertain_vertex(maintained, [&](Index v) { vertices.push_back(v); });
+    for_each_uncertain_vertex(state, [&](Index v) { vertices.push_back(v); });
     make_distinct(vertices); // one vertex may be at many of these edges, and have many others
     std::vector<std::vector<Index>> edges(Parts::number(vertices.size(), least));
     Parts::for_each(
@@ -124,19 +123,19 @@ public:
   }
 
   // Opens these edges, too, then closes all that are Delaunay.
-  template <class Maintained>
-  void reopen(const Maintained& maintained, const std::vector<Index>& edges)
+  template <class State>
+  void reopen(const State& state, const std::vector<Index>& edges)
   {
     m_uncertain.insert(m_uncertain.end(), edges.begin(), edges.end());
-    keep_unproved(maintained, m_uncertain);
+    keep_unproved(state, m_uncertain);
   }
 
   // Calls f for the finite vertices, for some more than once.
-  template <class Maintained, class Function>
-  void for_each_uncertain_vertex(const Maintained& maintained, const Function& f) const
+  template <class State, class Function>
+  void for_each_uncertain_vertex(const State& state, const Function& f) const
   {
     for (const Index e : m_uncertain) {
-      const Edge_2& edge = maintained.arrays().edge(e);
+      const Edge_2& edge = state.arrays().edge(e);
       for (const Index v : {edge.source, edge.target, edge.left, edge.right})
         if (v != infinite_index)
           f(v);

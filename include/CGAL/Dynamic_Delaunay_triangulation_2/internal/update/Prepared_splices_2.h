@@ -29,17 +29,17 @@ namespace internal {
 // such one. The same cluster would be collected, too. Its vertices still have the same neighbors,
 // and none of them was spliced. For if its faces were not replaced, that was because another
 // cluster kept its faces, and that would have been connected with this one, and be the same.
-template <class Maintained>
+template <class State>
 class Prepared_splices_2
 {
-  using Parts = typename Maintained::Parts;
-  using Cluster_splice = Cluster_splice_2<Maintained>;
+  using Parts = typename State::Parts;
+  using Cluster_splice = Cluster_splice_2<State>;
 
 public:
   using Record = typename Cluster_splice::Record;
 
-  explicit Prepared_splices_2(const Maintained& maintained)
-    : m_maintained(maintained)
+  explicit Prepared_splices_2(const State& state)
+    : m_state(state)
   {
   }
 
@@ -61,7 +61,7 @@ public:
     m_place = {m_parts.size(), 0};
     if (!Parts::are_shared(parts))
       return;
-    m_replaced.clear(m_maintained.arrays().number_of_faces());
+    m_replaced.clear(m_state.arrays().number_of_faces());
     m_place = {0, 0};
     m_parts.resize((std::max)(parts, m_parts.size()));
     for (Part& part : m_parts)
@@ -128,9 +128,9 @@ private:
                     std::size_t first, std::size_t beyond, std::size_t max_enlargements) const
   {
     if (!part.splice)
-      part.splice = std::make_unique<Cluster_splice>(m_maintained);
+      part.splice = std::make_unique<Cluster_splice>(m_state);
     part.splice->set_engine(m_engine);
-    part.seen.clear(m_maintained.arrays().number_of_vertices());
+    part.seen.clear(m_state.arrays().number_of_vertices());
     for (std::size_t i = first; i < beyond; ++i) {
       if (part.seen.contains(inner[i]) || spliced.contains(inner[i]) ||
           !collect(part, inner[i], inner, spliced))
@@ -186,7 +186,7 @@ private:
 
   bool is_anything_left() const { return m_place.part < m_parts.size(); }
 
-  const Maintained& m_maintained;
+  const State& m_state;
   Static_engine_2 m_engine = Static_engine_2::GUIBAS_STOLFI;
   std::vector<Part> m_parts;
   Place m_place{0, 0};

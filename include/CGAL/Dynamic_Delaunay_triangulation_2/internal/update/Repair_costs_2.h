@@ -84,17 +84,18 @@ public:
   static constexpr std::size_t all = 65536;
 
   // Whether mending was in vain lately. Then it pays to sample edges before anything is done.
-  bool is_wary() const { return m_hopeless_share < all; }
+  bool has_failed_recently() const { return m_hopeless_share < all; }
 
   // Judges a sample, which may err by a quarter.
   bool is_hopeless(std::size_t sampled, std::size_t broken) const
   {
-    return is_wary() && broken > 0 && share(broken, sampled) * 4 >= m_hopeless_share * 3;
+    return has_failed_recently() && broken > 0 &&
+           share(broken, sampled) * 4 >= m_hopeless_share * 3;
   }
 
   // Notes that mending was given up, or has cost as much as a rebuild, with so many open edges. If
   // very few were open, trying again is cheap, so the share never gets very small.
-  void note_in_vain(std::size_t open, std::size_t edges)
+  void record_failure(std::size_t open, std::size_t edges)
   {
     constexpr std::size_t next_to_nothing = all / 32;
     m_hopeless_share =
@@ -104,17 +105,17 @@ public:
   // Notes that a sample has decided against mending. The share slowly grows, so that mending is
   // tried once in a while: the sooner, the more it could save. At an eighth it saves nothing,
   // because mending then takes as long as a rebuild.
-  void note_not_tried()
+  void record_not_tried()
   {
     constexpr std::size_t eighth = all / 8;
-    if (!is_wary())
+    if (!has_failed_recently())
       return;
     const std::size_t saved = m_hopeless_share < eighth ? (eighth - m_hopeless_share) / 7 : 0;
     const std::size_t step = (std::max)(saved, m_hopeless_share / 64 + 1);
     m_hopeless_share = (std::min)(m_hopeless_share + step, all - 1);
   }
 
-  void note_mended(std::size_t open, std::size_t edges)
+  void record_success(std::size_t open, std::size_t edges)
   {
     const std::size_t mended = share(open, edges);
     if (2 * mended < m_hopeless_share)

@@ -17,7 +17,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Lawson_flips_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Open_edges_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_costs_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Vertex_traffic_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Vertex_relocation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 
@@ -33,24 +33,24 @@ namespace internal {
 // The tools that mend an update, and its state: the open edges, the vertices outside of all faces,
 // the remaining budget and the report. `Dynamic_mender_2` offers the tools to a repair; `Update_2`
 // uses the rest itself. If mending costs more than it is worth, a rebuild ends it.
-template <class Maintained>
+template <class State>
 class Repair_tools_2
 {
-  using Editor = Topology_editor_2<Maintained>;
-  using Certificate = Certificate_2<Maintained>;
-  using Point = typename Maintained::Point;
-  using Traffic = Vertex_traffic_2<Maintained>;
+  using Editor = Topology_editor_2<State>;
+  using Certificate = Certificate_2<State>;
+  using Point = typename State::Point;
+  using Relocation = Vertex_relocation_2<State>;
 
 public:
-  using Classification = Dynamic_classification_2<Maintained>;
+  using Classification = Dynamic_classification_2<State>;
 
-  explicit Repair_tools_2(Maintained& maintained)
-    : m_maintained(maintained)
-    , m_editor(maintained)
-    , m_builder(maintained)
-    , m_traffic(maintained, m_editor)
-    , m_jumpers(maintained)
-    , m_splice(maintained)
+  explicit Repair_tools_2(State& state)
+    : m_state(state)
+    , m_editor(state)
+    , m_builder(state)
+    , m_relocation(state, m_editor)
+    , m_jumpers(state)
+    , m_splice(state)
   {
   }
 
@@ -71,14 +71,14 @@ public:
     m_report = &report;
     m_is_exact = is_exact;
     forget();
-    m_budget.start_generously(m_maintained.number_of_vertices());
+    m_budget.start_generously(m_state.number_of_vertices());
     m_may_take_out = true;
   }
 
   Editor& editor() { return m_editor; }
   Classification& classification() { return m_classification; }
-  Traffic& traffic() { return m_traffic; }
-  Topology_builder_2<Maintained>& builder() { return m_builder; }
+  Relocation& relocation() { return m_relocation; }
+  Topology_builder_2<State>& builder() { return m_builder; }
 
   // To be called after the classifier. `changes` is the number of points inserted and removed.
   void take_classification(bool has_to_prove, bool was_certified, std::size_t changes)
@@ -86,12 +86,12 @@ public:
     m_has_to_prove = has_to_prove;
     m_was_certified = was_certified;
     m_report->classified = m_classification.size();
-    m_open.take(m_classification, m_maintained);
+    m_open.take(m_classification, m_state);
     m_classified_edges = m_open.size();
     m_changes = changes;
-    m_movers = m_maintained.number_of_vertices();
+    m_movers = m_state.number_of_vertices();
     m_hull_stays = false;
-    m_jumper = no_index;
+    m_jumper = null_index;
   }
 
   // To be called after it if so few points have moved, and all others are where they were.
@@ -100,14 +100,13 @@ public:
   // was certified before that, and no edge was examined. Open are all edges that see it.
   void set_movers(std::size_t movers, bool hull_stays, Index jumper)
   {
-    CGAL_precondition(jumper == no_index || movers == 1);
+    CGAL_precondition(jumper == null_index || movers == 1);
     m_movers = movers;
     m_hull_stays = hull_stays;
     m_jumper = jumper;
-    if (jumper != no_index)
-      Dynamic_frame_2<Maintained>(m_maintained).for_each_edge_that_sees(jumper, [this](Index e) {
-        m_open.uncertain().push_back(e);
-      });
+    if (jumper != null_index)
+      Dynamic_frame_2<State>(m_state).for_each_edge_that_sees(
+          jumper, [this](Index e) { m_open.uncertain().push_back(e); });
   }
 
   // Whether this vertex has to be taken out, if it is the only one that has moved.
@@ -119,15 +118,14 @@ public:
     if (ids.empty())
       return;
     const bool are_delaunay = m_was_certified && m_movers == 0;
-    const std::vector<Index> moved = m_traffic.remove(ids, are_delaunay);
+    const std::vector<Index> moved = m_relocation.remove(ids, are_delaunay);
     m_hull_stays = m_hull_stays && moved.empty();
-    const std::size_t first_new = m_maintained.changes().new_edges.size();
-    if (m_traffic.remove_rest())
-      m_open.open_new_edges(m_maintained, first_new);
+    const std::size_t first_new = m_state.changes().new_edges.size();
+    if (m_relocation.remove_rest())
+      m_open.open_new_edges(m_state, first_new);
     for (const Index v : moved)
-      Dynamic_frame_2<Maintained>(m_maintained).for_each_edge_that_sees(v, [this](Index e) {
-        m_open.uncertain().push_back(e);
-      });
+      Dynamic_frame_2<State>(m_state).for_each_edge_that_sees(
+          v, [this](Index e) { m_open.uncertain().push_back(e); });
   }
 
   // Puts in vertices outside of faces, new points and parted duplicates, with flips around each.
@@ -137,7 +135,7 @@ public:
     bool is_delaunay = m_has_to_prove; // if the hull turns around once: see is_proved()
     m_open.set_planar(false);
     m_may_take_out = false;
-    m_budget.allow((parted_duplicates.size() + m_traffic.number_to_put_in()) *
+    m_budget.allow((parted_duplicates.size() + m_relocation.number_to_put_in()) *
                    Repair_budget_2::relocation);
     std::size_t steps_before = 0;
     const auto most_faces = [&] { return is_delaunay ? most_flips() + 1 : 0; };
@@ -152,7 +150,7 @@ public:
         settle(v);
       return !m_budget.is_spent();
     };
-    const auto counts = m_traffic.put_in(parted_duplicates, most_faces, end);
+    const auto counts = m_relocation.put_in(parted_duplicates, most_faces, end);
     m_report->relocated += counts.relocated;
     m_report->merged += counts.merged;
     m_report->parted += counts.parted;
@@ -164,21 +162,21 @@ public:
   // all that wait unless edges are open, and if the budget does not last everything is rebuilt.
   bool is_proved() const
   {
-    CGAL_precondition(!m_open.empty() || m_traffic.number_waiting() == 0);
+    CGAL_precondition(!m_open.empty() || m_relocation.number_waiting() == 0);
     return m_open.empty() && (m_open.faces_tile_hull() || hull_turns_once());
   }
 
   // Gives the numbers of removed vertices to others.
   void finish()
   {
-    if (m_traffic.finish())
+    if (m_relocation.finish())
       forget_sets();
   }
 
-  void provide_for_exchange(const Maintained& other) { m_builder.provide_for_exchange(other); }
+  void reserve_for_exchange(const State& other) { m_builder.reserve_for_exchange(other); }
 
-  // Exchanges the whole triangulation with `other`. Throws nothing after provide_for_exchange().
-  void exchange(Maintained& other)
+  // Exchanges the whole triangulation with `other`. Throws nothing after reserve_for_exchange().
+  void exchange(State& other)
   {
     m_builder.exchange(other);
     m_classification = Classification();
@@ -194,7 +192,7 @@ public:
   bool has_inverted_edges() const { return !m_open.uncertain().empty(); }
   bool has_to_prove() const { return m_has_to_prove; }
   bool has_rebuilt() const { return m_report->rebuilt(); }
-  std::size_t number_of_edges() const { return m_maintained.arrays().number_of_edges(); }
+  std::size_t number_of_edges() const { return m_state.arrays().number_of_edges(); }
   std::size_t number_of_classified_edges() const { return m_classified_edges; }
   const std::vector<Index>& padded() const { return m_padded; }
   const std::vector<Index>& border() const { return m_border; }
@@ -202,27 +200,27 @@ public:
   // Whether a rebuild is cheaper than mending the classified edges and the points that come and go.
   bool is_rebuild_cheaper() const
   {
-    return Repair_budget_2::is_rebuild_cheaper(m_maintained.number_of_vertices(),
-                                               m_classified_edges, m_changes);
+    return Repair_budget_2::is_rebuild_cheaper(m_state.number_of_vertices(), m_classified_edges,
+                                               m_changes);
   }
 
   // Whether mending alone has cost as much as a rebuild.
   bool has_cost_a_rebuild() const
   {
-    return m_budget.has_spent_a_rebuild(m_maintained.number_of_vertices());
+    return m_budget.has_spent_a_rebuild(m_state.number_of_vertices());
   }
 
   // TOOLS, as Dynamic_mender_2 documents them ----------------------------------------------------
 
-  void limit_cost() { m_budget.start(m_maintained.number_of_vertices(), m_open.size()); }
+  void limit_cost() { m_budget.start(m_state.number_of_vertices(), m_open.size()); }
 
   void take_out_jumpers()
   {
-    if (m_jumper != no_index)
+    if (m_jumper != null_index)
       return take_out_jumper();
     // where several neighbors jumped, some seem to have stayed until the others are out
     constexpr unsigned max_rounds = 4;
-    const auto may_others_jump = [this] { return m_traffic.number_waiting() < m_movers; };
+    const auto may_others_jump = [this] { return m_relocation.number_waiting() < m_movers; };
     for (unsigned round = 0; round < max_rounds && can_take_out() && may_others_jump(); ++round) {
       const std::vector<Index>& edges = round == 0 ? m_open.uncertain() : m_open.opened_last();
       if (edges.empty())
@@ -230,7 +228,7 @@ public:
       m_budget.spend(edges.size() * Repair_budget_2::look_for_jumpers);
       const std::vector<Index>& jumpers = m_jumpers.find_jumpers(edges);
       // each counts as a point removed and a point inserted, plus half of that for the search
-      if (Repair_budget_2::is_rebuild_cheaper(m_maintained.number_of_vertices(), 0,
+      if (Repair_budget_2::is_rebuild_cheaper(m_state.number_of_vertices(), 0,
                                               m_changes + 3 * jumpers.size()))
         return rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
       if (!take_out(jumpers))
@@ -258,7 +256,7 @@ public:
       return;
     flip_uncertain();
     if (!m_open.uncertain().empty() && !has_rebuilt()) {
-      m_open.open_surroundings(m_maintained);
+      m_open.open_surroundings(m_state);
       flip_uncertain();
     }
     m_open.set_planar(!has_rebuilt() && m_has_to_prove && m_open.uncertain().empty() &&
@@ -285,34 +283,34 @@ public:
   void splice_inverted(unsigned padding)
   {
     std::vector<Index> vertices;
-    m_open.for_each_uncertain_vertex(m_maintained, [&](Index v) { vertices.push_back(v); });
+    m_open.for_each_uncertain_vertex(m_state, [&](Index v) { vertices.push_back(v); });
     constexpr std::size_t max_enlargements = 3; // beyond it, padding or a vertex less does better
     splice(vertices, padding, max_enlargements, true);
   }
 
   void relocate()
   {
-    if (m_traffic.is_under_way())
+    if (m_relocation.is_under_way())
       return rebuild(Rebuild_reason_2::POPULATION);
-    if (!m_was_certified || !m_maintained.have_points_moved())
+    if (!m_was_certified || !m_state.have_points_moved())
       return rebuild(Rebuild_reason_2::STUCK);
     const bool all_arrived = m_builder.relocate_all(m_report->relocated);
     m_open.clear();
     if (!all_arrived)
       rebuild(Rebuild_reason_2::COINCIDENCE);
-    else if (!m_maintained.spans_plane()) // without edges, nothing but a rebuild can help
+    else if (!m_state.spans_plane()) // without edges, nothing but a rebuild can help
       rebuild(Rebuild_reason_2::DIMENSION);
-    else if (!Certificate(m_maintained).holds())
+    else if (!Certificate(m_state).holds())
       rebuild(Rebuild_reason_2::STUCK);
   }
 
   void rebuild(Rebuild_reason_2 reason)
   {
-    if (m_traffic.is_under_way())
-      rebuild_with_traffic();
+    if (m_relocation.is_under_way())
+      rebuild_with_relocation();
     else
       m_builder.rebuild();
-    m_report->rebuild_reason = m_maintained.spans_plane() ? reason : Rebuild_reason_2::DIMENSION;
+    m_report->rebuild_reason = m_state.spans_plane() ? reason : Rebuild_reason_2::DIMENSION;
     forget();
   }
 
@@ -325,11 +323,11 @@ private:
   // Splices are not considered. Walking around a long hull costs more than all the rest.
   bool hull_turns_once() const
   {
-    const Change_log_2& changes = m_maintained.changes();
-    const auto is_at_hull = [this](Index e) { return m_maintained.is_at_infinity(e); };
+    const Change_log_2& changes = m_state.changes();
+    const auto is_at_hull = [this](Index e) { return m_state.is_at_infinity(e); };
     return (m_hull_stays && !changes.everything_is_new &&
             std::none_of(changes.new_edges.begin(), changes.new_edges.end(), is_at_hull)) ||
-           Certificate(m_maintained).hull_turns_once();
+           Certificate(m_state).hull_turns_once();
   }
 
   void forget()
@@ -343,7 +341,7 @@ private:
   {
     m_padded.clear();
     m_border.clear();
-    m_classification.clear(m_maintained);
+    m_classification.clear(m_state);
   }
 
   // VERTICES THAT WENT FAR ----------------------------------------------------------------------
@@ -351,7 +349,7 @@ private:
   // Takes out the only vertex that has moved. If everything was Delaunay, it stays so without it.
   void take_out_jumper()
   {
-    if (can_spare(1) && m_traffic.take_out_of_delaunay(m_jumper)) {
+    if (can_spare(1) && m_relocation.take_out_of_delaunay(m_jumper)) {
       m_open.clear();
       m_budget.spend(Repair_budget_2::relocation / 2);
     } else if (can_take_out())
@@ -362,13 +360,12 @@ private:
   bool can_spare(std::size_t vertices) const
   {
     constexpr std::size_t min_vertices = 3;
-    return m_traffic.number_outside() + vertices + min_vertices <=
-           m_maintained.number_of_vertices();
+    return m_relocation.number_outside() + vertices + min_vertices <= m_state.number_of_vertices();
   }
 
   bool can_take_out() const
   {
-    return m_may_take_out && m_has_to_prove && m_maintained.have_points_moved() && !has_rebuilt();
+    return m_may_take_out && m_has_to_prove && m_state.have_points_moved() && !has_rebuilt();
   }
 
   // Takes these vertices out if the budget allows it and at least three remain. Whether it did.
@@ -382,28 +379,28 @@ private:
       rebuild(Rebuild_reason_2::BUDGET_SPENT);
       return false;
     }
-    const std::size_t first_new = m_maintained.changes().new_edges.size();
+    const std::size_t first_new = m_state.changes().new_edges.size();
     constexpr std::size_t ahead = 4; // none of them is outside of all faces
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       if (i + ahead < vertices.size())
         m_editor.prefetch_around(vertices[i + ahead]);
-      m_traffic.take_out(vertices[i]);
+      m_relocation.take_out(vertices[i]);
     }
     m_budget.spend(price);
-    m_open.open_new_edges(m_maintained, first_new);
+    m_open.open_new_edges(m_state, first_new);
     return true;
   }
 
   // The price of a vertex includes a few flips. A vertex of high degree takes more.
   std::size_t price_of_taking_out(const std::vector<Index>& vertices) const
   {
-    using Parts = typename Maintained::Parts;
+    using Parts = typename State::Parts;
     constexpr std::size_t least = (std::max)(Parts::usual_size / 64, std::size_t(1));
     constexpr std::size_t usual_degree = 8;
     return Parts::sum(vertices.size(), least, [&](std::size_t first, std::size_t beyond) {
       std::size_t price = 0;
       for (std::size_t i = first; i < beyond; ++i) {
-        const std::size_t degree = m_maintained.arrays().degree(vertices[i]);
+        const std::size_t degree = m_state.arrays().degree(vertices[i]);
         price += Repair_budget_2::relocation / 2 +
                  Repair_budget_2::flip * (degree - (std::min)(degree, usual_degree));
       }
@@ -422,7 +419,7 @@ private:
     if (!m_is_exact)
       m_editor.note_examined(edges);
     const std::size_t flips =
-        m_lawson.run(m_maintained, m_editor, edges, m_open.faces_tile_hull(), most_flips());
+        m_lawson.run(m_state, m_editor, edges, m_open.faces_tile_hull(), most_flips());
     m_report->flips += flips;
     m_budget.spend(flips * Repair_budget_2::flip);
     if (m_budget.is_spent())
@@ -432,13 +429,13 @@ private:
   // Flips around a vertex that was put in.
   void settle(Index v)
   {
-    const auto& arrays = m_maintained.arrays();
+    const auto& arrays = m_state.arrays();
     m_around.clear();
     arrays.for_each_corner(v, [&](Index h) {
       m_around.push_back(arrays.edge_of(h));
       m_around.push_back(arrays.edge_of(Halfedge_arrays_2::previous(h)));
     });
-    const std::size_t flips = m_lawson.run(m_maintained, m_editor, m_around, false, most_flips());
+    const std::size_t flips = m_lawson.run(m_state, m_editor, m_around, false, most_flips());
     m_report->flips += flips;
     spend_on_flips(flips);
     m_open.uncertain().insert(m_open.uncertain().end(), m_around.begin(), m_around.end());
@@ -488,7 +485,7 @@ private:
     m_report->spliced += m_splice.number_of_vertices();
     // the spliced faces are Delaunay among themselves, but their boundary edges may not be
     if (has_to_look)
-      m_open.reopen(m_maintained, m_splice.boundary_edges());
+      m_open.reopen(m_state, m_splice.boundary_edges());
     else
       m_open.uncertain().clear();
     return true;
@@ -500,46 +497,46 @@ private:
   {
     if (!m_has_to_prove)
       return rebuild(Rebuild_reason_2::COINCIDENCE);
-    m_open.reopen(m_maintained, m_splice.boundary_edges());
+    m_open.reopen(m_state, m_splice.boundary_edges());
     std::vector<Index> candidates = m_splice.region();
-    m_open.for_each_uncertain_vertex(m_maintained, [&](Index v) { candidates.push_back(v); });
+    m_open.for_each_uncertain_vertex(m_state, [&](Index v) { candidates.push_back(v); });
     make_distinct(candidates);
-    const std::size_t first_new = m_maintained.changes().new_edges.size();
+    const std::size_t first_new = m_state.changes().new_edges.size();
     const std::size_t merged =
-        m_traffic.merge(candidates, m_budget.left() / Repair_budget_2::relocation);
+        m_relocation.merge(candidates, m_budget.left() / Repair_budget_2::relocation);
     m_report->merged += merged;
     m_budget.spend(merged * Repair_budget_2::relocation);
-    m_open.open_new_edges(m_maintained, first_new);
-    m_open.reopen(m_maintained, {});
+    m_open.open_new_edges(m_state, first_new);
+    m_open.reopen(m_state, {});
     if (merged == 0 || m_budget.is_spent())
       rebuild(Rebuild_reason_2::COINCIDENCE);
   }
 
   // REBUILDING ----------------------------------------------------------------------------------
 
-  void rebuild_with_traffic()
+  void rebuild_with_relocation()
   {
     std::vector<Index> ids;
     std::vector<Point> points;
-    m_traffic.for_each_coming([&](Index id, const Point& p) {
+    m_relocation.for_each_coming([&](Index id, const Point& p) {
       ids.push_back(id);
       points.push_back(p);
     });
-    m_traffic.give_up();
+    m_relocation.give_up();
     if (ids.empty())
       m_builder.rebuild();
     else
       m_builder.build_with({}, std::move(ids), std::move(points));
   }
 
-  const Maintained& m_maintained;
+  const State& m_state;
   Static_engines_2 m_engines;
   Editor m_editor;
-  Topology_builder_2<Maintained> m_builder;
-  Traffic m_traffic;
-  Jumper_search_2<Maintained> m_jumpers;
+  Topology_builder_2<State> m_builder;
+  Relocation m_relocation;
+  Jumper_search_2<State> m_jumpers;
   Lawson_flips_2 m_lawson;
-  Border_splice_2<Maintained> m_splice;
+  Border_splice_2<State> m_splice;
   Classification m_classification;
   Open_edges_2 m_open;
   Repair_budget_2 m_budget;
@@ -552,7 +549,7 @@ private:
   bool m_may_take_out = true; // until a vertex is put in
   bool m_hull_stays = false;  // see set_movers(); until a splice
   std::size_t m_movers = 0;
-  Index m_jumper = no_index; // see set_movers()
+  Index m_jumper = null_index; // see set_movers()
   std::size_t m_classified_edges = 0;
   std::size_t m_changes = 0;
 };

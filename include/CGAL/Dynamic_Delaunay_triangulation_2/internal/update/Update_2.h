@@ -34,19 +34,19 @@ namespace internal {
 // An update: everything that one call does to the triangulation, whether all points move or a few,
 // and whether points are inserted or removed. run() shows its phases in their order. Only this
 // class knows whether the triangulation is certified.
-template <class Maintained>
+template <class State>
 class Update_2
 {
-  using Point = typename Maintained::Point;
-  using Tools = Repair_tools_2<Maintained>;
+  using Point = typename State::Point;
+  using Tools = Repair_tools_2<State>;
   using Mender = Dynamic_mender_2<Tools>;
-  using Frame = Dynamic_frame_2<Maintained>;
+  using Frame = Dynamic_frame_2<State>;
   using Change = Change_2<Point>;
 
 public:
-  explicit Update_2(Maintained& maintained)
-    : m_maintained(maintained)
-    , m_tools(maintained)
+  explicit Update_2(State& state)
+    : m_state(state)
+    , m_tools(state)
   {
   }
 
@@ -54,7 +54,7 @@ public:
   const Repair_experience_2& experience() const { return m_experience; }
 
   // Makes the empty triangulation a copy of `other`, and takes over the state of `update`.
-  void copy(const Maintained& other, const Update_2& update)
+  void copy(const State& other, const Update_2& update)
   {
     m_tools.builder().copy(other);
     m_tools.set_engines(update.m_tools.engines());
@@ -82,10 +82,10 @@ public:
     try {
       const Update_report_2 report =
           run_phases(change, classifier, repair, policy, is_informed, take_back);
-      m_tools.traffic().give_up();
+      m_tools.relocation().give_up();
       return report;
     } catch (...) {
-      m_tools.traffic().give_up(); // puts all vertices into faces
+      m_tools.relocation().give_up(); // puts all vertices into faces
       throw;
     }
   }
@@ -98,8 +98,8 @@ public:
   // Whether the triangulation is Delaunay; changes only the certified flag.
   bool certify()
   {
-    m_is_certified = m_is_certified || (m_maintained.spans_plane() && parted_duplicates().empty() &&
-                                        Certificate_2<Maintained>(m_maintained).holds());
+    m_is_certified = m_is_certified || (m_state.spans_plane() && parted_duplicates().empty() &&
+                                        Certificate_2<State>(m_state).holds());
     return m_is_certified;
   }
 
@@ -107,9 +107,9 @@ public:
   std::vector<Index> parted_duplicates() const
   {
     std::vector<Index> parted;
-    const auto& ids = m_maintained.ids();
+    const auto& ids = m_state.ids();
     for (const auto& duplicate : ids.duplicates())
-      if (!are_together(duplicate.point, m_maintained.point(ids.vertex(duplicate.id))))
+      if (!are_together(duplicate.point, m_state.point(ids.vertex(duplicate.id))))
         parted.push_back(duplicate.id);
     return parted;
   }
@@ -123,7 +123,7 @@ private:
   {
     Update_report_2 report;
     const bool was_certified = std::exchange(m_is_certified, false);
-    if (change.is_empty() && !m_maintained.spans_plane()) {
+    if (change.is_empty() && !m_state.spans_plane()) {
       m_is_certified = was_certified;
       return report;
     }
@@ -153,7 +153,7 @@ private:
     }
     if (change.has_population()) {
       m_tools.remove(change.gone);
-      m_tools.traffic().announce(change.coming, change.coming_points);
+      m_tools.relocation().announce(change.coming, change.coming_points);
     }
     m_has_removed = true;
     mend(change, repair);
@@ -172,7 +172,7 @@ private:
 
   bool are_together(const Point& p, const Point& q) const
   {
-    return coincide(m_maintained.traits(), p, q);
+    return coincide(m_state.traits(), p, q);
   }
 
   // TO REBUILD OR NOT ---------------------------------------------------------------------------
@@ -181,16 +181,16 @@ private:
   template <class Policy>
   Rebuild_reason_2 reason_to_rebuild(const Change& change, Policy& policy, bool may_sample)
   {
-    if (!m_maintained.spans_plane() || leaves_too_few(change))
+    if (!m_state.spans_plane() || leaves_too_few(change))
       return Rebuild_reason_2::DIMENSION;
     const std::size_t parted = parted_duplicates().size();
     if (are_too_many(change.gone.size() + change.coming.size() + parted))
       return parted > change.gone.size() + change.coming.size() ? Rebuild_reason_2::COINCIDENCE
                                                                 : Rebuild_reason_2::POPULATION;
-    if (change.is_frame && policy.wants_rebuild(Frame(m_maintained)))
+    if (change.is_frame && policy.wants_rebuild(Frame(m_state)))
       return Rebuild_reason_2::POLICY;
     if (change.is_frame && may_sample && is_sample_hopeless()) {
-      m_experience.note_not_tried();
+      m_experience.record_not_tried();
       return Rebuild_reason_2::TOO_MUCH_BROKEN;
     }
     return Rebuild_reason_2::NONE;
@@ -199,19 +199,19 @@ private:
   bool leaves_too_few(const Change& change) const
   {
     constexpr std::size_t min_vertices = 3;
-    const auto& ids = m_maintained.ids();
+    const auto& ids = m_state.ids();
     const auto representatives =
         std::size_t(std::count_if(change.gone.begin(), change.gone.end(),
                                   [&](Index id) { return ids.is_representative(id); }));
-    return m_maintained.number_of_vertices() < min_vertices + representatives;
+    return m_state.number_of_vertices() < min_vertices + representatives;
   }
 
   // The cost of each change includes a search through all duplicates.
   bool are_too_many(std::size_t changes) const
   {
-    const std::size_t duplicates = m_maintained.ids().duplicates().size();
+    const std::size_t duplicates = m_state.ids().duplicates().size();
     return changes > 0 &&
-           Repair_budget_2::is_rebuild_cheaper(m_maintained.number_of_vertices() + duplicates, 0,
+           Repair_budget_2::is_rebuild_cheaper(m_state.number_of_vertices() + duplicates, 0,
                                                changes + changes * duplicates / 512);
   }
 
@@ -221,7 +221,7 @@ private:
   bool is_sample_hopeless() const
   {
     constexpr std::size_t very_few = 8, least = 128, most = 1024;
-    const Frame frame(m_maintained);
+    const Frame frame(m_state);
     const std::size_t edges = frame.number_of_edges();
     const auto is_half_broken = [](const Sample& few) { return 2 * few.broken >= few.size; };
     const auto is_not_delaunay = [&](Index e) { return !frame.is_delaunay(e); };
@@ -229,8 +229,9 @@ private:
       return !frame.is_at_infinity(e) && !frame.proves_delaunay(e);
     };
     // the filter alone first, because every frame pays for it
-    if (!m_experience.is_wary() && !(is_half_broken(sample(frame, very_few, is_unproved)) &&
-                                     is_half_broken(sample(frame, very_few, is_not_delaunay))))
+    if (!m_experience.has_failed_recently() &&
+        !(is_half_broken(sample(frame, very_few, is_unproved)) &&
+          is_half_broken(sample(frame, very_few, is_not_delaunay))))
       return false;
     const std::size_t size = (std::min)((std::max)(edges / 16, least), most);
     const Sample many = sample(frame, size, is_not_delaunay);
@@ -259,14 +260,14 @@ private:
 
   void rebuild(Change& change, Rebuild_reason_2 reason, Update_report_2& report)
   {
-    const bool spanned_plane = m_maintained.spans_plane();
+    const bool spanned_plane = m_state.spans_plane();
     if (change.gone.empty() && change.coming.empty()) {
       m_tools.rebuild(reason);
     } else {
       m_tools.builder().build_with(change.gone, std::move(change.coming),
                                    std::move(change.coming_points));
       report.rebuild_reason =
-          spanned_plane && m_maintained.spans_plane() ? reason : Rebuild_reason_2::DIMENSION;
+          spanned_plane && m_state.spans_plane() ? reason : Rebuild_reason_2::DIMENSION;
     }
     m_has_removed = true;
     m_is_certified = true;
@@ -281,14 +282,14 @@ private:
   {
     const std::size_t changes = change.gone.size() + change.coming.size();
     if (change.is_frame) {
-      classifier(Frame(m_maintained), m_tools.classification());
+      classifier(Frame(m_state), m_tools.classification());
       m_tools.take_classification(Classifier::is_exact, was_certified, changes);
     } else if (change.is_mending || (Classifier::is_exact && !was_certified)) {
-      Circumcircle_classifier_2()(Frame(m_maintained), m_tools.classification());
+      Circumcircle_classifier_2()(Frame(m_state), m_tools.classification());
       m_tools.take_classification(true, was_certified, changes);
     } else {
-      const Index jumper = was_certified ? find_jumper(change.moved) : no_index;
-      if (jumper == no_index)
+      const Index jumper = was_certified ? find_jumper(change.moved) : null_index;
+      if (jumper == null_index)
         classify_around(change.moved);
       else
         m_tools.classification().add_vertex(jumper);
@@ -301,7 +302,7 @@ private:
   // Classifies the edges that see one of these points and are not Delaunay.
   void classify_around(const std::vector<Index>& ids)
   {
-    const Frame frame(m_maintained);
+    const Frame frame(m_state);
     m_edges_around.clear();
     for (const Index id : ids)
       frame.for_each_edge_that_sees(frame.vertex(id),
@@ -315,17 +316,17 @@ private:
   Index find_jumper(const std::vector<Index>& ids) const
   {
     if (ids.size() != 1)
-      return no_index;
-    const Index v = m_maintained.ids().vertex(ids.front());
-    return m_tools.has_jumped_alone(v) ? v : no_index;
+      return null_index;
+    const Index v = m_state.ids().vertex(ids.front());
+    return m_tools.has_jumped_alone(v) ? v : null_index;
   }
 
   bool is_any_on_hull(const std::vector<Index>& ids) const
   {
     const auto is_on_hull = [&](Index id) {
       bool sees_infinity = false;
-      m_maintained.arrays().for_each_neighbor(
-          m_maintained.ids().vertex(id), [&](Index w) { sees_infinity |= w == infinite_index; });
+      m_state.arrays().for_each_neighbor(m_state.ids().vertex(id),
+                                         [&](Index w) { sees_infinity |= w == infinite_index; });
       return sees_infinity;
     };
     return std::any_of(ids.begin(), ids.end(), is_on_hull);
@@ -352,8 +353,8 @@ private:
     if (report.rebuilt() || (m_tools.has_to_prove() && !m_tools.open_edges().empty()))
       return;
     const std::vector<Index> parted = parted_duplicates();
-    const bool has_left_open = m_tools.traffic().is_under_way() && !m_tools.open_edges().empty();
-    if (!parted.empty() || m_tools.traffic().number_to_put_in() > 0 || has_left_open) {
+    const bool has_left_open = m_tools.relocation().is_under_way() && !m_tools.open_edges().empty();
+    if (!parted.empty() || m_tools.relocation().number_to_put_in() > 0 || has_left_open) {
       m_tools.put_in(parted);
       Mender mender(m_tools);
       if (!mender.is_done())
@@ -381,12 +382,12 @@ private:
                       edges = m_tools.number_of_edges();
     if (reason == Rebuild_reason_2::TOO_MUCH_BROKEN || reason == Rebuild_reason_2::BUDGET_SPENT ||
         reason == Rebuild_reason_2::STUCK || m_tools.has_cost_a_rebuild())
-      m_experience.note_in_vain(open, edges);
+      m_experience.record_failure(open, edges);
     else if (reason == Rebuild_reason_2::NONE)
-      m_experience.note_mended(open, edges);
+      m_experience.record_success(open, edges);
   }
 
-  const Maintained& m_maintained;
+  const State& m_state;
   Tools m_tools;
   std::vector<Index> m_edges_around; // points that moved alone
   bool m_is_certified = true;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_VERTEX_TRAFFIC_2_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_VERTEX_TRAFFIC_2_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_VERTEX_RELOCATION_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_VERTEX_RELOCATION_2_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
@@ -38,12 +38,12 @@ namespace internal {
 // of their neighborhood. A vertex that leaves its neighborhood inverts a face, so only vertices at
 // edges with inverted faces are examined. Jumps affect only the cost, so plain floating point
 // decides.
-template <class Maintained>
+template <class State>
 class Jumper_search_2
 {
 public:
-  explicit Jumper_search_2(const Maintained& maintained)
-    : m_maintained(maintained)
+  explicit Jumper_search_2(const State& state)
+    : m_state(state)
   {
   }
 
@@ -53,9 +53,9 @@ public:
   {
     collect_from_parts(edges.size(), m_suspects, [&](std::size_t i, Work& work) {
       prefetch_edges(edges, i);
-      look_at(m_maintained.arrays().edge(edges[i]), work.found);
+      look_at(m_state.arrays().edge(edges[i]), work.found);
     });
-    m_seen.clear(m_maintained.arrays().number_of_vertices());
+    m_seen.clear(m_state.arrays().number_of_vertices());
     m_suspects.erase(std::remove_if(m_suspects.begin(), m_suspects.end(),
                                     [this](Index v) { return !m_seen.insert(v); }),
                      m_suspects.end());
@@ -71,15 +71,15 @@ public:
   const std::vector<Index>& find_farthest(const std::vector<Index>& edges)
   {
     m_jumpers.clear();
-    m_seen.clear(m_maintained.arrays().number_of_vertices());
+    m_seen.clear(m_state.arrays().number_of_vertices());
     for (const Index e : edges) {
-      const Edge_2& edge = m_maintained.arrays().edge(e);
+      const Edge_2& edge = m_state.arrays().edge(e);
       const std::array<Index, 4> vertices{edge.source, edge.target, edge.left, edge.right};
       const auto is_taken = [this](Index v) { return m_seen.contains(v); };
       if (std::any_of(vertices.begin(), vertices.end(), is_taken))
         continue;
       const Index v = farthest_of(vertices);
-      if (v != no_index && m_seen.insert(v))
+      if (v != null_index && m_seen.insert(v))
         m_jumpers.push_back(v);
     }
     return m_jumpers;
@@ -89,10 +89,10 @@ public:
   bool has_jumped_alone(Index v) const
   {
     const Position_2 place = previous_position(v);
-    const double square = squared_distance(m_maintained.positions()[v], place);
+    const double square = squared_distance(m_state.positions()[v], place);
     std::size_t neighbors = 0, passed = 0;
-    m_maintained.arrays().for_each_neighbor(v, [&](Index w) {
-      const double squared_length = squared_distance(place, m_maintained.positions()[w]);
+    m_state.arrays().for_each_neighbor(v, [&](Index w) {
+      const double squared_length = squared_distance(place, m_state.positions()[w]);
       neighbors += w != infinite_index;
       passed += square > max_way * max_way * squared_length; // false for the infinite one
     });
@@ -100,7 +100,7 @@ public:
   }
 
 private:
-  using Parts = typename Maintained::Parts;
+  using Parts = typename State::Parts;
 
   // What each thread needs: what it finds, and how the neighbors of a vertex moved.
   struct Work
@@ -126,7 +126,7 @@ private:
       found.insert(found.end(), m_works[part].found.begin(), m_works[part].found.end());
   }
 
-  // `no_index` if all have moved alike.
+  // `null_index` if all have moved alike.
   Index farthest_of(const std::array<Index, 4>& vertices)
   {
     Work& work = m_works.front();
@@ -139,7 +139,7 @@ private:
         work.y.push_back(step.y);
       }
     const Position_2 usual{quantile(work.x, 2), quantile(work.y, 2)};
-    Index farthest = no_index;
+    Index farthest = null_index;
     double longest = 0;
     for (const Index v : vertices)
       if (v != infinite_index) {
@@ -170,7 +170,7 @@ private:
       if (v != infinite_index) {
         vertices[size] = v;
         places[size] = previous_position(v);
-        steps[size] = m_maintained.positions()[v] - places[size];
+        steps[size] = m_state.positions()[v] - places[size];
         ++size;
       }
     for (std::size_t i = 0; i < size; ++i) {
@@ -205,15 +205,15 @@ private:
   {
     constexpr std::size_t ahead = 4;
     if (i + 2 * ahead < edges.size())
-      prefetch(&m_maintained.arrays().edge(edges[i + 2 * ahead]));
+      prefetch(&m_state.arrays().edge(edges[i + 2 * ahead]));
     if (i + ahead < edges.size())
-      for_each_vertex(edges[i + ahead], [this](Index v) { m_maintained.prefetch_positions(v); });
+      for_each_vertex(edges[i + ahead], [this](Index v) { m_state.prefetch_positions(v); });
   }
 
   template <class Function>
   void for_each_vertex(Index e, const Function& f) const
   {
-    const Edge_2& edge = m_maintained.arrays().edge(e);
+    const Edge_2& edge = m_state.arrays().edge(e);
     for (const Index v : {edge.source, edge.target, edge.left, edge.right})
       f(v);
   }
@@ -225,7 +225,7 @@ private:
     work.y.clear();
     work.squared_lengths.clear();
     const Position_2 place = previous_position(v);
-    m_maintained.arrays().for_each_neighbor(v, [&](Index w) {
+    m_state.arrays().for_each_neighbor(v, [&](Index w) {
       if (w == infinite_index)
         return;
       const Position_2 step = displacement(w);
@@ -235,12 +235,9 @@ private:
     });
   }
 
-  Position_2 previous_position(Index v) const { return m_maintained.previous_position(v); }
+  Position_2 previous_position(Index v) const { return m_state.previous_position(v); }
 
-  Position_2 displacement(Index v) const
-  {
-    return m_maintained.positions()[v] - previous_position(v);
-  }
+  Position_2 displacement(Index v) const { return m_state.positions()[v] - previous_position(v); }
 
   // The distance of x from the median; if there are two medians, from the farther one, because half
   // of a vertex's neighbors may have jumped along with it.
@@ -263,7 +260,7 @@ private:
     return *place;
   }
 
-  const Maintained& m_maintained;
+  const State& m_state;
   Index_set_2 m_seen;
   std::vector<Index> m_suspects, m_jumpers;
   std::vector<Work> m_works = std::vector<Work>(1);
@@ -275,25 +272,25 @@ private:
 // infinite if the point is outside of the hull.
 struct Place_2
 {
-  Index face = no_index;
-  Index vertex = no_index;
+  Index face = null_index;
+  Index vertex = null_index;
   Index steps = 0;        // of the walk to find it
   bool is_inside = false; // strictly inside of a finite face
 };
 
 // Jump and walk (Mücke, Saias and Zhu, 1999): walks from the nearest of some vertices through
 // faces, always across an edge that has the point on its other side. In a Delaunay triangulation
-// such a walk meets no face twice. In other ones it may not end, or lead nowhere; then the result
+// such a walk meets no face twice. In other ones it may not end, or lead nan_point; then the result
 // is any face that contains the point, or just any face.
-template <class Maintained>
+template <class State>
 class Point_location_2
 {
   using Arrays = Halfedge_arrays_2;
 
 public:
-  explicit Point_location_2(const Maintained& maintained)
-    : m_maintained(maintained)
-    , m_predicates(maintained)
+  explicit Point_location_2(const State& state)
+    : m_state(state)
+    , m_predicates(state)
   {
   }
 
@@ -301,20 +298,20 @@ public:
   // the vertices around v are expected to differ from its number by at most `spread`.
   Place_2 locate(Index v, Index nearby, Index spread) const
   {
-    const Arrays& arrays = m_maintained.arrays();
+    const Arrays& arrays = m_state.arrays();
     const Index start = arrays.corner(nearest(v, nearby, spread)) / 3;
     Index steps = 0;
     Index h = way_out(start, v);
-    if (h == no_index)
+    if (h == null_index)
       return place_in(start, v, steps);
     while (++steps < arrays.number_of_faces()) {
       const Index entry = arrays.twin(h);
       h = way_on(entry, v, steps % 2 == 0);
-      if (h == no_index)
+      if (h == null_index)
         return place_in(entry / 3, v, steps);
     }
     for (Index g = 0; g < arrays.number_of_faces(); ++g)
-      if (!arrays.is_empty_face(g) && way_out(g, v) == no_index)
+      if (!arrays.is_empty_face(g) && way_out(g, v) == null_index)
         return place_in(g, v, steps);
     return place_in(start, v, steps);
   }
@@ -326,7 +323,7 @@ private:
   // the second search takes as long as two steps of the walk, and saves some forty.
   Index nearest(Index v, Index nearby, Index spread) const
   {
-    const Index vertices = m_maintained.number_of_vertices();
+    const Index vertices = m_state.number_of_vertices();
     Index samples = 1;
     while (8 * std::size_t(samples) * samples * samples <= vertices)
       samples *= 2;
@@ -355,43 +352,43 @@ private:
   void consider(Index w, Nearest& best) const
   {
     const double square = squared_distance(position(best.of), position(w));
-    if (square < best.squared_distance && !m_maintained.arrays().is_outside(w)) {
+    if (square < best.squared_distance && !m_state.arrays().is_outside(w)) {
       best.squared_distance = square;
       best.vertex = w;
     }
   }
 
-  const Position_2& position(Index v) const { return m_maintained.positions()[v]; }
+  const Position_2& position(Index v) const { return m_state.positions()[v]; }
 
-  // The edge of face f that separates it from v; `no_index` if v is in f.
+  // The edge of face f that separates it from v; `null_index` if v is in f.
   Index way_out(Index f, Index v) const
   {
-    const Arrays& arrays = m_maintained.arrays();
+    const Arrays& arrays = m_state.arrays();
     for (Index h = 3 * f; h < 3 * f + 3; ++h) // an infinite face has one finite edge
       if (arrays.apex(h) == infinite_index)
-        return orientation(h, v) == LEFT_TURN ? no_index : h;
+        return orientation(h, v) == LEFT_TURN ? null_index : h;
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
       if (orientation(h, v) == RIGHT_TURN)
         return h;
-    return no_index;
+    return null_index;
   }
 
   // The same for the face of half-edge `entry`, which has v strictly on its left. `turn` determines
   // which edge is tested first: always preferring the same one can cause detours.
   Index way_on(Index entry, Index v, bool turn) const
   {
-    if (m_maintained.arrays().apex(entry) == infinite_index)
-      return no_index;
+    if (m_state.arrays().apex(entry) == infinite_index)
+      return null_index;
     const Index next = Arrays::next(entry), previous = Arrays::previous(entry);
     const Index first = turn ? next : previous, second = turn ? previous : next;
     if (orientation(first, v) == RIGHT_TURN)
       return first;
-    return orientation(second, v) == RIGHT_TURN ? second : no_index;
+    return orientation(second, v) == RIGHT_TURN ? second : null_index;
   }
 
   Orientation orientation(Index h, Index v) const
   {
-    const Arrays& arrays = m_maintained.arrays();
+    const Arrays& arrays = m_state.arrays();
     return m_predicates.orientation(arrays.source(h), arrays.target(h), v);
   }
 
@@ -402,7 +399,7 @@ private:
     place.face = f;
     place.is_inside = is_strictly_inside(f, v);
     if (!place.is_inside)
-      for (const Index w : m_maintained.arrays().face(f))
+      for (const Index w : m_state.arrays().face(f))
         if (w != infinite_index && m_predicates.compare_xy(v, w) == EQUAL)
           place.vertex = w;
     return place;
@@ -410,17 +407,17 @@ private:
 
   bool is_strictly_inside(Index f, Index v) const
   {
-    const auto corners = m_maintained.arrays().face(f);
+    const auto corners = m_state.arrays().face(f);
     return std::find(corners.begin(), corners.end(), infinite_index) == corners.end() &&
            orientation(3 * f, v) == LEFT_TURN && orientation(3 * f + 1, v) == LEFT_TURN &&
            orientation(3 * f + 2, v) == LEFT_TURN;
   }
 
-  const Maintained& m_maintained;
-  Vertex_predicates_2<Maintained> m_predicates;
+  const State& m_state;
+  Vertex_predicates_2<State> m_predicates;
 };
 
-// TRAFFIC -----------------------------------------------------------------------------------------
+// RELOCATION --------------------------------------------------------------------------------------
 
 // Vertices that jump, merge and part, and points that come and go, in one update. First vertices
 // are taken out of their faces: jumpers wait, vertices without points leave an empty slot. Then the
@@ -429,19 +426,19 @@ private:
 //
 // If an exception ends the update, each insertion and removal is either complete or not begun, and
 // all vertices are in some face.
-template <class Maintained>
-class Vertex_traffic_2
+template <class State>
+class Vertex_relocation_2
 {
-  using Editor = Topology_editor_2<Maintained>;
+  using Editor = Topology_editor_2<State>;
   using Slot = typename Editor::Slot;
-  using Point = typename Maintained::Point;
+  using Point = typename State::Point;
 
 public:
-  Vertex_traffic_2(Maintained& maintained, Editor& editor)
-    : m_maintained(maintained)
+  Vertex_relocation_2(State& state, Editor& editor)
+    : m_state(state)
     , m_editor(editor)
-    , m_location(maintained)
-    , m_meeting_order(maintained)
+    , m_location(state)
+    , m_meeting_order(state)
   {
   }
 
@@ -459,7 +456,7 @@ public:
   void for_each_coming(const Function& f) const
   {
     for (std::size_t i = 0; i < m_coming_ids.size(); ++i)
-      if (!m_maintained.ids().is_taken(m_coming_ids[i]))
+      if (!m_state.ids().is_taken(m_coming_ids[i]))
         f(m_coming_ids[i], m_coming_points[i]);
   }
 
@@ -483,7 +480,7 @@ public:
   // Takes v out, to be put in again at its present position.
   void take_out(Index v)
   {
-    provide_for_slot();
+    reserve_for_slot();
     triangulate_anyhow_without(v);
     m_waiting.push_back(m_editor.take_out(m_polygon));
   }
@@ -492,7 +489,7 @@ public:
   // leave everything so. False if not: then nothing is done.
   bool take_out_of_delaunay(Index v)
   {
-    provide_for_slot();
+    reserve_for_slot();
     const bool is_known = triangulate_as_delaunay_without(v);
     if (is_known)
       m_waiting.push_back(m_editor.take_out(m_polygon));
@@ -507,11 +504,11 @@ public:
   std::vector<Index> remove(const std::vector<Index>& ids, bool are_delaunay)
   {
     std::vector<Index> moved;
-    m_editor.provide_for_removals(ids.size());
+    m_editor.reserve_for_removals(ids.size());
     m_rest.clear();
     for (const Index id : ids)
       remove(id, are_delaunay, moved);
-    const auto is_outside = [this](Index v) { return m_maintained.arrays().is_outside(v); };
+    const auto is_outside = [this](Index v) { return m_state.arrays().is_outside(v); };
     moved.erase(std::remove_if(moved.begin(), moved.end(), is_outside), moved.end());
     return moved;
   }
@@ -520,7 +517,7 @@ public:
   bool remove_rest()
   {
     for (const Index v : m_rest) {
-      provide_for_slot();
+      reserve_for_slot();
       triangulate_anyhow_without(v);
       m_empty.push_back(m_editor.remove(m_polygon));
     }
@@ -532,7 +529,7 @@ public:
   // these would be more than `most`, or would leave fewer than three.
   std::size_t merge(const std::vector<Index>& vertices, std::size_t most)
   {
-    const auto& ids = m_maintained.ids();
+    const auto& ids = m_state.ids();
     m_meeting_order.sort(vertices.begin(), vertices.end());
     std::vector<std::pair<Index, Index>> pairs;
     m_meeting_order.for_each_coincident_pair([&](Index v, Index w) {
@@ -540,15 +537,15 @@ public:
     });
     constexpr std::size_t min_vertices = 3;
     if (pairs.size() > most || pairs.size() + m_waiting.size() + m_empty.size() + min_vertices >
-                                   m_maintained.number_of_vertices())
+                                   m_state.number_of_vertices())
       return 0;
-    m_editor.provide_for_duplicates(pairs.size());
+    m_editor.reserve_for_duplicates(pairs.size());
     for (const auto& [i, j] : pairs) {
       Index stays = ids.vertex(i), goes = ids.vertex(j);
       if (ids.representative(goes) < ids.representative(stays))
         std::swap(stays, goes);
-      provide_for_slot();
-      const Point p = m_maintained.point(goes);
+      reserve_for_slot();
+      const Point p = m_state.point(goes);
       triangulate_anyhow_without(goes);
       m_empty.push_back(m_editor.merge(m_polygon, stays, p));
     }
@@ -573,15 +570,15 @@ public:
   {
     Counts counts;
     collect_places(parted_duplicates);
-    Hint hint{any_vertex(), m_maintained.number_of_vertices()};
+    Hint hint{any_vertex(), m_state.number_of_vertices()};
     for (std::size_t k = 0; k < m_order.size(); ++k) {
       const std::size_t i = m_order[k];
       const std::size_t most = most_faces();
       m_replaced = 0;
       const Index v = i < m_waiting.size()
                           ? put_in_again(m_waiting[i], hint, most, counts)
-                          : let_come(parted_duplicates, i - m_waiting.size(), hint, most, counts);
-      if (v == no_index)
+                          : insert(parted_duplicates, i - m_waiting.size(), hint, most, counts);
+      if (v == null_index)
         continue;
       if (k + 1 < m_order.size())
         hint = hint_at(v); // flips may join v with vertices that are far away
@@ -610,9 +607,8 @@ public:
       return;
     m_editor.note_everything_is_new();
     for (const Slot& slot : m_waiting)
-      if (m_maintained.arrays().is_outside(slot.vertex) &&
-          m_maintained.ids().has_representative(slot.vertex))
-        m_editor.put_in(slot, m_maintained.arrays().corner(any_vertex()) / 3);
+      if (m_state.arrays().is_outside(slot.vertex) && m_state.ids().has_representative(slot.vertex))
+        m_editor.put_in(slot, m_state.arrays().corner(any_vertex()) / 3);
     m_editor.drop_in_need(m_empty);
     for_each_coming([this](Index id, const Point&) { m_editor.release_id(id); });
     m_empty.clear();
@@ -621,40 +617,40 @@ public:
 
 private:
   // Reserves all memory that give_up() would need for one more slot.
-  void provide_for_slot()
+  void reserve_for_slot()
   {
     const std::size_t max_slots = m_waiting.size() + m_empty.size() + 1;
-    provide(m_waiting, 1);
-    provide(m_empty, 1 + m_waiting.size());
-    m_editor.provide_for_drop(2 * max_slots);
+    reserve_extra(m_waiting, 1);
+    reserve_extra(m_empty, 1 + m_waiting.size());
+    m_editor.reserve_for_drop(2 * max_slots);
   }
 
   bool triangulate_as_delaunay_without(Index v)
   {
-    m_polygon.read(m_maintained.arrays(), v);
+    m_polygon.read(m_state.arrays(), v);
     m_editor.prefetch(m_polygon);
-    return m_polygon.triangulate_as_delaunay(m_maintained);
+    return m_polygon.triangulate_as_delaunay(m_state);
   }
 
   // The faces around v have it at its previous position.
   void triangulate_anyhow_without(Index v)
   {
-    m_polygon.read(m_maintained.arrays(), v);
-    m_polygon.triangulate_anyhow(m_maintained, m_maintained.previous_position(v));
+    m_polygon.read(m_state.arrays(), v);
+    m_polygon.triangulate_anyhow(m_state, m_state.previous_position(v));
   }
 
   void remove(Index id, bool are_delaunay, std::vector<Index>& moved)
   {
-    const auto& ids = m_maintained.ids();
+    const auto& ids = m_state.ids();
     const Index v = ids.vertex(id);
     if (ids.is_representative(id)) {
       const Index successor = ids.find_duplicate_at(v, [](const auto&) { return true; });
-      if (successor == no_index)
+      if (successor == null_index)
         return remove_vertex(v, are_delaunay);
-      const Point place = m_maintained.point(v);
-      if (!coincide(m_maintained.traits(), place, ids.duplicate(successor).point))
+      const Point place = m_state.point(v);
+      if (!coincide(m_state.traits(), place, ids.duplicate(successor).point))
         moved.push_back(v);
-      m_editor.hand_over(successor, v, place);
+      m_editor.exchange_representative(successor, v, place);
     }
     m_editor.remove_duplicate(id);
   }
@@ -662,8 +658,8 @@ private:
   // Removes v if that leaves everything Delaunay, otherwise lists it.
   void remove_vertex(Index v, bool are_delaunay)
   {
-    provide(m_rest, 1);
-    provide_for_slot();
+    reserve_extra(m_rest, 1);
+    reserve_for_slot();
     if (are_delaunay && triangulate_as_delaunay_without(v))
       m_empty.push_back(m_editor.remove(m_polygon));
     else
@@ -676,9 +672,9 @@ private:
   {
     m_places.clear();
     for (const Slot& slot : m_waiting)
-      m_places.push_back(m_maintained.positions()[slot.vertex]);
+      m_places.push_back(m_state.positions()[slot.vertex]);
     for (const Index id : parted_duplicates)
-      m_places.push_back(approximation(m_maintained.ids().duplicate(id).point));
+      m_places.push_back(approximation(m_state.ids().duplicate(id).point));
     for (const Point& p : m_coming_points)
       m_places.push_back(approximation(p));
     const boost::counting_iterator<Index> first(0), beyond(Index(m_places.size()));
@@ -689,7 +685,7 @@ private:
   Index any_vertex() const
   {
     Index v = 1;
-    while (m_maintained.arrays().is_outside(v))
+    while (m_state.arrays().is_outside(v))
       ++v;
     return v;
   }
@@ -704,19 +700,19 @@ private:
   Hint hint_at(Index v) const
   {
     Index nearby = v;
-    m_maintained.arrays().for_each_neighbor(
-        v, [&](Index w) { nearby = w == infinite_index ? nearby : w; });
-    const std::size_t spread = 4 * m_maintained.number_of_vertices() / m_order.size();
+    m_state.arrays().for_each_neighbor(v,
+                                       [&](Index w) { nearby = w == infinite_index ? nearby : w; });
+    const std::size_t spread = 4 * m_state.number_of_vertices() / m_order.size();
     return {nearby, Index(spread)};
   }
 
-  // Returns v, or `no_index` if another vertex is there already, and now has the points of v.
+  // Returns v, or `null_index` if another vertex is there already, and now has the points of v.
   Index put_in_again(const Slot& slot, const Hint& hint, std::size_t most, Counts& counts)
   {
     const Index v = slot.vertex;
     const Place_2 place = m_location.locate(v, hint.nearby, hint.spread);
     counts.steps += place.steps;
-    if (place.vertex == no_index) {
+    if (place.vertex == null_index) {
       if (find_polygon(slot, place, most))
         m_editor.put_in_again(slot, m_polygon);
       else
@@ -724,30 +720,30 @@ private:
       ++counts.relocated;
       return v;
     }
-    m_editor.provide_for_duplicates(1);
-    m_editor.hand_points_to(place.vertex, v, m_maintained.point(v));
+    m_editor.reserve_for_duplicates(1);
+    m_editor.hand_points_to(place.vertex, v, m_state.point(v));
     m_empty.push_back(slot);
     ++counts.merged;
-    return no_index;
+    return null_index;
   }
 
   // The same for a duplicate that parts, or a new point.
-  Index let_come(const std::vector<Index>& parted_duplicates, std::size_t i, const Hint& hint,
-                 std::size_t most, Counts& counts)
+  Index insert(const std::vector<Index>& parted_duplicates, std::size_t i, const Hint& hint,
+               std::size_t most, Counts& counts)
   {
-    const auto& ids = m_maintained.ids();
+    const auto& ids = m_state.ids();
     const bool parts = i < parted_duplicates.size();
     const std::size_t coming = i - parted_duplicates.size();
     const Index id = parts ? parted_duplicates[i] : m_coming_ids[coming];
     const Point p = parts ? ids.duplicate(id).point : m_coming_points[coming];
     counts.parted += parts;
-    m_editor.provide_for_duplicates(1);
+    m_editor.reserve_for_duplicates(1);
     const Slot slot = take_slot(p);
     const Place_2 place = m_location.locate(slot.vertex, hint.nearby, hint.spread);
     counts.steps += place.steps;
-    if (place.vertex != no_index) {
+    if (place.vertex != null_index) {
       m_editor.place_duplicate(id, place.vertex, p);
-      return no_index;
+      return null_index;
     }
     const bool is_found = find_polygon(slot, place, most);
     m_empty.pop_back(); // nothing throws from here on
@@ -762,15 +758,15 @@ private:
   // possible. Reserves memory for the new edges, also if not.
   bool find_polygon(const Slot& slot, const Place_2& place, std::size_t most)
   {
-    constexpr bool is_rounded = Are_known_to_be_inexact_2<typename Maintained::Traits>::value;
+    constexpr bool is_rounded = Are_known_to_be_inexact_2<typename State::Traits>::value;
     constexpr std::size_t edges_of_three_faces = 6;
     const bool is_found = !is_rounded && most > 0 && place.is_inside &&
-                          m_polygon.find_as_delaunay(m_maintained, place.face, slot.vertex, most);
+                          m_polygon.find_as_delaunay(m_state, place.face, slot.vertex, most);
     if (is_found) {
       m_replaced = m_polygon.faces().size();
       m_polygon.add(slot);
     }
-    m_editor.provide_for_new_edges(is_found ? m_polygon.edges().size() : edges_of_three_faces);
+    m_editor.reserve_for_new_edges(is_found ? m_polygon.edges().size() : edges_of_three_faces);
     return is_found;
   }
 
@@ -778,7 +774,7 @@ private:
   Slot take_slot(const Point& p)
   {
     if (m_empty.empty()) {
-      provide_for_slot();
+      reserve_for_slot();
       m_empty.push_back(m_editor.make_slot(p));
     } else
       m_editor.renew_vertex(m_empty.back(), p);
@@ -792,10 +788,10 @@ private:
     m_coming_points.clear();
   }
 
-  const Maintained& m_maintained;
+  const State& m_state;
   Editor& m_editor;
-  Point_location_2<Maintained> m_location;
-  Vertex_order_2<Maintained> m_meeting_order;
+  Point_location_2<State> m_location;
+  Vertex_order_2<State> m_meeting_order;
   Spatial_order_2 m_order;
   std::vector<Position_2> m_places;
   Star_polygon_2 m_polygon;    // around the vertex that goes or comes
@@ -811,4 +807,4 @@ private:
 } // namespace Dynamic_Delaunay_triangulations_2
 } // namespace CGAL
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_VERTEX_TRAFFIC_2_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_VERTEX_RELOCATION_2_H

@@ -107,10 +107,10 @@ private:
 
   void find_labels()
   {
-    m_labels.assign(m_frame.number_of_vertices() + std::size_t(1), no_index);
+    m_labels.assign(m_frame.number_of_vertices() + std::size_t(1), null_index);
     m_points.for_each_held([&](Index place) {
       Index& label = m_labels[m_frame.vertex(place)];
-      if (label == no_index || m_points.id(place) < m_points.id(label))
+      if (label == null_index || m_points.id(place) < m_points.id(label))
         label = place;
     });
   }
@@ -121,8 +121,7 @@ private:
     m_are_inner.assign(m_frame.number_of_edges(), false);
     std::vector<Index> unproved;
     m_frame.append_unproved(0, m_frame.number_of_edges(), unproved);
-    const Vertex_predicates_2<std::decay_t<decltype(m_frame.maintained())>> predicates(
-        m_frame.maintained());
+    const Vertex_predicates_2<std::decay_t<decltype(m_frame.state())>> predicates(m_frame.state());
     for (const Index e : unproved)
       if (!m_frame.is_at_infinity(e)) {
         const auto& edge = m_frame.edge(e);
@@ -136,7 +135,7 @@ private:
   template <class Function>
   void for_each_cell(const Function& f) const
   {
-    const Arrays& arrays = m_frame.maintained().arrays();
+    const Arrays& arrays = m_frame.state().arrays();
     std::vector<bool> are_seen(m_frame.number_of_faces(), false);
     std::vector<Corner> corners;
     for (Index face = 0; face < m_frame.number_of_faces(); ++face) {

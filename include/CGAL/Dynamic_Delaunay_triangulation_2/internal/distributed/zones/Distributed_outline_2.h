@@ -121,7 +121,7 @@ private:
       return corners;
     }
     const std::vector<std::uint8_t> are_owned = points.owned_vertices();
-    const auto& arrays = frame.maintained().arrays();
+    const auto& arrays = frame.state().arrays();
     std::vector<Index> hull; // clockwise
     arrays.for_each_neighbor(0, [&](Index v) { hull.push_back(v); });
     const auto orientation = Kernel().orientation_2_object();
