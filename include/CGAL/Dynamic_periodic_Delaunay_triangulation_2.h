@@ -745,22 +745,12 @@ private:
   static std::vector<Position> checked(const std::vector<Point>& points,
                                        const std::vector<Index>& ids, const Periodic_cell_2& cell)
   {
-    const Dynamic_Delaunay_triangulations_2::internal::Torus_2 torus(cell);
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    const Torus_2 torus(cell);
     std::vector<Position> positions;
     for (std::size_t i = 0; i < points.size(); ++i)
-      positions.push_back(checked(points[i], ids[i], torus));
+      positions.push_back(checked_position(points[i], ids[i], torus));
     return positions;
-  }
-
-  static Position checked(const Point& p, size_type id,
-                          const Dynamic_Delaunay_triangulations_2::internal::Torus_2& torus)
-  {
-    using namespace Dynamic_Delaunay_triangulations_2::internal;
-    const Position position = checked_position(p, id);
-    const Position multiples = torus.periodic(torus.multiples(position));
-    if (!(std::abs(multiples.x) < max_shift && std::abs(multiples.y) < max_shift))
-      throw Periodic_range_error_2(id, position.x, position.y, max_shift);
-    return position;
   }
 
   // The positions of a frame, by ids.
@@ -801,11 +791,12 @@ private:
   template <class Next>
   void check_positions(const Next& next, const Periodic_cell_2& cell) const
   {
-    const Dynamic_Delaunay_triangulations_2::internal::Torus_2 torus(cell);
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    const Torus_2 torus(cell);
     for (size_type id = 0; id < number_of_ids(); ++id)
       if (has_id(id)) {
         const Position p = next(id);
-        checked(Point(p.x, p.y), id, torus);
+        checked_position(Point(p.x, p.y), id, torus);
       }
   }
 

@@ -8,7 +8,7 @@
 
 #include <CGAL/convert_to_periodic_2_delaunay_triangulation_2.h>
 #include <CGAL/draw_dynamic_periodic_delaunay_triangulation_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Periodic_point_queries_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_point_queries_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -215,8 +215,8 @@ TEST(Conversion, refuses_what_CGAL_cannot_represent_and_leaves_the_target_as_it_
 
 // QUERIES -----------------------------------------------------------------------------------------
 
-using Queries = CGAL::Periodic_point_queries_2<Triangulation>;
-using Image = Queries::Image;
+using Queries = CGAL::Delaunay_point_queries_2<Triangulation>;
+using Image = Queries::Answer;
 
 // Looks at all images, with CGAL's exact numbers.
 class Images

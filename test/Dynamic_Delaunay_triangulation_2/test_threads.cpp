@@ -12,7 +12,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_neighbor_lists_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_point_queries_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Periodic_point_queries_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_gradients_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Border_splice_repair_2.h>
@@ -764,7 +763,7 @@ struct Queries
     ask(diary, CGAL::Delaunay_point_queries_2<Planar<Tag>>(plane));
     const Periodic<Tag> cell(points.begin(), points.end(),
                              CGAL::Periodic_cell_2(double(columns), 0, 3, 30));
-    ask(diary, CGAL::Periodic_point_queries_2<Periodic<Tag>>(cell));
+    ask(diary, CGAL::Delaunay_point_queries_2<Periodic<Tag>>(cell));
   }
 
 private:

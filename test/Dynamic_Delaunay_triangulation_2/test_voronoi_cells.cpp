@@ -638,6 +638,11 @@ TEST(Gradients, need_a_weight_for_each_id)
 class Strip
 {
 public:
+  struct Frame
+  {
+    static constexpr bool is_periodic = true;
+  };
+
   explicit Strip(const Torus& torus)
     : m_torus(torus)
   {

@@ -51,6 +51,8 @@ public:
   using Edge = Dynamic_Delaunay_triangulations_2::Edge_2;
   /// four positions, `left`, `source`, `target` and `right`: those of the vertices of an edge.
   using Corners = Dynamic_Delaunay_triangulations_2::Edge_corners_2;
+  /// whether it is a frame of periodic space.
+  static constexpr bool is_periodic = State::is_periodic;
 
   /// \cond
   explicit Dynamic_frame_2(const State& state)

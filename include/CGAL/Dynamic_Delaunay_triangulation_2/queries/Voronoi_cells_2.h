@@ -79,7 +79,7 @@ void for_each_voronoi_edge(const Dynamic& dt, const Function& f)
       if (neighbor.is_infinite() || neighbor.id < i ||
           (neighbor.id == i && neighbor.shift < Periodic_shift_2{0, 0}))
         return;
-      if constexpr (is_periodic<Dynamic>)
+      if constexpr (Dynamic::Frame::is_periodic)
         f(i, neighbor.id, neighbor.shift, length);
       else
         f(i, neighbor.id, length);

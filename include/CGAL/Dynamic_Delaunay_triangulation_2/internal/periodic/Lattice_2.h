@@ -27,6 +27,17 @@ namespace internal {
 // sums of products when a cell is exchanged below 2^31.
 constexpr double max_shift = 0x1p20, max_multiple = 0x1p8;
 
+// The position of a point of periodic space. Throws as in the plane, and if it is beyond the limit.
+template <class Point>
+Position_2 checked_position(const Point& p, std::size_t id, const Torus_2& torus)
+{
+  const Position_2 position = checked_position(p, id);
+  const Position_2 multiples = torus.periodic(torus.multiples(position));
+  if (!(std::abs(multiples.x) < max_shift && std::abs(multiples.y) < max_shift))
+    throw Periodic_range_error_2(id, position.x, position.y, max_shift);
+  return position;
+}
+
 // A short basis of the cell's lattice, counterclockwise (Lagrange's reduction), in rounded
 // arithmetic: any basis is right, and a short one quick to start from.
 inline std::array<Periodic_shift_2, 2> short_basis(const Torus_2& torus)

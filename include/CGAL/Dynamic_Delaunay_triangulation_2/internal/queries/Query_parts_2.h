@@ -22,15 +22,15 @@ namespace internal {
 template <class Parts>
 constexpr std::size_t least_queries = (std::max)(Parts::usual_size / 64, std::size_t(1));
 
-// Calls f(queries, i) for all i below `size`.
+// Calls f(queries, i, part) for all i below `size`.
 template <class Parts, class Queries, class Function>
 void query_in_parts(const Queries& queries, std::size_t size, const Function& f)
 {
   Parts::for_each(size, least_queries<Parts>,
-                  [&](std::size_t, std::size_t first, std::size_t beyond) {
+                  [&](std::size_t part, std::size_t first, std::size_t beyond) {
                     const Queries queries_of_part(queries);
                     for (std::size_t i = first; i < beyond; ++i)
-                      f(queries_of_part, i);
+                      f(queries_of_part, i, part);
                   });
 }
 
@@ -42,16 +42,14 @@ void list_in_parts(const Queries& queries, std::size_t size, std::vector<Answer>
 {
   std::vector<std::vector<Answer>> found(Parts::number(size, least_queries<Parts>));
   std::vector<std::size_t> ends(size + 1);
-  Parts::for_each(size, least_queries<Parts>,
-                  [&](std::size_t part, std::size_t first, std::size_t beyond) {
-                    const Queries queries_of_part(queries);
-                    for (std::size_t i = first; i < beyond; ++i) {
-                      const std::size_t before = found[part].size();
-                      f(queries_of_part, i, std::back_inserter(found[part]));
-                      std::sort(found[part].begin() + std::ptrdiff_t(before), found[part].end());
-                      ends[i + 1] = found[part].size() - before;
-                    }
-                  });
+  query_in_parts<Parts>(queries, size,
+                        [&](const Queries& queries_of_part, std::size_t i, std::size_t part) {
+                          std::vector<Answer>& of_part = found[part];
+                          const std::size_t before = of_part.size();
+                          f(queries_of_part, i, std::back_inserter(of_part));
+                          std::sort(of_part.begin() + std::ptrdiff_t(before), of_part.end());
+                          ends[i + 1] = of_part.size() - before;
+                        });
   for (std::size_t i = 0; i < size; ++i)
     ends[i + 1] += ends[i];
   std::vector<Answer> all;

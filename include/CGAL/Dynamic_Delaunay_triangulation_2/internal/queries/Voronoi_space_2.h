@@ -21,24 +21,16 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-template <class Dynamic, class = void>
-constexpr bool is_periodic = false;
-template <class Dynamic>
-constexpr bool is_periodic<Dynamic, std::void_t<decltype(std::declval<const Dynamic&>().cell())>> =
-    true;
-
 // A triangulation as Voronoi cells see it: the plane and periodic space look alike. Cells have
 // numbers; points that coincide share one. A cell is open if one of its edges has a single face:
 // it is unbounded then.
-template <class Dynamic, bool = is_periodic<Dynamic>>
+template <class Dynamic, bool = Dynamic::Frame::is_periodic>
 class Voronoi_space_2;
 
 // The other end of an edge, as seen from a point.
