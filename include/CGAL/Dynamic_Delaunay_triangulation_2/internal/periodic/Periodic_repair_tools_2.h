@@ -14,6 +14,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_change_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Star_polygon_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Lawson_flips_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
@@ -335,18 +336,24 @@ public:
     return false;
   }
 
-  // Takes vertices out of their faces, and opens the edges around. If that fails the result is
-  // false, and all that can be done is to triangulate anew.
+  // Takes vertices out of their faces. Where everything is Delaunay (not `are_tangled`), it stays
+  // so; otherwise this opens the edges around. If that fails the result is false, and all that can
+  // be done is to triangulate anew.
   bool take_out(const std::vector<Index>& vertices, bool are_tangled)
   {
-    m_open.reserve(m_open.size() + 8 * vertices.size());
+    reserve_extra(m_taken_out, vertices.size());
     for (const Index v : vertices) {
-      if (!reduce_degree(v, are_tangled))
+      if (!m_polygon.read(m_state, v))
         return false;
-      const Index f = m_state.arrays().corner(v) / 3;
-      m_taken_out.push_back(m_editor.take_out(v));
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        m_open.push_back(m_state.arrays().edge_of(h));
+      const bool is_delaunay = !are_tangled && m_polygon.triangulate_as_delaunay(m_state);
+      if (!is_delaunay && !triangulate_anyhow())
+        return false;
+      const std::size_t first_new = m_state.changes().new_edges.size();
+      m_taken_out.push_back(m_editor.take_out(m_polygon));
+      if (!is_delaunay)
+        open_polygon(first_new);
+      if (!are_tangled)
+        legalize();
     }
     close_empty();
     return true;
@@ -535,11 +542,37 @@ private:
 
   // FACES AND EDGES -----------------------------------------------------------------------------
 
-  // Puts the slot's vertex where p was found, which is no vertex.
+  bool triangulate_anyhow()
+  {
+    if (!m_polygon.has_different_vertices())
+      return false;
+    m_polygon.triangulate_anyhow(m_state, m_state.positions()[m_polygon.center()]);
+    return true;
+  }
+
+  // Opens the sides of the polygon, and the edges that are new inside.
+  void open_polygon(std::size_t first_new)
+  {
+    for (const auto& side : m_polygon.sides())
+      m_open.push_back(side.edge);
+    const auto& new_edges = m_state.changes().new_edges;
+    m_open.insert(m_open.end(), new_edges.begin() + std::ptrdiff_t(first_new), new_edges.end());
+  }
+
+  // Puts the slot's vertex where p was found, which is no vertex. Everything has to be Delaunay,
+  // and stays so.
   void put_in(const Slot& slot, const Position_2& p, const Place& found)
   {
     const auto& arrays = m_state.arrays();
     const Index v = slot.vertex;
+    m_editor.set_position(v, p);
+    if (found.edge == null_index &&
+        m_polygon.find_as_delaunay(m_state, found.face, no_shift - found.shift, v, max_faces)) {
+      m_polygon.add(slot);
+      m_editor.put_in(m_polygon);
+      m_hint = v;
+      return;
+    }
     m_editor.put_in(slot, p, found.shift, found.face);
     m_hint = v;
     if (found.edge != null_index) { // a flat face, opposite to v in it the edge on which v is
@@ -566,60 +599,17 @@ private:
     return false;
   }
 
-  // Flips edges of v until it has degree 3. False if that is not possible. It can fail for
-  // a vertex with edges to its own images, where cutting an ear changes the star at two places.
-  // Among tangled faces any ear will do if there is no counterclockwise one.
-  bool reduce_degree(Index v, bool is_tangled)
-  {
-    const auto& arrays = m_state.arrays();
-    for (Index degree = arrays.degree(v); degree != 3; degree = arrays.degree(v)) {
-      Index spoke = degree > 3 ? find_ear(v, false) : null_index;
-      if (spoke == null_index && degree > 3 && is_tangled)
-        spoke = find_ear(v, true);
-      if (spoke == null_index)
-        return false;
-      m_open.push_back(arrays.edge_of(spoke));
-      arrays.for_each_side(arrays.edge_of(spoke), [this](Index e) { m_open.push_back(e); });
-      m_editor.flip(spoke);
-      ++m_report->flips;
-    }
-    bool is_simple = true;
-    arrays.for_each_neighbor(v, [&](Index w) { is_simple = is_simple && w != v; });
-    return is_simple;
-  }
-
-  // A half-edge to v whose flip cuts a face off v's star: any, or a counterclockwise one that
-  // leaves a star whose faces are at worst flat. Fewer edges then end at v, also where v is its own
-  // neighbor.
-  Index find_ear(Index v, bool is_any) const
-  {
-    const auto& arrays = m_state.arrays();
-    const Torus_2& torus = m_state.torus();
-    const Index first = arrays.corner(v);
-    Index h = first;
-    do {
-      const Index spoke = Arrays::next(h);
-      const auto [a, b, c, d] = m_state.corners_at(spoke);
-      const Index opposite = arrays.apex(arrays.twin(spoke));
-      const int ends = (arrays.source(spoke) == v) + 1;
-      const int ends_after = (arrays.apex(spoke) == v) + (opposite == v);
-      if (ends_after < ends && m_editor.can_flip(spoke) &&
-          (is_any ||
-           (torus.orientation(a, b, d) == LEFT_TURN && torus.orientation(a, d, c) != RIGHT_TURN)))
-        return spoke;
-      h = arrays.next_corner(h);
-    } while (h != first);
-    return null_index;
-  }
-
   bool is_counterclockwise(Index h) const
   {
     return m_state.torus().orientation(m_state.image(h), m_state.image(Arrays::next(h)),
                                        m_state.image(Arrays::previous(h))) == LEFT_TURN;
   }
 
+  static constexpr std::size_t max_faces = 64; // that a point replaces: flips take less time beyond
+
   State& m_state;
   Editor& m_editor;
+  Star_polygon_2<State> m_polygon; // around the vertex that goes or comes
   Static_engines_2 m_engines;
   Classification m_classification;
   std::vector<Index> m_padded, m_border;

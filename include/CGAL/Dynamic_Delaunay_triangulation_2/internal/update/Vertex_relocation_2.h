@@ -627,7 +627,7 @@ private:
 
   bool triangulate_as_delaunay_without(Index v)
   {
-    m_polygon.read(m_state.arrays(), v);
+    m_polygon.read(m_state, v);
     m_editor.prefetch(m_polygon);
     return m_polygon.triangulate_as_delaunay(m_state);
   }
@@ -635,7 +635,7 @@ private:
   // The faces around v have it at its previous position.
   void triangulate_anyhow_without(Index v)
   {
-    m_polygon.read(m_state.arrays(), v);
+    m_polygon.read(m_state, v);
     m_polygon.triangulate_anyhow(m_state, m_state.previous_position(v));
   }
 
@@ -758,10 +758,9 @@ private:
   // possible. Reserves memory for the new edges, also if not.
   bool find_polygon(const Slot& slot, const Place_2& place, std::size_t most)
   {
-    constexpr bool is_rounded = Are_known_to_be_inexact_2<typename State::Traits>::value;
     constexpr std::size_t edges_of_three_faces = 6;
-    const bool is_found = !is_rounded && most > 0 && place.is_inside &&
-                          m_polygon.find_as_delaunay(m_state, place.face, slot.vertex, most);
+    const bool is_found = State::predicates_are_exact && most > 0 && place.is_inside &&
+                          m_polygon.find_as_delaunay(m_state, place.face, {}, slot.vertex, most);
     if (is_found) {
       m_replaced = m_polygon.faces().size();
       m_polygon.add(slot);
@@ -794,11 +793,11 @@ private:
   Vertex_order_2<State> m_meeting_order;
   Spatial_order_2 m_order;
   std::vector<Position_2> m_places;
-  Star_polygon_2 m_polygon;    // around the vertex that goes or comes
-  std::size_t m_replaced = 0;  // faces that the last vertex has replaced
-  std::vector<Index> m_rest;   // vertices that are to go
-  std::vector<Slot> m_waiting; // of vertices that jumped
-  std::vector<Slot> m_empty;   // of vertices without points
+  Star_polygon_2<State> m_polygon; // around the vertex that goes or comes
+  std::size_t m_replaced = 0;      // faces that the last vertex has replaced
+  std::vector<Index> m_rest;       // vertices that are to go
+  std::vector<Slot> m_waiting;     // of vertices that jumped
+  std::vector<Slot> m_empty;       // of vertices without points
   std::vector<Index> m_coming_ids;
   std::vector<Point> m_coming_points;
 };
