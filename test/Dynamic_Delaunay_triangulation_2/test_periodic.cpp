@@ -395,6 +395,17 @@ TEST(A_cell, may_have_its_vectors_exchanged_and_recombined)
   }
 }
 
+TEST(A_cell, may_change_its_orientation)
+{
+  std::mt19937_64 random(10);
+  const std::vector<Point> points = random_points(random, 25, 2);
+  Triangulation pt(points, Cell(4, 1));
+  for (const Cell& other : {Cell(0, 2, 2, 0), Cell(2, 2), Cell(-0.6, 0, 0, 0.6)}) {
+    EXPECT_TRUE(pt.update(points, other).certified);
+    ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+  }
+}
+
 // WRONG INPUT -----------------------------------------------------------------------------------
 
 TEST(A_cell, must_be_finite_and_have_an_area)
