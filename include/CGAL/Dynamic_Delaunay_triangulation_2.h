@@ -487,6 +487,15 @@ public:
   }
 
   /// \cond
+  // For `Dynamic_population_2`: a function of a point and its place in a frame, which throws if no
+  // point can be there.
+  static auto position_check()
+  {
+    return [](const Point& p, size_type place) {
+      Dynamic_Delaunay_triangulations_2::internal::checked_position(p, place);
+    };
+  }
+
   // Updates a whole frame of Dynamic_population_2. The range has a position for every id, also for
   // those that are removed; `gone` has the ids to remove, all of which exist; `coming` has the
   // points to insert. Their ids are written to `coming_ids`, ascending; nothing is written if an

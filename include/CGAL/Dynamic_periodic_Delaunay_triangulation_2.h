@@ -399,8 +399,31 @@ public:
   }
 
   /// \cond
+  // For `Dynamic_population_2`: a function of a point and its place in a frame, which throws if no
+  // point can be there. The floating-point state is the default one as long as it lives.
+  class Position_check
+  {
+  public:
+    explicit Position_check(const Periodic_cell_2& cell)
+      : m_torus(cell)
+    {
+    }
+    void operator()(const Point& p, size_type place) const { checked(p, place, m_torus); }
+
+  private:
+    Floating_point m_floating_point;
+    Dynamic_Delaunay_triangulations_2::internal::Torus_2 m_torus;
+  };
+  Position_check position_check() const { return Position_check(cell()); }
+  Position_check position_check(const Periodic_cell_2& next) const
+  {
+    check_next(next);
+    return Position_check(next);
+  }
+
   // For `Dynamic_population_2`: a frame in which points are removed and inserted, too. The range
-  // has a position for each id that is in use now. Writes the ids of the new points.
+  // has a position for each id that is in use now. All but those of removed points have been
+  // checked, as have the new points. Writes the ids of the new points.
   template <class InputIterator>
   Update_report_2 update_population(InputIterator first, InputIterator beyond,
                                     const std::vector<size_type>& gone,
@@ -408,7 +431,6 @@ public:
                                     std::vector<size_type>& coming_ids, const Periodic_cell_2& cell)
   {
     const Floating_point floating_point;
-    check_next(cell);
     Change change;
     Population_input::read_newcomers(coming.begin(), coming.end(), Identity_property_map<Point>(),
                                      m_core->state, change);
@@ -418,7 +440,6 @@ public:
     m_next.clear();
     for (; first != beyond; ++first)
       m_next.push_back({first->x(), first->y()});
-    check_positions(Read_positions{m_next}, cell);
     std::vector<size_type> ids(change.coming.begin(), change.coming.end());
     return run_frame([&](Update_report_2& report) {
       for (const Index id : change.gone)

@@ -156,10 +156,9 @@ private:
     }
   }
 
-  // Shifts of a face are differences of numbers below max_shift, of points and of basis vectors.
   Periodic_shift_2 read_shift()
   {
-    constexpr int most = 4 * int(max_shift) - 1;
+    constexpr int most = int(max_shift_in_face) - 1;
     const int first = m_file.number("the shift", -most, most);
     return {first, m_file.number("the shift", -most, most)};
   }
