@@ -131,6 +131,11 @@ public:
   static Frame frame_at(Index) { return {}; }
   static Frame frame_beyond(Index, Frame) { return {}; }
   const Position_2& rounded_position(Corner corner) const { return positions()[corner]; }
+  static Frame frame_seen_from(Index, Index) { return {}; }
+  double rounded_squared_distance(Index v, Index w) const
+  {
+    return squared_distance(positions()[v], positions()[w]);
+  }
   bool are_neighbors(Corner a, Corner b) const { return arrays().are_neighbors(a, b); }
 
   bool corners_are_exact(Index) const { return positions_are_exact(); }

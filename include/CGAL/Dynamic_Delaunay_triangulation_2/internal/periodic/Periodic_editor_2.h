@@ -264,14 +264,13 @@ public:
     return arrays().append_slot();
   }
 
-  // Puts the slot's vertex into face f, at the image of p by `shift` in the frame of f.
-  void put_in(const Slot& slot, const Position_2& p, const Periodic_shift_2& shift, Index f)
+  // Puts the slot's vertex into face f, its image by `shift` in the frame of f.
+  void put_in(const Slot& slot, const Periodic_shift_2& shift, Index f)
   {
     reserve_for_log(3);
     const Index g = slot.faces[0], k = slot.faces[1];
     const Periodic_shift_2 a = shifts()[3 * f], b = shifts()[3 * f + 1], c = shifts()[3 * f + 2];
     arrays().put_in(slot, f);
-    set_position(slot.vertex, p);
     changes().relocated.push_back(slot.vertex);
     set_shifts(f, shift, b, c);
     set_shifts(g, a, shift, c);

@@ -60,6 +60,11 @@ public:
                                           m_state.image(d));
   }
 
+  bool coincide(const Corner& a, const Corner& b) const
+  {
+    return m_state.torus().coincide(m_state.image(a), m_state.image(b));
+  }
+
 private:
   const State& m_state;
 };
@@ -145,6 +150,24 @@ public:
   }
   Frame frame_at(Index h) const { return no_shift - m_shifts[h]; }
   Frame frame_beyond(Index h, const Frame& frame) const { return frame + transition(h); }
+  // The frame of the face of h in which the apex of h is seen from v where it is near.
+  Frame frame_seen_from(Index v, Index h) const
+  {
+    return frame_at(h) + shift_of_step(m_positions[m_arrays.apex(h)], m_positions[v]);
+  }
+  // By which the lattice comes nearest to a step.
+  Periodic_shift_2 shift_of_step(const Position_2& from, const Position_2& to) const
+  {
+    return m_torus.nearest_shift(m_torus.multiples({to.x - from.x, to.y - from.y}));
+  }
+  // Between images that are near to each other.
+  double rounded_squared_distance(Index v, Index w) const
+  {
+    const Position_2 &p = m_positions[v], &q = m_positions[w];
+    const Periodic_shift_2 shift = shift_of_step(p, q);
+    const Position_2 way = m_torus.vector({double(shift[0]), double(shift[1])});
+    return squared_distance({p.x + way.x, p.y + way.y}, q);
+  }
   Image_2 image(const Corner& corner) const { return {m_positions[corner.vertex], corner.shift}; }
   // NaNs beyond the gap beside a slab.
   Position_2 rounded_position(const Corner& corner) const

@@ -109,12 +109,11 @@ public:
     if (!ids().is_representative(id))
       return m_editor.ids().remove_duplicate(id);
     const Index v = ids().vertex(id);
-    const bool is_out = m_state.number_of_vertices() > 1 && m_tools.take_out({v}, false);
+    const bool is_out = m_state.number_of_vertices() > 1 && m_tools.take_out_of_delaunay(v);
     if (!is_out)
       return m_tools.rebuild(Rebuild_reason_2::STUCK, id);
     m_editor.ids().reserve_for_removals(1);
     m_editor.ids().remove_representative(id);
-    m_tools.legalize();
     m_tools.drop_taken_out();
   }
 
@@ -141,11 +140,10 @@ public:
     }
     m_editor.set_position(v, before);
     m_editor.shift_images(v, no_shift - shift);
-    const bool is_out = m_tools.take_out({v}, false);
+    const bool is_out = m_tools.take_out_of_delaunay(v);
     m_editor.set_position(v, p);
     if (!is_out)
       return m_tools.rebuild(Rebuild_reason_2::STUCK);
-    m_tools.legalize();
     m_tools.put_back_all();
   }
 
@@ -172,13 +170,13 @@ public:
     const std::vector<Index> jumpers =
         m_is_certified ? m_motion.find_jumpers() : std::vector<Index>();
     const bool are_many = jumpers.size() > m_tools.max_taken_out();
-    const bool is_out = are_many || m_tools.take_out(jumpers, false);
-    if (is_out)
-      m_tools.legalize();
+    if (!are_many)
+      for (const Index v : jumpers)
+        m_tools.take_out_of_delaunay(v); // if not, the repair sees to its faces
     m_motion.move_vertices(cell);
     Rebuild_reason_2 reason;
     try {
-      reason = reason_to_rebuild(policy, is_out, are_many);
+      reason = reason_to_rebuild(policy, are_many);
       if (reason == Rebuild_reason_2::NONE)
         classify(classifier);
     } catch (...) {
@@ -275,10 +273,8 @@ private:
   }
 
   template <class Policy>
-  Rebuild_reason_2 reason_to_rebuild(Policy& policy, bool are_jumpers_out, bool are_many) const
+  Rebuild_reason_2 reason_to_rebuild(Policy& policy, bool are_many) const
   {
-    if (!are_jumpers_out)
-      return Rebuild_reason_2::STUCK;
     if (m_state.number_of_vertices() > 0 && policy.wants_rebuild(Frame(m_state)))
       return Rebuild_reason_2::POLICY;
     return are_many && m_tools.is_much_broken() ? Rebuild_reason_2::TOO_MUCH_BROKEN

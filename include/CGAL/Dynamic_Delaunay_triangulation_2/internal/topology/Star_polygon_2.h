@@ -168,7 +168,9 @@ public:
   bool triangulate_as_delaunay(const State& state)
   {
     if constexpr (State::predicates_are_exact) {
-      constexpr std::size_t max_degree = 24; // flips take less time beyond
+      // Flips take less time beyond. A torus knows no better way: across the gap of a slab a vertex
+      // may have many images of few neighbors.
+      constexpr std::size_t max_degree = State::is_periodic ? std::size_t(-1) : 24;
       if (m_sides.size() > max_degree || is_at_infinity())
         return false;
       divide(Predicates(state), 0, Index(m_sides.size() - 1));
