@@ -13,9 +13,10 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_streams_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Periodic_checkpoint_reader_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Periodic_checkpoint_writer_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_reader_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_torus_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_writer_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_change_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_triangulation_state_2.h>
@@ -659,7 +660,7 @@ public:
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     const Floating_point floating_point;
-    Periodic_checkpoint_writer_2<State>(m_core->state, is_certified(), m_core->update.memory())
+    Checkpoint_writer_2<State>(m_core->state, is_certified(), m_core->update.memory())
         .write(out, subject, append);
   }
 
@@ -670,9 +671,9 @@ public:
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     const Floating_point floating_point;
     Checkpoint_input_2 file(in, subject);
-    Periodic_checkpoint_reader_2<State> reader(file,
-                                               [](const Periodic_cell_2& cell) { check(cell); });
-    State state = reader.read();
+    Checkpoint_reader_2<State> reader(file);
+    State state(cell());
+    reader.read(state);
     read_more(file, state.ids());
     file.finish();
     Delaunay_classifier classifier = m_classifier;
@@ -740,11 +741,7 @@ private:
   static void check(const Periodic_cell_2& cell)
   {
     const Floating_point floating_point;
-    const Dynamic_Delaunay_triangulations_2::internal::Torus_2 torus(cell);
-    if (!torus.is_measurable())
-      throw Periodic_cell_error_2(cell.ax(), cell.ay(), cell.bx(), cell.by(),
-                                  "doubles cannot tell how far points are apart in it");
-    Dynamic_Delaunay_triangulations_2::internal::short_basis(torus); // throws if there is none
+    Dynamic_Delaunay_triangulations_2::internal::check_cell(cell);
   }
 
   void check_id(size_type id) const

@@ -11,7 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/User_id_table_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_streams_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Periodic_cell_2.h>
