@@ -131,6 +131,8 @@ public:
   static Frame frame_at(Index) { return {}; }
   static Frame frame_beyond(Index, Frame) { return {}; }
   const Position_2& rounded_position(Corner corner) const { return positions()[corner]; }
+  // Whether a point is where vertex v is.
+  bool is_at(const Point& p, Index v) const { return coincide(traits(), p, point(v)); }
   static Frame frame_seen_from(Index, Index) { return {}; }
   double rounded_squared_distance(Index v, Index w) const
   {

@@ -13,7 +13,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_memory_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Periodic_certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Torus_cover_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Validity_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Guibas_stolfi_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
@@ -48,7 +50,7 @@ public:
 
   static bool is_complete(const State& state, bool is_certified)
   {
-    return is_certified || Periodic_certificate_2<State>(state).is_triangulation();
+    return is_certified || Validity_check_2<State>(state, false).passes(0, false);
   }
 
   static void write_kind(Checkpoint_output_2& file, const State& state)
@@ -158,14 +160,11 @@ public:
     }
     Periodic_editor_2<State, false>(state).restore(faces, m_kept.points, m_kept.ids, m_kept.corners,
                                                    m_kept.forward_halfedges);
-    if (!Periodic_certificate_2<State>(state).covers_once())
+    if (!Torus_cover_2<State>(state).do_areas_sum_up())
       m_file.refuse("the faces above do not cover the space once");
   }
 
-  static bool is_delaunay(const State& state)
-  {
-    return Periodic_certificate_2<State>(state).is_delaunay();
-  }
+  static bool is_delaunay(const State& state) { return Certificate_2<State>(state).holds(); }
 
 private:
   Periodic_cell_2 read_cell()

@@ -33,6 +33,15 @@ struct Periodic_corner_2
 {
   Index vertex;
   Periodic_shift_2 shift;
+
+  friend bool operator<(const Periodic_corner_2& a, const Periodic_corner_2& b)
+  {
+    return a.vertex != b.vertex ? a.vertex < b.vertex : a.shift < b.shift;
+  }
+  friend bool operator==(const Periodic_corner_2& a, const Periodic_corner_2& b)
+  {
+    return a.vertex == b.vertex && are_equal(a.shift, b.shift);
+  }
 };
 
 // The exact predicates on corners.
@@ -150,6 +159,8 @@ public:
   }
   Frame frame_at(Index h) const { return no_shift - m_shifts[h]; }
   Frame frame_beyond(Index h, const Frame& frame) const { return frame + transition(h); }
+  // Whether an image of a point is where vertex v is.
+  bool is_at(const Position_2& p, Index v) const { return m_torus.coincide(p, m_positions[v]); }
   // The frame of the face of h in which the apex of h is seen from v where it is near.
   Frame frame_seen_from(Index v, Index h) const
   {

@@ -14,8 +14,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_repair_tools_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_triangulation_state_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Periodic_certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Periodic_slacks_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Validity_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Dynamic_frame_2.h>
@@ -202,7 +203,7 @@ public:
   bool certify()
   {
     if (m_is_whole && !m_is_certified)
-      m_is_certified = Periodic_certificate_2<State>(m_state).is_delaunay();
+      m_is_certified = Certificate_2<State>(m_state).holds();
     return is_certified();
   }
 
@@ -240,14 +241,10 @@ public:
 
   // CERTIFICATE ---------------------------------------------------------------------------------
 
-  // Tests everything again, exactly: that the shifts agree, and that the areas of the faces,
-  // negative where they are clockwise, sum up to that of the cell; and if it is certified, that all
-  // faces are counterclockwise, all edges locally Delaunay, and duplicates where their
-  // representatives are.
+  // Tests everything again, exactly.
   bool is_valid() const
   {
-    const Periodic_certificate_2<State> certificate(m_state);
-    return certificate.is_triangulation() && (!m_is_certified || certificate.is_delaunay());
+    return Validity_check_2<State>(m_state, false).passes(0, m_is_certified);
   }
 
 private:
