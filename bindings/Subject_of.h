@@ -16,9 +16,11 @@
 #include <CGAL/Periodic_cell_2.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -42,6 +44,20 @@ struct Without_user_ids
 };
 template <class Dynamic>
 using With_user_ids = CGAL::Dynamic_population_2<Dynamic>;
+
+// A stream may go on after a checkpoint, but not what is one as a whole. The checksum is its last
+// line, and no other line begins so.
+inline void check_end(const std::string& checkpoint)
+{
+  const std::size_t last_line = checkpoint.find("\nchecksum ");
+  const std::size_t end = checkpoint.find('\n', last_line + (last_line != checkpoint.npos));
+  if (last_line == checkpoint.npos || end == checkpoint.npos || end + 1 == checkpoint.size()) {
+    return;
+  }
+  const auto beyond = checkpoint.begin() + std::ptrdiff_t(end) + 1;
+  throw CGAL::Checkpoint_error_2(std::size_t(std::count(checkpoint.begin(), beyond, '\n')) + 1,
+                                 "there is more after the end of the checkpoint");
+}
 
 template <class Dynamic, class Kinds, bool has_user_ids>
 class Subject_of : public Subject
@@ -198,10 +214,12 @@ public:
     if constexpr (!Kinds::has_extras) {
       refuse_extra();
     } else if constexpr (has_user_ids) {
+      check_end(checkpoint);
       std::istringstream in(checkpoint);
       with_leaving([&] { return points_missing_in(Rows()); },
                    [&] { return m_owner.read_checkpoint(in); });
     } else {
+      check_end(checkpoint);
       std::istringstream in(checkpoint);
       m_owner.triangulation.read_checkpoint(in);
     }

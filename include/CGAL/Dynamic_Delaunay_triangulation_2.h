@@ -14,8 +14,8 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Triangulation_state_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_plane_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_reader_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_streams_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_writer_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Validity_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
@@ -487,6 +487,15 @@ public:
   }
 
   /// \cond
+  // For `Dynamic_population_2`: a function of a point and its place in a frame, which throws if no
+  // point can be there.
+  static auto position_check()
+  {
+    return [](const Point& p, size_type place) {
+      Dynamic_Delaunay_triangulations_2::internal::checked_position(p, place);
+    };
+  }
+
   // Updates a whole frame of Dynamic_population_2. The range has a position for every id, also for
   // those that are removed; `gone` has the ids to remove, all of which exist; `coming` has the
   // points to insert. Their ids are written to `coming_ids`, ascending; nothing is written if an
@@ -740,7 +749,7 @@ public:
     start_visit();
     m_classifier = std::move(classifier); // nothing throws from here on
     m_core->update.tools().exchange(state);
-    m_core->update.restore(reader.is_certified(), reader.experience());
+    m_core->update.restore(reader.is_certified(), reader.memory());
     m_is_classifier_informed = true;
     exchange_more();
     Update_report_2 report;

@@ -45,7 +45,7 @@ public:
   }
   /// \endcond
 
-  /// the id of the point.
+  /// the id of the point; where a `Dynamic_population_2` throws it, its place in the range.
   std::size_t id() const { return m_id; }
   /// its first coordinate, as a double.
   double x() const { return m_x; }
@@ -85,7 +85,7 @@ public:
   }
   /// \endcond
 
-  /// the id of the point.
+  /// the id of the point; where a `Dynamic_population_2` throws it, its place in the range.
   std::size_t id() const { return m_id; }
   /// its first coordinate, as a double.
   double x() const { return m_x; }
@@ -392,7 +392,7 @@ public:
   }
   /// \endcond
 
-  /// the id of the point.
+  /// the id of the point; where a `Dynamic_population_2` throws it, its place in the range.
   std::size_t id() const { return m_id; }
 
 private:

@@ -13,9 +13,10 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_streams_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Periodic_checkpoint_reader_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Periodic_checkpoint_writer_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_reader_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_torus_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_writer_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_change_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_triangulation_state_2.h>
@@ -399,8 +400,31 @@ public:
   }
 
   /// \cond
+  // For `Dynamic_population_2`: a function of a point and its place in a frame, which throws if no
+  // point can be there. The floating-point state is the default one as long as it lives.
+  class Position_check
+  {
+  public:
+    explicit Position_check(const Periodic_cell_2& cell)
+      : m_torus(cell)
+    {
+    }
+    void operator()(const Point& p, size_type place) const { checked_position(p, place, m_torus); }
+
+  private:
+    Floating_point m_floating_point;
+    Dynamic_Delaunay_triangulations_2::internal::Torus_2 m_torus;
+  };
+  Position_check position_check() const { return Position_check(cell()); }
+  Position_check position_check(const Periodic_cell_2& next) const
+  {
+    check_next(next);
+    return Position_check(next);
+  }
+
   // For `Dynamic_population_2`: a frame in which points are removed and inserted, too. The range
-  // has a position for each id that is in use now. Writes the ids of the new points.
+  // has a position for each id that is in use now. All but those of removed points have been
+  // checked, as have the new points. Writes the ids of the new points.
   template <class InputIterator>
   Update_report_2 update_population(InputIterator first, InputIterator beyond,
                                     const std::vector<size_type>& gone,
@@ -408,7 +432,6 @@ public:
                                     std::vector<size_type>& coming_ids, const Periodic_cell_2& cell)
   {
     const Floating_point floating_point;
-    check_next(cell);
     Change change;
     Population_input::read_newcomers(coming.begin(), coming.end(), Identity_property_map<Point>(),
                                      m_core->state, change);
@@ -418,7 +441,6 @@ public:
     m_next.clear();
     for (; first != beyond; ++first)
       m_next.push_back({first->x(), first->y()});
-    check_positions(Read_positions{m_next}, cell);
     std::vector<size_type> ids(change.coming.begin(), change.coming.end());
     return run_frame([&](Update_report_2& report) {
       for (const Index id : change.gone)
@@ -638,7 +660,7 @@ public:
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     const Floating_point floating_point;
-    Periodic_checkpoint_writer_2<State>(m_core->state, is_certified(), m_core->update.memory())
+    Checkpoint_writer_2<State>(m_core->state, is_certified(), m_core->update.memory())
         .write(out, subject, append);
   }
 
@@ -649,9 +671,9 @@ public:
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     const Floating_point floating_point;
     Checkpoint_input_2 file(in, subject);
-    Periodic_checkpoint_reader_2<State> reader(file,
-                                               [](const Periodic_cell_2& cell) { check(cell); });
-    State state = reader.read();
+    Checkpoint_reader_2<State> reader(file);
+    State state(cell());
+    reader.read(state);
     read_more(file, state.ids());
     file.finish();
     Delaunay_classifier classifier = m_classifier;
@@ -719,11 +741,7 @@ private:
   static void check(const Periodic_cell_2& cell)
   {
     const Floating_point floating_point;
-    const Dynamic_Delaunay_triangulations_2::internal::Torus_2 torus(cell);
-    if (!torus.is_measurable())
-      throw Periodic_cell_error_2(cell.ax(), cell.ay(), cell.bx(), cell.by(),
-                                  "doubles cannot tell how far points are apart in it");
-    Dynamic_Delaunay_triangulations_2::internal::short_basis(torus); // throws if there is none
+    Dynamic_Delaunay_triangulations_2::internal::check_cell(cell);
   }
 
   void check_id(size_type id) const

@@ -11,7 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/User_id_table_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_streams_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Periodic_cell_2.h>
@@ -125,8 +125,9 @@ public:
   /// \tparam InputIterator its values are pairs of a `User_id` and a `Point`.
   /// \throws Repeated_id_error_2 if an id is given more than once.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite, or
-  /// Coordinate_range_error_2 if it is too large; the `id()` of these is the place in the range.
-  /// \throws Point_limit_error_2 if there are more points than 32 bits allow.
+  /// Coordinate_range_error_2 if it is too large, or in periodic space Periodic_range_error_2 if a
+  /// point is too many cells from the origin; the `id()` of these is the place in the range,
+  /// counted from 0. \throws Point_limit_error_2 if there are more points than 32 bits allow.
   template <class InputIterator>
   Update_report_2 update(InputIterator first, InputIterator beyond)
   {
@@ -151,6 +152,7 @@ public:
   }
 
   /// the same for a `Dynamic_periodic_Delaunay_triangulation_2` in a cell that has changed.
+  /// \throws Periodic_cell_error_2 as `Dynamic_periodic_Delaunay_triangulation_2::update()` does.
   template <class InputIterator, class IdMap, class PointMap>
   Update_report_2 update(InputIterator first, InputIterator beyond, IdMap id_map,
                          PointMap point_map, const Periodic_cell_2& cell)
@@ -168,12 +170,13 @@ public:
   }
 
   /// adds a point. \throws Repeated_id_error_2 if a point has this id already.
-  /// \throws Non_finite_coordinate_error_2 or Coordinate_range_error_2 if a coordinate cannot be
-  /// used.
+  /// \throws Non_finite_coordinate_error_2, Coordinate_range_error_2 or Periodic_range_error_2 if
+  /// it cannot be there; their `id()` is 0.
   Update_report_2 insert(UserId user_id, const Point& p)
   {
     if (has(user_id))
       throw Repeated_id_error_2(user_id);
+    m_triangulation.position_check()(p, 0);
     forget_newcomers();
     m_newcomers.push_back(user_id);
     m_newcomers_follow.push_back(no_id);
@@ -187,18 +190,14 @@ public:
   /// moves some of the points, as `Dynamic_Delaunay_triangulation_2::move()` does.
   /// \tparam InputIterator its values are pairs of a `User_id` and a `Point`.
   /// \throws Unknown_user_id_error_2 if an id belongs to no point.
-  /// \throws Repeated_id_error_2 if an id is given more than once; it names the point by its id in
-  /// `triangulation()`.
-  /// \throws Non_finite_coordinate_error_2 or Coordinate_range_error_2 if a coordinate cannot be
-  /// used.
+  /// \throws Repeated_id_error_2 if an id is given more than once.
+  /// \throws Non_finite_coordinate_error_2, Coordinate_range_error_2 or Periodic_range_error_2 if a
+  /// point cannot be there; their `id()` is the place in the range, counted from 0.
   template <class InputIterator>
   Update_report_2 move(InputIterator first, InputIterator beyond)
   {
     std::vector<std::pair<size_type, Point>> movers;
-    for (; first != beyond; ++first) {
-      auto&& mover = *first;
-      movers.emplace_back(id(mover.first), mover.second);
-    }
+    read_movers(first, beyond, movers);
     return m_triangulation.move(movers.begin(), movers.end());
   }
 
@@ -306,7 +305,7 @@ private:
   Update_report_2 update_to(InputIterator first, InputIterator beyond, IdMap id_map,
                             PointMap point_map, const Cell&... cell)
   {
-    read(first, beyond, id_map, point_map);
+    read(first, beyond, id_map, point_map, m_triangulation.position_check(cell...));
     find_missing();
     m_new_ids.clear();
     const At_exit settle{[this] {
@@ -362,9 +361,9 @@ private:
   }
 
   // Separates the points of a frame into existing and new ones. Nothing else changes.
-  template <class InputIterator, class IdMap, class PointMap>
+  template <class InputIterator, class IdMap, class PointMap, class Check>
   void read(InputIterator first, InputIterator beyond, const IdMap& id_map,
-            const PointMap& point_map)
+            const PointMap& point_map, const Check& check)
   {
     Dynamic_Delaunay_triangulations_2::internal::length_within_limit(first, beyond, 0);
     forget_newcomers();
@@ -376,7 +375,7 @@ private:
       auto&& value = *first;
       const UserId user_id = get(id_map, value);
       const Point p = get(point_map, value);
-      Dynamic_Delaunay_triangulations_2::internal::checked_position(p, place);
+      check(p, place);
       const size_type id = find(user_id);
       if (id == no_id) {
         m_newcomers.push_back(user_id);
@@ -391,6 +390,21 @@ private:
       note_order(id);
     }
     Dynamic_Delaunay_triangulations_2::internal::check_distinct(m_newcomers);
+  }
+
+  template <class InputIterator>
+  void read_movers(InputIterator first, InputIterator beyond,
+                   std::vector<std::pair<size_type, Point>>& movers) const
+  {
+    const auto check = m_triangulation.position_check();
+    std::vector<UserId> user_ids;
+    for (; first != beyond; ++first) {
+      auto&& mover = *first;
+      user_ids.push_back(mover.first);
+      movers.emplace_back(id(mover.first), mover.second);
+      check(movers.back().second, movers.size() - 1);
+    }
+    Dynamic_Delaunay_triangulations_2::internal::check_distinct(user_ids);
   }
 
   // Most points directly follow the point that they followed in the last frame, or come soon after

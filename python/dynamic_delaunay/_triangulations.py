@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._core import ClassifierFrame, Group, UpdateReport
-from .errors import PeriodicCellError, UnknownIdError
+from .errors import InputIndexError, InputTypeError, InputValueError, PeriodicCellError, UnknownIdError
 from .neighbors import NeighborList
 
 Classifier = Union[str, Callable[[ClassifierFrame], Any]]
@@ -37,13 +37,13 @@ def _settings(
     classifier: Classifier, repair: Optional[str], policy: str, changes: bool, threads: int, seed: int
 ) -> dict[str, Any]:
     if not isinstance(classifier, str) and not callable(classifier):
-        raise TypeError(f"the classifier is {classifier!r}: it must be a name or a function")
+        raise InputTypeError(f"the classifier is {classifier!r}: it must be a name or a function")
     if repair is not None and not isinstance(repair, str):
-        raise TypeError(f"the repair is {repair!r}: it must be a name or None")
+        raise InputTypeError(f"the repair is {repair!r}: it must be a name or None")
     if not isinstance(policy, str):
-        raise TypeError(f"the policy is {policy!r}: it must be a name")
+        raise InputTypeError(f"the policy is {policy!r}: it must be a name")
     if not isinstance(changes, (bool, np.bool_)):
-        raise TypeError(f"changes is {changes!r}: it must be True or False")
+        raise InputTypeError(f"changes is {changes!r}: it must be True or False")
     return dict(
         classifier=classifier,
         repair=repair or "",
@@ -54,13 +54,17 @@ def _settings(
     )
 
 
-def _integer(name: str, number: Any, bound: int) -> int:
+def _index(name: str, number: Any) -> int:
     try:
-        integer = operator.index(number)
+        return operator.index(number)
     except TypeError:
-        raise TypeError(f"{name} is {number!r}: it must be an integer") from None
+        raise InputTypeError(f"{name} is {number!r}: it must be an integer") from None
+
+
+def _integer(name: str, number: Any, bound: int) -> int:
+    integer = _index(name, number)
     if not 0 <= integer < bound:
-        raise ValueError(f"{name} is {integer}: it must be from 0 to {bound - 1}")
+        raise InputValueError(f"{name} is {integer}: it must be from 0 to {bound - 1}")
     return integer
 
 
@@ -69,14 +73,34 @@ def _processors() -> int:
 
 
 def _rows(points: ArrayLike) -> ArrayLike:
-    """One point (2,) becomes (1, 2)."""
-    array = np.asarray(points)
+    """One point (2,) becomes (1, 2). What is no array at all is refused where points are read."""
+    try:
+        array = np.asarray(points)
+    except (TypeError, ValueError):
+        return points
     return array[np.newaxis] if array.shape == (2,) else points
+
+
+def _list(ids: ArrayLike) -> ArrayLike:
+    """One id becomes (1,)."""
+    try:
+        return np.atleast_1d(ids)
+    except (TypeError, ValueError):
+        return ids
+
+
+def _floats(name: str, numbers: ArrayLike) -> NDArray[np.float64]:
+    try:
+        return np.asarray(numbers, dtype=np.float64)
+    except TypeError as error:
+        raise InputTypeError(f"{name} must be real numbers: {error}") from None
+    except ValueError as error:
+        raise InputValueError(f"{name} must be real numbers: {error}") from None
 
 
 def _cell(cell: ArrayLike) -> _core.Cell:
     """From two sides, two vectors as rows, or one vector as one row."""
-    array = np.asarray(cell, dtype=np.float64)
+    array = _floats("a cell", cell)
     if array.shape == (2,):
         return _core.Cell(array[0], 0.0, 0.0, array[1], False)
     if array.shape == (2, 2):
@@ -158,8 +182,9 @@ class _Triangulation(_core.Triangulation):
     def neighbors_of(self, row: int) -> NDArray[np.int32]:
         """int32 (k,): the rows of the neighbors of one row, counterclockwise."""
         indptr, indices = self._arrays(Group.NEIGHBOR_LISTS)[:2]
+        row = _index("the row", row)
         if not 0 <= row < len(indptr) - 1:
-            raise IndexError(f"there is no row {row}: they are from 0 to before {len(indptr) - 1}")
+            raise InputIndexError(f"there is no row {row}: they are from 0 to before {len(indptr) - 1}")
         neighbors: NDArray[np.int32] = indices[indptr[row] : indptr[row + 1]]
         return neighbors
 
@@ -193,7 +218,7 @@ class _Triangulation(_core.Triangulation):
 
     def voronoi_cell(self, id: int) -> NDArray[np.float64]:
         """float64 (k, 2): the corners of the Voronoi cell of a point, counterclockwise; none if it is unbounded."""
-        integer = operator.index(id)
+        integer = _index("the id", id)
         if not -(2**63) <= integer < 2**63:
             raise UnknownIdError(f"there is no point with id {integer}: ids have 64 bits")
         return self._cell_corners(integer)
@@ -220,8 +245,13 @@ class _Triangulation(_core.Triangulation):
         return self._checkpoint()
 
     def restore(self, checkpoint: bytes) -> None:
-        """Replace everything by a checkpoint of the same kind. CheckpointError if it is damaged; nothing changes."""
-        self._restore(bytes(memoryview(checkpoint)))
+        """Replace everything by a checkpoint of the same kind. CheckpointError if it is damaged, or if
+        anything follows; nothing changes."""
+        try:
+            text = bytes(memoryview(checkpoint))
+        except TypeError as error:
+            raise InputTypeError(f"a checkpoint is no {type(checkpoint).__name__}: {error}") from None
+        self._restore(text)
 
     def save(self, path: Union[str, os.PathLike[str]]) -> None:
         """Write a checkpoint to a file."""
@@ -234,8 +264,9 @@ class _Triangulation(_core.Triangulation):
             self.restore(file.read())
 
     def __reduce__(self) -> tuple[Any, ...]:
+        checkpoint = self.checkpoint()  # UseError if there are no settings, as __init__() was not called
         others = {name: value for name, value in vars(self).items() if name != "_settings"}
-        return _restored, (type(self), self._settings, self.checkpoint()), others or None
+        return _restored, (type(self), self._settings, checkpoint), others or None
 
     def __len__(self) -> int:
         return self.number_of_points
@@ -303,9 +334,9 @@ class _Planar(_Triangulation):
     def clipped_cells(self, box: ArrayLike) -> CellMeasures:
         """Measures of the parts of the Voronoi cells inside a box (xmin, ymin, xmax, ymax). Cells of the hull are
         bounded there. Cost: linear."""
-        sides = np.asarray(box, dtype=np.float64)
+        sides = _floats("a box", box)
         if sides.shape != (4,):
-            raise ValueError(f"a box has the shape {sides.shape}: it must be (4,), for xmin, ymin, xmax and ymax")
+            raise InputValueError(f"a box has the shape {sides.shape}: it must be (4,), for xmin, ymin, xmax and ymax")
         return CellMeasures(*self._clipped_cells(*sides))
 
 
@@ -403,11 +434,11 @@ class DynamicDelaunay(_Planar):
 
     def remove(self, ids: ArrayLike) -> UpdateReport:
         """Remove points by their ids, int (m,), or one."""
-        return self._remove(np.atleast_1d(ids))
+        return self._remove(_list(ids))
 
     def move(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport:
         """Move some points, int (m,), or one, to positions, float (m, 2) or (2,). All others stay."""
-        return self._move(np.atleast_1d(ids), _rows(points))
+        return self._move(_list(ids), _rows(points))
 
     @property
     def created_edges(self) -> NDArray[np.int32]:
@@ -474,15 +505,15 @@ class _ByIds(_Triangulation):
 
     def insert(self, id: int, point: ArrayLike) -> None:
         """Add one point, float (2,), by a new id."""
-        self._insert(_rows(point), np.atleast_1d(id))
+        self._insert(_rows(point), _list(id))
 
     def remove(self, id: int) -> UpdateReport:
         """Remove one point."""
-        return self._remove(np.atleast_1d(id))
+        return self._remove(_list(id))
 
     def move(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport:
         """Move some points, int (m,), or one, to positions, float (m, 2) or (2,). All others stay."""
-        return self._move(np.atleast_1d(ids), _rows(points))
+        return self._move(_list(ids), _rows(points))
 
     @property
     def created_edges(self) -> NDArray[np.int64]:
@@ -499,7 +530,7 @@ class _ByIds(_Triangulation):
 
 def _given(name: str, array: Optional[ArrayLike]) -> ArrayLike:
     if array is None:
-        raise TypeError(f"ids and points must be given together, or neither: there are no {name}")
+        raise InputTypeError(f"ids and points must be given together, or neither: there are no {name}")
     return array
 
 

@@ -8,6 +8,22 @@ class DynamicDelaunayError(Exception):
     """The base of all of them."""
 
 
+class InputTypeError(DynamicDelaunayError, TypeError):
+    """An argument, or what a classifier returned, has a type that cannot be used."""
+
+
+class InputValueError(DynamicDelaunayError, ValueError):
+    """An argument has another shape than it must have, or is none of the values that are allowed."""
+
+
+class InputIndexError(DynamicDelaunayError, IndexError):
+    """There is no such row; or a classifier has named a vertex or an edge that does not exist."""
+
+
+class UseError(DynamicDelaunayError, RuntimeError):
+    """An object is used when it cannot be: before ``__init__()``, or by its own classifier."""
+
+
 class NonFiniteCoordinateError(DynamicDelaunayError, ValueError):
     """A coordinate is NaN or infinite. ``id`` of the point, ``x``, ``y``. Where ids are given: its place."""
 
@@ -17,7 +33,7 @@ class NonFiniteCoordinateError(DynamicDelaunayError, ValueError):
 
 
 class CoordinateRangeError(DynamicDelaunayError, ValueError):
-    """A coordinate is too large. ``id`` of the point, ``x``, ``y``, ``limit``."""
+    """A coordinate is too large. ``id`` of the point, ``x``, ``y``, ``limit``. Where ids are given: its place."""
 
     id: int
     x: float
@@ -66,12 +82,12 @@ class PeriodicCellError(DynamicDelaunayError, ValueError):
 
 
 class PeriodicRangeError(DynamicDelaunayError, ValueError):
-    """A point is 2**20 cells or more from the origin. ``id``."""
+    """A point is 2**20 cells or more from the origin. ``id`` of the point. Where ids are given: its place."""
 
     id: int
 
 
 class CheckpointError(DynamicDelaunayError, ValueError):
-    """A checkpoint is damaged, or cannot be written. ``line``, or 0 if the error concerns no line."""
+    """A checkpoint is damaged, has something after its end, or cannot be written. ``line``, or 0 if the error concerns no line."""
 
     line: int

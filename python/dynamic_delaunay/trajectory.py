@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from ._core import UpdateReport
 from ._triangulations import DynamicDelaunay, PeriodicDelaunay, PeriodicPopulation, Population
+from .errors import InputValueError
 
 Followed = Union[DynamicDelaunay, PeriodicDelaunay, Population, PeriodicPopulation]
 
@@ -80,7 +81,7 @@ def _frames(trajectory: Iterable[Any]) -> Iterator[tuple[Any, Any, Any]]:
 def _frames_of_table(table: Any) -> Iterator[tuple[Any, NDArray[np.int64], NDArray[np.float64]]]:
     missing = {"frame", "id", "x", "y"}.difference(table.columns)
     if missing:
-        raise ValueError(f"the table has no column {', '.join(sorted(missing))}: it must have frame, id, x and y")
+        raise InputValueError(f"the table has no column {', '.join(sorted(missing))}: it must have frame, id, x and y")
     numbers = table["frame"].to_numpy()
     order = np.argsort(numbers, kind="stable")
     ids = table["id"]

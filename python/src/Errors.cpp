@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <exception>
+#include <stdexcept>
 #include <string>
 #include <variant>
 
@@ -20,7 +21,7 @@ using namespace bindings;
 
 namespace {
 
-void set_error(const char* name, const std::string& message, const py::dict& data)
+void set_error(const char* name, const std::string& message, const py::dict& data = {})
 {
   const py::object type = py::module_::import("dynamic_delaunay.errors").attr(name);
   const py::object error = type(message);
@@ -46,6 +47,25 @@ py::object value_of(const Error_field& field)
   return py::int_(std::get<std::size_t>(field.value));
 }
 
+// Of what these files, and what they use, refuse by exceptions of pybind11 and of C++. Any other
+// one is none of the package.
+void translate_refusal(const std::exception_ptr& exception)
+{
+  try {
+    std::rethrow_exception(exception);
+  } catch (const py::type_error& error) {
+    set_error("InputTypeError", error.what());
+  } catch (const py::value_error& error) {
+    set_error("InputValueError", error.what());
+  } catch (const std::invalid_argument& error) {
+    set_error("InputValueError", error.what());
+  } catch (const std::out_of_range& error) {
+    set_error("InputIndexError", error.what());
+  } catch (const Use_error& error) {
+    set_error("UseError", error.what());
+  }
+}
+
 void translate(std::exception_ptr exception)
 {
   if (const auto description = error_description(exception)) {
@@ -55,7 +75,7 @@ void translate(std::exception_ptr exception)
     }
     set_error(description->name, description->message, data);
   } else {
-    std::rethrow_exception(exception);
+    translate_refusal(exception);
   }
 }
 

@@ -6,8 +6,16 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 
 namespace python {
+
+// An object is used when it cannot be used.
+class Use_error : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
 
 // Translates the package's exceptions to those of errors.py, with the same data.
 void register_errors();

@@ -3,9 +3,9 @@
 
 #include "python/src/Function_in_python.h"
 
+#include "python/src/Errors.h"
 #include "python/src/Numpy.h"
 
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -29,7 +29,7 @@ public:
   const Frame_copies& operator*() const
   {
     if (m_frame == nullptr) {
-      throw std::runtime_error("a frame is valid only while its classifier is called");
+      throw Use_error("a frame is valid only while its classifier is called");
     }
     return *m_frame;
   }

@@ -47,7 +47,7 @@ public:
              const std::optional<Cell>& cell)
   {
     if (m_subject) {
-      throw std::runtime_error("a triangulation is initialized once; restore() replaces all of it");
+      throw Use_error("a triangulation is initialized once; restore() replaces all of it");
     }
     Python_settings settings{{"", repair, policy, seed, changes, is_population, cell}, nullptr};
     if (py::isinstance<py::str>(classifier)) {
@@ -230,8 +230,7 @@ private:
   Subject& subject() const
   {
     if (!m_subject) {
-      throw std::runtime_error(
-          "the triangulation is not initialized: its __init__() was not called");
+      throw Use_error("the triangulation is not initialized: its __init__() was not called");
     }
     return *m_subject;
   }
@@ -239,8 +238,8 @@ private:
   void check_caller() const
   {
     if (m_caller == std::this_thread::get_id()) {
-      throw std::runtime_error("a triangulation cannot be used by its own classifier, which is "
-                               "given all that it may ask for");
+      throw Use_error("a triangulation cannot be used by its own classifier, which is "
+                      "given all that it may ask for");
     }
   }
 

@@ -137,8 +137,9 @@ def test_an_exception_of_a_classifier_leaves_everything_as_it_was():
 )
 def test_refuses_other_answers(answer, error):
     dt = DynamicDelaunay(POINTS, classifier=lambda frame: answer)
-    with pytest.raises(error, match="classifier"):
+    with pytest.raises(error, match="classifier") as refused:
         dt.update(next_frame(POINTS))
+    assert isinstance(refused.value, errors.DynamicDelaunayError)
     assert np.array_equal(dt.points, POINTS)
 
 

@@ -1,10 +1,13 @@
 # Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 
+import copy
+import pickle
+
 import numpy as np
 import pytest
 
-from dynamic_delaunay import DynamicDelaunay, PeriodicDelaunay, PeriodicPopulation, Population, errors
+from dynamic_delaunay import DynamicDelaunay, PeriodicDelaunay, PeriodicPopulation, Population, errors, track
 
 POINTS = np.random.default_rng(1).random((60, 2))
 OTHERS = np.random.default_rng(2).random((60, 2))
@@ -202,6 +205,83 @@ def test_refuses_what_is_no_box_or_checkpoint():
     assert np.array_equal(dt.points, POINTS)
 
 
+@pytest.mark.parametrize(
+    "wrong, kind",
+    [
+        (lambda dt: dt.update(np.zeros((3, 3))), ValueError),
+        (lambda dt: dt.update("points"), TypeError),
+        (lambda dt: dt.insert([[0, 1], [2]]), TypeError),
+        (lambda dt: dt.remove([1.5]), TypeError),
+        (lambda dt: dt.remove([[1], [2, 3]]), TypeError),
+        (lambda dt: dt.move([[1]], (0, 0)), ValueError),
+        (lambda dt: dt.find_simplex(np.zeros(3)), ValueError),
+        (lambda dt: dt.clipped_cells((0, 0, 1)), ValueError),
+        (lambda dt: dt.clipped_cells("box!"), ValueError),
+        (lambda dt: dt.clipped_cells(({}, 0, 1, 1)), TypeError),
+        (lambda dt: dt.voronoi_cell("1"), TypeError),
+        (lambda dt: dt.neighbors_of(60), IndexError),
+        (lambda dt: dt.neighbors_of(1.5), TypeError),
+        (lambda dt: dt.created_edges, ValueError),
+        (lambda dt: dt.restore("text"), TypeError),
+        (lambda dt: dt.__init__(), RuntimeError),
+        (lambda dt: DynamicDelaunay(classifier="best"), ValueError),
+        (lambda dt: DynamicDelaunay(classifier=3), TypeError),
+        (lambda dt: DynamicDelaunay(threads=10**6), ValueError),
+        (lambda dt: PeriodicDelaunay(POINTS, cell="square"), ValueError),
+        (lambda dt: PeriodicDelaunay(POINTS, cell=(1, None, {})), TypeError),
+        (lambda dt: Population([1, 2], [(0, 0)]), ValueError),
+        (lambda dt: Population([1, 2]), TypeError),
+        (lambda dt: Population([1], [(0, 0)]).insert([1, 2], POINTS[:2]), ValueError),
+        (lambda dt: list(track(pandas_without("id"))), ValueError),
+    ],
+)
+def test_every_refusal_is_an_error_of_the_package_and_one_of_python(wrong, kind):
+    dt = DynamicDelaunay(POINTS)
+    with pytest.raises(errors.DynamicDelaunayError) as refused:
+        wrong(dt)
+    assert isinstance(refused.value, kind) and type(refused.value).__module__ == "dynamic_delaunay.errors"
+    assert np.array_equal(dt.points, POINTS)
+
+
+def pandas_without(column):
+    return pytest.importorskip("pandas").DataFrame(np.zeros((3, 4)), columns=["frame", "id", "x", "y"]).drop(columns=column)
+
+
+def test_errors_about_positions_of_a_population_have_places_in_the_call():
+    population = PeriodicPopulation([1, 2, 3], POINTS[:3], (1, 1))
+    with pytest.raises(errors.PeriodicRangeError, match="point 0 ") as refused:
+        population.update([3, 1], [(2e6, 0), (0, 0)])
+    assert refused.value.id == 0
+    with pytest.raises(errors.PeriodicRangeError) as refused:
+        population.move([2, 3], [(0, 0), (2e6, 0)])
+    assert refused.value.id == 1
+    with pytest.raises(errors.NonFiniteCoordinateError) as refused:
+        population.insert(4, (np.nan, 0))
+    assert refused.value.id == 0
+    assert np.array_equal(population.points, POINTS[:3])
+
+
+@pytest.mark.parametrize(
+    "triangulation",
+    [DynamicDelaunay(POINTS), PeriodicDelaunay(POINTS), Population(range(60), POINTS),
+     PeriodicPopulation(range(60), POINTS)],
+    ids=lambda triangulation: type(triangulation).__name__,
+)
+def test_refuses_what_follows_a_checkpoint(triangulation, tmp_path):
+    checkpoint = triangulation.checkpoint()
+    lines = checkpoint.count(b"\n")
+    other = type(triangulation)()
+    for more in (b"zz", b"\n", b"\0", checkpoint):
+        with pytest.raises(errors.CheckpointError, match="more after the end") as refused:
+            other.restore(checkpoint + more)
+        assert refused.value.line == lines + 1 and len(other) == 0
+    (tmp_path / "file").write_bytes(checkpoint + b" ")
+    with pytest.raises(errors.CheckpointError, match="more after the end"):
+        other.load(tmp_path / "file")
+    other.restore(checkpoint)
+    assert np.array_equal(other.points, POINTS)
+
+
 class Unprepared(DynamicDelaunay):
     def __init__(self):
         pass
@@ -209,8 +289,14 @@ class Unprepared(DynamicDelaunay):
 
 def test_objects_are_initialized_once():
     for unprepared in (Unprepared(), DynamicDelaunay.__new__(DynamicDelaunay)):
-        for use in (lambda: unprepared.edges, lambda: unprepared.update(POINTS), lambda: len(unprepared)):
-            with pytest.raises(RuntimeError, match="was not called"):
+        for use in (
+            lambda: unprepared.edges,
+            lambda: unprepared.update(POINTS),
+            lambda: len(unprepared),
+            lambda: pickle.dumps(unprepared),
+            lambda: copy.copy(unprepared),
+        ):
+            with pytest.raises(errors.UseError, match="was not called"):
                 use()
     dt = DynamicDelaunay(POINTS)
     with pytest.raises(RuntimeError, match="initialized once"):

@@ -33,9 +33,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <random>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -208,6 +210,51 @@ TYPED_TEST(A_heuristic_classifier, leaves_a_torus_and_says_what_it_does_not_know
   EXPECT_GT(uncertified, 30u);
 }
 
+// A program may go on from it: the checkpoint is written, and read again.
+template <class Dynamic>
+void expect_torus(const Dynamic& pt)
+{
+  ASSERT_TRUE(pt.is_valid());
+  std::stringstream file;
+  pt.write_checkpoint(file);
+  Dynamic(pt.cell()).read_checkpoint(file);
+}
+
+TYPED_TEST(A_heuristic_classifier, leaves_a_torus_where_the_cell_changes_its_orientation)
+{
+  Cloud cloud(7, 30, 2);
+  Triangulation<TypeParam> pt(cloud.points, Cell(4, 1));
+  for (const Cell& cell : {Cell(0, 2, 2, 0), Cell(2, 2), Cell(-0.6, 0, 0, 0.6), Cell(0, 1, 1, 0)}) {
+    pt.update(cloud.points, cell);
+    ASSERT_NO_FATAL_FAILURE(expect_torus(pt));
+    pt.update(cloud.points);
+    ASSERT_NO_FATAL_FAILURE(expect_torus(pt));
+  }
+}
+
+// Multiples of (1, 2) and (0, 1), of the other orientation, are nearest to the vectors of the first
+// cell.
+TYPED_TEST(A_heuristic_classifier,
+           leaves_a_torus_where_the_nearest_vectors_have_another_orientation)
+{
+  Cloud cloud(8, 30, 1);
+  Triangulation<TypeParam> pt(cloud.points, Cell(0.4, 0.6, 0.9, 1.6));
+  pt.update(cloud.points, Cell(1, 1));
+  ASSERT_NO_FATAL_FAILURE(expect_torus(pt));
+}
+
+TYPED_TEST(A_heuristic_classifier, leaves_a_torus_whatever_cells_follow_each_other)
+{
+  Cloud cloud(9, 12, 2);
+  Triangulation<TypeParam> pt(cloud.points, Cell(2, 2));
+  for (int frame = 0; frame < 200; ++frame) {
+    const auto number = [&] { return cloud.between(-2, 2); };
+    const double ax = number(), ay = number(), bx = number();
+    pt.update(cloud.points, Cell(ax, ay, bx, number()));
+    ASSERT_NO_FATAL_FAILURE(expect_torus(pt)) << frame;
+  }
+}
+
 TYPED_TEST(A_heuristic_classifier, is_followed_by_a_repair_of_all_where_points_come_and_go)
 {
   Cloud cloud(5, 30, 6);
@@ -254,6 +301,29 @@ TYPED_TEST(A_heuristic_classifier, works_for_few_points_and_for_points_that_coin
       }
     }
   }
+}
+
+// Each second cell is exchanged for the first one as if it had been sheared farther than back.
+// Edges that nobody repairs have more cells between their ends with each frame.
+TEST(A_random_classifier, that_names_nobody_leaves_a_torus_while_cells_are_exchanged_in_turn)
+{
+  Cloud cloud(10, 20, 1);
+  Triangulation<CGAL::Random_classifier_2> pt(cloud.points, Cell(1, 1),
+                                              CGAL::Random_classifier_2(0));
+  int most = 0;
+  for (int frame = 0; frame < 50; ++frame) {
+    for (const Cell& cell :
+         {Cell(1.4, 0.55, 0, 1), Cell(1, 1), Cell(1, 0, 0.55, 1.4), Cell(1, 1)}) {
+      pt.update(cloud.points, cell);
+      ASSERT_NO_FATAL_FAILURE(expect_torus(pt)) << frame;
+    }
+    pt.for_each_edge([&](std::size_t, std::size_t, const Shift& shift) {
+      most = (std::max)({most, std::abs(shift[0]), std::abs(shift[1])});
+    });
+  }
+  EXPECT_GT(most, 1 << 20);
+  pt.mend();
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
 }
 
 TEST(A_voronoi_circumcenter_classifier, finds_all_that_breaks_where_nothing_is_near_a_tie)

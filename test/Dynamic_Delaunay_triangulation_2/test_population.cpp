@@ -896,6 +896,37 @@ TEST(User_id_table, finds_what_is_there_whatever_steps_ids_make)
   ASSERT_NO_FATAL_FAILURE(expect_a_table_like_a_map(letters, 4));
 }
 
+// The multiplicative inverse of an odd number modulo 2^64, by Newton's method.
+std::uint64_t inverse(std::uint64_t factor)
+{
+  std::uint64_t inverse = factor;
+  for (int i = 0; i < 6; ++i)
+    inverse *= 2 - factor * inverse;
+  return inverse;
+}
+
+// Ids whose products with a factor are 0, 1, 2, ... belong together where the first bits of such a
+// product tell the place; ids of the other kinds where single bits do. Half of the slots are empty,
+// so some two slots are read for each id, where all ids together would read 20,000 for each.
+TEST(User_id_table, reads_few_slots_for_ids_that_an_enemy_has_chosen)
+{
+  constexpr std::uint64_t number = 40000;
+  std::vector<std::uint64_t> steps{1, 1ull << 32, 1ull << 47, 0x100000001u};
+  for (const std::uint64_t known_factor :
+       {0x9E3779B97F4A7C15u, 0xC6A4A7935BD1E995u, 0xFF51AFD7ED558CCDu, 0xC4CEB9FE1A85EC53u})
+    steps.push_back(inverse(known_factor));
+  for (const std::uint64_t step : steps) {
+    CGAL::Dynamic_Delaunay_triangulations_2::internal::User_id_table_2<std::uint64_t> table;
+    table.reserve_extra(number);
+    for (std::uint64_t i = 0; i < number; ++i)
+      table.set(i * step, i);
+    std::size_t probes = 0;
+    for (std::uint64_t i = 0; i < number; ++i)
+      probes += table.number_of_probes(i * step);
+    EXPECT_LT(probes, 3 * number) << "step " << step;
+  }
+}
+
 TEST(User_id_table, is_empty_after_it_was_moved)
 {
   CGAL::Dynamic_Delaunay_triangulations_2::internal::User_id_table_2<int> table;

@@ -13,6 +13,7 @@ import atexit
 import functools
 import os
 import pathlib
+import re
 import shlex
 import shutil
 import subprocess
@@ -37,13 +38,22 @@ def header_of(guard):
     return (INTERNAL / guard["file"]).resolve()
 
 
+def place_of(guard, text):
+    """A match of what the guard edits, however lines are broken there; None unless there is one alone."""
+    old = guard["old"]
+    words = r"\s+".join(re.escape(word) for word in old.split())
+    pattern = re.escape(old[: len(old) - len(old.lstrip())]) + words
+    found = list(re.finditer(pattern, text))
+    return found[0] if len(found) == 1 else None
+
+
 def mutated(guard):
     """The text of the broken header."""
     text = header_of(guard).read_text()
-    if text.count(guard["old"]) != 1:
-        sys.exit(f'{guard["name"]}: what it edits is {text.count(guard["old"])} times in {guard["file"]}, and has to be '
-                 "there once")
-    return text.replace(guard["old"], guard["new"])
+    place = place_of(guard, text)
+    if place is None:
+        sys.exit(f'{guard["name"]}: what it edits has to be in {guard["file"]} once, and is not')
+    return text[: place.start()] + guard["new"] + text[place.end() :]
 
 
 def source_of(test):

@@ -9,6 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
+#include <boost/core/noinit_adaptor.hpp>
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <algorithm>
@@ -17,7 +18,6 @@
 #include <limits>
 #include <memory>
 #include <numeric>
-#include <type_traits>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -67,31 +67,10 @@ void reserve_extra(Vector& data, std::size_t more)
     data.reserve(2 * data.size() + more);
 }
 
-// Leaves elements that a vector appends by their number alone without a value. The operating system
-// then gives memory to the threads that write them first, and not page by page to one of them.
+// Leaves elements that it appends by their number alone without a value. The operating system then
+// gives memory to the threads that write them first, and not page by page to one of them.
 template <class T>
-struct Uninitialized_allocator_2 : std::allocator<T>
-{
-  template <class U>
-  struct rebind
-  {
-    using other = Uninitialized_allocator_2<U>;
-  };
-
-  template <class U>
-  void construct(U* place) noexcept
-  {
-    static_assert(std::is_trivially_destructible_v<U>);
-    ::new (static_cast<void*>(place)) U;
-  }
-  template <class U, class... Arguments>
-  void construct(U* place, Arguments&&... arguments)
-  {
-    ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
-  }
-};
-template <class T>
-using Uninitialized_vector_2 = std::vector<T, Uninitialized_allocator_2<T>>;
+using Uninitialized_vector_2 = std::vector<T, boost::noinit_adaptor<std::allocator<T>>>;
 
 // A list that keeps its memory. Appending to it is one comparison and one store, which compilers
 // put in place; std::vector's is a function that they call.

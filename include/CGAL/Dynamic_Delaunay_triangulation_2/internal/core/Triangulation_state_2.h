@@ -16,6 +16,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/accepts_inexact_predicates_2.h>
 #include <CGAL/number_type_basic.h>
 #include <CGAL/tags.h>
 
@@ -110,6 +111,34 @@ public:
   }
 
   static constexpr std::size_t number_of_cell_changes() { return 0; }
+
+  // CORNERS ---------------------------------------------------------------------------------------
+  // A corner is a vertex as it is seen from somewhere, and a frame says from where: in the plane
+  // from everywhere alike.
+
+  using Corner = Index;
+  struct Frame
+  {
+  };
+  using Predicates = Vertex_predicates_2<Triangulation_state_2>;
+  static constexpr bool predicates_are_exact = !Are_known_to_be_inexact_2<Traits>::value;
+
+  static Index vertex_of(Corner corner) { return corner; }
+  static Corner corner_of(Index v) { return v; }
+  // The apex of half-edge h, as seen by a frame of its face.
+  Corner corner_in(Index h, Frame) const { return arrays().apex(h); }
+  // The frame of the face of h as seen from its apex, and that of the face beyond h.
+  static Frame frame_at(Index) { return {}; }
+  static Frame frame_beyond(Index, Frame) { return {}; }
+  const Position_2& rounded_position(Corner corner) const { return positions()[corner]; }
+  // Whether a point is where vertex v is.
+  bool is_at(const Point& p, Index v) const { return coincide(traits(), p, point(v)); }
+  static Frame frame_seen_from(Index, Index) { return {}; }
+  double rounded_squared_distance(Index v, Index w) const
+  {
+    return squared_distance(positions()[v], positions()[w]);
+  }
+  bool are_neighbors(Corner a, Corner b) const { return arrays().are_neighbors(a, b); }
 
   bool corners_are_exact(Index) const { return positions_are_exact(); }
   // The corners of an edge, as seen from it.

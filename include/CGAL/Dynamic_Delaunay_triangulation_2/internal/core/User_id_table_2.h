@@ -10,8 +10,11 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -19,9 +22,67 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
+// Numbers that nobody can know who chooses ids. Without them somebody could choose such ids that
+// all belong into the same place of a table, where each look-up takes as long as there are ids.
+class User_id_secret_2
+{
+public:
+  // That of this process.
+  static const User_id_secret_2& of_process()
+  {
+    static const User_id_secret_2 secret = drawn();
+    return secret;
+  }
+
+  // All bits of the id, and of the secret, change the first bits of the result.
+  std::uint64_t hash(std::uint64_t user_id) const
+  {
+    const std::uint64_t product = (user_id + m_summand) * m_factor;
+    return (product ^ product >> 32) * m_other_factor;
+  }
+
+private:
+  using Number = std::uint64_t;
+
+  User_id_secret_2(Number summand, Number factor, Number other_factor)
+    : m_summand(summand)
+    , m_factor(factor)
+    , m_other_factor(other_factor)
+  {
+  }
+
+  static User_id_secret_2 drawn() noexcept
+  {
+#ifdef __wasm__ // a module by itself has no system to ask, and the ids of whoever has loaded it
+    std::mt19937_64 random;
+    return drawn_by(random);
+#else
+    try {
+      std::random_device random;
+      return drawn_by(random);
+    } catch (const std::exception&) { // a machine without a source of such numbers
+      std::mt19937_64 random(Number(std::chrono::steady_clock::now().time_since_epoch().count()));
+      return drawn_by(random);
+    }
+#endif
+  }
+
+  // Odd factors keep all bits.
+  template <class Random>
+  static User_id_secret_2 drawn_by(Random& random)
+  {
+    std::uniform_int_distribution<Number> number;
+    const Number summand = number(random), factor = number(random);
+    return {summand, factor | 1, number(random) | 1};
+  }
+
+  Number m_summand, m_factor, m_other_factor;
+};
+
 // Maps the user's ids, which are any integers, to ids of points. Open addressing with linear
 // probing: a look-up reads one place in memory, where std::unordered_map reads three and allocates
-// each entry, which took a fifth of the frame where many of 100,000 points come and go.
+// each entry, which took a fifth of the frame where many of 100,000 points come and go. A secret
+// says where an id belongs. No result depends on it, as entries are never listed.
 template <class UserId>
 class User_id_table_2
 {
@@ -31,7 +92,11 @@ public:
   User_id_table_2() = default;
   User_id_table_2(const User_id_table_2&) = default;
   User_id_table_2& operator=(const User_id_table_2&) = default;
-  User_id_table_2(User_id_table_2&& other) noexcept { swap(other); }
+  User_id_table_2(User_id_table_2&& other) noexcept
+    : m_secret(other.m_secret)
+  {
+    swap(other);
+  }
   User_id_table_2& operator=(User_id_table_2&& other) noexcept
   {
     User_id_table_2 taken(std::move(other));
@@ -45,6 +110,12 @@ public:
   std::size_t find(UserId user_id) const
   {
     return m_size == 0 || user_id > m_largest ? no_id : m_slots[slot_of(user_id)].id;
+  }
+
+  // How many slots `find()` reads for an id that is there.
+  std::size_t number_of_probes(UserId user_id) const
+  {
+    return distance(first_slot(user_id), slot_of(user_id)) + 1;
   }
 
   // Prefetches the memory that `find()` will read first.
@@ -103,6 +174,7 @@ public:
     std::swap(m_size, other.m_size);
     std::swap(m_largest, other.m_largest);
     std::swap(m_bits, other.m_bits);
+    std::swap(m_secret, other.m_secret);
   }
 
 private:
@@ -112,10 +184,9 @@ private:
     std::size_t id = no_id;
   };
 
-  // Multiples of the golden ratio are spread evenly, whatever the steps between ids are.
   std::size_t first_slot(UserId user_id) const
   {
-    return std::size_t(std::uint64_t(user_id) * 0x9E3779B97F4A7C15u >> (64 - m_bits));
+    return std::size_t(m_secret.hash(std::uint64_t(user_id)) >> (64 - m_bits));
   }
 
   std::size_t next(std::size_t slot) const { return (slot + 1) & (m_slots.size() - 1); }
@@ -138,6 +209,7 @@ private:
   std::size_t m_size = 0;
   UserId m_largest = UserId(); // the largest id ever set
   int m_bits = 0;
+  User_id_secret_2 m_secret = User_id_secret_2::of_process();
 };
 
 } // namespace internal

@@ -6,31 +6,26 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Point_ids_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Decimal_number_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Guibas_stolfi_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
-#include <CGAL/Fraction_traits.h>
-#include <CGAL/Lazy_exact_nt.h>
 
 #include <boost/crc.hpp>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <ios>
 #include <istream>
-#include <locale>
 #include <ostream>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <tuple>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -72,14 +67,6 @@ inline bool read_finite(std::string_view word, double& number)
   return read_whole(word, number) && std::isfinite(number);
 }
 
-// An exception in the middle of an update can leave a state that the next update repairs. It must
-// not be written, because no reader could tell it from nonsense.
-[[noreturn]] inline void refuse_incomplete_triangulation()
-{
-  throw Checkpoint_error_2(0, "an exception has ended the last call before each point had its "
-                              "vertex: write after the next update()");
-}
-
 inline std::string checkpoint_title(std::string_view subject)
 {
   return std::string(subject) + " checkpoint 1";
@@ -94,7 +81,7 @@ public:
     line(checkpoint_title(subject));
   }
 
-  // Writes words and numbers as one line.
+  // Writes words, numbers, and tuples or arrays of them as one line.
   template <class... Fields>
   void line(const Fields&... fields)
   {
@@ -117,10 +104,12 @@ private:
   template <class Field>
   void append(const Field& field)
   {
-    if constexpr (std::is_arithmetic_v<Field>)
+    if constexpr (std::is_convertible_v<const Field&, std::string_view>)
+      m_text += field;
+    else if constexpr (std::is_arithmetic_v<Field>)
       append_number(m_text, field);
     else
-      m_text += field;
+      return std::apply([this](const auto&... fields) { (append(fields), ...); }, field);
     m_text += ' ';
   }
 
@@ -190,8 +179,17 @@ public:
     const std::string_view text = word(what);
     Integer number;
     if (!read_whole(text, number) || number < lowest || number > highest)
-      refuse(std::string(what) + " is " + quoted(text) + ", and has to be a number from " +
-             std::to_string(lowest) + " to " + std::to_string(highest));
+      refuse(what, text,
+             "a number from " + std::to_string(lowest) + " to " + std::to_string(highest));
+    return number;
+  }
+
+  double number(const char* what)
+  {
+    const std::string_view text = word(what);
+    double number;
+    if (!read_whole(text, number))
+      refuse(what, text, "a number");
     return number;
   }
 
@@ -200,7 +198,7 @@ public:
     const std::string_view text = word(what);
     double number;
     if (!read_finite(text, number))
-      refuse(std::string(what) + " is " + quoted(text) + ", and has to be a finite number");
+      refuse(what, text, "a finite number");
     return number;
   }
 
@@ -243,8 +241,7 @@ public:
   {
     const std::string_view value = entry(name);
     if (value != yes && value != no)
-      refuse(std::string(name) + " is " + quoted(value) + ", and has to be " + std::string(yes) +
-             " or " + std::string(no));
+      refuse(name, value, std::string(yes) + " or " + std::string(no));
     return value == yes;
   }
 
@@ -256,6 +253,11 @@ public:
              quoted(m_sum.text()) + ": the file was changed or damaged");
   }
 
+  // Refuses a word of this meaning, and says what it has to be.
+  [[noreturn]] void refuse(const char* what, std::string_view word, const std::string& due) const
+  {
+    refuse(std::string(what) + " is " + quoted(word) + ", and has to be " + due);
+  }
   [[noreturn]] void refuse(const std::string& what) const { refuse(m_line, what); }
   [[noreturn]] static void refuse(std::size_t line, const std::string& what)
   {
@@ -281,105 +283,6 @@ private:
   std::size_t m_line = 0;
 };
 
-template <class FT>
-const FT& exact_value(const FT& x)
-{
-  return x;
-}
-template <class ET>
-const ET& exact_value(const Lazy_exact_nt<ET>& x)
-{
-  return x.exact();
-}
-
-// Writes a coordinate as a fraction of integers, so that exactly the same number is read back.
-template <class FT>
-class Checkpoint_coordinate_2
-{
-  using Exact = std::decay_t<decltype(exact_value(std::declval<const FT&>()))>;
-  using Fraction = Fraction_traits<Exact>;
-  using Numerator = typename Fraction::Numerator_type;
-  using Denominator = typename Fraction::Denominator_type;
-  template <class Integer>
-  static constexpr bool is_integer =
-      std::is_convertible_v<typename Algebraic_structure_traits<Integer>::Algebraic_category,
-                            Euclidean_ring_tag>;
-  static_assert(Fraction::Is_fraction::value && is_integer<Numerator> && is_integer<Denominator>,
-                "a checkpoint needs coordinates that can be written exactly: doubles, or fractions "
-                "of integers as in Exact_predicates_exact_constructions_kernel");
-
-public:
-  static constexpr const char* kind = "rational";
-  static constexpr const char* meaning = "a fraction of integers";
-
-  static std::string text(const FT& x)
-  {
-    Numerator numerator;
-    Denominator denominator;
-    typename Fraction::Decompose()(exact_value(x), numerator, denominator);
-    std::ostringstream out;
-    out.imbue(std::locale::classic());
-    out << numerator;
-    if (denominator != 1)
-      out << '/' << denominator;
-    return out.str();
-  }
-
-  // False if the text is not a number.
-  static bool read(std::string_view text, FT& x)
-  {
-    const std::size_t bar = text.find('/');
-    const std::string_view above = text.substr(0, bar);
-    const std::string_view below = bar == text.npos ? "1" : text.substr(bar + 1);
-    const bool is_negative = !above.empty() && above.front() == '-';
-    if (!is_natural(above.substr(is_negative)) || !is_natural(below) || below == "0")
-      return false;
-    x = FT(typename Fraction::Compose()(integer<Numerator>(above), integer<Denominator>(below)));
-    return true;
-  }
-
-private:
-  // Rejects leading zeros, which would make some number types read octal digits.
-  static bool is_natural(std::string_view text)
-  {
-    return !text.empty() && (text.front() != '0' || text == "0") &&
-           std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-  }
-
-  template <class Integer>
-  static Integer integer(std::string_view digits)
-  {
-    std::istringstream in{std::string(digits)};
-    in.imbue(std::locale::classic());
-    Integer result;
-    in >> result;
-    return result;
-  }
-};
-
-template <>
-class Checkpoint_coordinate_2<double>
-{
-public:
-  static constexpr const char* kind = "double";
-  static constexpr const char* meaning = "a finite number";
-
-  static double text(double x) { return x; }
-  static bool read(std::string_view text, double& x) { return read_finite(text, x); }
-};
-
-// Half-edges and faces are named by their numbers in the arrays.
-struct Checkpoint_edge_2
-{
-  Index forward;  // the half-edge from the edge's source to its target
-  Index halfedge; // the half-edge that the arrays stores: `forward` or its twin
-};
-struct Checkpoint_corner_2
-{
-  Index halfedge; // the corner that the arrays stores
-  Index face;     // the face that CGAL's vertex stores
-};
-
 // What a checkpoint keeps of a maintained triangulation: everything that can influence the next
 // update, except for the state of classifiers, repairs and policies.
 template <class Point>
@@ -387,14 +290,54 @@ struct Checkpoint_arrays_2
 {
   bool positions_are_exact = true;
   std::vector<Point> points;         // of all finite vertices
-  std::vector<Position_2> positions; // the same, as doubles
+  std::vector<Position_2> positions; // the same, as doubles; not of a torus
   Point_ids_2<Point> ids;
 
   // Empty if the points do not span the plane: then every frame is triangulated from scratch.
   Flat_faces_2 faces;
-  std::vector<Checkpoint_corner_2> corners; // of all vertices
-  std::vector<Checkpoint_edge_2> edges;
+  // Half-edges by their numbers in the arrays.
+  std::vector<Index> corners;           // of each vertex the one that the arrays store
+  std::vector<Index> forward_halfedges; // of each edge the one from its source to its target
+  std::vector<Index> halfedges;         // the one that the arrays store; of a torus the twin
 };
+
+// What is different in the checkpoints of each space: a writer calls its static functions, and a
+// reader owns one, which reads the first lines when it is constructed.
+template <class State>
+class Checkpoint_plane_2;
+template <class State>
+class Checkpoint_torus_2;
+template <class State>
+using Checkpoint_space_2 =
+    std::conditional_t<State::is_periodic, Checkpoint_torus_2<State>, Checkpoint_plane_2<State>>;
+
+// `operator<<` and `operator>>` for everything that has checkpoints. Users of streams test the
+// stream's state, so these set `failbit` where the functions throw.
+
+template <class Written>
+std::ostream& write_to_stream(std::ostream& out, const Written& written)
+{
+  try {
+    written.write_checkpoint(out);
+  } catch (const Checkpoint_error_2&) {
+    out.setstate(std::ios_base::failbit);
+  }
+  return out;
+}
+
+template <class Read>
+std::istream& read_from_stream(std::istream& in, Read& target)
+{
+  const std::istream::sentry has_text(in); // skips white space, as every operator>> does
+  if (!has_text)
+    return in;
+  try {
+    target.read_checkpoint(in);
+  } catch (const Checkpoint_error_2&) {
+    in.setstate(std::ios_base::failbit);
+  }
+  return in;
+}
 
 } // namespace internal
 } // namespace Dynamic_Delaunay_triangulations_2

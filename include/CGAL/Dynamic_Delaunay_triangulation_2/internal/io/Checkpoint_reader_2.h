@@ -6,26 +6,13 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Triangulation_state_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Surface_check_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Guibas_stolfi_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_builder_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_costs_2.h>
-#include <CGAL/enum.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
-#include <string_view>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -38,11 +25,8 @@ namespace internal {
 template <class State>
 class Checkpoint_reader_2
 {
-  using Point = typename State::Point;
-  using FT = std::decay_t<decltype(std::declval<Point>().x())>;
-  using Coordinate = Checkpoint_coordinate_2<FT>;
-  static_assert(is_made_of_x_and_y<Point>,
-                "a checkpoint keeps x and y, which are not all of these points");
+  using Space = Checkpoint_space_2<State>;
+  using Point = typename Space::Point;
 
 public:
   explicit Checkpoint_reader_2(Checkpoint_input_2& file)
@@ -53,178 +37,183 @@ public:
   // Reads into an empty triangulation, which can only be discarded if this throws.
   void read(State& state)
   {
-    read_head();
+    m_is_certified = m_file.flag_entry("certified", "yes", "no");
+    const std::size_t line = m_file.line();
+    m_space.read_memory(m_is_certified);
     read_points();
-    if (m_dimension == 2)
+    if (m_space.has_faces())
       read_topology();
-    else
-      check_line(state);
-    Topology_builder_2<State>(state).restore(m_kept);
-    if (m_is_certified && m_dimension == 2 && !Certificate_2<State>(state).holds())
-      m_file.refuse(m_certified_line, "the triangulation is not Delaunay, and cannot be certified");
+    m_space.restore(state);
+    if (m_is_certified && !m_space.is_delaunay(state))
+      m_file.refuse(line, "the triangulation is not Delaunay, and cannot be certified");
   }
 
   bool is_certified() const { return m_is_certified; }
-  const Repair_experience_2& experience() const { return m_experience; }
+  const typename Space::Memory& memory() const { return m_space.memory(); }
 
 private:
-  void read_head()
-  {
-    const std::string_view kind = m_file.entry("coordinates");
-    if (kind != Coordinate::kind)
-      m_file.refuse("the coordinates are of the kind " + Checkpoint_input_2::quoted(kind) +
-                    ", and those of the triangulation's points of the kind " +
-                    Checkpoint_input_2::quoted(Coordinate::kind));
-    m_kept.positions_are_exact = m_file.flag_entry("positions", "exact", "rounded");
-    if (State::coordinates_are_doubles && !m_kept.positions_are_exact)
-      m_file.refuse("doubles are exact, and cannot be rounded");
-    m_is_certified = m_file.flag_entry("certified", "yes", "no");
-    m_certified_line = m_file.line();
-    m_experience.restore(
-        m_file.number_entry("hopeless_share", std::size_t(1), Repair_experience_2::all));
-    m_dimension = m_file.number_entry("dimension", -1, 2);
-    if (m_dimension < 2 && !m_is_certified)
-      m_file.refuse("in this dimension the triangulation has to be certified");
-    m_points.read_number_of_ids();
-  }
-
   // POINTS --------------------------------------------------------------------------------------
+
+  // Ids must be smaller than `null_index`. The limit for vertices is lower (`max_vertices`),
+  // because Flat_faces_2 numbers eight half-edges per vertex.
+  static constexpr Index max_ids = null_index - 1;
 
   void read_points()
   {
-    constexpr std::array<Index, 4> fewest{0, 1, 2, 3}, most{0, 1, max_vertices, max_vertices};
-    const std::size_t i = std::size_t(m_dimension + 1);
-    const auto read_vertex = [this] {
-      const Point p = read_point();
-      m_kept.positions.push_back(read_position(p));
-      return p;
-    };
-    m_points.read(
-        fewest[i], most[i], read_vertex, [this] { return read_point(); },
-        [](const Point& p, const Point& q) { return p == q; });
+    m_number_of_ids = m_file.number_entry("ids", Index(0), max_ids);
+    read_vertices();
+    read_duplicates();
+    read_free_ids();
+    check_ids();
+    m_kept.ids.reset(m_number_of_ids);
+    auto id = m_ids.begin();
+    for (Index v = 0; v < number_of_vertices(); ++v)
+      m_kept.ids.add_representative(*id++);
+    for (const auto& [vertex, point] : m_duplicates)
+      m_kept.ids.add_duplicate(*id++, m_ids[vertex - 1], point);
+    m_kept.ids.settle();
   }
 
   Index number_of_vertices() const { return Index(m_kept.points.size()); }
 
-  Point read_point()
+  void read_vertices()
   {
-    FT x = read_coordinate("the first coordinate");
-    FT y = read_coordinate("the second coordinate");
-    return Point(x, y);
+    const Index number =
+        m_file.number_entry("vertices", m_space.fewest_vertices(), m_space.most_vertices());
+    for (Index v = 1; v <= number; ++v) {
+      read_id();
+      m_space.read_vertex();
+      m_file.end_line();
+    }
   }
 
-  FT read_coordinate(const char* name)
+  // Reads the id at the beginning of a line.
+  void read_id()
   {
-    const std::string_view text = m_file.word(name);
-    FT x;
-    if (!Coordinate::read(text, x) || !is_within_limit(CGAL::to_double(x)))
-      m_file.refuse(std::string(name) + " is " + Checkpoint_input_2::quoted(text) +
-                    ", and has to be " + Coordinate::meaning + ", not too large for a double");
-    return x;
+    m_file.next_line();
+    if (m_number_of_ids == 0)
+      m_file.refuse("a point is here, and there are no ids");
+    m_ids.push_back(m_file.number("the id", Index(0), m_number_of_ids - 1));
   }
 
-  Position_2 read_position(const Point& p)
+  void read_duplicates()
   {
-    if constexpr (State::coordinates_are_doubles)
-      return {p.x(), p.y()};
-    else
-      return {read_rounded("the first coordinate as a double", p.x()),
-              read_rounded("the second coordinate as a double", p.y())};
+    const Index number = m_file.number_entry("duplicates", Index(0), m_number_of_ids);
+    if (number > 0 && number_of_vertices() == 0)
+      m_file.refuse("there are duplicates, and no vertices");
+    for (Index i = 0; i < number; ++i) {
+      read_id();
+      const Index vertex = m_file.number("the vertex", Index(1), number_of_vertices());
+      const Point p = m_space.read_point();
+      m_file.end_line();
+      if (!m_space.coincide(p, m_kept.points[vertex - 1]))
+        m_file.refuse("the duplicate is not where its vertex is");
+      m_duplicates.emplace_back(vertex, p);
+    }
   }
 
-  double read_rounded(const char* name, const FT& x)
+  void read_free_ids()
   {
-    const double rounded = m_file.finite(name);
-    if (m_kept.positions_are_exact ? FT(rounded) != x : !is_near(rounded, CGAL::to_double(x)))
-      m_file.refuse(std::string(name) + " is something else than that");
-    return rounded;
+    const std::size_t points = m_ids.size();
+    const auto number = m_file.number_entry("free_ids", std::size_t(0), std::size_t(max_ids));
+    if (points + number != m_number_of_ids)
+      m_file.refuse("of " + std::to_string(m_number_of_ids) + " ids " + std::to_string(points) +
+                    " are taken, and " + std::to_string(number) + " cannot be free");
+    for (std::size_t i = 0; i < number; ++i) {
+      read_id();
+      m_file.end_line();
+    }
   }
 
-  // Whether `rounded` may be x rounded to a double. CGAL promises five correct digits.
-  static bool is_near(double rounded, double x)
+  // As many ids were read as there may be, so it is enough that each occurs once.
+  void check_ids() const
   {
-    constexpr double error = 1e-3;
-    return std::abs(rounded - x) <= error * std::abs(x) + (std::numeric_limits<double>::min)();
-  }
-
-  // Checks that the points are distinct and collinear.
-  void check_line(const State& state) const
-  {
-    const auto& traits = state.traits();
-    std::vector<Point> points = m_kept.points;
-    std::sort(points.begin(), points.end(), traits.less_xy_2_object());
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      if (points[i - 1] == points[i])
-        m_file.refuse("two vertices are in the same place, above");
-      if (traits.orientation_2_object()(points.front(), points[i], points.back()) != COLLINEAR)
-        m_file.refuse("the points above span the plane, and the dimension is less than 2");
+    std::vector<bool> is_there(m_number_of_ids);
+    for (const Index id : m_ids) {
+      if (is_there[id])
+        m_file.refuse("the id " + std::to_string(id) + " is there more than once, above");
+      is_there[id] = true;
     }
   }
 
   // TOPOLOGY ------------------------------------------------------------------------------------
 
+  // In the plane the faces alone say which are neighbors; in a torus the edges do, because several
+  // may connect the same vertices.
   void read_topology()
   {
     read_faces();
+    const std::size_t first_line = m_file.line() + 1 - m_kept.faces.number_of_faces();
+    if (!State::is_periodic)
+      check_surface(first_line);
     read_corners();
     read_edges();
+    if (State::is_periodic)
+      check_surface(first_line);
   }
 
   // By Euler's formula.
-  Index number_of_faces() const { return 2 * number_of_vertices() - 2; }
+  Index number_of_faces() const { return 2 * number_of_vertices() - (State::is_periodic ? 0 : 2); }
   Index number_of_halfedges() const { return 3 * number_of_faces(); }
-  Index number_of_edges() const { return number_of_halfedges() / 2; }
+
+  // Reads how many lines follow, which can only be this number.
+  Index read_number(const char* name, Index number)
+  {
+    return m_file.number_entry(name, number, number);
+  }
 
   void read_faces()
   {
-    m_file.number_entry("faces", number_of_faces(), number_of_faces());
-    const std::size_t first_line = m_file.line() + 1;
-    Flat_faces_2& faces = m_kept.faces;
-    for (Index f = 0; f < number_of_faces(); ++f) {
+    const Index number = read_number("faces", number_of_faces());
+    for (Index f = 0; f < number; ++f) {
       m_file.next_line();
-      faces.resize(f + std::size_t(1));
+      m_kept.faces.resize(f + std::size_t(1));
       for (Index i = 0; i < 3; ++i)
-        faces.set_apex(Flat_faces_2::first_halfedge(f) + i,
-                       m_file.number("the vertex", Index(0), number_of_vertices()));
-      m_file.end_line();
+        m_kept.faces.set_apex(
+            Flat_faces_2::first_halfedge(f) + i,
+            m_file.number("the vertex", Space::first_vertex, number_of_vertices()));
+      m_space.read_rest_of_face(f);
     }
-    const Surface_check_2::Flaw flaw =
-        Surface_check_2(faces, number_of_vertices() + 1).link_and_run();
+  }
+
+  void check_surface(std::size_t first_line)
+  {
+    if (number_of_vertices() == 0)
+      return;
+    Surface_check_2 check(m_kept.faces, number_of_vertices() + 1, Space::first_vertex);
+    const Surface_check_2::Flaw flaw = State::is_periodic ? check.run() : check.link_and_run();
     if (flaw.what)
       m_file.refuse(first_line + flaw.face, flaw.what);
   }
 
   void read_corners()
   {
-    const Index number = number_of_vertices() + 1;
-    m_file.number_entry("corners", number, number);
-    for (Index v = 0; v < number; ++v) {
+    Index v = Space::first_vertex;
+    const Index beyond = v + read_number("corners", number_of_vertices() + 1 - v);
+    for (; v < beyond; ++v) {
       m_file.next_line();
       const Index h = read_halfedge();
-      const Index f = m_file.number("the face", Index(0), number_of_faces() - 1);
+      const bool is_rest_right = m_space.read_rest_of_corner(v);
       m_file.end_line();
-      if (m_kept.faces.apex(flat(h)) != v || !has_vertex(f, v))
-        m_file.refuse("these are no corner and no face of vertex " + std::to_string(v));
-      m_kept.corners.push_back({h, f});
+      if (!is_rest_right || m_kept.faces.apex(Flat_faces_2::from_arrays(h)) != v)
+        m_file.refuse(Space::wrong_corner + std::to_string(v));
+      m_kept.corners.push_back(h);
     }
   }
 
+  // There are as many edges as pairs of half-edges, so it is enough that no half-edge occurs twice.
   void read_edges()
   {
-    m_file.number_entry("edges", number_of_edges(), number_of_edges());
-    std::vector<bool> has_edge(number_of_halfedges());
-    for (Index e = 0; e < number_of_edges(); ++e) {
+    const Index number = read_number("edges", number_of_halfedges() / 2);
+    std::vector<bool> is_listed(number_of_halfedges());
+    for (Index e = 0; e < number; ++e) {
       m_file.next_line();
-      const Index forward = read_halfedge();
-      const Index halfedge = read_halfedge();
+      const Index h = read_halfedge(), g = read_halfedge();
       m_file.end_line();
-      const Index twin = Flat_faces_2::number_in_arrays(m_kept.faces.twin(flat(forward)));
-      if (halfedge != forward && halfedge != twin)
-        m_file.refuse("these are half-edges of two edges");
-      if (has_edge[forward])
-        m_file.refuse("this edge is there more than once");
-      has_edge[forward] = has_edge[twin] = true;
-      m_kept.edges.push_back({forward, halfedge});
+      const Index twin = m_space.checked_twin(h, g, is_listed);
+      is_listed[h] = is_listed[twin] = true;
+      m_kept.forward_halfedges.push_back(h);
+      m_kept.halfedges.push_back(g);
     }
   }
 
@@ -233,22 +222,13 @@ private:
     return m_file.number("the half-edge", Index(0), number_of_halfedges() - 1);
   }
 
-  static Index flat(Index h) { return Flat_faces_2::first_halfedge(h / 3) + h % 3; }
-
-  bool has_vertex(Index face, Index v) const
-  {
-    const Index h = Flat_faces_2::first_halfedge(face);
-    return m_kept.faces.apex(h) == v || m_kept.faces.apex(h + 1) == v ||
-           m_kept.faces.apex(h + 2) == v;
-  }
-
   Checkpoint_input_2& m_file;
-  int m_dimension = -1;
-  bool m_is_certified = false;
-  Repair_experience_2 m_experience;
-  std::size_t m_certified_line = 0;
   Checkpoint_arrays_2<Point> m_kept;
-  Checkpoint_points_2<Point> m_points{m_file, m_kept.points, m_kept.ids};
+  Space m_space{m_file, m_kept};
+  bool m_is_certified = false;
+  Index m_number_of_ids = 0;
+  std::vector<Index> m_ids; // of the representatives, then of the duplicates, then the free ones
+  std::vector<std::pair<Index, Point>> m_duplicates; // their vertices, and their points
 };
 
 } // namespace internal

@@ -6,16 +6,12 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Triangulation_state_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_points_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_costs_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 #include <ostream>
 #include <string_view>
-#include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
@@ -25,17 +21,14 @@ namespace internal {
 template <class State>
 class Checkpoint_writer_2
 {
-  using Point = typename State::Point;
-  using FT = std::decay_t<decltype(std::declval<Point>().x())>;
-  using Coordinate = Checkpoint_coordinate_2<FT>;
-  static_assert(is_made_of_x_and_y<Point>,
-                "a checkpoint keeps x and y, which are not all of these points");
+  using Space = Checkpoint_space_2<State>;
+  using Memory = typename Space::Memory;
 
 public:
-  Checkpoint_writer_2(const State& state, bool is_certified, const Repair_experience_2& experience)
+  Checkpoint_writer_2(const State& state, bool is_certified, const Memory& memory)
     : m_state(state)
     , m_is_certified(is_certified)
-    , m_experience(experience)
+    , m_memory(memory)
   {
   }
 
@@ -45,66 +38,60 @@ public:
   {
     check_completeness();
     Checkpoint_output_2 file(out, subject);
-    file.line("coordinates", Coordinate::kind);
-    file.line("positions", m_state.positions_are_exact() ? "exact" : "rounded");
+    Space::write_kind(file, m_state);
     file.line("certified", m_is_certified ? "yes" : "no");
-    file.line("hopeless_share", m_experience.hopeless_share());
-    file.line("dimension", m_state.triangulation().dimension());
-    file.line("ids", m_state.ids().number_of_ids());
-    write_checkpoint_points(
-        file, m_state.ids(), [&](Index v) { write_vertex(file, v); },
-        [&](const Point& p) {
-          return std::make_pair(Coordinate::text(p.x()), Coordinate::text(p.y()));
-        });
-    if (m_state.spans_plane())
+    Space::write_memory(file, m_state, m_memory);
+    write_points(file);
+    if (Space::has_faces(m_state))
       write_topology(file);
     append(file);
     file.finish();
   }
 
 private:
+  // An exception in the middle of an update can leave a state that the next update repairs. It must
+  // not be written, because no reader could tell it from nonsense.
   void check_completeness() const
   {
-    bool is_complete = m_is_certified || m_state.spans_plane();
-    for (const auto& duplicate : m_state.ids().duplicates())
-      is_complete =
-          is_complete && duplicate.point == m_state.point(m_state.ids().vertex(duplicate.id));
-    if (!is_complete)
-      refuse_incomplete_triangulation();
+    if (!Space::is_complete(m_state, m_is_certified))
+      throw Checkpoint_error_2(0, "an exception has ended the last call before each point had its "
+                                  "vertex: write after the next update()");
   }
 
-  // Rounded coordinates are written as well: how a number was rounded depends on how it was
-  // computed, which is not kept.
-  void write_vertex(Checkpoint_output_2& file, Index v) const
+  void write_points(Checkpoint_output_2& file) const
   {
-    const Point& p = m_state.point(v);
-    const Index id = m_state.ids().representative(v);
-    const Position_2& position = m_state.positions()[v];
-    if constexpr (State::coordinates_are_doubles)
-      file.line(id, p.x(), p.y());
-    else
-      file.line(id, Coordinate::text(p.x()), Coordinate::text(p.y()), position.x, position.y);
+    const auto& ids = m_state.ids();
+    file.line("ids", ids.number_of_ids());
+    file.line("vertices", ids.number_of_representatives());
+    for (Index v = 1; v <= ids.number_of_representatives(); ++v)
+      file.line(ids.representative(v), Space::coordinates(m_state, v));
+    file.line("duplicates", ids.duplicates().size());
+    for (const auto& duplicate : ids.duplicates())
+      file.line(duplicate.id, ids.vertex(duplicate.id), Space::coordinates(duplicate.point));
+    file.line("free_ids", ids.number_of_ids() - ids.number_of_points());
+    for (Index id = 0; id < ids.number_of_ids(); ++id)
+      if (!ids.is_taken(id))
+        file.line(id);
   }
 
   void write_topology(Checkpoint_output_2& file) const
   {
     const auto& arrays = m_state.arrays();
+    const Index beyond = m_state.number_of_vertices() + 1;
     file.line("faces", arrays.number_of_faces());
     for (Index f = 0; f < arrays.number_of_faces(); ++f)
-      file.line(arrays.apex(3 * f), arrays.apex(3 * f + 1), arrays.apex(3 * f + 2));
-    file.line("corners", arrays.number_of_vertices());
-    for (Index v = 0; v < arrays.number_of_vertices(); ++v)
-      file.line(arrays.corner(v), arrays.corner(v) / 3);
+      file.line(arrays.face(f), Space::rest_of_face(m_state, f));
+    file.line("corners", beyond - Space::first_vertex);
+    for (Index v = Space::first_vertex; v < beyond; ++v)
+      file.line(arrays.corner(v), Space::rest_of_corner(arrays.corner(v)));
     file.line("edges", arrays.number_of_edges());
-    for (Index e = 0; e < arrays.number_of_edges(); ++e) {
-      const Index h = arrays.halfedge(e);
-      file.line(arrays.source(h) == arrays.edge(e).source ? h : arrays.twin(h), h);
-    }
+    for (Index e = 0; e < arrays.number_of_edges(); ++e)
+      file.line(Space::halfedges(arrays, e));
   }
 
   const State& m_state;
   bool m_is_certified;
-  Repair_experience_2 m_experience;
+  Memory m_memory;
 };
 
 } // namespace internal

@@ -32,10 +32,11 @@ public:
     Index face = 0;
   };
 
-  // The vertices are 0, 1, ..., one fewer than `vertices`.
-  Surface_check_2(Flat_faces_2& faces, Index vertices)
+  // The vertices are those from `first` to before `beyond`.
+  Surface_check_2(Flat_faces_2& faces, Index beyond, Index first = 0)
     : m_faces(faces)
-    , m_vertices(vertices)
+    , m_first_vertex(first)
+    , m_beyond(beyond)
   {
   }
 
@@ -48,7 +49,7 @@ public:
     return flaw.what ? flaw : check();
   }
 
-  // The same where twins are known, which run along each other in opposite directions.
+  // Checks linked faces, whose twins run along each other in opposite directions.
   Flaw run()
   {
     sort_halfedges();
@@ -72,11 +73,11 @@ private:
   // Sorts by sources.
   void sort_halfedges()
   {
-    m_first.assign(m_vertices + std::size_t(1), 0);
+    m_first.assign(m_beyond + std::size_t(1), 0);
     for_each_halfedge([this](Index h) { ++m_first[m_faces.source(h)]; });
-    for (Index v = 0; v < m_vertices; ++v)
+    for (Index v = 0; v < m_beyond; ++v)
       m_first[v + 1] += m_first[v];
-    m_sorted.resize(m_first[m_vertices]);
+    m_sorted.resize(m_first[m_beyond]);
     for_each_halfedge([this](Index h) { m_sorted[--m_first[m_faces.source(h)]] = h; });
   }
 
@@ -90,8 +91,8 @@ private:
   Flaw link()
   {
     Flaw flaw;
-    std::vector<Index> halfedge_to(m_vertices, null_index); // from v to each vertex
-    for (Index v = 0; v < m_vertices; ++v) {
+    std::vector<Index> halfedge_to(m_beyond, null_index); // from v to each vertex
+    for (Index v = 0; v < m_beyond; ++v) {
       for_each_halfedge_from(v, [&](Index h) {
         Index& there = halfedge_to[m_faces.target(h)];
         if (m_faces.target(h) == v)
@@ -122,7 +123,7 @@ private:
 
   Flaw check_vertices() const
   {
-    for (Index v = 0; v < m_vertices; ++v) {
+    for (Index v = m_first_vertex; v < m_beyond; ++v) {
       const Index degree = m_first[v + 1] - m_first[v];
       if (degree == 0)
         return {"a vertex is in no face", m_faces.number_of_faces() - 1};
@@ -160,7 +161,7 @@ private:
   }
 
   Flat_faces_2& m_faces;
-  Index m_vertices;
+  Index m_first_vertex, m_beyond;
   std::vector<Index> m_first;  // index in m_sorted of the first half-edge from each vertex
   std::vector<Index> m_sorted; // the half-edges by their sources
 };

@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 
 namespace CGAL {
@@ -23,9 +22,12 @@ namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
 // The limits of points and reduced bases in multiples of the cell's vectors, and of the multiples
-// by which one cell is exchanged for another. Then the shifts of a face are below 2^22, and their
-// sums of products when a cell is exchanged below 2^31.
-constexpr double max_shift = 0x1p20, max_multiple = 0x1p8;
+// by which one cell is exchanged for another. Then the shifts of a face are below 2^22: they are
+// differences of numbers below max_shift, of points and of basis vectors.
+constexpr double max_shift = 0x1p20, max_multiple = 0x1p8, max_shift_in_face = 4 * max_shift;
+
+constexpr std::array<Periodic_shift_2, 2> unit_multiples{{{1, 0}, {0, 1}}};
+constexpr std::array<Periodic_shift_2, 2> exchanged_multiples{{{0, 1}, {1, 0}}};
 
 // The position of a point of periodic space. Throws as in the plane, and if it is beyond the limit.
 template <class Point>
@@ -44,7 +46,7 @@ inline std::array<Periodic_shift_2, 2> short_basis(const Torus_2& torus)
 {
   const Periodic_cell_2& cell = torus.cell();
   if (cell.is_slab())
-    return {{{1, 0}, {0, 1}}};
+    return unit_multiples;
   std::array<Position_2, 2> v{{{cell.ax(), cell.ay()}, {cell.bx(), cell.by()}}};
   std::array<std::array<double, 2>, 2> basis{{{1, 0}, {0, 1}}};
   const auto product = [](const Position_2& p, const Position_2& q) {
@@ -74,25 +76,54 @@ inline std::array<Periodic_shift_2, 2> short_basis(const Torus_2& torus)
   return shifts;
 }
 
+inline int determinant(const std::array<Periodic_shift_2, 2>& m)
+{
+  return m[0][0] * m[1][1] - m[0][1] * m[1][0];
+}
+
+inline bool is_counterclockwise(const Torus_2& torus)
+{
+  const Position_2 origin{0, 0};
+  return torus.orientation({origin, no_shift}, {origin, {1, 0}}, {origin, {0, 1}}) == LEFT_TURN;
+}
+
+// The vectors of the old cell in those of the new one, if the cell is deformed and nothing else:
+// what has counterclockwise faces must not be turned inside out on the way.
+inline std::array<Periodic_shift_2, 2> multiples_in_deformed_cell(const Torus_2& old_torus,
+                                                                  const Torus_2& new_torus)
+{
+  return is_counterclockwise(old_torus) == is_counterclockwise(new_torus) ? unit_multiples
+                                                                          : exchanged_multiples;
+}
+
+// Throws Periodic_cell_error_2 for a cell in which nothing can be triangulated.
+inline void check_cell(const Periodic_cell_2& cell)
+{
+  const Torus_2 torus(cell);
+  if (!torus.is_measurable())
+    throw Periodic_cell_error_2(cell.ax(), cell.ay(), cell.bx(), cell.by(),
+                                "doubles cannot tell how far points are apart in it");
+  short_basis(torus); // throws if there is none
+}
+
 // The vectors of the old cell in those of the new one, if these are other vectors of about the same
-// lattice, as after a Lees-Edwards flip. If no integers are near, the cell was deformed.
+// lattice, as after a Lees-Edwards flip. If no integers are near, the cell was deformed. The
+// determinant is 1 where the orientations of both cells are the same, and else -1.
 inline std::array<Periodic_shift_2, 2> multiples_in_new_cell(const Torus_2& old_torus,
                                                              const Torus_2& new_torus)
 {
-  constexpr std::array<Periodic_shift_2, 2> unit{{{1, 0}, {0, 1}}};
   const Periodic_cell_2& old_cell = old_torus.cell();
   const Position_2 a = new_torus.multiples({old_cell.ax(), old_cell.ay()});
   if (old_cell.is_slab())
-    return a.x < 0 ? std::array<Periodic_shift_2, 2>{{{-1, 0}, {0, -1}}} : unit;
+    return a.x < 0 ? std::array<Periodic_shift_2, 2>{{{-1, 0}, {0, -1}}} : unit_multiples;
   const Position_2 b = new_torus.multiples({old_cell.bx(), old_cell.by()});
+  const auto deformed = multiples_in_deformed_cell(old_torus, new_torus);
   for (const double x : {a.x, a.y, b.x, b.y})
     if (!(std::abs(x) < max_multiple))
-      return unit;
-  const Periodic_shift_2 i = new_torus.nearest_shift(a), j = new_torus.nearest_shift(b);
-  const auto determinant = std::int64_t(i[0]) * j[1] - std::int64_t(i[1]) * j[0];
-  if (determinant != 1 && determinant != -1)
-    return unit;
-  return {i, j};
+      return deformed;
+  const std::array<Periodic_shift_2, 2> rounded{new_torus.nearest_shift(a),
+                                                new_torus.nearest_shift(b)};
+  return determinant(rounded) == determinant(deformed) ? rounded : deformed;
 }
 
 } // namespace internal

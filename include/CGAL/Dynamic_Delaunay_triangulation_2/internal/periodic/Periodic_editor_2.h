@@ -13,6 +13,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_change_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Star_polygon_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Star_writer_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_parts_2.h>
 
 #include <algorithm>
@@ -39,10 +42,12 @@ class Periodic_editor_2
   using Ids = typename State::Ids;
   using Kind = Periodic_change_2::Kind;
   using Parts = typename State::Parts;
+  using Polygon = Star_polygon_2<State>;
 
 public:
   explicit Periodic_editor_2(State& state)
     : m_state(state)
+    , m_star_writer(state.m_arrays)
   {
   }
 
@@ -143,7 +148,7 @@ public:
       return false;
     Index i = h, k = g;
     do {
-      if (leads(i, d, way) || leads(k, a, no_shift - way))
+      if (m_state.leads(i, d, way) || m_state.leads(k, a, no_shift - way))
         return false;
       i = arrays().next_corner(i);
       k = arrays().next_corner(k);
@@ -260,14 +265,13 @@ public:
     return arrays().append_slot();
   }
 
-  // Puts the slot's vertex into face f, at the image of p by `shift` in the frame of f.
-  void put_in(const Slot& slot, const Position_2& p, const Periodic_shift_2& shift, Index f)
+  // Puts the slot's vertex into face f, its image by `shift` in the frame of f.
+  void put_in(const Slot& slot, const Periodic_shift_2& shift, Index f)
   {
     reserve_for_log(3);
     const Index g = slot.faces[0], k = slot.faces[1];
     const Periodic_shift_2 a = shifts()[3 * f], b = shifts()[3 * f + 1], c = shifts()[3 * f + 2];
     arrays().put_in(slot, f);
-    set_position(slot.vertex, p);
     changes().relocated.push_back(slot.vertex);
     set_shifts(f, shift, b, c);
     set_shifts(g, a, shift, c);
@@ -278,21 +282,41 @@ public:
     note_edges_around(Kind::EDGE_CREATED, slot.vertex);
   }
 
-  // Takes a vertex of degree 3 out of its faces.
-  Slot take_out(Index v)
+  // Puts the center of a polygon that has faces and edges for it in their place. If it throws,
+  // nothing has changed.
+  void put_in(const Polygon& polygon)
   {
-    reserve_for_log(3);
-    note_edges_around(Kind::EDGE_REMOVED, v);
-    const Index h = arrays().corner(v), g = arrays().next_corner(h);
-    const Periodic_shift_2 a = shifts()[Arrays::next(h)], b = shifts()[Arrays::previous(h)];
-    const Periodic_shift_2 c = shifts()[Arrays::previous(g)] + shifts()[h] - shifts()[g];
-    const Slot slot = arrays().take_out(v);
-    shifts()[h] = c;
-    shifts()[Arrays::next(h)] = a;
-    shifts()[Arrays::previous(h)] = b;
-    write_face(h / 3);
-    hide_edges(slot);
-    changes().new_edges.push_back(arrays().edge_of(h)); // the face has no other new edges
+    const std::size_t degree = polygon.sides().size();
+    reserve_for_log(2 * degree);
+    reserve_extra(changes().new_edges, degree);
+    reserve_extra(changes().relocated, 1);
+    for (std::size_t i = 0; i + 3 < degree; ++i)
+      note_edge(Kind::EDGE_REMOVED, arrays().halfedge(polygon.edges()[i]), m_log);
+    m_star_writer.write_star(polygon, corner_setter());
+    for (const Index f : polygon.faces())
+      write_face(f);
+    changes().relocated.push_back(polygon.center());
+    note_new_edges_around(polygon.center());
+    note_edges_around(Kind::EDGE_CREATED, polygon.center());
+  }
+
+  // Takes the center of a triangulated polygon out of its faces. If it throws, nothing has changed.
+  Slot take_out(const Polygon& polygon)
+  {
+    const std::size_t degree = polygon.sides().size();
+    reserve_for_log(2 * degree);
+    reserve_extra(changes().new_edges, degree);
+    m_star_writer.reserve(polygon);
+    note_edges_around(Kind::EDGE_REMOVED, polygon.center());
+    const Slot slot = m_star_writer.write_ears(polygon, corner_setter());
+    for (std::size_t i = 0; i < polygon.ears().size(); ++i)
+      write_face(polygon.faces()[i]);
+    for (const Index e : slot.edges)
+      arrays().hide_edge(e); // so that passes over all edges need not look whether they are empty
+    m_star_writer.for_each_edge_of_ears(polygon,
+                                        [this](Index e) { changes().new_edges.push_back(e); });
+    for (std::size_t i = 0; i + 3 < degree; ++i)
+      note_edge(Kind::EDGE_CREATED, arrays().halfedge(polygon.edges()[i]), m_log);
     return slot;
   }
 
@@ -419,18 +443,12 @@ private:
         v, [&](Index h) { changes().new_edges.push_back(arrays().edge_of(Arrays::previous(h))); });
   }
 
-  // So that passes over all edges need not look whether they are empty.
-  void hide_edges(const Slot& slot)
+  auto corner_setter()
   {
-    for (const Index e : slot.edges)
-      arrays().hide_edge(e);
-  }
-
-  // Whether the next edge at this corner goes to the image of v by `way`.
-  bool leads(Index corner, Index v, const Periodic_shift_2& way) const
-  {
-    const Index end = Arrays::next(corner);
-    return arrays().apex(end) == v && are_equal(shifts()[end] - shifts()[corner], way);
+    return [this](Index h, const typename State::Corner& corner) {
+      arrays().set_apex(h, corner.vertex);
+      shifts()[h] = corner.shift;
+    };
   }
 
   void set_shifts(Index f, Periodic_shift_2 a, Periodic_shift_2 b, Periodic_shift_2 c)
@@ -503,6 +521,7 @@ private:
   }
 
   State& m_state;
+  Star_writer_2<State> m_star_writer;
   std::vector<Index> m_corners;
   std::vector<Flips_of_part> m_flips_of_parts;
   std::vector<Periodic_change_2> m_log;

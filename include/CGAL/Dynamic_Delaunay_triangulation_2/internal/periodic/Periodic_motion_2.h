@@ -10,6 +10,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/number_utils.h>
@@ -48,7 +49,7 @@ public:
   {
     const Torus_2 now(cell);
     const bool is_same = cell == m_state.torus().cell();
-    m_multiples = is_same ? unit_multiples : multiples_in_new_cell(m_state.torus(), now);
+    m_multiples = is_same ? unit_multiples : countable_multiples(now);
     return (is_same ? stage_vertices<true>(next, now) : stage_vertices<false>(next, now)) &&
            std::all_of(ids().duplicates().begin(), ids().duplicates().end(),
                        [&](const auto& d) { return is_in_range(next(d.id), now); });
@@ -94,7 +95,6 @@ public:
   }
 
 private:
-  static constexpr std::array<Periodic_shift_2, 2> unit_multiples{{{1, 0}, {0, 1}}};
   static constexpr Index prefetched_ahead = 64; // points
 
   const typename State::Ids& ids() const { return m_state.ids(); }
@@ -212,6 +212,32 @@ private:
            is_within_limit(p.y);
   }
 
+  // The vectors of the old cell in those of the next one. Edges that a heuristic classifier has
+  // left as they were can become longer with each exchange of cells: then it counts as deformation.
+  std::array<Periodic_shift_2, 2> countable_multiples(const Torus_2& next) const
+  {
+    const auto multiples = multiples_in_new_cell(m_state.torus(), next);
+    return are_countable(multiples) ? multiples : multiples_in_deformed_cell(m_state.torus(), next);
+  }
+
+  // Whether all shifts are within their limit when a cell is exchanged by these multiples.
+  bool are_countable(const std::array<Periodic_shift_2, 2>& multiples) const
+  {
+    if (multiples == unit_multiples || multiples == exchanged_multiples)
+      return true;
+    const Index halfedges = 3 * m_state.arrays().number_of_faces();
+    return Parts::all_of(halfedges, [&](std::size_t first, std::size_t beyond) {
+      bool are = true;
+      for (std::size_t h = first; h < beyond; ++h) {
+        const auto [i, j] = m_state.shift(Index(h));
+        for (std::size_t k = 0; k < 2; ++k)
+          are &= std::abs(double(i) * multiples[0][k] + double(j) * multiples[1][k]) <
+                 max_shift_in_face;
+      }
+      return are;
+    });
+  }
+
   // From p in the old cell to a position in the new one, in multiples of the new cell's vectors.
   Position_2 step_to_new_cell(const Position_2& p, const Position_2& multiples) const
   {
@@ -225,8 +251,8 @@ private:
   {
     const auto [a, b] = matrix[0];
     const auto [c, d] = matrix[1];
-    const int determinant = a * d - b * c;
-    return {{{determinant * d, -determinant * b}, {-determinant * c, determinant * a}}};
+    const int sign = determinant(matrix);
+    return {{{sign * d, -sign * b}, {-sign * c, sign * a}}};
   }
 
   double squared_distance_to_neighbors(Index v) const

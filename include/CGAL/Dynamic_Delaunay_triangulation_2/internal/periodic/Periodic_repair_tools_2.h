@@ -14,7 +14,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_change_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Star_polygon_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Lawson_flips_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Point_location_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 
@@ -43,6 +45,7 @@ class Periodic_repair_tools_2
   using Slot = Arrays::Slot;
   using Edge_test = typename State::Edge_test;
   using Parts = typename State::Parts;
+  using Place = Place_2<State>;
 
 public:
   using Classification = Dynamic_classification_2<State>;
@@ -50,6 +53,7 @@ public:
   Periodic_repair_tools_2(State& state, Editor& editor)
     : m_state(state)
     , m_editor(editor)
+    , m_location(state)
   {
   }
 
@@ -241,8 +245,7 @@ public:
 
   Periodic_shift_2 shift_of_step(const Position_2& from, const Position_2& to) const
   {
-    const Torus_2& torus = m_state.torus();
-    return torus.nearest_shift(torus.multiples({to.x - from.x, to.y - from.y}));
+    return m_state.shift_of_step(from, to);
   }
 
   // Whether two points differ by a vector of the lattice.
@@ -279,12 +282,15 @@ public:
       m_open = {0, 1, 2};
       return legalize();
     }
-    const Place found = locate(p);
-    if (found.corner != null_index)
-      return m_editor.ids().place_duplicate(id, m_state.arrays().apex(found.corner), p);
     const Slot slot = m_editor.make_slot();
-    m_editor.ids().place_representative(id, slot.vertex);
-    put_in(slot, p, found);
+    m_editor.set_position(slot.vertex, p);
+    const Place found = locate(slot.vertex);
+    if (found.vertex == null_index) {
+      m_editor.ids().place_representative(id, slot.vertex);
+      return put_in(slot, found);
+    }
+    m_editor.ids().place_duplicate(id, found.vertex, p);
+    m_editor.drop({slot});
   }
 
   // The same for many points, in an order in which each is near to the one before.
@@ -305,8 +311,11 @@ public:
   {
     const boost::counting_iterator<Index> first(0), beyond(Index(positions.size()));
     m_order.sort(positions, first, beyond);
-    for (std::size_t i = 0; i < m_order.size(); ++i)
+    for (std::size_t i = 0; i < m_order.size(); ++i) {
       f(m_order[i]);
+      m_located_near = m_order.size(); // the next one
+    }
+    m_located_near = 1;
     m_order.release();
   }
 
@@ -335,18 +344,30 @@ public:
     return false;
   }
 
-  // Takes vertices out of their faces, and opens the edges around. If that fails the result is
-  // false, and all that can be done is to triangulate anew.
-  bool take_out(const std::vector<Index>& vertices, bool are_tangled)
+  // Takes a vertex out of its faces where everything is Delaunay, and stays so. False, with nothing
+  // done, where its faces meet their images.
+  bool take_out_of_delaunay(Index v)
   {
-    m_open.reserve(m_open.size() + 8 * vertices.size());
+    reserve_extra(m_taken_out, 1);
+    if (!m_polygon.read(m_state, v))
+      return false;
+    m_polygon.triangulate_as_delaunay(m_state);
+    m_taken_out.push_back(m_editor.take_out(m_polygon));
+    return true;
+  }
+
+  // Takes vertices out of faces of any kind, and opens the edges around. If that fails the result
+  // is false, and all that can be done is to triangulate anew.
+  bool take_out_of_tangle(const std::vector<Index>& vertices)
+  {
+    reserve_extra(m_taken_out, vertices.size());
     for (const Index v : vertices) {
-      if (!reduce_degree(v, are_tangled))
+      if (!m_polygon.read(m_state, v) || !m_polygon.has_different_vertices())
         return false;
-      const Index f = m_state.arrays().corner(v) / 3;
-      m_taken_out.push_back(m_editor.take_out(v));
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        m_open.push_back(m_state.arrays().edge_of(h));
+      m_polygon.triangulate_anyhow(m_state, m_state.positions()[v]);
+      const std::size_t first_new = m_state.changes().new_edges.size();
+      m_taken_out.push_back(m_editor.take_out(m_polygon));
+      open_polygon(first_new);
     }
     close_empty();
     return true;
@@ -361,7 +382,7 @@ public:
     std::vector<Slot> merged;
     for_each_in_order(wrapped, [&](Index i) {
       const Slot& slot = m_taken_out[i];
-      if (!put_back(slot, Position_2(m_state.positions()[slot.vertex])))
+      if (!put_back(slot))
         merged.push_back(slot);
     });
     if (!merged.empty())
@@ -467,7 +488,7 @@ private:
     region.erase(std::remove_if(region.begin(), region.end(), is_outside), region.end());
     if (m_taken_out.size() + region.size() > max_taken_out())
       rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
-    else if (!take_out(region, true))
+    else if (!take_out_of_tangle(region))
       rebuild(Rebuild_reason_2::STUCK);
     flip();
   }
@@ -488,128 +509,70 @@ private:
 
   // LOCATION ------------------------------------------------------------------------------------
 
-  // A face, and the image of a point in its frame. The point may be on an edge, or at a corner.
-  struct Place
-  {
-    Index face;
-    Periodic_shift_2 shift;
-    Index edge = null_index, corner = null_index; // half-edges of that face
-  };
-
-  // Walks through faces that are all counterclockwise and Delaunay, so the walk ends.
-  Place locate(const Position_2& p)
+  // Locates a vertex that is outside of all faces; everything has to be Delaunay.
+  Place locate(Index v)
   {
     const auto& arrays = m_state.arrays();
     while (m_hint > m_state.number_of_vertices() || arrays.is_outside(m_hint))
       m_hint = m_hint % m_state.number_of_vertices() + 1;
-    const Index start = arrays.corner(m_hint);
-    Place place{start / 3, m_state.shift(start) + shift_of_step(p, m_state.positions()[m_hint])};
-    Index entry = null_index;
-    for (Index h = exit_of(place, p, entry); h != null_index; h = exit_of(place, p, entry)) {
-      place.shift = place.shift - m_state.transition(h);
-      entry = arrays.twin(h);
-      place.face = entry / 3;
-    }
-    return place;
-  }
-
-  // The half-edge through which to leave the face, or `null_index`. Then `place` is complete.
-  Index exit_of(Place& place, const Position_2& p, Index entry) const
-  {
-    place.edge = place.corner = null_index;
-    for (Index h = 3 * place.face; h < 3 * place.face + 3; ++h) {
-      if (h == entry)
-        continue;
-      const Orientation turn = m_state.torus().orientation(
-          m_state.image(Arrays::next(h)), m_state.image(Arrays::previous(h)), {p, place.shift});
-      if (turn == RIGHT_TURN)
-        return h;
-      if (turn == COLLINEAR) {
-        if (place.edge != null_index) // opposite to the third corner are neither of both edges
-          place.corner = 9 * place.face + 3 - place.edge - h;
-        place.edge = h;
-      }
-    }
-    return null_index;
+    const std::size_t vertices = m_state.number_of_vertices();
+    const std::size_t spread = (std::min)(vertices, 4 * vertices / m_located_near);
+    return m_location.locate(v, m_hint, Index(spread));
   }
 
   // FACES AND EDGES -----------------------------------------------------------------------------
 
-  // Puts the slot's vertex where p was found, which is no vertex.
-  void put_in(const Slot& slot, const Position_2& p, const Place& found)
+  // Opens the sides of the polygon, and the edges that are new inside.
+  void open_polygon(std::size_t first_new)
+  {
+    for (const auto& side : m_polygon.sides())
+      m_open.push_back(side.edge);
+    const auto& new_edges = m_state.changes().new_edges;
+    m_open.insert(m_open.end(), new_edges.begin() + std::ptrdiff_t(first_new), new_edges.end());
+  }
+
+  // Puts the slot's vertex where it was found, which is at no other vertex. Everything has to be
+  // Delaunay, and stays so.
+  void put_in(const Slot& slot, const Place& found)
   {
     const auto& arrays = m_state.arrays();
     const Index v = slot.vertex;
-    m_editor.put_in(slot, p, found.shift, found.face);
-    m_hint = v;
+    if (found.is_inside &&
+        m_polygon.find_as_delaunay(m_state, found.face, found.frame, v, max_faces)) {
+      m_polygon.add(slot);
+      m_editor.put_in(m_polygon);
+    } else
+      put_in_and_flip(slot, found);
+    // a neighbor, because the number of v itself says nothing about where it is
+    m_hint = arrays.source(arrays.corner(v));
+  }
+
+  void put_in_and_flip(const Slot& slot, const Place& found)
+  {
+    const auto& arrays = m_state.arrays();
+    m_editor.put_in(slot, no_shift - found.frame, found.face);
     if (found.edge != null_index) { // a flat face, opposite to v in it the edge on which v is
       const std::array<Index, 3> faces{found.face, slot.faces[0], slot.faces[1]};
       const Index place = found.edge % 3;
       m_editor.flip(3 * faces[place] + place);
     }
-    arrays.for_each_corner(v, [&](Index h) { m_open.push_back(arrays.edge_of(h)); });
+    arrays.for_each_corner(slot.vertex, [&](Index h) { m_open.push_back(arrays.edge_of(h)); });
     legalize();
   }
 
-  // The same where p is not located yet. If a vertex is there, it gets the points of the slot's
-  // vertex, and the result is false.
-  bool put_back(const Slot& slot, const Position_2& p)
+  // Puts a vertex back where it is now. If another vertex is there, it gets the points of the
+  // slot's vertex, and the result is false.
+  bool put_back(const Slot& slot)
   {
-    const Place found = locate(p);
-    if (found.corner == null_index) {
-      put_in(slot, p, found);
+    const Place found = locate(slot.vertex);
+    if (found.vertex == null_index) {
+      put_in(slot, found);
       return true;
     }
     m_editor.ids().reserve_for_duplicates(1);
-    m_editor.ids().merge(slot.vertex, m_state.arrays().apex(found.corner), p);
+    m_editor.ids().merge(slot.vertex, found.vertex, m_state.positions()[slot.vertex]);
     ++m_report->merged;
     return false;
-  }
-
-  // Flips edges of v until it has degree 3. False if that is not possible. It can fail for
-  // a vertex with edges to its own images, where cutting an ear changes the star at two places.
-  // Among tangled faces any ear will do if there is no counterclockwise one.
-  bool reduce_degree(Index v, bool is_tangled)
-  {
-    const auto& arrays = m_state.arrays();
-    for (Index degree = arrays.degree(v); degree != 3; degree = arrays.degree(v)) {
-      Index spoke = degree > 3 ? find_ear(v, false) : null_index;
-      if (spoke == null_index && degree > 3 && is_tangled)
-        spoke = find_ear(v, true);
-      if (spoke == null_index)
-        return false;
-      m_open.push_back(arrays.edge_of(spoke));
-      arrays.for_each_side(arrays.edge_of(spoke), [this](Index e) { m_open.push_back(e); });
-      m_editor.flip(spoke);
-      ++m_report->flips;
-    }
-    bool is_simple = true;
-    arrays.for_each_neighbor(v, [&](Index w) { is_simple = is_simple && w != v; });
-    return is_simple;
-  }
-
-  // A half-edge to v whose flip cuts a face off v's star: any, or a counterclockwise one that
-  // leaves a star whose faces are at worst flat. Fewer edges then end at v, also where v is its own
-  // neighbor.
-  Index find_ear(Index v, bool is_any) const
-  {
-    const auto& arrays = m_state.arrays();
-    const Torus_2& torus = m_state.torus();
-    const Index first = arrays.corner(v);
-    Index h = first;
-    do {
-      const Index spoke = Arrays::next(h);
-      const auto [a, b, c, d] = m_state.corners_at(spoke);
-      const Index opposite = arrays.apex(arrays.twin(spoke));
-      const int ends = (arrays.source(spoke) == v) + 1;
-      const int ends_after = (arrays.apex(spoke) == v) + (opposite == v);
-      if (ends_after < ends && m_editor.can_flip(spoke) &&
-          (is_any ||
-           (torus.orientation(a, b, d) == LEFT_TURN && torus.orientation(a, d, c) != RIGHT_TURN)))
-        return spoke;
-      h = arrays.next_corner(h);
-    } while (h != first);
-    return null_index;
   }
 
   bool is_counterclockwise(Index h) const
@@ -618,8 +581,11 @@ private:
                                        m_state.image(Arrays::previous(h))) == LEFT_TURN;
   }
 
+  static constexpr std::size_t max_faces = 64; // that a point replaces: flips take less time beyond
+
   State& m_state;
   Editor& m_editor;
+  Star_polygon_2<State> m_polygon; // around the vertex that goes or comes
   Static_engines_2 m_engines;
   Classification m_classification;
   std::vector<Index> m_padded, m_border;
@@ -629,9 +595,11 @@ private:
   std::size_t m_flips_left = 0;
   Lawson_flips_2 m_flips;
   Spatial_order_2 m_order;
-  Index m_hint = 1;              // where the next walk starts
-  std::vector<Index> m_open;     // edges to examine
-  std::vector<Slot> m_taken_out; // of vertices to be put back
+  Point_location_2<State> m_location;
+  Index m_hint = 1;               // where the next walk starts
+  std::size_t m_located_near = 1; // so many points are located near to the one before
+  std::vector<Index> m_open;      // edges to examine
+  std::vector<Slot> m_taken_out;  // of vertices to be put back
 };
 
 } // namespace internal

@@ -16,6 +16,8 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
 
+#include <CGAL/enum.h>
+
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -25,6 +27,56 @@ namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
 struct Periodic_slacks_2;
+
+// A vertex as it is seen from somewhere: an image.
+struct Periodic_corner_2
+{
+  Index vertex;
+  Periodic_shift_2 shift;
+
+  friend bool operator<(const Periodic_corner_2& a, const Periodic_corner_2& b)
+  {
+    return a.vertex != b.vertex ? a.vertex < b.vertex : a.shift < b.shift;
+  }
+  friend bool operator==(const Periodic_corner_2& a, const Periodic_corner_2& b)
+  {
+    return a.vertex == b.vertex && are_equal(a.shift, b.shift);
+  }
+};
+
+// The exact predicates on corners.
+template <class State>
+class Corner_predicates_2
+{
+public:
+  using Corner = Periodic_corner_2;
+
+  explicit Corner_predicates_2(const State& state)
+    : m_state(state)
+  {
+  }
+
+  Orientation orientation(const Corner& a, const Corner& b, const Corner& c) const
+  {
+    return m_state.torus().orientation(m_state.image(a), m_state.image(b), m_state.image(c));
+  }
+
+  // The side of d of the circle through a, b and c, which must be counterclockwise.
+  Oriented_side side_of_circle(const Corner& a, const Corner& b, const Corner& c,
+                               const Corner& d) const
+  {
+    return m_state.torus().side_of_circle(m_state.image(a), m_state.image(b), m_state.image(c),
+                                          m_state.image(d));
+  }
+
+  bool coincide(const Corner& a, const Corner& b) const
+  {
+    return m_state.torus().coincide(m_state.image(a), m_state.image(b));
+  }
+
+private:
+  const State& m_state;
+};
 
 // A triangulation of a flat torus: its faces in one sheet, however few its points are. Reading is
 // public; `Periodic_editor_2` alone writes.
@@ -90,6 +142,70 @@ public:
     right.shift = right.shift + transition(h);
     return {image(h, positions), image(Arrays::next(h), positions),
             image(Arrays::previous(h), positions), right};
+  }
+
+  // CORNERS, as in the plane. A frame is what is added to the shifts of a face.
+
+  using Corner = Periodic_corner_2;
+  using Frame = Periodic_shift_2;
+  using Predicates = Corner_predicates_2<Periodic_triangulation_state_2>;
+  static constexpr bool predicates_are_exact = true;
+
+  static Index vertex_of(const Corner& corner) { return corner.vertex; }
+  static Corner corner_of(Index v) { return {v, no_shift}; }
+  Corner corner_in(Index h, const Frame& frame) const
+  {
+    return {m_arrays.apex(h), m_shifts[h] + frame};
+  }
+  Frame frame_at(Index h) const { return no_shift - m_shifts[h]; }
+  Frame frame_beyond(Index h, const Frame& frame) const { return frame + transition(h); }
+  // Whether an image of a point is where vertex v is.
+  bool is_at(const Position_2& p, Index v) const { return m_torus.coincide(p, m_positions[v]); }
+  // The frame of the face of h in which the apex of h is seen from v where it is near.
+  Frame frame_seen_from(Index v, Index h) const
+  {
+    return frame_at(h) + shift_of_step(m_positions[m_arrays.apex(h)], m_positions[v]);
+  }
+  // By which the lattice comes nearest to a step.
+  Periodic_shift_2 shift_of_step(const Position_2& from, const Position_2& to) const
+  {
+    return m_torus.nearest_shift(m_torus.multiples({to.x - from.x, to.y - from.y}));
+  }
+  // Between images that are near to each other.
+  double rounded_squared_distance(Index v, Index w) const
+  {
+    const Position_2 &p = m_positions[v], &q = m_positions[w];
+    const Periodic_shift_2 shift = shift_of_step(p, q);
+    const Position_2 way = m_torus.vector({double(shift[0]), double(shift[1])});
+    return squared_distance({p.x + way.x, p.y + way.y}, q);
+  }
+  Image_2 image(const Corner& corner) const { return {m_positions[corner.vertex], corner.shift}; }
+  // NaNs beyond the gap beside a slab.
+  Position_2 rounded_position(const Corner& corner) const
+  {
+    return m_torus.are_across(corner.shift, no_shift) ? nan_point()
+                                                      : m_torus.rounded(image(corner));
+  }
+  // Whether an edge goes from a to b. Walks around both in step, because one of them may have many
+  // neighbors.
+  bool are_neighbors(const Corner& a, const Corner& b) const
+  {
+    const Periodic_shift_2 way = b.shift - a.shift;
+    const Index first = m_arrays.corner(a.vertex), other_first = m_arrays.corner(b.vertex);
+    Index i = first, k = other_first;
+    do {
+      if (leads(i, b.vertex, way) || leads(k, a.vertex, no_shift - way))
+        return true;
+      i = m_arrays.next_corner(i);
+      k = m_arrays.next_corner(k);
+    } while (i != first && k != other_first);
+    return false;
+  }
+  // Whether the next edge at this corner of a face goes to the image of v by `way`.
+  bool leads(Index h, Index v, const Periodic_shift_2& way) const
+  {
+    const Index end = Halfedge_arrays_2::next(h);
+    return m_arrays.apex(end) == v && are_equal(m_shifts[end] - m_shifts[h], way);
   }
 
   bool is_shifted(Index e) const { return m_arrays.edge(e).source == infinite_index; }

@@ -14,8 +14,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_repair_tools_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_triangulation_state_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Periodic_certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Periodic_slacks_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Validity_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Dynamic_frame_2.h>
@@ -109,12 +110,11 @@ public:
     if (!ids().is_representative(id))
       return m_editor.ids().remove_duplicate(id);
     const Index v = ids().vertex(id);
-    const bool is_out = m_state.number_of_vertices() > 1 && m_tools.take_out({v}, false);
+    const bool is_out = m_state.number_of_vertices() > 1 && m_tools.take_out_of_delaunay(v);
     if (!is_out)
       return m_tools.rebuild(Rebuild_reason_2::STUCK, id);
     m_editor.ids().reserve_for_removals(1);
     m_editor.ids().remove_representative(id);
-    m_tools.legalize();
     m_tools.drop_taken_out();
   }
 
@@ -141,11 +141,10 @@ public:
     }
     m_editor.set_position(v, before);
     m_editor.shift_images(v, no_shift - shift);
-    const bool is_out = m_tools.take_out({v}, false);
+    const bool is_out = m_tools.take_out_of_delaunay(v);
     m_editor.set_position(v, p);
     if (!is_out)
       return m_tools.rebuild(Rebuild_reason_2::STUCK);
-    m_tools.legalize();
     m_tools.put_back_all();
   }
 
@@ -172,13 +171,13 @@ public:
     const std::vector<Index> jumpers =
         m_is_certified ? m_motion.find_jumpers() : std::vector<Index>();
     const bool are_many = jumpers.size() > m_tools.max_taken_out();
-    const bool is_out = are_many || m_tools.take_out(jumpers, false);
-    if (is_out)
-      m_tools.legalize();
+    if (!are_many)
+      for (const Index v : jumpers)
+        m_tools.take_out_of_delaunay(v); // if not, the repair sees to its faces
     m_motion.move_vertices(cell);
     Rebuild_reason_2 reason;
     try {
-      reason = reason_to_rebuild(policy, is_out, are_many);
+      reason = reason_to_rebuild(policy, are_many);
       if (reason == Rebuild_reason_2::NONE)
         classify(classifier);
     } catch (...) {
@@ -204,7 +203,7 @@ public:
   bool certify()
   {
     if (m_is_whole && !m_is_certified)
-      m_is_certified = Periodic_certificate_2<State>(m_state).is_delaunay();
+      m_is_certified = Certificate_2<State>(m_state).holds();
     return is_certified();
   }
 
@@ -242,14 +241,10 @@ public:
 
   // CERTIFICATE ---------------------------------------------------------------------------------
 
-  // Tests everything again, exactly: that the shifts agree, and that the areas of the faces,
-  // negative where they are clockwise, sum up to that of the cell; and if it is certified, that all
-  // faces are counterclockwise, all edges locally Delaunay, and duplicates where their
-  // representatives are.
+  // Tests everything again, exactly.
   bool is_valid() const
   {
-    const Periodic_certificate_2<State> certificate(m_state);
-    return certificate.is_triangulation() && (!m_is_certified || certificate.is_delaunay());
+    return Validity_check_2<State>(m_state, false).passes(0, m_is_certified);
   }
 
 private:
@@ -275,10 +270,8 @@ private:
   }
 
   template <class Policy>
-  Rebuild_reason_2 reason_to_rebuild(Policy& policy, bool are_jumpers_out, bool are_many) const
+  Rebuild_reason_2 reason_to_rebuild(Policy& policy, bool are_many) const
   {
-    if (!are_jumpers_out)
-      return Rebuild_reason_2::STUCK;
     if (m_state.number_of_vertices() > 0 && policy.wants_rebuild(Frame(m_state)))
       return Rebuild_reason_2::POLICY;
     return are_many && m_tools.is_much_broken() ? Rebuild_reason_2::TOO_MUCH_BROKEN

@@ -191,6 +191,18 @@ public:
     return exact_orientation(a, b, c);
   }
 
+  // The side of d of the circle through a, b and c, which must be counterclockwise.
+  Oriented_side side_of_circle(const Image_2& a, const Image_2& b, const Image_2& c,
+                               const Image_2& d) const
+  {
+    const Filter filter(*this, {a, b, c, d});
+    if (filter.proves_inside())
+      return ON_POSITIVE_SIDE;
+    if (filter.proves_outside())
+      return ON_NEGATIVE_SIDE;
+    return exact_side_of_circle(a, b, c, d);
+  }
+
   // As `Edge_test_2` has it in the plane. No corner is at infinity.
   Edge_state_2 edge_state(const Edge_images_2& corners) const
   {

@@ -25,7 +25,11 @@ namespace internal {
 // By 1 and 3, the map from the triangulation to the plane is a covering of the hull's inside with
 // as many sheets as the hull has turns, branched at most at vertices. By 4 it has one sheet, so the
 // faces tile the convex hull. By 2 that tiling is Delaunay (Delaunay's lemma). Without 4, a vertex
-// star that winds around its center twice would pass 1 to 3. Edge_test_2 tests 1 to 3 edge by edge.
+// star that winds around its center twice would pass 1 to 3. The edge test tests 1 to 3 edge by
+// edge.
+//
+// On a torus there are neither infinity nor hull, and the first two conditions are enough as long
+// as the faces cover it once: no update changes that, and Torus_cover_2 tests it.
 template <class State>
 class Certificate_2
 {
@@ -53,18 +57,26 @@ public:
 
   bool holds() const
   {
-    const Edge_test_2<State> test(m_state); // conditions 1 to 3 at one edge
+    if constexpr (State::is_periodic)
+      return are_edges_delaunay();
+    else
+      return are_edges_delaunay() && hull_turns_once();
+  }
+
+private:
+  // Conditions 1 to 3.
+  bool are_edges_delaunay() const
+  {
+    const typename State::Edge_test test(m_state);
     return State::Parts::all_of(m_state.arrays().number_of_edges(),
                                 [&](std::size_t first, std::size_t beyond) {
                                   for (std::size_t e = first; e < beyond; ++e)
                                     if (test.state(Index(e)) != Edge_state_2::DELAUNAY)
                                       return false;
                                   return true;
-                                }) &&
-           hull_turns_once();
+                                });
   }
 
-private:
   const State& m_state;
 };
 

@@ -225,6 +225,8 @@ public:
     return kernel_side_of_circle(a, b, c, d);
   }
 
+  bool coincide(Index v, Index w) const { return compare_xy(v, w) == EQUAL; }
+
   Comparison_result compare_xy(Index v, Index w) const
   {
     const Comparison_result x = compare_x(v, w);

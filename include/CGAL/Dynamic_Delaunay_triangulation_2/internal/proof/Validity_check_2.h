@@ -9,8 +9,10 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Triangulation_state_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Torus_cover_2.h>
 #include <CGAL/exceptions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <iostream>
 #include <vector>
@@ -34,9 +36,9 @@ public:
   {
     return says(is_data_structure_valid(level), "the triangulation data structure is not valid") &&
            says(is_no_point_lost(is_certified), "a point has no vertex, or not its own") &&
-           says(!m_state.is_written_by_handles(), "handles have changed a vertex or a face") &&
            says(are_arrays_consistent(), "the half-edges are not those of a triangulation") &&
-           says(is_simplicial(), "two edges have the same vertices") &&
+           says(is_space_covered(), "the faces do not cover the torus once") &&
+           says(is_simplicial(), "two edges have the same ends") &&
            says(!is_certified || is_delaunay(), "the triangulation is certified, and not Delaunay");
   }
 
@@ -60,22 +62,27 @@ private:
     });
   }
 
-  // CGAL's own check throws instead of answering where its assertions are enabled.
-  bool is_data_structure_valid(int level) const
+  // CGAL's own check throws instead of answering where its assertions are enabled. A torus has no
+  // data structure of CGAL's.
+  bool is_data_structure_valid([[maybe_unused]] int level) const
   {
-    try {
-      return m_state.triangulation().tds().is_valid(m_verbose, level);
-    } catch (const Failure_exception&) {
-      return false;
+    if constexpr (!State::is_periodic) {
+      if (m_state.triangulation().number_of_vertices() != m_state.number_of_vertices())
+        return false;
+      try {
+        return says(!m_state.is_written_by_handles(), "handles have changed a vertex or a face") &&
+               m_state.triangulation().tds().is_valid(m_verbose, level);
+      } catch (const Failure_exception&) {
+        return false;
+      }
     }
+    return true;
   }
 
-  // A duplicate may differ from its vertex only after an exception, until the next proof.
+  // In the plane a duplicate may differ from its vertex after an exception, until the next proof.
   bool is_no_point_lost(bool is_certified) const
   {
     const auto& ids = m_state.ids();
-    if (m_state.triangulation().number_of_vertices() != m_state.number_of_vertices())
-      return false;
     Index duplicates = 0;
     for (Index id = 0; id < ids.number_of_ids(); ++id) {
       if (!ids.is_taken(id))
@@ -85,7 +92,7 @@ private:
         return false;
       if (!ids.is_representative(id)) {
         ++duplicates;
-        if (is_certified && !coincide(m_state.traits(), ids.duplicate(id).point, m_state.point(v)))
+        if ((State::is_periodic || is_certified) && !m_state.is_at(ids.duplicate(id).point, v))
           return false;
       }
     }
@@ -99,54 +106,85 @@ private:
   bool are_arrays_consistent() const
   {
     const auto& arrays = m_state.arrays();
-    if (m_state.positions().size() != arrays.number_of_vertices())
+    const bool has_vertices = !State::is_periodic || has_faces(); // the infinite one
+    if (has_vertices && m_state.positions().size() != arrays.number_of_vertices())
       return false;
-    if (!m_state.spans_plane())
+    if (!has_faces())
       return arrays.number_of_faces() == 0;
-    return all_of(0, 3 * std::size_t(arrays.number_of_faces()),
+    const auto is_face = [&](Index f) { return !arrays.is_empty_face(f); };
+    const auto has_corner = [&](Index v) {
+      return !arrays.is_outside(v) && arrays.apex(arrays.corner(v)) == v;
+    };
+    return all_of(0, arrays.number_of_faces(), is_face) &&
+           all_of(0, 3 * std::size_t(arrays.number_of_faces()),
                   [this](Index h) { return is_halfedge_consistent(h); }) &&
-           all_of(0, arrays.number_of_vertices(),
-                  [&](Index v) { return arrays.apex(arrays.corner(v)) == v; });
+           all_of(first_vertex, arrays.number_of_vertices(), has_corner);
   }
 
+  bool has_faces() const
+  {
+    if constexpr (State::is_periodic)
+      return m_state.number_of_vertices() > 0;
+    else
+      return m_state.spans_plane();
+  }
+
+  bool is_space_covered() const
+  {
+    if constexpr (State::is_periodic)
+      return Torus_cover_2<State>(m_state).is_single();
+    else
+      return true;
+  }
+
+  // No two edges have the same ends, as seen from one of them, and no edge ends where it begins.
   bool is_simplicial() const
   {
-    if (!m_state.spans_plane())
+    if (!has_faces())
       return true;
-    std::vector<Index> last_neighbor_of(m_state.arrays().number_of_vertices(), null_index);
-    bool is_simplicial = true;
-    for (Index v = 0; v < m_state.arrays().number_of_vertices(); ++v)
-      m_state.arrays().for_each_neighbor(v, [&](Index w) {
-        is_simplicial = is_simplicial && last_neighbor_of[w] != v;
-        last_neighbor_of[w] = v;
+    using Arrays = Halfedge_arrays_2;
+    std::vector<typename State::Corner> ends;
+    for (Index v = first_vertex; v < m_state.arrays().number_of_vertices(); ++v) {
+      ends.assign(1, State::corner_of(v));
+      m_state.arrays().for_each_corner(v, [&](Index h) {
+        ends.push_back(m_state.corner_in(Arrays::next(h), m_state.frame_at(h)));
       });
-    return is_simplicial;
+      std::sort(ends.begin(), ends.end());
+      if (std::adjacent_find(ends.begin(), ends.end()) != ends.end())
+        return false;
+    }
+    return true;
   }
 
   bool is_halfedge_consistent(Index h) const
   {
     const auto& arrays = m_state.arrays();
     const Index g = arrays.twin(h);
-    const Edge_2& edge = arrays.edge(arrays.edge_of(h));
-    const bool is_forward = edge.source == arrays.source(h);
+    const Index e = arrays.edge_of(h);
+    const Edge_2 edge = m_state.edge(e);
+    const bool is_forward = m_state.is_along(e, arrays.halfedge(e)) == (h == arrays.halfedge(e));
     const Index left = is_forward ? edge.left : edge.right;
     const Index right = is_forward ? edge.right : edge.left;
     return arrays.twin(g) == h && arrays.edge_of(g) == arrays.edge_of(h) &&
            arrays.source(g) == arrays.target(h) && arrays.target(g) == arrays.source(h) &&
            left == arrays.apex(h) && right == arrays.apex(g) &&
+           (is_forward ? edge.source : edge.target) == arrays.source(h) &&
            (is_forward ? edge.target : edge.source) == arrays.target(h);
   }
 
   bool is_delaunay() const
   {
-    if (m_state.spans_plane())
+    if (State::is_periodic || has_faces())
       return Certificate_2<State>(m_state).holds();
-    try { // on a line the triangulation is CGAL's own work
-      return m_state.triangulation().is_valid();
-    } catch (const Failure_exception&) {
-      return false;
-    }
+    if constexpr (!State::is_periodic)
+      try { // on a line the triangulation is CGAL's own work
+        return m_state.triangulation().is_valid();
+      } catch (const Failure_exception&) {
+      }
+    return false;
   }
+
+  static constexpr Index first_vertex = State::is_periodic ? 1 : infinite_index;
 
   const State& m_state;
   bool m_verbose;

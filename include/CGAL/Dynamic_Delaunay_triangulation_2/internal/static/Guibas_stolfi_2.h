@@ -42,6 +42,8 @@ public:
   static Index previous(Index h) { return (h & 3) == 0 ? h + 2 : h - 1; }
   // The number of half-edge h in arrays with the same faces.
   static Index number_in_arrays(Index h) { return h - h / 4; }
+  // The half-edge with this number in arrays.
+  static Index from_arrays(Index number) { return number + number / 3; }
 
   Index number_of_faces() const { return Index(m_halfedges.size() / 4); }
   Index apex(Index h) const { return m_halfedges[h].apex; }

@@ -196,6 +196,8 @@ private:
   friend class Topology_builder_2;
   template <class State>
   friend class Topology_editor_2;
+  template <class State>
+  friend class Star_writer_2;
   template <class State, bool is_logged>
   friend class Periodic_editor_2;
   template <class Point, class VertexInfo, class FaceInfo>
@@ -469,26 +471,6 @@ private:
     set_edge(slot.edges[0], 3 * f + 1);
     set_edge(slot.edges[1], 3 * f + 2);
     set_edge(slot.edges[2], 3 * g + 2);
-  }
-
-  // The reverse, for a vertex of degree 3: the face at v's corner replaces the three faces.
-  Slot take_out(Index v)
-  {
-    const Index h = corner(v), g = next_corner(h), k = next_corner(g);
-    const Slot slot{v, {g / 3, k / 3}, {edge_of(next(h)), edge_of(next(g)), edge_of(next(k))}};
-    const Index a = source(h), b = target(h), c = target(g);
-    const Index outer_g = twin(g), outer_k = twin(k);
-    const Index edge_g = edge_of(g), edge_k = edge_of(k);
-    set_apex(h, c);
-    set_apex(next(h), a);
-    set_apex(previous(h), b);
-    link(next(h), outer_g);
-    link(previous(h), outer_k);
-    set_edge(edge_of(h), h);
-    set_edge(edge_g, next(h));
-    set_edge(edge_k, previous(h));
-    empty(slot);
-    return slot;
   }
 
   // The last face, edge or vertex takes the number of an empty one. The last one must not be empty

@@ -9,9 +9,7 @@
 #include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/accepts_inexact_predicates_2.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -26,15 +24,28 @@ namespace internal {
 // triangulation of the polygon replace those around it. The triangulation is a sequence of *ears*,
 // triangles of three consecutive corners that are cut off one after the other. When the center is
 // put in, it is the other way around.
+//
+//     d ----- c                d ----- c
+//     | \   / |   v goes       | \     |
+//     |   v   |  --------->    |   \   |     ears: (a, b, d), (b, c, d)
+//     | /   \ |  <---------    |     \ |
+//     a ----- b   v comes      a ----- b
+//
+// Corners are vertices as seen from the center: on a torus, images of them. There a polygon can
+// meet itself, where there are few vertices; then it is of no use.
+template <class State>
 class Star_polygon_2
 {
   using Arrays = Halfedge_arrays_2;
+  using Corner = typename State::Corner;
+  using Frame = typename State::Frame;
+  using Predicates = typename State::Predicates;
 
 public:
   // Side i goes from the i-th corner of the polygon to the next, counterclockwise.
   struct Side
   {
-    Index corner;
+    Corner corner;
     Index outer; // the half-edge on the other side
     Index edge;
   };
@@ -58,20 +69,23 @@ public:
 
   // THE POLYGON -----------------------------------------------------------------------------------
 
-  // Reads the polygon around v, which is in its faces.
-  void read(const Arrays& arrays, Index v)
+  // Reads the polygon around v, which is in its faces. False if it meets itself.
+  bool read(const State& state, Index v)
   {
+    const Arrays& arrays = state.arrays();
     clear(v);
     arrays.for_each_corner(v, [&](Index h) {
-      m_sides.push_back({arrays.source(h), arrays.twin(h), arrays.edge_of(h)});
+      const Corner corner = state.corner_in(Arrays::next(h), state.frame_at(h));
+      m_sides.push_back({corner, arrays.twin(h), arrays.edge_of(h)});
       m_faces.push_back(Arrays::face_of(h));
       m_edges.push_back(arrays.edge_of(Arrays::previous(h)));
     });
+    return !meets_itself();
   }
 
   // Finds the polygon for v, which is in no face, but strictly inside of the finite face f, so that
-  // everything stays Delaunay. False if its faces would be more than `most`. Everything has to be
-  // Delaunay.
+  // everything stays Delaunay; `frame` is that of f as seen from v. False if its faces would be
+  // more than `most`, or if it meets itself. Everything has to be Delaunay.
   //
   // It consists of the faces that flips would remove, if v divided f in three (C. Lawson 1977;
   // Guibas and Stolfi 1985): only edges opposite to v can be illegal, and these are if v is inside
@@ -81,34 +95,41 @@ public:
   // from inside contains no other vertex, so the edge is Delaunay in every triangulation with v.
   // All other faces stay Delaunay. Faces are counterclockwise all the time, and those around v
   // surround it once, so no two edges go from v in the same direction: all corners are different.
-  template <class State>
-  bool find_as_delaunay(const State& state, Index f, Index v, std::size_t most)
+  //
+  // On a torus this is done for all images of v. If the polygon does not meet itself, those of
+  // different images have no face in common, and no two are side by side: so each side has a face
+  // beyond that stays, in whose circle v is not, and all edges are locally Delaunay.
+  bool find_as_delaunay(const State& state, Index f, const Frame& frame, Index v, std::size_t most)
   {
     const Arrays& arrays = state.arrays();
-    const Vertex_predicates_2<State> predicates(state);
-    const auto is_in_circle = [&](Index outer) {
-      const Index apex = arrays.apex(outer);
-      return apex != infinite_index &&
-             predicates.side_of_circle(apex, arrays.source(outer), arrays.target(outer), v) ==
-                 ON_POSITIVE_SIDE;
+    const Predicates predicates(state);
+    const Corner center = state.corner_of(v);
+    const auto is_in_circle = [&](Index outer, const Frame& beyond) {
+      return arrays.apex(outer) != infinite_index &&
+             predicates.side_of_circle(
+                 state.corner_in(outer, beyond), state.corner_in(Arrays::next(outer), beyond),
+                 state.corner_in(Arrays::previous(outer), beyond), center) == ON_POSITIVE_SIDE;
     };
     clear(v);
     m_faces.push_back(f);
     m_open.clear();
     for (const Index h : {3 * f + 2, 3 * f + 1, 3 * f})
-      m_open.push_back(h);
+      m_open.push_back({h, frame});
     while (!m_open.empty() && m_faces.size() <= most) {
-      const Index h = m_open.back(), outer = arrays.twin(h);
+      const Open open = m_open.back();
+      const Index outer = arrays.twin(open.halfedge);
+      const Frame beyond = state.frame_beyond(open.halfedge, open.frame);
       m_open.pop_back();
-      if (is_in_circle(outer)) {
+      if (is_in_circle(outer, beyond)) {
         m_faces.push_back(Arrays::face_of(outer));
         m_edges.push_back(arrays.edge_of(outer));
-        m_open.push_back(Arrays::previous(outer));
-        m_open.push_back(Arrays::next(outer));
+        m_open.push_back({Arrays::previous(outer), beyond});
+        m_open.push_back({Arrays::next(outer), beyond});
       } else
-        m_sides.push_back({arrays.source(h), outer, arrays.edge_of(h)});
+        m_sides.push_back({state.corner_in(Arrays::next(open.halfedge), open.frame), outer,
+                           arrays.edge_of(outer)});
     }
-    return m_faces.size() <= most;
+    return m_faces.size() <= most && !meets_itself();
   }
 
   // Adds the faces and edges of the slot that the center has kept, or got.
@@ -144,14 +165,15 @@ public:
   //   - A corner in a circle of the search is on the left of the side: on its right, such a circle
   //     is inside of C.
   // So the search finds Delaunay faces that tile P.
-  template <class State>
   bool triangulate_as_delaunay(const State& state)
   {
-    if constexpr (!Are_known_to_be_inexact_2<typename State::Traits>::value) {
-      constexpr std::size_t max_degree = 24; // flips take less time beyond
+    if constexpr (State::predicates_are_exact) {
+      // Flips take less time beyond. A torus knows no better way: across the gap of a slab a vertex
+      // may have many images of few neighbors.
+      constexpr std::size_t max_degree = State::is_periodic ? std::size_t(-1) : 24;
       if (m_sides.size() > max_degree || is_at_infinity())
         return false;
-      divide(Vertex_predicates_2<State>(state), 0, Index(m_sides.size() - 1));
+      divide(Predicates(state), 0, Index(m_sides.size() - 1));
       return true;
     }
     return false;
@@ -162,8 +184,7 @@ public:
   // chance.
   //
   // An ear whose third edge does not exist yet always remains: if one edge exists elsewhere, it
-  // separates the third edges of other ears.
-  template <class State>
+  // separates the third edges of other ears. The corners must be different vertices.
   void triangulate_anyhow(const State& state, const Position_2& place)
   {
     link_corners();
@@ -173,7 +194,41 @@ public:
     CGAL_postcondition(is_triangulated());
   }
 
+  // Whether no two corners, or the center, are images of one vertex.
+  bool has_different_vertices()
+  {
+    m_numbers.clear();
+    m_numbers.push_back(m_center);
+    for (const Side& side : m_sides)
+      m_numbers.push_back(State::vertex_of(side.corner));
+    std::sort(m_numbers.begin(), m_numbers.end());
+    return std::adjacent_find(m_numbers.begin(), m_numbers.end()) == m_numbers.end();
+  }
+
 private:
+  // A half-edge of a face inside of the polygon; the face beyond is to be examined.
+  struct Open
+  {
+    Index halfedge;
+    Frame frame;
+  };
+
+  // Whether a face is inside more than once, or beyond a side: as seen from another image of the
+  // center.
+  bool meets_itself()
+  {
+    if constexpr (State::is_periodic) {
+      m_numbers.assign(m_faces.begin(), m_faces.end());
+      std::sort(m_numbers.begin(), m_numbers.end());
+      return std::adjacent_find(m_numbers.begin(), m_numbers.end()) != m_numbers.end() ||
+             std::any_of(m_sides.begin(), m_sides.end(), [this](const Side& side) {
+               return std::binary_search(m_numbers.begin(), m_numbers.end(),
+                                         Arrays::face_of(side.outer));
+             });
+    }
+    return false;
+  }
+
   void clear(Index center)
   {
     m_center = center;
@@ -185,15 +240,19 @@ private:
 
   // DELAUNAY FACES --------------------------------------------------------------------------------
 
+  static bool is_infinite(const Corner& corner)
+  {
+    return State::vertex_of(corner) == infinite_index;
+  }
+
   bool is_at_infinity() const
   {
     return std::any_of(m_sides.begin(), m_sides.end(),
-                       [](const Side& side) { return side.corner == infinite_index; });
+                       [](const Side& side) { return is_infinite(side.corner); });
   }
 
   // Triangulates the part of the polygon from corner `first` to corner `last`, which is on the left
   // of the edge from `last` to `first`.
-  template <class Predicates>
   void divide(const Predicates& predicates, Index first, Index last)
   {
     if (last - first < 2)
@@ -204,21 +263,20 @@ private:
     m_ears.push_back({first, apex, last});
   }
 
-  template <class Predicates>
   Index find_apex(const Predicates& predicates, Index first, Index last) const
   {
     if (last - first == 2) // a triangle
       return first + 1;
-    const Index source = m_sides[last].corner, target = m_sides[first].corner;
-    const auto is_on_left = [&](Index v) {
-      return predicates.orientation(source, target, v) == LEFT_TURN;
+    const Corner &source = m_sides[last].corner, &target = m_sides[first].corner;
+    const auto is_on_left = [&](const Corner& corner) {
+      return predicates.orientation(source, target, corner) == LEFT_TURN;
     };
     Index apex = first + 1;
     while (apex + 1 < last && !is_on_left(m_sides[apex].corner))
       ++apex;
     for (Index i = apex + 1; i < last; ++i) {
-      const Index v = m_sides[i].corner;
-      if (predicates.side_of_circle(m_sides[apex].corner, source, target, v) == ON_POSITIVE_SIDE)
+      if (predicates.side_of_circle(m_sides[apex].corner, source, target, m_sides[i].corner) ==
+          ON_POSITIVE_SIDE)
         apex = i;
     }
     return apex;
@@ -260,7 +318,6 @@ private:
   // do so in any case, and are cut side by side. Gives up after a few rounds, because a round may
   // find only the one ear that the last round has made, as at a vertex beside a line of a thousand;
   // any ears will do in the end.
-  template <class State>
   void cut_ears(const State& state, const Position_2& place, Kind kind)
   {
     constexpr std::size_t max_rounds = 4;
@@ -279,33 +336,33 @@ private:
 
   // Whether an ear of this kind follows corner i, and its third edge does not exist. Any kind is
   // valid, so plain floating point suffices for that.
-  template <class State>
   bool is_ear(const State& state, const Position_2& place, Index i, Kind kind) const
   {
     const Index k = m_links[i].after;
-    const Index before = m_sides[i].corner, tip = m_sides[k].corner;
-    const Index after = m_sides[m_links[k].after].corner;
-    const bool ends_at_infinity = before == infinite_index || after == infinite_index;
-    if (kind == Kind::AT_INFINITY && (tip == infinite_index || !ends_at_infinity))
+    const Corner &before = m_sides[i].corner, &tip = m_sides[k].corner;
+    const Corner& after = m_sides[m_links[k].after].corner;
+    const bool ends_at_infinity = is_infinite(before) || is_infinite(after);
+    if (kind == Kind::AT_INFINITY && (is_infinite(tip) || !ends_at_infinity))
       return false;
     if (kind == Kind::CONVEX) {
-      if (tip == infinite_index || ends_at_infinity)
+      if (is_infinite(tip) || ends_at_infinity)
         return false;
-      const auto& positions = state.positions();
-      const Position_2 &p = positions[before], &q = positions[tip], &r = positions[after];
+      const Position_2 p = state.rounded_position(before), q = state.rounded_position(tip),
+                       r = state.rounded_position(after);
       if (!(cross(q - p, r - p) > 0 && cross(p - place, r - place) >= 0))
         return false;
     }
-    return !state.arrays().are_neighbors(before, after);
+    return !state.are_neighbors(before, after);
   }
 
   Index m_center = null_index;
   Kept_list_2<Side> m_sides;
   Kept_list_2<Index> m_faces, m_edges;
-  Kept_list_2<Index> m_open; // half-edges whose other sides are to be examined
+  Kept_list_2<Open> m_open;
   Kept_list_2<Ear> m_ears;
-  std::vector<Links> m_links; // of the corners that are left
-  Index m_last = 0;           // one of them
+  std::vector<Links> m_links;   // of the corners that are left
+  Index m_last = 0;             // one of them
+  std::vector<Index> m_numbers; // sorted
 };
 
 } // namespace internal

@@ -647,11 +647,11 @@ private:
   void restore_numbers(const Checkpoint_arrays_2<Point>& kept)
   {
     for (Index e = 0; e < m_arrays.number_of_edges(); ++e) {
-      m_arrays.set_edge(e, kept.edges[e].forward);
-      m_arrays.set_halfedge(e, kept.edges[e].halfedge);
+      m_arrays.set_edge(e, kept.forward_halfedges[e]);
+      m_arrays.set_halfedge(e, kept.halfedges[e]);
     }
     for (Index v = 0; v < m_arrays.number_of_vertices(); ++v)
-      m_arrays.set_corner(v, kept.corners[v].halfedge);
+      m_arrays.set_corner(v, kept.corners[v]);
   }
 
   const State& m_state;

@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Triangulation_state_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Star_polygon_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Star_writer_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_parts_2.h>
 #include <CGAL/Triangulation_utils_2.h>
 
@@ -77,6 +78,7 @@ class Topology_editor_2
   using Face_handle = typename State::Face_handle;
   using Edge = typename State::Triangulation::Edge;
   using Storage = typename Topology::Storage;
+  using Polygon = Star_polygon_2<State>;
 
 public:
   using Slot = Halfedge_arrays_2::Slot;
@@ -87,6 +89,7 @@ public:
     , m_storage(state.m_topology.m_storage)
     , m_arrays(state.m_topology.m_storage.m_arrays)
     , m_positions(state.m_positions)
+    , m_star_writer(m_arrays)
   {
   }
 
@@ -227,11 +230,11 @@ public:
       m_arrays.prefetch_face(m_arrays.twin(h));
     });
   }
-  void prefetch(const Star_polygon_2& polygon) const
+  void prefetch(const Polygon& polygon) const
   {
     if (m_arrays.number_of_vertices() < min_vertices_to_prefetch)
       return;
-    for (const Star_polygon_2::Side& side : polygon.sides()) {
+    for (const auto& side : polygon.sides()) {
       internal::prefetch(&m_state.positions()[side.corner]);
       m_arrays.prefetch_edge(side.edge);
     }
@@ -241,7 +244,7 @@ public:
 
   // Takes the polygon's center out of all faces, to be put in again. If this throws, it is still in
   // its faces.
-  Slot take_out(const Star_polygon_2& polygon)
+  Slot take_out(const Polygon& polygon)
   {
     const Index v = polygon.center();
     return take_out(polygon, [&] {
@@ -251,7 +254,7 @@ public:
   }
 
   // The same for a vertex whose only point is removed.
-  Slot remove(const Star_polygon_2& polygon)
+  Slot remove(const Polygon& polygon)
   {
     const Index v = polygon.center();
     return take_out(polygon, [&] {
@@ -262,7 +265,7 @@ public:
   }
 
   // The same for a vertex whose points, at p, become duplicates at another vertex.
-  Slot merge(const Star_polygon_2& polygon, Index stays, const Point& p)
+  Slot merge(const Polygon& polygon, Index stays, const Point& p)
   {
     return take_out(polygon, [&] { hand_points_to(stays, polygon.center(), p); });
   }
@@ -287,13 +290,13 @@ public:
 
   // Puts the center of a polygon that has faces and edges for it in their place. Throws nothing if
   // there is memory for as many new edges.
-  void put_in(const Slot& slot, const Star_polygon_2& polygon)
+  void put_in(const Slot& slot, const Polygon& polygon)
   {
     CGAL_precondition(polygon.has_star() && polygon.center() == slot.vertex);
     auto& new_edges = m_topology.m_changes.new_edges;
     for (std::size_t i = 0; i + slot.faces.size() < polygon.faces().size(); ++i)
       tell_before_removal(polygon.faces()[i]);
-    write_star(polygon);
+    m_star_writer.write_star(polygon, corner_setter());
     new_edges.insert(new_edges.end(), polygon.edges().begin(), polygon.edges().end());
     for (const Index f : polygon.faces())
       tell_after_creation(f);
@@ -500,100 +503,30 @@ private:
     }
   }
 
+  auto corner_setter()
+  {
+    return [this](Index h, Index v) { m_arrays.set_apex(h, v); };
+  }
+
   // `vacate()`, which must not throw, is called before the center leaves its faces, after the
   // visitor was told of them.
   template <class Vacate>
-  Slot take_out(const Star_polygon_2& polygon, const Vacate& vacate)
+  Slot take_out(const Polygon& polygon, const Vacate& vacate)
   {
     CGAL_precondition(!m_arrays.is_outside(polygon.center()));
     CGAL_precondition(polygon.is_triangulated());
     const std::size_t degree = polygon.sides().size();
     reserve_extra(m_topology.m_changes.new_edges, degree);
-    m_open_sides.resize(degree); // nothing throws from here on
+    m_star_writer.reserve(polygon); // nothing throws from here on
     for (const Index f : polygon.faces())
       tell_before_removal(f);
     vacate();
-    write_ears(polygon);
-    const Slot slot = slot_left_by(polygon);
-    m_arrays.empty(slot);
-    log_ears(polygon);
+    const Slot slot = m_star_writer.write_ears(polygon, corner_setter());
+    m_star_writer.for_each_edge_of_ears(
+        polygon, [this](Index e) { m_topology.m_changes.new_edges.push_back(e); });
     for (std::size_t i = 0; i + 2 < degree; ++i)
       tell_after_creation(polygon.faces()[i]);
     return slot;
-  }
-
-  // A side of a polygon while ears are cut off: the half-edge outside of it, and its edge.
-  struct Open_side
-  {
-    Index outer, edge;
-  };
-
-  // The i-th ear gets the i-th face, and what it leaves the i-th edge.
-  void write_ears(const Star_polygon_2& polygon)
-  {
-    const auto& sides = polygon.sides();
-    const auto& ears = polygon.ears();
-    for (std::size_t i = 0; i < sides.size(); ++i)
-      m_open_sides[i] = {sides[i].outer, sides[i].edge};
-    for (std::size_t i = 0; i < ears.size(); ++i) {
-      const Star_polygon_2::Ear& ear = ears[i];
-      const Index f = polygon.faces()[i];
-      m_arrays.set_apex(3 * f, sides[ear.before].corner);
-      m_arrays.set_apex(3 * f + 1, sides[ear.tip].corner);
-      m_arrays.set_apex(3 * f + 2, sides[ear.after].corner);
-      close(m_open_sides[ear.before], 3 * f + 2);
-      close(m_open_sides[ear.tip], 3 * f);
-      m_open_sides[ear.before] = {3 * f + 1, polygon.edges()[i]};
-    }
-    // the last ear is a triangle that has a side of the polygon for its third edge
-    const Star_polygon_2::Ear& last = ears.back();
-    close(m_open_sides[last.after], 3 * polygon.faces()[ears.size() - 1] + 1);
-  }
-
-  // Makes h, whose face has its vertices, the other half-edge of an open side.
-  void close(const Open_side& side, Index h)
-  {
-    m_arrays.link(h, side.outer);
-    m_arrays.set_edge(side.edge, h);
-  }
-
-  // The numbers that write_ears() does not use.
-  static Slot slot_left_by(const Star_polygon_2& polygon)
-  {
-    const auto face = polygon.faces().end();
-    const auto edge = polygon.edges().end();
-    return {polygon.center(), {face[-2], face[-1]}, {edge[-3], edge[-2], edge[-1]}};
-  }
-
-  // Logs all edges of the last face: it has no new one if it is the only face.
-  void log_ears(const Star_polygon_2& polygon)
-  {
-    auto& new_edges = m_topology.m_changes.new_edges;
-    const auto& edges = polygon.edges();
-    new_edges.insert(new_edges.end(), edges.begin(), edges.end() - 3);
-    const Index last = polygon.faces()[polygon.ears().size() - 1];
-    for (Index h = 3 * last; h < 3 * last + 3; ++h)
-      new_edges.push_back(m_arrays.edge_of(h));
-  }
-
-  // The i-th side gets the i-th face, and the edge to its end the i-th edge.
-  void write_star(const Star_polygon_2& polygon)
-  {
-    const auto& sides = polygon.sides();
-    const Index v = polygon.center();
-    const std::size_t degree = sides.size();
-    for (std::size_t i = 0; i < degree; ++i) {
-      const Index h = 3 * polygon.faces()[i];
-      m_arrays.set_apex(h, v);
-      m_arrays.set_apex(h + 1, sides[i].corner);
-      m_arrays.set_apex(h + 2, sides[i + 1 < degree ? i + 1 : 0].corner);
-    }
-    for (std::size_t i = 0; i < degree; ++i) {
-      const Index h = 3 * polygon.faces()[i];
-      close({sides[i].outer, sides[i].edge}, h);
-      m_arrays.link(h + 1, 3 * polygon.faces()[i + 1 < degree ? i + 1 : 0] + 2);
-      m_arrays.set_edge(polygon.edges()[i], h + 1);
-    }
   }
 
   // Sorts the numbers in descending order. Then the last element is never empty, unless it is the
@@ -685,8 +618,8 @@ private:
   Storage& m_storage;
   Halfedge_arrays_2& m_arrays;
   Positions& m_positions;
+  Star_writer_2<State> m_star_writer;
   std::vector<Index> m_inner_edges;
-  std::vector<Open_side> m_open_sides;
   std::vector<std::vector<Index>> m_flipped_in_parts;                // edges
   std::vector<Index> m_empty_vertices, m_empty_faces, m_empty_edges; // to be dropped
   std::vector<Index> m_number_of_edge;                               // after that

@@ -14,6 +14,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_builder_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Border_splice_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Jumper_search_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Lawson_flips_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Open_edges_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_costs_2.h>

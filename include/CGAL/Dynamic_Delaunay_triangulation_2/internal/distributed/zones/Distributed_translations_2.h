@@ -81,8 +81,6 @@ private:
     std::uint64_t is_now;
   };
 
-  static constexpr std::array<Periodic_shift_2, 2> unit_multiples{{{1, 0}, {0, 1}}};
-
   Periodic_shift_2 translation(Id id) const
   {
     const auto found = m_translations.find(id);

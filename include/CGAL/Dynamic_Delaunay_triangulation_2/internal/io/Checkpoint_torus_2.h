@@ -1,0 +1,218 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_IO_CHECKPOINT_TORUS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_IO_CHECKPOINT_TORUS_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_builder_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_editor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_memory_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Torus_cover_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Validity_check_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Guibas_stolfi_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+#include <CGAL/Periodic_cell_2.h>
+
+#include <array>
+#include <cmath>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// What checkpoints of a torus or a slab have of their own: the cell, and the shifts of corners.
+// There is no infinite vertex. Two vertices can have several edges, so the twins do not follow from
+// the faces.
+template <class State>
+class Checkpoint_torus_2
+{
+  using Arrays = Halfedge_arrays_2;
+
+public:
+  using Point = Position_2;
+  using Memory = Periodic_memory_2;
+
+  static constexpr Index first_vertex = infinite_index + 1;
+  static constexpr const char* wrong_corner = "this is no corner of vertex ";
+
+  // WRITING -------------------------------------------------------------------------------------
+
+  static bool is_complete(const State& state, bool is_certified)
+  {
+    return is_certified || Validity_check_2<State>(state, false).passes(0, false);
+  }
+
+  static void write_kind(Checkpoint_output_2& file, const State& state)
+  {
+    const Periodic_cell_2& cell = state.torus().cell();
+    file.line("slab", cell.is_slab() ? "yes" : "no");
+    if (cell.is_slab())
+      file.line("cell", cell.ax(), cell.ay());
+    else
+      file.line("cell", cell.ax(), cell.ay(), cell.bx(), cell.by());
+  }
+
+  static void write_memory(Checkpoint_output_2& file, const State&, const Memory& memory)
+  {
+    file.line("mean_way", memory.mean_way.x, memory.mean_way.y);
+    file.line("walk_start", memory.hint);
+  }
+
+  static std::array<double, 2> coordinates(const Point& p) { return {p.x, p.y}; }
+  static std::array<double, 2> coordinates(const State& state, Index v)
+  {
+    return coordinates(state.positions()[v]);
+  }
+
+  static bool has_faces(const State&) { return true; }
+
+  // The first corner has no shift.
+  static std::array<Periodic_shift_2, 2> rest_of_face(const State& state, Index f)
+  {
+    return {state.shift(3 * f + 1), state.shift(3 * f + 2)};
+  }
+  static std::tuple<> rest_of_corner(Index) { return {}; }
+
+  static std::array<Index, 2> halfedges(const Arrays& arrays, Index e)
+  {
+    return {arrays.halfedge(e), arrays.twin(arrays.halfedge(e))};
+  }
+
+  // READING -------------------------------------------------------------------------------------
+
+  // Reads the cell.
+  Checkpoint_torus_2(Checkpoint_input_2& file, Checkpoint_arrays_2<Point>& kept)
+    : m_file(file)
+    , m_kept(kept)
+    , m_torus(read_cell())
+  {
+  }
+
+  void read_memory(bool)
+  {
+    m_file.begin_entry("mean_way");
+    const double x = m_file.number("the coordinate"); // the mean of large ones may overflow
+    m_memory.mean_way = {x, m_file.number("the coordinate")};
+    m_file.end_line();
+    m_memory.hint = m_file.number_entry("walk_start", Index(1), max_vertices);
+  }
+  const Memory& memory() const { return m_memory; }
+
+  static Index fewest_vertices() { return 0; }
+  static Index most_vertices() { return max_vertices; }
+  void read_vertex() { m_kept.points.push_back(read_point()); }
+
+  Point read_point()
+  {
+    const Point p = read_vector(), multiples = m_torus.periodic(m_torus.multiples(p));
+    if (!(std::abs(multiples.x) < max_shift && std::abs(multiples.y) < max_shift))
+      m_file.refuse("the point is 2^20 cells or more from the origin, and has to be nearer");
+    return p;
+  }
+
+  bool coincide(const Point& p, const Point& q) const { return m_torus.coincide(p, q); }
+
+  static bool has_faces() { return true; }
+
+  void read_rest_of_face(Index f)
+  {
+    m_shifts.insert(m_shifts.end(), {no_shift, read_shift(), read_shift()});
+    m_file.end_line();
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      if (source(h) == target(h) && are_equal(side(h), no_shift))
+        m_file.refuse("the face has a corner twice");
+  }
+
+  static bool read_rest_of_corner(Index) { return true; }
+
+  // Links two half-edges, which have to run along each other in opposite directions, also by their
+  // shifts. Returns the second one.
+  Index checked_twin(Index h, Index g, const std::vector<bool>& is_listed)
+  {
+    if (h == g || is_listed[h] || is_listed[g])
+      m_file.refuse("a half-edge is there more than once");
+    if (source(h) != target(g) || target(h) != source(g) || !are_equal(side(h), no_shift - side(g)))
+      m_file.refuse("these are half-edges of two edges");
+    m_kept.faces.link(Flat_faces_2::from_arrays(h), Flat_faces_2::from_arrays(g));
+    return g;
+  }
+
+  void restore(State& state) const
+  {
+    state = State(m_torus.cell());
+    Periodic_faces_2 faces;
+    faces.shifts = m_shifts;
+    for (Index h = 0; h < Index(m_shifts.size()); ++h) {
+      const Index flat = Flat_faces_2::from_arrays(h);
+      faces.apexes.push_back(m_kept.faces.apex(flat));
+      faces.twins.push_back(Flat_faces_2::number_in_arrays(m_kept.faces.twin(flat)));
+    }
+    Periodic_editor_2<State, false>(state).restore(faces, m_kept.points, m_kept.ids, m_kept.corners,
+                                                   m_kept.forward_halfedges);
+    if (!Torus_cover_2<State>(state).do_areas_sum_up())
+      m_file.refuse("the faces above do not cover the space once");
+  }
+
+  static bool is_delaunay(const State& state) { return Certificate_2<State>(state).holds(); }
+
+private:
+  Periodic_cell_2 read_cell()
+  {
+    const bool is_slab = m_file.flag_entry("slab", "yes", "no");
+    m_file.begin_entry("cell");
+    const Position_2 a = read_vector(), b = is_slab ? Position_2{0, 0} : read_vector();
+    m_file.end_line();
+    try {
+      const auto cell =
+          is_slab ? Periodic_cell_2::slab(a.x, a.y) : Periodic_cell_2(a.x, a.y, b.x, b.y);
+      check_cell(cell);
+      return cell;
+    } catch (const Periodic_cell_error_2& error) {
+      m_file.refuse(error.what());
+    }
+  }
+
+  Position_2 read_vector()
+  {
+    const double x = m_file.finite("the first coordinate");
+    return {x, m_file.finite("the second coordinate")};
+  }
+
+  Periodic_shift_2 read_shift()
+  {
+    constexpr int most = int(max_shift_in_face) - 1;
+    const int first = m_file.number("the shift", -most, most);
+    return {first, m_file.number("the shift", -most, most)};
+  }
+
+  // From the source of a half-edge to its target.
+  Periodic_shift_2 side(Index h) const
+  {
+    return m_shifts[Arrays::previous(h)] - m_shifts[Arrays::next(h)];
+  }
+  Index source(Index h) const { return m_kept.faces.source(Flat_faces_2::from_arrays(h)); }
+  Index target(Index h) const { return m_kept.faces.target(Flat_faces_2::from_arrays(h)); }
+
+  Checkpoint_input_2& m_file;
+  Checkpoint_arrays_2<Point>& m_kept;
+  Torus_2 m_torus;
+  Memory m_memory;
+  std::vector<Periodic_shift_2> m_shifts; // of the apex of each half-edge
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_IO_CHECKPOINT_TORUS_2_H

@@ -1,0 +1,261 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_JUMPER_SEARCH_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_JUMPER_SEARCH_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Finds the vertices that jumped: relative to their neighbors, they moved farther than the extent
+// of their neighborhood. A vertex that leaves its neighborhood inverts a face, so only vertices at
+// edges with inverted faces are examined. Jumps affect only the cost, so plain floating point
+// decides.
+template <class State>
+class Jumper_search_2
+{
+public:
+  explicit Jumper_search_2(const State& state)
+    : m_state(state)
+  {
+  }
+
+  // Finds jumpers among the vertices of these edges, in the order in which they are met. This and
+  // all functions below need the previous positions.
+  const std::vector<Index>& find_jumpers(const std::vector<Index>& edges)
+  {
+    collect_from_parts(edges.size(), m_suspects, [&](std::size_t i, Work& work) {
+      prefetch_edges(edges, i);
+      look_at(m_state.arrays().edge(edges[i]), work.found);
+    });
+    m_seen.clear(m_state.arrays().number_of_vertices());
+    m_suspects.erase(std::remove_if(m_suspects.begin(), m_suspects.end(),
+                                    [this](Index v) { return !m_seen.insert(v); }),
+                     m_suspects.end());
+    collect_from_parts(m_suspects.size(), m_jumpers, [&](std::size_t i, Work& work) {
+      if (has_jumped(m_suspects[i], work))
+        work.found.push_back(m_suspects[i]);
+    });
+    return m_jumpers;
+  }
+
+  // For each of these edges, finds the one of its vertices that moved farthest relative to the
+  // others. Skips edges with a vertex found before, so that each edge has only one.
+  const std::vector<Index>& find_farthest(const std::vector<Index>& edges)
+  {
+    m_jumpers.clear();
+    m_seen.clear(m_state.arrays().number_of_vertices());
+    for (const Index e : edges) {
+      const Edge_2& edge = m_state.arrays().edge(e);
+      const std::array<Index, 4> vertices{edge.source, edge.target, edge.left, edge.right};
+      const auto is_taken = [this](Index v) { return m_seen.contains(v); };
+      if (std::any_of(vertices.begin(), vertices.end(), is_taken))
+        continue;
+      const Index v = farthest_of(vertices);
+      if (v != null_index && m_seen.insert(v))
+        m_jumpers.push_back(v);
+    }
+    return m_jumpers;
+  }
+
+  // Whether v has jumped, if no other vertex has moved. `false` if it has no finite neighbors.
+  bool has_jumped_alone(Index v) const
+  {
+    const Position_2 place = previous_position(v);
+    const double square = squared_distance(m_state.positions()[v], place);
+    std::size_t neighbors = 0, passed = 0;
+    m_state.arrays().for_each_neighbor(v, [&](Index w) {
+      const double squared_length = squared_distance(place, m_state.positions()[w]);
+      neighbors += w != infinite_index;
+      passed += square > max_way * max_way * squared_length; // false for the infinite one
+    });
+    return passed > neighbors / 4; // as has_jumped() has it
+  }
+
+private:
+  using Parts = typename State::Parts;
+
+  // What each thread needs: what it finds, and how the neighbors of a vertex moved.
+  struct Work
+  {
+    std::vector<Index> found;
+    std::vector<double> x, y, squared_lengths;
+  };
+
+  // Calls f(i, work) for each i below `size`, and lists what is found, in the order of i.
+  template <class Function>
+  void collect_from_parts(std::size_t size, std::vector<Index>& found, const Function& f)
+  {
+    // an i takes up to a microsecond
+    constexpr std::size_t least = (std::max)(Parts::usual_size / 256, std::size_t(1));
+    m_works.resize((std::max)(Parts::number(size, least), m_works.size()));
+    Parts::for_each(size, least, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      m_works[part].found.clear();
+      for (std::size_t i = first; i < beyond; ++i)
+        f(i, m_works[part]);
+    });
+    found.clear();
+    for (std::size_t part = 0; part < Parts::number(size, least); ++part)
+      found.insert(found.end(), m_works[part].found.begin(), m_works[part].found.end());
+  }
+
+  // `null_index` if all have moved alike.
+  Index farthest_of(const std::array<Index, 4>& vertices)
+  {
+    Work& work = m_works.front();
+    work.x.clear();
+    work.y.clear();
+    for (const Index v : vertices)
+      if (v != infinite_index) {
+        const Position_2 step = displacement(v);
+        work.x.push_back(step.x);
+        work.y.push_back(step.y);
+      }
+    const Position_2 usual{quantile(work.x, 2), quantile(work.y, 2)};
+    Index farthest = null_index;
+    double longest = 0;
+    for (const Index v : vertices)
+      if (v != infinite_index) {
+        const Position_2 relative = displacement(v) - usual;
+        const double length = dot(relative, relative);
+        if (length > longest) {
+          longest = length;
+          farthest = v;
+        }
+      }
+    return farthest;
+  }
+
+  // In units of a short edge. Flips take one or two per spacing that a vertex travels, at a tenth
+  // of the cost of taking it out and putting it in again, but from about this length on they get
+  // stuck. The limit is below 1, because a vertex that returns from far away moved by its distance
+  // from all its neighbors.
+  static constexpr double max_way = 0.9;
+
+  // Lists those vertices that moved differently from each of the others, and not just a little. At
+  // 100,000 points, reading these scattered data takes most of the search.
+  void look_at(const Edge_2& edge, std::vector<Index>& suspects) const
+  {
+    std::array<Index, 4> vertices;
+    std::array<Position_2, 4> places, steps;
+    std::size_t size = 0;
+    for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+      if (v != infinite_index) {
+        vertices[size] = v;
+        places[size] = previous_position(v);
+        steps[size] = m_state.positions()[v] - places[size];
+        ++size;
+      }
+    for (std::size_t i = 0; i < size; ++i) {
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      double difference = infinity, distance = infinity;
+      for (std::size_t k = 0; k < size; ++k)
+        if (k != i)
+          difference = (std::min)(difference, squared_distance(steps[i], steps[k]));
+      if (difference == 0)
+        continue;
+      for (std::size_t k = 0; k < size; ++k)
+        if (k != i)
+          distance = (std::min)(distance, squared_distance(places[i], places[k]));
+      if (16 * difference > distance)
+        suspects.push_back(vertices[i]);
+    }
+  }
+
+  bool has_jumped(Index v, Work& work) const
+  {
+    collect_neighbors(v, work);
+    if (work.squared_lengths.empty())
+      return false;
+    const Position_2 step = displacement(v);
+    const Position_2 relative{farthest_from_median(step.x, work.x),
+                              farthest_from_median(step.y, work.y)};
+    return dot(relative, relative) > max_way * max_way * quantile(work.squared_lengths, 4);
+  }
+
+  // Prefetches in steps, each of which reads what the one before has fetched.
+  void prefetch_edges(const std::vector<Index>& edges, std::size_t i) const
+  {
+    constexpr std::size_t ahead = 4;
+    if (i + 2 * ahead < edges.size())
+      prefetch(&m_state.arrays().edge(edges[i + 2 * ahead]));
+    if (i + ahead < edges.size())
+      for_each_vertex(edges[i + ahead], [this](Index v) { m_state.prefetch_positions(v); });
+  }
+
+  template <class Function>
+  void for_each_vertex(Index e, const Function& f) const
+  {
+    const Edge_2& edge = m_state.arrays().edge(e);
+    for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+      f(v);
+  }
+
+  // Collects how far each neighbor moved, and its distance from v in the last frame.
+  void collect_neighbors(Index v, Work& work) const
+  {
+    work.x.clear();
+    work.y.clear();
+    work.squared_lengths.clear();
+    const Position_2 place = previous_position(v);
+    m_state.arrays().for_each_neighbor(v, [&](Index w) {
+      if (w == infinite_index)
+        return;
+      const Position_2 step = displacement(w);
+      work.x.push_back(step.x);
+      work.y.push_back(step.y);
+      work.squared_lengths.push_back(squared_distance(place, previous_position(w)));
+    });
+  }
+
+  Position_2 previous_position(Index v) const { return m_state.previous_position(v); }
+
+  Position_2 displacement(Index v) const { return m_state.positions()[v] - previous_position(v); }
+
+  // The distance of x from the median; if there are two medians, from the farther one, because half
+  // of a vertex's neighbors may have jumped along with it.
+  static double farthest_from_median(double x, std::vector<double>& values)
+  {
+    const double upper = quantile(values, 2);
+    double difference = std::abs(x - upper);
+    if (values.size() % 2 == 0) {
+      const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+      difference = (std::max)(difference, std::abs(x - *std::max_element(values.begin(), middle)));
+    }
+    return difference;
+  }
+
+  // One in `part` of the values is smaller than this.
+  static double quantile(std::vector<double>& values, std::size_t part)
+  {
+    const auto place = values.begin() + std::ptrdiff_t(values.size() / part);
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+  }
+
+  const State& m_state;
+  Index_set_2 m_seen;
+  std::vector<Index> m_suspects, m_jumpers;
+  std::vector<Work> m_works = std::vector<Work>(1);
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_JUMPER_SEARCH_2_H
