@@ -260,15 +260,15 @@ Cost: O(n log n) for n points.
 \param reference the correct triangulation.
 \throws std::invalid_argument if a point of `maintained` is not in `reference`.
 */
-template <class State, class Reference>
-Delaunay_agreement delaunay_agreement(const State& state, const Reference& reference)
+template <class Maintained, class Reference>
+Delaunay_agreement delaunay_agreement(const Maintained& maintained, const Reference& reference)
 {
   using Places = Dynamic_Delaunay_triangulations_2::internal::Delaunay_reference_2<Reference>;
   const Dynamic_Delaunay_triangulations_2::internal::Default_floating_point_2 floating_point;
   const Places places(reference);
   std::vector<typename Places::Edge> edges;
-  const auto& tds = state.tds();
-  const auto infinite = state.infinite_vertex();
+  const auto& tds = maintained.tds();
+  const auto infinite = maintained.infinite_vertex();
   for (auto e = tds.edges_begin(); e != tds.edges_end(); ++e) {
     const auto v = e->first->vertex(tds.cw(e->second)), w = e->first->vertex(tds.ccw(e->second));
     if (v == infinite || w == infinite)
