@@ -65,7 +65,7 @@ public:
   }
 
   bool is_certified() const { return m_is_certified; }
-  const Repair_experience_2& experience() const { return m_experience; }
+  const Repair_experience_2& memory() const { return m_experience; }
 
 private:
   void read_head()

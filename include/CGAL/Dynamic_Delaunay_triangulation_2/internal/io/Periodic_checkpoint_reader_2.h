@@ -42,16 +42,14 @@ class Periodic_checkpoint_reader_2
   using Arrays = Halfedge_arrays_2;
 
 public:
-  // `check(cell)` throws Periodic_cell_error_2 for a cell that cannot be used.
-  template <class Check>
-  Periodic_checkpoint_reader_2(Checkpoint_input_2& file, const Check& check)
+  explicit Periodic_checkpoint_reader_2(Checkpoint_input_2& file)
     : m_file(file)
-    , m_torus(read_cell(check))
+    , m_torus(read_cell())
   {
   }
 
-  // Reads everything that belongs to the triangulation.
-  State read()
+  // Reads into an empty triangulation, which can only be discarded if this throws.
+  void read(State& state)
   {
     read_head();
     m_points.read(
@@ -62,14 +60,13 @@ public:
     read_corners();
     read_edges();
     check_surface(first_line_of_faces);
-    State state(m_torus.cell());
+    state = State(m_torus.cell());
     Periodic_editor_2<State, false>(state).restore(m_faces, m_positions, m_ids, m_corners, m_edges);
     const Periodic_certificate_2<State> certificate(state);
     if (!certificate.covers_once())
       m_file.refuse("the faces above do not cover the space once");
     if (m_is_certified && !certificate.is_delaunay())
       m_file.refuse(m_certified_line, "the triangulation is not Delaunay, and cannot be certified");
-    return state;
   }
 
   bool is_certified() const { return m_is_certified; }
@@ -78,8 +75,7 @@ public:
 private:
   // HEAD ----------------------------------------------------------------------------------------
 
-  template <class Check>
-  Periodic_cell_2 read_cell(const Check& check)
+  Periodic_cell_2 read_cell()
   {
     const bool is_slab = m_file.flag_entry("slab", "yes", "no");
     m_file.begin_entry("cell");
@@ -88,7 +84,7 @@ private:
     try {
       const auto cell =
           is_slab ? Periodic_cell_2::slab(a.x, a.y) : Periodic_cell_2(a.x, a.y, b.x, b.y);
-      check(cell);
+      check_cell(cell);
       return cell;
     } catch (const Periodic_cell_error_2& error) {
       m_file.refuse(error.what());

@@ -63,6 +63,16 @@ inline std::array<Periodic_shift_2, 2> short_basis(const Torus_2& torus)
   return shifts;
 }
 
+// Throws unless doubles can tell how far points are apart in the cell.
+inline void check_cell(const Periodic_cell_2& cell)
+{
+  const Torus_2 torus(cell);
+  if (!torus.is_measurable())
+    throw Periodic_cell_error_2(cell.ax(), cell.ay(), cell.bx(), cell.by(),
+                                "doubles cannot tell how far points are apart in it");
+  short_basis(torus); // throws if there is none
+}
+
 // The vectors of the old cell in those of the new one, if these are other vectors of about the same
 // lattice, as after a Lees-Edwards flip. If no integers are near, the cell was deformed.
 inline std::array<Periodic_shift_2, 2> multiples_in_new_cell(const Torus_2& old_torus,
