@@ -8,12 +8,18 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Safe_region_classifier_2.h>
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_population_2.h>
+#include <CGAL/Periodic_cell_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
 #include <cstddef>
 #include <iterator>
+#include <list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -209,6 +215,84 @@ TEST(Objects, that_are_populations_can_be_copied)
   EXPECT_EQ(people.point(4), Point(1, 0));
   EXPECT_TRUE(people.triangulation().is_valid(true));
   EXPECT_TRUE(copy.triangulation().is_valid(true));
+}
+
+// WHAT IS ALIKE IN ALL SPACES ---------------------------------------------------------------------
+
+struct Particle
+{
+  double mass;
+  Point position;
+};
+
+struct Position_map
+{
+  using key_type = Particle;
+  using value_type = Point;
+  using reference = const Point&;
+  using category = boost::readable_property_map_tag;
+
+  friend reference get(const Position_map&, const Particle& particle) { return particle.position; }
+};
+
+using Mover = std::pair<std::size_t, Point>;
+
+// Calls every overload of what changes points.
+template <class Triangulation>
+void expect_to_take_all_ranges(Triangulation& dt)
+{
+  Cloud<Epick> cloud(12);
+  Points points = cloud.uniform(number);
+  std::list<Particle> particles;
+  for (const Point& p : points)
+    particles.push_back({1, p});
+  std::vector<std::size_t> ids;
+  dt.insert(particles.begin(), particles.end(), Position_map(), std::back_inserter(ids));
+  for (Particle& particle : particles)
+    particle.position = cloud.uniform(1).front();
+  dt.update(particles, Position_map());
+  EXPECT_EQ(dt.point(1), std::next(particles.begin())->position);
+  dt.update(particles.begin(), particles.end(), Position_map());
+  dt.update(points.data(), points.data() + points.size());
+  dt.update(std::list<Point>(points.begin(), points.end()));
+  dt.move(std::vector<Mover>{{5, points[6]}, {7, points[8]}});
+  dt.move(3, points[4]);
+  EXPECT_EQ(dt.representative(3), 4u);
+  EXPECT_EQ(dt.number_of_vertices(), number - 3);
+  dt.insert(cloud.uniform(3), std::back_inserter(ids));
+  EXPECT_EQ(ids.back(), number + 2);
+  dt.remove(std::array<int, 2>{1, 5});
+  EXPECT_FALSE(dt.has_id(5));
+  EXPECT_EQ(dt.number_of_points(), number + 1);
+  EXPECT_THROW(dt.representative(5), CGAL::Unknown_id_error_2);
+  EXPECT_TRUE(dt.is_certified() && dt.is_valid(true, 1));
+}
+
+TEST(Objects, of_all_spaces_take_ranges_and_property_maps)
+{
+  Dynamic dt;
+  expect_to_take_all_ranges(dt);
+  CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick> pt(CGAL::Periodic_cell_2(2, 2));
+  expect_to_take_all_ranges(pt);
+}
+
+TEST(Objects, of_periodic_space_keep_their_cell_when_they_are_moved_from)
+{
+  using Periodic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick>;
+  Cloud<Epick> cloud(13);
+  const Points points = cloud.uniform(50);
+  Periodic pt(points, CGAL::Periodic_cell_2(3, 2));
+  Periodic target(std::move(pt));
+  EXPECT_EQ(pt.number_of_points(), 0u);
+  EXPECT_TRUE(pt.cell() == CGAL::Periodic_cell_2(3, 2) && pt.is_valid());
+  pt.insert(points.front());
+  EXPECT_EQ(pt.number_of_edges(), 3u);
+  EXPECT_EQ(target.number_of_edges(), 150u);
+  pt = target;
+  EXPECT_TRUE(pt.number_of_edges() == 150u && pt.is_valid());
+  Periodic& itself = pt;
+  pt = std::move(itself);
+  EXPECT_TRUE(pt.number_of_edges() == 150u && pt.is_valid());
 }
 
 } // namespace

@@ -137,6 +137,9 @@ public:
     m_are_exact = stage_all(first, beyond, point_map);
   }
 
+  // In the plane points may have any coordinates that can be read.
+  static void check(const std::vector<Point>&, const std::vector<Index>&) {}
+
   // Makes the positions that were read those of now. Throws nothing.
   void accept()
   {

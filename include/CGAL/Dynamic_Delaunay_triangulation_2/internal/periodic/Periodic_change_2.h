@@ -35,6 +35,21 @@ struct Periodic_change_2
     return {Kind::CELL_EXCHANGED, null_index, null_index, multiples};
   }
 
+  // Calls the visitor's function for this change.
+  template <class Visitor, class Dynamic>
+  void tell(Visitor& visitor, const Dynamic& dynamic) const
+  {
+    const std::size_t id = i, other = j;
+    if (kind == Kind::CELL_EXCHANGED)
+      visitor.after_cell_exchange(dynamic, shifts);
+    else if (kind == Kind::POINT_TRANSLATED)
+      visitor.after_translation(dynamic, id, shifts[0]);
+    else if (kind == Kind::EDGE_REMOVED)
+      visitor.after_edge_removal(dynamic, id, other, shifts[0]);
+    else
+      visitor.after_edge_creation(dynamic, id, other, shifts[0]);
+  }
+
   Kind kind;
   Index i, j;
   std::array<Periodic_shift_2, 2> shifts; // the first one alone, unless a cell was exchanged

@@ -190,6 +190,8 @@ public:
 
   // VERTICES ------------------------------------------------------------------------------------
 
+  void copy(const State& other) { m_state = other; }
+
   // Exchanges everything with another one.
   void swap(State& other)
   {

@@ -126,6 +126,23 @@ public:
     return {positions[m_arrays.apex(corner)], m_shifts[corner]};
   }
 
+  // The id at a corner: that of the representative where points coincide.
+  Index id_at(Index corner) const { return m_ids.representative(m_arrays.apex(corner)); }
+  // The shift of a corner as seen from another one of its face.
+  Periodic_shift_2 shift_between(Index corner, Index other) const
+  {
+    return m_shifts[other] - m_shifts[corner];
+  }
+  bool are_across(Index corner, Index other) const
+  {
+    return m_torus.are_across(m_shifts[corner], m_shifts[other]);
+  }
+  // Whether a face is beside a slab, between its sides.
+  bool is_in_gap(Index f) const
+  {
+    return are_across(3 * f, 3 * f + 1) || are_across(3 * f, 3 * f + 2);
+  }
+
   // What is added to shifts in the face beyond h for shifts in the face of h.
   Periodic_shift_2 transition(Index h) const
   {

@@ -8,7 +8,9 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/inform_classifier.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_editor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_memory_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_motion_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_repair_tools_2.h>
@@ -39,6 +41,8 @@ class Periodic_update_2
 {
   using Tools = Periodic_repair_tools_2<State, Editor>;
   using Mender = Dynamic_mender_2<Tools>;
+  using Change = Change_2<typename State::Point>;
+  using Input = Periodic_input_2<State>;
 
 public:
   using Frame = Dynamic_frame_2<State>;
@@ -51,10 +55,10 @@ public:
   {
   }
 
-  // Makes the triangulation a copy of another one, whose state was `update`.
-  void copy_state(const Periodic_update_2& update)
+  // Makes the triangulation a copy of `other`, and takes over what `update` knows.
+  void copy(const State& other, const Periodic_update_2& update)
   {
-    set_engines(update.engines());
+    m_editor.copy(other);
     set_memory(update.memory());
     m_is_certified = update.m_is_certified;
     m_is_whole = update.m_is_whole;
@@ -68,28 +72,111 @@ public:
   // False after an exception has ended a call in the middle.
   bool is_whole() const { return m_is_whole; }
 
-  // What has changed since the log was last cleared, if it is kept.
-  std::vector<Periodic_change_2>& log() { return m_editor.log(); }
-
-  // A call. `change()` makes it; it is given the report.
-  template <class Classifier, class Change>
-  Update_report_2 run(Classifier& classifier, const Change& change)
+  // What has changed since this was last called, if a log is kept. Valid until the next call.
+  const std::vector<Periodic_change_2>& take_log()
   {
+    m_taken_log.clear();
+    m_taken_log.swap(m_editor.log());
+    return m_taken_log;
+  }
+
+  // CALLS ---------------------------------------------------------------------------------------
+
+  // To be called at the beginning of a call, before anything changes. Throws if a position of a
+  // frame cannot be used. Stages the frame, unless points are removed first: those that stay have
+  // been checked then, by `Dynamic_population_2`.
+  void enter(const Change& change, const Input& input)
+  {
+    m_has_removed = m_is_staged = false;
+    if (!change.is_frame)
+      return;
+    input.with_frame([&](const auto& next) {
+      m_is_staged = change.gone.empty() && m_motion.stage(next, input.cell());
+      if (!m_is_staged && change.gone.empty())
+        input.check_frame(next);
+    });
+  }
+
+  // Whether all points to remove in this call, or in the last one, were removed.
+  bool has_removed() const { return m_has_removed; }
+
+  // At the end the classifier is told of what is new.
+  template <class Classifier, class Repair, class Policy>
+  Update_report_2 run(const Change& change, const Input& input, Classifier& classifier,
+                      Repair& repair, Policy& policy)
+  {
+    const std::vector<Position_2> coming = input.positions(change.coming_points);
+    const std::vector<Position_2> moved = input.positions(change.moved_points);
     Update_report_2 report;
     m_tools.start(report, true);
     if (!std::exchange(m_is_whole, false)) {
       m_tools.rebuild(Rebuild_reason_2::STUCK);
       m_is_certified = true;
     }
-    change(report);
+    if (change.is_mending)
+      certify_all(report);
+    for (std::size_t i = 0; i < moved.size(); ++i)
+      move(change.moved[i], moved[i], report);
+    for (const Index id : change.gone)
+      remove(id, report);
+    m_has_removed = change.is_frame; // not if this call mends before a frame
+    if (change.is_frame)
+      input.with_frame([&](const auto& next) {
+        if (!m_is_staged)
+          m_motion.stage(next, input.cell());
+        update(next, input.cell(), classifier, repair, policy, report);
+      });
+    if (!coming.empty())
+      insert(change.coming, coming, report);
     m_is_whole = true;
-    report.certified = m_is_certified;
     m_editor.end_changes();
     inform_classifier(classifier, Frame(m_state));
     m_editor.begin_changes();
     return report;
   }
 
+  // Whether the triangulation is Delaunay; changes only the certified flag.
+  bool certify()
+  {
+    if (m_is_whole && !m_is_certified)
+      m_is_certified = Certificate_2<State>(m_state).holds();
+    return is_certified();
+  }
+
+  // CHECKPOINTS ---------------------------------------------------------------------------------
+
+  Periodic_memory_2 memory() const { return {m_tools.hint(), m_motion.mean_way()}; }
+
+  void reserve_for_exchange(const State& other)
+  {
+    m_editor.reserve_for_log(std::size_t(m_state.arrays().number_of_edges()) +
+                             other.arrays().number_of_edges());
+  }
+
+  // Exchanges everything for what was read, of which the classifier was told. Throws nothing after
+  // reserve_for_exchange().
+  void exchange(State& state, bool is_certified, const Periodic_memory_2& memory)
+  {
+    m_editor.note_all_edges(Periodic_change_2::Kind::EDGE_REMOVED);
+    m_editor.swap(state);
+    m_editor.note_all_edges(Periodic_change_2::Kind::EDGE_CREATED);
+    Update_report_2 report;
+    m_tools.start(report, true);
+    set_memory(memory);
+    m_is_certified = is_certified;
+    m_is_whole = true;
+    m_editor.begin_changes();
+  }
+
+  // CERTIFICATE ---------------------------------------------------------------------------------
+
+  // Tests everything again, exactly.
+  bool is_valid(bool verbose) const
+  {
+    return Validity_check_2<State>(m_state, verbose).passes(0, m_is_certified);
+  }
+
+private:
   // POPULATION ----------------------------------------------------------------------------------
 
   // Inserts points with the next ids.
@@ -150,14 +237,6 @@ public:
 
   // MOTION --------------------------------------------------------------------------------------
 
-  // Reads the position `next(id)` of each point for update(). False if a coordinate is not finite,
-  // or a point out of range in the new cell.
-  template <class Next>
-  bool stage(const Next& next, const Periodic_cell_2& cell)
-  {
-    return m_motion.stage(next, cell);
-  }
-
   // Moves all points to the positions that were staged, and are given again, in the same cell.
   template <class Next, class Classifier, class Repair, class Policy>
   void update(const Next& next, const Periodic_cell_2& cell, Classifier& classifier, Repair& repair,
@@ -199,14 +278,6 @@ public:
     report.parted += parted.size();
   }
 
-  // Whether the triangulation is Delaunay; changes only the certified flag.
-  bool certify()
-  {
-    if (m_is_whole && !m_is_certified)
-      m_is_certified = Certificate_2<State>(m_state).holds();
-    return is_certified();
-  }
-
   // Makes it Delaunay if it is not.
   void certify_all(Update_report_2& report)
   {
@@ -217,37 +288,6 @@ public:
     prove(report);
   }
 
-  // CHECKPOINTS ---------------------------------------------------------------------------------
-
-  Periodic_memory_2 memory() const { return {m_tools.hint(), m_motion.mean_way()}; }
-
-  // Exchanges everything for what was read, of which the classifier was told. If it throws, nothing
-  // has changed.
-  Update_report_2 restore(State& state, bool is_certified, const Periodic_memory_2& memory)
-  {
-    m_editor.reserve_for_log(std::size_t(m_state.arrays().number_of_edges()) +
-                             state.arrays().number_of_edges());
-    m_editor.note_all_edges(Periodic_change_2::Kind::EDGE_REMOVED);
-    m_editor.swap(state);
-    m_editor.note_all_edges(Periodic_change_2::Kind::EDGE_CREATED);
-    Update_report_2 report;
-    m_tools.start(report, true);
-    set_memory(memory);
-    report.certified = m_is_certified = is_certified;
-    m_is_whole = true;
-    m_editor.begin_changes();
-    return report;
-  }
-
-  // CERTIFICATE ---------------------------------------------------------------------------------
-
-  // Tests everything again, exactly.
-  bool is_valid() const
-  {
-    return Validity_check_2<State>(m_state, false).passes(0, m_is_certified);
-  }
-
-private:
   const typename State::Ids& ids() const { return m_state.ids(); }
 
   void set_memory(const Periodic_memory_2& memory)
@@ -318,8 +358,11 @@ private:
   Editor m_editor;
   Periodic_motion_2<State, Editor> m_motion;
   Tools m_tools;
+  std::vector<Periodic_change_2> m_taken_log;
   bool m_is_certified = true;
   bool m_is_whole = true;
+  bool m_is_staged = false;
+  bool m_has_removed = true;
 };
 
 } // namespace internal

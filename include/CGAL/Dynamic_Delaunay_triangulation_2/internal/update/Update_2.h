@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Circumcircle_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/inform_classifier.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Input_2.h>
@@ -16,6 +17,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_costs_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_tools_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Dynamic_frame_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Dynamic_mender_2.h>
@@ -42,6 +44,7 @@ class Update_2
   using Mender = Dynamic_mender_2<Tools>;
   using Frame = Dynamic_frame_2<State>;
   using Change = Change_2<Point>;
+  using Input = Input_frame_2<State>;
 
 public:
   explicit Update_2(State& state)
@@ -51,47 +54,65 @@ public:
   }
 
   bool is_certified() const { return m_is_certified; }
-  const Repair_experience_2& experience() const { return m_experience; }
 
-  // Makes the empty triangulation a copy of `other`, and takes over the state of `update`.
+  const Static_engines_2& engines() const { return m_tools.engines(); }
+  void set_engines(const Static_engines_2& engines) { m_tools.set_engines(engines); }
+
+  // Makes the empty triangulation a copy of `other`, and takes over what `update` knows.
   void copy(const State& other, const Update_2& update)
   {
     m_tools.builder().copy(other);
-    m_tools.set_engines(update.m_tools.engines());
-    restore(update.m_is_certified, update.m_experience);
+    m_is_certified = update.m_is_certified;
+    m_experience = update.m_experience;
+    m_is_classifier_informed = update.m_is_classifier_informed;
   }
 
-  // To be called after a checkpoint was read.
-  void restore(bool is_certified, const Repair_experience_2& experience)
+  // What a checkpoint keeps besides the state.
+  const Repair_experience_2& memory() const { return m_experience; }
+
+  void reserve_for_exchange(const State& other) { m_tools.reserve_for_exchange(other); }
+
+  // Exchanges everything for what was read, of which the classifier was told. Throws nothing after
+  // reserve_for_exchange().
+  void exchange(State& other, bool is_certified, const Repair_experience_2& memory)
   {
+    m_tools.exchange(other);
     m_is_certified = is_certified;
-    m_experience = experience;
+    m_experience = memory;
+    m_is_classifier_informed = true;
   }
 
   Tools& tools() { return m_tools; }
   const Tools& tools() const { return m_tools; }
 
   // A rebuild takes the points that come out of `change`, as memory for both might not be there.
-  // `is_informed`: whether the classifier was told what the last call triangulated anew.
-  // `take_back()` is called if the policy or the classifier throws. It returns whether it undid the
-  // staging.
-  template <class Classifier, class Repair, class Policy, class Take_back>
-  Update_report_2 run(Change& change, Classifier& classifier, Repair& repair, Policy& policy,
-                      bool is_informed, const Take_back& take_back)
+  // A frame is taken back if the policy or the classifier throws. At the end the classifier is told
+  // of what is new.
+  template <class Classifier, class Repair, class Policy>
+  Update_report_2 run(Change& change, Input& input, Classifier& classifier, Repair& repair,
+                      Policy& policy)
   {
+    const auto take_back = [&] { // returns whether nothing has moved
+      if (change.is_frame)
+        input.take_back();
+      return change.moved.empty();
+    };
+    const bool is_informed = std::exchange(m_is_classifier_informed, false);
+    Update_report_2 report;
     try {
-      const Update_report_2 report =
-          run_phases(change, classifier, repair, policy, is_informed, take_back);
-      m_tools.relocation().give_up();
-      return report;
+      report = run_phases(change, classifier, repair, policy, is_informed, take_back);
     } catch (...) {
       m_tools.relocation().give_up(); // puts all vertices into faces
       throw;
     }
+    m_tools.relocation().give_up();
+    inform_classifier(classifier, Frame(m_state));
+    m_is_classifier_informed = true;
+    return report;
   }
 
-  // To be called at the beginning of a call.
-  void enter() { m_has_removed = false; }
+  // To be called at the beginning of a call, before anything changes.
+  void enter(const Change&, const Input&) { m_has_removed = false; }
   // Whether all points to remove in this call, or in the last one, were removed.
   bool has_removed() const { return m_has_removed; }
 
@@ -392,7 +413,8 @@ private:
   std::vector<Index> m_edges_around; // points that moved alone
   bool m_is_certified = true;
   bool m_has_removed = true;
-  Repair_experience_2 m_experience; // learned from whole frames
+  bool m_is_classifier_informed = false; // of what is new since an update began
+  Repair_experience_2 m_experience;      // learned from whole frames
 };
 
 } // namespace internal

@@ -1,0 +1,683 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_DYNAMIC_TRIANGULATION_BASE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_DYNAMIC_TRIANGULATION_BASE_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Circumcircle_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/inform_classifier.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Input_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Usual_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Dynamic_triangulation_settings_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Dynamic_frame_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+#include <CGAL/property_map.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <istream>
+#include <iterator>
+#include <memory>
+#include <ostream>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// The types that a triangulation is made of; specialized for each class of triangulations, since a
+// base class cannot read them from a class that is not complete yet.
+template <class Dynamic>
+struct Triangulation_types_2;
+
+// The part of these types that users choose.
+template <class Chosen_classifier, class Chosen_repair, class Chosen_policy, class Chosen_visitor,
+          class Default_visitor>
+struct Chosen_types_2
+{
+  using Classifier = typename Default::Get<Chosen_classifier, Circumcircle_classifier_2>::type;
+  using Repair =
+      typename Default::Get<Chosen_repair, typename Usual_repair_2<Classifier>::type>::type;
+  using Policy = typename Default::Get<Chosen_policy, Always_dynamic_policy_2>::type;
+  using Visitor = typename Default::Get<Chosen_visitor, Default_visitor>::type;
+  static constexpr bool has_visitor = !std::is_same_v<Visitor, Default_visitor>;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Ref
+
+What triangulations of moving points have in common in the plane and in periodic space: motion,
+insertion and removal of points, ids, certificates, checkpoints and settings. Programs use it as the
+base of `Dynamic_Delaunay_triangulation_2` and `Dynamic_periodic_Delaunay_triangulation_2`, which
+say what ids and certificates are.
+
+\tparam Derived the triangulation that is derived from this class.
+*/
+template <class Derived>
+class Dynamic_triangulation_base_2
+{
+  using Types = Dynamic_Delaunay_triangulations_2::internal::Triangulation_types_2<Derived>;
+
+  /// \cond
+protected:
+  using State = typename Types::State;
+  using Update = typename Types::Update;
+  using Change = Dynamic_Delaunay_triangulations_2::internal::Change_2<typename State::Point>;
+  using Population_input = Dynamic_Delaunay_triangulations_2::internal::Population_input_2<State>;
+  using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point_2;
+  using Identity_map = boost::typed_identity_property_map<typename State::Point>;
+  using Index = Dynamic_Delaunay_triangulations_2::Index;
+  template <class Range>
+  using If_range = Dynamic_Delaunay_triangulations_2::internal::If_range<Range>;
+  template <class Map>
+  using If_map = typename boost::property_traits<Map>::key_type;
+  /// \endcond
+
+public:
+  /// \name Types
+  /// @{
+
+  /// the traits, or kernel.
+  using Geom_traits = typename Types::Geom_traits;
+  /// a point.
+  using Point = typename Types::State::Point;
+  /// the type of ids and counts.
+  using size_type = std::size_t;
+  /// the classifier.
+  using Delaunay_classifier = typename Types::Classifier;
+  /// the repair.
+  using Delaunay_repair = typename Types::Repair;
+  /// the update policy.
+  using Delaunay_update_policy = typename Types::Policy;
+  /// the visitor.
+  using Update_visitor = typename Types::Visitor;
+  /// classifier, repair, engines, policy and visitor, as one object. In periodic space only the
+  /// engine for whole triangulations is used; if it is not `GUIBAS_STOLFI`, points are inserted one
+  /// by one.
+  using Settings = Dynamic_triangulation_settings_2<Delaunay_classifier, Delaunay_repair,
+                                                    Delaunay_update_policy, Update_visitor>;
+  /// whether work is shared among threads.
+  using Concurrency_tag = typename Types::Concurrency_tag;
+  /// the read-only view that classifiers get.
+  using Frame = Dynamic_frame_2<typename Types::State>;
+
+  /// @}
+  /// \name Copies
+  /// @{
+
+  /// copies everything: points, ids, topology, numbers, the user's data in vertices and faces, and
+  /// whether it is certified. From then on the same calls have the same results for both.
+  /// Classifier, repair, engines, policy and visitor are copied too, but the visitor is not told of
+  /// anything. The copy has its own vertex and face handles, and its sets of the last update are
+  /// empty. Cost: linear.
+  Dynamic_triangulation_base_2(const Dynamic_triangulation_base_2& other)
+    : m_classifier(other.m_classifier)
+    , m_repair(other.m_repair)
+    , m_policy(other.m_policy)
+    , m_visitor(other.m_visitor)
+    , m_core(other.empty_core())
+  {
+    m_core->update.copy(other.m_core->state, other.m_core->update);
+  }
+
+  /// takes everything from the other triangulation. That one is then empty, in the same space, with
+  /// the same classifier, repair, engines and policy, and with a visitor that was moved from.
+  /// Handles stay valid. Allocates memory for the empty triangulation and for copies of the
+  /// classifier, the repair and the policy.
+  Dynamic_triangulation_base_2(Dynamic_triangulation_base_2&& other)
+    : Dynamic_triangulation_base_2(other, other.empty_core())
+  {
+  }
+  /// replaces this triangulation by a copy. If it throws, nothing has changed.
+  Dynamic_triangulation_base_2& operator=(const Dynamic_triangulation_base_2& other)
+  {
+    return *this = Dynamic_triangulation_base_2(other);
+  }
+  /// takes everything from the other triangulation, and replaces this one by it. Moving an object
+  /// to itself changes nothing.
+  Dynamic_triangulation_base_2& operator=(Dynamic_triangulation_base_2&& other)
+  {
+    Dynamic_triangulation_base_2 taken(std::move(other));
+    swap(taken);
+    return *this;
+  }
+
+  /// exchanges everything with the other triangulation. Handles stay valid.
+  void swap(Dynamic_triangulation_base_2& other)
+  {
+    using std::swap;
+    swap(m_classifier, other.m_classifier);
+    swap(m_repair, other.m_repair);
+    swap(m_policy, other.m_policy);
+    swap(m_visitor, other.m_visitor);
+    swap(m_core, other.m_core);
+  }
+  /// calls `a.swap(b)`.
+  friend void swap(Derived& a, Derived& b) { a.swap(b); }
+
+  /// @}
+  /// \name Motion
+  /// @{
+
+  /// moves point i to the i-th position of the range, for all points, and repairs the
+  /// triangulation. The range has one position for each id; positions for ids of removed points are
+  /// ignored. In periodic space the cell stays the same, and a point that moves by more than half
+  /// the cell, as where it is wrapped, is taken to have gone to its nearest image.
+  ///
+  /// Cost: one pass over all ids, free ones included; the classifier's pass; and the repair of what
+  /// it classified, which for points that jump is proportional to their number. The total is never
+  /// much more than the cost of a rebuild. Where nothing breaks nothing is allocated, except in the
+  /// first frame, and when the circumcircle classifier skips edges for the first time (16 bytes a
+  /// vertex each).
+  /// \throws Point_count_error_2 if the number of positions is not `number_of_ids()`.
+  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
+  /// \throws Coordinate_range_error_2 if a coordinate is too large for this program.
+  /// \throws Periodic_range_error_2 in periodic space, if a point is 2<sup>20</sup> cells or more
+  /// from the origin.
+  ///
+  /// Nothing changes if it throws one of these, or if the range throws, or if the policy or the
+  /// classifier throws when it is asked. If the policy or the classifier throws in
+  /// `after_update()`, the update itself is complete. After any other exception the points have
+  /// their new positions and the triangulation is not certified; the next update, or `mend()`,
+  /// certifies it again. \post `is_certified()`, if the classifier is exact.
+  template <class InputIterator>
+  Update_report_2 update(InputIterator first, InputIterator beyond)
+  {
+    return update(first, beyond, Identity_map());
+  }
+
+  /// takes the range as a whole: anything with `begin()` and `end()`.
+  template <class Range, class = If_range<Range>>
+  Update_report_2 update(const Range& points)
+  {
+    return update(std::begin(points), std::end(points));
+  }
+
+  /// reads the positions from the values of the range by `point_map`.
+  /// \tparam PointMap a model of `ReadablePropertyMap` from the range's values to `Point`.
+  template <class InputIterator, class PointMap, class = If_map<PointMap>>
+  Update_report_2 update(InputIterator first, InputIterator beyond, PointMap point_map)
+  {
+    const Floating_point floating_point;
+    m_core->input.stage(first, beyond, point_map);
+    return run_frame();
+  }
+
+  /// takes the range as a whole, and reads the positions from its values by `point_map`.
+  template <class Range, class PointMap, class = If_range<Range>, class = If_map<PointMap>>
+  Update_report_2 update(const Range& range, PointMap point_map)
+  {
+    return update(std::begin(range), std::end(range), point_map);
+  }
+
+  /// moves some points, and repairs what that breaks. All other points stay where they are. The
+  /// repair uses exact predicates, whatever the classifier is; the policy is not asked.
+  ///
+  /// Cost: proportional to the number of points in the range and to what they break, plus a walk
+  /// around the hull if it changes; if points coincide, also proportional to the number of those.
+  ///
+  /// \tparam InputIterator its values are pairs of an id, which is an integer, and a `Point`.
+  /// \throws Unknown_id_error_2 if an id belongs to no point.
+  /// \throws Repeated_id_error_2 if an id is given more than once.
+  /// \throws Non_finite_coordinate_error_2, Coordinate_range_error_2 or Periodic_range_error_2 as
+  /// `update()`.
+  ///
+  /// Nothing changes if it throws one of these, or if the range throws. After any other exception
+  /// the triangulation is not certified; `mend()` certifies it again. \post `is_certified()`, if it
+  /// was, or if the classifier is exact.
+  template <class InputIterator>
+  Update_report_2 move(InputIterator first, InputIterator beyond)
+  {
+    using Value = typename std::iterator_traits<InputIterator>::value_type;
+    return move(first, beyond, First_of_pair_property_map<Value>(),
+                Second_of_pair_property_map<Value>());
+  }
+
+  /// takes the range as a whole.
+  template <class Range, class = If_range<Range>>
+  Update_report_2 move(const Range& movers)
+  {
+    return move(std::begin(movers), std::end(movers));
+  }
+
+  /// reads ids and points from the values of the range by property maps.
+  template <class InputIterator, class IdMap, class PointMap>
+  Update_report_2 move(InputIterator first, InputIterator beyond, IdMap id_map, PointMap point_map)
+  {
+    const Floating_point floating_point;
+    Change& change = begin_change();
+    Population_input::read_movers(first, beyond, id_map, point_map, m_core->state, change);
+    m_core->input.check(change.moved_points, change.moved);
+    return run(change);
+  }
+
+  /// moves one point.
+  Update_report_2 move(size_type id, const Point& p)
+  {
+    const std::pair<size_type, Point> mover(id, p);
+    return move(&mover, &mover + 1);
+  }
+
+  /// @}
+  /// \name Population
+  /// Inserts and removes points. What that breaks is repaired by exact predicates, whatever the
+  /// classifier is. If memory runs out, each point is either inserted (or removed) completely or
+  /// not at all, and the triangulation is not certified; `mend()` certifies it again.
+  /// @{
+
+  /// adds a point, and returns its id: the smallest free one. If it coincides with another point,
+  /// it shares that one's vertex. Cost: O(n<sup>1/3</sup>) expected for evenly spread points to
+  /// find its place, plus the repair of what it breaks, plus a walk around the hull if it changes;
+  /// a rebuild while the points do not span the plane.
+  ///
+  /// \throws Non_finite_coordinate_error_2, Coordinate_range_error_2 or Periodic_range_error_2 as
+  /// `update()`, Point_limit_error_2 if there would be more points than 32 bits allow; nothing
+  /// changes.
+  /// \post `is_certified()`, if it was, or if the classifier is exact.
+  size_type insert(const Point& p)
+  {
+    size_type id = 0;
+    insert(&p, &p + 1, &id);
+    return id;
+  }
+
+  /// adds the points of the range. Their ids are written to `ids` first. In the plane, if there are
+  /// more than about one of them for nine vertices, everything is triangulated anew.
+  template <class InputIterator, class OutputIterator>
+  Update_report_2 insert(InputIterator first, InputIterator beyond, OutputIterator ids)
+  {
+    return insert(first, beyond, Identity_map(), ids);
+  }
+
+  /// takes the range as a whole.
+  template <class Range, class OutputIterator, class = If_range<Range>>
+  Update_report_2 insert(const Range& points, OutputIterator ids)
+  {
+    return insert(std::begin(points), std::end(points), ids);
+  }
+
+  /// reads the points from the values of the range by `point_map`.
+  template <class InputIterator, class PointMap, class OutputIterator>
+  Update_report_2 insert(InputIterator first, InputIterator beyond, PointMap point_map,
+                         OutputIterator ids)
+  {
+    const Floating_point floating_point;
+    Change& change = begin_change();
+    Population_input::read_newcomers(first, beyond, point_map, m_core->state, change);
+    m_core->input.check(change.coming_points, change.coming);
+    for (const Index id : change.coming)
+      *ids++ = id;
+    return run(change);
+  }
+
+  /// removes a point; its id is free from then on. Cost: proportional to the number of its
+  /// neighbors and to what that breaks, plus a walk around the hull if it changes; if points
+  /// coincide, also proportional to the number of those; a rebuild if the points do not span the
+  /// plane before or after.
+  ///
+  /// \throws Unknown_id_error_2 if no point has this id; nothing changes.
+  /// \post `is_certified()`, if it was, or if the classifier is exact.
+  Update_report_2 remove(size_type id) { return remove(&id, &id + 1); }
+
+  /// removes the points with these ids. In the plane, if they are more than about one in nine
+  /// vertices, everything is triangulated anew. \tparam InputIterator its values are integers.
+  /// \throws Unknown_id_error_2 if an id belongs to no point; nothing changes.
+  /// \throws Repeated_id_error_2 if an id is given more than once; nothing changes.
+  template <class InputIterator>
+  Update_report_2 remove(InputIterator first, InputIterator beyond)
+  {
+    const Floating_point floating_point;
+    Change& change = begin_change();
+    Population_input::read_ids(first, beyond, m_core->state, change.gone);
+    return run(change);
+  }
+
+  /// takes the range as a whole.
+  template <class Range, class = If_range<Range>>
+  Update_report_2 remove(const Range& ids)
+  {
+    return remove(std::begin(ids), std::end(ids));
+  }
+
+  /// @}
+  /// \name Certainty
+  /// @{
+
+  /// whether the triangulation is proved Delaunay. Cost: none.
+  bool is_certified() const { return Types::is_exact && m_core->update.is_certified(); }
+
+  /// tests whether the triangulation is Delaunay, by exact predicates at every edge, and certifies
+  /// it if so. Changes nothing else. The result is false as long as an exception has left points
+  /// without their own vertices, or a triangulation that does not span the plane. Cost: one pass
+  /// over all edges; none if it is certified already.
+  bool certify()
+  {
+    const Floating_point floating_point;
+    return Types::is_exact && m_core->update.certify();
+  }
+
+  /// makes the triangulation Delaunay and certified, whatever the classifier is: all edges are
+  /// examined by exact predicates, and `Flip_and_splice_repair_2` repairs the broken ones. Does
+  /// nothing if the triangulation is certified already. \post `is_certified()`
+  Update_report_2 mend()
+  {
+    const Floating_point floating_point;
+    Change& change = begin_change();
+    change.is_mending = true;
+    return is_certified() ? certified_report() : run(change);
+  }
+
+  /// whether the object is valid: the data structure is, no point is lost, and the certificate
+  /// holds if `is_certified()`. In the plane it is false if a handle has set a point, a vertex or a
+  /// neighbor since everything was built last. In periodic space the areas of the faces have to sum
+  /// up, in exact arithmetic, to that of the cell. Cost: linear, in periodic space microseconds a
+  /// point.
+  /// \param verbose whether to print to `std::cerr` what is wrong.
+  /// \param level is passed to the `is_valid()` of the data structure in the plane.
+  bool is_valid(bool verbose = false, int level = 0) const
+  {
+    const Floating_point floating_point;
+    return derived().passes_check(verbose, level);
+  }
+
+  /// @}
+  /// \name Points and Ids
+  /// @{
+
+  /// the number of points, coincident ones included.
+  size_type number_of_points() const { return m_core->state.ids().number_of_points(); }
+  /// one more than the largest id ever in use. It never decreases.
+  size_type number_of_ids() const { return m_core->state.ids().number_of_ids(); }
+  /// whether a point has this id.
+  bool has_id(size_type id) const { return m_core->state.ids().is_taken(id); }
+  /// the number of finite vertices: less than the number of points if points coincide.
+  size_type number_of_vertices() const { return m_core->state.number_of_vertices(); }
+
+  /// the id of the point that represents those that coincide with this one, and was there first.
+  /// \throws Unknown_id_error_2 if no point has this id.
+  size_type representative(size_type id) const
+  {
+    return m_core->state.ids().representative(vertex_of(id));
+  }
+
+  /// @}
+  /// \name Views and Settings
+  /// @{
+
+  /// the points, edges and faces as flat arrays.
+  Frame frame() const { return Frame(m_core->state); }
+
+  /// the classifier.
+  const Delaunay_classifier& classifier() const { return m_classifier; }
+  /// the repair.
+  const Delaunay_repair& repair() const { return m_repair; }
+  /// the update policy.
+  const Delaunay_update_policy& policy() const { return m_policy; }
+  /// the visitor.
+  const Update_visitor& visitor() const { return m_visitor; }
+  /// the visitor, in order to read and clear what it has recorded.
+  Update_visitor& visitor() { return m_visitor; }
+
+  /// the Classified set of the last update, as vertices of `frame()`. Empty after a rebuild that
+  /// preceded classification. In periodic space also empty if vertices have got other numbers
+  /// since, or if points came apart and all edges were examined for that.
+  const std::vector<Index>& classified_vertices() const
+  {
+    return tools().classification().vertices();
+  }
+  /// the Padded set of the last update that spliced around the Classified set.
+  const std::vector<Index>& padded_vertices() const { return tools().padded(); }
+  /// the Border set of the same splice.
+  const std::vector<Index>& border_vertices() const { return tools().border(); }
+
+  /// @}
+  /// \name Checkpoints
+  /// Writes and reads the triangulation as a file, \ref DynamicDelaunayTriangulation2Checkpoints. A
+  /// run continues from a checkpoint as if it had not been interrupted. `Point` has to be the
+  /// `Point_2` of a kernel. Coordinates have to be doubles, or fractions of integers as those of
+  /// `Exact_predicates_exact_constructions_kernel`. Other types do not compile, since they may hold
+  /// more than a checkpoint would keep.
+  /// @{
+
+  /// writes the triangulation, the ids of its points, the cell in periodic space, all numbers in
+  /// `frame()`, and whether it is certified. Not written are the state of the classifier, the
+  /// repair and the policy, and the user's data in vertices and faces. Cost: linear, about 150
+  /// bytes a point.
+  /// \throws Checkpoint_error_2 if the stream fails; what was written is then unusable. It is also
+  /// thrown, before anything is written, if an exception ended the last update before each point
+  /// had its vertex.
+  void write_checkpoint(std::ostream& out) const
+  {
+    write_checkpoint(out, Types::checkpoint_subject, [](auto&) {});
+  }
+
+  /// replaces everything but the settings, in periodic space also the cell, which may become a slab
+  /// or cease to be one. The classifier is told that everything is new.
+  ///
+  /// The file is validated: its faces must be a triangulated sphere with all points, in periodic
+  /// space a torus that covers the cell once, each number and id must occur exactly once, and a
+  /// triangulation that is marked as certified must be Delaunay by exact predicates. Reads exactly
+  /// what was written, and leaves the rest of the stream unread. Cost: linear; memory in proportion
+  /// to what is read, in addition to what this triangulation uses.
+  /// \throws Checkpoint_error_2 if the file is refused. Whatever is thrown, nothing changes, unless
+  /// the visitor throws it while it is told what changes.
+  void read_checkpoint(std::istream& in)
+  {
+    read_checkpoint(
+        in, Types::checkpoint_subject, [](auto&, const auto&) {}, [] {});
+  }
+
+  /// writes a checkpoint, whatever mode CGAL's `set_mode()` has given to the stream. Where
+  /// `write_checkpoint()` would throw `Checkpoint_error_2`, the stream fails (`failbit`).
+  friend std::ostream& operator<<(std::ostream& out, const Derived& dt)
+  {
+    return Dynamic_Delaunay_triangulations_2::internal::write_to_stream(out, dt);
+  }
+
+  /// skips white space, then reads a checkpoint. Where `read_checkpoint()` would throw
+  /// `Checkpoint_error_2`, the stream fails (`failbit`), and the triangulation does not change.
+  friend std::istream& operator>>(std::istream& in, Derived& dt)
+  {
+    return Dynamic_Delaunay_triangulations_2::internal::read_from_stream(in, dt);
+  }
+
+  /// @}
+  /// \cond
+
+  // For `Dynamic_population_2`: `append` writes additional lines of the file.
+  template <class Append>
+  void write_checkpoint(std::ostream& out, std::string_view subject, const Append& append) const
+  {
+    const Floating_point floating_point;
+    typename Types::Checkpoint_writer(m_core->state, is_certified(), m_core->update.memory())
+        .write(out, subject, append);
+  }
+
+  // For `Dynamic_population_2`: `read_more` reads these lines. When nothing can be refused any
+  // more, `exchange_more` takes what they say, and throws nothing.
+  template <class ReadAppendix, class Exchange>
+  void read_checkpoint(std::istream& in, std::string_view subject, const ReadAppendix& read_more,
+                       const Exchange& exchange_more)
+  {
+    const Floating_point floating_point;
+    Dynamic_Delaunay_triangulations_2::internal::Checkpoint_input_2 file(in, subject);
+    typename Types::Checkpoint_reader reader(file);
+    State state(Types::space(m_core->state));
+    reader.read(state);
+    read_more(file, state.ids());
+    file.finish();
+    Delaunay_classifier classifier = m_classifier;
+    inform_classifier(classifier, Frame(state));
+    m_core->update.reserve_for_exchange(state);
+    derived().start_visit();
+    m_classifier = std::move(classifier); // nothing throws from here on
+    m_core->update.exchange(state, reader.is_certified(), reader.memory());
+    exchange_more();
+    derived().finish_visit(is_certified() ? certified_report() : Update_report_2());
+  }
+
+  // A whole frame of `Dynamic_population_2`, in periodic space perhaps with another cell. The range
+  // has a position for every id, also for those that are removed; `gone` has the ids to remove, all
+  // of which exist; `coming` has the points to insert. Their ids are written to `coming_ids`,
+  // ascending; nothing is written if an exception ends this before all removals are done.
+  template <class InputIterator, class... Cell>
+  Update_report_2 update_population(InputIterator first, InputIterator beyond,
+                                    const std::vector<size_type>& gone,
+                                    const std::vector<Point>& coming,
+                                    std::vector<size_type>& coming_ids, const Cell&... cell)
+  {
+    const Floating_point floating_point;
+    Change& change = begin_change();
+    Population_input::read_newcomers(coming.begin(), coming.end(), Identity_map(), m_core->state,
+                                     change);
+    change.is_frame = true;
+    change.gone.assign(gone.begin(), gone.end());
+    change.coming = m_core->state.ids().next_ids(coming.size(), change.gone);
+    const std::vector<size_type> ids(change.coming.begin(), change.coming.end());
+    m_core->input.stage(first, beyond, Identity_map(), cell...);
+    try {
+      const Update_report_2 report = run(change);
+      coming_ids = ids;
+      return report;
+    } catch (...) {
+      if (m_core->update.has_removed())
+        coming_ids = ids;
+      throw;
+    }
+  }
+
+protected:
+  // Must not move in memory: its parts refer to each other.
+  struct Core
+  {
+    Core(const typename Types::Space& space, const Static_engines_2& engines)
+      : state(space)
+    {
+      update.set_engines(engines);
+    }
+
+    State state;
+    typename Types::Input input{state};
+    Update update{state};
+    Change change; // of the present call, or the last one
+  };
+
+  Dynamic_triangulation_base_2(const Settings& settings, const typename Types::Space& space)
+    : m_classifier(settings.classifier)
+    , m_repair(settings.repair)
+    , m_policy(settings.policy)
+    , m_visitor(settings.visitor)
+    , m_core(std::make_unique<Core>(space, settings.engines))
+  {
+  }
+  ~Dynamic_triangulation_base_2() = default;
+
+  // An empty one.
+  Change& begin_change()
+  {
+    m_core->change.clear();
+    return m_core->change;
+  }
+
+  // Updates to the frame that was staged.
+  Update_report_2 run_frame()
+  {
+    Change& change = begin_change();
+    change.is_frame = true;
+    return run(change);
+  }
+
+  // Every change of the triangulation runs through here, after its input was read and checked.
+  Update_report_2 run(Change& change)
+  {
+    if (change.is_frame)
+      derived().prepare_frame();
+    m_core->update.enter(change, m_core->input);
+    derived().start_visit(); // an exception leaves a frame that was read unused
+    if (change.is_frame)
+      m_core->input.accept();
+    try {
+      const Update_report_2 report = run_phases(change);
+      derived().finish_visit(report);
+      return report;
+    } catch (...) {
+      m_core->input.settle();
+      throw;
+    }
+  }
+
+  Index vertex_of(size_type id) const
+  {
+    if (!has_id(id))
+      throw Unknown_id_error_2(id, number_of_ids());
+    return m_core->state.ids().vertex(Index(id));
+  }
+
+  Delaunay_classifier m_classifier;
+  Delaunay_repair m_repair;
+  Delaunay_update_policy m_policy;
+  Update_visitor m_visitor;
+  std::unique_ptr<Core> m_core;
+
+private:
+  // Takes everything from the other one, which gets an empty core. Classifier, repair and policy
+  // are copied, not moved, since both objects go on using them.
+  Dynamic_triangulation_base_2(Dynamic_triangulation_base_2& other, std::unique_ptr<Core> empty)
+    : m_classifier(other.m_classifier)
+    , m_repair(other.m_repair)
+    , m_policy(other.m_policy)
+    , m_visitor(std::move(other.m_visitor))
+    , m_core(std::exchange(other.m_core, std::move(empty)))
+  {
+  }
+
+  std::unique_ptr<Core> empty_core() const
+  {
+    return std::make_unique<Core>(Types::space(m_core->state), m_core->update.engines());
+  }
+
+  Update_report_2 run_phases(Change& change)
+  {
+    Update_report_2 report =
+        m_core->update.run(change, m_core->input, m_classifier, m_repair, m_policy);
+    report.certified = is_certified();
+    if (change.is_frame)
+      m_policy.after_update(frame(), report);
+    m_core->input.settle();
+    return report;
+  }
+
+  Derived& derived() { return static_cast<Derived&>(*this); }
+  const Derived& derived() const { return static_cast<const Derived&>(*this); }
+
+  const auto& tools() const { return std::as_const(m_core->update).tools(); }
+
+  static Update_report_2 certified_report()
+  {
+    Update_report_2 report;
+    report.certified = true;
+    return report;
+  }
+
+  /// \endcond
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_DYNAMIC_TRIANGULATION_BASE_2_H
