@@ -1291,6 +1291,24 @@ std::size_t place_in_refusal(const Call& call)
   return 0;
 }
 
+// Removing a point of so few can triangulate all of them anew, before the others move.
+TEST(A_population, of_a_few_points_that_coincide_leave_and_come_is_right_in_every_frame)
+{
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    std::mt19937_64 random(seed);
+    const std::vector<Point> places = random_points(random, 12, 0.45);
+    CGAL::Dynamic_population_2<Triangulation> population{Triangulation(Cell(1, 1))};
+    for (int frame = 0; frame < 300; ++frame) {
+      std::map<std::size_t, Point> points;
+      for (std::size_t size = random() % 20; points.size() < size;)
+        points[random() % 30] = places[random() % 12];
+      const std::vector<std::pair<std::size_t, Point>> all(points.begin(), points.end());
+      population.update(all);
+      ASSERT_TRUE(population.triangulation().is_valid() && population.is_certified()) << frame;
+    }
+  }
+}
+
 TEST(A_population, says_at_which_place_of_the_range_a_point_is_that_it_refuses)
 {
   using Frame = std::vector<std::pair<std::int64_t, Point>>;

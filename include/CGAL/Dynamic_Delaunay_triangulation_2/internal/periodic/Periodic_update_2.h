@@ -243,6 +243,9 @@ private:
               Policy& policy, Update_report_2& report)
   {
     m_tools.start(report, Classifier::is_exact);
+    // a rebuild before the frame, as where a point was removed, leaves the frame still to be mended
+    const Rebuild_reason_2 reason_before =
+        std::exchange(report.rebuild_reason, Rebuild_reason_2::NONE);
     const bool was_certified = m_is_certified;
     const Periodic_cell_2 cell_before = m_state.torus().cell();
     m_is_certified = m_is_certified && Classifier::is_exact;
@@ -272,6 +275,8 @@ private:
     else
       mend(repair);
     prove(report);
+    if (!report.rebuilt())
+      report.rebuild_reason = reason_before;
     for (const Index id : parted)
       if (!ids().is_representative(id))
         move(id, next(id), report);
