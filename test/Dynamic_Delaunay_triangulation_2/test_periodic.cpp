@@ -1304,7 +1304,9 @@ TEST(A_population, of_a_few_points_that_coincide_leave_and_come_is_right_in_ever
         points[random() % 30] = places[random() % 12];
       const std::vector<std::pair<std::size_t, Point>> all(points.begin(), points.end());
       population.update(all);
-      ASSERT_TRUE(population.triangulation().is_valid() && population.is_certified()) << frame;
+      ASSERT_TRUE(population.triangulation().is_valid() &&
+                  population.triangulation().is_certified())
+          << frame;
     }
   }
 }
