@@ -16,7 +16,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_reader_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_writer_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Validity_check_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Plane_editing_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_builder_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/accepts_inexact_predicates_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
@@ -138,7 +140,6 @@ class Dynamic_Delaunay_triangulation_2
   template <class Map>
   using If_map = typename Base::template If_map<Map>;
   using Base::m_core;
-  using Base::m_visitor;
 
 public:
   /// \name Types
@@ -332,29 +333,6 @@ public:
   }
 
 private:
-  bool passes_check(bool verbose, int level) const
-  {
-    using Check = Dynamic_Delaunay_triangulations_2::internal::Validity_check_2<State>;
-    return Check(m_core->state, verbose).passes(level, this->is_certified());
-  }
-
-  // The update itself repairs what an exception has left.
-  void prepare_frame() {}
-
-  // Calls `before_update()`; if that throws, nothing has changed yet.
-  void start_visit()
-  {
-    m_visitor.before_update(std::as_const(*this));
-    m_core->update.tools().editor().start_visit(m_visitor, this);
-  }
-
-  // Ends the visit when everything is done. Rethrows now what the visitor has thrown in between.
-  void finish_visit(const Update_report_2& report)
-  {
-    m_core->update.tools().editor().finish_visit();
-    m_visitor.after_update(std::as_const(*this), report);
-  }
-
   template <class Function>
   void call_with_ids(Function& f, Index v, Index w) const
   {

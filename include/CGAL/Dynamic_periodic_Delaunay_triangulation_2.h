@@ -13,12 +13,16 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_writer_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_editor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_change_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_triangulation_state_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_update_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_builder_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_editing_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Periodic_slacks_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Padded_region_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Periodic_update_visitor_base_2.h>
@@ -53,12 +57,15 @@ struct Triangulation_types_2<
 
   using Geom_traits = Kernel;
   using Concurrency_tag = ConcurrencyTag;
-  using State = Periodic_triangulation_state_2<typename Kernel::Point_2, ConcurrencyTag>;
+  using Parts = Chosen_types_2<C, R, P, V, Periodic_update_visitor_base_2>;
+  using Shown_to_visitor = std::conditional_t<
+      Parts::has_visitor,
+      Dynamic_periodic_Delaunay_triangulation_2<Kernel, C, R, P, V, ConcurrencyTag>, void>;
+  using State = Periodic_triangulation_state_2<
+      typename Kernel::Point_2, Periodic_visitor_calls_2<typename Parts::Visitor, Shown_to_visitor>,
+      ConcurrencyTag>;
   using Input = Periodic_input_2<State>;
-  using Editor =
-      Periodic_editor_2<State,
-                        Chosen_types_2<C, R, P, V, Periodic_update_visitor_base_2>::has_visitor>;
-  using Update = Periodic_update_2<State, Editor>;
+  using Update = Update_2<State>;
   using Checkpoint_writer = Checkpoint_writer_2<State>;
   using Checkpoint_reader = Checkpoint_reader_2<State>;
   static constexpr std::string_view checkpoint_subject =
@@ -124,14 +131,12 @@ class Dynamic_periodic_Delaunay_triangulation_2
   using Base = Dynamic_triangulation_base_2<Dynamic_periodic_Delaunay_triangulation_2>;
   friend Base;
   using Arrays = Dynamic_Delaunay_triangulations_2::internal::Halfedge_arrays_2;
-  using Position = Dynamic_Delaunay_triangulations_2::Position_2;
   using typename Base::Floating_point;
   using typename Base::Identity_map;
   using typename Base::Index;
   template <class Range>
   using If_range = typename Base::template If_range<Range>;
   using Base::m_core;
-  using Base::m_visitor;
 
 public:
   /// \name Types
@@ -262,8 +267,7 @@ public:
   Point point(size_type id) const
   {
     this->vertex_of(id); // throws if there is none
-    const Position p = m_core->state.position_of_id(Index(id));
-    return Point(p.x, p.y);
+    return m_core->state.point_of_id(Index(id));
   }
 
   /// the vector from the first point to the image of the second one by `shift`, rounded.
@@ -368,27 +372,6 @@ private:
     return cell;
   }
 
-  bool passes_check(bool verbose, int) const { return m_core->update.is_valid(verbose); }
-
-  // Repairs what an exception has left, in a call of its own: points are followed from where all
-  // was well.
-  void prepare_frame()
-  {
-    if (this->is_certified() || (!Delaunay_classifier::is_exact && m_core->update.is_whole()))
-      return;
-    typename Base::Change mending;
-    mending.is_mending = true;
-    this->run(mending);
-  }
-
-  void start_visit() { m_visitor.before_update(std::as_const(*this)); }
-
-  void finish_visit(const Update_report_2& report)
-  {
-    for (const auto& change : m_core->update.take_log())
-      change.tell(m_visitor, std::as_const(*this));
-    m_visitor.after_update(std::as_const(*this), report);
-  }
   /// \endcond
 };
 

@@ -12,6 +12,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Validity_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Usual_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Dynamic_triangulation_settings_2.h>
@@ -393,7 +394,8 @@ public:
   bool is_valid(bool verbose = false, int level = 0) const
   {
     const Floating_point floating_point;
-    return derived().passes_check(verbose, level);
+    using Check = Dynamic_Delaunay_triangulations_2::internal::Validity_check_2<State>;
+    return Check(m_core->state, verbose).passes(level, is_certified());
   }
 
   /// @}
@@ -525,11 +527,11 @@ public:
     Delaunay_classifier classifier = m_classifier;
     inform_classifier(classifier, Frame(state));
     m_core->update.reserve_for_exchange(state);
-    derived().start_visit();
+    start_visit();
     m_classifier = std::move(classifier); // nothing throws from here on
     m_core->update.exchange(state, reader.is_certified(), reader.memory());
     exchange_more();
-    derived().finish_visit(is_certified() ? certified_report() : Update_report_2());
+    finish_visit(is_certified() ? certified_report() : Update_report_2());
   }
 
   // A whole frame of `Dynamic_population_2`, in periodic space perhaps with another cell. The range
@@ -550,6 +552,7 @@ public:
     change.gone.assign(gone.begin(), gone.end());
     change.coming = m_core->state.ids().next_ids(coming.size(), change.gone);
     const std::vector<size_type> ids(change.coming.begin(), change.coming.end());
+    m_core->input.leave_out(change.gone);
     m_core->input.stage(first, beyond, Identity_map(), cell...);
     try {
       const Update_report_2 report = run(change);
@@ -606,15 +609,13 @@ protected:
   // Every change of the triangulation runs through here, after its input was read and checked.
   Update_report_2 run(Change& change)
   {
-    if (change.is_frame)
-      derived().prepare_frame();
-    m_core->update.enter(change, m_core->input);
-    derived().start_visit(); // an exception leaves a frame that was read unused
+    m_core->update.enter();
+    start_visit(); // an exception leaves a frame that was read unused
     if (change.is_frame)
       m_core->input.accept();
     try {
       const Update_report_2 report = run_phases(change);
-      derived().finish_visit(report);
+      finish_visit(report);
       return report;
     } catch (...) {
       m_core->input.settle();
@@ -650,6 +651,20 @@ private:
   std::unique_ptr<Core> empty_core() const
   {
     return std::make_unique<Core>(Types::space(m_core->state), m_core->update.engines());
+  }
+
+  // Calls `before_update()`; if that throws, nothing has changed yet.
+  void start_visit()
+  {
+    m_visitor.before_update(std::as_const(derived()));
+    m_core->update.tools().editor().start_visit(m_visitor, &derived());
+  }
+
+  // Ends the visit when everything is done. Rethrows now what the visitor has thrown in between.
+  void finish_visit(const Update_report_2& report)
+  {
+    m_core->update.tools().editor().finish_visit();
+    m_visitor.after_update(std::as_const(derived()), report);
   }
 
   Update_report_2 run_phases(Change& change)

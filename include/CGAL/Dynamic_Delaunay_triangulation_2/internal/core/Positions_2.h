@@ -47,8 +47,8 @@ struct Point_arrays_2
 // The positions of the vertices, now and one frame ago. Those of now are in the data structure's
 // own array of points. A frame is read into another array, and both are exchanged; so taking a
 // refused frame back is one more exchange. If single points move, only their former places are
-// kept. Reading is public. `Input_frame_2` stages and restores; the editor and the builder add and
-// remove entries along with vertices.
+// kept. Reading is public. The input of a space stages and restores; the editor and the builder add
+// and remove entries along with vertices.
 template <class Point>
 class Positions_2
 {
@@ -107,6 +107,10 @@ private:
   friend class Topology_builder_2;
   template <class State>
   friend class Topology_editor_2;
+  template <class State>
+  friend class Torus_builder_2;
+  template <class State>
+  friend class Periodic_input_2;
 
   Positions_2(const Positions_2&) = delete;
   Positions_2& operator=(const Positions_2&) = delete;

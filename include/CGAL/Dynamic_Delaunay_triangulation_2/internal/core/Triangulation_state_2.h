@@ -32,6 +32,13 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
+template <class State>
+class Plane_editing_2;
+template <class State>
+class Topology_builder_2;
+template <class State>
+class Border_splice_2;
+
 // What an update works on: the topology and the positions of its vertices. Reading is public; only
 // the friends of each class can write.
 template <class Traits_, class Tds_, class Visitor_calls_, class ConcurrencyTag>
@@ -50,6 +57,9 @@ public:
   using Positions = Positions_2<Point>;
   using Space = Plane_2;
   using Edge_test = Edge_test_2<Triangulation_state_2>;
+  using Editing = Plane_editing_2<Triangulation_state_2>;
+  using Builder = Topology_builder_2<Triangulation_state_2>;
+  using Splice = Border_splice_2<Triangulation_state_2>;
   using Slacks = Plane_slacks_2;
 
   static constexpr bool is_periodic = false;
@@ -112,6 +122,9 @@ public:
 
   static constexpr std::size_t number_of_cell_changes() { return 0; }
 
+  // Fewer vertices are triangulated from scratch.
+  static constexpr std::size_t min_vertices = 3;
+
   // CORNERS ---------------------------------------------------------------------------------------
   // A corner is a vertex as it is seen from somewhere, and a frame says from where: in the plane
   // from everywhere alike.
@@ -138,6 +151,10 @@ public:
   {
     return squared_distance(positions()[v], positions()[w]);
   }
+  // The position of v one frame ago, as it is seen from where its present one is `now`.
+  Position_2 previous_position_at(Index v, const Position_2&) const { return previous_position(v); }
+  // Where to look for a position in an order of space.
+  static const Position_2& place_in_order(const Position_2& p) { return p; }
   bool are_neighbors(Corner a, Corner b) const { return arrays().are_neighbors(a, b); }
 
   bool corners_are_exact(Index) const { return positions_are_exact(); }
@@ -169,7 +186,7 @@ private:
   template <class State>
   friend class Topology_builder_2;
   template <class State>
-  friend class Topology_editor_2;
+  friend class Plane_editing_2;
 
   Topology m_topology;
   Positions m_positions;

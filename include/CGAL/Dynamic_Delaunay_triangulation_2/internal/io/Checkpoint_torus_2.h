@@ -9,15 +9,14 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_builder_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_editor_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_memory_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_builder_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Torus_cover_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Validity_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Guibas_stolfi_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_costs_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Periodic_cell_2.h>
 
@@ -40,8 +39,8 @@ class Checkpoint_torus_2
   using Arrays = Halfedge_arrays_2;
 
 public:
-  using Point = Position_2;
-  using Memory = Periodic_memory_2;
+  using Point = typename State::Point;
+  using Memory = Repair_experience_2;
 
   static constexpr Index first_vertex = infinite_index + 1;
   static constexpr const char* wrong_corner = "this is no corner of vertex ";
@@ -65,14 +64,13 @@ public:
 
   static void write_memory(Checkpoint_output_2& file, const State&, const Memory& memory)
   {
-    file.line("mean_way", memory.mean_way.x, memory.mean_way.y);
-    file.line("walk_start", memory.hint);
+    file.line("hopeless_share", memory.hopeless_share());
   }
 
-  static std::array<double, 2> coordinates(const Point& p) { return {p.x, p.y}; }
+  static std::array<double, 2> coordinates(const Point& p) { return {p.x(), p.y()}; }
   static std::array<double, 2> coordinates(const State& state, Index v)
   {
-    return coordinates(state.positions()[v]);
+    return {state.positions()[v].x, state.positions()[v].y};
   }
 
   static bool has_faces(const State&) { return true; }
@@ -101,11 +99,8 @@ public:
 
   void read_memory(bool)
   {
-    m_file.begin_entry("mean_way");
-    const double x = m_file.number("the coordinate"); // the mean of large ones may overflow
-    m_memory.mean_way = {x, m_file.number("the coordinate")};
-    m_file.end_line();
-    m_memory.hint = m_file.number_entry("walk_start", Index(1), max_vertices);
+    m_memory.restore(
+        m_file.number_entry("hopeless_share", std::size_t(1), Repair_experience_2::all));
   }
   const Memory& memory() const { return m_memory; }
 
@@ -115,13 +110,16 @@ public:
 
   Point read_point()
   {
-    const Point p = read_vector(), multiples = m_torus.periodic(m_torus.multiples(p));
+    const Position_2 p = read_vector(), multiples = m_torus.periodic(m_torus.multiples(p));
     if (!(std::abs(multiples.x) < max_shift && std::abs(multiples.y) < max_shift))
       m_file.refuse("the point is 2^20 cells or more from the origin, and has to be nearer");
-    return p;
+    return Point(p.x, p.y);
   }
 
-  bool coincide(const Point& p, const Point& q) const { return m_torus.coincide(p, q); }
+  bool coincide(const Point& p, const Point& q) const
+  {
+    return m_torus.coincide(approximation(p), approximation(q));
+  }
 
   static bool has_faces() { return true; }
 
@@ -150,16 +148,7 @@ public:
 
   void restore(State& state) const
   {
-    state = State(m_torus.cell());
-    Periodic_faces_2 faces;
-    faces.shifts = m_shifts;
-    for (Index h = 0; h < Index(m_shifts.size()); ++h) {
-      const Index flat = Flat_faces_2::from_arrays(h);
-      faces.apexes.push_back(m_kept.faces.apex(flat));
-      faces.twins.push_back(Flat_faces_2::number_in_arrays(m_kept.faces.twin(flat)));
-    }
-    Periodic_editor_2<State, false>(state).restore(faces, m_kept.points, m_kept.ids, m_kept.corners,
-                                                   m_kept.forward_halfedges);
+    Torus_builder_2<State>(state).restore(m_torus, m_kept, m_shifts);
     if (!Torus_cover_2<State>(state).do_areas_sum_up())
       m_file.refuse("the faces above do not cover the space once");
   }

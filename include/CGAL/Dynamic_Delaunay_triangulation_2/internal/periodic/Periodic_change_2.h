@@ -11,6 +11,9 @@
 #include <CGAL/Periodic_cell_2.h>
 
 #include <array>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
@@ -53,6 +56,54 @@ struct Periodic_change_2
   Kind kind;
   Index i, j;
   std::array<Periodic_shift_2, 2> shifts; // the first one alone, unless a cell was exchanged
+};
+
+// Keeps what changes until a call has ended, and tells the user's visitor then. `Dynamic` is the
+// triangulation that it is shown, and `void` for the default visitor: then nothing is kept.
+template <class Visitor, class Dynamic>
+class Periodic_visitor_calls_2
+{
+public:
+  static constexpr bool is_heard = !std::is_void_v<Dynamic>;
+
+  // Both objects may have moved since the last call.
+  void start(Visitor& visitor, const Dynamic* dynamic)
+  {
+    m_visitor = &visitor;
+    m_dynamic = dynamic;
+  }
+
+  // Tells everything since this was last called, also what a call has left that an exception has
+  // ended. What follows when the visitor throws is never told.
+  void finish()
+  {
+    if constexpr (is_heard) {
+      m_told.clear();
+      m_told.swap(m_log);
+      for (const Periodic_change_2& change : m_told)
+        change.tell(*m_visitor, *m_dynamic);
+    }
+  }
+
+  std::vector<Periodic_change_2>& log() { return m_log; }
+
+  // Reserves memory for so many changes, beyond what is kept for an emergency.
+  void reserve(std::size_t changes)
+  {
+    if constexpr (is_heard)
+      reserve_extra(m_log, changes + m_kept);
+  }
+  void keep_memory_for(std::size_t changes)
+  {
+    m_kept = changes;
+    reserve(0);
+  }
+
+private:
+  Visitor* m_visitor = nullptr;
+  const Dynamic* m_dynamic = nullptr;
+  std::vector<Periodic_change_2> m_log, m_told;
+  std::size_t m_kept = 0;
 };
 
 } // namespace internal

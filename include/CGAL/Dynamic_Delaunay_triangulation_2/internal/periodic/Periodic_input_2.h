@@ -9,34 +9,44 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Positions_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_editing_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Periodic_cell_2.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// Reads and checks the input of a periodic triangulation before anything changes.
+// Reads and checks the input of a periodic triangulation before anything changes. Of a frame it
+// also finds which points cross the border of the cell; it can take the frame back.
 template <class State>
 class Periodic_input_2
 {
   using Point = typename State::Point;
+  using Parts = typename State::Parts;
+  using Shift = Periodic_shift_2;
 
 public:
-  explicit Periodic_input_2(const State& state)
+  explicit Periodic_input_2(State& state)
     : m_state(state)
-    , m_cell(state.torus().cell())
+    , m_positions(state.m_positions)
+    , m_editing(state)
   {
   }
 
@@ -50,59 +60,6 @@ public:
                                                  : "a slab cannot become a cell with two vectors");
   }
 
-  // Reads a frame and its cell, to be used in this call. Positions in memory stay there; other
-  // ranges may be costly to read twice, and are copied.
-  template <class InputIterator, class PointMap>
-  void stage(InputIterator first, InputIterator beyond, const PointMap& point_map)
-  {
-    stage(first, beyond, point_map, m_state.torus().cell());
-  }
-  template <class InputIterator, class PointMap>
-  void stage(InputIterator first, InputIterator beyond, const PointMap& point_map,
-             const Periodic_cell_2& cell)
-  {
-    using Value = typename std::iterator_traits<InputIterator>::value_type;
-    using Identity_map = boost::typed_identity_property_map<Point>;
-    check_next(cell);
-    m_cell = cell;
-    m_points = nullptr;
-    m_positions.clear();
-    if constexpr (is_in_memory<InputIterator> && std::is_same_v<Value, Point> &&
-                  std::is_same_v<PointMap, Identity_map>) {
-      check_count(std::size_t(beyond - first));
-      m_points = first == beyond ? nullptr : &*first;
-    } else {
-      copy(first, beyond, point_map);
-    }
-  }
-
-  // Calls f(next) for the frame, which has the position `next(id)` for each id.
-  template <class Function>
-  void with_frame(const Function& f) const
-  {
-    if (m_points)
-      f(Points_in_memory{m_points});
-    else
-      f(Positions{m_positions.data()});
-  }
-  const Periodic_cell_2& cell() const { return m_cell; }
-
-  // Only the update changes positions, which can take them back.
-  void accept() {}
-  void settle() {}
-
-  // Throws if a position of the frame cannot be used in its cell.
-  template <class Next>
-  void check_frame(const Next& next) const
-  {
-    const Torus_2 torus(m_cell);
-    for (Index id = 0; id < m_state.ids().number_of_ids(); ++id)
-      if (m_state.ids().is_taken(id)) {
-        const Position_2 p = next(id);
-        check(Point(p.x, p.y), id, torus);
-      }
-  }
-
   // Throws if a point with one of these ids is too far away.
   void check(const std::vector<Point>& points, const std::vector<Index>& ids) const
   {
@@ -113,44 +70,102 @@ public:
   {
     const Torus_2 torus(cell);
     for (std::size_t i = 0; i < points.size(); ++i)
-      check(points[i], ids[i], torus);
+      checked_position(points[i], ids[i], torus);
   }
 
-  static std::vector<Position_2> positions(const std::vector<Point>& points)
+  // A FRAME -------------------------------------------------------------------------------------
+
+  // Of the next frame, the positions with these ids mean nothing: the call removes their points,
+  // which until then go where the cell takes them.
+  void leave_out(const std::vector<Index>& ids) { m_gone = ids; }
+
+  // Reads a frame and its cell, to be accepted. Nothing has changed before that, also if it is
+  // refused.
+  template <class InputIterator, class PointMap>
+  void stage(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
-    std::vector<Position_2> positions;
-    for (const Point& p : points)
-      positions.push_back({p.x(), p.y()});
-    return positions;
+    stage(first, beyond, point_map, Periodic_cell_2(m_state.torus().cell()));
   }
+  template <class InputIterator, class PointMap>
+  void stage(InputIterator first, InputIterator beyond, const PointMap& point_map,
+             const Periodic_cell_2& cell)
+  {
+    using Value = typename std::iterator_traits<InputIterator>::value_type;
+    using Identity_map = boost::typed_identity_property_map<Point>;
+    const std::vector<Index> gone = std::exchange(m_gone, {});
+    check_next(cell);
+    if constexpr (is_in_memory<InputIterator> && std::is_same_v<Value, Point> &&
+                  std::is_same_v<PointMap, Identity_map>) {
+      check_count(std::size_t(beyond - first));
+      stage(Points_in_memory{first == beyond ? nullptr : &*first}, cell, gone);
+    } else { // other ranges may be costly to read twice
+      const std::vector<Point> points = copied(first, beyond, point_map);
+      stage(Points_in_memory{points.data()}, cell, gone);
+    }
+  }
+
+  // Makes the positions and the cell that were read those of now. Throws nothing.
+  void accept()
+  {
+    m_cell_before = m_state.torus().cell();
+    if (m_cell != m_cell_before)
+      m_editing.set_cell(m_cell, m_multiples);
+    m_positions.accept_frame(true);
+    m_editing.ids().duplicates().swap(m_next_duplicates);
+    for (const auto& [v, shift] : m_translated)
+      m_editing.shift_images(v, shift);
+  }
+
+  // Restores the positions and the cell of the last frame. Throws nothing.
+  void take_back()
+  {
+    for (const auto& [v, shift] : m_translated)
+      m_editing.shift_images(v, no_shift - shift);
+    m_positions.take_back(true);
+    m_editing.ids().duplicates().swap(m_next_duplicates);
+    if (m_cell != m_cell_before)
+      m_editing.set_cell(m_cell_before, inverse(m_multiples));
+  }
+
+  // To be called at the end of a call: previous positions are not needed any more.
+  void settle() { m_positions.forget_previous(); }
 
 private:
   struct Points_in_memory
   {
-    Position_2 operator()(std::size_t id) const { return {points[id].x(), points[id].y()}; }
+    const Point& operator()(std::size_t id) const { return points[id]; }
     void prefetch(std::size_t id) const { internal::prefetch(&points[id]); }
 
     const Point* points;
   };
 
-  struct Positions
+  // The points of a frame, but for those that are left out.
+  struct Points_that_stay
   {
-    Position_2 operator()(std::size_t id) const { return positions[id]; }
-    void prefetch(std::size_t id) const { internal::prefetch(&positions[id]); }
+    Point operator()(std::size_t id) const
+    {
+      return goes[id] ? input.point_taken_along(Index(id), now) : points(id);
+    }
+    void prefetch(std::size_t) const {}
 
-    const Position_2* positions;
+    const Periodic_input_2& input;
+    const Torus_2& now;
+    const Points_in_memory& points;
+    std::vector<bool> goes; // indexed by ids
   };
 
   template <class InputIterator, class PointMap>
-  void copy(InputIterator first, InputIterator beyond, const PointMap& point_map)
+  std::vector<Point> copied(InputIterator first, InputIterator beyond,
+                            const PointMap& point_map) const
   {
     const std::size_t ids = m_state.ids().number_of_ids();
-    for (; first != beyond && m_positions.size() <= ids; ++first) {
+    std::vector<Point> points;
+    for (; first != beyond && points.size() <= ids; ++first) {
       auto&& value = *first;
-      const Point& p = get(point_map, value);
-      m_positions.push_back({p.x(), p.y()});
+      points.push_back(get(point_map, value));
     }
-    check_count(m_positions.size());
+    check_count(points.size());
+    return points;
   }
 
   void check_count(std::size_t given) const
@@ -159,15 +174,189 @@ private:
       throw Point_count_error_2(m_state.ids().number_of_ids(), given);
   }
 
-  static void check(const Point& p, std::size_t id, const Torus_2& torus)
+  void stage(const Points_in_memory& points, const Periodic_cell_2& cell,
+             const std::vector<Index>& gone)
   {
-    checked_position(p, id, torus);
+    const Torus_2 now(cell);
+    m_cell = cell;
+    m_multiples = is_same_cell() ? unit_multiples : countable_multiples(now);
+    if (gone.empty())
+      return stage(points, now);
+    Points_that_stay staying{*this, now, points, std::vector<bool>(m_state.ids().number_of_ids())};
+    for (const Index id : gone)
+      staying.goes[id] = true;
+    stage(staying, now);
   }
 
-  const State& m_state;
-  Periodic_cell_2 m_cell;              // of the frame
-  const Point* m_points = nullptr;     // of a frame in memory, by ids
-  std::vector<Position_2> m_positions; // of one that was copied, by ids
+  bool is_same_cell() const { return m_cell == m_state.torus().cell(); }
+
+  // Where the cell takes a point that stays as it is in its multiples.
+  Point point_taken_along(Index id, const Torus_2& now) const
+  {
+    const Point p = m_state.point_of_id(id);
+    if (is_same_cell())
+      return p;
+    const Position_2 s = multiples_in_next_cell(approximation(p));
+    const Position_2 q = now.vector({s.x - std::floor(s.x), s.y - std::floor(s.y)});
+    return Point(q.x, q.y);
+  }
+
+  template <class Next>
+  void stage(const Next& next, const Torus_2& now)
+  {
+    m_positions.begin_frame();
+    m_next_duplicates = m_state.ids().duplicates();
+    bool are_in_range =
+        is_same_cell() ? stage_vertices<true>(next, now) : stage_vertices<false>(next, now);
+    for (auto& duplicate : m_next_duplicates) {
+      duplicate.point = next(duplicate.id);
+      are_in_range = are_in_range && is_in_range(approximation(duplicate.point), now);
+    }
+    if (!are_in_range)
+      throw_refused(next, now);
+    m_editing.reserve_for_move(2 * m_translated.size() + 1); // there, and back
+  }
+
+  template <class Next>
+  void throw_refused(const Next& next, const Torus_2& now) const
+  {
+    for (Index id = 0; id < m_state.ids().number_of_ids(); ++id)
+      if (m_state.ids().is_taken(id))
+        checked_position(next(id), id, now);
+  }
+
+  static bool is_in_range(const Position_2& p, const Torus_2& torus)
+  {
+    const Position_2 m = torus.periodic(torus.multiples(p));
+    return std::abs(m.x) < max_shift && std::abs(m.y) < max_shift && is_within_limit(p.x) &&
+           is_within_limit(p.y);
+  }
+
+  // VERTICES ------------------------------------------------------------------------------------
+
+  // Points that go no farther, to coordinates whose sum is no larger, go less than half through the
+  // cell, and stay in range.
+  struct Usual_step
+  {
+    double squared_way, coordinates;
+  };
+  static Usual_step usual_step(const Torus_2& torus)
+  {
+    constexpr double rounding = 0.99;
+    const double way = rounding / 2 / torus.largest_multiple(1);
+    return {way * way,
+            (std::min)(rounding * max_shift / torus.largest_multiple(1), coordinate_limit / 2)};
+  }
+
+  using Translations = std::vector<std::pair<Index, Shift>>;
+
+  // Stages the positions of the vertices, and finds which of them come nearest to where they were
+  // by a translation, in multiples of the new cell's vectors: points that leave the cell and come
+  // in at the other side do not go far. False if a coordinate is not finite, or a point out of
+  // range in the new cell.
+  template <bool is_same, class Next>
+  bool stage_vertices(const Next& next, const Torus_2& now)
+  {
+    const Index vertices = m_state.number_of_vertices();
+    m_parts.resize(Parts::number(vertices));
+    std::atomic<bool> are_in_range{true};
+    Parts::for_each(vertices, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      m_parts[part].clear();
+      if (!stage_part<is_same>(next, now, Index(first) + 1, Index(beyond) + 1, m_parts[part]))
+        are_in_range.store(false, std::memory_order_relaxed);
+    });
+    m_translated.clear();
+    for (const Translations& part : m_parts)
+      m_translated.insert(m_translated.end(), part.begin(), part.end());
+    return are_in_range;
+  }
+
+  template <bool is_same, class Next>
+  bool stage_part(const Next& next, const Torus_2& now, Index first, Index beyond,
+                  Translations& translated)
+  {
+    const Usual_step usual = is_same ? usual_step(now) : Usual_step{-1, 0};
+    const auto staged = m_positions.staged();
+    const Index* const representatives = m_state.ids().representatives();
+    const Index vertices = m_state.number_of_vertices();
+    const Index end_of_prefetching =
+        vertices < min_vertices_to_prefetch ? 0 : vertices - prefetched_ahead;
+    for (Index v = first; v < beyond; ++v) {
+      if (v < end_of_prefetching)
+        next.prefetch(representatives[v + prefetched_ahead]);
+      const Position_2& p = m_state.positions()[v];
+      const Point& point = next(representatives[v]);
+      const Position_2 q = approximation(point);
+      staged.set(v, q, point);
+      if (squared_distance(p, q) <= usual.squared_way &&
+          std::abs(q.x) + std::abs(q.y) <= usual.coordinates)
+        continue;
+      if (!is_in_range(q, now))
+        return false; // a shift may be no integer
+      const Shift shift = now.nearest_shift(is_same ? now.multiples(q - p)
+                                                    : now.multiples(q) - multiples_in_next_cell(p));
+      if (!are_equal(shift, no_shift))
+        translated.push_back({v, shift});
+    }
+    return true;
+  }
+
+  // CELLS ---------------------------------------------------------------------------------------
+
+  // The vectors of the old cell in those of the next one. Edges that a heuristic classifier has
+  // left as they were can become longer with each exchange of cells: then it counts as deformation.
+  std::array<Shift, 2> countable_multiples(const Torus_2& next) const
+  {
+    const auto multiples = multiples_in_new_cell(m_state.torus(), next);
+    return are_countable(multiples) ? multiples : multiples_in_deformed_cell(m_state.torus(), next);
+  }
+
+  // Whether all shifts are within their limit when a cell is exchanged by these multiples.
+  bool are_countable(const std::array<Shift, 2>& multiples) const
+  {
+    if (multiples == unit_multiples || multiples == exchanged_multiples)
+      return true;
+    const Index halfedges = 3 * m_state.arrays().number_of_faces();
+    return Parts::all_of(halfedges, [&](std::size_t first, std::size_t beyond) {
+      bool are = true;
+      for (std::size_t h = first; h < beyond; ++h) {
+        const auto [i, j] = m_state.shift(Index(h));
+        for (std::size_t k = 0; k < 2; ++k)
+          are &= std::abs(double(i) * multiples[0][k] + double(j) * multiples[1][k]) <
+                 max_shift_in_face;
+      }
+      return are;
+    });
+  }
+
+  // Of a position in the old cell, if it goes along with the cell: in multiples of the new vectors.
+  Position_2 multiples_in_next_cell(const Position_2& p) const
+  {
+    const Position_2 s = m_state.torus().multiples(p);
+    return {s.x * m_multiples[0][0] + s.y * m_multiples[1][0],
+            s.x * m_multiples[0][1] + s.y * m_multiples[1][1]};
+  }
+
+  // Of an integer matrix with determinant 1 or -1.
+  static std::array<Shift, 2> inverse(const std::array<Shift, 2>& matrix)
+  {
+    const auto [a, b] = matrix[0];
+    const auto [c, d] = matrix[1];
+    const int sign = determinant(matrix);
+    return {{{sign * d, -sign * b}, {-sign * c, sign * a}}};
+  }
+
+  static constexpr Index prefetched_ahead = 64; // points
+
+  State& m_state;
+  typename State::Positions& m_positions;
+  Torus_editing_2<State> m_editing;
+  std::vector<Index> m_gone; // ids to be left out of the next frame
+  std::vector<typename State::Ids::Duplicate> m_next_duplicates;
+  std::vector<Translations> m_parts; // of the vertices, while they are staged
+  Translations m_translated;         // vertices, and by how much
+  Periodic_cell_2 m_cell{1, 1}, m_cell_before{1, 1};
+  std::array<Shift, 2> m_multiples = unit_multiples; // of the old cell's vectors
 };
 
 } // namespace internal

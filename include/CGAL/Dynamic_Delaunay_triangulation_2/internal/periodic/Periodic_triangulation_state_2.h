@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Parallel_parts_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Point_ids_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Positions_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Periodic_edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
@@ -27,6 +28,12 @@ namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
 struct Periodic_slacks_2;
+template <class State>
+class Torus_editing_2;
+template <class State>
+class Torus_builder_2;
+template <class State>
+class Padded_region_2;
 
 // A vertex as it is seen from somewhere: an image.
 struct Periodic_corner_2
@@ -79,7 +86,7 @@ private:
 };
 
 // A triangulation of a flat torus: its faces in one sheet, however few its points are. Reading is
-// public; `Periodic_editor_2` alone writes.
+// public; only the friends can write.
 //
 // Each corner of a face, a half-edge with its apex, has a *shift*. The images of the three vertices
 // by the shifts of a face are the corners of one triangle in the plane. Faces have frames of their
@@ -90,36 +97,46 @@ private:
 // vertices. There is no infinite vertex. Where the four corners of an edge have the same shift, the
 // edge stands in the arrays as in the plane, so that the pass over the edges can test it there.
 // Elsewhere all its vertices there are infinite: the pass in the plane never proves these.
-template <class Point_, class ConcurrencyTag>
+template <class Point_, class VisitorCalls, class ConcurrencyTag>
 class Periodic_triangulation_state_2
 {
 public:
   using Point = Point_;
+  using Visitor_calls = VisitorCalls;
+  using Positions = Positions_2<Point>;
   using Space = Plane_2; // of the edges without shifts
   using Edge_test = Periodic_edge_test_2<Periodic_triangulation_state_2>;
+  using Editing = Torus_editing_2<Periodic_triangulation_state_2>;
+  using Builder = Torus_builder_2<Periodic_triangulation_state_2>;
+  using Splice = Padded_region_2<Periodic_triangulation_state_2>;
   using Slacks = Periodic_slacks_2;
-  using Ids = Point_ids_2<Position_2>;
+  using Ids = Point_ids_2<Point>;
 
   using Parts = Parallel_parts_2<ConcurrencyTag>; // how passes are divided
 
   static constexpr bool is_periodic = true;
+  static constexpr std::size_t min_vertices = 1;
 
   explicit Periodic_triangulation_state_2(const Periodic_cell_2& cell)
     : m_torus(cell)
+    , m_points(1)
+    , m_positions(m_points)
   {
     m_ids.reset(0);
   }
 
   const Torus_2& torus() const { return m_torus; }
   const Halfedge_arrays_2& arrays() const { return m_arrays; }
-  const std::vector<Position_2>& positions() const { return m_positions; }
+  const std::vector<Position_2>& positions() const { return m_positions.positions(); }
   const Ids& ids() const { return m_ids; }
   // If vertices, edges or faces have other numbers, everything is new.
   const Change_log_2& changes() const { return m_changes; }
-  Index number_of_vertices() const { return Index(m_positions.size()) - 1; }
+  Index number_of_vertices() const { return Index(m_points.size()) - 1; }
+  // There are faces as soon as there is a vertex.
+  bool spans_plane() const { return number_of_vertices() > 0; }
 
   const Periodic_shift_2& shift(Index corner) const { return m_shifts[corner]; }
-  Image_2 image(Index corner) const { return image(corner, m_positions); }
+  Image_2 image(Index corner) const { return image(corner, positions()); }
   // The same with other positions of the vertices.
   Image_2 image(Index corner, const std::vector<Position_2>& positions) const
   {
@@ -151,7 +168,7 @@ public:
   }
 
   // The corners of the faces at half-edge h, in the frame of its face.
-  Edge_images_2 corners_at(Index h) const { return corners_at(h, m_positions); }
+  Edge_images_2 corners_at(Index h) const { return corners_at(h, positions()); }
   Edge_images_2 corners_at(Index h, const std::vector<Position_2>& positions) const
   {
     using Arrays = Halfedge_arrays_2;
@@ -177,11 +194,14 @@ public:
   Frame frame_at(Index h) const { return no_shift - m_shifts[h]; }
   Frame frame_beyond(Index h, const Frame& frame) const { return frame + transition(h); }
   // Whether an image of a point is where vertex v is.
-  bool is_at(const Position_2& p, Index v) const { return m_torus.coincide(p, m_positions[v]); }
+  bool is_at(const Point& p, Index v) const
+  {
+    return m_torus.coincide(approximation(p), positions()[v]);
+  }
   // The frame of the face of h in which the apex of h is seen from v where it is near.
   Frame frame_seen_from(Index v, Index h) const
   {
-    return frame_at(h) + shift_of_step(m_positions[m_arrays.apex(h)], m_positions[v]);
+    return frame_at(h) + shift_of_step(positions()[m_arrays.apex(h)], positions()[v]);
   }
   // By which the lattice comes nearest to a step.
   Periodic_shift_2 shift_of_step(const Position_2& from, const Position_2& to) const
@@ -191,12 +211,16 @@ public:
   // Between images that are near to each other.
   double rounded_squared_distance(Index v, Index w) const
   {
-    const Position_2 &p = m_positions[v], &q = m_positions[w];
-    const Periodic_shift_2 shift = shift_of_step(p, q);
-    const Position_2 way = m_torus.vector({double(shift[0]), double(shift[1])});
-    return squared_distance({p.x + way.x, p.y + way.y}, q);
+    return squared_distance(nearest_image(positions()[v], positions()[w]), positions()[w]);
   }
-  Image_2 image(const Corner& corner) const { return {m_positions[corner.vertex], corner.shift}; }
+  // The position of v one frame ago, as it is seen from where its present one is `now`.
+  Position_2 previous_position_at(Index v, const Position_2& now) const
+  {
+    return now - (positions()[v] - previous_position(v));
+  }
+  // Where to look for a position in an order of space.
+  Position_2 place_in_order(const Position_2& p) const { return m_torus.wrapped(p); }
+  Image_2 image(const Corner& corner) const { return {positions()[corner.vertex], corner.shift}; }
   // NaNs beyond the gap beside a slab.
   Position_2 rounded_position(const Corner& corner) const
   {
@@ -232,9 +256,15 @@ public:
   // FRAMES, as Dynamic_frame_2 shows them. Empty edges and faces have infinite vertices.
 
   static constexpr bool positions_are_exact() { return true; }
-  const Position_2& previous_position(Index v) const { return m_other_positions[v]; }
-  // By vertices: of the next frame while it is read, then of the last one.
-  const std::vector<Position_2>& other_positions() const { return m_other_positions; }
+  bool have_points_moved() const { return m_positions.have_moved(); }
+  void prefetch_positions(Index v) const { m_positions.prefetch(v); }
+  decltype(auto) point(Index v) const { return m_positions.point(v); }
+  // One frame ago, or before the vertex moved alone in this call: the image of that position that
+  // is nearest to the present one.
+  Position_2 previous_position(Index v) const
+  {
+    return nearest_image(m_positions.previous_position(v), positions()[v]);
+  }
 
   Edge_2 edge(Index e) const
   {
@@ -270,7 +300,7 @@ public:
   }
 
   bool corners_are_exact(Index e) const { return !is_shifted(e); }
-  Edge_corners_2 corners(Index e) const { return corners(e, m_positions); }
+  Edge_corners_2 corners(Index e) const { return corners(e, positions()); }
   Edge_corners_2 corners(Index e, const std::vector<Position_2>& positions) const
   {
     if (!is_shifted(e))
@@ -282,7 +312,7 @@ public:
   Position_2 edge_vector(Index e) const
   {
     if (!is_shifted(e))
-      return m_positions[m_arrays.edge(e).target] - m_positions[m_arrays.edge(e).source];
+      return positions()[m_arrays.edge(e).target] - positions()[m_arrays.edge(e).source];
     if (m_arrays.is_empty_edge(e))
       return nan_point();
     const Edge_images_2 corners = corners_at(m_arrays.halfedge(e));
@@ -296,12 +326,20 @@ public:
             rounded_vector(image(3 * f), image(3 * f + 2))};
   }
 
-  Position_2 position_of_id(Index id) const
+  Point point_of_id(Index id) const
   {
-    return m_ids.is_representative(id) ? m_positions[m_ids.vertex(id)] : m_ids.duplicate(id).point;
+    return m_ids.is_representative(id) ? point(m_ids.vertex(id)) : m_ids.duplicate(id).point;
   }
 
 private:
+  // The image of p that is nearest to q, rounded.
+  Position_2 nearest_image(const Position_2& p, const Position_2& q) const
+  {
+    const Periodic_shift_2 shift = shift_of_step(p, q);
+    const Position_2 way = m_torus.vector({double(shift[0]), double(shift[1])});
+    return {p.x + way.x, p.y + way.y};
+  }
+
   // NaNs across the gap beside a slab.
   Position_2 rounded_vector(const Image_2& from, const Image_2& to) const
   {
@@ -310,17 +348,22 @@ private:
                                                     : m_torus.vector(from, to, ignored);
   }
 
-  template <class State, bool is_logged>
-  friend class Periodic_editor_2;
+  template <class State>
+  friend class Periodic_input_2;
+  template <class State>
+  friend class Torus_editing_2;
+  template <class State>
+  friend class Torus_builder_2;
 
   Torus_2 m_torus;
   Halfedge_arrays_2 m_arrays;
-  std::vector<Periodic_shift_2> m_shifts; // indexed by half-edges
-  std::vector<Position_2> m_positions = {nan_point()};
-  std::vector<Position_2> m_other_positions;
+  std::vector<Periodic_shift_2> m_shifts;                             // indexed by half-edges
+  std::vector<typename Point_arrays_2<Point>::Stored_point> m_points; // indexed by vertices
+  Positions m_positions;
   Change_log_2 m_changes;
   std::size_t m_cell_changes = 0;
   Ids m_ids;
+  Visitor_calls m_visitor_calls;
 };
 
 } // namespace internal

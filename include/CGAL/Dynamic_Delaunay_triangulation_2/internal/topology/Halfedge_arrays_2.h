@@ -27,8 +27,12 @@ template <class State>
 class Topology_builder_2;
 template <class State>
 class Topology_editor_2;
-template <class State, bool is_logged>
-class Periodic_editor_2;
+template <class State>
+class Plane_editing_2;
+template <class State>
+class Torus_editing_2;
+template <class State>
+class Torus_builder_2;
 template <class Point, class VertexInfo, class FaceInfo>
 class Indexed_storage_2;
 
@@ -198,8 +202,12 @@ private:
   friend class Topology_editor_2;
   template <class State>
   friend class Star_writer_2;
-  template <class State, bool is_logged>
-  friend class Periodic_editor_2;
+  template <class State>
+  friend class Plane_editing_2;
+  template <class State>
+  friend class Torus_editing_2;
+  template <class State>
+  friend class Torus_builder_2;
   template <class Point, class VertexInfo, class FaceInfo>
   friend class Indexed_storage_2;
 
@@ -520,8 +528,10 @@ private:
     m_corner[slot.vertex] = null_index;
     for (const Index f : slot.faces)
       m_halfedges[3 * f].apex = null_index;
-    for (const Index e : slot.edges)
+    for (const Index e : slot.edges) {
       m_halfedge_of_edge[e] = null_index;
+      hide_edge(e);
+    }
   }
 
   void set_face(Index f, Index a, Index b, Index c)

@@ -416,7 +416,7 @@ private:
   template <class State>
   friend class Topology_builder_2;
   template <class State>
-  friend class Topology_editor_2;
+  friend class Plane_editing_2;
 
   // WHERE THE EDITOR AND THE BUILDER WRITE --------------------------------------------------------
   // They write points and arrays themselves. What users have stored follows by these functions.

@@ -146,9 +146,9 @@ struct Change_log_2
 };
 
 // The topology: CGAL's triangulation, whose data structure is the arrays themselves; the ids, and
-// the log of changes. Reading is public. Only two friends can change it: `Topology_editor_2`, which
-// writes parts, and `Topology_builder_2`, which writes everything. They keep its members consistent
-// and tell the visitor.
+// the log of changes. Reading is public. Only two can change it: `Topology_editor_2`, which writes
+// parts, by `Plane_editing_2`, and `Topology_builder_2`, which writes everything. They keep its
+// members consistent and tell the visitor.
 template <class Traits, class Tds, class VisitorCalls>
 class Topology_2
 {
@@ -198,7 +198,7 @@ private:
   template <class State>
   friend class Topology_builder_2;
   template <class State>
-  friend class Topology_editor_2;
+  friend class Plane_editing_2;
   template <class Traits_, class Tds_, class VisitorCalls_, class ConcurrencyTag>
   friend class Triangulation_state_2;
 

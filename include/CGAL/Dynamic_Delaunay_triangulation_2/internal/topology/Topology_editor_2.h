@@ -13,7 +13,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Star_polygon_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Star_writer_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_parts_2.h>
-#include <CGAL/Triangulation_utils_2.h>
 
 #include <algorithm>
 #include <array>
@@ -66,18 +65,16 @@ struct Patch_2
   }
 };
 
-// Writes parts of the topology; `Topology_builder_2` writes the whole, and nothing else can write.
-// Each operation logs the new edges, and calls the user's visitor.
+// Writes parts of the topology, in every space; builders write the whole, and nothing else can
+// write. Each operation logs the new edges. What else a space has at its faces and vertices, and
+// whom it tells, is up to its `State::Editing`.
 template <class State>
 class Topology_editor_2
 {
-  using Topology = typename State::Topology;
+  using Editing = typename State::Editing;
   using Positions = typename State::Positions;
   using Point = typename State::Point;
-  using Vertex_handle = typename State::Vertex_handle;
-  using Face_handle = typename State::Face_handle;
-  using Edge = typename State::Triangulation::Edge;
-  using Storage = typename Topology::Storage;
+  using Frame = typename State::Frame;
   using Polygon = Star_polygon_2<State>;
 
 public:
@@ -85,10 +82,11 @@ public:
 
   explicit Topology_editor_2(State& state)
     : m_state(state)
-    , m_topology(state.m_topology)
-    , m_storage(state.m_topology.m_storage)
-    , m_arrays(state.m_topology.m_storage.m_arrays)
-    , m_positions(state.m_positions)
+    , m_editing(state)
+    , m_arrays(m_editing.arrays())
+    , m_ids(m_editing.ids())
+    , m_positions(m_editing.positions())
+    , m_changes(m_editing.changes())
     , m_star_writer(m_arrays)
   {
   }
@@ -99,69 +97,76 @@ public:
   template <class Visitor, class Dynamic>
   void start_visit(Visitor& visitor, const Dynamic* dynamic)
   {
-    m_topology.m_visitor_calls.start(visitor, dynamic);
+    m_editing.start_visit(visitor, dynamic);
   }
 
   // Throws the visitor's first exception, if any.
-  void finish_visit() { m_topology.m_visitor_calls.finish(); }
+  void finish_visit() { m_editing.finish_visit(); }
 
   // Begins an update. Changes of the last one that the classifier was not told stay in the log.
   void begin_changes(bool is_classifier_informed)
   {
-    Change_log_2& changes = m_topology.m_changes;
     if (is_classifier_informed)
-      changes.clear();
-    else if (!changes.renumberings.are_none()) // another renumbering will follow
-      changes.everything_is_new = true;
-    if (changes.everything_is_new)
-      changes.new_edges.clear();
+      m_changes.clear();
+    else if (!m_changes.renumberings.are_none()) // another renumbering will follow
+      m_changes.everything_is_new = true;
+    if (m_changes.everything_is_new)
+      m_changes.new_edges.clear();
   }
 
   // Ends an update. Each new edge is in the log once afterwards.
-  void end_changes() { make_distinct(m_topology.m_changes.new_edges); }
+  void end_changes() { make_distinct(m_changes.new_edges); }
 
-  void note_everything_is_new() { m_topology.m_changes.everything_is_new = true; }
+  void note_everything_is_new() { m_changes.everything_is_new = true; }
 
   // Reports examined edges to a heuristic classifier as if they were new.
   void note_examined(const std::vector<Index>& edges)
   {
-    auto& new_edges = m_topology.m_changes.new_edges;
-    new_edges.insert(new_edges.end(), edges.begin(), edges.end());
+    m_changes.new_edges.insert(m_changes.new_edges.end(), edges.begin(), edges.end());
   }
 
   // FLIPS ---------------------------------------------------------------------------------------
 
-  // Refuses flips that would double an edge, because the vertices of an edge identify it in
-  // simplicial complexes. Among these are all flips at vertices of degree 3. Counterclockwise faces
+  // Refuses flips that would double an edge, because the vertices of an edge, on a torus with their
+  // shifts, identify it. Among these are all flips at vertices of degree 3. Counterclockwise faces
   // at the edge do not exclude them, because other faces may overlap these.
-  bool can_flip(Index h) const { return !m_arrays.are_apexes_neighbors(h); }
+  bool can_flip(Index h) const { return m_editing.can_flip(h); }
 
   // Exchanges the diagonal at half-edge h. If it throws, nothing has changed.
+  //
+  //     b ----- a             b ----- a
+  //     | \  h  |             |     / |
+  //     |   \   |  -------->  |   /   |
+  //     |  g  \ |             | /     |
+  //     d ----- c             d ----- c
   void flip(Index h)
   {
-    m_topology.m_changes.new_edges.push_back(m_arrays.edge_of(h));
-    flip_and_tell(h); // throws nothing
+    m_editing.reserve(2);
+    m_changes.new_edges.push_back(m_arrays.edge_of(h));
+    m_editing.flip(h, m_editing.log()); // throws nothing
   }
 
-  // Calls f(part, try_flip) for all parts of `topology`, which threads share. try_flip(h) returns
-  // whether the edge of half-edge h is inside of the part and its flip doubles no edge, which it
-  // cannot if `no_edge_doubles`, and flips it if so. A visitor that listens hears of one part after
-  // the other: then there are no threads. The result depends on the parts alone.
+  // Calls f(part, try_flip) for all parts of `topology`, which threads share, for `most` flips at
+  // most. try_flip(h) returns whether the edge of half-edge h is inside of the part and its flip
+  // doubles no edge, which it cannot if `no_edge_doubles`, and flips it if so. A visitor that
+  // listens to each flip hears of one part after the other: then there are no threads. The result
+  // depends on the parts alone.
   template <class Function>
   void flip_in_parts(const Topology_parts_2& topology, std::size_t parts, bool no_edge_doubles,
-                     std::size_t, const Function& f)
+                     std::size_t most, const Function& f)
   {
-    m_flipped_in_parts.resize((std::max)(parts, m_flipped_in_parts.size()));
+    m_flips_of_parts.resize((std::max)(parts, m_flips_of_parts.size()));
+    m_editing.reserve(2 * most);
     const auto flip_part = [&](std::size_t part) {
-      std::vector<Index>& flipped = m_flipped_in_parts[part];
-      f(part, [&](Index h) { return try_flip(topology, part, no_edge_doubles, h, flipped); });
+      Flips_of_part& flips = m_flips_of_parts[part];
+      f(part, [&](Index h) { return try_flip(topology, part, no_edge_doubles, h, flips); });
     };
     const auto log = [&] {
       for (std::size_t part = 0; part < parts; ++part)
-        log_flips(m_flipped_in_parts[part]);
+        log_flips(m_flips_of_parts[part]);
     };
     try {
-      if constexpr (Topology::Visitor_calls::is_heard)
+      if constexpr (Editing::tells_at_once)
         for (std::size_t part = 0; part < parts; ++part)
           flip_part(part);
       else
@@ -181,10 +186,10 @@ public:
     CGAL_precondition(old_faces.size() == patch.number_of_faces());
     CGAL_precondition(outside.size() == patch.boundary.size());
     collect_inner_edges(old_faces);
-    auto& new_edges = m_topology.m_changes.new_edges;
+    auto& new_edges = m_changes.new_edges;
     new_edges.insert(new_edges.end(), m_inner_edges.begin(), m_inner_edges.end());
     for (const Index f : old_faces) // nothing throws from here on
-      tell_before_removal(f);
+      m_editing.before_face(f);
     const auto global = [&](Index h) { return 3 * old_faces[h / 3] + h % 3; };
     for (Index h = 0; h < Index(patch.apexes.size()); ++h)
       m_arrays.set_apex(global(h), patch.apexes[h]);
@@ -200,7 +205,7 @@ public:
     for (const Index h : outside)
       m_arrays.set_edge(m_arrays.edge_of(h), h);
     for (const Index f : old_faces)
-      tell_after_creation(f);
+      m_editing.after_face(f);
   }
 
   // Fetches what replace() will write: first these faces, some time later what they refer to.
@@ -235,7 +240,7 @@ public:
     if (m_arrays.number_of_vertices() < min_vertices_to_prefetch)
       return;
     for (const auto& side : polygon.sides()) {
-      internal::prefetch(&m_state.positions()[side.corner]);
+      internal::prefetch(&m_state.positions()[State::vertex_of(side.corner)]);
       m_arrays.prefetch_edge(side.edge);
     }
     for (const Index e : polygon.edges())
@@ -246,60 +251,78 @@ public:
   // its faces.
   Slot take_out(const Polygon& polygon)
   {
-    const Index v = polygon.center();
-    return take_out(polygon, [&] {
-      m_topology.m_visitor_calls.before_vertex_relocation(m_topology.vertex_handle(v),
-                                                          m_topology.m_ids.representative(v));
-    });
+    return take_out(polygon, [&] { m_editing.before_vertex_relocation(polygon.center()); });
   }
 
-  // The same for a vertex whose only point is removed.
+  // Takes out a vertex whose only point is removed.
   Slot remove(const Polygon& polygon)
   {
-    const Index v = polygon.center();
     return take_out(polygon, [&] {
-      const Index id = m_topology.m_ids.representative(v);
-      m_topology.m_visitor_calls.before_vertex_removal(m_topology.vertex_handle(v), id);
-      m_topology.m_ids.remove_representative(id);
+      const Index v = polygon.center();
+      m_editing.before_vertex_removal(v);
+      m_ids.remove_representative(m_ids.representative(v));
     });
   }
 
-  // The same for a vertex whose points, at p, become duplicates at another vertex.
+  // Takes out a vertex whose points, at p, become duplicates at another vertex.
   Slot merge(const Polygon& polygon, Index stays, const Point& p)
   {
     return take_out(polygon, [&] { hand_points_to(stays, polygon.center(), p); });
   }
 
-  // Puts the slot's vertex into a face. Throws nothing if everything is new, or if there is memory
-  // for six new edges.
-  void put_in(const Slot& slot, Index f)
+  // A face, and its frame as seen from the vertex that is put into it.
+  struct Seen_face
   {
-    auto& new_edges = m_topology.m_changes.new_edges;
-    if (!m_topology.m_changes.everything_is_new)
+    Index face;
+    Frame frame;
+  };
+
+  // Puts the slot's vertex v into a face. Throws nothing after reserve_for_new_edges(6), or after
+  // keep_memory_for() if everything is new.
+  //
+  //     c --------- b        c --------- b
+  //     |         /          | \   f   /     g and k are the slot's faces
+  //     |   f   /   ------>  |   v   /
+  //     |     /              | g | /
+  //     |   /                |   / k
+  //     | /                  | /
+  //     a                    a
+  void put_in(const Slot& slot, const Seen_face& place)
+  {
+    auto& new_edges = m_changes.new_edges;
+    if (!m_changes.everything_is_new)
       reserve_extra(new_edges, 6);
-    tell_before_removal(f);
-    m_arrays.put_in(slot, f);
-    if (!m_topology.m_changes.everything_is_new) {
+    m_editing.reserve(3);
+    m_editing.before_face(place.face);
+    m_editing.put_in(slot, place.face, place.frame);
+    if (!m_changes.everything_is_new) {
       new_edges.insert(new_edges.end(), slot.edges.begin(), slot.edges.end());
       m_arrays.for_each_corner(slot.vertex,
                                [&](Index h) { new_edges.push_back(m_arrays.edge_of(h)); });
     }
-    for (const Index g : {f, slot.faces[0], slot.faces[1]})
-      tell_after_creation(g);
+    for (const Index e : slot.edges)
+      m_editing.after_edge(e);
+    for (const Index f : {place.face, slot.faces[0], slot.faces[1]})
+      m_editing.after_face(f);
   }
 
-  // Puts the center of a polygon that has faces and edges for it in their place. Throws nothing if
-  // there is memory for as many new edges.
+  // Puts the center of a polygon that has faces and edges for it in their place. Throws nothing
+  // after reserve_for_new_edges() for as many edges. `Star_polygon_2` has the picture.
   void put_in(const Slot& slot, const Polygon& polygon)
   {
     CGAL_precondition(polygon.has_star() && polygon.center() == slot.vertex);
-    auto& new_edges = m_topology.m_changes.new_edges;
+    m_editing.reserve(2 * polygon.edges().size());
     for (std::size_t i = 0; i + slot.faces.size() < polygon.faces().size(); ++i)
-      tell_before_removal(polygon.faces()[i]);
+      m_editing.before_face(polygon.faces()[i]);
+    for (std::size_t i = 0; i + slot.edges.size() < polygon.edges().size(); ++i)
+      m_editing.before_edge(polygon.edges()[i]);
     m_star_writer.write_star(polygon, corner_setter());
-    new_edges.insert(new_edges.end(), polygon.edges().begin(), polygon.edges().end());
+    m_changes.new_edges.insert(m_changes.new_edges.end(), polygon.edges().begin(),
+                               polygon.edges().end());
+    for (const Index e : polygon.edges())
+      m_editing.after_edge(e);
     for (const Index f : polygon.faces())
-      tell_after_creation(f);
+      m_editing.after_face(f);
   }
 
   // Makes a slot with the next numbers and a vertex at p without representative. If it throws,
@@ -307,13 +330,13 @@ public:
   Slot make_slot(const Point& p)
   {
     m_arrays.reserve_for_slot();
-    m_topology.m_ids.reserve_for_vertex();
+    m_ids.reserve_for_vertex();
     m_positions.reserve_for_vertex();
-    m_storage.reserve_for_slot();
+    m_editing.reserve_for_slot();
     append_vertex(p);
     const Slot slot = m_arrays.append_slot();
-    m_topology.m_ids.append_vertex();
-    auto& renumberings = m_topology.m_changes.renumberings;
+    m_ids.append_vertex();
+    auto& renumberings = m_changes.renumberings;
     renumberings.vertices.note_appended(slot.vertex);
     renumberings.edges.note_appended(slot.edges[0]);
     renumberings.faces.note_appended(slot.faces[0]);
@@ -324,10 +347,10 @@ public:
   // nothing has changed.
   void renew_vertex(const Slot& slot, const Point& p)
   {
-    m_topology.m_changes.renumberings.vertices.reserve_extra(1);
+    m_changes.renumberings.vertices.reserve_extra(1);
     m_positions.restart(slot.vertex, p);
-    m_storage.renew_vertex(slot.vertex);
-    m_topology.m_changes.renumberings.vertices.note_replacement(slot.vertex);
+    m_editing.renew_vertex(slot.vertex);
+    m_changes.renumberings.vertices.note_replacement(slot.vertex);
   }
 
   // Deletes the vertices of these slots, which have no representatives. The last vertices, edges
@@ -337,11 +360,11 @@ public:
     collect_numbers(empty_slots);
     const std::size_t kept_edges = m_arrays.number_of_edges() - m_empty_edges.size();
     m_number_of_edge.assign(m_empty_edges.size(), null_index); // from `kept_edges` on
-    m_topology.m_changes.renumberings.reserve_for_removals(empty_slots.size());
+    m_changes.renumberings.reserve_for_removals(empty_slots.size());
     const auto note = [&](Index from, Index to) { m_number_of_edge[from - kept_edges] = to; };
     drop_collected(note); // nothing throws from here on
-    auto& new_edges = m_topology.m_changes.new_edges;
-    if (m_topology.m_changes.everything_is_new) // some of these numbers can no longer be traced
+    auto& new_edges = m_changes.new_edges;
+    if (m_changes.everything_is_new) // some of these numbers can no longer be traced
       return new_edges.clear();
     for (Index& e : new_edges)
       while (e != null_index && e >= kept_edges)
@@ -349,17 +372,19 @@ public:
     new_edges.erase(std::remove(new_edges.begin(), new_edges.end(), null_index), new_edges.end());
   }
 
-  // The same if memory has run out: throws nothing, and everything is new.
+  // Drops slots if memory has run out: throws nothing, and everything is new.
   void drop_in_need(const std::vector<Slot>& empty_slots)
   {
-    m_topology.m_changes.everything_is_new = true;
+    m_changes.everything_is_new = true;
     collect_numbers(empty_slots);
     drop_collected([](Index, Index) {});
   }
 
-  // Reserves memory for drop_in_need() with so many slots.
-  void reserve_for_drop(std::size_t number)
+  // Keeps memory to put so many vertices into faces, or to drop their slots, when there is no
+  // other.
+  void keep_memory_for(std::size_t number)
   {
+    m_editing.keep_memory_for(3 * number);
     m_empty_vertices.reserve(number);
     m_empty_faces.reserve(2 * number);
     m_empty_edges.reserve(3 * number);
@@ -369,25 +394,24 @@ public:
 
   // Reserves the next ids, as given by `Point_ids_2::list_next_ids()`, for points to be inserted.
   // If it throws, nothing has changed. `release_id()` returns an id that was not used.
-  void reserve_ids(const std::vector<Index>& ids) { m_topology.m_ids.reserve(ids); }
-  void release_id(Index id) { m_topology.m_ids.release(id); }
+  void reserve_ids(const std::vector<Index>& ids) { m_ids.reserve(ids); }
+  void release_id(Index id) { m_ids.release(id); }
 
-  // Reserve memory. Then the functions below throw nothing.
-  void reserve_for_removals(std::size_t number) { m_topology.m_ids.reserve_for_removals(number); }
-  void reserve_for_duplicates(std::size_t number)
-  {
-    m_topology.m_ids.reserve_for_duplicates(number);
-  }
+  // Reserve memory. Then remove_duplicate(), place_duplicate(), put_in() and hand_points_to() throw
+  // nothing.
+  void reserve_for_removals(std::size_t number) { m_ids.reserve_for_removals(number); }
+  void reserve_for_duplicates(std::size_t number) { m_ids.reserve_for_duplicates(number); }
   void reserve_for_new_edges(std::size_t number)
   {
-    reserve_extra(m_topology.m_changes.new_edges, number);
+    reserve_extra(m_changes.new_edges, number);
+    m_editing.reserve(2 * number);
   }
 
-  void remove_duplicate(Index id) { m_topology.m_ids.remove_duplicate(id); }
+  void remove_duplicate(Index id) { m_ids.remove_duplicate(id); }
 
   void place_duplicate(Index id, Index vertex, const Point& p)
   {
-    m_topology.m_ids.place_duplicate(id, vertex, p);
+    m_ids.place_duplicate(id, vertex, p);
   }
 
   // Puts the slot's vertex into a face or a polygon, for the point `id`, which is new or was a
@@ -395,8 +419,8 @@ public:
   template <class Place>
   void put_in_new(const Slot& slot, const Place& place, Index id)
   {
-    m_topology.m_ids.place_representative(id, slot.vertex);
-    m_topology.m_visitor_calls.after_vertex_creation(m_topology.vertex_handle(slot.vertex), id);
+    m_ids.place_representative(id, slot.vertex);
+    m_editing.after_vertex_creation(slot.vertex);
     put_in(slot, place);
   }
 
@@ -404,29 +428,30 @@ public:
   template <class Place>
   void put_in_again(const Slot& slot, const Place& place)
   {
-    reserve_extra(m_topology.m_changes.relocated, 1);
+    reserve_extra(m_changes.relocated, 1);
     put_in(slot, place);
-    m_topology.m_changes.relocated.push_back(slot.vertex);
+    m_changes.relocated.push_back(slot.vertex);
   }
 
   // Makes the points of vertex `goes`, which are at p, duplicates at vertex `stays`.
   void hand_points_to(Index stays, Index goes, const Point& p)
   {
-    auto& ids = m_topology.m_ids;
-    m_topology.m_visitor_calls.before_vertex_merge(
-        m_topology.vertex_handle(goes), ids.representative(goes), m_topology.vertex_handle(stays));
-    ids.merge(goes, stays, p);
+    m_editing.before_vertex_merge(goes, stays);
+    m_ids.merge(goes, stays, p);
   }
 
   // Makes a duplicate at v the representative, so that v has its point. The representative becomes
-  // a duplicate at p.
+  // a duplicate at p. If it throws, nothing has changed.
   void exchange_representative(Index duplicate, Index v, const Point& p)
   {
-    const Index representative = m_topology.m_ids.representative(v);
-    const Point point = m_topology.m_ids.duplicate(duplicate).point;
-    m_topology.m_ids.exchange_representative(duplicate, p);
+    m_editing.reserve_for_id_change(v);
+    const Index representative = m_ids.representative(v);
+    const Point point = m_ids.duplicate(duplicate).point;
+    const Position_2 before = m_state.positions()[v];
+    m_editing.before_id_change(v);
+    m_ids.exchange_representative(duplicate, p);
     m_positions.set(v, point);
-    m_topology.m_visitor_calls.after_id_change(m_topology.vertex_handle(v), representative);
+    m_editing.after_id_change(v, representative, before);
   }
 
   // Moves single points. If points of a vertex stay, one of them becomes its representative.
@@ -439,10 +464,10 @@ public:
     reserve_for_duplicates(ids.size());
     m_positions.reserve_for_moves(ids.size());
     for (std::size_t i = 0; i < ids.size(); ++i)
-      if (!m_topology.m_ids.is_representative(ids[i]))
-        m_topology.m_ids.duplicate(ids[i]).point = points[i];
+      if (!m_ids.is_representative(ids[i]))
+        m_ids.duplicate(ids[i]).point = points[i];
     for (std::size_t i = 0; i < ids.size(); ++i)
-      if (m_topology.m_ids.is_representative(ids[i]))
+      if (m_ids.is_representative(ids[i]))
         move_representative(ids[i], points[i]);
     m_positions.end_moves();
   }
@@ -450,41 +475,18 @@ public:
 private:
   void move_representative(Index id, const Point& p)
   {
-    const auto& ids = m_topology.m_ids;
-    const Index v = ids.vertex(id);
-    const Point place = m_state.point(v);
-    const auto is_at = [this](const Point& q, const Point& r) {
-      return coincide(m_state.traits(), q, r);
-    };
-    const Index successor = is_at(p, place) || ids.duplicates().empty()
+    const Index v = m_ids.vertex(id);
+    const Index successor = m_ids.duplicates().empty() || m_state.is_at(p, v)
                                 ? null_index
-                                : ids.find_duplicate_at(v, [&](const auto& duplicate) {
-                                    return is_at(duplicate.point, place);
+                                : m_ids.find_duplicate_at(v, [&](const auto& duplicate) {
+                                    return m_state.is_at(duplicate.point, v);
                                   });
-    if (successor == null_index)
-      m_positions.move(v, p); // also to the same place: the point may hold more than a position
-    else
-      exchange_representative(successor, v, p);
-  }
-
-  // THE VISITOR ---------------------------------------------------------------------------------
-
-  void tell_before_removal(Index f)
-  {
-    m_topology.m_visitor_calls.before_face_removal(m_topology.face_handle(f));
-  }
-  void tell_after_creation(Index f)
-  {
-    m_topology.m_visitor_calls.after_face_creation(m_topology.face_handle(f));
-  }
-
-  void flip_and_tell(Index h)
-  {
-    const Face_handle f = m_topology.face_handle(h / 3);
-    const int place = int(h % 3);
-    m_topology.m_visitor_calls.before_flip(Edge(f, place));
-    m_arrays.flip(h);
-    m_topology.m_visitor_calls.after_flip(Edge(f, Triangulation_cw_ccw_2::ccw(place)));
+    if (successor != null_index)
+      return exchange_representative(successor, v, p);
+    m_editing.reserve_for_move();
+    const Position_2 before = m_state.positions()[v];
+    m_positions.move(v, p); // also to the same place: the point may hold more than a position
+    m_editing.after_move(v, before);
   }
 
   // OUT OF FACES AND INTO FACES -------------------------------------------------------------------
@@ -495,17 +497,17 @@ private:
     const std::size_t vertices = m_arrays.number_of_vertices(), faces = m_arrays.number_of_faces();
     try {
       m_positions.append(p);
-      m_storage.append_slot();
+      m_editing.append_slot();
     } catch (...) {
       m_positions.resize(vertices);
-      m_storage.resize_data(vertices, faces);
+      m_editing.resize_data(vertices, faces);
       throw;
     }
   }
 
   auto corner_setter()
   {
-    return [this](Index h, Index v) { m_arrays.set_apex(h, v); };
+    return [this](Index h, const typename State::Corner& c) { m_editing.set_corner(h, c); };
   }
 
   // `vacate()`, which must not throw, is called before the center leaves its faces, after the
@@ -516,16 +518,21 @@ private:
     CGAL_precondition(!m_arrays.is_outside(polygon.center()));
     CGAL_precondition(polygon.is_triangulated());
     const std::size_t degree = polygon.sides().size();
-    reserve_extra(m_topology.m_changes.new_edges, degree);
+    reserve_extra(m_changes.new_edges, degree);
+    m_editing.reserve(2 * degree);
     m_star_writer.reserve(polygon); // nothing throws from here on
     for (const Index f : polygon.faces())
-      tell_before_removal(f);
+      m_editing.before_face(f);
+    for (const Index e : polygon.edges())
+      m_editing.before_edge(e);
     vacate();
     const Slot slot = m_star_writer.write_ears(polygon, corner_setter());
-    m_star_writer.for_each_edge_of_ears(
-        polygon, [this](Index e) { m_topology.m_changes.new_edges.push_back(e); });
+    m_star_writer.for_each_edge_of_ears(polygon,
+                                        [this](Index e) { m_changes.new_edges.push_back(e); });
+    for (std::size_t i = 0; i + 3 < degree; ++i)
+      m_editing.after_edge(polygon.edges()[i]);
     for (std::size_t i = 0; i + 2 < degree; ++i)
-      tell_after_creation(polygon.faces()[i]);
+      m_editing.after_face(polygon.faces()[i]);
     return slot;
   }
 
@@ -551,13 +558,13 @@ private:
   template <class Note>
   void drop_collected(const Note& note)
   {
-    auto& renumberings = m_topology.m_changes.renumberings;
-    const bool are_noted = !m_topology.m_changes.everything_is_new;
+    auto& renumberings = m_changes.renumberings;
+    const bool are_noted = !m_changes.everything_is_new;
     for (const Index f : m_empty_faces) {
       if (are_noted)
         renumberings.faces.note_move(m_arrays.number_of_faces() - 1, f);
       m_arrays.move_last_face_to(f);
-      m_storage.move_last_face_data_to(f);
+      m_editing.move_last_face_data_to(f);
     }
     for (const Index e : m_empty_edges) {
       const Index last = m_arrays.number_of_edges() - 1;
@@ -571,9 +578,9 @@ private:
       if (are_noted)
         renumberings.vertices.note_move(m_state.number_of_vertices(), v);
       m_arrays.move_last_vertex_to(v);
-      m_topology.m_ids.move_last_vertex_to(v);
+      m_ids.move_last_vertex_to(v);
       m_positions.move_last_to(v);
-      m_storage.move_last_vertex_data_to(v);
+      m_editing.move_last_vertex_data_to(v);
     }
   }
 
@@ -590,37 +597,46 @@ private:
 
   // FLIPS IN PARTS ------------------------------------------------------------------------------
 
+  // What was flipped in a part: the new edges, and what is to be told of them.
+  struct Flips_of_part
+  {
+    std::vector<Index> edges;
+    typename Editing::Log log;
+  };
+
   bool try_flip(const Topology_parts_2& topology, std::size_t part, bool no_edge_doubles, Index h,
-                std::vector<Index>& flipped)
+                Flips_of_part& flips)
   {
     const Index e = m_arrays.edge_of(h);
     if (!topology.is_inside(part, e) || !(no_edge_doubles || can_flip(h)))
       return false;
-    flipped.push_back(e);
-    flip_and_tell(h); // throws nothing
+    Editing::reserve(flips.log, 2);
+    flips.edges.push_back(e);
+    m_editing.flip(h, flips.log); // throws nothing
     return true;
   }
 
   // Everything is new where there is no memory to list it.
-  void log_flips(std::vector<Index>& flipped)
+  void log_flips(Flips_of_part& flips)
   {
-    auto& changes = m_topology.m_changes;
     try {
-      changes.new_edges.insert(changes.new_edges.end(), flipped.begin(), flipped.end());
+      m_changes.new_edges.insert(m_changes.new_edges.end(), flips.edges.begin(), flips.edges.end());
     } catch (const std::bad_alloc&) {
-      changes.everything_is_new = true;
+      m_changes.everything_is_new = true;
     }
-    flipped.clear();
+    m_editing.append(flips.log);
+    flips.edges.clear();
   }
 
   const State& m_state;
-  Topology& m_topology;
-  Storage& m_storage;
+  Editing m_editing;
   Halfedge_arrays_2& m_arrays;
+  typename State::Ids& m_ids;
   Positions& m_positions;
+  Change_log_2& m_changes;
   Star_writer_2<State> m_star_writer;
   std::vector<Index> m_inner_edges;
-  std::vector<std::vector<Index>> m_flipped_in_parts;                // edges
+  std::vector<Flips_of_part> m_flips_of_parts;
   std::vector<Index> m_empty_vertices, m_empty_faces, m_empty_edges; // to be dropped
   std::vector<Index> m_number_of_edge;                               // after that
 };

@@ -41,7 +41,7 @@ public:
   {
     collect_from_parts(edges.size(), m_suspects, [&](std::size_t i, Work& work) {
       prefetch_edges(edges, i);
-      look_at(m_state.arrays().edge(edges[i]), work.found);
+      look_at(edges[i], work.found);
     });
     m_seen.clear(m_state.arrays().number_of_vertices());
     m_suspects.erase(std::remove_if(m_suspects.begin(), m_suspects.end(),
@@ -61,7 +61,7 @@ public:
     m_jumpers.clear();
     m_seen.clear(m_state.arrays().number_of_vertices());
     for (const Index e : edges) {
-      const Edge_2& edge = m_state.arrays().edge(e);
+      const Edge_2 edge = m_state.edge(e);
       const std::array<Index, 4> vertices{edge.source, edge.target, edge.left, edge.right};
       const auto is_taken = [this](Index v) { return m_seen.contains(v); };
       if (std::any_of(vertices.begin(), vertices.end(), is_taken))
@@ -76,11 +76,11 @@ public:
   // Whether v has jumped, if no other vertex has moved. `false` if it has no finite neighbors.
   bool has_jumped_alone(Index v) const
   {
-    const Position_2 place = previous_position(v);
+    const Position_2 place = m_state.previous_position(v);
     const double square = squared_distance(m_state.positions()[v], place);
     std::size_t neighbors = 0, passed = 0;
-    m_state.arrays().for_each_neighbor(v, [&](Index w) {
-      const double squared_length = squared_distance(place, m_state.positions()[w]);
+    for_each_neighbor(v, [&](Index w, const Position_2& position) {
+      const double squared_length = squared_distance(place, position);
       neighbors += w != infinite_index;
       passed += square > max_way * max_way * squared_length; // false for the infinite one
     });
@@ -149,18 +149,25 @@ private:
 
   // Lists those vertices that moved differently from each of the others, and not just a little. At
   // 100,000 points, reading these scattered data takes most of the search.
-  void look_at(const Edge_2& edge, std::vector<Index>& suspects) const
+  void look_at(Index e, std::vector<Index>& suspects) const
   {
     std::array<Index, 4> vertices;
     std::array<Position_2, 4> places, steps;
     std::size_t size = 0;
-    for (const Index v : {edge.source, edge.target, edge.left, edge.right})
-      if (v != infinite_index) {
-        vertices[size] = v;
-        places[size] = previous_position(v);
-        steps[size] = m_state.positions()[v] - places[size];
-        ++size;
-      }
+    const auto add = [&](Index v, const Position_2& position) {
+      if (v == infinite_index)
+        return;
+      vertices[size] = v;
+      places[size] = m_state.previous_position_at(v, position);
+      steps[size] = position - places[size];
+      ++size;
+    };
+    const Edge_2 edge = m_state.edge(e);
+    const Edge_corners_2 corners = m_state.corners(e);
+    add(edge.source, corners.source);
+    add(edge.target, corners.target);
+    add(edge.left, corners.left);
+    add(edge.right, corners.right);
     for (std::size_t i = 0; i < size; ++i) {
       constexpr double infinity = std::numeric_limits<double>::infinity();
       double difference = infinity, distance = infinity;
@@ -206,26 +213,39 @@ private:
       f(v);
   }
 
+  // Calls f(w, position) for every neighbor w of v, with its position as seen from v.
+  template <class Function>
+  void for_each_neighbor(Index v, const Function& f) const
+  {
+    using Arrays = Halfedge_arrays_2;
+    m_state.arrays().for_each_corner(v, [&](Index h) {
+      const auto corner = m_state.corner_in(Arrays::next(h), m_state.frame_at(h));
+      f(State::vertex_of(corner), m_state.rounded_position(corner));
+    });
+  }
+
   // Collects how far each neighbor moved, and its distance from v in the last frame.
   void collect_neighbors(Index v, Work& work) const
   {
     work.x.clear();
     work.y.clear();
     work.squared_lengths.clear();
-    const Position_2 place = previous_position(v);
-    m_state.arrays().for_each_neighbor(v, [&](Index w) {
+    const Position_2 place = m_state.previous_position(v);
+    for_each_neighbor(v, [&](Index w, const Position_2& position) {
       if (w == infinite_index)
         return;
       const Position_2 step = displacement(w);
       work.x.push_back(step.x);
       work.y.push_back(step.y);
-      work.squared_lengths.push_back(squared_distance(place, previous_position(w)));
+      work.squared_lengths.push_back(
+          squared_distance(place, m_state.previous_position_at(w, position)));
     });
   }
 
-  Position_2 previous_position(Index v) const { return m_state.previous_position(v); }
-
-  Position_2 displacement(Index v) const { return m_state.positions()[v] - previous_position(v); }
+  Position_2 displacement(Index v) const
+  {
+    return m_state.positions()[v] - m_state.previous_position(v);
+  }
 
   // The distance of x from the median; if there are two medians, from the farther one, because half
   // of a vertex's neighbors may have jumped along with it.

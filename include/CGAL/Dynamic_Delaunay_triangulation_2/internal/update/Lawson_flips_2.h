@@ -47,6 +47,19 @@ public:
     return flips;
   }
 
+  // Flips around v, which was put into a face. Leaves in `open` what it could not prove.
+  template <class State, class Editor>
+  std::size_t run_around(const State& state, Editor& editor, Index v, std::vector<Index>& open,
+                         std::size_t most)
+  {
+    open.clear();
+    state.arrays().for_each_corner(v, [&](Index h) {
+      open.push_back(state.arrays().edge_of(h));
+      open.push_back(state.arrays().edge_of(Halfedge_arrays_2::previous(h)));
+    });
+    return run(state, editor, open, false, most);
+  }
+
 private:
   // The edges to start from, those to be examined again, those that were not proved, and how many
   // flips this took. Among those not proved, not_flippable ones are apart: no flip elsewhere makes

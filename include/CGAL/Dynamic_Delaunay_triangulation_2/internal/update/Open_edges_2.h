@@ -94,6 +94,21 @@ public:
   // The edges that the last call of open_new_edges() has opened.
   const std::vector<Index>& opened_last() const { return m_opened_last.members(); }
 
+  // Opens all edges that may not be Delaunay.
+  template <class State>
+  void take_unproved(const State& state)
+  {
+    using Parts = typename State::Parts;
+    const std::size_t edges = state.arrays().number_of_edges();
+    std::vector<std::vector<Index>> open(Parts::number(edges));
+    Parts::for_each(edges, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      typename State::Edge_test(state).append_unproved(Index(first), Index(beyond), open[part]);
+    });
+    clear();
+    for (const std::vector<Index>& of_part : open)
+      m_uncertain.insert(m_uncertain.end(), of_part.begin(), of_part.end());
+  }
+
   // From now on, treats the illegal edges like the others.
   void open_illegal()
   {
@@ -135,7 +150,7 @@ public:
   void for_each_uncertain_vertex(const State& state, const Function& f) const
   {
     for (const Index e : m_uncertain) {
-      const Edge_2& edge = state.arrays().edge(e);
+      const Edge_2 edge = state.edge(e);
       for (const Index v : {edge.source, edge.target, edge.left, edge.right})
         if (v != infinite_index)
           f(v);

@@ -11,7 +11,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_builder_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Border_splice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Jumper_search_2.h>
@@ -31,9 +30,10 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// The tools that mend an update, and its state: the open edges, the vertices outside of all faces,
-// the remaining budget and the report. `Dynamic_mender_2` offers the tools to a repair; `Update_2`
-// uses the rest itself. If mending costs more than it is worth, a rebuild ends it.
+// The tools that mend an update, in every space, and its state: the open edges, the vertices
+// outside of all faces, the remaining budget and the report. `Dynamic_mender_2` offers the tools to
+// a repair; `Update_2` uses the rest itself. If mending costs more than it is worth, a rebuild ends
+// it.
 template <class State>
 class Repair_tools_2
 {
@@ -41,6 +41,7 @@ class Repair_tools_2
   using Certificate = Certificate_2<State>;
   using Point = typename State::Point;
   using Relocation = Vertex_relocation_2<State>;
+  using Builder = typename State::Builder;
 
 public:
   using Classification = Dynamic_classification_2<State>;
@@ -79,9 +80,9 @@ public:
   Editor& editor() { return m_editor; }
   Classification& classification() { return m_classification; }
   Relocation& relocation() { return m_relocation; }
-  Topology_builder_2<State>& builder() { return m_builder; }
+  Builder& builder() { return m_builder; }
 
-  // To be called after the classifier. `changes` is the number of points inserted and removed.
+  // Opens what was classified. `changes` is the number of points inserted and removed.
   void take_classification(bool has_to_prove, bool was_certified, std::size_t changes)
   {
     m_has_to_prove = has_to_prove;
@@ -95,10 +96,10 @@ public:
     m_jumper = null_index;
   }
 
-  // To be called after it if so few points have moved, and all others are where they were.
-  // `hull_stays`: whether the hull turned around once, and none of its vertices has moved.
-  // `jumper`: the vertex that is to be taken out, if it is the only one that has moved, everything
-  // was certified before that, and no edge was examined. Open are all edges that see it.
+  // Call after take_classification() when at most `movers` points moved, and all others are where
+  // they were. `hull_stays`: whether the hull turned around once, and none of its vertices has
+  // moved. `jumper`: the vertex that is to be taken out, if it is the only one that has moved,
+  // everything was certified before that, and no edge was examined. Open are all edges that see it.
   void set_movers(std::size_t movers, bool hull_stays, Index jumper)
   {
     CGAL_precondition(jumper == null_index || movers == 1);
@@ -113,20 +114,31 @@ public:
   // Whether this vertex has to be taken out, if it is the only one that has moved.
   bool has_jumped_alone(Index v) const { return m_jumpers.has_jumped_alone(v); }
 
-  // Removes the points with these ids.
-  void remove(const std::vector<Index>& ids)
+  // Removes the points with these ids. False if some of them are left, which is so only in a torus
+  // of few vertices; then a rebuild has to leave them out.
+  bool remove(const std::vector<Index>& ids)
   {
     if (ids.empty())
-      return;
+      return true;
     const bool are_delaunay = m_was_certified && m_movers == 0;
     const std::vector<Index> moved = m_relocation.remove(ids, are_delaunay);
     m_hull_stays = m_hull_stays && moved.empty();
     const std::size_t first_new = m_state.changes().new_edges.size();
-    if (m_relocation.remove_rest())
+    const bool are_gone = m_relocation.remove_rest();
+    if (m_relocation.has_rest())
       m_open.open_new_edges(m_state, first_new);
     for (const Index v : moved)
       Dynamic_frame_2<State>(m_state).for_each_edge_that_sees(
           v, [this](Index e) { m_open.uncertain().push_back(e); });
+    return are_gone;
+  }
+
+  // Opens all edges that may not be Delaunay. After that the update can end with a proof, whatever
+  // the classifier has picked.
+  void examine_everything()
+  {
+    m_has_to_prove = true;
+    m_open.take_unproved(m_state);
   }
 
   // Puts in vertices outside of faces, new points and parted duplicates, with flips around each.
@@ -144,12 +156,14 @@ public:
       m_budget.spend(Repair_budget_2::relocation / 2 +
                      Repair_budget_2::step_of_a_walk * (steps - steps_before));
       steps_before = steps;
-      is_delaunay = faces > 0; // never again, once it was not: see most_faces()
-      if (is_delaunay)
+      if (faces > 0)
         spend_on_flips(faces - 1); // which would do the same
-      else
+      else {
         settle(v);
-      return !m_budget.is_spent();
+        // in the plane never again, once it was not: the hull may turn around twice
+        is_delaunay = is_delaunay && State::is_periodic && m_open.empty();
+      }
+      return !m_budget.is_spent() && (m_open.empty() || !State::is_periodic);
     };
     const auto counts = m_relocation.put_in(parted_duplicates, most_faces, end);
     m_report->relocated += counts.relocated;
@@ -157,6 +171,8 @@ public:
     m_report->parted += counts.parted;
     if (m_budget.is_spent())
       rebuild(Rebuild_reason_2::BUDGET_SPENT);
+    else if (State::is_periodic && !m_open.empty()) // no other point can be located
+      rebuild(Rebuild_reason_2::STUCK);
   }
 
   // Whether nothing is left to prove. No vertex waits outside of all faces then: Update_2 puts in
@@ -268,7 +284,9 @@ public:
   {
     m_open.open_illegal();
     constexpr std::size_t any = std::size_t(-2);
-    if (splice(m_classification.vertices(), padding, any, m_has_to_prove)) {
+    if constexpr (State::is_periodic)
+      flip_around_classified(padding);
+    else if (splice(m_classification.vertices(), padding, any, m_has_to_prove)) {
       for (std::size_t i = 0; i < m_splice.number_of_padded(); ++i)
         m_padded.push_back(m_splice.padded(i));
       m_border.assign(m_splice.border().begin(), m_splice.border().end());
@@ -286,10 +304,32 @@ public:
     std::vector<Index> vertices;
     m_open.for_each_uncertain_vertex(m_state, [&](Index v) { vertices.push_back(v); });
     constexpr std::size_t max_enlargements = 3; // beyond it, padding or a vertex less does better
-    splice(vertices, padding, max_enlargements, true);
+    if constexpr (State::is_periodic)
+      put_in_anew(vertices, padding);
+    else
+      splice(vertices, padding, max_enlargements, true);
   }
 
   void relocate()
+  {
+    if constexpr (State::is_periodic)
+      put_in_anew(m_classification.vertices(), 0);
+    else
+      relocate_one_by_one();
+  }
+
+  void rebuild(Rebuild_reason_2 reason)
+  {
+    if (m_relocation.is_under_way())
+      rebuild_with_relocation();
+    else
+      m_builder.rebuild();
+    m_report->rebuild_reason = m_state.spans_plane() ? reason : Rebuild_reason_2::DIMENSION;
+    forget();
+  }
+
+private:
+  void relocate_one_by_one()
   {
     if (m_relocation.is_under_way())
       return rebuild(Rebuild_reason_2::POPULATION);
@@ -305,17 +345,6 @@ public:
       rebuild(Rebuild_reason_2::STUCK);
   }
 
-  void rebuild(Rebuild_reason_2 reason)
-  {
-    if (m_relocation.is_under_way())
-      rebuild_with_relocation();
-    else
-      m_builder.rebuild();
-    m_report->rebuild_reason = m_state.spans_plane() ? reason : Rebuild_reason_2::DIMENSION;
-    forget();
-  }
-
-private:
   // Condition 4 of the certificate. A hull that has turned around once still does so if its
   // vertices are the same and have not moved. They are the same if no face at infinity is new. Of a
   // new face at least one edge is in the log: a flip logs the diagonal, which is in both its faces,
@@ -328,7 +357,7 @@ private:
     const auto is_at_hull = [this](Index e) { return m_state.is_at_infinity(e); };
     return (m_hull_stays && !changes.everything_is_new &&
             std::none_of(changes.new_edges.begin(), changes.new_edges.end(), is_at_hull)) ||
-           Certificate(m_state).hull_turns_once();
+           Dynamic_frame_2<State>(m_state).hull_turns_once();
   }
 
   void forget()
@@ -357,11 +386,11 @@ private:
       take_out({m_jumper});
   }
 
-  // Whether at least three vertices remain without so many.
+  // Whether enough vertices remain without so many.
   bool can_spare(std::size_t vertices) const
   {
-    constexpr std::size_t min_vertices = 3;
-    return m_relocation.number_outside() + vertices + min_vertices <= m_state.number_of_vertices();
+    return m_relocation.number_outside() + vertices + State::min_vertices <=
+           m_state.number_of_vertices();
   }
 
   bool can_take_out() const
@@ -369,7 +398,7 @@ private:
     return m_may_take_out && m_has_to_prove && m_state.have_points_moved() && !has_rebuilt();
   }
 
-  // Takes these vertices out if the budget allows it and at least three remain. Whether it did.
+  // Takes these vertices out if the budget allows it and enough remain. Whether it did.
   bool take_out(const std::vector<Index>& vertices)
   {
     if (vertices.empty() || vertices.size() * Repair_budget_2::relocation > m_budget.left() ||
@@ -385,7 +414,10 @@ private:
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       if (i + ahead < vertices.size())
         m_editor.prefetch_around(vertices[i + ahead]);
-      m_relocation.take_out(vertices[i]);
+      if (!m_relocation.take_out(vertices[i])) {
+        rebuild(Rebuild_reason_2::STUCK);
+        return false;
+      }
     }
     m_budget.spend(price);
     m_open.open_new_edges(m_state, first_new);
@@ -419,8 +451,8 @@ private:
     // a heuristic classifier treats examined edges as triangulated anew
     if (!m_is_exact)
       m_editor.note_examined(edges);
-    const std::size_t flips =
-        m_lawson.run(m_state, m_editor, edges, m_open.faces_tile_hull(), most_flips());
+    const std::size_t flips = m_lawson.run(
+        m_state, m_editor, edges, !State::is_periodic && m_open.faces_tile_hull(), most_flips());
     m_report->flips += flips;
     m_budget.spend(flips * Repair_budget_2::flip);
     if (m_budget.is_spent())
@@ -430,13 +462,11 @@ private:
   // Flips around a vertex that was put in.
   void settle(Index v)
   {
-    const auto& arrays = m_state.arrays();
-    m_around.clear();
-    arrays.for_each_corner(v, [&](Index h) {
-      m_around.push_back(arrays.edge_of(h));
-      m_around.push_back(arrays.edge_of(Halfedge_arrays_2::previous(h)));
-    });
-    const std::size_t flips = m_lawson.run(m_state, m_editor, m_around, false, most_flips());
+    std::size_t flips = m_lawson.run_around(m_state, m_editor, v, m_around, most_flips());
+    for (std::size_t more = flips; State::is_periodic && more > 0 && !m_around.empty();) {
+      more = m_lawson.run(m_state, m_editor, m_around, false, most_flips());
+      flips += more;
+    }
     m_report->flips += flips;
     spend_on_flips(flips);
     m_open.uncertain().insert(m_open.uncertain().end(), m_around.begin(), m_around.end());
@@ -513,6 +543,50 @@ private:
       rebuild(Rebuild_reason_2::COINCIDENCE);
   }
 
+  // IN A TORUS ----------------------------------------------------------------------------------
+
+  // Flips edges around the classified vertices and their padding, and puts in anew what that leaves
+  // inverted.
+  void flip_around_classified(unsigned padding)
+  {
+    if (has_rebuilt())
+      return;
+    m_splice.run(m_classification.vertices(), padding);
+    m_padded = m_splice.padded();
+    m_border = m_splice.border();
+    m_report->padded += m_padded.size();
+    m_report->border += m_border.size();
+    const Dynamic_frame_2<State> frame(m_state);
+    for (const Index v : m_splice.inner())
+      frame.for_each_edge_that_sees(v, [this](Index e) { m_open.uncertain().push_back(e); });
+    make_distinct(m_open.uncertain());
+    flip();
+    if (has_inverted_edges())
+      splice_inverted(0);
+    if (!m_has_to_prove)
+      m_open.clear();
+  }
+
+  // Takes the vertices of a region out, to be put in again after the repair, and flips around. They
+  // can be located only where all is proved.
+  void put_in_anew(const std::vector<Index>& vertices, unsigned padding)
+  {
+    if (has_rebuilt())
+      return;
+    m_splice.run(vertices, padding);
+    const std::vector<Index> region = m_splice.inner();
+    if (!m_has_to_prove) {
+      examine_everything();
+      flip();
+    }
+    if (has_rebuilt() || region.empty())
+      return;
+    if (!can_spare(region.size()) || region.size() * Repair_budget_2::relocation > m_budget.left())
+      return rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
+    if (take_out(region))
+      flip();
+  }
+
   // REBUILDING ----------------------------------------------------------------------------------
 
   void rebuild_with_relocation()
@@ -533,11 +607,11 @@ private:
   const State& m_state;
   Static_engines_2 m_engines;
   Editor m_editor;
-  Topology_builder_2<State> m_builder;
+  Builder m_builder;
   Relocation m_relocation;
   Jumper_search_2<State> m_jumpers;
   Lawson_flips_2 m_lawson;
-  Border_splice_2<State> m_splice;
+  typename State::Splice m_splice;
   Classification m_classification;
   Open_edges_2 m_open;
   Repair_budget_2 m_budget;

@@ -33,9 +33,9 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// An update: everything that one call does to the triangulation, whether all points move or a few,
-// and whether points are inserted or removed. run() shows its phases in their order. Only this
-// class knows whether the triangulation is certified.
+// An update: everything that one call does to the triangulation of any space, whether all points
+// move or a few, and whether points are inserted or removed. run() shows its phases in their order.
+// Only this class knows whether the triangulation is certified.
 template <class State>
 class Update_2
 {
@@ -44,7 +44,6 @@ class Update_2
   using Mender = Dynamic_mender_2<Tools>;
   using Frame = Dynamic_frame_2<State>;
   using Change = Change_2<Point>;
-  using Input = Input_frame_2<State>;
 
 public:
   explicit Update_2(State& state)
@@ -88,7 +87,7 @@ public:
   // A rebuild takes the points that come out of `change`, as memory for both might not be there.
   // A frame is taken back if the policy or the classifier throws. At the end the classifier is told
   // of what is new.
-  template <class Classifier, class Repair, class Policy>
+  template <class Input, class Classifier, class Repair, class Policy>
   Update_report_2 run(Change& change, Input& input, Classifier& classifier, Repair& repair,
                       Policy& policy)
   {
@@ -97,10 +96,9 @@ public:
         input.take_back();
       return change.moved.empty();
     };
-    const bool is_informed = std::exchange(m_is_classifier_informed, false);
     Update_report_2 report;
     try {
-      report = run_phases(change, classifier, repair, policy, is_informed, take_back);
+      report = run_phases(change, classifier, repair, policy, take_back);
     } catch (...) {
       m_tools.relocation().give_up(); // puts all vertices into faces
       throw;
@@ -112,7 +110,11 @@ public:
   }
 
   // To be called at the beginning of a call, before anything changes.
-  void enter(const Change&, const Input&) { m_has_removed = false; }
+  void enter()
+  {
+    m_has_removed = false;
+    m_tools.editor().begin_changes(std::exchange(m_is_classifier_informed, false));
+  }
   // Whether all points to remove in this call, or in the last one, were removed.
   bool has_removed() const { return m_has_removed; }
 
@@ -130,7 +132,7 @@ public:
     std::vector<Index> parted;
     const auto& ids = m_state.ids();
     for (const auto& duplicate : ids.duplicates())
-      if (!are_together(duplicate.point, m_state.point(ids.vertex(duplicate.id))))
+      if (!m_state.is_at(duplicate.point, ids.vertex(duplicate.id)))
         parted.push_back(duplicate.id);
     return parted;
   }
@@ -140,7 +142,7 @@ private:
 
   template <class Classifier, class Repair, class Policy, class Take_back>
   Update_report_2 run_phases(Change& change, Classifier& classifier, Repair& repair, Policy& policy,
-                             bool is_informed, const Take_back& take_back)
+                             const Take_back& take_back)
   {
     Update_report_2 report;
     const bool was_certified = std::exchange(m_is_certified, false);
@@ -150,7 +152,9 @@ private:
     }
     Rebuild_reason_2 reason;
     try {
-      begin(change, is_informed, Classifier::is_exact, report);
+      report.inserted = change.coming.size();
+      report.removed = change.gone.size();
+      m_tools.start(report, Classifier::is_exact);
       m_tools.editor().move(change.moved, change.moved_points, change.are_exact);
       constexpr bool may_sample =
           Classifier::is_exact && std::is_base_of_v<Flip_and_splice_repair_2, Repair>;
@@ -173,27 +177,18 @@ private:
       return report;
     }
     if (change.has_population()) {
-      m_tools.remove(change.gone);
+      if (!m_tools.remove(change.gone)) {
+        rebuild(change, Rebuild_reason_2::STUCK, report);
+        return report;
+      }
       m_tools.relocation().announce(change.coming, change.coming_points);
     }
     m_has_removed = true;
     mend(change, repair);
+    prove_before_points_come(report);
     put_in(report);
     prove(change, report);
     return report;
-  }
-
-  void begin(const Change& change, bool is_informed, bool is_exact, Update_report_2& report)
-  {
-    report.inserted = change.coming.size();
-    report.removed = change.gone.size();
-    m_tools.editor().begin_changes(is_informed);
-    m_tools.start(report, is_exact);
-  }
-
-  bool are_together(const Point& p, const Point& q) const
-  {
-    return coincide(m_state.traits(), p, q);
   }
 
   // TO REBUILD OR NOT ---------------------------------------------------------------------------
@@ -219,12 +214,11 @@ private:
 
   bool leaves_too_few(const Change& change) const
   {
-    constexpr std::size_t min_vertices = 3;
     const auto& ids = m_state.ids();
     const auto representatives =
         std::size_t(std::count_if(change.gone.begin(), change.gone.end(),
                                   [&](Index id) { return ids.is_representative(id); }));
-    return m_state.number_of_vertices() < min_vertices + representatives;
+    return m_state.number_of_vertices() < State::min_vertices + representatives;
   }
 
   // The cost of each change includes a search through all duplicates.
@@ -285,6 +279,10 @@ private:
     if (change.gone.empty() && change.coming.empty()) {
       m_tools.rebuild(reason);
     } else {
+      m_tools.relocation().give_up(); // of points that were removed already
+      const auto is_gone = [this](Index id) { return !m_state.ids().is_taken(id); };
+      change.gone.erase(std::remove_if(change.gone.begin(), change.gone.end(), is_gone),
+                        change.gone.end());
       m_tools.builder().build_with(change.gone, std::move(change.coming),
                                    std::move(change.coming_points));
       report.rebuild_reason =
@@ -298,6 +296,7 @@ private:
 
   // The user's classifier is called for whole frames only. Otherwise exact predicates decide: at
   // all edges if these are uncertified and a proof is required, otherwise around the moved points.
+  // In a torus a proof is required, because points can be located only where all is Delaunay.
   template <class Classifier>
   void classify(const Change& change, Classifier& classifier, bool was_certified)
   {
@@ -305,7 +304,8 @@ private:
     if (change.is_frame) {
       classifier(Frame(m_state), m_tools.classification());
       m_tools.take_classification(Classifier::is_exact, was_certified, changes);
-    } else if (change.is_mending || (Classifier::is_exact && !was_certified)) {
+    } else if (change.is_mending ||
+               ((Classifier::is_exact || State::is_periodic) && !was_certified)) {
       Circumcircle_classifier_2()(Frame(m_state), m_tools.classification());
       m_tools.take_classification(true, was_certified, changes);
     } else {
@@ -366,6 +366,17 @@ private:
       Flip_and_splice_repair_2()(mender);
     else if (!is_nothing_open || !m_tools.classification().empty())
       repair(mender);
+  }
+
+  // In a torus points can be located only where all is proved.
+  void prove_before_points_come(const Update_report_2& report)
+  {
+    if (!State::is_periodic || report.rebuilt() || m_tools.has_to_prove() ||
+        (m_tools.relocation().number_to_put_in() == 0 && parted_duplicates().empty()))
+      return;
+    m_tools.examine_everything();
+    Mender mender(m_tools);
+    Flip_and_splice_repair_2().mend(mender);
   }
 
   // Puts in vertices outside of faces, new points and parted duplicates, and mends around them.

@@ -55,6 +55,11 @@ public:
   void announce(std::vector<Index>& ids, std::vector<Point>& points)
   {
     m_editor.reserve_ids(ids); // nothing throws from here on
+    announce_reserved(ids, points);
+  }
+  // Announces points whose ids nobody else has. Throws nothing.
+  void announce_reserved(std::vector<Index>& ids, std::vector<Point>& points)
+  {
     m_coming_ids.swap(ids);
     m_coming_points.swap(points);
   }
@@ -85,15 +90,18 @@ public:
 
   // OUT -----------------------------------------------------------------------------------------
 
-  // Takes v out, to be put in again at its present position.
-  void take_out(Index v)
+  // Takes v out, to be put in again at its present position. False, with nothing done, if its faces
+  // cannot be replaced: in a torus of few vertices these meet images of themselves.
+  bool take_out(Index v)
   {
     reserve_for_slot();
-    triangulate_anyhow_without(v);
-    m_waiting.push_back(m_editor.take_out(m_polygon));
+    const bool can_go = triangulate_anyhow_without(v);
+    if (can_go)
+      m_waiting.push_back(m_editor.take_out(m_polygon));
+    return can_go;
   }
 
-  // The same if everything is Delaunay, except that v may have moved, and if it is known how to
+  // Takes v out if everything is Delaunay, except that v may have moved, and if it is known how to
   // leave everything so. False if not: then nothing is done.
   bool take_out_of_delaunay(Index v)
   {
@@ -121,16 +129,19 @@ public:
     return moved;
   }
 
-  // Removes the other vertices of the last call of remove(). Whether there were any.
+  // Removes the remaining vertices of the last `remove()`. False if one of them cannot go, see
+  // take_out(); then it and those after it stay.
   bool remove_rest()
   {
     for (const Index v : m_rest) {
       reserve_for_slot();
-      triangulate_anyhow_without(v);
+      if (!triangulate_anyhow_without(v))
+        return false;
       m_empty.push_back(m_editor.remove(m_polygon));
     }
-    return !m_rest.empty();
+    return true;
   }
+  bool has_rest() const { return !m_rest.empty(); }
 
   // Merges vertices of the list that coincide: the one with the smallest id stays, and the points
   // of the others become duplicates there. Returns how many vertices were removed. Removes none if
@@ -214,11 +225,19 @@ public:
     if (!is_under_way())
       return;
     m_editor.note_everything_is_new();
+    m_editor.keep_memory_for(0);
     for (const Slot& slot : m_waiting)
       if (m_state.arrays().is_outside(slot.vertex) && m_state.ids().has_representative(slot.vertex))
-        m_editor.put_in(slot, m_state.arrays().corner(any_vertex()) / 3);
+        m_editor.put_in(slot, any_face());
     m_editor.drop_in_need(m_empty);
     for_each_coming([this](Index id, const Point&) { m_editor.release_id(id); });
+    m_empty.clear();
+    forget_all();
+  }
+
+  // Cancels everything, because the triangulation is replaced by another one.
+  void forget()
+  {
     m_empty.clear();
     forget_all();
   }
@@ -230,21 +249,23 @@ private:
     const std::size_t max_slots = m_waiting.size() + m_empty.size() + 1;
     reserve_extra(m_waiting, 1);
     reserve_extra(m_empty, 1 + m_waiting.size());
-    m_editor.reserve_for_drop(2 * max_slots);
+    m_editor.keep_memory_for(2 * max_slots);
   }
 
   bool triangulate_as_delaunay_without(Index v)
   {
-    m_polygon.read(m_state, v);
+    const bool can_go = m_polygon.read(m_state, v);
     m_editor.prefetch(m_polygon);
-    return m_polygon.triangulate_as_delaunay(m_state);
+    return can_go && m_polygon.triangulate_as_delaunay(m_state);
   }
 
   // The faces around v have it at its previous position.
-  void triangulate_anyhow_without(Index v)
+  bool triangulate_anyhow_without(Index v)
   {
-    m_polygon.read(m_state, v);
+    if (!m_polygon.read(m_state, v) || (State::is_periodic && !m_polygon.has_different_vertices()))
+      return false;
     m_polygon.triangulate_anyhow(m_state, m_state.previous_position(v));
+    return true;
   }
 
   void remove(Index id, bool are_delaunay, std::vector<Index>& moved)
@@ -256,7 +277,7 @@ private:
       if (successor == null_index)
         return remove_vertex(v, are_delaunay);
       const Point place = m_state.point(v);
-      if (!coincide(m_state.traits(), place, ids.duplicate(successor).point))
+      if (!m_state.is_at(ids.duplicate(successor).point, v))
         moved.push_back(v);
       m_editor.exchange_representative(successor, v, place);
     }
@@ -279,12 +300,13 @@ private:
   void collect_places(const std::vector<Index>& parted_duplicates)
   {
     m_places.clear();
+    const auto add = [this](const Position_2& p) { m_places.push_back(m_state.place_in_order(p)); };
     for (const Slot& slot : m_waiting)
-      m_places.push_back(m_state.positions()[slot.vertex]);
+      add(m_state.positions()[slot.vertex]);
     for (const Index id : parted_duplicates)
-      m_places.push_back(approximation(m_state.ids().duplicate(id).point));
+      add(approximation(m_state.ids().duplicate(id).point));
     for (const Point& p : m_coming_points)
-      m_places.push_back(approximation(p));
+      add(approximation(p));
     const boost::counting_iterator<Index> first(0), beyond(Index(m_places.size()));
     m_order.sort(m_places, first, beyond);
   }
@@ -296,6 +318,12 @@ private:
     while (m_state.arrays().is_outside(v))
       ++v;
     return v;
+  }
+
+  typename Editor::Seen_face any_face() const
+  {
+    const Index h = m_state.arrays().corner(any_vertex());
+    return {Halfedge_arrays_2::face_of(h), m_state.frame_at(h)};
   }
 
   // Where to start the search for the next position.
@@ -324,7 +352,7 @@ private:
       if (find_polygon(slot, place, most))
         m_editor.put_in_again(slot, m_polygon);
       else
-        m_editor.put_in_again(slot, place.face);
+        m_editor.put_in_again(slot, seen(place));
       ++counts.relocated;
       return v;
     }
@@ -335,7 +363,8 @@ private:
     return null_index;
   }
 
-  // The same for a duplicate that parts, or a new point.
+  // Inserts a duplicate that parts, or a new point. Returns its vertex, or `null_index` if it has
+  // become a duplicate.
   Index insert(const std::vector<Index>& parted_duplicates, std::size_t i, const Hint& hint,
                std::size_t most, Counts& counts)
   {
@@ -358,9 +387,11 @@ private:
     if (is_found)
       m_editor.put_in_new(slot, m_polygon, id);
     else
-      m_editor.put_in_new(slot, place.face, id);
+      m_editor.put_in_new(slot, seen(place), id);
     return slot.vertex;
   }
+
+  static typename Editor::Seen_face seen(const Place& place) { return {place.face, place.frame}; }
 
   // Finds the polygon that the slot's vertex gets, if everything is to stay Delaunay and that is
   // possible. Reserves memory for the new edges, also if not.

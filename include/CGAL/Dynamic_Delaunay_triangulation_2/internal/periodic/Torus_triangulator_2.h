@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_PERIODIC_BUILDER_2_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_PERIODIC_BUILDER_2_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_TORUS_TRIANGULATOR_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_TORUS_TRIANGULATOR_2_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
@@ -130,18 +130,18 @@ private:
 //
 // Threads share all of it, but for the few images around the cell and the edges that these cut.
 template <class Parts = Parallel_parts_2<Sequential_tag>>
-class Periodic_builder_2
+class Torus_triangulator_2
 {
   using Predicates = Vertex_predicates_2<Image_cloud_2>;
   using Image = Image_cloud_2::Image;
 
 public:
-  Periodic_builder_2()
+  Torus_triangulator_2()
     : m_guibas_stolfi(Predicates(m_cloud), m_planar)
   {
   }
-  Periodic_builder_2(const Periodic_builder_2&) = delete;
-  Periodic_builder_2& operator=(const Periodic_builder_2&) = delete;
+  Torus_triangulator_2(const Torus_triangulator_2&) = delete;
+  Torus_triangulator_2& operator=(const Torus_triangulator_2&) = delete;
 
   // Fewer points are inserted faster.
   static constexpr std::size_t min_points = 100;
@@ -495,4 +495,4 @@ private:
 } // namespace Dynamic_Delaunay_triangulations_2
 } // namespace CGAL
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_PERIODIC_BUILDER_2_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_TORUS_TRIANGULATOR_2_H

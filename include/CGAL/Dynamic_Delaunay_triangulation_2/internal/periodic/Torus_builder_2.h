@@ -1,0 +1,351 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_TORUS_BUILDER_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_TORUS_BUILDER_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Positions_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_change_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_editing_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_triangulator_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Lawson_flips_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Open_edges_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Vertex_relocation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Writes a whole triangulation of a torus at once: triangulates from scratch, copies, or restores.
+// Afterwards everything is new.
+template <class State>
+class Torus_builder_2
+{
+  using Arrays = Halfedge_arrays_2;
+  using Editor = Topology_editor_2<State>;
+  using Kind = Periodic_change_2::Kind;
+  using Parts = typename State::Parts;
+  using Point = typename State::Point;
+  using Point_arrays = Point_arrays_2<Point>;
+
+public:
+  explicit Torus_builder_2(State& state)
+    : m_state(state)
+    , m_editing(state)
+    , m_editor(state)
+    , m_relocation(state, m_editor)
+  {
+  }
+
+  void set_engine(Static_engine_2 engine) { m_engine = engine; }
+
+  void rebuild() { build_with({}, {}, {}); }
+
+  // Triangulates the present points except those in `gone`, and the points that come. If it throws,
+  // nothing has changed.
+  void build_with(const std::vector<Index>& gone, std::vector<Index> coming_ids,
+                  std::vector<Point> coming_points)
+  {
+    std::vector<Index> ids = ids_without(gone);
+    std::vector<Point> points(ids.size());
+    Parts::for_each(ids.size(), [&](std::size_t, std::size_t first, std::size_t beyond) {
+      for (std::size_t i = first; i < beyond; ++i)
+        points[i] = m_state.point_of_id(ids[i]);
+    });
+    ids.insert(ids.end(), coming_ids.begin(), coming_ids.end());
+    points.insert(points.end(), coming_points.begin(), coming_points.end());
+    build(std::move(ids), std::move(points));
+  }
+
+  // Makes the triangulation, which must be empty, a copy of another one. The visitor is not called.
+  // If this throws, the copy can only be discarded.
+  void copy(const State& other)
+  {
+    m_state.m_torus = other.m_torus;
+    m_state.m_arrays = other.m_arrays;
+    m_state.m_shifts = other.m_shifts;
+    m_state.m_points = other.m_points;
+    m_state.m_positions.copy(other.m_positions);
+    m_state.m_ids = other.m_ids;
+    m_state.m_changes = other.m_changes;
+    m_state.m_cell_changes = other.m_cell_changes;
+  }
+
+  // Restores a triangulation that was kept, and must be valid, into one without points. `shifts`
+  // are those of the apexes of half-edges. If memory runs out, the target can only be discarded.
+  void restore(const Torus_2& torus, const Checkpoint_arrays_2<Point>& kept,
+               const std::vector<Periodic_shift_2>& shifts)
+  {
+    Periodic_faces_2 faces;
+    faces.shifts = shifts;
+    for (Index h = 0; h < Index(shifts.size()); ++h) {
+      const Index flat = Flat_faces_2::from_arrays(h);
+      faces.apexes.push_back(kept.faces.apex(flat));
+      faces.twins.push_back(Flat_faces_2::number_in_arrays(kept.faces.twin(flat)));
+    }
+    m_state.m_torus = torus;
+    write_points(kept.points.size(), [&](Index v) { return kept.points[v - 1]; });
+    write_faces(faces);
+    for (Index e = 0; e < arrays().number_of_edges(); ++e)
+      arrays().set_edge(e, kept.forward_halfedges[e]);
+    for (Index v = 1; v < arrays().number_of_vertices(); ++v)
+      arrays().set_corner(v, kept.corners[v - 1]);
+    hide_shifted_edges();
+    ids() = kept.ids;
+  }
+
+  // Reserves the memory that exchange() needs.
+  void reserve_for_exchange(const State& other)
+  {
+    m_editing.reserve(std::size_t(arrays().number_of_edges()) + other.arrays().number_of_edges());
+  }
+
+  // Exchanges everything with another one, except the user's visitor. Throws nothing after
+  // reserve_for_exchange().
+  void exchange(State& other)
+  {
+    m_editing.note_all_edges(Kind::EDGE_REMOVED);
+    exchange_content(other);
+    std::swap(m_state.m_changes, other.m_changes);
+    std::swap(m_state.m_cell_changes, other.m_cell_changes);
+    m_editing.note_all_edges(Kind::EDGE_CREATED);
+  }
+
+private:
+  Arrays& arrays() { return m_state.m_arrays; }
+  typename State::Ids& ids() { return m_state.m_ids; }
+
+  void exchange_content(State& other)
+  {
+    std::swap(m_state.m_torus, other.m_torus);
+    std::swap(m_state.m_arrays, other.m_arrays);
+    m_state.m_shifts.swap(other.m_shifts);
+    m_state.m_points.swap(other.m_points);
+    m_state.m_positions.exchange_all_but_points(other.m_positions);
+    std::swap(m_state.m_ids, other.m_ids);
+  }
+
+  std::vector<Index> ids_without(const std::vector<Index>& gone) const
+  {
+    const auto& all = m_state.ids();
+    std::vector<bool> stays(all.number_of_ids());
+    for (Index id = 0; id < all.number_of_ids(); ++id)
+      stays[id] = all.is_taken(id);
+    for (const Index id : gone)
+      stays[id] = false;
+    std::vector<Index> ids;
+    for (Index id = 0; id < all.number_of_ids(); ++id)
+      if (stays[id])
+        ids.push_back(id);
+    return ids;
+  }
+
+  // BUILDING ------------------------------------------------------------------------------------
+
+  void build(std::vector<Index> point_ids, std::vector<Point> points)
+  {
+    Index number_of_ids = ids().number_of_ids();
+    for (const Index id : point_ids)
+      number_of_ids = (std::max)(number_of_ids, id + 1);
+    const std::size_t logged = m_editing.log().size();
+    m_editing.reserve(arrays().number_of_edges());
+    State before(m_state.torus().cell());
+    m_editing.note_all_edges(Kind::EDGE_REMOVED);
+    exchange_content(before);
+    try {
+      m_editing.changes().everything_is_new = true;
+      m_state.m_positions.forget_previous();
+      ids().reset(number_of_ids);
+      if (!point_ids.empty() && !triangulate(point_ids, points))
+        insert(std::move(point_ids), std::move(points));
+      ids().settle();
+    } catch (...) {
+      m_relocation.forget();
+      exchange_content(before);
+      m_editing.log().erase(m_editing.log().begin() + std::ptrdiff_t(logged),
+                            m_editing.log().end());
+      throw;
+    }
+  }
+
+  // Triangulates all at once. False, with no vertices, if that does not end with a proof, as where
+  // points coincide or form a grid.
+  bool triangulate(const std::vector<Index>& point_ids, const std::vector<Point>& points)
+  {
+    if (m_engine != Static_engine_2::GUIBAS_STOLFI)
+      return false;
+    Torus_triangulator_2<Parts> triangulator;
+    std::vector<Position_2> positions(points.size());
+    std::transform(points.begin(), points.end(), positions.begin(),
+                   [](const Point& p) { return approximation(p); });
+    if (!triangulator.run(m_state.torus(), positions))
+      return false;
+    const std::size_t logged = m_editing.log().size();
+    const Periodic_faces_2& faces = triangulator.faces();
+    const std::size_t vertices = faces.points.size() - 1;
+    write_points(vertices, [&](Index v) { return points[faces.points[v]]; });
+    write_faces(faces);
+    ids().resize(Index(vertices));
+    for_each_in_parts(vertices, [&](std::size_t i) {
+      ids().set_representative(Index(i + 1), point_ids[faces.points[i + 1]]);
+    });
+    triangulator.release();
+    hide_shifted_edges();
+    note_created_edges();
+    Open_edges_2 open;
+    open.take_unproved(m_state);
+    if (flip(open.uncertain(), open.size() + points.size()))
+      return true;
+    State empty(m_state.torus().cell());
+    empty.m_ids.reset(ids().number_of_ids());
+    exchange_content(empty);
+    m_editing.log().erase(m_editing.log().begin() + std::ptrdiff_t(logged), m_editing.log().end());
+    return false;
+  }
+
+  // Inserts one point after the other.
+  void insert(std::vector<Index> point_ids, std::vector<Point> points)
+  {
+    start(point_ids.back(), points.back());
+    point_ids.pop_back();
+    points.pop_back();
+    if (point_ids.empty())
+      return;
+    constexpr std::size_t most_faces = 64; // that a point replaces: flips take less time beyond
+    m_relocation.announce_reserved(point_ids, points);
+    m_relocation.put_in(
+        {}, [] { return most_faces; },
+        [this](Index v, std::size_t, std::size_t faces) {
+          if (faces == 0) {
+            m_lawson.run_around(m_state, m_editor, v, m_open, any_number);
+            flip(m_open, any_number);
+          }
+          return true;
+        });
+    m_relocation.finish();
+  }
+
+  // Makes the first vertex, with two faces over a basis r, t of the lattice:
+  //
+  //        t ------- r + t
+  //       /  1    /  /
+  //      /    /  0  /
+  //     v ------- r
+  void start(Index id, const Point& p)
+  {
+    const auto [r, t] = short_basis(m_state.torus());
+    m_state.m_positions.append(p);
+    ids().append_vertex();
+    ids().place_representative(id, 1);
+    write_faces(
+        {{1, 1, 1, 1, 1, 1}, {4, 5, 3, 2, 0, 1}, {no_shift, r, r + t, no_shift, r + t, t}, {}});
+    hide_shifted_edges();
+    note_created_edges();
+    m_open = {0, 1, 2};
+    flip(m_open, any_number);
+  }
+
+  // Flips these edges until all is Delaunay. False if flips do not help, or would be more than
+  // `most`.
+  bool flip(std::vector<Index>& open, std::size_t most)
+  {
+    while (!open.empty()) {
+      const std::size_t flips = m_lawson.run(m_state, m_editor, open, false, most);
+      most -= flips;
+      if (!open.empty() && (flips == 0 || most == 0))
+        return false;
+    }
+    return true;
+  }
+
+  void note_created_edges()
+  {
+    m_editing.reserve(arrays().number_of_edges());
+    m_editing.note_all_edges(Kind::EDGE_CREATED);
+  }
+
+  // WRITING -------------------------------------------------------------------------------------
+
+  // Writes the points of so many vertices, where v has the point `point(v)`.
+  template <class Function>
+  void write_points(std::size_t vertices, const Function& point)
+  {
+    std::vector<typename Point_arrays::Stored_point> points(vertices + 1);
+    std::vector<Position_2> positions;
+    points.front() = m_state.m_points.front();
+    if constexpr (!Point_arrays::points_are_two_doubles)
+      positions.assign(vertices + 1, nan_point());
+    for_each_in_parts(vertices, [&](std::size_t i) {
+      const Point& p = point(Index(i + 1));
+      points[i + 1] = Point_arrays::stored(approximation(p), p);
+      if constexpr (!Point_arrays::points_are_two_doubles)
+        positions[i + 1] = approximation(p);
+    });
+    m_state.m_positions.exchange(points, positions);
+  }
+
+  // Writes the faces of all vertices.
+  void write_faces(const Periodic_faces_2& faces)
+  {
+    m_editing.changes().everything_is_new = true;
+    const Index vertices = m_state.number_of_vertices();
+    arrays().resize(vertices, 2 * vertices);
+    m_state.m_shifts = faces.shifts;
+    for_each_in_parts(2 * std::size_t(vertices), [&](std::size_t f) {
+      for (Index h = Index(3 * f); h < 3 * f + 3; ++h)
+        arrays().set_apex_and_twin(h, faces.apexes[h], faces.twins[h]);
+      m_editing.move_frame(Index(f));
+    });
+    arrays().template find_corners<Parts>();
+    arrays().template number_edges<Parts>();
+  }
+
+  void hide_shifted_edges()
+  {
+    for_each_in_parts(arrays().number_of_edges(),
+                      [&](std::size_t e) { m_editing.show_or_hide(Index(e)); });
+  }
+
+  // Calls f(i) for all i below `size`.
+  template <class Function>
+  static void for_each_in_parts(std::size_t size, const Function& f)
+  {
+    Parts::for_each(size, [&](std::size_t, std::size_t first, std::size_t beyond) {
+      for (std::size_t i = first; i < beyond; ++i)
+        f(i);
+    });
+  }
+
+  static constexpr std::size_t any_number = (std::numeric_limits<std::size_t>::max)();
+
+  State& m_state;
+  Torus_editing_2<State> m_editing;
+  Editor m_editor;
+  Vertex_relocation_2<State> m_relocation;
+  Lawson_flips_2 m_lawson;
+  std::vector<Index> m_open; // edges to examine
+  Static_engine_2 m_engine = Static_engine_2::GUIBAS_STOLFI;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_TORUS_BUILDER_2_H

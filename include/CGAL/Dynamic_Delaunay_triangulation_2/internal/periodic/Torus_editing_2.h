@@ -1,0 +1,281 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_TORUS_EDITING_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_TORUS_EDITING_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_change_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// What `Topology_editor_2` does on a torus alone: every function leaves shifts that close up around
+// each face and agree along each edge, and changes of edges are kept for the user's visitor.
+template <class State>
+class Torus_editing_2
+{
+  using Arrays = Halfedge_arrays_2;
+  using Slot = Arrays::Slot;
+  using Calls = typename State::Visitor_calls;
+  using Kind = Periodic_change_2::Kind;
+
+public:
+  static constexpr bool tells_at_once = false;
+
+  explicit Torus_editing_2(State& state)
+    : m_state(state)
+  {
+  }
+
+  Arrays& arrays() { return m_state.m_arrays; }
+  typename State::Ids& ids() { return m_state.m_ids; }
+  typename State::Positions& positions() { return m_state.m_positions; }
+  Change_log_2& changes() { return m_state.m_changes; }
+
+  template <class Visitor, class Dynamic>
+  void start_visit(Visitor& visitor, const Dynamic* dynamic)
+  {
+    m_state.m_visitor_calls.start(visitor, dynamic);
+  }
+  void finish_visit() { m_state.m_visitor_calls.finish(); }
+
+  // MEMORY OF CHANGES ---------------------------------------------------------------------------
+
+  using Log = std::vector<Periodic_change_2>;
+  Log& log() { return m_state.m_visitor_calls.log(); }
+
+  // Appends what a part of the threads has kept, for which there is memory.
+  void append(Log& others)
+  {
+    log().insert(log().end(), others.begin(), others.end());
+    others.clear();
+  }
+  void reserve(std::size_t changes) { m_state.m_visitor_calls.reserve(changes); }
+  static void reserve(Log& log, std::size_t changes)
+  {
+    if constexpr (Calls::is_heard)
+      reserve_extra(log, changes);
+  }
+  void keep_memory_for(std::size_t changes) { m_state.m_visitor_calls.keep_memory_for(changes); }
+
+  // FACES AND EDGES -----------------------------------------------------------------------------
+
+  // A flip needs two faces, and must give no edge that is there already, or has no length.
+  bool can_flip(Index h) const
+  {
+    const Arrays& arrays = m_state.arrays();
+    const Index g = arrays.twin(h);
+    if (Arrays::face_of(h) == Arrays::face_of(g))
+      return false;
+    const auto frame = m_state.frame_at(h);
+    const auto a = m_state.corner_in(h, frame);
+    const auto d = m_state.corner_in(g, m_state.frame_beyond(h, frame));
+    return !(a == d) && !m_state.are_neighbors(a, d);
+  }
+
+  void flip(Index h, Log& log)
+  {
+    const Index g = arrays().twin(h), diagonal = arrays().edge_of(h);
+    const Edge_images_2 images = m_state.corners_at(h);
+    note_edge(Kind::EDGE_REMOVED, h, log);
+    arrays().flip_glued(h);
+    shifts()[Arrays::previous(h)] = images.right.shift;
+    shifts()[g] = images.right.shift;
+    shifts()[Arrays::next(g)] = images.target.shift;
+    shifts()[Arrays::previous(g)] = images.left.shift;
+    after_face(Arrays::face_of(h));
+    after_face(Arrays::face_of(g));
+    note_edge(Kind::EDGE_CREATED, arrays().halfedge(diagonal), log);
+  }
+
+  void set_corner(Index h, const typename State::Corner& corner)
+  {
+    arrays().set_apex(h, corner.vertex);
+    shifts()[h] = corner.shift;
+  }
+
+  // `frame` is that of the face as seen from the slot's vertex.
+  void put_in(const Slot& slot, Index f, const Periodic_shift_2& frame)
+  {
+    const Periodic_shift_2 a = shifts()[3 * f], b = shifts()[3 * f + 1], c = shifts()[3 * f + 2];
+    const Periodic_shift_2 v = no_shift - frame;
+    arrays().put_in(slot, f);
+    set_shifts(f, v, b, c);
+    set_shifts(slot.faces[0], a, v, c);
+    set_shifts(slot.faces[1], a, b, v);
+  }
+
+  static void before_face(Index) {}
+  // Moves the frame of a face to its first corner, and writes its edges as passes over all edges
+  // see them.
+  void after_face(Index f)
+  {
+    move_frame(f);
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      show_or_hide(arrays().edge_of(h));
+  }
+
+  void before_edge(Index e) { note_edge(Kind::EDGE_REMOVED, arrays().halfedge(e), log()); }
+  void after_edge(Index e) { note_edge(Kind::EDGE_CREATED, arrays().halfedge(e), log()); }
+
+  // Notes all edges as removed or created. There must be memory for it.
+  void note_all_edges(Kind kind)
+  {
+    if constexpr (Calls::is_heard)
+      for (Index e = 0; e < arrays().number_of_edges(); ++e)
+        if (!arrays().is_empty_edge(e))
+          note_edge(kind, arrays().halfedge(e), log());
+  }
+
+  // Where the corners at an edge have the same shift the edge stands in the arrays as in the plane.
+  void show_or_hide(Index e)
+  {
+    const auto [a, b, c, d] = m_state.corners_at(arrays().halfedge(e));
+    if (are_equal(a.shift, b.shift) && are_equal(b.shift, c.shift) && are_equal(c.shift, d.shift))
+      arrays().set_edge(e, arrays().halfedge(e));
+    else
+      arrays().hide_edge(e);
+  }
+
+  void move_frame(Index f)
+  {
+    const Periodic_shift_2 first = shifts()[3 * f];
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      shifts()[h] = shifts()[h] - first;
+  }
+
+  // VERTICES ------------------------------------------------------------------------------------
+
+  static void after_vertex_creation(Index) {}
+  static void before_vertex_removal(Index) {}
+  static void before_vertex_relocation(Index) {}
+  static void before_vertex_merge(Index, Index) {}
+
+  void reserve_for_id_change(Index v)
+  {
+    reserve_extra(changes().relocated, 1);
+    if constexpr (Calls::is_heard)
+      reserve(2 * std::size_t(arrays().degree(v)) + 1);
+  }
+  void before_id_change(Index v) { note_edges_around(Kind::EDGE_REMOVED, v); }
+  // The vertex was at `before`.
+  void after_id_change(Index v, Index, const Position_2& before)
+  {
+    note_edges_around(Kind::EDGE_CREATED, v);
+    after_move(v, before);
+  }
+
+  // THE LATTICE ---------------------------------------------------------------------------------
+
+  // Reserves memory for one call of after_move(), or so many of shift_images() and one of
+  // set_cell().
+  void reserve_for_move(std::size_t number = 1)
+  {
+    reserve_extra(changes().relocated, number);
+    reserve(number + 1);
+  }
+  void after_move(Index v, const Position_2& before)
+  {
+    shift_images(v, m_state.shift_of_step(before, m_state.positions()[v]));
+  }
+
+  // To be called where the position of v was replaced by one that is about `shift` away: every
+  // image of v stays where it is, about.
+  void shift_images(Index v, const Periodic_shift_2& shift)
+  {
+    if (are_equal(shift, no_shift))
+      return;
+    note([&] { return Periodic_change_2::translation(ids().representative(v), shift); });
+    if (arrays().is_outside(v))
+      return;
+    changes().relocated.push_back(v);
+    arrays().for_each_corner(v, [&](Index h) { shifts()[h] = shifts()[h] - shift; });
+    arrays().for_each_corner(v, [&](Index h) { after_face(Arrays::face_of(h)); });
+  }
+
+  // The lattice gets another cell. `multiples` are the vectors of the old cell in those of the new
+  // one, integers with determinant 1 or -1; the rest is deformation.
+  void set_cell(const Periodic_cell_2& cell, const std::array<Periodic_shift_2, 2>& multiples)
+  {
+    if (multiples != unit_multiples)
+      note([&] { return Periodic_change_2::exchange(multiples); });
+    ++m_state.m_cell_changes;
+    m_state.m_torus = Torus_2(cell);
+    for (Periodic_shift_2& s : shifts())
+      s = {s[0] * multiples[0][0] + s[1] * multiples[1][0],
+           s[0] * multiples[0][1] + s[1] * multiples[1][1]};
+  }
+
+  // SHIFTS OF CORNERS ---------------------------------------------------------------------------
+
+  void reserve_for_slot() { reserve_extra(shifts(), 6); }
+  void append_slot() { shifts().resize(shifts().size() + 6); }
+  void resize_data(std::size_t, std::size_t faces) { shifts().resize(3 * faces); }
+  static void renew_vertex(Index) {}
+  static void move_last_vertex_data_to(Index) {}
+  void move_last_face_data_to(Index f)
+  {
+    const std::size_t last = shifts().size() - 3;
+    set_shifts(f, shifts()[last], shifts()[last + 1], shifts()[last + 2]);
+    shifts().resize(last);
+  }
+
+private:
+  std::vector<Periodic_shift_2>& shifts() { return m_state.m_shifts; }
+
+  template <class Change>
+  void note(const Change& change)
+  {
+    if constexpr (Calls::is_heard)
+      log().push_back(change());
+  }
+
+  // Edges across the gap of a slab are none of the user's.
+  void note_edge(Kind kind, Index h, Log& log) const
+  {
+    if constexpr (Calls::is_heard) {
+      const Index from = Arrays::next(h), to = Arrays::previous(h);
+      if (!m_state.are_across(from, to))
+        log.push_back(Periodic_change_2::edge(kind, m_state.id_at(from), m_state.id_at(to),
+                                              m_state.shift_between(from, to)));
+    }
+  }
+
+  // Edges from the vertex to itself are met twice, and noted once.
+  void note_edges_around(Kind kind, Index v)
+  {
+    if constexpr (Calls::is_heard)
+      arrays().for_each_corner(v, [&](Index h) {
+        const Index spoke = Arrays::previous(h);
+        if (arrays().target(spoke) != v || spoke == arrays().halfedge(arrays().edge_of(spoke)))
+          note_edge(kind, spoke, log());
+      });
+  }
+
+  void set_shifts(Index f, Periodic_shift_2 a, Periodic_shift_2 b, Periodic_shift_2 c)
+  {
+    shifts()[3 * f] = a;
+    shifts()[3 * f + 1] = b;
+    shifts()[3 * f + 2] = c;
+  }
+
+  State& m_state;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_TORUS_EDITING_2_H

@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_PLANE_EDITING_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_PLANE_EDITING_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
+#include <CGAL/Triangulation_utils_2.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// What `Topology_editor_2` does in the plane alone: what users have stored follows the numbers of
+// vertices and faces, and the user's visitor is told of each change at once. Nothing is remembered
+// to be told later, so no memory is reserved for that. Only reserve_for_slot() and append_slot()
+// can throw.
+template <class State>
+class Plane_editing_2
+{
+  using Topology = typename State::Topology;
+  using Arrays = Halfedge_arrays_2;
+  using Slot = Arrays::Slot;
+
+public:
+  static constexpr bool tells_at_once = Topology::Visitor_calls::is_heard;
+
+  explicit Plane_editing_2(State& state)
+    : m_state(state)
+    , m_topology(state.m_topology)
+    , m_storage(state.m_topology.m_storage)
+    , m_arrays(state.m_topology.m_storage.m_arrays)
+  {
+  }
+
+  Arrays& arrays() { return m_arrays; }
+  typename State::Ids& ids() { return m_topology.m_ids; }
+  typename State::Positions& positions() { return m_state.m_positions; }
+  Change_log_2& changes() { return m_topology.m_changes; }
+
+  template <class Visitor, class Dynamic>
+  void start_visit(Visitor& visitor, const Dynamic* dynamic)
+  {
+    calls().start(visitor, dynamic);
+  }
+  void finish_visit() { calls().finish(); }
+
+  // MEMORY OF CHANGES ---------------------------------------------------------------------------
+
+  struct Log
+  {
+  };
+  Log& log() { return m_log; }
+  static void append(Log&) {}
+  static void reserve(std::size_t) {}
+  static void reserve(Log&, std::size_t) {}
+  static void keep_memory_for(std::size_t) {}
+
+  // FACES AND EDGES -----------------------------------------------------------------------------
+
+  bool can_flip(Index h) const { return !m_arrays.are_apexes_neighbors(h); }
+
+  void flip(Index h, Log&)
+  {
+    using Edge = typename State::Triangulation::Edge;
+    const auto f = m_topology.face_handle(Arrays::face_of(h));
+    const int place = int(h % 3);
+    calls().before_flip(Edge(f, place));
+    m_arrays.flip(h);
+    calls().after_flip(Edge(f, Triangulation_cw_ccw_2::ccw(place)));
+  }
+
+  void set_corner(Index h, Index v) { m_arrays.set_apex(h, v); }
+  void put_in(const Slot& slot, Index f, typename State::Frame) { m_arrays.put_in(slot, f); }
+
+  void before_face(Index f) { calls().before_face_removal(m_topology.face_handle(f)); }
+  void after_face(Index f) { calls().after_face_creation(m_topology.face_handle(f)); }
+  static void before_edge(Index) {}
+  static void after_edge(Index) {}
+
+  // VERTICES ------------------------------------------------------------------------------------
+
+  void after_vertex_creation(Index v)
+  {
+    calls().after_vertex_creation(m_topology.vertex_handle(v), ids().representative(v));
+  }
+  void before_vertex_removal(Index v)
+  {
+    calls().before_vertex_removal(m_topology.vertex_handle(v), ids().representative(v));
+  }
+  void before_vertex_relocation(Index v)
+  {
+    calls().before_vertex_relocation(m_topology.vertex_handle(v), ids().representative(v));
+  }
+  void before_vertex_merge(Index goes, Index stays)
+  {
+    calls().before_vertex_merge(m_topology.vertex_handle(goes), ids().representative(goes),
+                                m_topology.vertex_handle(stays));
+  }
+
+  static void reserve_for_id_change(Index) {}
+  static void before_id_change(Index) {}
+  void after_id_change(Index v, Index former, const Position_2&)
+  {
+    calls().after_id_change(m_topology.vertex_handle(v), former);
+  }
+
+  static void reserve_for_move() {}
+  static void after_move(Index, const Position_2&) {}
+
+  // DATA OF USERS -------------------------------------------------------------------------------
+
+  void reserve_for_slot() { m_storage.reserve_for_slot(); }
+  void append_slot() { m_storage.append_slot(); }
+  void resize_data(std::size_t vertices, std::size_t faces)
+  {
+    m_storage.resize_data(vertices, faces);
+  }
+  void renew_vertex(Index v) { m_storage.renew_vertex(v); }
+  void move_last_vertex_data_to(Index v) { m_storage.move_last_vertex_data_to(v); }
+  void move_last_face_data_to(Index f) { m_storage.move_last_face_data_to(f); }
+
+private:
+  typename Topology::Visitor_calls& calls() { return m_topology.m_visitor_calls; }
+
+  State& m_state;
+  Topology& m_topology;
+  typename Topology::Storage& m_storage;
+  Arrays& m_arrays;
+  Log m_log;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_PLANE_EDITING_2_H

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_PADDED_REGION_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_PADDED_REGION_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// A region of a torus: some vertices, their padding, and one layer of border around both. Nothing
+// is triangulated apart: the repair flips edges in the region, or puts its vertices in anew.
+template <class State>
+class Padded_region_2
+{
+public:
+  explicit Padded_region_2(const State& state)
+    : m_state(state)
+  {
+  }
+
+  static void set_engine(Static_engine_2) {}
+
+  // Vertices that are in no face are skipped.
+  void run(const std::vector<Index>& classified, unsigned padding)
+  {
+    m_vertices.clear(m_state.arrays().number_of_vertices());
+    for (const Index v : classified)
+      if (!m_state.arrays().is_outside(v))
+        m_vertices.insert(v);
+    m_number_of_classified = m_vertices.size();
+    for (unsigned layer = 0; layer < padding; ++layer)
+      add_layer();
+    m_number_of_inner = m_vertices.size();
+    add_layer();
+  }
+
+  // All without the border.
+  std::vector<Index> inner() const { return part(0, m_number_of_inner); }
+  std::vector<Index> padded() const { return part(m_number_of_classified, m_number_of_inner); }
+  std::vector<Index> border() const { return part(m_number_of_inner, m_vertices.size()); }
+
+private:
+  void add_layer()
+  {
+    const std::size_t size = m_vertices.size();
+    for (std::size_t i = 0; i < size; ++i)
+      m_state.arrays().for_each_neighbor(m_vertices[i], [&](Index w) { m_vertices.insert(w); });
+  }
+
+  std::vector<Index> part(std::size_t first, std::size_t beyond) const
+  {
+    const std::vector<Index>& all = m_vertices.members();
+    return {all.begin() + std::ptrdiff_t(first), all.begin() + std::ptrdiff_t(beyond)};
+  }
+
+  const State& m_state;
+  Index_set_2 m_vertices; // classified, then padded, then border
+  std::size_t m_number_of_classified = 0, m_number_of_inner = 0;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_PADDED_REGION_2_H
