@@ -848,7 +848,7 @@ TEST(A_builder, has_a_result_for_points_all_over_the_cell_and_none_for_a_grid)
 {
   std::mt19937_64 random(43);
   const internal::Torus_2 torus(Cell(20, 5, 1, 20));
-  internal::Periodic_builder_2<> builder;
+  internal::Torus_triangulator_2<> builder;
   const auto run = [&](const std::vector<Point>& points) {
     std::vector<Position_2> positions;
     for (const Point& p : points)

@@ -327,8 +327,8 @@ TEST(Periodic_checkpoints, the_example_in_the_manual_is_a_checkpoint)
     pt.insert(p);
   pt.remove(2);
   EXPECT_EQ(checkpoint_of(pt), "Dynamic_periodic_Delaunay_triangulation_2 checkpoint 1\n"
-                               "slab no\ncell 4 0 0 4\ncertified yes\nmean_way 0 0\n"
-                               "walk_start 1\nids 4\nvertices 2\n0 1 1\n1 3 2\n"
+                               "slab no\ncell 4 0 0 4\ncertified yes\n"
+                               "hopeless_share 65536\nids 4\nvertices 2\n0 1 1\n1 3 2\n"
                                "duplicates 1\n3 2 7 2\nfree_ids 1\n2\n"
                                "faces 4\n2 1 1 1 0 1 1\n1 2 1 0 0 0 1\n2 2 1 0 -1 1 0\n"
                                "1 2 2 0 -1 0 0\ncorners 2\n9\n11\n"
@@ -521,10 +521,9 @@ TEST(Periodic_checkpoints, a_refusal_says_where_and_why)
             "checkpoint, line 3: \"1 3\" is too much in this line");
   EXPECT_EQ(message(replaced(text, "certified yes", "certified maybe")),
             "checkpoint, line 4: certified is \"maybe\", and has to be yes or no");
-  EXPECT_EQ(message(replaced(text, "mean_way 0 0", "mean_way here 0")),
-            "checkpoint, line 5: the coordinate is \"here\", and has to be a number");
-  EXPECT_EQ(message(replaced(text, "walk_start", "start")),
-            "checkpoint, line 6: it begins with \"start\", and has to begin with \"walk_start\"");
+  EXPECT_EQ(
+      message(replaced(text, "hopeless_share 65536", "hopeless_share 0")),
+      "checkpoint, line 5: hopeless_share is \"0\", and has to be an integer from 1 to 65536");
 }
 
 TEST(Periodic_checkpoints, files_of_the_plane_are_refused_here_and_periodic_ones_there)
@@ -619,7 +618,7 @@ std::string file_of(const std::vector<std::string>& points, const std::vector<st
 {
   std::ostringstream out;
   out << "Dynamic_periodic_Delaunay_triangulation_2 checkpoint 1\nslab no\ncell 4 0 0 4\n"
-      << "certified " << certified << "\nmean_way 0 0\nwalk_start 1\nids " << points.size()
+      << "certified " << certified << "\nhopeless_share 65536\nids " << points.size()
       << "\nvertices " << points.size() << '\n';
   for (std::size_t i = 0; i < points.size(); ++i)
     out << i << ' ' << points[i] << '\n';

@@ -204,7 +204,8 @@ TYPED_TEST(A_heuristic_classifier, leaves_a_torus_and_says_what_it_does_not_know
     }
     const bool was_delaunay = pt.certify();
     EXPECT_EQ(was_delaunay, pt.is_certified());
-    EXPECT_EQ(was_delaunay, pt.mend().flips == 0);
+    const CGAL::Update_report_2 report = pt.mend();
+    EXPECT_EQ(was_delaunay, report.flips == 0 && !report.rebuilt());
     ASSERT_TRUE(pt.is_certified() && pt.is_valid());
   }
   EXPECT_GT(uncertified, 30u);
@@ -521,7 +522,8 @@ TEST(A_classifier_that_throws, changes_nothing)
        {Cell(Vector(10, 1)), Cell(Vector(10.1, 1))}}};
   for (const std::vector<Cell>& all : cells) {
     Cloud cloud(13, 40, 10);
-    Triangulation<Thrower> pt(cloud.points, all[0]);
+    // with the default repair a sample of edges may decide that everything is triangulated anew
+    Triangulation<Thrower, CGAL::Border_splice_repair_2> pt(cloud.points, all[0]);
     for (std::size_t frame = 0; frame < 60; ++frame) {
       const Cell before = pt.cell(), cell = all[frame % all.size()];
       const std::vector<Point> points = cloud.points;
@@ -552,7 +554,7 @@ struct Throwing_repair
   }
 };
 
-TEST(A_repair_that_throws, leaves_all_points_where_they_went_and_the_next_call_triangulates_anew)
+TEST(A_repair_that_throws, leaves_all_points_where_they_went_and_the_next_call_mends)
 {
   Cloud cloud(13, 40, 10);
   Triangulation<CGAL::Circumcircle_classifier_2, Throwing_repair> pt(cloud.points, Cell(10, 10));
@@ -563,7 +565,7 @@ TEST(A_repair_that_throws, leaves_all_points_where_they_went_and_the_next_call_t
   EXPECT_EQ(pt.number_of_points(), 40u);
   EXPECT_EQ(pt.point(39), cloud.points[39]);
   auto copy = pt;
-  EXPECT_TRUE(pt.mend().rebuilt());
+  EXPECT_GT(pt.mend().flips, 0u);
   ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
   copy.insert(Point(1, 1));
   ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(copy));

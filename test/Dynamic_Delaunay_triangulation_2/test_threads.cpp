@@ -682,11 +682,11 @@ TEST(Threads, triangulate_all_points_of_a_cell_at_once)
     positions.push_back({p.x(), p.y()});
   const double side = std::sqrt(double(many));
   const internal::Torus_2 torus(CGAL::Periodic_cell_2(side, side));
-  internal::Periodic_builder_2<> one;
+  internal::Torus_triangulator_2<> one;
   ASSERT_TRUE(one.run(torus, positions));
   for (const int threads : {1, 2, 3, 8})
     with_threads(threads, [&] {
-      internal::Periodic_builder_2<internal::Parallel_parts_2<CGAL::Parallel_tag>> builder;
+      internal::Torus_triangulator_2<internal::Parallel_parts_2<CGAL::Parallel_tag>> builder;
       ASSERT_TRUE(builder.run(torus, positions));
       EXPECT_EQ(builder.faces().apexes, one.faces().apexes);
       EXPECT_EQ(builder.faces().twins, one.faces().twins);

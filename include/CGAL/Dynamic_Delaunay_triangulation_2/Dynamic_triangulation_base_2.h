@@ -611,8 +611,6 @@ protected:
   {
     m_core->update.enter();
     start_visit(); // an exception leaves a frame that was read unused
-    if (change.is_frame)
-      m_core->input.accept();
     try {
       const Update_report_2 report = run_phases(change);
       finish_visit(report);

@@ -140,6 +140,9 @@ public:
   // A point that a call removes may be anywhere until then.
   static void leave_out(const std::vector<Index>&) {}
 
+  // In the plane the previous positions are not read before the classifier finds what is broken.
+  static std::vector<Index> find_jumpers() { return {}; }
+
   // In the plane points may have any coordinates that can be read.
   static void check(const std::vector<Point>&, const std::vector<Index>&) {}
 

@@ -124,6 +124,8 @@ public:
 
   // Fewer vertices are triangulated from scratch.
   static constexpr std::size_t min_vertices = 3;
+  // How many times as much as in the plane it costs to triangulate from scratch.
+  static constexpr std::size_t rebuild_factor = 1;
 
   // CORNERS ---------------------------------------------------------------------------------------
   // A corner is a vertex as it is seen from somewhere, and a frame says from where: in the plane

@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -102,6 +103,20 @@ public:
       const std::vector<Point> points = copied(first, beyond, point_map);
       stage(Points_in_memory{points.data()}, cell, gone);
     }
+  }
+
+  // Finds the vertices that will go farther than half the way to their nearest neighbors, compared
+  // to the mean motion, and would tangle the faces on their way: 1.2 to 1.6 times as fast as
+  // finding them among the vertices of broken edges afterwards.
+  std::vector<Index> find_jumpers() const
+  {
+    std::vector<Index> jumpers;
+    for (const auto& [v, way] : m_far) {
+      const double squared = squared_distance(way, m_mean_way);
+      if (squared > m_squared_long_way && 4 * squared > squared_distance_to_neighbors(v))
+        jumpers.push_back(v);
+    }
+    return jumpers;
   }
 
   // Makes the positions and the cell that were read those of now. Throws nothing.
@@ -234,48 +249,60 @@ private:
 
   // VERTICES ------------------------------------------------------------------------------------
 
-  // Points that go no farther, to coordinates whose sum is no larger, go less than half through the
-  // cell, and stay in range.
-  struct Usual_step
-  {
-    double squared_way, coordinates;
-  };
-  static Usual_step usual_step(const Torus_2& torus)
+  // Positions whose coordinates have no larger sum are in range.
+  static double usual_sum(const Torus_2& torus)
   {
     constexpr double rounding = 0.99;
-    const double way = rounding / 2 / torus.largest_multiple(1);
-    return {way * way,
-            (std::min)(rounding * max_shift / torus.largest_multiple(1), coordinate_limit / 2)};
+    return (std::min)(rounding * max_shift / torus.largest_multiple(1), coordinate_limit / 2);
   }
 
   using Translations = std::vector<std::pair<Index, Shift>>;
 
+  // What was found out about a part of the vertices.
+  struct Part
+  {
+    Translations translated;
+    std::vector<std::pair<Index, Position_2>> far; // vertices that go far, and their ways
+    Position_2 sum;                                // of all ways
+  };
+
   // Stages the positions of the vertices, and finds which of them come nearest to where they were
   // by a translation, in multiples of the new cell's vectors: points that leave the cell and come
-  // in at the other side do not go far. False if a coordinate is not finite, or a point out of
-  // range in the new cell.
+  // in at the other side do not go far. Lists those that do. False if a coordinate is not finite,
+  // or a point out of range in the new cell.
   template <bool is_same, class Next>
   bool stage_vertices(const Next& next, const Torus_2& now)
   {
     const Index vertices = m_state.number_of_vertices();
+    m_squared_long_way = squared_long_way();
     m_parts.resize(Parts::number(vertices));
     std::atomic<bool> are_in_range{true};
     Parts::for_each(vertices, [&](std::size_t part, std::size_t first, std::size_t beyond) {
-      m_parts[part].clear();
       if (!stage_part<is_same>(next, now, Index(first) + 1, Index(beyond) + 1, m_parts[part]))
         are_in_range.store(false, std::memory_order_relaxed);
     });
     m_translated.clear();
-    for (const Translations& part : m_parts)
-      m_translated.insert(m_translated.end(), part.begin(), part.end());
+    m_far.clear();
+    Position_2 sum{0, 0};
+    for (const Part& part : m_parts) {
+      m_translated.insert(m_translated.end(), part.translated.begin(), part.translated.end());
+      m_far.insert(m_far.end(), part.far.begin(), part.far.end());
+      sum = {sum.x + part.sum.x, sum.y + part.sum.y};
+    }
+    if (vertices > 0)
+      m_mean_way = {sum.x / vertices, sum.y / vertices};
     return are_in_range;
   }
 
   template <bool is_same, class Next>
-  bool stage_part(const Next& next, const Torus_2& now, Index first, Index beyond,
-                  Translations& translated)
+  bool stage_part(const Next& next, const Torus_2& now, Index first, Index beyond, Part& part)
   {
-    const Usual_step usual = is_same ? usual_step(now) : Usual_step{-1, 0};
+    part.translated.clear();
+    part.far.clear();
+    part.sum = {0, 0};
+    const double long_way = m_squared_long_way;
+    Position_2 sum{0, 0};
+    const double usual = usual_sum(now);
     const auto staged = m_positions.staged();
     const Index* const representatives = m_state.ids().representatives();
     const Index vertices = m_state.number_of_vertices();
@@ -288,17 +315,61 @@ private:
       const Point& point = next(representatives[v]);
       const Position_2 q = approximation(point);
       staged.set(v, q, point);
-      if (squared_distance(p, q) <= usual.squared_way &&
-          std::abs(q.x) + std::abs(q.y) <= usual.coordinates)
+      Position_2 way = q - p;
+      if (is_same && now.is_short(way) && std::abs(q.x) + std::abs(q.y) <= usual) {
+        sum = {sum.x + way.x, sum.y + way.y};
+        if (dot(way, way) > long_way)
+          part.far.push_back({v, way});
         continue;
+      }
       if (!is_in_range(q, now))
         return false; // a shift may be no integer
-      const Shift shift = now.nearest_shift(is_same ? now.multiples(q - p)
-                                                    : now.multiples(q) - multiples_in_next_cell(p));
+      const Position_2 step =
+          is_same ? now.multiples(way) : now.multiples(q) - multiples_in_next_cell(p);
+      const Shift shift = now.nearest_shift(step);
       if (!are_equal(shift, no_shift))
-        translated.push_back({v, shift});
+        part.translated.push_back({v, shift});
+      way = now.vector({step.x - shift[0], step.y - shift[1]});
+      sum = {sum.x + way.x, sum.y + way.y};
+      if (dot(way, way) > long_way)
+        part.far.push_back({v, way});
     }
+    part.sum = sum;
     return true;
+  }
+
+  // WAYS ----------------------------------------------------------------------------------------
+
+  double squared_distance_to_neighbors(Index v) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    const Torus_2& torus = m_state.torus();
+    m_state.arrays().for_each_corner(v, [&](Index h) {
+      const Image_2 p = m_state.image(h), q = m_state.image(Halfedge_arrays_2::next(h));
+      if (!torus.are_across(p.shift, q.shift))
+        least = (std::min)(least, squared_distance(torus.rounded(p), torus.rounded(q)));
+    });
+    return least;
+  }
+
+  // A quarter of the spacing.
+  double squared_long_way() const { return area_of_points() / m_state.number_of_vertices() / 16; }
+
+  // That of the cell. In a slab that of the strip with all points, or, where that is thin, of
+  // squares between points in a row.
+  double area_of_points() const
+  {
+    const Torus_2& torus = m_state.torus();
+    if (!torus.cell().is_slab())
+      return torus.cell().area();
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (Index v = 1; v <= m_state.number_of_vertices(); ++v) {
+      const double height = torus.multiples(m_state.positions()[v]).y;
+      low = (std::min)(low, height);
+      high = (std::max)(high, height);
+    }
+    const double length = std::hypot(torus.cell().ax(), torus.cell().ay());
+    return length * (std::max)(high - low, length / m_state.number_of_vertices());
   }
 
   // CELLS ---------------------------------------------------------------------------------------
@@ -353,8 +424,11 @@ private:
   Torus_editing_2<State> m_editing;
   std::vector<Index> m_gone; // ids to be left out of the next frame
   std::vector<typename State::Ids::Duplicate> m_next_duplicates;
-  std::vector<Translations> m_parts; // of the vertices, while they are staged
-  Translations m_translated;         // vertices, and by how much
+  std::vector<Part> m_parts;                       // of the vertices, while they are staged
+  std::vector<std::pair<Index, Position_2>> m_far; // vertices and their ways
+  Position_2 m_mean_way{0, 0};                     // of all vertices
+  double m_squared_long_way = 0;
+  Translations m_translated; // vertices, and by how much
   Periodic_cell_2 m_cell{1, 1}, m_cell_before{1, 1};
   std::array<Shift, 2> m_multiples = unit_multiples; // of the old cell's vectors
 };

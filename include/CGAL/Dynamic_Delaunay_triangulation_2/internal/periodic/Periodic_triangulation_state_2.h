@@ -116,6 +116,7 @@ public:
 
   static constexpr bool is_periodic = true;
   static constexpr std::size_t min_vertices = 1;
+  static constexpr std::size_t rebuild_factor = 3;
 
   explicit Periodic_triangulation_state_2(const Periodic_cell_2& cell)
     : m_torus(cell)
@@ -206,7 +207,8 @@ public:
   // By which the lattice comes nearest to a step.
   Periodic_shift_2 shift_of_step(const Position_2& from, const Position_2& to) const
   {
-    return m_torus.nearest_shift(m_torus.multiples({to.x - from.x, to.y - from.y}));
+    const Position_2 step = to - from;
+    return m_torus.is_short(step) ? no_shift : m_torus.nearest_shift(m_torus.multiples(step));
   }
   // Between images that are near to each other.
   double rounded_squared_distance(Index v, Index w) const
@@ -335,6 +337,8 @@ private:
   // The image of p that is nearest to q, rounded.
   Position_2 nearest_image(const Position_2& p, const Position_2& q) const
   {
+    if (m_torus.is_short(q - p))
+      return p;
     const Periodic_shift_2 shift = shift_of_step(p, q);
     const Position_2 way = m_torus.vector({double(shift[0]), double(shift[1])});
     return {p.x + way.x, p.y + way.y};

@@ -91,6 +91,8 @@ public:
     const double determinant = cell.ax() * cell.by() - cell.ay() * cell.bx();
     m_inverse_x = {cell.by() / determinant, -cell.bx() / determinant};
     m_inverse_y = {-cell.ay() / determinant, cell.ax() / determinant};
+    constexpr double less_than_half = 0.49; // by more than rounding
+    m_short_way = less_than_half / largest_multiple(1);
   }
 
   const Periodic_cell_2& cell() const { return m_cell; }
@@ -127,6 +129,12 @@ public:
     const double x = std::hypot(m_inverse_x.x, m_inverse_x.y);
     const double y = m_cell.is_slab() ? 0 : std::hypot(m_inverse_y.x, m_inverse_y.y);
     return length * (std::max)(x, y);
+  }
+
+  // True only if no other image is nearer, by multiples, to where such a step goes.
+  bool is_short(const Position_2& step) const
+  {
+    return std::abs(step.x) + std::abs(step.y) <= m_short_way;
   }
 
   // The multiples by which the lattice can translate: none across a slab.
@@ -492,6 +500,7 @@ private:
 
   Periodic_cell_2 m_cell;
   Position_2 m_inverse_x, m_inverse_y; // the rows of the inverse matrix
+  double m_short_way;
 };
 
 } // namespace internal

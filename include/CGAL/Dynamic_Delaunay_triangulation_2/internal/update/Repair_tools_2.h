@@ -73,7 +73,7 @@ public:
     m_report = &report;
     m_is_exact = is_exact;
     forget();
-    m_budget.start_generously(m_state.number_of_vertices());
+    m_budget.start_generously(rebuilt_vertices());
     m_may_take_out = true;
   }
 
@@ -89,6 +89,8 @@ public:
     m_was_certified = was_certified;
     m_report->classified = m_classification.size();
     m_open.take(m_classification, m_state);
+    if (State::is_periodic)
+      m_open.open_all_in_order();
     m_classified_edges = m_open.size();
     m_changes = changes;
     m_movers = m_state.number_of_vertices();
@@ -131,6 +133,26 @@ public:
       Dynamic_frame_2<State>(m_state).for_each_edge_that_sees(
           v, [this](Index e) { m_open.uncertain().push_back(e); });
     return are_gone;
+  }
+
+  // Takes vertices that will jump out where everything is Delaunay, to be put in where they went:
+  // so nothing breaks. Where they are many, or where it is not known how, the repair sees to them.
+  void take_out_before_motion(const std::vector<Index>& jumpers)
+  {
+    if (jumpers.size() > max_taken_out())
+      return;
+    for (const Index v : jumpers)
+      if (can_spare(1))
+        m_relocation.take_out_of_delaunay(v);
+  }
+  // Puts them back, if nothing has moved.
+  void put_back()
+  {
+    if (m_relocation.number_waiting() == 0)
+      return;
+    m_open.clear();
+    m_has_to_prove = true;
+    put_in({});
   }
 
   // Opens all edges that may not be Delaunay. After that the update can end with a proof, whatever
@@ -217,24 +239,22 @@ public:
   // Whether a rebuild is cheaper than mending the classified edges and the points that come and go.
   bool is_rebuild_cheaper() const
   {
-    return Repair_budget_2::is_rebuild_cheaper(m_state.number_of_vertices(), m_classified_edges,
-                                               m_changes);
+    return Repair_budget_2::is_rebuild_cheaper(rebuilt_vertices(), m_classified_edges, m_changes);
   }
 
   // Whether mending alone has cost as much as a rebuild.
-  bool has_cost_a_rebuild() const
-  {
-    return m_budget.has_spent_a_rebuild(m_state.number_of_vertices());
-  }
+  bool has_cost_a_rebuild() const { return m_budget.has_spent_a_rebuild(rebuilt_vertices()); }
 
   // TOOLS, as Dynamic_mender_2 documents them ----------------------------------------------------
 
-  void limit_cost() { m_budget.start(m_state.number_of_vertices(), m_open.size()); }
+  void limit_cost() { m_budget.start(rebuilt_vertices(), m_open.size()); }
 
   void take_out_jumpers()
   {
     if (m_jumper != null_index)
       return take_out_jumper();
+    if (State::is_periodic) // they are out since before anything has moved
+      return;
     // where several neighbors jumped, some seem to have stayed until the others are out
     constexpr unsigned max_rounds = 4;
     const auto may_others_jump = [this] { return m_relocation.number_waiting() < m_movers; };
@@ -245,7 +265,7 @@ public:
       m_budget.spend(edges.size() * Repair_budget_2::look_for_jumpers);
       const std::vector<Index>& jumpers = m_jumpers.find_jumpers(edges);
       // each counts as a point removed and a point inserted, plus half of that for the search
-      if (Repair_budget_2::is_rebuild_cheaper(m_state.number_of_vertices(), 0,
+      if (Repair_budget_2::is_rebuild_cheaper(rebuilt_vertices(), 0,
                                               m_changes + 3 * jumpers.size()))
         return rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
       if (!take_out(jumpers))
@@ -272,7 +292,7 @@ public:
     if (has_rebuilt() || m_open.empty())
       return;
     flip_uncertain();
-    if (!m_open.uncertain().empty() && !has_rebuilt()) {
+    if (!State::is_periodic && !m_open.uncertain().empty() && !has_rebuilt()) {
       m_open.open_surroundings(m_state);
       flip_uncertain();
     }
@@ -304,9 +324,10 @@ public:
     std::vector<Index> vertices;
     m_open.for_each_uncertain_vertex(m_state, [&](Index v) { vertices.push_back(v); });
     constexpr std::size_t max_enlargements = 3; // beyond it, padding or a vertex less does better
-    if constexpr (State::is_periodic)
-      put_in_anew(vertices, padding);
-    else
+    if constexpr (State::is_periodic) {
+      if (padding > 0 || !put_in_farthest_anew())
+        put_in_anew(vertices, padding);
+    } else
       splice(vertices, padding, max_enlargements, true);
   }
 
@@ -372,6 +393,16 @@ private:
     m_padded.clear();
     m_border.clear();
     m_classification.clear(m_state);
+  }
+
+  // Of a torus so many vertices are taken out and put in again: more are as much work as
+  // triangulating anew.
+  std::size_t max_taken_out() const { return 10 + m_state.number_of_vertices() / 6; }
+
+  // So many vertices a rebuild in the plane would cost as much as one here.
+  std::size_t rebuilt_vertices() const
+  {
+    return State::rebuild_factor * m_state.number_of_vertices();
   }
 
   // VERTICES THAT WENT FAR ----------------------------------------------------------------------
@@ -567,6 +598,15 @@ private:
       m_open.clear();
   }
 
+  // Takes out one vertex for each open edge, and flips around. Whether it did.
+  bool put_in_farthest_anew()
+  {
+    const bool are_out = can_take_out() && take_out(m_jumpers.find_farthest(m_open.uncertain()));
+    if (are_out)
+      flip();
+    return are_out;
+  }
+
   // Takes the vertices of a region out, to be put in again after the repair, and flips around. They
   // can be located only where all is proved.
   void put_in_anew(const std::vector<Index>& vertices, unsigned padding)
@@ -581,8 +621,10 @@ private:
     }
     if (has_rebuilt() || region.empty())
       return;
-    if (!can_spare(region.size()) || region.size() * Repair_budget_2::relocation > m_budget.left())
+    if (!can_spare(region.size()) ||
+        m_relocation.number_waiting() + region.size() > max_taken_out())
       return rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
+    m_budget.allow(region.size() * Repair_budget_2::relocation); // limited by their number
     if (take_out(region))
       flip();
   }

@@ -91,14 +91,9 @@ public:
   Update_report_2 run(Change& change, Input& input, Classifier& classifier, Repair& repair,
                       Policy& policy)
   {
-    const auto take_back = [&] { // returns whether nothing has moved
-      if (change.is_frame)
-        input.take_back();
-      return change.moved.empty();
-    };
     Update_report_2 report;
     try {
-      report = run_phases(change, classifier, repair, policy, take_back);
+      report = run_phases(change, input, classifier, repair, policy);
     } catch (...) {
       m_tools.relocation().give_up(); // puts all vertices into faces
       throw;
@@ -140,9 +135,9 @@ public:
 private:
   // PHASES --------------------------------------------------------------------------------------
 
-  template <class Classifier, class Repair, class Policy, class Take_back>
-  Update_report_2 run_phases(Change& change, Classifier& classifier, Repair& repair, Policy& policy,
-                             const Take_back& take_back)
+  template <class Input, class Classifier, class Repair, class Policy>
+  Update_report_2 run_phases(Change& change, Input& input, Classifier& classifier, Repair& repair,
+                             Policy& policy)
   {
     Update_report_2 report;
     const bool was_certified = std::exchange(m_is_certified, false);
@@ -151,10 +146,17 @@ private:
       return report;
     }
     Rebuild_reason_2 reason;
+    bool is_accepted = false;
     try {
       report.inserted = change.coming.size();
       report.removed = change.gone.size();
       m_tools.start(report, Classifier::is_exact);
+      if (change.is_frame) {
+        if (was_certified && Classifier::is_exact)
+          m_tools.take_out_before_motion(input.find_jumpers());
+        input.accept(); // throws nothing
+        is_accepted = true;
+      }
       m_tools.editor().move(change.moved, change.moved_points, change.are_exact);
       constexpr bool may_sample =
           Classifier::is_exact && std::is_base_of_v<Flip_and_splice_repair_2, Repair>;
@@ -162,7 +164,10 @@ private:
       if (reason == Rebuild_reason_2::NONE)
         classify(change, classifier, was_certified);
     } catch (...) {
-      m_is_certified = take_back() && was_certified;
+      if (is_accepted)
+        input.take_back();
+      m_tools.put_back();
+      m_is_certified = was_certified && change.moved.empty();
       throw;
     }
     // before points are removed, because a rebuild just leaves them out (exact classifiers only)
@@ -225,9 +230,9 @@ private:
   bool are_too_many(std::size_t changes) const
   {
     const std::size_t duplicates = m_state.ids().duplicates().size();
-    return changes > 0 &&
-           Repair_budget_2::is_rebuild_cheaper(m_state.number_of_vertices() + duplicates, 0,
-                                               changes + changes * duplicates / 512);
+    return changes > 0 && Repair_budget_2::is_rebuild_cheaper(
+                              State::rebuild_factor * (m_state.number_of_vertices() + duplicates),
+                              0, changes + changes * duplicates / 512);
   }
 
   // Samples edges, to avoid a useless classification: many edges if mending was in vain lately, or
@@ -252,7 +257,7 @@ private:
     const Sample many = sample(frame, size, is_not_delaunay);
     // a quarter more than necessary, because a sample may be wrong
     return m_experience.is_hopeless(many.size, many.broken) ||
-           Repair_budget_2::is_rebuild_cheaper(frame.number_of_vertices(),
+           Repair_budget_2::is_rebuild_cheaper(State::rebuild_factor * frame.number_of_vertices(),
                                                edges * many.broken / many.size * 4 / 5);
   }
 
