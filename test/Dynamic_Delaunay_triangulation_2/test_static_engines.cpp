@@ -270,6 +270,15 @@ void expect_exact_after_exchanges(Static_engine_2 engine, const Points& points)
 
 class Static_engines : public testing::TestWithParam<Static_engine_2>
 {
+protected:
+  template <class Kernel>
+  void expect_exact_in_all_ways(const std::vector<typename Kernel::Point_2>& points) const
+  {
+    ASSERT_NO_FATAL_FAILURE(expect_exact_as_a_whole<Kernel>(GetParam(), points));
+    ASSERT_NO_FATAL_FAILURE(expect_exact_by_regions<Kernel>(GetParam(), points));
+    if constexpr (std::is_same_v<Kernel, Epick>)
+      expect_exact_after_exchanges(GetParam(), points);
+  }
 };
 
 INSTANTIATE_TEST_SUITE_P(All, Static_engines, testing::ValuesIn(all_engines),
@@ -305,24 +314,13 @@ TEST_P(Static_engines, triangulate_few_points_in_any_position)
   }
 }
 
-TEST_P(Static_engines, triangulate_regular_points)
+TEST_P(Static_engines, triangulate_regular_points_and_those_of_any_density_and_magnitude)
 {
-  for (const auto& [name, points] : regular_points()) {
-    SCOPED_TRACE(name);
-    ASSERT_NO_FATAL_FAILURE(expect_exact_as_a_whole<Epick>(GetParam(), points));
-    ASSERT_NO_FATAL_FAILURE(expect_exact_by_regions<Epick>(GetParam(), points));
-    ASSERT_NO_FATAL_FAILURE(expect_exact_after_exchanges(GetParam(), points));
-  }
-}
-
-TEST_P(Static_engines, triangulate_points_of_any_density_and_magnitude)
-{
-  for (const auto& [name, points] : uneven_points()) {
-    SCOPED_TRACE(name);
-    ASSERT_NO_FATAL_FAILURE(expect_exact_as_a_whole<Epick>(GetParam(), points));
-    ASSERT_NO_FATAL_FAILURE(expect_exact_by_regions<Epick>(GetParam(), points));
-    ASSERT_NO_FATAL_FAILURE(expect_exact_after_exchanges(GetParam(), points));
-  }
+  for (const Named_points& all : {regular_points(), uneven_points()})
+    for (const auto& [name, points] : all) {
+      SCOPED_TRACE(name);
+      ASSERT_NO_FATAL_FAILURE(expect_exact_in_all_ways<Epick>(points));
+    }
 }
 
 TEST_P(Static_engines, do_splice_regions_of_hard_points)
@@ -338,9 +336,7 @@ TEST_P(Static_engines, work_with_exact_constructions)
 {
   for (const unsigned n : {0u, 1u, 2u, 3u, 8u, 400u}) {
     SCOPED_TRACE(n);
-    const auto points = Cloud<Epeck>(n).uniform(n);
-    ASSERT_NO_FATAL_FAILURE(expect_exact_as_a_whole<Epeck>(GetParam(), points));
-    ASSERT_NO_FATAL_FAILURE(expect_exact_by_regions<Epeck>(GetParam(), points));
+    ASSERT_NO_FATAL_FAILURE(expect_exact_in_all_ways<Epeck>(Cloud<Epeck>(n).uniform(n)));
   }
   ASSERT_NO_FATAL_FAILURE(expect_exact_as_a_whole<Epeck>(GetParam(), Cloud<Epeck>::grid(15, 15)));
   ASSERT_NO_FATAL_FAILURE(expect_exact_as_a_whole<Epeck>(GetParam(), Cloud<Epeck>(1).on_line(30)));
@@ -363,8 +359,7 @@ TEST_P(Static_engines, work_where_coordinates_are_no_doubles)
       return points;
     };
     auto points = make();
-    ASSERT_NO_FATAL_FAILURE(expect_exact_as_a_whole<Epeck>(GetParam(), points));
-    ASSERT_NO_FATAL_FAILURE(expect_exact_by_regions<Epeck>(GetParam(), points));
+    ASSERT_NO_FATAL_FAILURE(expect_exact_in_all_ways<Epeck>(points));
     auto dt = triangulated<Epeck>(points, {GetParam(), GetParam()});
     for (int frame = 0; frame < 3; ++frame) { // doubles in between
       points = frame == 1 ? cloud.uniform(150) : make();
@@ -381,8 +376,7 @@ TEST_P(Static_engines, tell_points_apart_that_no_double_does)
   for (int i = 0; i < 40; ++i)
     points.emplace_back(Epeck::FT(1) + Epeck::FT(i % 7) * std::ldexp(1, -200),
                         Epeck::FT(2) / 3 + Epeck::FT(i / 7) * std::ldexp(1, -300));
-  ASSERT_NO_FATAL_FAILURE(expect_exact_as_a_whole<Epeck>(GetParam(), points));
-  ASSERT_NO_FATAL_FAILURE(expect_exact_by_regions<Epeck>(GetParam(), points));
+  ASSERT_NO_FATAL_FAILURE(expect_exact_in_all_ways<Epeck>(points));
 }
 
 using Edges = std::set<std::pair<Epick::Point_2, Epick::Point_2>>;
