@@ -146,18 +146,6 @@ TEST(Engines, run_by_their_names_for_rebuilds_and_for_splices)
   }
 }
 
-TEST(Random_classifier, picks_all_vertices_at_one_and_none_at_zero)
-{
-  const Words arguments = {"brownian", "--points", "200", "--frames", "10", "--classifier"};
-  const auto classified_mean = [&](const std::string& classifier) {
-    Words all = arguments;
-    all.push_back(classifier);
-    return report_of(all)["classified_mean"];
-  };
-  EXPECT_EQ(classified_mean("random:1"), 200.0);
-  EXPECT_EQ(classified_mean("random:0"), 0.0);
-}
-
 TEST(Classifiers, run_by_their_names_and_exact_ones_end_certified)
 {
   const Words arguments = {"brownian", "--points",    "300",  "--frames",
@@ -315,12 +303,6 @@ TEST(Outputs, are_a_table_a_row_for_each_frame_and_pictures)
   EXPECT_TRUE(std::filesystem::exists(pictures / "frame_00045.svg"));
 }
 
-TEST(Outputs, that_cannot_be_written_end_the_run_before_it_starts)
-{
-  expect_refusal({"--csv", temporary_path("no_such_directory/a.csv")}, {"cannot be written"});
-  expect_refusal({"--svg", write_file("a_file", "")}, {"a_file", "directory"});
-}
-
 TEST(Outputs, leave_the_last_report_alone_when_the_run_fails)
 {
   const std::string path = write_file("old.json", "old");
@@ -329,12 +311,13 @@ TEST(Outputs, leave_the_last_report_alone_when_the_run_fails)
   EXPECT_EQ(content_of(path), "old");
 }
 
-TEST(Help, lists_scenarios_classifiers_repairs_policies_and_engines)
+TEST(Help, lists_scenarios_classifiers_repairs_policies_engines_and_formats)
 {
   const Outcome outcome = run_program({"--help"});
   EXPECT_TRUE(outcome.succeeded);
   for (const char* word : {"dam_break", "point_distance", "flip_and_splice", "key_frames:K",
-                           "bowyer_watson", "--time-step"}) {
+                           "bowyer_watson", "--time-step", "--vtk", "ParaView", "--xyz", "--lammps",
+                           "--every", "doc/Dynamic_Delaunay_triangulation_2/Scenario_files.txt"}) {
     EXPECT_TRUE(contains(outcome.output, word)) << word;
   }
   EXPECT_TRUE(run_program({"--version"}).succeeded);
