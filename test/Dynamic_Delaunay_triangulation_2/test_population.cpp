@@ -507,20 +507,6 @@ TYPED_TEST(Population, moves_some_near_and_far_and_the_others_stay)
     }
 }
 
-TYPED_TEST(Population, swaps_points_in_place)
-{
-  auto points = Cloud<TypeParam>(12).uniform(200);
-  typename TestFixture::Dynamic dt(points.begin(), points.end());
-  for (std::size_t i = 0; i < 20; ++i) {
-    const std::size_t j = 199 - 7 * i;
-    std::swap(points[i], points[j]);
-    const std::vector<std::pair<std::size_t, typename TestFixture::Point>> movers = {
-        {i, points[i]}, {j, points[j]}};
-    dt.move(movers.begin(), movers.end());
-    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
-  }
-}
-
 TYPED_TEST(Population, moves_points_onto_others_and_all_to_one_place_and_back)
 {
   const auto home = Cloud<TypeParam>(13).uniform(100);
@@ -822,16 +808,6 @@ TYPED_TEST(User_ids, that_are_repeated_and_bad_coordinates_change_nothing)
                CGAL::Non_finite_coordinate_error_2);
   EXPECT_THROW(people.insert(TypeParam(99), Epick::Point_2(0, 0)), CGAL::Repeated_id_error_2);
   ASSERT_NO_FATAL_FAILURE(this->expect_right(people, frame));
-}
-
-TEST(User_id_report, says_that_a_frame_without_newcomers_is_certified)
-{
-  using Frame = std::vector<std::pair<int, Epick::Point_2>>;
-  const Frame some = {{3, {0, 0}}, {5, {1, 0}}, {9, {0, 1}}, {2, {3, 1}}};
-  CGAL::Dynamic_population_2<Exact> people;
-  for (const Frame& frame : {Frame(), some, some, Frame(some.begin(), some.end() - 1), Frame()})
-    EXPECT_TRUE(people.update(frame.begin(), frame.end()).certified);
-  EXPECT_EQ(people.size(), 0u);
 }
 
 // Tables: a std::map is told the same.
