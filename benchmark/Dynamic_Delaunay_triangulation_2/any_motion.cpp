@@ -51,25 +51,22 @@ void add_options(CLI::App& app, Any_motion_options& options)
   constexpr double shortest = (std::numeric_limits<double>::min)(), longest = 1e6;
   app.description("Times updates against the fastest static way, frame by frame, for motions of "
                   "all kinds, and compares what comes out.");
-  app.add_option("--points", options.chosen_points, "how many; default 1000 10000 100000")
-      ->type_name("N...")
-      ->check(CLI::Range(min_points, max_points));
-  app.add_option("--frames", options.frames,
-                 "measured ones of each kind; default 16 to 8, of recordings 200")
-      ->type_name("N")
-      ->check(CLI::Range(1, max_frames));
-  app.add_option("--seed", options.seed, "what is drawn by chance; default 1")->type_name("N");
+  common::add_option(app, "--points", options.chosen_points, "N...",
+                     "how many; default 1000 10000 100000", CLI::Range(min_points, max_points));
+  common::add_option(app, "--frames", options.frames, "N",
+                     "measured ones of each kind; default 16 to 8, of recordings 200",
+                     CLI::Range(1, max_frames));
+  common::add_option(app, "--seed", options.seed, "N", "what is drawn by chance; default 1");
   common::add_repeated(app, "--kind", options.kinds, "TEXT",
                        "only kinds with this in their names; may be repeated");
   app.add_option("--only", options.only, "kinds or recorded; default both")
       ->check(CLI::IsMember({"kinds", "recorded"}));
-  app.add_option("--recorded", options.recorded, "where recorded motion is")->type_name("DIR");
-  app.add_option("--csv", options.csv, "write every frame")->type_name("FILE");
-  app.add_option("--program", options.program, "run this one, and show its frames")
-      ->type_name("TEXT");
-  app.add_option("--adversary", options.adversary, "look for slow programs by chance for so long")
-      ->type_name("SECONDS")
-      ->check(CLI::Range(shortest, longest));
+  common::add_option(app, "--recorded", options.recorded, "DIR", "where recorded motion is");
+  common::add_option(app, "--csv", options.csv, "FILE", "write every frame");
+  common::add_option(app, "--program", options.program, "TEXT",
+                     "run this one, and show its frames");
+  common::add_option(app, "--adversary", options.adversary, "SECONDS",
+                     "look for slow programs by chance for so long", CLI::Range(shortest, longest));
   common::add_repeated(app, "--without", options.left_out, "MOTION",
                        "a motion that the adversary leaves out; may be repeated",
                        CLI::IsMember(names_of(all_motions())));

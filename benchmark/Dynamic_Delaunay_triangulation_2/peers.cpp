@@ -48,16 +48,14 @@ void add_options(CLI::App& app, Peers_options& options)
   constexpr int fewest_points = 10, most_points = 10'000'000, most_frames = 100'000;
   app.description("Times this package and its peers on the same frames, in turn, and compares what "
                   "comes out.");
-  app.add_option("--points", options.chosen_points, "how many; default 1000 10000 100000")
-      ->type_name("N...")
-      ->check(CLI::Range(fewest_points, most_points));
-  app.add_option("--frames", options.frames, "timed ones of each motion; default 96 to 4")
-      ->type_name("N")
-      ->check(CLI::Range(1, most_frames));
-  app.add_option("--filter", options.filter, "only motions with this in 'motion/points'")
-      ->type_name("TEXT");
-  app.add_option("--output", options.output, "where peers.csv goes; default build/dev/bench/peers")
-      ->type_name("DIR");
+  common::add_option(app, "--points", options.chosen_points, "N...",
+                     "how many; default 1000 10000 100000", CLI::Range(fewest_points, most_points));
+  common::add_option(app, "--frames", options.frames, "N",
+                     "timed ones of each motion; default 96 to 4", CLI::Range(1, most_frames));
+  common::add_option(app, "--filter", options.filter, "TEXT",
+                     "only motions with this in 'motion/points'");
+  common::add_option(app, "--output", options.output, "DIR",
+                     "where peers.csv goes; default build/dev/bench/peers");
   app.add_flag("--large", options.is_large, "a million points, too");
   app.add_flag("--quick", options.is_quick, "a first look, in less than a minute");
 }

@@ -53,21 +53,17 @@ void add_options(CLI::App& app, Periodic_options& options)
   constexpr double smallest_step = 1e-9, largest_step = 1.0;
   app.description("Times updates in periodic space against updates in the plane and against "
                   "triangulating anew, on the same frames, in turn.");
-  app.add_option("--points", options.chosen_points, "how many; default 1000 10000 100000")
-      ->type_name("N...")
-      ->check(CLI::Range(fewest_points, most_points));
-  app.add_option("--steps", options.steps,
-                 "of a coordinate in a frame, in spacings; default 0.001 0.01 0.03 0.1")
-      ->type_name("X...")
-      ->check(CLI::Range(smallest_step, largest_step));
-  app.add_option("--frames", options.frames, "timed ones of each case; default 600 to 40")
-      ->type_name("N")
-      ->check(CLI::Range(1, most_frames));
-  app.add_option("--repetitions", options.repetitions,
-                 "of each case, with other points, whose frames are taken together; default 1")
-      ->type_name("N")
-      ->check(CLI::Range(1, most_frames));
-  app.add_option("--csv", options.csv, "write every frame")->type_name("FILE");
+  common::add_option(app, "--points", options.chosen_points, "N...",
+                     "how many; default 1000 10000 100000", CLI::Range(fewest_points, most_points));
+  common::add_option(app, "--steps", options.steps, "X...",
+                     "of a coordinate in a frame, in spacings; default 0.001 0.01 0.03 0.1",
+                     CLI::Range(smallest_step, largest_step));
+  common::add_option(app, "--frames", options.frames, "N",
+                     "timed ones of each case; default 600 to 40", CLI::Range(1, most_frames));
+  common::add_option(app, "--repetitions", options.repetitions, "N",
+                     "of each case, with other points, whose frames are taken together; default 1",
+                     CLI::Range(1, most_frames));
+  common::add_option(app, "--csv", options.csv, "FILE", "write every frame");
   app.add_flag("--quick", options.is_quick, "a first look, in some seconds");
 }
 

@@ -53,30 +53,26 @@ void add_options(CLI::App& app, Robustness_options& options)
   constexpr double max_operations = 1e12, max_threads = 1024, max_time_limit = 1e6;
   app.description("Does random things to triangulations, and compares them with fresh ones of "
                   "CGAL's after each of them.");
-  app.add_option("--operations", options.operations, "how many, of all families; default 10000000")
-      ->type_name("N")
-      ->check(CLI::Range(1.0, max_operations));
-  app.add_option("--seed", options.seed, "what everything is drawn from; default 1")
-      ->type_name("N");
-  app.add_option("--threads", options.threads,
-                 "which nothing that is counted depends on; default as many as the machine has")
-      ->type_name("N")
-      ->check(CLI::Range(1.0, max_threads));
-  app.add_option("--family", options.family, "this one only")
-      ->type_name("NAME")
-      ->check(CLI::IsMember(names_of(families())));
+  common::add_option(app, "--operations", options.operations, "N",
+                     "how many, of all families; default 10000000",
+                     CLI::Range(1.0, max_operations));
+  common::add_option(app, "--seed", options.seed, "N", "what everything is drawn from; default 1");
+  common::add_option(app, "--threads", options.threads, "N",
+                     "which nothing that is counted depends on; default as many as the machine has",
+                     CLI::Range(1.0, max_threads));
+  common::add_option(app, "--family", options.family, "NAME", "this one only",
+                     CLI::IsMember(names_of(families())));
   app.add_option("--trial", options.trial, "repeat one trial, with --family as it was reported")
       ->type_name("SEED")
       ->expected(1);
-  app.add_option("--time_limit", options.time_limit,
-                 "an operation that takes longer ends the program; default 20")
-      ->type_name("SECONDS")
-      ->check(CLI::Range((std::numeric_limits<double>::min)(), max_time_limit));
-  app.add_option("--arithmetic", options.arithmetic, "what the caller's is; default usual")
-      ->type_name("NAME")
-      ->check(CLI::IsMember(names_of(all_arithmetic())));
-  app.add_option("--report", options.report, "write what came out, as one JSON object")
-      ->type_name("FILE.json");
+  common::add_option(app, "--time_limit", options.time_limit, "SECONDS",
+                     "an operation that takes longer ends the program; default 20",
+                     CLI::Range((std::numeric_limits<double>::min)(), max_time_limit));
+  common::add_option(app, "--arithmetic", options.arithmetic, "NAME",
+                     "what the caller's is; default usual",
+                     CLI::IsMember(names_of(all_arithmetic())));
+  common::add_option(app, "--report", options.report, "FILE.json",
+                     "write what came out, as one JSON object");
 }
 
 Results run(const Robustness_options& options)

@@ -78,15 +78,13 @@ void add_options(CLI::App& app, Scale_options& options)
   constexpr int fewest_points = 10, most_points = 100'000'000, most_threads = 1024;
   app.description("Times frames, rebuilds and construction by the number of points and threads, "
                   "and measures memory and the machine's bandwidth.");
-  app.add_option("--points", options.points, "how many; default 1000 10000 ... 10000000")
-      ->type_name("N...")
-      ->check(CLI::Range(fewest_points, most_points));
-  app.add_option("--threads", options.threads, "how many; default 1 2")
-      ->type_name("N...")
-      ->check(CLI::Range(1, most_threads));
-  app.add_option("--output", options.output,
-                 "where CSV files and the figure go; default build/dev/bench/scale")
-      ->type_name("DIR");
+  common::add_option(app, "--points", options.points, "N...",
+                     "how many; default 1000 10000 ... 10000000",
+                     CLI::Range(fewest_points, most_points));
+  common::add_option(app, "--threads", options.threads, "N...", "how many; default 1 2",
+                     CLI::Range(1, most_threads));
+  common::add_option(app, "--output", options.output, "DIR",
+                     "where CSV files and the figure go; default build/dev/bench/scale");
   app.add_flag("--quick", options.is_quick, "a first look, in some seconds");
 }
 

@@ -66,8 +66,8 @@ void add_options(CLI::App& app, Settings& settings)
   app.add_option("--seed", settings.seed, "of the first trial; default 1");
   app.add_option("--only", settings.only, "these experiments; default all")
       ->check(CLI::IsMember(experiment_names()));
-  app.add_option("--output", settings.output, "the directory that results are written to")
-      ->type_name("DIR");
+  common::add_option(app, "--output", settings.output, "DIR",
+                     "the directory that results are written to");
 }
 
 struct Planned_experiment

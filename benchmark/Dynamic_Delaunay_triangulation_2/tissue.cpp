@@ -39,31 +39,23 @@ void add_options(CLI::App& app, Sweep_options& options)
   constexpr int fewest_cells = 10, most_cells = 1'000'000, most_seeds = 1000;
   constexpr double smallest = 1e-6, largest = 1e9;
   app.description("Finds the preferred perimeter at which the cells of a tissue begin to flow.");
-  app.add_option("--shapes", options.shapes,
-                 "preferred perimeters p0, ascending; default eleven from 3.5 to 4")
-      ->type_name("X...")
-      ->check(CLI::Range(3.0, 5.0));
-  app.add_option("--cells", options.cells, "how many; default 400")
-      ->type_name("N")
-      ->check(CLI::Range(fewest_cells, most_cells));
-  app.add_option("--speed", options.speed, "of a cell by itself; default 0.1")
-      ->type_name("X")
-      ->check(CLI::Range(smallest, largest));
-  app.add_option("--time", options.time, "that is observed; default 3000")
-      ->type_name("T")
-      ->check(CLI::Range(smallest, largest));
-  app.add_option("--settling", options.settling, "the time before that; default 1000")
-      ->type_name("T")
-      ->check(CLI::Range(0.0, largest));
-  app.add_option("--time-step", options.time_step, "default 0.1")
-      ->type_name("T")
-      ->check(CLI::Range(smallest, largest));
-  app.add_option("--seeds", options.seeds, "runs of each shape, from 1; default 4")
-      ->type_name("N")
-      ->check(CLI::Range(1, most_seeds));
-  app.add_option("--output", options.output,
-                 "where tissue.csv and motion.csv go; default build/dev/bench/tissue")
-      ->type_name("DIR");
+  common::add_option(app, "--shapes", options.shapes, "X...",
+                     "preferred perimeters p0, ascending; default eleven from 3.5 to 4",
+                     CLI::Range(3.0, 5.0));
+  common::add_option(app, "--cells", options.cells, "N", "how many; default 400",
+                     CLI::Range(fewest_cells, most_cells));
+  common::add_option(app, "--speed", options.speed, "X", "of a cell by itself; default 0.1",
+                     CLI::Range(smallest, largest));
+  common::add_option(app, "--time", options.time, "T", "that is observed; default 3000",
+                     CLI::Range(smallest, largest));
+  common::add_option(app, "--settling", options.settling, "T", "the time before that; default 1000",
+                     CLI::Range(0.0, largest));
+  common::add_option(app, "--time-step", options.time_step, "T", "default 0.1",
+                     CLI::Range(smallest, largest));
+  common::add_option(app, "--seeds", options.seeds, "N", "runs of each shape, from 1; default 4",
+                     CLI::Range(1, most_seeds));
+  common::add_option(app, "--output", options.output, "DIR",
+                     "where tissue.csv and motion.csv go; default build/dev/bench/tissue");
   app.add_flag("--quick", options.is_quick, "a first look, in some seconds");
 }
 

@@ -6,6 +6,7 @@
 #ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_SCENARIO_PROGRAM_H
 #define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_SCENARIO_PROGRAM_H
 
+#include "scenario_runner/Recorded_motion.h"
 #include "temporary_files.h"
 
 #include <gtest/gtest.h>
@@ -88,6 +89,23 @@ inline void expect_refusal(Words arguments, const Words& parts_of_message)
   }
   EXPECT_FALSE(std::filesystem::exists(path));
   EXPECT_FALSE(std::filesystem::exists(path + ".part"));
+}
+
+inline void expect_equal_recordings(const scenario::Recording& frames,
+                                    const scenario::Recording& others)
+{
+  ASSERT_EQ(frames.size(), others.size());
+  for (std::size_t i = 0; i != others.size(); ++i) {
+    SCOPED_TRACE(i);
+    EXPECT_EQ(frames[i].ids, others[i].ids);
+    EXPECT_EQ(frames[i].time, others[i].time);
+    EXPECT_EQ(frames[i].cell, others[i].cell);
+    ASSERT_EQ(frames[i].points.size(), others[i].points.size());
+    for (std::size_t j = 0; j != others[i].points.size(); ++j) {
+      EXPECT_EQ(frames[i].points[j].x, others[i].points[j].x);
+      EXPECT_EQ(frames[i].points[j].y, others[i].points[j].y);
+    }
+  }
 }
 
 // No point, one, two, three points on a line, four, the same four a little further.

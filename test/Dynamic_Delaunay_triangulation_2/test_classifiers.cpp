@@ -16,28 +16,7 @@
 namespace {
 
 using Points = Cloud<Epick>::Points;
-using Exact = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
 using Distance = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Point_distance_classifier_2>;
-using Random = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Random_classifier_2>;
-
-// Notes, before anything is repaired, which edges the exact classifier names and which it should.
-struct Auditing_classifier
-{
-  static constexpr bool is_exact = true;
-  std::shared_ptr<std::size_t> broken = std::make_shared<std::size_t>(0);
-
-  template <class Frame, class Classification>
-  void operator()(const Frame& frame, Classification& classified)
-  {
-    CGAL::Circumcircle_classifier_2()(frame, classified);
-    const std::set<typename Frame::Index> named(classified.edges().begin(),
-                                                classified.edges().end());
-    for (typename Frame::Index e = 0; e < frame.number_of_edges(); ++e) {
-      EXPECT_EQ(named.count(e) == 0, frame.is_delaunay(e)) << "edge " << e;
-      *broken += named.count(e);
-    }
-  }
-};
 
 // A user's own classifier, heuristic: whoever has moved far since it was last looked at.
 struct Fast_mover_classifier
@@ -70,70 +49,6 @@ struct Vertex_classifier
                                                                       : frame.edge(e).source);
   }
 };
-
-TEST(Circumcircle_classifier, names_every_broken_edge_and_no_other)
-{
-  for (const double step : {1e-3, 0.05, 0.5}) {
-    SCOPED_TRACE(testing::Message() << "step " << step);
-    Cloud<Epick> cloud(1);
-    auto points = cloud.uniform(400);
-    Auditing_classifier classifier;
-    CGAL::Dynamic_Delaunay_triangulation_2<Epick, Auditing_classifier> dt(points.begin(),
-                                                                          points.end(), classifier);
-    for (int frame = 0; frame < 10; ++frame) {
-      cloud.shake(points, step);
-      dt.update(points.begin(), points.end());
-    }
-    EXPECT_GT(*classifier.broken, 0u);
-  }
-}
-
-TEST(Circumcircle_classifier, picks_no_vertex_when_everything_moves_turns_and_grows_as_one)
-{
-  Cloud<Epick> cloud(2);
-  const auto points = cloud.uniform(400);
-  Exact dt(points.begin(), points.end());
-  Points moved;
-  for (const auto& p : points)
-    moved.emplace_back(1.7 * p.x() - 0.4 * p.y() + 3, 0.4 * p.x() + 1.7 * p.y() - 8);
-  EXPECT_EQ(dt.update(moved.begin(), moved.end()).classified, 0u);
-}
-
-// The filter must never call a tie, or worse, proved: on the integers all signs are known.
-TEST(Edge_filter, never_proves_what_is_not_so)
-{
-  using namespace CGAL::Dynamic_Delaunay_triangulations_2;
-  using internal::Edge_filter_2;
-  std::mt19937 random(3);
-  std::size_t proved = 0, ties = 0;
-  for (int i = 0; i < 300000; ++i) {
-    // near 2^50 a unit is far below what the determinant can resolve
-    const double base = i % 3 == 0 ? 0 : i % 3 == 1 ? 0x1p20 : 0x1p50;
-    const double scale = i % 2 == 0 ? 1 : 0x1p-300;
-    std::uniform_int_distribution<int> digit(0, i % 5 == 0 ? 1000000 : 3);
-    Position_2 p[4];
-    Epick::Point_2 q[4];
-    for (int k = 0; k < 4; ++k) {
-      p[k] = {(base + digit(random)) * scale, (base + digit(random)) * scale};
-      q[k] = Epick::Point_2(p[k].x, p[k].y);
-    }
-    const Edge_filter_2 filter({p[0], p[1], p[2], p[3]});
-    const auto circle = CGAL::side_of_oriented_circle(q[0], q[1], q[2], q[3]);
-    const auto left = CGAL::orientation(q[0], q[1], q[2]);
-    const auto right = CGAL::orientation(q[3], q[2], q[1]);
-    const bool are_left_turns = left == CGAL::LEFT_TURN && right == CGAL::LEFT_TURN;
-    ASSERT_TRUE(!filter.proves_delaunay() || (are_left_turns && circle == CGAL::ON_NEGATIVE_SIDE));
-    ASSERT_TRUE(!filter.proves_illegal() || (are_left_turns && circle == CGAL::ON_POSITIVE_SIDE));
-    ASSERT_TRUE(!filter.disproves_delaunay() || !are_left_turns ||
-                circle == CGAL::ON_POSITIVE_SIDE);
-    const int sign = internal::filtered_orientation(p[0], p[1], p[2]);
-    ASSERT_TRUE(sign == 0 || sign == int(left));
-    proved += filter.proves_delaunay();
-    ties += circle == CGAL::ON_ORIENTED_BOUNDARY;
-  }
-  EXPECT_GT(proved, 1000u);
-  EXPECT_GT(ties, 1000u);
-}
 
 // Whichever path the machine takes, the same edges are proved.
 TEST(Edge_filter, proves_the_same_edges_plain_and_vectorised)
@@ -222,42 +137,6 @@ TEST(Point_distance_classifier, misses_what_a_distance_cannot_see)
   const Points moved = {{0, 0}, {1, 0}, {0.98, 0.98}, {0, 1}};
   EXPECT_EQ(dt.update(moved.begin(), moved.end()).classified, 0u);
   EXPECT_FALSE(dt.certify());
-}
-
-TEST(Random_classifier, picks_p_of_the_points_and_repeats_under_its_seed)
-{
-  Cloud<Epick> cloud(6);
-  const auto points = cloud.uniform(2000);
-  const double p = 0.05;
-  std::size_t total = 0;
-  Random first(points.begin(), points.end(), CGAL::Random_classifier_2(p, 1));
-  Random same(points.begin(), points.end(), CGAL::Random_classifier_2(p, 1));
-  Random other(points.begin(), points.end(), CGAL::Random_classifier_2(p, 2));
-  bool differs = false;
-  for (int frame = 0; frame < 50; ++frame) {
-    const auto count = first.update(points.begin(), points.end()).classified;
-    EXPECT_EQ(same.update(points.begin(), points.end()).classified, count);
-    differs = other.update(points.begin(), points.end()).classified != count || differs;
-    total += count;
-  }
-  EXPECT_TRUE(differs);
-  const double mean = 50 * 2000 * p, deviation = std::sqrt(mean * (1 - p));
-  EXPECT_NEAR(double(total), mean, 5 * deviation);
-}
-
-TEST(Classifiers, refuse_parameters_out_of_range)
-{
-  EXPECT_THROW(CGAL::Point_distance_classifier_2(-0.1), CGAL::Parameter_error_2);
-  EXPECT_THROW(CGAL::Point_distance_classifier_2(1.1), CGAL::Parameter_error_2);
-  EXPECT_THROW(CGAL::Point_distance_classifier_2(std::nan("")), CGAL::Parameter_error_2);
-  EXPECT_THROW(CGAL::Random_classifier_2(-1e-9), CGAL::Parameter_error_2);
-  try {
-    CGAL::Random_classifier_2(1.5);
-    FAIL() << "no exception";
-  } catch (const CGAL::Parameter_error_2& error) {
-    EXPECT_EQ(error.value(), 1.5);
-    EXPECT_STREQ(error.what(), "the parameter p of random is 1.5: it must be from 0 to 1");
-  }
 }
 
 TEST(Own_classifiers, plug_in_whether_heuristic_or_exact)

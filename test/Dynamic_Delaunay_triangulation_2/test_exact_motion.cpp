@@ -25,6 +25,17 @@ protected:
     expect_exact(dt, points);
     return report;
   }
+
+  // `move` changes the points from frame to frame.
+  template <class Move>
+  static void follow(Points points, int frames, const Move& move)
+  {
+    Dynamic dt(points);
+    for (int frame = 0; frame < frames; ++frame) {
+      move(points, frame);
+      ASSERT_NO_FATAL_FAILURE(update(dt, points)) << "frame " << frame;
+    }
+  }
 };
 
 using Kernels = testing::Types<Epick, Epeck>;
@@ -36,55 +47,42 @@ TYPED_TEST(Exact_motion, follows_random_clouds_at_every_step_size)
     for (unsigned seed = 0; seed < 3; ++seed) {
       SCOPED_TRACE(testing::Message() << "step " << step << ", seed " << seed);
       Cloud<TypeParam> cloud(seed);
-      auto points = cloud.uniform(300);
-      typename TestFixture::Dynamic dt(points.begin(), points.end());
-      for (int frame = 0; frame < 12; ++frame) {
-        cloud.shake(points, step);
-        this->update(dt, points);
-        if (this->HasFatalFailure())
-          return;
-      }
+      ASSERT_NO_FATAL_FAILURE(this->follow(cloud.uniform(300), 12,
+                                           [&](auto& points, int) { cloud.shake(points, step); }));
     }
 }
 
 TYPED_TEST(Exact_motion, follows_tiny_clouds_through_every_degeneracy)
 {
+  using Point = typename Cloud<TypeParam>::Point;
   for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
-    Cloud<TypeParam> cloud(seed);
+    std::mt19937 random(seed);
     std::uniform_int_distribution<int> coordinate(0, 2 + int(seed % 4));
-    typename TestFixture::Points points(1 + seed % 9, typename Cloud<TypeParam>::Point(0, 0));
-    typename TestFixture::Dynamic dt(points.begin(), points.end());
-    for (int frame = 0; frame < 25; ++frame) {
-      for (auto& p : points)
-        if (frame % 2 == 0 || cloud.random()() % 3 == 0) {
-          const int x = coordinate(cloud.random());
-          p = typename Cloud<TypeParam>::Point(x, coordinate(cloud.random()));
+    const typename TestFixture::Points at_origin(1 + seed % 9, Point(0, 0));
+    ASSERT_NO_FATAL_FAILURE(this->follow(at_origin, 25, [&](auto& points, int frame) {
+      for (Point& p : points)
+        if (frame % 2 == 0 || random() % 3 == 0) {
+          const int x = coordinate(random);
+          p = Point(x, coordinate(random));
         }
-      this->update(dt, points);
-      if (this->HasFatalFailure())
-        return;
-    }
+    }));
   }
 }
 
 TYPED_TEST(Exact_motion, follows_lattices_that_tremble_and_come_to_rest)
 {
+  constexpr double steps[] = {0, 1e-15, 1e-9, 1e-3, 0.05, 0};
   for (unsigned seed = 0; seed < 2; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Cloud<TypeParam> cloud(seed);
     const auto lattice = cloud.grid(18, 14);
-    typename TestFixture::Dynamic dt(lattice.begin(), lattice.end());
-    for (const double step : {0., 1e-15, 1e-9, 1e-3, 0.05, 0.}) {
-      auto points = lattice;
-      if (step > 0)
-        cloud.shake(points, step);
-      for (int frame = 0; frame < 3; ++frame) {
-        this->update(dt, points);
-        if (this->HasFatalFailure())
-          return;
+    ASSERT_NO_FATAL_FAILURE(this->follow(lattice, 18, [&](auto& points, int frame) {
+      if (frame % 3 == 0) { // the other frames are at rest
+        points = lattice;
+        cloud.shake(points, steps[frame / 3]);
       }
-    }
+    }));
   }
 }
 
@@ -93,98 +91,63 @@ TYPED_TEST(Exact_motion, follows_points_onto_a_line_along_it_and_off_again)
   for (unsigned seed = 0; seed < 3; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Cloud<TypeParam> cloud(seed);
-    auto points = cloud.uniform(60);
-    typename TestFixture::Dynamic dt(points.begin(), points.end());
-    for (int round = 0; round < 3; ++round) {
-      this->update(dt, cloud.on_line(points.size()));
-      this->update(dt, cloud.on_line(points.size()));
-      this->update(dt, cloud.uniform(points.size()));
-      if (this->HasFatalFailure())
-        return;
-    }
+    ASSERT_NO_FATAL_FAILURE(this->follow(cloud.uniform(60), 9, [&](auto& points, int frame) {
+      points = frame % 3 < 2 ? cloud.on_line(60) : cloud.uniform(60);
+    }));
   }
 }
 
 TYPED_TEST(Exact_motion, follows_points_onto_a_circle_and_off_again)
 {
   Cloud<TypeParam> cloud(5);
-  auto points = cloud.on_circle(36);
-  ASSERT_EQ(points.size(), 36u);
-  typename TestFixture::Dynamic dt(points.begin(), points.end());
-  for (int round = 0; round < 6; ++round) {
-    auto moved = cloud.on_circle(36);
-    std::shuffle(moved.begin(), moved.end(), cloud.random());
-    this->update(dt, moved);
-    cloud.shake(moved, 1e-7);
-    this->update(dt, moved);
-    if (this->HasFatalFailure())
-      return;
-  }
+  const auto circle = cloud.on_circle(36);
+  ASSERT_EQ(circle.size(), 36u);
+  this->follow(circle, 12, [&](auto& points, int frame) {
+    if (frame % 2 == 1)
+      return cloud.shake(points, 1e-7);
+    points = circle;
+    std::shuffle(points.begin(), points.end(), cloud.random());
+  });
 }
 
-TYPED_TEST(Exact_motion, follows_teleports)
+TYPED_TEST(Exact_motion, follows_teleports_of_all_points_and_of_a_few_among_others_at_rest)
 {
   Cloud<TypeParam> cloud(6);
-  auto points = cloud.uniform(400);
-  typename TestFixture::Dynamic dt(points.begin(), points.end());
-  for (int frame = 0; frame < 6; ++frame) {
-    this->update(dt, cloud.uniform(points.size()));
-    if (this->HasFatalFailure())
-      return;
-  }
-}
-
-TYPED_TEST(Exact_motion, follows_a_few_teleports_among_points_at_rest)
-{
-  Cloud<TypeParam> cloud(7);
-  auto points = cloud.uniform(500);
-  typename TestFixture::Dynamic dt(points.begin(), points.end());
-  for (int frame = 0; frame < 20; ++frame) {
+  ASSERT_NO_FATAL_FAILURE(this->follow(
+      cloud.uniform(400), 6, [&](auto& points, int) { points = cloud.uniform(points.size()); }));
+  this->follow(cloud.uniform(500), 20, [&](auto& points, int) {
     const auto elsewhere = cloud.uniform(points.size());
     for (int i = 0; i < 4; ++i)
       points[cloud.random()() % points.size()] = elsewhere[std::size_t(i)];
-    this->update(dt, points);
-    if (this->HasFatalFailure())
-      return;
-  }
+  });
 }
 
 TYPED_TEST(Exact_motion, follows_everything_shrunk_to_1e_100_and_carried_to_1e9)
 {
   Cloud<TypeParam> cloud(8);
-  auto points = cloud.uniform(200);
-  typename TestFixture::Dynamic dt(points.begin(), points.end());
-  for (int round = 0; round < 3; ++round) {
-    cloud.shake(points, 0.02);
-    this->update(dt, scaled<TypeParam>(points, 1e-100));
-    cloud.shake(points, 0.02);
-    this->update(dt, scaled<TypeParam>(points, 1, 1e9));
-    cloud.shake(points, 0.02);
-    this->update(dt, scaled<TypeParam>(points, 1e100));
-    if (this->HasFatalFailure())
-      return;
-  }
+  auto first = cloud.uniform(200);
+  this->follow(first, 9, [&](auto& points, int frame) {
+    cloud.shake(first, 0.02);
+    points = frame % 3 == 0   ? scaled<TypeParam>(first, 1e-100)
+             : frame % 3 == 1 ? scaled<TypeParam>(first, 1, 1e9)
+                              : scaled<TypeParam>(first, 1e100);
+  });
 }
 
 TYPED_TEST(Exact_motion, needs_no_rebuild_when_everything_is_shrunk_or_turned_around)
 {
-  Cloud<TypeParam> cloud(9);
-  const auto points = cloud.uniform(200);
-  typename TestFixture::Dynamic dt(points.begin(), points.end());
+  const auto points = Cloud<TypeParam>(9).uniform(200);
+  typename TestFixture::Dynamic dt(points);
   EXPECT_FALSE(this->update(dt, scaled<TypeParam>(points, 0.5)).rebuilt());
   EXPECT_FALSE(this->update(dt, scaled<TypeParam>(points, -2)).rebuilt());
 }
 
 TYPED_TEST(Exact_motion, follows_everything_mirrored_in_one_frame)
 {
-  Cloud<TypeParam> cloud(10);
-  const auto points = cloud.uniform(200);
-  typename TestFixture::Dynamic dt(points.begin(), points.end());
-  typename TestFixture::Points mirrored;
-  for (const auto& p : points)
-    mirrored.emplace_back(-p.x(), p.y());
-  this->update(dt, mirrored);
-  this->update(dt, points);
+  this->follow(Cloud<TypeParam>(10).uniform(200), 2, [](auto& points, int) {
+    for (auto& p : points)
+      p = typename Cloud<TypeParam>::Point(-p.x(), p.y());
+  });
 }
 
 TYPED_TEST(Exact_motion, keeps_coincident_points_for_any_number_of_frames)
@@ -192,44 +155,37 @@ TYPED_TEST(Exact_motion, keeps_coincident_points_for_any_number_of_frames)
   for (unsigned seed = 0; seed < 4; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Cloud<TypeParam> cloud(seed);
-    auto points = cloud.uniform(80);
-    typename TestFixture::Dynamic dt(points.begin(), points.end());
-    for (int frame = 0; frame < 15; ++frame) {
+    ASSERT_NO_FATAL_FAILURE(this->follow(cloud.uniform(80), 15, [&](auto& points, int frame) {
       cloud.shake(points, 0.01);
       if (frame % 5 != 4) // pairs and a triple that meet, stay together, and part every fifth frame
         for (std::size_t i = 0; i < 6; ++i)
           points[i] = points[i < 3 ? 50 : 60 + i];
-      this->update(dt, points);
-      if (this->HasFatalFailure())
-        return;
-    }
+    }));
   }
 }
 
 TYPED_TEST(Exact_motion, follows_all_points_into_one_place_and_out_again)
 {
-  Cloud<TypeParam> cloud(11);
-  auto points = cloud.uniform(40);
-  typename TestFixture::Dynamic dt(points.begin(), points.end());
-  this->update(dt, typename TestFixture::Points(40, points[7]));
-  this->update(dt, typename TestFixture::Points(40, points[8]));
-  this->update(dt, points);
+  const auto first = Cloud<TypeParam>(11).uniform(40);
+  this->follow(first, 3, [&](auto& points, int frame) {
+    points = first;
+    if (frame < 2)
+      points.assign(40, first[std::size_t(7 + frame)]);
+  });
 }
 
 TYPED_TEST(Exact_motion, follows_two_points_that_swap_and_a_hull_that_turns_inside_out)
 {
-  Cloud<TypeParam> cloud(12);
-  auto points = cloud.uniform(150);
-  typename TestFixture::Dynamic dt(points.begin(), points.end());
-  std::swap(points[3], points[4]);
-  this->update(dt, points);
-  typename TestFixture::Points inverted;
-  for (const auto& p : points) { // inversion in a circle around a point inside
-    const double x = CGAL::to_double(p.x()) - 6.1, y = CGAL::to_double(p.y()) - 6.2;
-    inverted.emplace_back(x / (x * x + y * y), y / (x * x + y * y));
-  }
-  this->update(dt, inverted);
-  this->update(dt, points);
+  auto swapped = Cloud<TypeParam>(12).uniform(150);
+  std::swap(swapped[3], swapped[4]);
+  this->follow(Cloud<TypeParam>(12).uniform(150), 3, [&](auto& points, int frame) {
+    points = swapped;
+    for (auto& p : points) // inversion in a circle around a point inside
+      if (frame == 1) {
+        const double x = CGAL::to_double(p.x()) - 6.1, y = CGAL::to_double(p.y()) - 6.2;
+        p = typename Cloud<TypeParam>::Point(x / (x * x + y * y), y / (x * x + y * y));
+      }
+  });
 }
 
 // A star of six faces around vertex 0 that winds around it twice: all faces counterclockwise, all

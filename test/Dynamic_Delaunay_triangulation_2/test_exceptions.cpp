@@ -201,9 +201,11 @@ class Memory : public testing::Test
 protected:
   using Change = std::function<void(Dynamic&)>;
 
-  static void expect_survival_of(const Points& points, const Change& change)
+  // Of each of the changes, from the same points.
+  static void expect_survival_of(const Points& points, const std::vector<Change>& changes)
   {
-    expect_survival(scene<Dynamic>(points, change));
+    for (const Change& change : changes)
+      ASSERT_NO_FATAL_FAILURE(expect_survival(scene<Dynamic>(points, change)));
   }
 
   static Change update(const Points& points)
@@ -254,24 +256,19 @@ using Triangulations =
                    Watched_triangulation<Epick, CGAL::Point_distance_classifier_2>>;
 TYPED_TEST_SUITE(Memory, Triangulations);
 
-TYPED_TEST(Memory, may_run_out_in_an_update_that_breaks_little)
+TYPED_TEST(Memory, may_run_out_in_an_update_that_breaks_little_or_everything)
 {
   const Points points = this->cloud.uniform(60);
   Points moved = points;
   this->cloud.shake(moved, 0.06);
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(points, this->update(moved)));
-}
-
-TYPED_TEST(Memory, may_run_out_in_an_update_that_breaks_everything)
-{
-  const Points points = this->cloud.uniform(60), elsewhere = this->cloud.uniform(60);
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(points, this->update(elsewhere)));
+  const Points elsewhere = this->cloud.uniform(60);
+  this->expect_survival_of(points, {this->update(moved), this->update(elsewhere)});
 }
 
 TYPED_TEST(Memory, may_run_out_in_an_update_that_numbers_the_vertices_anew)
 {
   const Points points = this->cloud.uniform(300), elsewhere = this->cloud.uniform(300);
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(points, this->update(elsewhere)));
+  this->expect_survival_of(points, {this->update(elsewhere)});
 }
 
 TYPED_TEST(Memory, may_run_out_in_a_mending)
@@ -279,21 +276,10 @@ TYPED_TEST(Memory, may_run_out_in_a_mending)
   const Points points = this->cloud.uniform(60);
   Points moved = points;
   this->cloud.shake(moved, 0.15);
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(points, this->mend_after(moved)));
+  this->expect_survival_of(points, {this->mend_after(moved)});
 }
 
-TYPED_TEST(Memory, may_run_out_when_points_meet_by_an_update)
-{
-  const Points points = this->cloud.uniform(60);
-  Points few = points, many = points;
-  few[3] = few[4] = few[5] = points[6];
-  for (std::size_t i = 0; i < 30; ++i)
-    many[i] = points[30 + i % 7];
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(points, this->update(few)));
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(points, this->update(many)));
-}
-
-TYPED_TEST(Memory, may_run_out_when_points_part_by_an_update)
+TYPED_TEST(Memory, may_run_out_when_points_meet_and_part_by_an_update)
 {
   const Points points = this->cloud.uniform(60);
   Points few = points, many = points, moved = points;
@@ -301,42 +287,39 @@ TYPED_TEST(Memory, may_run_out_when_points_part_by_an_update)
   few[3] = few[4] = few[5] = points[6];
   for (std::size_t i = 0; i < 30; ++i)
     many[i] = points[30 + i % 7];
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(few, this->update(points)));
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(few, this->update(moved)));
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(many, this->update(points)));
+  ASSERT_NO_FATAL_FAILURE(
+      this->expect_survival_of(points, {this->update(few), this->update(many)}));
+  ASSERT_NO_FATAL_FAILURE(
+      this->expect_survival_of(few, {this->update(points), this->update(moved)}));
+  this->expect_survival_of(many, {this->update(points)});
 }
 
 TYPED_TEST(Memory, may_run_out_on_the_way_onto_a_line_along_it_and_off_again)
 {
   const Points line = this->cloud.on_line(20), other_line = this->cloud.on_line(20);
   const Points plane = this->cloud.uniform(20);
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(plane, this->update(line)));
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(line, this->update(other_line)));
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(line, this->update(plane)));
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(line, this->insert({Point(0, 5000)})));
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(line, this->remove(5, 7)));
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(line, this->move(2, {Point(0, 9000)})));
+  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(plane, {this->update(line)}));
+  this->expect_survival_of(line, {this->update(other_line), this->update(plane),
+                                  this->insert({Point(0, 5000)}), this->remove(5, 7),
+                                  this->move(2, {Point(0, 9000)})});
 }
 
 TYPED_TEST(Memory, may_run_out_when_points_come)
 {
   const Points points = this->cloud.uniform(60), others = this->cloud.uniform(60);
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of({}, this->insert({points[0]})));
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of({}, this->insert(points)));
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(points, this->insert({others[0]})));
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(
-      points, this->insert({others[0], points[5], Point(-9, 4), others[1], others[0], others[2]})));
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(points, this->insert(others)));
+  const Points some = {others[0], points[5], Point(-9, 4), others[1], others[0], others[2]};
+  ASSERT_NO_FATAL_FAILURE(
+      this->expect_survival_of({}, {this->insert({points[0]}), this->insert(points)}));
+  this->expect_survival_of(points,
+                           {this->insert({others[0]}), this->insert(some), this->insert(others)});
 }
 
 TYPED_TEST(Memory, may_run_out_when_points_go)
 {
   Points points = this->cloud.uniform(60);
   points.insert(points.begin(), 3, points[0]);
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of({points[0]}, this->remove(0, 1)));
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(points, this->remove(40, 41)));
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(points, this->remove(1, 7)));
-  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(points, this->remove(0, 40)));
+  ASSERT_NO_FATAL_FAILURE(this->expect_survival_of({points[0]}, {this->remove(0, 1)}));
+  this->expect_survival_of(points, {this->remove(40, 41), this->remove(1, 7), this->remove(0, 40)});
 }
 
 TYPED_TEST(Memory, may_run_out_when_some_points_move)
@@ -349,9 +332,8 @@ TYPED_TEST(Memory, may_run_out_when_some_points_move)
     this->cloud.shake(near, 0.05);
     const Points far(elsewhere.begin(), elsewhere.begin() + std::ptrdiff_t(number));
     const Points onto_others(points.end() - std::ptrdiff_t(number), points.end());
-    ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(points, this->move(0, near)));
-    ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(points, this->move(0, far)));
-    ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(points, this->move(0, onto_others)));
+    ASSERT_NO_FATAL_FAILURE(this->expect_survival_of(
+        points, {this->move(0, near), this->move(0, far), this->move(0, onto_others)}));
   }
 }
 
@@ -560,46 +542,36 @@ protected:
 
 TEST_F(Ranges, may_throw_at_any_element_and_nothing_changes)
 {
-  const auto fused = [](const auto& range, const Fuse& fuse) {
-    return std::pair(Fused_iterator(range.begin(), fuse), Fused_iterator(range.end(), fuse));
+  const auto expect_of = [&](const auto& range, const auto& call) {
+    expect_nothing_changes(dt, [&](const Fuse& fuse) {
+      call(Fused_iterator(range.begin(), fuse), Fused_iterator(range.end(), fuse));
+    });
   };
-  ASSERT_NO_FATAL_FAILURE(expect_nothing_changes(dt, [&](const Fuse& fuse) {
-    const auto [first, beyond] = fused(others, fuse);
-    dt.update(first, beyond);
-  }));
-  ASSERT_NO_FATAL_FAILURE(expect_nothing_changes(dt, [&](const Fuse& fuse) {
-    const auto [first, beyond] = fused(movers, fuse);
-    dt.move(first, beyond);
-  }));
-  ASSERT_NO_FATAL_FAILURE(expect_nothing_changes(dt, [&](const Fuse& fuse) {
-    const auto [first, beyond] = fused(points, fuse);
+  expect_of(others, [&](auto first, auto beyond) { dt.update(first, beyond); });
+  expect_of(movers, [&](auto first, auto beyond) { dt.move(first, beyond); });
+  expect_of(points, [&](auto first, auto beyond) {
     dt.insert(first, beyond, std::back_inserter(new_ids));
-  }));
-  ASSERT_NO_FATAL_FAILURE(expect_nothing_changes(dt, [&](const Fuse& fuse) {
-    const auto [first, beyond] = fused(ids, fuse);
-    dt.remove(first, beyond);
-  }));
+  });
+  expect_of(ids, [&](auto first, auto beyond) { dt.remove(first, beyond); });
 }
 
 TEST_F(Ranges, may_be_read_by_property_maps_that_throw_and_nothing_changes)
 {
-  ASSERT_NO_FATAL_FAILURE(expect_nothing_changes(dt, [&](const Fuse& fuse) {
+  const auto update_to_others = [&](const Fuse& fuse) {
     dt.update(others.begin(), others.end(), Fused_map<Point>{fuse});
-  }));
-  ASSERT_NO_FATAL_FAILURE(expect_nothing_changes(dt, [&](const Fuse& fuse) {
+  };
+  expect_nothing_changes(dt, update_to_others);
+  expect_nothing_changes(dt, [&](const Fuse& fuse) {
     dt.insert(points.begin(), points.end(), Fused_map<Point>{fuse}, std::back_inserter(new_ids));
-  }));
-  points = others; // no duplicates
-  dt = Exact(points.begin(), points.end());
-  ASSERT_NO_FATAL_FAILURE(expect_nothing_changes(dt, [&](const Fuse& fuse) {
-    dt.update(points.begin(), points.end(), Fused_map<Point>{fuse});
-  }));
+  });
+  dt = Exact(others.begin(), others.end()); // no duplicates
+  expect_nothing_changes(dt, update_to_others);
 }
 
 TEST_F(Ranges, of_ids_may_have_no_room_for_newcomers_and_none_comes)
 {
-  ASSERT_NO_FATAL_FAILURE(expect_nothing_changes(
-      dt, [&](const Fuse& fuse) { dt.insert(others.begin(), others.end(), Fused_output{fuse}); }));
+  expect_nothing_changes(
+      dt, [&](const Fuse& fuse) { dt.insert(others.begin(), others.end(), Fused_output{fuse}); });
 }
 
 TEST_F(Ranges, of_populations_may_throw_at_any_element_and_nothing_changes)

@@ -136,6 +136,15 @@ void expect_no_contradiction(const Quadruple& q, const Signs& signs)
   ASSERT_TRUE(side == 0 || side == signs.side) << text(q);
 }
 
+// Of three terms one overflowed, and the bound did not: the tie counted as an empty circle.
+TEST_F(Predicates, of_the_filters_see_a_tie_in_a_huge_square)
+{
+  const Position_2 a{-1e77, 0}, b{-1e77, -1e77}, c{0, -1e77}, d{0, 0};
+  EXPECT_EQ(internal::filtered_in_circle(a, b, c, d), 0);
+  const Quadruple with_diagonal{{a, b, d, c}};
+  expect_no_contradiction(with_diagonal, Signs(with_diagonal));
+}
+
 using Angles = std::array<double, 4>;
 
 // In the order of the corners of an edge, so that its faces are counterclockwise.

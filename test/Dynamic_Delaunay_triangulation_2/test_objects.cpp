@@ -68,6 +68,8 @@ void expect_to_work_after_a_move(const Classifier& classifier)
   dt = std::move(target);
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
   EXPECT_EQ(target.number_of_points(), 0u);
+  target = Moved(others.begin(), others.end(), classifier);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(target, others));
 }
 
 TEST(Objects, that_were_moved_from_are_empty_and_work)

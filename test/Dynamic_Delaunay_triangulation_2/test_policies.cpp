@@ -205,18 +205,6 @@ double step_of(int frame)
   return steps[(frame / 4) % 7];
 }
 
-TEST(Hybrid_policy, is_exact_with_the_exact_classifier_whatever_the_motion)
-{
-  Cloud<Epick> cloud(6);
-  auto points = cloud.uniform(400);
-  auto dt = triangulation(points, CGAL::Hybrid_policy_2());
-  for (int frame = 0; frame < 60; ++frame) {
-    cloud.shake(points, step_of(frame));
-    update(dt, points);
-    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
-  }
-}
-
 template <class Classifier>
 void expect_equal_reports()
 {
@@ -387,46 +375,7 @@ TEST(Hybrid_policy, does_well_with_few_points_that_coincide_and_stand_on_lines)
 }
 
 // -------------------------------------------------------------------------------------------------
-// Users' policies, and what classifiers remember.
-
-struct Failure_of_a_user
-{
-};
-
-// Throws when told to.
-struct Faulty_policy
-{
-  std::shared_ptr<bool> is_faulty = std::make_shared<bool>(false);
-
-  template <class Frame>
-  bool wants_rebuild(const Frame&) const
-  {
-    if (*is_faulty)
-      throw Failure_of_a_user();
-    return false;
-  }
-
-  template <class Frame>
-  void after_update(const Frame&, const CGAL::Update_report_2&) const
-  {
-  }
-};
-
-TEST(Faulty_policy, changes_nothing)
-{
-  Cloud<Epick> cloud(12);
-  const auto points = cloud.uniform(200);
-  auto moved = points;
-  cloud.shake(moved, 0.1);
-  const Faulty_policy policy;
-  auto dt = triangulation(points, policy);
-  *policy.is_faulty = true;
-  EXPECT_THROW(update(dt, moved), Failure_of_a_user);
-  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
-  *policy.is_faulty = false;
-  update(dt, moved);
-  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, moved));
-}
+// What classifiers remember.
 
 template <class Classifier>
 class Classifiers_under_policies : public testing::Test

@@ -129,32 +129,18 @@ TYPED_TEST(Population, comes_and_goes_one_by_one_at_random_places)
   ASSERT_NO_FATAL_FAILURE(this->expect_exact_one_by_one(Cloud<TypeParam>(1).uniform(120), 1));
 }
 
-TYPED_TEST(Population, comes_and_goes_one_by_one_on_a_lattice)
+TYPED_TEST(Population, comes_and_goes_one_by_one_on_lattices_circles_and_lines_and_beside_them)
 {
-  for (unsigned seed = 0; seed < 3; ++seed)
-    ASSERT_NO_FATAL_FAILURE(
-        this->expect_exact_one_by_one(this->shuffled(Cloud<TypeParam>::grid(7, 7), seed), seed));
   ASSERT_NO_FATAL_FAILURE(this->expect_exact_one_by_one(Cloud<TypeParam>::grid(8, 6), 4));
-}
-
-TYPED_TEST(Population, comes_and_goes_one_by_one_on_a_circle_with_and_without_its_center)
-{
-  for (unsigned seed = 0; seed < 3; ++seed) {
-    auto points = Cloud<TypeParam>::on_circle(36);
-    if (seed > 0)
-      points.emplace_back(0, 0);
-    ASSERT_NO_FATAL_FAILURE(this->expect_exact_one_by_one(this->shuffled(points, seed), seed));
-  }
-}
-
-TYPED_TEST(Population, comes_and_goes_one_by_one_on_a_line_and_beside_it)
-{
   for (unsigned seed = 0; seed < 6; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
-    auto points = Cloud<TypeParam>(seed).on_line(24);
+    auto circle = Cloud<TypeParam>::on_circle(36), line = Cloud<TypeParam>(seed).on_line(24);
+    if (seed > 0)
+      circle.emplace_back(0, 0);
     for (unsigned i = 0; i < seed; ++i)
-      points.emplace_back(int(i), 5000 * int(i % 2) - 2500);
-    ASSERT_NO_FATAL_FAILURE(this->expect_exact_one_by_one(this->shuffled(points, seed), seed));
+      line.emplace_back(int(i), 5000 * int(i % 2) - 2500);
+    for (const auto& points : {Cloud<TypeParam>::grid(7, 7), circle, line})
+      ASSERT_NO_FATAL_FAILURE(this->expect_exact_one_by_one(this->shuffled(points, seed), seed));
   }
 }
 
@@ -521,20 +507,6 @@ TYPED_TEST(Population, moves_some_near_and_far_and_the_others_stay)
     }
 }
 
-TYPED_TEST(Population, swaps_points_in_place)
-{
-  auto points = Cloud<TypeParam>(12).uniform(200);
-  typename TestFixture::Dynamic dt(points.begin(), points.end());
-  for (std::size_t i = 0; i < 20; ++i) {
-    const std::size_t j = 199 - 7 * i;
-    std::swap(points[i], points[j]);
-    const std::vector<std::pair<std::size_t, typename TestFixture::Point>> movers = {
-        {i, points[i]}, {j, points[j]}};
-    dt.move(movers.begin(), movers.end());
-    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
-  }
-}
-
 TYPED_TEST(Population, moves_points_onto_others_and_all_to_one_place_and_back)
 {
   const auto home = Cloud<TypeParam>(13).uniform(100);
@@ -838,21 +810,6 @@ TYPED_TEST(User_ids, that_are_repeated_and_bad_coordinates_change_nothing)
   ASSERT_NO_FATAL_FAILURE(this->expect_right(people, frame));
 }
 
-TEST(User_id_report, says_that_a_frame_without_newcomers_is_certified)
-{
-  CGAL::Dynamic_population_2<Exact> people;
-  std::vector<std::pair<int, Epick::Point_2>> frame;
-  EXPECT_TRUE(people.update(frame.begin(), frame.end()).certified);
-  frame = {{3, {0, 0}}, {5, {1, 0}}, {9, {0, 1}}, {2, {3, 1}}};
-  EXPECT_TRUE(people.update(frame.begin(), frame.end()).certified);
-  EXPECT_TRUE(people.update(frame.begin(), frame.end()).certified);
-  frame.pop_back();
-  EXPECT_TRUE(people.update(frame.begin(), frame.end()).certified);
-  frame.clear();
-  EXPECT_TRUE(people.update(frame.begin(), frame.end()).certified);
-  EXPECT_EQ(people.size(), 0u);
-}
-
 // Tables: a std::map is told the same.
 template <class UserId>
 void expect_a_table_like_a_map(const std::vector<UserId>& user_ids, unsigned seed)
@@ -1059,13 +1016,9 @@ void expect_references_kept(const Classifier& classifier, double little, double 
   EXPECT_GT(classified_far_away(dt, points), 0u) << "stretched further";
 }
 
-TEST(References, of_point_distance_stay_where_nothing_came_or_went)
+TEST(References, of_lengths_stay_where_nothing_came_or_went)
 {
   expect_references_kept(CGAL::Point_distance_classifier_2(0.7), 0.25, 0.1);
-}
-
-TEST(References, of_inflation_awareness_stay_where_nothing_came_or_went)
-{
   expect_references_kept(CGAL::Inflation_aware_classifier_2(0.7), 0.25, 0.4);
 }
 

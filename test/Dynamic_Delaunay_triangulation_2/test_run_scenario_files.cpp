@@ -281,10 +281,4 @@ TEST(Tables_on_the_page, say_what_values_may_be)
   }
 }
 
-TEST(Help, names_the_page)
-{
-  EXPECT_TRUE(contains(run_program({"--help"}).output,
-                       "doc/Dynamic_Delaunay_triangulation_2/Scenario_files.txt"));
-}
-
 } // namespace

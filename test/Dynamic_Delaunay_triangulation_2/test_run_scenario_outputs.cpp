@@ -230,27 +230,6 @@ scenario::Recording read_xyz(const std::string& path)
   return frames;
 }
 
-void expect_equal_points(const std::vector<scenario::Point>& points,
-                         const std::vector<scenario::Point>& others)
-{
-  ASSERT_EQ(points.size(), others.size());
-  for (std::size_t i = 0; i != points.size(); ++i) {
-    EXPECT_EQ(points[i].x, others[i].x);
-    EXPECT_EQ(points[i].y, others[i].y);
-  }
-}
-
-void expect_equal_recordings(const scenario::Recording& frames, const scenario::Recording& others)
-{
-  ASSERT_EQ(frames.size(), others.size());
-  for (std::size_t i = 0; i != frames.size(); ++i) {
-    SCOPED_TRACE(i);
-    EXPECT_EQ(frames[i].time, others[i].time);
-    EXPECT_EQ(frames[i].ids, others[i].ids);
-    expect_equal_points(frames[i].points, others[i].points);
-  }
-}
-
 scenario::Recording recording_of(const Collection& collection)
 {
   scenario::Recording frames;
@@ -307,6 +286,16 @@ Written write_all(const std::string& name, Words arguments)
   EXPECT_TRUE(outcome.succeeded);
   EXPECT_EQ(outcome.output + outcome.errors, "");
   return written;
+}
+
+// All formats hold that. Returns the grids.
+Collection expect_all_formats(const Written& written, const scenario::Recording& recording)
+{
+  Collection collection = read_collection(written.directory);
+  expect_equal_recordings(scenario::read_lammps_dump(written.dump), recording);
+  expect_equal_recordings(read_xyz(written.xyz), recording);
+  expect_equal_recordings(recording_of(collection), recording);
+  return collection;
 }
 
 // Points that come, go, change their place in the row, meet and part, at coordinates that take all
@@ -456,13 +445,7 @@ TEST(Vtk, has_the_sets_that_a_splice_had)
 TEST(Formats, keep_every_bit_of_a_recording_whose_population_changes)
 {
   const std::string csv = write_file("lively.csv", lively_csv());
-  const scenario::Recording recording = scenario::read_csv_motion(csv);
-  const Written written = write_all("lively", {csv});
-  expect_equal_recordings(scenario::read_lammps_dump(written.dump), recording);
-  expect_equal_recordings(read_xyz(written.xyz), recording);
-  const Collection collection = read_collection(written.directory);
-  expect_equal_recordings(recording_of(collection), recording);
-  expect_delaunay(collection);
+  expect_delaunay(expect_all_formats(write_all("lively", {csv}), scenario::read_csv_motion(csv)));
 }
 
 TEST(Formats, agree_about_a_heuristic_run)
@@ -471,19 +454,14 @@ TEST(Formats, agree_about_a_heuristic_run)
                                                   "--classifier", "point_distance:0.5"});
   const scenario::Recording recording = scenario::read_lammps_dump(written.dump);
   EXPECT_EQ(recording.size(), 21u);
-  expect_equal_recordings(read_xyz(written.xyz), recording);
-  expect_equal_recordings(recording_of(read_collection(written.directory)), recording);
+  expect_all_formats(written, recording);
 }
 
 TEST(Formats, can_do_with_no_point_one_two_and_three_points_on_a_line)
 {
   const std::string path = write_file("few.lammpstrj", small_dump());
-  const Written written = write_all("few", {path});
-  const scenario::Recording recording = scenario::read_lammps_dump(path);
-  expect_equal_recordings(scenario::read_lammps_dump(written.dump), recording);
-  expect_equal_recordings(read_xyz(written.xyz), recording);
-  const Collection collection = read_collection(written.directory);
-  expect_equal_recordings(recording_of(collection), recording);
+  const Collection collection =
+      expect_all_formats(write_all("few", {path}), scenario::read_lammps_dump(path));
   std::vector<std::size_t> numbers_of_triangles;
   for (const Grid& grid : collection.grids) {
     numbers_of_triangles.push_back(grid.triangles.size());
@@ -497,11 +475,7 @@ TEST(Formats, can_do_with_the_largest_numbers)
                                                   "0,0,1,-1.7e308,5e-324\n0,0,2,1.7e308,0\n"
                                                   "0,0,9223372036854775807,0,1.7976e308\n"
                                                   "0,0,-9223372036854775808,-0.0,-1e300\n");
-  const scenario::Recording recording = scenario::read_csv_motion(csv);
-  const Written written = write_all("large", {csv});
-  expect_equal_recordings(scenario::read_lammps_dump(written.dump), recording);
-  expect_equal_recordings(read_xyz(written.xyz), recording);
-  expect_equal_recordings(recording_of(read_collection(written.directory)), recording);
+  expect_all_formats(write_all("large", {csv}), scenario::read_csv_motion(csv));
 }
 
 TEST(Formats, of_a_dump_that_is_run_again_are_the_same)
@@ -521,10 +495,9 @@ TEST(Every, chooses_the_frames_of_all_formats)
   const std::filesystem::path pictures = temporary_path("every_pictures");
   const Written written = write_all("every", {"brownian", "--points", "20", "--frames", "10",
                                               "--every", "4", "--svg", pictures.string()});
-  const Collection collection = read_collection(written.directory);
+  const Collection collection =
+      expect_all_formats(written, scenario::read_lammps_dump(written.dump));
   EXPECT_EQ(collection.times, (std::vector<double>{0.0, 4.0, 8.0, 10.0}));
-  expect_equal_recordings(recording_of(collection), scenario::read_lammps_dump(written.dump));
-  expect_equal_recordings(recording_of(collection), read_xyz(written.xyz));
   std::set<std::string> names;
   for (const auto& file : std::filesystem::directory_iterator(pictures)) {
     names.insert(file.path().filename().string());
@@ -556,9 +529,12 @@ TEST(Every, is_refused_where_it_says_nothing)
 TEST(Wrong_paths, end_the_run_before_it_starts)
 {
   const std::string nan_point = temporary_path("no_such_directory/file");
-  expect_refusal({"--xyz", nan_point}, {nan_point, "cannot be written"});
-  expect_refusal({"--lammps", nan_point}, {nan_point, "cannot be written"});
-  expect_refusal({"--vtk", write_file("no_directory", "")}, {"no_directory", "directory"});
+  for (const char* option : {"--csv", "--xyz", "--lammps"}) {
+    expect_refusal({option, nan_point}, {nan_point, "cannot be written"});
+  }
+  for (const char* option : {"--svg", "--vtk"}) {
+    expect_refusal({option, write_file("no_directory", "")}, {"no_directory", "directory"});
+  }
 }
 
 TEST(One_file, for_two_outputs_is_refused)
@@ -592,16 +568,19 @@ TEST(Files, of_a_run_that_fails_are_as_they_were)
   }
   const std::string xyz = write_file("kept.xyz", "old"), dump = write_file("kept.dump", "old");
   const std::filesystem::path directory = temporary_path("kept");
+  const std::string pictures = temporary_path("kept_pictures");
   const Outcome outcome =
       run_program({"dam_break", "--points", "50", "--frames", "9", "--csv", "/dev/full", "--xyz",
-                   xyz, "--lammps", dump, "--vtk", directory.string()});
+                   xyz, "--lammps", dump, "--vtk", directory.string(), "--svg", pictures});
   EXPECT_FALSE(outcome.succeeded);
   EXPECT_TRUE(contains(outcome.errors, "/dev/full: cannot be written to its end: No space left"))
       << outcome.errors;
   EXPECT_EQ(content_of(xyz), "old");
   EXPECT_EQ(content_of(dump), "old");
-  EXPECT_FALSE(std::filesystem::exists(directory / "frames.pvd"));
-  EXPECT_FALSE(std::filesystem::exists(directory / "frames.pvd.part"));
+  for (const std::string& file : {(directory / "frames.pvd").string(), pictures + "/index.html"}) {
+    EXPECT_FALSE(std::filesystem::exists(file));
+    EXPECT_FALSE(std::filesystem::exists(file + ".part"));
+  }
 }
 
 // Not after the last one of many frames.
@@ -670,14 +649,6 @@ TEST(Frame_log, has_times_that_do_not_drift_in_few_digits)
   const std::string rows = content_of(log);
   EXPECT_TRUE(contains(rows, "\n1,0.3,20,")) << rows;
   EXPECT_TRUE(contains(rows, "\n40,12,20,")) << rows;
-}
-
-TEST(Help, lists_the_formats)
-{
-  const Outcome outcome = run_program({"--help"});
-  for (const char* word : {"--vtk", "ParaView", "--xyz", "--lammps", "--every"}) {
-    EXPECT_TRUE(contains(outcome.output, word)) << word;
-  }
 }
 
 } // namespace

@@ -627,22 +627,6 @@ TEST(Discs_on_a_torus, collide_across_its_sides)
   EXPECT_GT(recording.back().points[1].x, 15.0);
 }
 
-void expect_equal_recordings(const Recording& frames_read, const Recording& others)
-{
-  ASSERT_EQ(frames_read.size(), others.size());
-  for (std::size_t i = 0; i != others.size(); ++i) {
-    SCOPED_TRACE(i);
-    EXPECT_EQ(frames_read[i].ids, others[i].ids);
-    EXPECT_EQ(frames_read[i].time, others[i].time);
-    EXPECT_EQ(frames_read[i].cell, others[i].cell);
-    ASSERT_EQ(frames_read[i].points.size(), others[i].points.size());
-    for (std::size_t j = 0; j != others[i].points.size(); ++j) {
-      EXPECT_EQ(frames_read[i].points[j].x, others[i].points[j].x);
-      EXPECT_EQ(frames_read[i].points[j].y, others[i].points[j].y);
-    }
-  }
-}
-
 TEST(Outputs_with_a_cell, are_read_back_as_the_same_motion)
 {
   const double third = 1.0 / 3.0; // whose sums are rounded

@@ -187,17 +187,4 @@ TEST(Page_of_pictures, has_what_its_script_moves)
   }
 }
 
-TEST(Page_of_pictures, is_not_left_by_a_run_that_fails)
-{
-  if (!std::filesystem::exists("/dev/full")) {
-    GTEST_SKIP() << "there is no device that is full";
-  }
-  const std::string path = temporary_path("failed");
-  EXPECT_FALSE(run_program({"dam_break", "--points", "50", "--frames", "9", "--svg", path, "--csv",
-                            "/dev/full"})
-                   .succeeded);
-  EXPECT_FALSE(std::filesystem::exists(path + "/index.html"));
-  EXPECT_FALSE(std::filesystem::exists(path + "/index.html.part"));
-}
-
 } // namespace

@@ -1161,6 +1161,20 @@ protected:
   {
     return Dynamic(points.begin(), points.end(), Audited<Classifier>());
   }
+
+  // From where `points_at(0)` says. Returns what has become of it.
+  template <class Motion>
+  static Dynamic followed(int frames, const Motion& points_at)
+  {
+    Dynamic dt = triangulation_of(points_at(0));
+    expect_followed(dt, frames, points_at);
+    return dt;
+  }
+
+  static Dynamic followed(int frames, const Trembling<Epick>& trembling)
+  {
+    return followed(frames, [&](int frame) { return trembling.at(frame); });
+  }
 };
 
 using Skipping_classifiers = testing::Types<CGAL::Circumcircle_classifier_2, Eager_classifier>;
@@ -1171,11 +1185,7 @@ TYPED_TEST(Skipping, follows_clouds_that_tremble_at_any_amplitude)
   for (const auto& means : all_means<Epick>())
     for (const double amplitude : {1e-7, 1e-5, 1e-4, 1e-3, 1e-2}) {
       SCOPED_TRACE(testing::Message() << means.name << ", amplitude " << amplitude);
-      const Trembling<Epick> trembling(means, amplitude);
-      auto dt = this->triangulation_of(trembling.at(0));
-      expect_followed(dt, 200, [&](int frame) { return trembling.at(frame); });
-      if (this->HasFatalFailure())
-        return;
+      ASSERT_NO_FATAL_FAILURE(this->followed(200, {means, amplitude}));
     }
 }
 
@@ -1186,9 +1196,7 @@ TYPED_TEST(Skipping, happens_in_max_frames_of_calm_clouds)
     if (means.name == "circle") // nothing but ties
       continue;
     SCOPED_TRACE(means.name);
-    const Trembling<Epick> trembling(means, 1e-6);
-    auto dt = this->triangulation_of(trembling.at(0));
-    expect_followed(dt, 100, [&](int frame) { return trembling.at(frame); });
+    const auto dt = this->followed(100, {means, 1e-6});
     EXPECT_EQ(dt.classifier().frames, 100u);
     const bool hull_keeps_changing = means.name == "hexagonal lattice";
     EXPECT_GT(frames_known_to_skip(dt.classifier()), hull_keeps_changing ? 20u : 50u);
@@ -1219,16 +1227,14 @@ TYPED_TEST(Skipping, follows_clouds_whose_points_are_all_at_the_edge_of_the_tole
       auto dt = this->triangulation_of(points);
       expect_followed(dt, 12, [&](int) { return points; });
       const double reach = share * tight_slack(dt);
-      expect_followed(dt, 60, [&](int frame) {
+      ASSERT_NO_FATAL_FAILURE(expect_followed(dt, 60, [&](int frame) {
         auto others = points;
         for (std::size_t i = 0; i < points.size(); ++i)
           if (share <= 1 || int(i) % 60 == frame) // few of those who go too far
             others[i] =
                 point(moved({points[i].x(), points[i].y()}, any_direction(cloud.random()), reach));
         return others;
-      });
-      if (this->HasFatalFailure())
-        return;
+      }));
     }
 }
 
@@ -1237,11 +1243,7 @@ TYPED_TEST(Skipping, follows_clouds_that_tremble_and_drift)
   for (const auto& means : all_means<Epick>())
     for (const double drift : {1e-6, 1e-4, 1e-3}) {
       SCOPED_TRACE(testing::Message() << means.name << ", drift " << drift);
-      const Trembling<Epick> trembling(means, 1e-4, drift);
-      auto dt = this->triangulation_of(trembling.at(0));
-      expect_followed(dt, 200, [&](int frame) { return trembling.at(frame); });
-      if (this->HasFatalFailure())
-        return;
+      ASSERT_NO_FATAL_FAILURE(this->followed(200, {means, 1e-4, drift}));
     }
 }
 
@@ -1253,21 +1255,18 @@ TYPED_TEST(Skipping, follows_calm_clouds_in_which_single_points_jump)
       const Trembling<Epick> trembling(means, amplitude);
       Jumps<Epick> jumps(41);
       auto dt = this->triangulation_of(trembling.at(0));
-      expect_followed(dt, 300, [&](int frame) {
+      ASSERT_NO_FATAL_FAILURE(expect_followed(dt, 300, [&](int frame) {
         auto points = trembling.at(frame);
         jumps.apply(points);
         return points;
-      });
-      if (this->HasFatalFailure())
-        return;
+      }));
     }
 }
 
 TYPED_TEST(Skipping, follows_a_calm_cloud_in_which_a_point_jumps_and_comes_back)
 {
   const Trembling<Epick> trembling(many<Epick>(), 1e-5);
-  auto dt = this->triangulation_of(trembling.at(0));
-  expect_followed(dt, 300, [&](int frame) {
+  const auto dt = this->followed(300, [&](int frame) {
     auto points = trembling.at(frame);
     if (frame % 20 > 10) {
       const auto jumper = std::size_t(frame / 20);
@@ -1286,15 +1285,12 @@ TYPED_TEST(Skipping, follows_tiny_clouds_that_jump_and_tremble)
     const Mean_positions<Epick> means{"tiny", cloud.uniform(3 + seed % 80), 0};
     const Trembling<Epick> trembling(means, power_of_ten(cloud.random(), -8, -1), 0, seed);
     Jumps<Epick> jumps(seed);
-    auto dt = this->triangulation_of(trembling.at(0));
-    expect_followed(dt, 60, [&](int frame) {
+    ASSERT_NO_FATAL_FAILURE(this->followed(60, [&](int frame) {
       auto points = trembling.at(frame);
       if (frame > 20)
         jumps.apply(points);
       return points;
-    });
-    if (this->HasFatalFailure())
-      return;
+    }));
   }
 }
 
@@ -1303,12 +1299,9 @@ TYPED_TEST(Skipping, follows_what_is_still_for_long_and_then_moves_and_stops_aga
   for (const auto& means : all_means<Epick>()) {
     SCOPED_TRACE(means.name);
     const Trembling<Epick> motion(means, 0, 0.03);
-    auto dt = this->triangulation_of(motion.at(0));
-    expect_followed(dt, 160, [&](int frame) {
+    ASSERT_NO_FATAL_FAILURE(this->followed(160, [&](int frame) {
       return motion.at(frame < 60 ? 0 : frame < 80 ? frame - 60 : frame < 120 ? 20 : frame - 100);
-    });
-    if (this->HasFatalFailure())
-      return;
+    }));
   }
 }
 
@@ -1317,17 +1310,14 @@ TYPED_TEST(Skipping, follows_a_calm_cloud_that_is_elsewhere_for_one_frame)
   Cloud<Epick> cloud(42);
   const Mean_positions<Epick> means{"uniform", cloud.uniform(300), 0};
   const Trembling<Epick> trembling(means, 1e-5);
-  auto dt = this->triangulation_of(trembling.at(0));
-  expect_followed(dt, 120, [&](int frame) {
-    return frame % 30 == 25 ? cloud.uniform(300) : trembling.at(frame);
-  });
+  this->followed(
+      120, [&](int frame) { return frame % 30 == 25 ? cloud.uniform(300) : trembling.at(frame); });
 }
 
 TYPED_TEST(Skipping, follows_points_that_meet_and_part_in_a_calm_cloud)
 {
   const Trembling<Epick> trembling({"uniform", Cloud<Epick>(43).uniform(300), 0}, 1e-5);
-  auto dt = this->triangulation_of(trembling.at(0));
-  expect_followed(dt, 150, [&](int frame) {
+  this->followed(150, [&](int frame) {
     auto points = trembling.at(frame);
     if (frame % 25 > 15)
       points[std::size_t(frame / 25)] = points[100];
@@ -1426,21 +1416,15 @@ void walk_outside(Dynamic& dt, const Corner_with_a_loop& corner)
       dt, 20, [&](int frame) { return corner.between_loop_and_outside(double(frame + 1) / 20); });
 }
 
-TYPED_TEST(Skipping, is_not_deceived_by_a_loop_that_is_smaller_than_the_tolerance)
+TYPED_TEST(Skipping, is_not_deceived_by_a_loop_of_points_that_jump_however_small_it_is)
 {
-  const Corner_with_a_loop corner(1e-4);
-  auto dt = this->triangulation_of(corner.outside());
-  stay(dt, corner.outside());
-  expect_deception_is_found_out(dt, corner.on_loop());
-}
-
-TYPED_TEST(Skipping, is_not_deceived_by_a_loop_of_points_that_jump)
-{
-  const Corner_with_a_loop corner(1);
-  auto dt = this->triangulation_of(corner.outside());
-  stay(dt, corner.outside());
-  ASSERT_GT(dt.classifier().hull_claims, 0u);
-  expect_deception_is_found_out(dt, corner.on_loop());
+  for (const double size : {1e-4, 1.}) { // smaller than the tolerance, or larger
+    const Corner_with_a_loop corner(size);
+    auto dt = this->triangulation_of(corner.outside());
+    stay(dt, corner.outside());
+    ASSERT_TRUE(size < 1 || dt.classifier().hull_claims > 0);
+    expect_deception_is_found_out(dt, corner.on_loop());
+  }
 }
 
 TYPED_TEST(Skipping, is_not_deceived_by_a_loop_of_points_that_come_back_to_their_references)

@@ -317,12 +317,6 @@ std::vector<typename Dynamic::Point> places_of(const Dynamic& dt)
   return places;
 }
 
-template <class Point>
-double number_at(const std::vector<Point>& places, const Point& place)
-{
-  return double(std::count(places.begin(), places.end(), place));
-}
-
 void expect_close(double value, double expected, double tolerance, std::size_t id)
 {
   if (std::isinf(expected))
@@ -365,6 +359,25 @@ void expect_shape(const Measures& measures, std::size_t id, const Cell& cell)
   }
 }
 
+// All measures of a cell, which is shared by those at its point; an id that is free has none.
+// `cell_of()` finds it.
+template <class Dynamic, class Cell_of>
+void expect_cell(const Measures& measures, const Dynamic& dt, std::size_t id,
+                 double tolerance_of_centroid, const Cell_of& cell_of)
+{
+  Cell cell{0, 0};
+  double sharers = 1;
+  if (dt.has_id(id)) {
+    cell = cell_of();
+    const auto places = places_of(dt);
+    sharers = double(std::count(places.begin(), places.end(), dt.point(id)));
+  }
+  ASSERT_NO_FATAL_FAILURE(expect_close(measures.areas()[id], cell.area / sharers, 1e-10, id));
+  ASSERT_NO_FATAL_FAILURE(expect_close(measures.perimeters()[id], cell.perimeter, 1e-10, id));
+  ASSERT_NO_FATAL_FAILURE(expect_shape(measures, id, cell));
+  ASSERT_NO_FATAL_FAILURE(expect_centroid(measures, dt, id, cell, tolerance_of_centroid));
+}
+
 double sum(const std::vector<double>& numbers)
 {
   return std::accumulate(numbers.begin(), numbers.end(), 0.0);
@@ -380,19 +393,9 @@ TYPED_TEST(Simulation_helpers, whole_cells_are_the_polygons_of_the_circumcenters
     ASSERT_EQ(measures.perimeters().size(), dt.number_of_ids());
     ASSERT_EQ(measures.centroids().size(), dt.number_of_ids());
     ASSERT_EQ(measures.shape_indices().size(), dt.number_of_ids());
-    const auto places = places_of(dt);
-    for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
-      Cell cell{0, 0};
-      double sharers = 1;
-      if (dt.has_id(id)) {
-        cell = whole_cell(dt, id);
-        sharers = number_at(places, dt.point(id));
-      }
-      ASSERT_NO_FATAL_FAILURE(expect_close(measures.areas()[id], cell.area / sharers, 1e-10, id));
-      ASSERT_NO_FATAL_FAILURE(expect_close(measures.perimeters()[id], cell.perimeter, 1e-10, id));
-      ASSERT_NO_FATAL_FAILURE(expect_shape(measures, id, cell));
-      ASSERT_NO_FATAL_FAILURE(expect_centroid(measures, dt, id, cell, 1e-9));
-    }
+    for (std::size_t id = 0; id < dt.number_of_ids(); ++id)
+      ASSERT_NO_FATAL_FAILURE(
+          expect_cell(measures, dt, id, 1e-9, [&] { return whole_cell(dt, id); }));
   });
 }
 
@@ -406,18 +409,9 @@ TYPED_TEST(Simulation_helpers, clipped_cells_are_what_all_bisectors_leave_of_the
                                    CGAL::Bbox_2(-80, -90, 70, 100), CGAL::Bbox_2(20, 30, 40, 50)}) {
       measures.compute(dt, box);
       ASSERT_EQ(measures.centroids().size(), dt.number_of_ids());
-      for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
-        Cell cell{0, 0};
-        double sharers = 1;
-        if (dt.has_id(id)) {
-          cell = clipped_cell(places, dt.point(id), box);
-          sharers = number_at(places, dt.point(id));
-        }
-        ASSERT_NO_FATAL_FAILURE(expect_close(measures.areas()[id], cell.area / sharers, 1e-10, id));
-        ASSERT_NO_FATAL_FAILURE(expect_close(measures.perimeters()[id], cell.perimeter, 1e-10, id));
-        ASSERT_NO_FATAL_FAILURE(expect_shape(measures, id, cell));
-        ASSERT_NO_FATAL_FAILURE(expect_centroid(measures, dt, id, cell, 1e-10));
-      }
+      for (std::size_t id = 0; id < dt.number_of_ids(); ++id)
+        ASSERT_NO_FATAL_FAILURE(expect_cell(
+            measures, dt, id, 1e-10, [&] { return clipped_cell(places, dt.point(id), box); }));
     }
   });
 }

@@ -129,23 +129,6 @@ TEST(A_removal, of_one_of_many_points_on_one_circle_is_exact)
   }
 }
 
-TEST(A_removal, of_each_point_of_a_lattice_in_any_order_is_exact)
-{
-  for (unsigned seed = 0; seed < 6; ++seed) {
-    std::mt19937 random(seed);
-    const Points points = Cloud<Epick>::grid(7, 6);
-    Dynamic dt(points.begin(), points.end());
-    std::vector<std::size_t> ids(points.size());
-    for (std::size_t i = 0; i < ids.size(); ++i)
-      ids[i] = i;
-    std::shuffle(ids.begin(), ids.end(), random);
-    for (const std::size_t id : ids) {
-      dt.remove(id);
-      ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model_of(dt)));
-    }
-  }
-}
-
 // Points that are moved off a circle by the least that doubles can tell.
 TEST(A_removal, amid_ties_that_are_off_by_one_digit_is_exact)
 {

@@ -270,6 +270,15 @@ void expect_exact_after_exchanges(Static_engine_2 engine, const Points& points)
 
 class Static_engines : public testing::TestWithParam<Static_engine_2>
 {
+protected:
+  template <class Kernel>
+  void expect_exact_in_all_ways(const std::vector<typename Kernel::Point_2>& points) const
+  {
+    ASSERT_NO_FATAL_FAILURE(expect_exact_as_a_whole<Kernel>(GetParam(), points));
+    ASSERT_NO_FATAL_FAILURE(expect_exact_by_regions<Kernel>(GetParam(), points));
+    if constexpr (std::is_same_v<Kernel, Epick>)
+      expect_exact_after_exchanges(GetParam(), points);
+  }
 };
 
 INSTANTIATE_TEST_SUITE_P(All, Static_engines, testing::ValuesIn(all_engines),
@@ -305,24 +314,13 @@ TEST_P(Static_engines, triangulate_few_points_in_any_position)
   }
 }
 
-TEST_P(Static_engines, triangulate_regular_points)
+TEST_P(Static_engines, triangulate_regular_points_and_those_of_any_density_and_magnitude)
 {
-  for (const auto& [name, points] : regular_points()) {
-    SCOPED_TRACE(name);
-    ASSERT_NO_FATAL_FAILURE(expect_exact_as_a_whole<Epick>(GetParam(), points));
-    ASSERT_NO_FATAL_FAILURE(expect_exact_by_regions<Epick>(GetParam(), points));
-    ASSERT_NO_FATAL_FAILURE(expect_exact_after_exchanges(GetParam(), points));
-  }
-}
-
-TEST_P(Static_engines, triangulate_points_of_any_density_and_magnitude)
-{
-  for (const auto& [name, points] : uneven_points()) {
-    SCOPED_TRACE(name);
-    ASSERT_NO_FATAL_FAILURE(expect_exact_as_a_whole<Epick>(GetParam(), points));
-    ASSERT_NO_FATAL_FAILURE(expect_exact_by_regions<Epick>(GetParam(), points));
-    ASSERT_NO_FATAL_FAILURE(expect_exact_after_exchanges(GetParam(), points));
-  }
+  for (const Named_points& all : {regular_points(), uneven_points()})
+    for (const auto& [name, points] : all) {
+      SCOPED_TRACE(name);
+      ASSERT_NO_FATAL_FAILURE(expect_exact_in_all_ways<Epick>(points));
+    }
 }
 
 TEST_P(Static_engines, do_splice_regions_of_hard_points)
@@ -338,9 +336,7 @@ TEST_P(Static_engines, work_with_exact_constructions)
 {
   for (const unsigned n : {0u, 1u, 2u, 3u, 8u, 400u}) {
     SCOPED_TRACE(n);
-    const auto points = Cloud<Epeck>(n).uniform(n);
-    ASSERT_NO_FATAL_FAILURE(expect_exact_as_a_whole<Epeck>(GetParam(), points));
-    ASSERT_NO_FATAL_FAILURE(expect_exact_by_regions<Epeck>(GetParam(), points));
+    ASSERT_NO_FATAL_FAILURE(expect_exact_in_all_ways<Epeck>(Cloud<Epeck>(n).uniform(n)));
   }
   ASSERT_NO_FATAL_FAILURE(expect_exact_as_a_whole<Epeck>(GetParam(), Cloud<Epeck>::grid(15, 15)));
   ASSERT_NO_FATAL_FAILURE(expect_exact_as_a_whole<Epeck>(GetParam(), Cloud<Epeck>(1).on_line(30)));
@@ -363,8 +359,7 @@ TEST_P(Static_engines, work_where_coordinates_are_no_doubles)
       return points;
     };
     auto points = make();
-    ASSERT_NO_FATAL_FAILURE(expect_exact_as_a_whole<Epeck>(GetParam(), points));
-    ASSERT_NO_FATAL_FAILURE(expect_exact_by_regions<Epeck>(GetParam(), points));
+    ASSERT_NO_FATAL_FAILURE(expect_exact_in_all_ways<Epeck>(points));
     auto dt = triangulated<Epeck>(points, {GetParam(), GetParam()});
     for (int frame = 0; frame < 3; ++frame) { // doubles in between
       points = frame == 1 ? cloud.uniform(150) : make();
@@ -381,8 +376,7 @@ TEST_P(Static_engines, tell_points_apart_that_no_double_does)
   for (int i = 0; i < 40; ++i)
     points.emplace_back(Epeck::FT(1) + Epeck::FT(i % 7) * std::ldexp(1, -200),
                         Epeck::FT(2) / 3 + Epeck::FT(i / 7) * std::ldexp(1, -300));
-  ASSERT_NO_FATAL_FAILURE(expect_exact_as_a_whole<Epeck>(GetParam(), points));
-  ASSERT_NO_FATAL_FAILURE(expect_exact_by_regions<Epeck>(GetParam(), points));
+  ASSERT_NO_FATAL_FAILURE(expect_exact_in_all_ways<Epeck>(points));
 }
 
 using Edges = std::set<std::pair<Epick::Point_2, Epick::Point_2>>;
@@ -591,120 +585,18 @@ TEST_P(Engine_pairs, stay_exact_when_all_points_leave_their_places)
 
 // FILTERS -----------------------------------------------------------------------------------------
 
-Epick::Point_2 point(const Position_2& p)
-{
-  return {p.x, p.y};
-}
-
-using Quadruple = std::array<Position_2, 4>;
-
-// What is not proved is no contradiction.
-void expect_no_contradiction(const Quadruple& q)
-{
-  const auto& [a, b, c, d] = q;
-  const auto no_contradiction = [](int filtered, int exact) {
-    return filtered == 0 || filtered == exact;
-  };
-  const int turn = CGAL::orientation(point(a), point(b), point(c));
-  const int right_turn = CGAL::orientation(point(d), point(c), point(b));
-  const int side = CGAL::side_of_oriented_circle(point(a), point(b), point(c), point(d));
-  const auto text = [&] {
-    std::ostringstream out;
-    out << std::hexfloat;
-    for (const Position_2& p : q)
-      out << p.x << ' ' << p.y << ", ";
-    return out.str();
-  };
-  ASSERT_TRUE(no_contradiction(internal::filtered_orientation(a, b, c), turn)) << text();
-  ASSERT_TRUE(no_contradiction(internal::filtered_in_circle(a, b, c, d), side)) << text();
-  const internal::Edge_filter_2 filter({a, b, c, d});
-  const bool is_counterclockwise = turn > 0 && right_turn > 0;
-  ASSERT_TRUE(!filter.proves_counterclockwise() || is_counterclockwise) << text();
-  ASSERT_TRUE(!filter.proves_delaunay() || (is_counterclockwise && side < 0)) << text();
-  ASSERT_TRUE(!filter.proves_illegal() || (is_counterclockwise && side > 0)) << text();
-  ASSERT_TRUE(!filter.disproves_delaunay() || turn < 0 || right_turn < 0 || side > 0) << text();
-}
-
-template <class Make>
-void expect_no_contradictions(int number, Make make)
-{
-  for (int i = 0; i < number; ++i) {
-    Quadruple q;
-    for (Position_2& p : q)
-      p = make();
-    ASSERT_NO_FATAL_FAILURE(expect_no_contradiction(q));
-  }
-}
-
 TEST(Filtered_predicates, decide_random_points_nearly_always)
 {
   std::mt19937 random(1);
   int decided = 0;
   for (int i = 0; i < 1000; ++i) {
-    Quadruple q;
+    std::array<Position_2, 4> q;
     for (Position_2& p : q)
       p = {uniform(random), uniform(random)};
     decided += internal::filtered_orientation(q[0], q[1], q[2]) != 0 &&
                internal::filtered_in_circle(q[0], q[1], q[2], q[3]) != 0;
   }
   EXPECT_GT(decided, 995);
-}
-
-TEST(Filtered_predicates, never_contradict_the_exact_ones_at_any_magnitude)
-{
-  std::mt19937 random(2);
-  for (const double magnitude : {1., 1e9, 1e60, 1e76, 1e77, 1.5e77, 1e100, 1e150, 1e154, 1e300,
-                                 1e-30, 1e-60, 1e-77, 1e-100, 1e-140, 1e-160, 1e-300, 1e-320})
-    expect_no_contradictions(2000, [&] {
-      const double x = magnitude * uniform(random, -1, 1);
-      return Position_2{x, magnitude * uniform(random, -1, 1)};
-    });
-  for (const double exponents : {10., 100., 500., 1000.})
-    expect_no_contradictions(2000, [&] {
-      const double x = of_any_magnitude(random, exponents);
-      return Position_2{x, of_any_magnitude(random, exponents)};
-    });
-}
-
-// Of three terms one overflowed, and the bound did not: the tie counted as an empty circle.
-TEST(Filtered_predicates, see_a_tie_in_a_huge_square)
-{
-  expect_no_contradiction({{{-1e77, 0}, {-1e77, -1e77}, {0, -1e77}, {0, 0}}});
-}
-
-TEST(Filtered_predicates, never_contradict_the_exact_ones_where_a_term_overflows)
-{
-  std::mt19937 random(3);
-  for (const double magnitude : {1e77, 1.2e77, 1.4e77, 2e77, 1e78, 1e79, 1e80})
-    expect_no_contradictions(20000, [&] {
-      const double x = magnitude * uniform(random, -1, 1);
-      return Position_2{x, magnitude * uniform(random, -1, 1)};
-    });
-}
-
-TEST(Filtered_predicates, never_contradict_the_exact_ones_near_degeneracy)
-{
-  std::mt19937 random(4);
-  std::uniform_int_distribution<int> small(-3, 3), large(0, 35);
-  const Points circle = Cloud<Epick>::on_circle(36);
-  for (const double scale : {1., 0.1, 1. / 3, 1e20, 1e-20, 1e75, 3e75, 1e-61, 1e-62, 1e-140}) {
-    const auto nudged = [&](double x) {
-      return x * scale * (1 + small(random) * std::numeric_limits<double>::epsilon());
-    };
-    expect_no_contradictions(2000, [&] { // a few lines
-      const double x = nudged(small(random));
-      return Position_2{x, nudged(small(random))};
-    });
-    expect_no_contradictions(2000, [&] { // a circle
-      const Epick::Point_2& p = circle[std::size_t(large(random))];
-      const double x = nudged(p.x());
-      return Position_2{x, nudged(p.y())};
-    });
-    expect_no_contradictions(2000, [&] { // the same, far away
-      const Epick::Point_2& p = circle[std::size_t(large(random))];
-      return Position_2{scale * (1e9 + 0x1p-20 * p.x()), scale * (1e9 + 0x1p-20 * p.y())};
-    });
-  }
 }
 
 TEST(Filtered_predicates, certify_nothing_false_where_a_term_overflows)

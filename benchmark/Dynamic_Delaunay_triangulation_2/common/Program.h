@@ -48,16 +48,22 @@ int run_program(const std::string& name, int argc, const char* const* argv,
   }
 }
 
+template <class Value>
+CLI::Option* add_option(CLI::App& app, const std::string& name, Value& value,
+                        const std::string& type, const std::string& description,
+                        const CLI::Validator& check = {})
+{
+  return app.add_option(name, value, description)->type_name(type)->check(check);
+}
+
 // An option that may be given several times, with one value each.
 inline void add_repeated(CLI::App& app, const std::string& name, std::vector<std::string>& values,
                          const std::string& type, const std::string& description,
                          const CLI::Validator& check = {})
 {
-  app.add_option(name, values, description)
-      ->type_name(type)
+  add_option(app, name, values, type, description, check)
       ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->check(check);
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 } // namespace common

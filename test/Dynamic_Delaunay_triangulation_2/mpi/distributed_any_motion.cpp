@@ -3,24 +3,13 @@
 
 // Run by several ranks: random clouds with random motions, populations and distributions. Each
 // frame is compared with one process. One run in 16 has up to 20,000 points, so that ranks own
-// faces that they need not look at. DYNAMIC_DELAUNAY_DISTRIBUTED_RUNS=1000 makes so many runs, from
-// the seed DYNAMIC_DELAUNAY_DISTRIBUTED_SEED on; a failure names its seed.
+// faces that they need not look at.
 
 #include "distributed_any_run.h"
-
-#include <cstdlib>
-#include <string>
+#include "distributed_any_runs.h"
 
 int main(int argc, char** argv)
 {
-  start(argc, argv);
-  const char* const wanted = std::getenv("DYNAMIC_DELAUNAY_DISTRIBUTED_RUNS");
-  const char* const seed = std::getenv("DYNAMIC_DELAUNAY_DISTRIBUTED_SEED");
-  const unsigned runs = wanted ? unsigned(std::atoi(wanted)) : 60;
-  const unsigned first = seed ? unsigned(std::atoi(seed)) : 1;
-  for (unsigned run = first; run < first + runs; ++run) {
-    random_operations::Random_decisions decisions(run);
-    Any_run(decisions, "seed " + std::to_string(run)).run(run % 16 == 0 ? 20000 : 400);
-  }
-  MPI_Finalize();
+  return make_runs<Any_run>(argc, argv, 60,
+                            [](unsigned run) { return run % 16 == 0 ? 20000 : 400; });
 }

@@ -17,10 +17,7 @@
 class Any_run : private Decided_run
 {
 public:
-  Any_run(random_operations::Decisions& decisions, const std::string& name)
-    : Decided_run(decisions, name)
-  {
-  }
+  using Decided_run::Decided_run;
 
   // Begins with up to `most_points` points.
   void run(double most_points)
@@ -31,17 +28,7 @@ public:
     m_side = std::sqrt(double(n)) * uniform(0.5, 2);
     for (std::size_t i = 0; i < n; ++i)
       add_point();
-    const auto own = own_part(m_population, any_owner());
-    Distributed dt(MPI_COMM_WORLD, own.begin(), own.end(), one_in(2) ? no_balance : 1.2);
-    expect_exact(dt, m_population, m_name + " at the start");
-    for (int frame = 0; frame < 8 && m_decisions.has_more(); ++frame) {
-      const int kind = m_decisions.whole(0, 8);
-      change(dt, kind);
-      expect_exact(dt, m_population,
-                   m_name + ", frame " + std::to_string(frame) + " of kind " +
-                       std::to_string(kind));
-    }
-    expect(dt.is_valid(), m_name + ": valid");
+    follow<Distributed>(8, [this](Distributed& dt, int kind) { change(dt, kind); });
   }
 
 private:
@@ -56,8 +43,7 @@ private:
       return dt.distribute();
     default:
       move(kind);
-      const Points next = own_positions(dt, m_population);
-      dt.update(next.begin(), next.end());
+      update(dt, m_population);
     }
   }
 

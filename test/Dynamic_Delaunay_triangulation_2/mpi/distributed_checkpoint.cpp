@@ -4,31 +4,25 @@
 // Run by several ranks: what they have written, some of them read again, with the same edges; files
 // that are not as they were written are refused.
 
-#include "distributed_oracle.h"
+#include "distributed_uses.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <random>
 #include <string>
-#include <unistd.h>
 
 struct Data // of a point
 {
   Id id;
   double twice_x;
-};
 
-// One for all tests of this program, whatever the number of ranks.
-std::string file_name()
-{
-  long process = getpid();
-  MPI_Bcast(&process, 1, MPI_LONG, 0, MPI_COMM_WORLD);
-  const std::string name = "distributed_checkpoint_" + std::to_string(process);
-  return (std::filesystem::temp_directory_path() / name).string();
-}
+  friend bool operator==(const Data& a, const Data& b)
+  {
+    return a.id == b.id && a.twice_x == b.twice_x;
+  }
+};
 
 Population random_points()
 {
@@ -48,49 +42,18 @@ std::vector<Data> data_of(const Distributed& dt)
   return data;
 }
 
-void expect_data(const Distributed& dt, const std::vector<Data>& data, const std::string& what)
-{
-  const std::vector<Data> expected = data_of(dt);
-  expect(std::equal(
-             data.begin(), data.end(), expected.begin(), expected.end(),
-             [](const Data& a, const Data& b) { return a.id == b.id && a.twice_x == b.twice_x; }),
-         what + ": the data of each point are its own");
-}
-
-// Ranks from 0 to `readers` read the file by themselves; the others own nothing.
-void some_ranks_read(const std::string& path, const Population& population, int readers,
-                     double load_factor)
-{
-  MPI_Comm some;
-  MPI_Comm_split(MPI_COMM_WORLD, this_rank < readers, this_rank, &some);
-  const std::vector<std::pair<Id, Point>> none;
-  const std::string what = std::to_string(readers) + " ranks have read";
-  {
-    Distributed dt(some, none.begin(), none.end(), load_factor);
-    if (this_rank < readers) {
-      std::vector<Data> data;
-      dt.read_checkpoint(path, data);
-      expect_data(dt, data, what);
-      expect(dt.is_valid(), what + ": valid");
-    }
-    expect_exact(dt, population, what);
-  }
-  MPI_Comm_free(&some);
-}
-
-bool is_refused(const std::string& path, std::string message)
+bool refuses(const std::string& path, const std::string& message)
 {
   const Population before = numbered({{0, 0}, {1, 0}, {0, 1}, {2, 3}});
-  const auto own = own_part(before, in_order);
-  Distributed dt(MPI_COMM_WORLD, own.begin(), own.end());
+  auto dt = distributed(before, in_order);
   std::vector<Data> data;
-  bool is_so = false;
-  try {
-    dt.read_checkpoint(path, data);
-  } catch (const CGAL::Checkpoint_error_2& error) {
-    is_so = std::string(error.what()).find(message) != std::string::npos ||
-            std::string(error.what()).find("another rank") != std::string::npos;
-  }
+  const bool is_so =
+      is_refused<CGAL::Checkpoint_error_2>([&] { dt.read_checkpoint(path, data); },
+                                           [&](const CGAL::Checkpoint_error_2& error) {
+                                             const std::string told = error.what();
+                                             return told.find(message) != std::string::npos ||
+                                                    told.find("another rank") != std::string::npos;
+                                           });
   expect_exact(dt, before, "after a refusal");
   return is_so;
 }
@@ -104,7 +67,7 @@ void other_files_are_refused(const std::string& path)
     if (this_rank == 0)
       std::ofstream(bad, std::ios::binary) << bytes;
     MPI_Barrier(MPI_COMM_WORLD);
-    expect(is_refused(bad, message), "a file is refused: " + message);
+    expect(refuses(bad, message), "a file is refused: " + message);
     MPI_Barrier(MPI_COMM_WORLD);
   };
   expect(good.size() > 1000, "the file is there");
@@ -123,30 +86,25 @@ void other_files_are_refused(const std::string& path)
   if (this_rank == 0)
     std::remove(bad.c_str());
   MPI_Barrier(MPI_COMM_WORLD);
-  expect(is_refused(bad, "cannot read"), "a file that is not there is refused");
+  expect(refuses(bad, "cannot read"), "a file that is not there is refused");
 }
 
 int main(int argc, char** argv)
 {
   start(argc, argv);
-  const std::string path = file_name();
+  const std::string path = file_name("distributed_checkpoint");
   const Population population = random_points();
   {
-    const auto own = own_part(population, in_turn);
-    Distributed dt(MPI_COMM_WORLD, own.begin(), own.end());
-    bool is_so = false;
-    try {
-      dt.write_checkpoint("/no such directory/checkpoint");
-    } catch (const CGAL::Checkpoint_error_2&) {
-      is_so = true;
-    }
-    expect(is_so, "what cannot be written is told on all ranks");
+    auto dt = distributed(population, in_turn);
+    expect(is_refused<CGAL::Checkpoint_error_2>(
+               [&] { dt.write_checkpoint("/no such directory/checkpoint"); }),
+           "what cannot be written is told on all ranks");
     dt.write_checkpoint(path); // which the next one replaces
     dt.write_checkpoint(path, data_of(dt));
   }
   for (int readers = 1; readers <= number_of_ranks; ++readers)
-    some_ranks_read(path, population, readers, Distributed::default_load_factor);
-  some_ranks_read(path, population, number_of_ranks, no_balance);
+    some_ranks_read<Distributed>(path, population, readers, data_of);
+  some_ranks_read<Distributed>(path, population, number_of_ranks, data_of, no_balance);
   other_files_are_refused(path);
   if (this_rank == 0)
     std::remove(path.c_str());

@@ -13,16 +13,35 @@
 #include <cstddef>
 #include <iterator>
 #include <string>
-#include <utility>
 #include <vector>
 
 class Decided_run
 {
-protected:
+public:
   Decided_run(random_operations::Decisions& decisions, const std::string& name)
     : m_decisions(decisions)
     , m_name(name)
   {
+  }
+
+protected:
+  // Points begin on any ranks, and change by `change(dt, kind)` from frame to frame.
+  template <class Triangulation, class Change, class... Cell>
+  void follow(int last_kind, const Change& change, const Cell&... cell)
+  {
+    const Owner owner = any_owner();
+    auto dt =
+        distributed<Triangulation>(m_population, owner, cell..., one_in(2) ? no_balance : 1.2);
+    expect_exact(dt, m_population, m_name + " at the start");
+    for (int frame = 0; frame < 8 && m_decisions.has_more(); ++frame) {
+      const int kind = whole(0, last_kind);
+      change(dt, kind);
+      expect_exact(dt, m_population,
+                   m_name + ", frame " + std::to_string(frame) + " of kind " +
+                       std::to_string(kind));
+    }
+    expect(dt.is_valid(), m_name + ": valid");
+    expect(dt.certify(), m_name + ": certified");
   }
 
   Owner any_owner()
@@ -41,7 +60,7 @@ protected:
   template <class Triangulation, class Add>
   void insert(Triangulation& dt, const Add& add)
   {
-    std::vector<std::pair<Id, Point>> given;
+    Newcomers given;
     for (std::size_t k = m_decisions.below(20); k > 0; --k) {
       const auto added = add();
       if (is_chosen())

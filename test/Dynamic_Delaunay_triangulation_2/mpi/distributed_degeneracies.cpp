@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstddef>
 #include <random>
-#include <utility>
 
 // All points with integer coordinates on a circle around the origin, and a few outside of it.
 Points points_on_one_circle()
@@ -40,55 +39,37 @@ int main(int argc, char** argv)
     pairs.push_back(Point(7 * (i % 200) % 31, 11 * (i % 200) % 37));
   }
 
-  for (const auto& [owner, load_factor] :
-       {std::pair(in_order, no_balance), std::pair(in_turn, no_balance),
-        std::pair(in_order, Distributed::default_load_factor)}) {
-    run(
-        "a grid that comes and goes", grid, 6,
+  for (const Ownership& ownership : ownerships) {
+    run("a grid that comes and goes", grid, 6, ownership,
         [&](std::size_t i, const Point&, int frame) {
           return frame % 2 ? Point(double(i % 20) + step(random), double(i / 20)) : grid[i];
-        },
-        owner, load_factor);
+        });
     // Each square of the grid has corners of several ranks, and its diagonal is one edge.
-    run(
-        "a grid that shears", grid, 4,
-        [&](std::size_t i, const Point& p, int frame) {
-          return Point(double(i % 20) + double(frame) * p.y(), p.y());
-        },
-        owner, load_factor);
+    run("a grid that shears", grid, 4, ownership, [&](std::size_t i, const Point& p, int frame) {
+      return Point(double(i % 20) + double(frame) * p.y(), p.y());
+    });
     const Points circle = points_on_one_circle();
     expect(circle.size() > 60, "many points are on one circle");
-    run(
-        "a circle", circle, 3,
-        [&](std::size_t i, const Point&, int frame) {
-          return frame == 2 && i == 5 ? Point(1, 1) : circle[i];
-        },
-        owner, load_factor);
-    run(
-        "points that coincide with those of other ranks", pairs, 4,
+    run("a circle", circle, 3, ownership, [&](std::size_t i, const Point&, int frame) {
+      return frame == 2 && i == 5 ? Point(1, 1) : circle[i];
+    });
+    run("points that coincide with those of other ranks", pairs, 4, ownership,
         [&](std::size_t i, const Point&, int frame) {
           return i % 3 == 0 && frame % 2 ? Point(pairs[i].x() + 0.25, pairs[i].y()) : pairs[i];
-        },
-        owner, load_factor);
-    run("points on a line that coincide", line, 2, at_rest, owner, load_factor);
-    run(
-        "a point that leaves the line", Points(line.begin(), line.begin() + 40), 3,
+        });
+    run("points on a line that coincide", line, 2, ownership, at_rest);
+    run("a point that leaves the line", Points(line.begin(), line.begin() + 40), 3, ownership,
         [&](std::size_t i, const Point&, int frame) {
           return i == 39 && frame == 1 ? Point(3, 4.5) : line[i];
-        },
-        owner, load_factor);
-    run(
-        "points that all meet", Points(grid.begin(), grid.begin() + 30), 3,
-        [&](std::size_t i, const Point&, int frame) { return frame == 2 ? Point(1, 1) : grid[i]; },
-        owner, load_factor);
+        });
+    run("points that all meet", Points(grid.begin(), grid.begin() + 30), 3, ownership,
+        [&](std::size_t i, const Point&, int frame) { return frame == 2 ? Point(1, 1) : grid[i]; });
     for (std::size_t n = 0; n <= 10; ++n)
-      run(
-          std::to_string(n) + " points", Points(pairs.begin(), pairs.begin() + long(n)), 2,
-          [&](std::size_t i, const Point& p, int frame) {
+      run(std::to_string(n) + " points", Points(pairs.begin(), pairs.begin() + long(n)), 2,
+          ownership, [&](std::size_t i, const Point& p, int frame) {
             return frame == 1 && i == 2 ? Point(0, 0) : p;
-          },
-          owner, load_factor);
+          });
   }
-  run("a grid of one rank", grid, 2, at_rest, on_first, no_balance);
+  run("a grid of one rank", grid, 2, {on_first, no_balance}, at_rest);
   MPI_Finalize();
 }

@@ -4,20 +4,13 @@
 // Run by several ranks: which rank owns which points, how the user's data follow them, and what
 // ranks send.
 
-#include "distributed_oracle.h"
+#include "distributed_uses.h"
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <random>
 #include <utility>
-
-std::uint64_t largest(std::uint64_t count)
-{
-  std::uint64_t most = 0;
-  MPI_Allreduce(&count, &most, 1, MPI_UINT64_T, MPI_MAX, MPI_COMM_WORLD);
-  return most;
-}
 
 Population random_points(std::size_t n, std::mt19937& random)
 {
@@ -28,38 +21,17 @@ Population random_points(std::size_t n, std::mt19937& random)
   return numbered(points);
 }
 
-void move_all(Population& population, std::mt19937& random, double spread)
-{
-  std::normal_distribution<double> step(0, spread);
-  for (auto& [id, p] : population)
-    p = Point(p.x() + step(random), p.y() + step(random));
-}
-
-void update(Distributed& dt, const Population& population)
-{
-  const Points next = own_positions(dt, population);
-  dt.update(next.begin(), next.end());
-}
-
-// What the user knows of a point, its id here, follows it wherever it goes.
-void expect_data_follow(Distributed& dt, const std::vector<Id>& before, const std::string& what)
-{
-  expect(dt.carry(before) == dt.owned_ids(), what + ": data follow their points");
-}
-
 void points_of_one_rank_are_spread()
 {
   std::mt19937 random(5);
   const Population population = random_points(2000, random);
-  const auto own = own_part(population, on_first);
   std::vector<Id> given;
-  for (const auto& value : own)
+  for (const auto& value : own_part(population, on_first))
     given.push_back(value.first);
-  Distributed dt(MPI_COMM_WORLD, own.begin(), own.end());
+  auto dt = distributed(population, on_first);
   expect_exact(dt, population, "spread points");
-  expect_data_follow(dt, given, "spread points");
-  expect(largest(dt.number_of_owned_points()) <=
-             2000 / std::uint64_t(number_of_ranks) + 2000 / 64 + 1,
+  expect(dt.carry(given) == dt.owned_ids(), "data follow their points");
+  expect(largest(dt.number_of_owned_points()) <= about_equally_many(2000),
          "all ranks own about equally many points");
   for (int frame = 0; frame < 12; ++frame)
     update(dt, population);
@@ -72,8 +44,7 @@ void calm_frames_need_no_questions()
 {
   std::mt19937 random(6);
   Population population = random_points(3000, random);
-  const auto own = own_part(population, in_turn);
-  Distributed dt(MPI_COMM_WORLD, own.begin(), own.end());
+  auto dt = distributed(population, in_turn);
   update(dt, population);
   const auto rounds = dt.number_of_rounds(), messages = dt.number_of_messages();
   for (int frame = 0; frame < 20; ++frame) {
@@ -90,8 +61,7 @@ void ghosts_that_went_away_are_dropped()
 {
   std::mt19937 random(7);
   Population population = random_points(1000, random);
-  const auto own = own_part(population, in_turn);
-  Distributed dt(MPI_COMM_WORLD, own.begin(), own.end(), no_balance);
+  auto dt = distributed(population, in_turn, no_balance);
   // In turn: every rank holds nearly all points. Then each rank's points are by themselves.
   for (int frame = 0; frame < 30; ++frame) {
     if (frame == 0)
@@ -103,38 +73,22 @@ void ghosts_that_went_away_are_dropped()
   expect(largest(dt.number_of_ghosts()) < 1000 / 2, "ghosts that are no longer needed are dropped");
 }
 
-void mixed_points_are_distributed_anew()
+void points_that_mix_are_distributed_anew()
 {
   std::mt19937 random(8);
-  Population population = random_points(2000, random);
-  const auto own = own_part(population, in_order);
-  Distributed dt(MPI_COMM_WORLD, own.begin(), own.end());
-  std::size_t distributions = 0;
+  const Population population = random_points(2000, random);
+  auto dt = distributed(population, in_order);
   std::uniform_real_distribution<double> coordinate(0, 45);
-  for (int frame = 0; frame < 48; ++frame) {
-    const std::vector<Id> before = dt.owned_ids();
-    for (auto& [id, p] : population)
-      if (frame >= 12 && random() % 5 == 0)
-        p = Point(coordinate(random), coordinate(random));
-    update(dt, population);
-    expect_exact(dt, population, "mixing");
-    if (dt.number_of_distributions() != distributions)
-      expect_data_follow(dt, before, "mixing");
-    else
-      expect(dt.owned_ids() == before, "owned points change only where they are distributed");
-    distributions = dt.number_of_distributions();
-  }
-  expect(number_of_ranks == 1 || distributions > 0, "points that mix are distributed anew");
-  dt.distribute();
-  expect_exact(dt, population, "distributed by hand");
+  mixed_points_are_distributed_anew(dt, population, {12, 1, 2}, [&](std::mt19937& any) {
+    return Point(coordinate(any), coordinate(any));
+  });
 }
 
 void fast_points_are_not_distributed_in_every_frame()
 {
   std::mt19937 random(9);
   Population population = random_points(1000, random);
-  const auto own = own_part(population, in_order);
-  Distributed dt(MPI_COMM_WORLD, own.begin(), own.end(), 1);
+  auto dt = distributed(population, in_order, 1);
   for (int frame = 0; frame < 40; ++frame) {
     for (auto& [id, p] : population)
       p = Point(1.05 * p.x(), 1.05 * p.y());
@@ -146,14 +100,10 @@ void fast_points_are_not_distributed_in_every_frame()
 
 void bad_load_factors_are_refused()
 {
-  const std::vector<std::pair<Id, Point>> none;
-  bool is_refused = false;
-  try {
-    Distributed(MPI_COMM_WORLD, none.begin(), none.end(), 0.5);
-  } catch (const CGAL::Parameter_error_2& error) {
-    is_refused = error.value() == 0.5;
-  }
-  expect(is_refused, "a load factor below 1 is refused");
+  expect(is_refused<CGAL::Parameter_error_2>(
+             [] { distributed({}, in_order, 0.5); },
+             [](const CGAL::Parameter_error_2& error) { return error.value() == 0.5; }),
+         "a load factor below 1 is refused");
 }
 
 int main(int argc, char** argv)
@@ -162,7 +112,7 @@ int main(int argc, char** argv)
   points_of_one_rank_are_spread();
   calm_frames_need_no_questions();
   ghosts_that_went_away_are_dropped();
-  mixed_points_are_distributed_anew();
+  points_that_mix_are_distributed_anew();
   fast_points_are_not_distributed_in_every_frame();
   bad_load_factors_are_refused();
   MPI_Finalize();

@@ -69,21 +69,15 @@ void refuse_bad_input()
 {
   const Population points =
       numbered({{0, 0}, {1, 0}, {0, 1}, {1, 1.5}, {2, 3}, {3, 1}, {4, 2}, {5, 5}});
-  const auto own = own_part(points, in_order);
-  Distributed dt(MPI_COMM_WORLD, own.begin(), own.end());
+  auto dt = distributed(points, in_order);
   Points next = own_positions(dt, points);
   const bool is_bad = !next.empty() && dt.owned_ids()[0] == 0;
   if (is_bad)
     next[0] = Point(std::numeric_limits<double>::quiet_NaN(), 0);
-  bool is_refused = false;
-  try {
-    dt.update(next.begin(), next.end());
-  } catch (const CGAL::Non_finite_coordinate_error_2&) {
-    is_refused = is_bad;
-  } catch (const CGAL::Distributed_input_error_2&) {
-    is_refused = !is_bad;
-  }
-  expect(is_refused, "NaN on one rank is refused on all ranks");
+  const auto refuse = [&] { dt.update(next.begin(), next.end()); };
+  expect(is_bad ? is_refused<CGAL::Non_finite_coordinate_error_2>(refuse)
+                : is_refused<CGAL::Distributed_input_error_2>(refuse),
+         "NaN on one rank is refused on all ranks");
   expect_exact(dt, points, "after a refusal");
 }
 
@@ -100,34 +94,25 @@ int main(int argc, char** argv)
   for (int i = 0; i < 400; ++i)
     cloud.push_back(Point(coordinate(random), coordinate(random)));
   std::sort(cloud.begin(), cloud.end());
-  for (const double load_factor : {no_balance, Distributed::default_load_factor}) {
-    run(
-        "Brownian motion", cloud, frames,
-        [&](std::size_t, const Point& p, int) {
-          return Point(p.x() + step(random), p.y() + step(random));
-        },
-        in_order, load_factor);
-    run(
-        "jumps", cloud, frames,
-        [&](std::size_t, const Point& p, int) {
-          return random() % 20 ? p : Point(coordinate(random), coordinate(random));
-        },
-        in_order, load_factor);
-    run(
-        "an explosion", cloud, frames,
-        [](std::size_t, const Point& p, int) {
-          return Point(10 + 1.1 * (p.x() - 10), 10 + 1.1 * (p.y() - 10));
-        },
-        in_order, load_factor);
+  for (const Ownership& ownership : {Ownership{in_order, no_balance}, Ownership()}) {
+    run("Brownian motion", cloud, frames, ownership, [&](std::size_t, const Point& p, int) {
+      return Point(p.x() + step(random), p.y() + step(random));
+    });
+    run("jumps", cloud, frames, ownership, [&](std::size_t, const Point& p, int) {
+      return random() % 20 ? p : Point(coordinate(random), coordinate(random));
+    });
+    run("an explosion", cloud, frames, ownership, [](std::size_t, const Point& p, int) {
+      return Point(10 + 1.1 * (p.x() - 10), 10 + 1.1 * (p.y() - 10));
+    });
   }
   Points block;
   for (int i = 0; i < 400; ++i)
     block.push_back(Point(0.5 + i % 18 + 0.01 * std::sin(i), 0.5 + i / 18));
   Dam_break dam_break(block);
-  run("a dam break", block, 5 * frames,
+  run("a dam break", block, 5 * frames, {},
       [&](std::size_t i, const Point&, int frame) { return dam_break.position(i, frame); });
-  run("a rank that owns all", cloud, 2, at_rest, on_first, no_balance);
-  run("points in turn", cloud, 2, at_rest, in_turn, no_balance);
+  run("a rank that owns all", cloud, 2, {on_first, no_balance}, at_rest);
+  run("points in turn", cloud, 2, {in_turn, no_balance}, at_rest);
   refuse_bad_input();
   MPI_Finalize();
 }

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <limits>
 #include <map>
 #include <set>
@@ -29,8 +30,15 @@ using Point = Kernel::Point_2;
 using Distributed = CGAL::Distributed_dynamic_Delaunay_triangulation_2<Kernel>;
 using Id = Distributed::Id;
 using Points = std::vector<Point>;
-using Population = std::map<Id, Point>;       // the same on all ranks
+using Newcomers = std::vector<std::pair<Id, Point>>;
 using Edges = std::vector<std::pair<Id, Id>>; // ascending
+
+// The same on all ranks. It has a type of this file, so that templates find the expect_exact() of
+// every space.
+struct Population : std::map<Id, Point>
+{
+  using std::map<Id, Point>::map;
+};
 
 inline thread_local int this_rank, number_of_ranks; // a thread may be a rank
 
@@ -56,25 +64,35 @@ inline std::uint64_t sum(std::uint64_t count)
   return all;
 }
 
-// All pairs of all ranks, ascending, on rank 0; nothing elsewhere.
-inline Edges gathered(const Edges& own)
+inline std::uint64_t largest(std::uint64_t count)
 {
-  std::vector<Id> flat, all;
-  for (const auto& [i, j] : own)
-    flat.insert(flat.end(), {i, j});
-  const int size = int(flat.size());
+  std::uint64_t most = 0;
+  MPI_Allreduce(&count, &most, 1, MPI_UINT64_T, MPI_MAX, MPI_COMM_WORLD);
+  return most;
+}
+
+// What all ranks have given, on rank 0; nothing elsewhere.
+template <class T>
+std::vector<T> gathered_data(const std::vector<T>& own)
+{
+  const int size = int(own.size() * sizeof(T));
   std::vector<int> sizes(std::size_t(number_of_ranks), 0), places(std::size_t(number_of_ranks), 0);
   MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, MPI_COMM_WORLD);
   for (std::size_t r = 1; r < places.size(); ++r)
     places[r] = places[r - 1] + sizes[r - 1];
-  all.resize(std::size_t(places.back() + sizes.back()));
-  MPI_Gatherv(flat.data(), size, MPI_INT64_T, all.data(), sizes.data(), places.data(), MPI_INT64_T,
-              0, MPI_COMM_WORLD);
-  Edges edges;
-  for (std::size_t k = 0; k < all.size(); k += 2)
-    edges.emplace_back(all[k], all[k + 1]);
-  std::sort(edges.begin(), edges.end());
-  return edges;
+  std::vector<T> all(std::size_t(places.back() + sizes.back()) / sizeof(T));
+  MPI_Gatherv(own.data(), size, MPI_BYTE, all.data(), sizes.data(), places.data(), MPI_BYTE, 0,
+              MPI_COMM_WORLD);
+  return all;
+}
+
+// That, ascending.
+template <class T>
+std::vector<T> gathered(const std::vector<T>& own)
+{
+  std::vector<T> all = gathered_data(own);
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 // By CGAL alone. A diagonal of four or more points on one circle is replaced by those that go to
@@ -147,9 +165,9 @@ inline int on_first(std::size_t, std::size_t)
   return 0;
 }
 
-inline std::vector<std::pair<Id, Point>> own_part(const Population& population, Owner owner)
+inline Newcomers own_part(const Population& population, Owner owner)
 {
-  std::vector<std::pair<Id, Point>> own;
+  Newcomers own;
   std::size_t i = 0;
   for (const auto& value : population)
     if (owner(i++, population.size()) == this_rank)
@@ -157,12 +175,55 @@ inline std::vector<std::pair<Id, Point>> own_part(const Population& population, 
   return own;
 }
 
-inline Points own_positions(const Distributed& dt, const Population& population)
+// The part of a list that this rank gives: it is cut differently for each `salt`.
+template <class Value>
+std::vector<Value> given_here(const std::vector<Value>& all, std::size_t salt = 0)
+{
+  std::vector<Value> given;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (in_turn(7 * k + salt, all.size()) == this_rank)
+      given.push_back(all[k]);
+  return given;
+}
+
+// Arguments that a triangulation takes after its points: its cell, if it has one, and a load
+// factor.
+template <class Triangulation = Distributed, class... Arguments>
+Triangulation distributed(const Population& population, Owner owner, const Arguments&... arguments)
+{
+  const Newcomers own = own_part(population, owner);
+  return Triangulation(MPI_COMM_WORLD, own.begin(), own.end(), arguments...);
+}
+
+template <class Triangulation>
+Points own_positions(const Triangulation& dt, const Population& population)
 {
   Points positions;
   for (const Id id : dt.owned_ids())
     positions.push_back(population.at(id));
   return positions;
+}
+
+// Moves points to where the population has them, in another cell, if there is one.
+template <class Triangulation, class... Cell>
+void update(Triangulation& dt, const Population& population, const Cell&... cell)
+{
+  const Points next = own_positions(dt, population);
+  dt.update(next.begin(), next.end(), cell...);
+}
+
+// With an error that is right.
+template <class Error, class Call>
+bool is_refused(
+    const Call& call,
+    const std::function<bool(const Error&)>& is_right = [](const Error&) { return true; })
+{
+  try {
+    call();
+  } catch (const Error& error) {
+    return is_right(error);
+  }
+  return false;
 }
 
 inline void expect_exact(const Distributed& dt, const Population& population,
@@ -193,26 +254,42 @@ inline void expect_exact(const Distributed& dt, const Population& population,
     expect(std::binary_search(all.begin(), all.end(), side), what + ": sides of faces are edges");
 }
 
-// Moves all points frame by frame: `move(i, p, frame)` is called for all of them on all ranks.
-template <class Move>
-void run(const std::string& what, const Points& points, int frames, const Move& move,
-         Owner owner = in_order, double load_factor = Distributed::default_load_factor)
+// How points begin on ranks, and when they are distributed anew.
+struct Ownership
 {
-  Population population = numbered(points);
-  const auto own = own_part(population, owner);
-  Distributed dt(MPI_COMM_WORLD, own.begin(), own.end(), load_factor);
+  Owner owner = in_order;
+  double load_factor = Distributed::default_load_factor;
+};
+
+// A load factor: each rank owns what it was given.
+inline constexpr double no_balance = std::numeric_limits<double>::infinity();
+
+inline const Ownership ownerships[] = {{in_order, no_balance}, {in_turn, no_balance}, {in_order}};
+
+// Moves all points frame by frame: `move(i, p, frame)` is called for all of them on all ranks, then
+// `go(population, frame)`.
+template <class Triangulation, class Move, class Go>
+void follow(const Triangulation& dt, Population population, const std::string& what, int frames,
+            const Move& move, const Go& go)
+{
   expect_exact(dt, population, what + ", at the start");
   for (int frame = 1; frame <= frames; ++frame) {
     for (auto& [id, p] : population)
       p = move(std::size_t(id), p, frame);
-    const Points next = own_positions(dt, population);
-    dt.update(next.begin(), next.end());
+    go(population, frame);
     expect_exact(dt, population, what + ", frame " + std::to_string(frame));
   }
 }
 
-// A load factor: each rank owns what it was given.
-inline constexpr double no_balance = std::numeric_limits<double>::infinity();
+template <class Move>
+void run(const std::string& what, const Points& points, int frames, const Ownership& ownership,
+         const Move& move)
+{
+  const Population population = numbered(points);
+  auto dt = distributed(population, ownership.owner, ownership.load_factor);
+  follow(dt, population, what, frames, move,
+         [&](const Population& moved, int) { update(dt, moved); });
+}
 
 inline const auto at_rest = [](std::size_t, const Point& p, int) { return p; };
 

@@ -19,10 +19,7 @@
 class Any_periodic_run : private Decided_run
 {
 public:
-  Any_periodic_run(random_operations::Decisions& decisions, const std::string& name)
-    : Decided_run(decisions, name)
-  {
-  }
+  using Decided_run::Decided_run;
 
   // Begins with up to `most_points` points.
   void run(double most_points)
@@ -36,19 +33,8 @@ public:
       m_vectors = {4, 0, 0, 4};
     for (std::size_t i = 0; i < n; ++i)
       add_point();
-    const auto own = own_part(m_population, any_owner());
-    Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), cell(),
-                            one_in(2) ? no_balance : 1.2);
-    expect_exact(dt, m_population, m_name + " at the start");
-    for (int frame = 0; frame < 8 && m_decisions.has_more(); ++frame) {
-      const int kind = whole(0, 9);
-      change(dt, kind);
-      expect_exact(dt, m_population,
-                   m_name + ", frame " + std::to_string(frame) + " of kind " +
-                       std::to_string(kind));
-    }
-    expect(dt.is_valid(), m_name + ": valid");
-    expect(dt.certify(), m_name + ": certified");
+    follow<Distributed_periodic>(
+        9, [this](Distributed_periodic& dt, int kind) { change(dt, kind); }, cell());
   }
 
 private:
@@ -71,12 +57,6 @@ private:
     }
   }
 
-  void update(Distributed_periodic& dt)
-  {
-    const Points next = own_positions(dt, m_population);
-    dt.update(next.begin(), next.end(), cell());
-  }
-
   void move(Distributed_periodic& dt, int kind)
   {
     const double spread = std::exp(uniform(-8, 1));
@@ -86,8 +66,7 @@ private:
       else if (kind == 4) // Brownian motion
         p = snapped(p.x() + uniform(-spread, spread), p.y() + uniform(-spread, spread));
     }
-    const Points next = own_positions(dt, m_population);
-    dt.update(next.begin(), next.end());
+    update(dt, m_population);
   }
 
   // Points follow, or stay where they are.
@@ -110,11 +89,11 @@ private:
     if (!is_cell())
       m_vectors = before;
     if (one_in(2) && kind != 7 && kind != 8)
-      follow(before);
-    update(dt);
+      take_along(before);
+    update(dt, m_population, cell());
   }
 
-  void follow(const Vectors& before)
+  void take_along(const Vectors& before)
   {
     const auto [ax, ay, bx, by] = before;
     const double d = ax * by - ay * bx;

@@ -59,12 +59,10 @@ void expect_changes(const Changes& changes, const Periodic_edges& created,
 // may be on an empty circle. Each third frame points are distributed anew.
 template <class Move, class Deform>
 void expect_those_of_one_process(const std::string& what, const Points& points, int frames,
-                                 const Move& move, const Deform& deform,
-                                 double load_factor = Distributed_periodic::default_load_factor)
+                                 double load_factor, const Deform& deform, const Move& move)
 {
   Population population = numbered(points);
-  const auto own = own_part(population, in_turn);
-  Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), deform(0), load_factor);
+  auto dt = distributed<Distributed_periodic>(population, in_turn, deform(0), load_factor);
   std::optional<Watched> one; // on rank 0
   const auto positions = [&] {
     Points all;
@@ -86,8 +84,7 @@ void expect_those_of_one_process(const std::string& what, const Points& points, 
   for (int frame = 1; frame <= frames; ++frame) {
     for (auto& [id, p] : population)
       p = move(std::size_t(id), p, frame);
-    const Points next = own_positions(dt, population);
-    dt.update(next.begin(), next.end(), deform(frame));
+    update(dt, population, deform(frame));
     if (frame % 3 == 0)
       dt.distribute();
     const Points all = positions();
@@ -105,11 +102,9 @@ void expect_those_of_one_process(const std::string& what, const Points& points, 
 void no_edge_changes_where_images_do_not(const Points& points)
 {
   Population population = numbered(points);
-  const auto own = own_part(population, in_order);
-  Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), Cell(length, length));
+  auto dt = distributed<Distributed_periodic>(population, in_order, Cell(length, length));
   Changes changes;
   changes.compute(dt);
-  Cell cell(length, length);
   const auto expect_none = [&](const std::string& what) {
     changes.compute(dt);
     expect_changes(changes, {}, {}, what);
@@ -117,13 +112,11 @@ void no_edge_changes_where_images_do_not(const Points& points)
   expect_none("nothing has happened");
   for (auto& [id, p] : population)
     p = Point(p.x() + length * double(id % 7 - 3), p.y() + length * double(id % 5 - 2));
-  Points next = own_positions(dt, population);
-  dt.update(next.begin(), next.end());
+  update(dt, population);
   expect_none("points are wrapped");
   for (const Cell& other : {Cell(length, 0, length, length), Cell(0, length, -length, 0),
                             Cell(2 * length, length, length, length)}) {
-    next = own_positions(dt, population);
-    dt.update(next.begin(), next.end(), other);
+    update(dt, population, other);
     expect_none("other vectors of the same lattice");
   }
   dt.distribute();
@@ -144,8 +137,7 @@ void no_edge_changes_where_images_do_not(const Points& points)
 void changes_of_a_population(const Points& points)
 {
   Population population = numbered(points);
-  const auto own = own_part(population, in_turn);
-  Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), Cell(8, 8));
+  auto dt = distributed<Distributed_periodic>(population, in_turn, Cell(8, 8));
   Changes changes;
   Periodic_edges edges; // on rank 0
   Id next = 1000;
@@ -189,50 +181,45 @@ int main(int argc, char** argv)
   for (int i = 0; i < 100; ++i)
     grid.push_back(Point(7 * i % 8, i / 8 % 8));
   const auto wrapped = [](double x) { return x - length * std::floor(x / length); };
-  const auto at_first = [](int) { return Cell(length, length); };
+  const auto at_first = always(Cell(length, length));
   const auto brownian_in_cell = [&](double spread) {
     return [&, spread](std::size_t, const Point& p, int) {
       return Point(wrapped(p.x() + spread * step(random)), wrapped(p.y() + spread * step(random)));
     };
   };
   for (const double load_factor : {no_balance, Distributed_periodic::default_load_factor}) {
-    expect_those_of_one_process("Brownian motion, wrapped", cloud, 12, brownian_in_cell(0.2),
-                                at_first, load_factor);
-    expect_those_of_one_process("three points", few, 20, brownian_in_cell(2), at_first,
-                                load_factor);
+    expect_those_of_one_process("Brownian motion, wrapped", cloud, 12, load_factor, at_first,
+                                brownian_in_cell(0.2));
+    expect_those_of_one_process("three points", few, 20, load_factor, at_first,
+                                brownian_in_cell(2));
+    expect_those_of_one_process("a stream that is not wrapped", cloud, 12, load_factor, at_first,
+                                [&](std::size_t i, const Point& p, int) {
+                                  return Point(p.x() + 3 + 0.01 * double(i % 9),
+                                               p.y() + 0.1 * p.x());
+                                });
     expect_those_of_one_process(
-        "a stream that is not wrapped", cloud, 12,
-        [&](std::size_t i, const Point& p, int) {
-          return Point(p.x() + 3 + 0.01 * double(i % 9), p.y() + 0.1 * p.x());
-        },
-        at_first, load_factor);
-    expect_those_of_one_process(
-        "jumps", cloud, 12,
-        [&](std::size_t, const Point& p, int) {
+        "jumps", cloud, 12, load_factor, at_first, [&](std::size_t, const Point& p, int) {
           return random() % 20 ? p : Point(coordinate(random), coordinate(random));
-        },
-        at_first, load_factor);
+        });
     expect_those_of_one_process(
-        "shear, with cells that are flipped", cloud, 24,
-        [&](std::size_t, const Point& p, int) {
-          return Point(wrapped(p.x() + 0.07 * p.y() + 0.02 * step(random)),
-                       p.y() + 0.02 * step(random));
-        },
+        "shear, with cells that are flipped", cloud, 24, load_factor,
         [](int frame) {
           const double shear = 0.07 * frame;
           return Cell(length, 0, length * (shear - std::round(shear)), length);
         },
-        load_factor);
-    expect_those_of_one_process(
-        "shear past the short vectors, and growth", cloud, 24,
         [&](std::size_t, const Point& p, int) {
-          return Point(1.02 * (p.x() + 0.1 * p.y()), 1.02 * p.y());
-        },
+          return Point(wrapped(p.x() + 0.07 * p.y() + 0.02 * step(random)),
+                       p.y() + 0.02 * step(random));
+        });
+    expect_those_of_one_process(
+        "shear past the short vectors, and growth", cloud, 24, load_factor,
         [](int frame) {
           const double s = length * std::pow(1.02, frame);
           return Cell(s, 0, 0.1 * frame * s, s);
         },
-        load_factor);
+        [&](std::size_t, const Point& p, int) {
+          return Point(1.02 * (p.x() + 0.1 * p.y()), 1.02 * p.y());
+        });
   }
   no_edge_changes_where_images_do_not(cloud);
   changes_of_a_population(grid);

@@ -43,21 +43,6 @@ inline Periodic_edge normal_form(Id i, Id j, const Shift& shift)
   return is_turned ? Periodic_edge{j, i, back} : Periodic_edge{i, j, shift};
 }
 
-// What all ranks have given, on rank 0.
-template <class T>
-std::vector<T> gathered_data(const std::vector<T>& own)
-{
-  const int size = int(own.size() * sizeof(T));
-  std::vector<int> sizes(std::size_t(number_of_ranks), 0), places(std::size_t(number_of_ranks), 0);
-  MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, MPI_COMM_WORLD);
-  for (std::size_t r = 1; r < places.size(); ++r)
-    places[r] = places[r - 1] + sizes[r - 1];
-  std::vector<T> all(std::size_t(places.back() + sizes.back()) / sizeof(T));
-  MPI_Gatherv(own.data(), size, MPI_BYTE, all.data(), sizes.data(), places.data(), MPI_BYTE, 0,
-              MPI_COMM_WORLD);
-  return all;
-}
-
 // The edges that one process has, with the diagonals of the ranks.
 class One_process
 {
@@ -268,11 +253,10 @@ inline void expect_exact(const Distributed_periodic& dt, const Population& popul
   expect(dt.is_certified(), what + ": certified");
   expect(sum(dt.number_of_owned_points()) == population.size(), what + ": all points are owned");
   faces = sum(faces);
-  Periodic_edges all = gathered_data(own), all_sides = gathered_data(sides);
+  const Periodic_edges all = gathered(own), all_sides = gathered(sides);
   const Population points = triangulated(dt, population, what);
   if (this_rank > 0)
     return;
-  std::sort(all.begin(), all.end());
   const One_process one(points, dt.cell());
   expect(all == one.edges(), what + ": the edges of all ranks are those of one");
   expect(faces == 2 * one.number_of_vertices(), what + ": twice as many faces as vertices");
@@ -280,38 +264,29 @@ inline void expect_exact(const Distributed_periodic& dt, const Population& popul
     expect(std::binary_search(all.begin(), all.end(), side), what + ": sides of faces are edges");
 }
 
-inline Points own_positions(const Distributed_periodic& dt, const Population& population)
+// Of a cell that stays as it is.
+inline auto always(const Cell& cell)
 {
-  Points positions;
-  for (const Id id : dt.owned_ids())
-    positions.push_back(population.at(id));
-  return positions;
+  return [=](int) { return cell; };
 }
 
-// Moves all points frame by frame: `move(i, p, frame)` is called for all of them on all ranks, and
-// `deform(frame)` returns the cell.
-template <class Move, class Deform>
-void run_periodic(const std::string& what, const Points& points, int frames, const Move& move,
-                  const Deform& deform, Owner owner = in_order,
-                  double load_factor = Distributed_periodic::default_load_factor)
+// As run(), in the cell that `deform(frame)` returns.
+template <class Deform, class Move>
+void run_periodic(const std::string& what, const Points& points, int frames,
+                  const Ownership& ownership, const Deform& deform, const Move& move)
 {
-  Population population = numbered(points);
-  const auto own = own_part(population, owner);
+  const Population population = numbered(points);
   Cell cell = deform(0);
-  Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), cell, load_factor);
-  expect_exact(dt, population, what + ", at the start");
-  for (int frame = 1; frame <= frames; ++frame) {
-    for (auto& [id, p] : population)
-      p = move(std::size_t(id), p, frame);
-    const Points next = own_positions(dt, population);
+  auto dt =
+      distributed<Distributed_periodic>(population, ownership.owner, cell, ownership.load_factor);
+  follow(dt, population, what, frames, move, [&](const Population& moved, int frame) {
     const Cell next_cell = deform(frame);
     if (next_cell == cell)
-      dt.update(next.begin(), next.end());
+      update(dt, moved);
     else
-      dt.update(next.begin(), next.end(), next_cell);
+      update(dt, moved, next_cell);
     cell = next_cell;
-    expect_exact(dt, population, what + ", frame " + std::to_string(frame));
-  }
+  });
   expect(dt.is_valid(), what + ": valid");
   expect(dt.certify(), what + ": certified anew");
 }

@@ -5,6 +5,7 @@
 // neighbor lists and measures, and checkpoints that other numbers of ranks read.
 
 #include "distributed_periodic_oracle.h"
+#include "distributed_uses.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/distributed/Distributed_neighbor_lists_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
@@ -13,14 +14,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <filesystem>
 #include <random>
 #include <string>
-#include <unistd.h>
 #include <utility>
 #include <vector>
-
-using Newcomers = std::vector<std::pair<Id, Point>>;
 
 const Cell skew_cell(12, 1, 4, 11);
 
@@ -33,16 +30,6 @@ Points random_points(std::size_t n, std::mt19937& random)
     points.push_back(Point(12 * s + 4 * t, s + 11 * t));
   }
   return points;
-}
-
-template <class Value>
-std::vector<Value> given_here(const std::vector<Value>& all)
-{
-  std::vector<Value> given;
-  for (std::size_t k = 0; k < all.size(); ++k)
-    if (in_turn(k, all.size()) == this_rank)
-      given.push_back(all[k]);
-  return given;
 }
 
 // By images of vertices at their labels; the lists of coincident points end with each other.
@@ -64,7 +51,7 @@ void expect_neighbors(const Distributed_periodic& dt, const Population& populati
       else
         own.emplace_back(ids[k], lists.neighbors()[n], lists.shifts()[n]);
     }
-  Periodic_edges all = gathered_data(own);
+  const Periodic_edges all = gathered(own);
   const Population points = triangulated(dt, population, what);
   if (this_rank > 0)
     return;
@@ -73,7 +60,6 @@ void expect_neighbors(const Distributed_periodic& dt, const Population& populati
     expected.emplace_back(i, j, shift);
     expected.emplace_back(j, i, Shift{0, 0} - shift);
   }
-  std::sort(all.begin(), all.end());
   std::sort(expected.begin(), expected.end());
   expect(all == expected, what + ": neighbors are the ends of edges");
 }
@@ -105,48 +91,19 @@ void expect_measures(const Distributed_periodic& dt, const std::string& what)
          what + ": the Voronoi cells are as large as the cell");
 }
 
-void points_come_and_go(double load_factor)
+void any_points_come_and_go(double load_factor)
 {
-  std::mt19937 random(13); // the same on all ranks
-  std::normal_distribution<double> step(0, 0.05);
-  const Newcomers none;
-  Distributed_periodic dt(MPI_COMM_WORLD, none.begin(), none.end(), skew_cell, load_factor);
-  Population population;
-  expect_exact(dt, population, "no points");
-  Id next = -5; // any numbers are ids
-  for (int frame = 0; frame < 12; ++frame) {
-    Newcomers coming;
-    for (const Point& p : random_points(frame % 6 == 0 ? 80 : 3, random))
-      coming.emplace_back(next += 1 + Id(random() % 1000), p);
-    coming.emplace_back(next += 3, Point(coming[0].second.x() + 12, coming[0].second.y() + 1));
-    const Newcomers given = given_here(coming);
-    dt.insert(given.begin(), given.end());
-    population.insert(coming.begin(), coming.end());
-    expect_exact(dt, population, "points have come");
-    expect_neighbors(dt, population, "points have come");
-    std::vector<Id> going;
-    for (const auto& value : population)
-      if (random() % (frame % 5 == 0 ? 3 : 30) == 0)
-        going.push_back(value.first);
-    const std::vector<Id> gone = given_here(going);
-    dt.remove(gone.begin(), gone.end());
-    for (const Id id : going)
-      population.erase(id);
-    expect_exact(dt, population, "points have gone");
-    for (auto& [id, p] : population)
-      p = Point(p.x() + step(random), p.y() + step(random));
-    const Points positions = own_positions(dt, population);
-    dt.update(positions.begin(), positions.end());
-    expect_exact(dt, population, "points have moved");
-  }
-  std::vector<Id> all;
-  for (const auto& value : population)
-    all.push_back(value.first);
-  const std::vector<Id> gone = given_here(all);
-  dt.remove(gone.begin(), gone.end());
-  population.clear();
-  expect_exact(dt, population, "all points have gone");
-  expect(dt.is_valid(), "no points are valid");
+  auto dt = distributed<Distributed_periodic>({}, in_order, skew_cell, load_factor);
+  points_come_and_go(
+      dt, 12,
+      [](std::size_t frame, std::mt19937& random) {
+        Points coming = random_points(frame % 6 == 0 ? 80 : 3, random);
+        coming.push_back(Point(coming[0].x() + 12, coming[0].y() + 1));
+        return coming;
+      },
+      [&](const Population& population, const std::string& what) {
+        expect_neighbors(dt, population, what);
+      });
 }
 
 void duplicates_and_measures()
@@ -156,46 +113,20 @@ void duplicates_and_measures()
   population[200] = Point(1, 2);
   for (Id k = 1; k <= 5; ++k) // by vectors of the lattice, which are integers
     population[200 + k] = Point(1 + 12 * double(k) - 4, 2 + double(k) - 11);
-  const auto own = own_part(population, in_turn);
-  Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), skew_cell);
+  auto dt = distributed<Distributed_periodic>(population, in_turn, skew_cell);
   expect_exact(dt, population, "duplicates");
   expect_duplicates(dt, {200, 201, 202, 203, 204, 205}, "duplicates");
-  const std::vector<Id> some = given_here(std::vector<Id>{201, 202, 203, 204, 205});
-  dt.remove(some.begin(), some.end());
+  remove(dt, population, {201, 202, 203, 204, 205}, 0);
   expect_measures(dt, "measures");
 }
 
-void mixed_points_are_distributed_anew()
+void points_that_mix_are_distributed_anew()
 {
   std::mt19937 random(8);
-  Population population = numbered(random_points(600, random));
-  const auto own = own_part(population, on_first);
-  Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), skew_cell);
-  std::size_t distributions = 0;
-  for (int frame = 0; frame < 48; ++frame) {
-    const std::vector<Id> before = dt.owned_ids();
-    for (auto& [id, p] : population)
-      if (frame >= 8 && random() % 5 == 0)
-        p = random_points(1, random).front();
-    const Points next = own_positions(dt, population);
-    dt.update(next.begin(), next.end());
-    if (frame % 8 == 0)
-      expect_exact(dt, population, "mixing");
-    if (dt.number_of_distributions() != distributions)
-      expect(dt.carry(before) == dt.owned_ids(), "data follow their points");
-    else
-      expect(dt.owned_ids() == before, "owned points change only where they are distributed");
-    distributions = dt.number_of_distributions();
-  }
-  expect(number_of_ranks < 4 || distributions > 0, "points that mix are distributed anew");
-  const std::vector<Id> before = dt.owned_ids();
-  dt.distribute();
-  expect(dt.carry(before) == dt.owned_ids(), "data follow points that are distributed by hand");
-  expect_exact(dt, population, "distributed by hand");
-  std::uint64_t owned = dt.number_of_owned_points(), most = 0;
-  MPI_Allreduce(&owned, &most, 1, MPI_UINT64_T, MPI_MAX, MPI_COMM_WORLD);
-  expect(most <= 600 / std::uint64_t(number_of_ranks) + 600 / 64 + 1,
-         "all ranks own about equally many points");
+  const Population population = numbered(random_points(600, random));
+  auto dt = distributed<Distributed_periodic>(population, on_first, skew_cell);
+  mixed_points_are_distributed_anew(
+      dt, population, {8, 8, 4}, [](std::mt19937& any) { return random_points(1, any).front(); });
 }
 
 void calm_frames_need_no_questions()
@@ -203,18 +134,16 @@ void calm_frames_need_no_questions()
   std::mt19937 random(6);
   std::normal_distribution<double> step(0, 0.00005);
   Population population = numbered(random_points(800, random));
-  const auto own = own_part(population, in_turn);
-  Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), skew_cell);
-  const auto update = [&](double shear) {
+  auto dt = distributed<Distributed_periodic>(population, in_turn, skew_cell);
+  const auto shear_by = [&](double shear) {
     for (auto& [id, p] : population)
       p = Point(p.x() + 0.0002 * p.y() + step(random), p.y() + step(random));
-    const Points next = own_positions(dt, population);
-    dt.update(next.begin(), next.end(), Cell(12 + shear, 1, 4 + 11 * shear, 11));
+    update(dt, population, Cell(12 + shear, 1, 4 + 11 * shear, 11));
   };
-  update(0);
+  shear_by(0);
   const auto rounds = dt.number_of_rounds();
   for (int frame = 1; frame <= 20; ++frame) {
-    update(0.0002 * frame);
+    shear_by(0.0002 * frame);
     expect_exact(dt, population, "a calm frame");
   }
   expect(dt.number_of_rounds() == rounds, "calm frames of shear need no questions");
@@ -231,15 +160,13 @@ void zones_follow_shear()
   for (int i = 0; i < 1600; ++i)
     points.push_back(Point(coordinate(random), coordinate(random)));
   Population population = numbered(points);
-  const auto own = own_part(population, in_turn);
-  Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), Cell(length, length));
+  auto dt = distributed<Distributed_periodic>(population, in_turn, Cell(length, length));
   const auto asked_before = dt.number_of_asking_frames();
   constexpr int frames = 40;
   for (int frame = 1; frame <= frames; ++frame) {
     for (auto& [id, p] : population)
       p = Point(p.x() + shear * p.y(), p.y());
-    const Points next = own_positions(dt, population);
-    dt.update(next.begin(), next.end(), Cell(length, 0, length * shear * frame, length));
+    update(dt, population, Cell(length, 0, length * shear * frame, length));
     if (frame % 10 == 0)
       expect_exact(dt, population, "a zone that follows shear");
   }
@@ -249,52 +176,20 @@ void zones_follow_shear()
 
 void other_ranks_read_checkpoints()
 {
-  long process = getpid();
-  MPI_Bcast(&process, 1, MPI_LONG, 0, MPI_COMM_WORLD);
-  const std::string path = (std::filesystem::temp_directory_path() /
-                            ("distributed_periodic_uses_" + std::to_string(process)))
-                               .string();
+  const std::string path = file_name("distributed_periodic_uses");
   std::mt19937 random(23);
   Population population = numbered(random_points(150, random));
   {
-    const auto own = own_part(population, in_turn);
-    Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), Cell(12.1, 1, 4, 10.9));
+    auto dt = distributed<Distributed_periodic>(population, in_turn, Cell(12.1, 1, 4, 10.9));
     dt.write_checkpoint(path); // which the next one replaces
     dt.write_checkpoint(path, dt.owned_points());
   }
-  const Newcomers none;
-  for (int readers = 1; readers <= number_of_ranks; ++readers) {
-    MPI_Comm some;
-    MPI_Comm_split(MPI_COMM_WORLD, this_rank < readers, this_rank, &some);
-    const std::string what = std::to_string(readers) + " ranks have read";
-    {
-      Distributed_periodic dt(some, none.begin(), none.end(), Cell(1, 1));
-      if (this_rank < readers) {
-        Points data;
-        dt.read_checkpoint(path, data);
-        expect(data == dt.owned_points(), what + ": the same points, bit for bit, and their data");
-        expect(dt.is_valid(), what + ": valid");
-      }
-      expect_exact(dt, population, what);
-      bool is_refused = false;
-      try {
-        std::vector<char> other;
-        dt.read_checkpoint(path, other);
-      } catch (const CGAL::Checkpoint_error_2&) {
-        is_refused = true;
-      }
-      expect(is_refused, what + ": other data are refused");
-    }
-    MPI_Comm_free(&some);
-  }
-  Distributed plane(MPI_COMM_WORLD, none.begin(), none.end());
-  bool is_refused = false;
-  try {
-    plane.read_checkpoint(path);
-  } catch (const CGAL::Checkpoint_error_2&) {
-    is_refused = true;
-  }
-  expect(is_refused, "the plane refuses points of a periodic cell");
+  const auto data_of = [](const Distributed_periodic& dt) { return dt.owned_points(); };
+  for (int readers = 1; readers <= number_of_ranks; ++readers)
+    some_ranks_read<Distributed_periodic>(path, population, readers, data_of, Cell(1, 1));
+  auto plane = distributed({}, in_order);
+  expect(is_refused<CGAL::Checkpoint_error_2>([&] { plane.read_checkpoint(path); }),
+         "the plane refuses points of a periodic cell");
   if (this_rank == 0) {
     std::FILE* const file = std::fopen(path.c_str(), "r+b");
     std::fseek(file, 24 + 4 * 8 + 3, SEEK_SET); // in the cell
@@ -302,14 +197,9 @@ void other_ranks_read_checkpoints()
     std::fclose(file);
   }
   MPI_Barrier(MPI_COMM_WORLD);
-  Distributed_periodic dt(MPI_COMM_WORLD, none.begin(), none.end(), Cell(1, 1));
-  is_refused = false;
-  try {
-    dt.read_checkpoint(path);
-  } catch (const CGAL::Checkpoint_error_2&) {
-    is_refused = true;
-  }
-  expect(is_refused, "another cell is not that which was written");
+  auto dt = distributed<Distributed_periodic>({}, in_order, Cell(1, 1));
+  expect(is_refused<CGAL::Checkpoint_error_2>([&] { dt.read_checkpoint(path); }),
+         "another cell is not that which was written");
   MPI_Barrier(MPI_COMM_WORLD);
   if (this_rank == 0)
     std::remove(path.c_str());
@@ -321,18 +211,16 @@ void sheared_cells_are_followed_for_long()
 {
   std::mt19937 random(31);
   Population population = numbered(random_points(40, random));
-  const auto own = own_part(population, in_turn);
   constexpr double loads_do_not_matter = 1000;
-  Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), Cell(11, 11),
-                          loads_do_not_matter);
+  auto dt =
+      distributed<Distributed_periodic>(population, in_turn, Cell(11, 11), loads_do_not_matter);
   for (int frame = 1; frame <= 60; ++frame) {
     const double strain = 0.05 * frame;
     for (auto& [id, p] : population)
       p = Point(p.x() + 0.05 * p.y(), p.y());
-    const Points next = own_positions(dt, population);
     const std::vector<Id> before = dt.owned_ids();
     const auto distributions = dt.number_of_distributions();
-    dt.update(next.begin(), next.end(), Cell(11, 0, 11 * strain, 11));
+    update(dt, population, Cell(11, 0, 11 * strain, 11));
     if (dt.number_of_distributions() > distributions)
       expect(dt.carry(before) == dt.owned_ids(), "data follow points into another cell");
     if (strain < 1.6)
@@ -348,12 +236,11 @@ void points_can_be_given_back()
 {
   std::mt19937 random(29);
   const Population population = numbered(random_points(60, random));
-  const auto own = own_part(population, in_order);
   // Rounding the last one brings it to where the grid is twice as coarse.
   const Cell next_to_a_power_of_2(1 - 0x1p-44 - 0x1p-46, 1 + 0x1p-44);
   for (const Cell& cell : {Cell(0.1, 0.7), Cell(1 / 3.0, 0.1, 7e-3, 3), Cell(1e10 / 3, 1e9 / 7),
                            next_to_a_power_of_2}) {
-    Distributed_periodic dt(MPI_COMM_WORLD, own.begin(), own.end(), cell, no_balance);
+    auto dt = distributed<Distributed_periodic>(population, in_order, cell, no_balance);
     const Points before = dt.owned_points();
     const Cell cell_before = dt.cell();
     dt.update(before.begin(), before.end(), cell_before);
@@ -365,10 +252,10 @@ void points_can_be_given_back()
 int main(int argc, char** argv)
 {
   start(argc, argv);
-  points_come_and_go(Distributed_periodic::default_load_factor);
-  points_come_and_go(no_balance);
+  any_points_come_and_go(Distributed_periodic::default_load_factor);
+  any_points_come_and_go(no_balance);
   duplicates_and_measures();
-  mixed_points_are_distributed_anew();
+  points_that_mix_are_distributed_anew();
   calm_frames_need_no_questions();
   zones_follow_shear();
   other_ranks_read_checkpoints();

@@ -82,8 +82,7 @@ void expect_queries(const std::string& what, const Points& points, double spread
   std::mt19937 random(17); // the same on all ranks
   std::normal_distribution<double> step(0, 1);
   Population population = numbered(points);
-  const auto own = own_part(population, in_turn);
-  Distributed dt(MPI_COMM_WORLD, own.begin(), own.end(), 1.1);
+  auto dt = distributed(population, in_turn, 1.1);
   CGAL::Distributed_edge_changes_2 changes;
   Edges edges;
   for (int frame = 0; frame < frames; ++frame) {
@@ -104,8 +103,7 @@ void expect_queries(const std::string& what, const Points& points, double spread
     }
     for (auto& [id, p] : population)
       p = Point(p.x() + spread * step(random), p.y() + spread * step(random));
-    const Points next = own_positions(dt, population);
-    dt.update(next.begin(), next.end());
+    update(dt, population);
   }
   expect(dt.certify(), what + ": certified without trust in zones");
   expect_exact(dt, population, what + ", certified anew");
