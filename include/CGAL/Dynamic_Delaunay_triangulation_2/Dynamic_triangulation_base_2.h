@@ -298,8 +298,9 @@ public:
     return id;
   }
 
-  /// adds the points of the range. Their ids are written to `ids` first. In the plane, if there are
-  /// more than about one of them for nine vertices, everything is triangulated anew.
+  /// adds the points of the range. Their ids are written to `ids` first. If there are more than
+  /// about one of them for nine vertices, in periodic space for three, everything is triangulated
+  /// anew.
   template <class InputIterator, class OutputIterator>
   Update_report_2 insert(InputIterator first, InputIterator beyond, OutputIterator ids)
   {
@@ -336,8 +337,9 @@ public:
   /// \post `is_certified()`, if it was, or if the classifier is exact.
   Update_report_2 remove(size_type id) { return remove(&id, &id + 1); }
 
-  /// removes the points with these ids. In the plane, if they are more than about one in nine
-  /// vertices, everything is triangulated anew. \tparam InputIterator its values are integers.
+  /// removes the points with these ids. If they are more than about one in nine vertices, in
+  /// periodic space in three, everything is triangulated anew. \tparam InputIterator its values are
+  /// integers.
   /// \throws Unknown_id_error_2 if an id belongs to no point; nothing changes.
   /// \throws Repeated_id_error_2 if an id is given more than once; nothing changes.
   template <class InputIterator>
@@ -437,8 +439,7 @@ public:
   Update_visitor& visitor() { return m_visitor; }
 
   /// the Classified set of the last update, as vertices of `frame()`. Empty after a rebuild that
-  /// preceded classification. In periodic space also empty if vertices have got other numbers
-  /// since, or if points came apart and all edges were examined for that.
+  /// preceded classification, and if vertices have got other numbers since.
   const std::vector<Index>& classified_vertices() const
   {
     return tools().classification().vertices();

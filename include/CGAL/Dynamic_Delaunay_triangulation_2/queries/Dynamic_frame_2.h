@@ -103,7 +103,8 @@ public:
   const Position& position(Index v) const { return m_state->positions()[v]; }
   /// the positions of all vertices, indexed by their numbers.
   const std::vector<Position>& positions() const { return m_state->positions(); }
-  /// the position of vertex `v` one frame ago. Valid only while classifying.
+  /// the position of vertex `v` one frame ago, in periodic space the image of it that is nearest to
+  /// the present position. Valid only while classifying.
   Position previous_position(Index v) const { return m_state->previous_position(v); }
   /// whether all positions equal the coordinates of the points, with none of them rounded.
   bool positions_are_exact() const { return m_state->positions_are_exact(); }

@@ -28,9 +28,10 @@ is open, and tools do nothing.
 
 In periodic space a splice works otherwise. `splice_classified()` flips the edges around the
 classified and padded vertices. The other two, and `relocate()`, take the vertices of a region out,
-and insert them anew after the repair. With a heuristic classifier they examine all edges before,
-since points can be inserted only where all is proved. Vertices that jump are taken out before the
-classifier is asked, so `take_out_jumpers()` and `take_out_farthest()` do nothing.
+and insert them anew after the repair; without padding `splice_inverted()` takes out what
+`take_out_farthest()` would. With a heuristic classifier they examine all edges before, since points
+can be inserted only where all is proved. Vertices that jump are taken out before the classifier is
+asked, so `take_out_jumpers()` does nothing.
 
 \tparam Repair_tools an internal type.
 */

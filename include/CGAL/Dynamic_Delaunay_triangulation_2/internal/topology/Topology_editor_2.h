@@ -280,13 +280,13 @@ public:
   // Puts the slot's vertex v into a face. Throws nothing after reserve_for_new_edges(6), or after
   // keep_memory_for() if everything is new.
   //
-  //     c --------- b        c --------- b
-  //     |         /          | \   f   /     g and k are the slot's faces
-  //     |   f   /   ------>  |   v   /
-  //     |     /              | g | /
-  //     |   /                |   / k
-  //     | /                  | /
-  //     a                    a
+  //     c --------- b         c --------- b
+  //     |         /           | \  f   . /      g and k are
+  //     |  f    /   ------->  |   \ . ' /       the slot's faces
+  //     |     /               | g  v   /
+  //     |   /                 |   / k /
+  //     | /                   |  / . '
+  //     a                     a '
   void put_in(const Slot& slot, const Seen_face& place)
   {
     auto& new_edges = m_changes.new_edges;
