@@ -262,8 +262,8 @@ private:
   struct Part
   {
     Translations translated;
-    std::vector<std::pair<Index, Position_2>> far; // vertices that go far, and their ways
-    Position_2 sum;                                // of all ways
+    std::vector<std::pair<Index, Position_2>> far_movers; // vertices that go far, and their ways
+    Position_2 sum;                                       // of all ways
   };
 
   // Stages the positions of the vertices, and finds which of them come nearest to where they were
@@ -286,7 +286,7 @@ private:
     Position_2 sum{0, 0};
     for (const Part& part : m_parts) {
       m_translated.insert(m_translated.end(), part.translated.begin(), part.translated.end());
-      m_far.insert(m_far.end(), part.far.begin(), part.far.end());
+      m_far.insert(m_far.end(), part.far_movers.begin(), part.far_movers.end());
       sum = {sum.x + part.sum.x, sum.y + part.sum.y};
     }
     if (vertices > 0)
@@ -298,7 +298,7 @@ private:
   bool stage_part(const Next& next, const Torus_2& now, Index first, Index beyond, Part& part)
   {
     part.translated.clear();
-    part.far.clear();
+    part.far_movers.clear();
     part.sum = {0, 0};
     const double long_way = m_squared_long_way;
     Position_2 sum{0, 0};
@@ -319,7 +319,7 @@ private:
       if (is_same && now.is_short(way) && std::abs(q.x) + std::abs(q.y) <= usual) {
         sum = {sum.x + way.x, sum.y + way.y};
         if (dot(way, way) > long_way)
-          part.far.push_back({v, way});
+          part.far_movers.push_back({v, way});
         continue;
       }
       if (!is_in_range(q, now))
@@ -332,7 +332,7 @@ private:
       way = now.vector({step.x - shift[0], step.y - shift[1]});
       sum = {sum.x + way.x, sum.y + way.y};
       if (dot(way, way) > long_way)
-        part.far.push_back({v, way});
+        part.far_movers.push_back({v, way});
     }
     part.sum = sum;
     return true;
