@@ -333,18 +333,21 @@ TEST(Periodic_checkpoints, the_example_in_the_manual_is_a_checkpoint)
                                "faces 4\n2 1 1 1 0 1 1\n1 2 1 0 0 0 1\n2 2 1 0 -1 1 0\n"
                                "1 2 2 0 -1 0 0\ncorners 2\n9\n11\n"
                                "edges 6\n4 0\n11 3\n8 9\n6 1\n7 2\n10 5\n"
-                               "checksum 2e937d19\n");
+                               "checksum a3eee32e\n");
 }
 
 // A run in which memory ran out is to be mended by the next change, here as there.
-TEST(Periodic_checkpoints, what_an_exception_has_left_is_kept_or_not_written_at_all)
+// Returns how many checkpoints were kept, and how many not written.
+std::pair<int, int> run_out_of_memory(bool first_two_part)
 {
   std::mt19937_64 random(5);
   auto points = random_points(random, 30, 3);
   points[1] = points[0];
   auto next = points;
-  for (Point& p : next) // the first two part
+  for (Point& p : next)
     p = Point(p.x() + random_between(random, -0.2, 0.2), p.y());
+  if (!first_two_part)
+    next[1] = next[0];
   next[2] = points[3];
   int kept = 0, not_written = 0;
   bool is_done = false;
@@ -370,12 +373,17 @@ TEST(Periodic_checkpoints, what_an_exception_has_left_is_kept_or_not_written_at_
     }
     Triangulation other = restored(pt);
     EXPECT_FALSE(other.is_certified());
-    ASSERT_EQ(all_of(pt.update(next)), all_of(other.update(next)));
-    ASSERT_NO_FATAL_FAILURE(expect_equal(pt, other));
-    ASSERT_TRUE(other.is_valid());
+    EXPECT_EQ(all_of(pt.update(next)), all_of(other.update(next)));
+    expect_equal(pt, other);
+    EXPECT_TRUE(other.is_valid());
   }
-  EXPECT_GT(kept, 0);
-  EXPECT_GT(not_written, 0);
+  return {kept, not_written};
+}
+
+TEST(Periodic_checkpoints, what_an_exception_has_left_is_kept_or_not_written_at_all)
+{
+  EXPECT_GT(run_out_of_memory(false).first, 0);
+  EXPECT_GT(run_out_of_memory(true).second, 0); // where a point has no vertex of its own yet
 }
 
 // POPULATIONS -------------------------------------------------------------------------------------
@@ -521,9 +529,8 @@ TEST(Periodic_checkpoints, a_refusal_says_where_and_why)
             "checkpoint, line 3: \"1 3\" is too much in this line");
   EXPECT_EQ(message(replaced(text, "certified yes", "certified maybe")),
             "checkpoint, line 4: certified is \"maybe\", and has to be yes or no");
-  EXPECT_EQ(
-      message(replaced(text, "hopeless_share 65536", "hopeless_share 0")),
-      "checkpoint, line 5: hopeless_share is \"0\", and has to be an integer from 1 to 65536");
+  EXPECT_EQ(message(replaced(text, "hopeless_share 65536", "hopeless_share 0")),
+            "checkpoint, line 5: hopeless_share is \"0\", and has to be a number from 1 to 65536");
 }
 
 TEST(Periodic_checkpoints, files_of_the_plane_are_refused_here_and_periodic_ones_there)
@@ -590,7 +597,7 @@ TEST(Periodic_checkpoints, points_have_to_be_in_range_and_duplicates_where_their
               std::size_t(lines) + 2)
         << point;
   const std::string duplicate = '\n' + line_below(text, "duplicates") + '\n';
-  EXPECT_EQ(line_of_refusal(replaced(text, duplicate, duplicate.substr(0, 5) + "1 1\n")), 15u);
+  EXPECT_EQ(line_of_refusal(replaced(text, duplicate, duplicate.substr(0, 5) + "1 1\n")), 14u);
 }
 
 TEST(Periodic_checkpoints, what_is_announced_costs_no_memory)
@@ -647,16 +654,16 @@ TEST(Periodic_checkpoints, one_point_has_two_faces_over_a_basis_of_the_lattice)
     return file_of({"1 1"}, {"1 1 1 " + f, "1 1 1 " + g}, {"0"}, edges, "yes");
   };
   EXPECT_EQ(reason(of_faces("1 0 1 1", "1 1 0 1")), "checkpoint: accepted");
-  const std::string not_once = "checkpoint, line 20: the faces above do not cover the space once";
+  const std::string not_once = "checkpoint, line 19: the faces above do not cover the space once";
   EXPECT_EQ(reason(of_faces("2 0 2 1", "2 1 0 1")), not_once); // twice, and else all is right
   EXPECT_EQ(reason(of_faces("0 1 1 1", "1 1 1 0")), not_once); // turned over
   EXPECT_EQ(reason(of_faces("1 0 2 0", "2 0 1 0")), not_once);
   EXPECT_EQ(reason(of_faces("1 0 1 0", "1 0 0 0")),
-            "checkpoint, line 13: the face has a corner twice");
+            "checkpoint, line 12: the face has a corner twice");
   EXPECT_EQ(reason(of_faces("1 0 1 1", "1 1 0 2")),
-            "checkpoint, line 18: these are half-edges of two edges");
+            "checkpoint, line 17: these are half-edges of two edges");
   EXPECT_EQ(reason(of_faces("1 0 1 4194304", "1 1 0 1")),
-            "checkpoint, line 13: the shift is \"4194304\", and has to be a number from -4194303 "
+            "checkpoint, line 12: the shift is \"4194304\", and has to be a number from -4194303 "
             "to 4194303");
 }
 
@@ -667,10 +674,10 @@ TEST(Periodic_checkpoints, every_half_edge_is_there_once)
   };
   EXPECT_EQ(reason(of_edges({"4 0", "5 1", "3 2"})), "checkpoint: accepted");
   const std::string twice = ": a half-edge is there more than once";
-  EXPECT_EQ(reason(of_edges({"4 0", "0 4", "3 2"})), "checkpoint, line 19" + twice);
-  EXPECT_EQ(reason(of_edges({"4 0", "5 1", "2 2"})), "checkpoint, line 20" + twice);
+  EXPECT_EQ(reason(of_edges({"4 0", "0 4", "3 2"})), "checkpoint, line 18" + twice);
+  EXPECT_EQ(reason(of_edges({"4 0", "5 1", "2 2"})), "checkpoint, line 19" + twice);
   EXPECT_EQ(reason(of_edges({"1 0", "5 4", "3 2"})),
-            "checkpoint, line 18: these are half-edges of two edges");
+            "checkpoint, line 17: these are half-edges of two edges");
 }
 
 TEST(Periodic_checkpoints, corners_are_at_their_vertices)
@@ -694,12 +701,12 @@ TEST(Periodic_checkpoints, faces_that_are_no_torus_are_refused)
   EXPECT_EQ(reason(file_of({"1 1", "2 2"},
                            {"1 1 1 1 0 1 1", "1 1 1 1 1 0 1", "2 2 2 1 0 1 1", "2 2 2 1 1 0 1"},
                            {"0", "6"}, {"0 4", "1 5", "2 3", "6 10", "7 11", "8 9"})),
-            "checkpoint, line 16: the face hangs together with the first one by no edges");
+            "checkpoint, line 15: the face hangs together with the first one by no edges");
   // a tetrahedron of which two pairs of vertices are images of one point each
   EXPECT_EQ(reason(file_of({"1 1", "2 2"},
                            {"1 2 1 0 0 1 0", "1 2 2 1 0 0 0", "1 1 2 1 0 1 0", "2 2 1 1 0 1 0"},
                            {"0", "1"}, {"2 4", "1 8", "0 10", "5 7", "3 11", "6 9"})),
-            "checkpoint, line 17: the faces at a vertex of the face are not one cycle");
+            "checkpoint, line 16: the faces at a vertex of the face are not one cycle");
 }
 
 TEST(Periodic_checkpoints, a_forged_file_is_refused_or_harmless)

@@ -71,7 +71,9 @@ public:
     });
     ids.insert(ids.end(), coming_ids.begin(), coming_ids.end());
     points.insert(points.end(), coming_points.begin(), coming_points.end());
-    build(std::move(ids), std::move(points));
+    const auto comes_second = [this](Index id) { return !keeps_vertex(id); };
+    const auto second = std::find_if(ids.begin(), ids.end(), comes_second) - ids.begin();
+    build(std::move(ids), std::move(points), std::size_t(second));
   }
 
   // Makes the triangulation, which must be empty, a copy of another one. The visitor is not called.
@@ -142,24 +144,27 @@ private:
     std::swap(m_state.m_ids, other.m_ids);
   }
 
+  bool keeps_vertex(Index id) const
+  {
+    return m_state.ids().is_taken(id) && m_state.ids().is_representative(id);
+  }
+
+  // Representatives come first.
   std::vector<Index> ids_without(const std::vector<Index>& gone) const
   {
-    const auto& all = m_state.ids();
-    std::vector<bool> stays(all.number_of_ids());
-    for (Index id = 0; id < all.number_of_ids(); ++id)
-      stays[id] = all.is_taken(id);
+    std::vector<Index> ids = m_state.ids().representatives_and_duplicates();
+    std::vector<bool> goes(m_state.ids().number_of_ids());
     for (const Index id : gone)
-      stays[id] = false;
-    std::vector<Index> ids;
-    for (Index id = 0; id < all.number_of_ids(); ++id)
-      if (stays[id])
-        ids.push_back(id);
+      goes[id] = true;
+    ids.erase(std::remove_if(ids.begin(), ids.end(), [&](Index id) { return goes[id]; }),
+              ids.end());
     return ids;
   }
 
   // BUILDING ------------------------------------------------------------------------------------
 
-  void build(std::vector<Index> point_ids, std::vector<Point> points)
+  // Where points coincide one of the first ones, before `second`, is the representative.
+  void build(std::vector<Index> point_ids, std::vector<Point> points, std::size_t second)
   {
     Index number_of_ids = ids().number_of_ids();
     for (const Index id : point_ids)
@@ -174,7 +179,7 @@ private:
       m_state.m_positions.forget_previous();
       ids().reset(number_of_ids);
       if (!point_ids.empty() && !triangulate(point_ids, points))
-        insert(std::move(point_ids), std::move(points));
+        insert(point_ids, points, second);
       ids().settle();
     } catch (...) {
       m_relocation.forget();
@@ -220,14 +225,23 @@ private:
     return false;
   }
 
-  // Inserts one point after the other.
-  void insert(std::vector<Index> point_ids, std::vector<Point> points)
+  // Inserts one point after the other, those before `second` first.
+  void insert(const std::vector<Index>& point_ids, const std::vector<Point>& points,
+              std::size_t second)
   {
-    start(point_ids.back(), points.back());
-    point_ids.pop_back();
-    points.pop_back();
-    if (point_ids.empty())
+    start(point_ids.front(), points.front());
+    insert_part(point_ids, points, 1, (std::max)(second, std::size_t(1)));
+    insert_part(point_ids, points, (std::max)(second, std::size_t(1)), points.size());
+  }
+
+  void insert_part(const std::vector<Index>& all_ids, const std::vector<Point>& all_points,
+                   std::size_t first, std::size_t beyond)
+  {
+    if (first == beyond)
       return;
+    const auto i = std::ptrdiff_t(first), k = std::ptrdiff_t(beyond);
+    std::vector<Index> point_ids(all_ids.begin() + i, all_ids.begin() + k);
+    std::vector<Point> points(all_points.begin() + i, all_points.begin() + k);
     constexpr std::size_t most_faces = 64; // that a point replaces: flips take less time beyond
     m_relocation.announce_reserved(point_ids, points);
     m_relocation.put_in(

@@ -90,7 +90,7 @@ public:
     m_report->classified = m_classification.size();
     m_open.take(m_classification, m_state);
     if (State::is_periodic)
-      m_open.open_all_in_order();
+      m_open.open_all_in_order(m_state);
     m_classified_edges = m_open.size();
     m_changes = changes;
     m_movers = m_state.number_of_vertices();
