@@ -1311,6 +1311,34 @@ TEST(A_population, of_a_few_points_that_coincide_leave_and_come_is_right_in_ever
   }
 }
 
+// A point that goes stays where it was until then, and seems to jump where all others flow.
+TEST(A_population, loses_points_while_all_others_flow_in_cells_and_slabs_that_change)
+{
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
+    std::mt19937_64 random(seed);
+    const auto cell = [&](int frame) {
+      const double growth = 1 + 0.01 * frame;
+      return seed % 2 == 0 ? Cell::slab(8 * growth, 0.3 * frame)
+                           : Cell(8 * growth, 0.1 * frame, 2 * growth, 5 * growth);
+    };
+    std::vector<Point> points = random_points(random, 80, 5);
+    CGAL::Dynamic_population_2<Triangulation> population{Triangulation(cell(0))};
+    std::size_t first = 0;
+    for (int frame = 0; frame < 20; ++frame, first += random() % 4) {
+      std::vector<std::pair<std::size_t, Point>> all;
+      for (std::size_t i = first; i < points.size(); ++i) {
+        points[i] = Point(points[i].x() + 1, points[i].y() + random_between(random, -0.02, 0.02));
+        all.emplace_back(i, points[i]);
+      }
+      population.update(all, cell(frame));
+      ASSERT_TRUE(population.triangulation().is_valid() &&
+                  population.triangulation().is_certified())
+          << seed << ' ' << frame;
+      ASSERT_EQ(population.triangulation().number_of_points(), all.size());
+    }
+  }
+}
+
 TEST(A_population, says_at_which_place_of_the_range_a_point_is_that_it_refuses)
 {
   using Frame = std::vector<std::pair<std::int64_t, Point>>;

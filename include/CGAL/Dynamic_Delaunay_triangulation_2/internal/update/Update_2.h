@@ -153,7 +153,7 @@ private:
       m_tools.start(report, Classifier::is_exact);
       if (change.is_frame) {
         if (was_certified && Classifier::is_exact)
-          m_tools.take_out_before_motion(input.find_jumpers());
+          m_tools.take_out_before_motion(find_jumpers(input, change.gone));
         input.accept(); // throws nothing
         is_accepted = true;
       }
@@ -194,6 +194,19 @@ private:
     put_in(report);
     prove(change, report);
     return report;
+  }
+
+  // Vertices that will jump, but for those of points that are removed.
+  template <class Input>
+  std::vector<Index> find_jumpers(const Input& input, std::vector<Index> gone) const
+  {
+    std::vector<Index> jumpers = input.find_jumpers();
+    std::sort(gone.begin(), gone.end());
+    const auto is_gone = [&](Index v) {
+      return std::binary_search(gone.begin(), gone.end(), m_state.ids().representative(v));
+    };
+    jumpers.erase(std::remove_if(jumpers.begin(), jumpers.end(), is_gone), jumpers.end());
+    return jumpers;
   }
 
   // TO REBUILD OR NOT ---------------------------------------------------------------------------
