@@ -98,16 +98,15 @@ public:
     if constexpr (is_in_memory<InputIterator> && std::is_same_v<Value, Point> &&
                   std::is_same_v<PointMap, Identity_map>) {
       check_count(std::size_t(beyond - first));
-      stage(Points_in_memory{first == beyond ? nullptr : &*first}, cell, gone);
+      stage_points({first == beyond ? nullptr : &*first}, cell, gone);
     } else { // other ranges may be costly to read twice
       const std::vector<Point> points = copied(first, beyond, point_map);
-      stage(Points_in_memory{points.data()}, cell, gone);
+      stage_points({points.data()}, cell, gone);
     }
   }
 
-  // Finds the vertices that will go farther than half the way to their nearest neighbors, compared
-  // to the mean motion, and would tangle the faces on their way: 1.2 to 1.6 times as fast as
-  // finding them among the vertices of broken edges afterwards.
+  // Finds the vertices that go farther than half the way to their nearest neighbors, compared to
+  // the mean motion, and would tangle the faces on their way. To be called before accept().
   std::vector<Index> find_jumpers() const
   {
     std::vector<Index> jumpers;
@@ -146,7 +145,7 @@ public:
   void settle() { m_positions.forget_previous(); }
 
 private:
-  struct Points_in_memory
+  struct Points_by_id
   {
     const Point& operator()(std::size_t id) const { return points[id]; }
     void prefetch(std::size_t id) const { internal::prefetch(&points[id]); }
@@ -165,7 +164,7 @@ private:
 
     const Periodic_input_2& input;
     const Torus_2& now;
-    const Points_in_memory& points;
+    const Points_by_id& points;
     std::vector<bool> goes; // indexed by ids
   };
 
@@ -189,18 +188,18 @@ private:
       throw Point_count_error_2(m_state.ids().number_of_ids(), given);
   }
 
-  void stage(const Points_in_memory& points, const Periodic_cell_2& cell,
-             const std::vector<Index>& gone)
+  void stage_points(const Points_by_id& points, const Periodic_cell_2& cell,
+                    const std::vector<Index>& gone)
   {
     const Torus_2 now(cell);
     m_cell = cell;
     m_multiples = is_same_cell() ? unit_multiples : countable_multiples(now);
     if (gone.empty())
-      return stage(points, now);
+      return stage_all(points, now);
     Points_that_stay staying{*this, now, points, std::vector<bool>(m_state.ids().number_of_ids())};
     for (const Index id : gone)
       staying.goes[id] = true;
-    stage(staying, now);
+    stage_all(staying, now);
   }
 
   bool is_same_cell() const { return m_cell == m_state.torus().cell(); }
@@ -216,8 +215,9 @@ private:
     return Point(q.x, q.y);
   }
 
+  // Stages the point `next(id)` of each id.
   template <class Next>
-  void stage(const Next& next, const Torus_2& now)
+  void stage_all(const Next& next, const Torus_2& now)
   {
     m_positions.begin_frame();
     m_next_duplicates = m_state.ids().duplicates();

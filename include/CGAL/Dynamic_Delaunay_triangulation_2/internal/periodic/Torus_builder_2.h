@@ -163,7 +163,8 @@ private:
 
   // BUILDING ------------------------------------------------------------------------------------
 
-  // Where points coincide one of the first ones, before `second`, is the representative.
+  // Of points that coincide, one of the first `second` points becomes the representative, if any of
+  // these is there.
   void build(std::vector<Index> point_ids, std::vector<Point> points, std::size_t second)
   {
     Index number_of_ids = ids().number_of_ids();

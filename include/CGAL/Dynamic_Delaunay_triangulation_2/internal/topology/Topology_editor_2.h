@@ -66,8 +66,8 @@ struct Patch_2
 };
 
 // Writes parts of the topology, in every space; builders write the whole, and nothing else can
-// write. Each operation logs the new edges. What else a space has at its faces and vertices, and
-// whom it tells, is up to its `State::Editing`.
+// write. Each operation logs the new edges. `State::Editing` writes what a space keeps at faces and
+// vertices besides, and tells the user's visitor.
 template <class State>
 class Topology_editor_2
 {

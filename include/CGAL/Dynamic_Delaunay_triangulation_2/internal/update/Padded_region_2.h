@@ -7,7 +7,6 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
 
 #include <cstddef>
 #include <vector>
@@ -26,8 +25,6 @@ public:
     : m_state(state)
   {
   }
-
-  static void set_engine(Static_engine_2) {}
 
   // Vertices that are in no face are skipped.
   void run(const std::vector<Index>& classified, unsigned padding)

@@ -61,7 +61,8 @@ public:
   {
     m_engines = engines;
     m_builder.set_engine(engines.whole);
-    m_splice.set_engine(engines.region);
+    if constexpr (!State::is_periodic)
+      m_splice.set_engine(engines.region);
   }
 
   // AN UPDATE -----------------------------------------------------------------------------------
@@ -135,8 +136,9 @@ public:
     return are_gone;
   }
 
-  // Takes vertices that will jump out where everything is Delaunay, to be put in where they went:
-  // so nothing breaks. Where they are many, or where it is not known how, the repair sees to them.
+  // Takes out vertices that are about to jump, while everything is Delaunay, so that their motion
+  // breaks nothing. Leaves them to the repair if they are many, or if their faces meet images of
+  // themselves.
   void take_out_before_motion(const std::vector<Index>& jumpers)
   {
     if (jumpers.size() > max_taken_out())
@@ -145,7 +147,7 @@ public:
       if (can_spare(1))
         m_relocation.take_out_of_delaunay(v);
   }
-  // Puts them back, if nothing has moved.
+  // Puts these vertices back into their faces after a frame was refused.
   void put_back()
   {
     if (m_relocation.number_waiting() == 0)
