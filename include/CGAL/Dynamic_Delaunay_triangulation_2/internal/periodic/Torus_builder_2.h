@@ -243,7 +243,8 @@ private:
     const auto i = std::ptrdiff_t(first), k = std::ptrdiff_t(beyond);
     std::vector<Index> point_ids(all_ids.begin() + i, all_ids.begin() + k);
     std::vector<Point> points(all_points.begin() + i, all_points.begin() + k);
-    constexpr std::size_t most_faces = 64; // that a point replaces: flips take less time beyond
+    static constexpr std::size_t most_faces =
+        64; // that a point replaces: flips take less time beyond
     m_relocation.announce_reserved(point_ids, points);
     m_relocation.put_in(
         {}, [] { return most_faces; },
