@@ -373,7 +373,7 @@ private:
     m_last = no_id;
     for (size_type place = 0; first != beyond; ++first, ++place) {
       auto&& value = *first;
-      const UserId user_id = get(id_map, value);
+      const auto user_id = UserId(get(id_map, value));
       const Point p = get(point_map, value);
       check(p, place);
       const size_type id = find(user_id);
@@ -400,8 +400,8 @@ private:
     std::vector<UserId> user_ids;
     for (; first != beyond; ++first) {
       auto&& mover = *first;
-      user_ids.push_back(mover.first);
-      movers.emplace_back(id(mover.first), mover.second);
+      user_ids.push_back(UserId(mover.first));
+      movers.emplace_back(id(user_ids.back()), mover.second);
       check(movers.back().second, movers.size() - 1);
     }
     Dynamic_Delaunay_triangulations_2::internal::check_distinct(user_ids);

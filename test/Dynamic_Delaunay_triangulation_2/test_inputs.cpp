@@ -101,7 +101,7 @@ public:
   {
     return i.m_i - j.m_i;
   }
-  friend bool operator==(const Stashing_iterator& i, const Stashing_iterator& j)
+  [[maybe_unused]] friend bool operator==(const Stashing_iterator& i, const Stashing_iterator& j)
   {
     return i.m_i == j.m_i;
   }
@@ -143,7 +143,8 @@ public:
     return *this;
   }
   void operator++(int) { ++*this; }
-  friend bool operator==(const Single_pass_iterator& i, const Single_pass_iterator& j)
+  [[maybe_unused]] friend bool operator==(const Single_pass_iterator& i,
+                                          const Single_pass_iterator& j)
   {
     return i.m_left == j.m_left;
   }

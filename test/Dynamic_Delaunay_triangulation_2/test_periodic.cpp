@@ -744,7 +744,7 @@ TEST(Few_points_in_a_slab, are_right_from_the_first_to_the_last_along_any_vector
 TEST(Motion_in_a_slab, is_followed_at_every_step_size_without_an_end_at_the_walls)
 {
   std::mt19937_64 random(22);
-  for (const std::size_t number : {2, 5, 40})
+  for (const std::size_t number : {2u, 5u, 40u})
     for (const double step : {1e-4, 1e-2, 0.1, 1.0}) {
       std::vector<Point> points = random_points(random, number, 3, number == 5 ? 0.5 : 0);
       Triangulation pt(points, Cell(Vector(3, 0.2)));
@@ -855,7 +855,7 @@ TEST(A_builder, has_a_result_for_points_all_over_the_cell_and_none_for_a_grid)
       positions.push_back({p.x(), p.y()});
     return builder.run(torus, positions);
   };
-  for (const std::size_t number : {100, 300, 3000}) {
+  for (const std::size_t number : {100u, 300u, 3000u}) {
     EXPECT_TRUE(run(random_points(random, number, 400))) << number;
     EXPECT_EQ(builder.faces().apexes.size(), 6 * number);
   }
@@ -981,7 +981,7 @@ TEST(Safe_edges_of_a_torus, are_skipped_in_calm_motion_which_stays_exact)
 
 TEST(Safe_edges_of_a_torus, are_found_anew_around_points_that_jump_in_calm_motion)
 {
-  for (const std::uint64_t seed : {31, 32, 33, 34}) {
+  for (const std::uint64_t seed : {31u, 32u, 33u, 34u}) {
     std::mt19937_64 random(seed);
     const Cell cell = seed == 34 ? Cell(Vector(20, 0)) : Cell(20, 20);
     std::vector<Point> points = random_points(random, 400, 20);
@@ -1294,7 +1294,7 @@ std::size_t place_in_refusal(const Call& call)
 // Removing a point of so few can triangulate all of them anew, before the others move.
 TEST(A_population, of_a_few_points_that_coincide_leave_and_come_is_right_in_every_frame)
 {
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
     std::mt19937_64 random(seed);
     const std::vector<Point> places = random_points(random, 12, 0.45);
     CGAL::Dynamic_population_2<Triangulation> population{Triangulation(Cell(1, 1))};
@@ -1314,7 +1314,7 @@ TEST(A_population, of_a_few_points_that_coincide_leave_and_come_is_right_in_ever
 // A point that goes stays where it was until then, and seems to jump where all others flow.
 TEST(A_population, loses_points_while_all_others_flow_in_cells_and_slabs_that_change)
 {
-  for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
+  for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
     std::mt19937_64 random(seed);
     const auto cell = [&](int frame) {
       const double growth = 1 + 0.01 * frame;

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Traits, data structures, classifiers, repairs, policies and visitors that users bring along:
-// terrain, data in vertices and faces, and models of the concepts that can do no more than these
-// demand. Kernels have their turn in all other tests.
+// terrain, another metric, data in vertices and faces, and models of the concepts that can do no
+// more than these demand. Kernels have their turn in all other tests.
 
+#include "anisotropic_plane.h"
 #include "archetypes.h"
 #include "oracle.h"
 
@@ -15,10 +16,14 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <random>
+#include <set>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -82,6 +87,13 @@ struct Names : Exact<Delaunay_traits_archetype, With_info<Delaunay_traits_archet
     return Named_point_archetype::at(float(x), float(y), mark);
   }
   static int mark(const Named_point_archetype& p) { return p.name(); }
+};
+
+// Circles that are ellipses.
+struct Ellipses : Exact<Anisotropic_traits, With_info<Anisotropic_traits>>
+{
+  static Epick::Point_2 at(double x, double y, int) { return {x, y}; }
+  static int mark(const Epick::Point_2&) { return 0; }
 };
 
 // Plays what happens to points, and knows where they all have to be.
@@ -190,7 +202,7 @@ template <class Kind>
 class Traits : public testing::Test
 {
 };
-using Kinds = testing::Types<Plain, Heights, Names>;
+using Kinds = testing::Types<Plain, Heights, Names, Ellipses>;
 TYPED_TEST_SUITE(Traits, Kinds);
 
 TYPED_TEST(Traits, points_move_come_and_go_with_all_that_they_hold)
@@ -215,7 +227,8 @@ TYPED_TEST(Traits, points_move_come_and_go_with_all_that_they_hold)
 
 TYPED_TEST(Traits, floating_point_filters_decide_whatever_else_points_hold)
 {
-  EXPECT_TRUE(Play<TypeParam>().dt.frame().positions_are_exact());
+  constexpr bool has_ellipses = std::is_same_v<TypeParam, Ellipses>;
+  EXPECT_EQ(Play<TypeParam>().dt.frame().positions_are_exact(), !has_ellipses);
 }
 
 TYPED_TEST(Traits, points_in_one_place_share_a_vertex_and_part_with_all_that_they_hold)
@@ -322,6 +335,31 @@ TYPED_TEST(Traits, what_is_kept_in_a_vertex_stays_through_updates_and_rebuilds)
   std::vector<std::size_t> ids;
   EXPECT_TRUE(play.dt.insert(crowd.begin(), crowd.end(), std::back_inserter(ids)).rebuilt());
   ASSERT_NO_FATAL_FAILURE(expect_info());
+}
+
+template <class Dynamic>
+std::set<std::pair<std::size_t, std::size_t>> edges_by_ids(const Dynamic& dt)
+{
+  std::set<std::pair<std::size_t, std::size_t>> edges;
+  for (const auto& [face, i] : dt.triangulation().finite_edges())
+    edges.insert(std::minmax({dt.id(face->vertex((i + 1) % 3)), dt.id(face->vertex((i + 2) % 3))}));
+  return edges;
+}
+
+TEST(Another_metric, has_the_edges_of_points_that_are_stretched_until_circles_are_round)
+{
+  Play<Ellipses> play;
+  for (auto& [id, p] : play.points)
+    p = play.near_home(id);
+  play.update();
+  std::vector<Epick::Point_2> points, stretched;
+  for (const auto& [id, p] : play.points) {
+    points.push_back(p);
+    stretched.emplace_back(3 * p.x() + p.y(), p.y() / 2 - p.x() / 4);
+  }
+  using Usual = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
+  EXPECT_EQ(edges_by_ids(play.dt), edges_by_ids(Usual(stretched.begin(), stretched.end())));
+  EXPECT_NE(edges_by_ids(play.dt), edges_by_ids(Usual(points.begin(), points.end())));
 }
 
 TEST(Terrain, a_height_that_changes_alone_breaks_nothing)

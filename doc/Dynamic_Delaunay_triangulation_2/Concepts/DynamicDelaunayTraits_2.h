@@ -26,6 +26,14 @@ Other parts of the package say on their pages if they require more, such as
 `CGAL::Delaunay_point_queries_2`. `CGAL::Relocation_repair_2` compares points by `==`, as CGAL does
 when it moves them.
 
+Traits may have circles of their own, such as those of a metric in which distances depend on the
+direction. They say so by a member `static constexpr bool has_euclidean_circles = false`. Then the
+predicates below decide every sign, without a filter, and all guarantees hold with these circles:
+the edges are those of `Delaunay_triangulation_2` with these traits. Orientations are the usual
+ones, and the circles must define a triangulation for all points, as they do if a linear map makes
+them round. Queries for distances ask `Compare_distance_2`. Voronoi cells are computed for Euclidean
+circles only, and do not compile for such traits.
+
 \cgalRefines{DelaunayTriangulationTraits_2}
 
 The traits are default constructible.

@@ -106,7 +106,8 @@ public:
   /// the position of vertex `v` one frame ago, in periodic space the image of it that is nearest to
   /// the present position. Valid only while classifying.
   Position previous_position(Index v) const { return m_state->previous_position(v); }
-  /// whether all positions equal the coordinates of the points, with none of them rounded.
+  /// whether all positions equal the coordinates of the points, with none of them rounded, and
+  /// circles are Euclidean. Otherwise nothing exact follows from positions.
   bool positions_are_exact() const { return m_state->positions_are_exact(); }
 
   /// @}

@@ -46,6 +46,18 @@ constexpr bool
     is_two_doubles<CGAL::Point_2<Kernel>> = has_double_coordinates<CGAL::Point_2<Kernel>> &&
                                             sizeof(CGAL::Point_2<Kernel>) == 2 * sizeof(double);
 
+// Whether the circles of traits are those that the floating-point filters know. Traits with other
+// circles say so, and decide every sign themselves.
+template <class Traits, class = void>
+struct Has_euclidean_circles_2 : std::true_type
+{
+};
+template <class Traits>
+struct Has_euclidean_circles_2<Traits, std::void_t<decltype(Traits::has_euclidean_circles)>>
+  : std::bool_constant<Traits::has_euclidean_circles>
+{
+};
+
 inline Position_2 nan_point()
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();

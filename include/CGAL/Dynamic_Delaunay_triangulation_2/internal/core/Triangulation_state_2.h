@@ -100,7 +100,12 @@ public:
   // POSITIONS -----------------------------------------------------------------------------------
 
   const std::vector<Position_2>& positions() const { return m_positions.positions(); }
-  bool positions_are_exact() const { return m_positions.are_exact(); }
+  // Whether signs may be concluded from positions.
+  bool positions_are_exact() const
+  {
+    return Has_euclidean_circles_2<Traits>::value && m_positions.are_exact();
+  }
+  bool are_coordinates_rounded() const { return !m_positions.are_exact(); }
   bool have_points_moved() const { return m_positions.have_moved(); }
 
   const Edge_2& edge(Index e) const { return arrays().edge(e); }

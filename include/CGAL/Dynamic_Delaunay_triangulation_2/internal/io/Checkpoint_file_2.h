@@ -109,7 +109,7 @@ private:
     else if constexpr (std::is_arithmetic_v<Field>)
       append_number(m_text, field);
     else
-      return std::apply([this](const auto&... fields) { (append(fields), ...); }, field);
+      return std::apply([&](const auto&... fields) { (append(fields), ...); }, field);
     m_text += ' ';
   }
 

@@ -157,7 +157,7 @@ public:
   static void write_kind(Checkpoint_output_2& file, const State& state)
   {
     file.line("coordinates", Coordinate::kind);
-    file.line("positions", state.positions_are_exact() ? "exact" : "rounded");
+    file.line("positions", state.are_coordinates_rounded() ? "rounded" : "exact");
   }
 
   static void write_memory(Checkpoint_output_2& file, const State& state, const Memory& memory)

@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/check_certified_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Vertex_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Voronoi_face_2.h>
@@ -48,6 +49,10 @@ struct Voronoi_neighbor_2
 template <class Dynamic>
 class Voronoi_space_2<Dynamic, false>
 {
+  static_assert(Has_euclidean_circles_2<typename Dynamic::Geom_traits>::value,
+                "these traits have circles of their own, and Voronoi cells are computed for the "
+                "Euclidean ones");
+
 public:
   // Throws unless it is certified.
   explicit Voronoi_space_2(const Dynamic& dt)
