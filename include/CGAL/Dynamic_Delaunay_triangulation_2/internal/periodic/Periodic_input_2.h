@@ -300,41 +300,74 @@ private:
     part.translated.clear();
     part.far_movers.clear();
     part.sum = {0, 0};
-    const double long_way = m_squared_long_way;
-    Position_2 sum{0, 0};
     const double usual = usual_sum(now);
-    const auto staged = m_positions.staged();
-    const Index* const representatives = m_state.ids().representatives();
     const Index vertices = m_state.number_of_vertices();
     const Index end_of_prefetching =
         vertices < min_vertices_to_prefetch ? 0 : vertices - prefetched_ahead;
+    constexpr Index block = 16;
+    static_assert(block <= prefetched_ahead);
+    for (Index v = first; v < beyond; v += block) {
+      const Index end = (std::min)(v + block, beyond);
+      if (end < end_of_prefetching)
+        for (Index w = v; w < end; ++w)
+          next.prefetch(m_state.ids().representatives()[w + prefetched_ahead]);
+      if (!(is_same && stage_usual(next, now, usual, v, end, part.sum)) &&
+          !stage_any<is_same>(next, now, v, end, part))
+        return false;
+    }
+    return true;
+  }
+
+  // Stages vertices of which none goes far, and none crosses the border. If one does, the others
+  // have to be staged again, by the other function. Without branches for each: in calm frames that
+  // saves a tenth of the time of an update.
+  template <class Next>
+  bool stage_usual(const Next& next, const Torus_2& now, double usual, Index first, Index beyond,
+                   Position_2& sum)
+  {
+    const auto staged = m_positions.staged();
+    const Index* const representatives = m_state.ids().representatives();
+    const Position_2* const positions = m_state.positions().data();
+    const double short_way = (std::min)(now.short_way(), std::sqrt(m_squared_long_way));
+    bool are_usual = true;
+    Position_2 ways{0, 0};
     for (Index v = first; v < beyond; ++v) {
-      if (v < end_of_prefetching)
-        next.prefetch(representatives[v + prefetched_ahead]);
-      const Position_2& p = m_state.positions()[v];
       const Point& point = next(representatives[v]);
+      const Position_2 q = approximation(point), way = q - positions[v];
+      staged.set(v, q, point);
+      are_usual &= std::abs(way.x) + std::abs(way.y) <= short_way;
+      are_usual &= std::abs(q.x) + std::abs(q.y) <= usual;
+      ways = {ways.x + way.x, ways.y + way.y};
+    }
+    if (are_usual)
+      sum = {sum.x + ways.x, sum.y + ways.y};
+    return are_usual;
+  }
+
+  template <bool is_same, class Next>
+  bool stage_any(const Next& next, const Torus_2& now, Index first, Index beyond, Part& part)
+  {
+    const auto staged = m_positions.staged();
+    for (Index v = first; v < beyond; ++v) {
+      const Position_2& p = m_state.positions()[v];
+      const Point& point = next(m_state.ids().representative(v));
       const Position_2 q = approximation(point);
       staged.set(v, q, point);
-      Position_2 way = q - p;
-      if (is_same && now.is_short(way) && std::abs(q.x) + std::abs(q.y) <= usual) {
-        sum = {sum.x + way.x, sum.y + way.y};
-        if (dot(way, way) > long_way)
-          part.far_movers.push_back({v, way});
-        continue;
-      }
       if (!is_in_range(q, now))
         return false; // a shift may be no integer
-      const Position_2 step =
-          is_same ? now.multiples(way) : now.multiples(q) - multiples_in_next_cell(p);
-      const Shift shift = now.nearest_shift(step);
-      if (!are_equal(shift, no_shift))
-        part.translated.push_back({v, shift});
-      way = now.vector({step.x - shift[0], step.y - shift[1]});
-      sum = {sum.x + way.x, sum.y + way.y};
-      if (dot(way, way) > long_way)
+      Position_2 way = q - p;
+      if (!(is_same && now.is_short(way))) {
+        const Position_2 step =
+            is_same ? now.multiples(way) : now.multiples(q) - multiples_in_next_cell(p);
+        const Shift shift = now.nearest_shift(step);
+        if (!are_equal(shift, no_shift))
+          part.translated.push_back({v, shift});
+        way = now.vector({step.x - shift[0], step.y - shift[1]});
+      }
+      part.sum = {part.sum.x + way.x, part.sum.y + way.y};
+      if (dot(way, way) > m_squared_long_way)
         part.far_movers.push_back({v, way});
     }
-    part.sum = sum;
     return true;
   }
 

@@ -253,7 +253,7 @@ public:
     return m_arrays.apex(end) == v && are_equal(m_shifts[end] - m_shifts[h], way);
   }
 
-  bool is_shifted(Index e) const { return m_arrays.edge(e).source == infinite_index; }
+  bool is_shifted(Index e) const { return m_arrays.is_hidden(e); }
 
   std::size_t number_of_cell_changes() const { return m_cell_changes; }
 

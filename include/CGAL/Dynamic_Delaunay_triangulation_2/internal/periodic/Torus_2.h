@@ -136,6 +136,8 @@ public:
   {
     return std::abs(step.x) + std::abs(step.y) <= m_short_way;
   }
+  // The largest sum of the absolute coordinates of such a step.
+  double short_way() const { return m_short_way; }
 
   // The multiples by which the lattice can translate: none across a slab.
   Position_2 periodic(const Position_2& multiples) const

@@ -79,6 +79,9 @@ public:
     const Index g = arrays.twin(h);
     if (Arrays::face_of(h) == Arrays::face_of(g))
       return false;
+    if (!arrays.is_hidden(arrays.edge_of(h)) && arrays.apex(h) != arrays.apex(g) &&
+        !arrays.are_apexes_neighbors(h))
+      return true; // nor any image of a neighbor
     const auto frame = m_state.frame_at(h);
     const auto a = m_state.corner_in(h, frame);
     const auto d = m_state.corner_in(g, m_state.frame_beyond(h, frame));
@@ -87,9 +90,19 @@ public:
 
   void flip(Index h, Log& log)
   {
-    const Index g = arrays().twin(h), diagonal = arrays().edge_of(h);
-    const Edge_images_2 images = m_state.corners_at(h);
+    const Index diagonal = arrays().edge_of(h);
     note_edge(Kind::EDGE_REMOVED, h, log);
+    if (arrays().is_hidden(diagonal))
+      flip_shifted(h);
+    else
+      arrays().flip_in_one_frame(h); // all shifts are zero there, and stay so
+    note_edge(Kind::EDGE_CREATED, arrays().halfedge(diagonal), log);
+  }
+
+  void flip_shifted(Index h)
+  {
+    const Index g = arrays().twin(h);
+    const Edge_images_2 images = m_state.corners_at(h);
     arrays().flip_glued(h);
     shifts()[Arrays::previous(h)] = images.right.shift;
     shifts()[g] = images.right.shift;
@@ -97,7 +110,6 @@ public:
     shifts()[Arrays::previous(g)] = images.left.shift;
     after_face(Arrays::face_of(h));
     after_face(Arrays::face_of(g));
-    note_edge(Kind::EDGE_CREATED, arrays().halfedge(diagonal), log);
   }
 
   void set_corner(Index h, const typename State::Corner& corner)

@@ -194,6 +194,8 @@ public:
   bool is_outside(Index v) const { return m_corner[v] == null_index; }
   bool is_empty_face(Index f) const { return apex(3 * f) == null_index; }
   bool is_empty_edge(Index e) const { return m_halfedge_of_edge[e] == null_index; }
+  // Whether the edge stands here without vertices; see hide_edge().
+  bool is_hidden(Index e) const { return m_edges[e].source == infinite_index; }
 
 private:
   template <class State>
@@ -427,6 +429,21 @@ private:
     set_edge(edge_of(previous(g)), previous(g));
   }
 
+  // The same where both faces lie in one frame, so that they share no more than the edge at h.
+  // Takes less than half of the time, because it reads nothing beyond the sides.
+  void flip_in_one_frame(Index h)
+  {
+    const Index g = twin(h);
+    const Index ab = edge_of(previous(h)), dc = edge_of(previous(g));
+    const Index bd = edge_of(next(g)), ca = edge_of(next(h));
+    flip(h);
+    turn_along(bd, h);
+    turn_along(ca, g);
+    for (const Index side : {ab, bd, dc, ca})
+      if (is_hidden(side))
+        hide_edge(side);
+  }
+
   // Leaves an edge without vertices: passes over the edges then never prove it.
   void hide_edge(Index e)
   {
@@ -555,6 +572,14 @@ private:
   {
     Index apex, twin, edge;
   };
+
+  // Lets an edge go from the source to the target of half-edge h.
+  void turn_along(Index e, Index h)
+  {
+    const Edge_2 edge = m_edges[e];
+    if (edge.source != source(h))
+      m_edges[e] = {edge.target, edge.source, edge.right, edge.left};
+  }
 
   void exchange_opposite(Index e, Index from, Index to)
   {
