@@ -115,6 +115,13 @@ public:
   using Parts = Parallel_parts_2<ConcurrencyTag>; // how passes are divided
 
   static constexpr bool is_periodic = true;
+
+  static constexpr bool has_hull = false;
+  static constexpr bool can_splice = false;           // a region may meet images of itself
+  static constexpr bool can_locate_anywhere = false;  // but where all is Delaunay
+  static constexpr bool flips_inverted_first = false; // in the order of space fewer get stuck
+  static constexpr bool jumpers_leave_before_motion = true;
+
   static constexpr std::size_t min_vertices = 1;
   // Twice the plane's time was measured. At that price 1,000 points at steps of 0.1 spacings would
   // be triangulated anew in many frames that flips mend in half of the time.

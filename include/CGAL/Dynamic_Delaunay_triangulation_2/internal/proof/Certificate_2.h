@@ -57,7 +57,7 @@ public:
 
   bool holds() const
   {
-    if constexpr (State::is_periodic)
+    if constexpr (!State::has_hull)
       return are_edges_delaunay();
     else
       return are_edges_delaunay() && hull_turns_once();

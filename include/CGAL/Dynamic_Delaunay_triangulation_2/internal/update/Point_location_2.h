@@ -116,7 +116,7 @@ private:
 
   bool may_go_on(Index steps) const
   {
-    return State::is_periodic || steps < m_state.arrays().number_of_faces();
+    return !State::can_locate_anywhere || steps < m_state.arrays().number_of_faces();
   }
 
   Index any_face_with(Index v, Index otherwise) const

@@ -61,7 +61,7 @@ public:
   {
     m_engines = engines;
     m_builder.set_engine(engines.whole);
-    if constexpr (!State::is_periodic)
+    if constexpr (State::can_splice)
       m_splice.set_engine(engines.region);
   }
 
@@ -90,7 +90,7 @@ public:
     m_was_certified = was_certified;
     m_report->classified = m_classification.size();
     m_open.take(m_classification, m_state);
-    if (State::is_periodic)
+    if (!State::flips_inverted_first)
       m_open.open_all_in_order(m_state);
     m_classified_edges = m_open.size();
     m_changes = changes;
@@ -185,9 +185,9 @@ public:
       else {
         settle(v);
         // in the plane never again, once it was not: the hull may turn around twice
-        is_delaunay = is_delaunay && State::is_periodic && m_open.empty();
+        is_delaunay = is_delaunay && !State::has_hull && m_open.empty();
       }
-      return !m_budget.is_spent() && (m_open.empty() || !State::is_periodic);
+      return !m_budget.is_spent() && (m_open.empty() || State::can_locate_anywhere);
     };
     const auto counts = m_relocation.put_in(parted_duplicates, most_faces, end);
     m_report->relocated += counts.relocated;
@@ -195,7 +195,7 @@ public:
     m_report->parted += counts.parted;
     if (m_budget.is_spent())
       rebuild(Rebuild_reason_2::BUDGET_SPENT);
-    else if (State::is_periodic && !m_open.empty()) // no other point can be located
+    else if (!State::can_locate_anywhere && !m_open.empty())
       rebuild(Rebuild_reason_2::STUCK);
   }
 
@@ -255,7 +255,7 @@ public:
   {
     if (m_jumper != null_index)
       return take_out_jumper();
-    if (State::is_periodic) // they are out since before anything has moved
+    if (State::jumpers_leave_before_motion)
       return;
     // where several neighbors jumped, some seem to have stayed until the others are out
     constexpr unsigned max_rounds = 4;
@@ -294,7 +294,7 @@ public:
     if (has_rebuilt() || m_open.empty())
       return;
     flip_uncertain();
-    if (!State::is_periodic && !m_open.uncertain().empty() && !has_rebuilt()) {
+    if (State::flips_inverted_first && !m_open.uncertain().empty() && !has_rebuilt()) {
       m_open.open_surroundings(m_state);
       flip_uncertain();
     }
@@ -306,7 +306,7 @@ public:
   {
     m_open.open_illegal();
     constexpr std::size_t any = std::size_t(-2);
-    if constexpr (State::is_periodic)
+    if constexpr (!State::can_splice)
       flip_around_classified(padding);
     else if (splice(m_classification.vertices(), padding, any, m_has_to_prove)) {
       for (std::size_t i = 0; i < m_splice.number_of_padded(); ++i)
@@ -326,7 +326,7 @@ public:
     std::vector<Index> vertices;
     m_open.for_each_uncertain_vertex(m_state, [&](Index v) { vertices.push_back(v); });
     constexpr std::size_t max_enlargements = 3; // beyond it, padding or a vertex less does better
-    if constexpr (State::is_periodic) {
+    if constexpr (!State::can_splice) {
       if (padding > 0 || !put_in_farthest_anew())
         put_in_anew(vertices, padding);
     } else
@@ -335,7 +335,7 @@ public:
 
   void relocate()
   {
-    if constexpr (State::is_periodic)
+    if constexpr (!State::can_splice)
       put_in_anew(m_classification.vertices(), 0);
     else
       relocate_one_by_one();
@@ -397,8 +397,8 @@ private:
     m_classification.clear(m_state);
   }
 
-  // Of a torus so many vertices are taken out and put in again: more are as much work as
-  // triangulating anew.
+  // Where they cannot be spliced, so many vertices are taken out and put in again: more are as much
+  // work as triangulating anew.
   std::size_t max_taken_out() const { return 10 + m_state.number_of_vertices() / 6; }
 
   // So many vertices a rebuild in the plane would cost as much as one here.
@@ -484,8 +484,9 @@ private:
     // a heuristic classifier treats examined edges as triangulated anew
     if (!m_is_exact)
       m_editor.note_examined(edges);
-    const std::size_t flips = m_lawson.run(
-        m_state, m_editor, edges, !State::is_periodic && m_open.faces_tile_hull(), most_flips());
+    const std::size_t flips =
+        m_lawson.run(m_state, m_editor, edges,
+                     State::flips_inverted_first && m_open.faces_tile_hull(), most_flips());
     m_report->flips += flips;
     m_budget.spend(flips * Repair_budget_2::flip);
     if (m_budget.is_spent())
@@ -496,7 +497,7 @@ private:
   void settle(Index v)
   {
     std::size_t flips = m_lawson.run_around(m_state, m_editor, v, m_around, most_flips());
-    for (std::size_t more = flips; State::is_periodic && more > 0 && !m_around.empty();) {
+    for (std::size_t more = flips; !State::can_locate_anywhere && more > 0 && !m_around.empty();) {
       more = m_lawson.run(m_state, m_editor, m_around, false, most_flips());
       flips += more;
     }
@@ -576,7 +577,7 @@ private:
       rebuild(Rebuild_reason_2::COINCIDENCE);
   }
 
-  // IN A TORUS ----------------------------------------------------------------------------------
+  // WHERE NO REGION CAN BE TRIANGULATED APART ---------------------------------------------------
 
   // Flips edges around the classified vertices and their padding, and puts in anew what that leaves
   // inverted.

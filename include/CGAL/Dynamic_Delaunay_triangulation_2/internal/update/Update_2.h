@@ -314,7 +314,7 @@ private:
 
   // The user's classifier is called for whole frames only. Otherwise exact predicates decide: at
   // all edges if these are uncertified and a proof is required, otherwise around the moved points.
-  // In a torus a proof is required, because points can be located only where all is Delaunay.
+  // Where points can be located only if all is Delaunay, a proof is always required.
   template <class Classifier>
   void classify(const Change& change, Classifier& classifier, bool was_certified)
   {
@@ -323,7 +323,7 @@ private:
       classifier(Frame(m_state), m_tools.classification());
       m_tools.take_classification(Classifier::is_exact, was_certified, changes);
     } else if (change.is_mending ||
-               ((Classifier::is_exact || State::is_periodic) && !was_certified)) {
+               ((Classifier::is_exact || !State::can_locate_anywhere) && !was_certified)) {
       Circumcircle_classifier_2()(Frame(m_state), m_tools.classification());
       m_tools.take_classification(true, was_certified, changes);
     } else {
@@ -386,10 +386,10 @@ private:
       repair(mender);
   }
 
-  // In a torus points can be located only where all is proved.
+  // Where points can be located only if all is Delaunay.
   void prove_before_points_come(const Update_report_2& report)
   {
-    if (!State::is_periodic || report.rebuilt() || m_tools.has_to_prove() ||
+    if (State::can_locate_anywhere || report.rebuilt() || m_tools.has_to_prove() ||
         (m_tools.relocation().number_to_put_in() == 0 && parted_duplicates().empty()))
       return;
     m_tools.examine_everything();
