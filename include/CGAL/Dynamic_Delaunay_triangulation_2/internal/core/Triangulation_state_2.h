@@ -120,6 +120,7 @@ public:
   std::array<Index, 3> face(Index f) const { return arrays().face(f); }
   // Whether half-edge h of edge e goes from its source to its target.
   bool is_along(Index e, Index h) const { return arrays().source(h) == edge(e).source; }
+  static bool is_shown_right(Index) { return true; }
   bool is_at_infinity(Index e) const { return internal::is_at_infinity(edge(e)); }
   bool breaks_hull(Index e) const { return internal::breaks_hull(edge(e), positions()); }
 

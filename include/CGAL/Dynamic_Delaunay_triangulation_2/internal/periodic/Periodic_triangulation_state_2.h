@@ -260,6 +260,21 @@ public:
     return m_arrays.apex(end) == v && are_equal(m_shifts[end] - m_shifts[h], way);
   }
 
+  // Whether the four corners of an edge have the same shift.
+  bool is_in_one_frame(Index e) const
+  {
+    const auto [a, b, c, d] = corners_at(m_arrays.halfedge(e));
+    return are_equal(a.shift, b.shift) && are_equal(b.shift, c.shift) &&
+           are_equal(c.shift, d.shift);
+  }
+  // Whether passes over the arrays see the edge if it is in one frame, and else no vertex of it.
+  bool is_shown_right(Index e) const
+  {
+    const Edge_2& shown = m_arrays.edge(e);
+    const bool has_no_vertices = shown.target == infinite_index && shown.left == infinite_index &&
+                                 shown.right == infinite_index;
+    return is_in_one_frame(e) != is_shifted(e) && (!is_shifted(e) || has_no_vertices);
+  }
   bool is_shifted(Index e) const { return m_arrays.is_hidden(e); }
 
   std::size_t number_of_cell_changes() const { return m_cell_changes; }

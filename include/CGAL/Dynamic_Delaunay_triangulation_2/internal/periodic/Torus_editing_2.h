@@ -154,8 +154,7 @@ public:
   // Where the corners at an edge have the same shift the edge stands in the arrays as in the plane.
   void show_or_hide(Index e)
   {
-    const auto [a, b, c, d] = m_state.corners_at(arrays().halfedge(e));
-    if (are_equal(a.shift, b.shift) && are_equal(b.shift, c.shift) && are_equal(c.shift, d.shift))
+    if (m_state.is_in_one_frame(e))
       arrays().set_edge(e, arrays().halfedge(e));
     else
       arrays().hide_edge(e);

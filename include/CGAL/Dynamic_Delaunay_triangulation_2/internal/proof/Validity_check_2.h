@@ -165,9 +165,10 @@ private:
     const bool is_forward = m_state.is_along(e, arrays.halfedge(e)) == (h == arrays.halfedge(e));
     const Index left = is_forward ? edge.left : edge.right;
     const Index right = is_forward ? edge.right : edge.left;
-    return arrays.twin(g) == h && arrays.edge_of(g) == arrays.edge_of(h) &&
-           arrays.source(g) == arrays.target(h) && arrays.target(g) == arrays.source(h) &&
-           left == arrays.apex(h) && right == arrays.apex(g) &&
+    return m_state.is_shown_right(e) && arrays.twin(g) == h &&
+           arrays.edge_of(g) == arrays.edge_of(h) && arrays.source(g) == arrays.target(h) &&
+           arrays.target(g) == arrays.source(h) && left == arrays.apex(h) &&
+           right == arrays.apex(g) &&
            (is_forward ? edge.source : edge.target) == arrays.source(h) &&
            (is_forward ? edge.target : edge.source) == arrays.target(h);
   }

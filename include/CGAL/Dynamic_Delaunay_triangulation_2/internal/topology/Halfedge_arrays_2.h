@@ -123,6 +123,7 @@ public:
   Index corner(Index v) const { return m_corner[v]; }
   // The corner of the same vertex in the next face counterclockwise.
   Index next_corner(Index h) const { return next(twin(next(h))); }
+  Index previous_corner(Index h) const { return previous(twin(previous(h))); }
 
   // Calls f(corner) for every face at v, counterclockwise.
   template <class Function>
@@ -152,15 +153,24 @@ public:
   }
 
   // Whether the apexes of h and of its twin are neighbors, apart from the two faces. Walks around
-  // both apexes in step, because one of them may have many neighbors, like the infinite vertex.
+  // both apexes in step, because one of them may have many neighbors, like the infinite vertex, and
+  // both ways, because that waits for the memory half as often.
   bool are_apexes_neighbors(Index h) const
   {
-    const Index g = twin(h);
-    for (Index i = next_corner(h), k = next_corner(g); i != h && k != g;
-         i = next_corner(i), k = next_corner(k))
-      if (apex(next(i)) == apex(g) || apex(next(k)) == apex(h))
+    const Index g = twin(h), a = apex(h), d = apex(g);
+    Index i = next_corner(h), j = previous_corner(h), k = next_corner(g), l = previous_corner(g);
+    while (true) {
+      if (apex(next(i)) == d || apex(next(j)) == d || apex(next(k)) == a || apex(next(l)) == a)
         return true;
-    return false;
+      if (i == j || k == l)
+        return false;
+      i = next_corner(i);
+      k = next_corner(k);
+      if (i == j || k == l)
+        return false;
+      j = previous_corner(j);
+      l = previous_corner(l);
+    }
   }
 
   // Whether v and w have an edge. Walks around both in step, for the same reason.
