@@ -25,7 +25,7 @@ struct Rounds_predicates_2<Kernel, std::void_t<decltype(Kernel::Has_filtered_pre
 {
 };
 
-// The same, but for traits: asks their kernel, if they name one as CGAL's projection traits do.
+// Of traits: asks their kernel, if they name one as CGAL's projection traits do.
 template <class Traits, class = void>
 struct Are_known_to_be_inexact_2 : Rounds_predicates_2<Traits>
 {

@@ -125,7 +125,7 @@ private:
     return i < m_ways.size() ? m_ways[i] : Periodic_shift_2{0, 0};
   }
 
-  // The same edge, with the images of its points translated by these shifts.
+  // This edge, with the images of its points translated by these shifts.
   static Edge translated(Edge edge, const Periodic_shift_2& of_i, const Periodic_shift_2& of_j)
   {
     for (std::size_t k = 0; k < 2; ++k)

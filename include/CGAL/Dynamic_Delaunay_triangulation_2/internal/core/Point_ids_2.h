@@ -96,7 +96,7 @@ public:
       ids.push_back(id);
   }
 
-  // The same if the ids in `gone` are freed first.
+  // If the ids in `gone` are freed first.
   std::vector<Index> next_ids(std::size_t number, std::vector<Index> gone) const
   {
     std::vector<Index> free;

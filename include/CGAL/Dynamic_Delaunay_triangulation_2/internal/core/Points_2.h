@@ -170,7 +170,7 @@ bool has_exact_position(const Point& p)
   }
 }
 
-// The same, but also clears `are_exact` if a coordinate is rounded.
+// Also clears `are_exact` if a coordinate is rounded.
 template <class Point>
 Position_2 checked_position(const Point& p, std::size_t id, bool& are_exact)
 {

@@ -187,7 +187,7 @@ private:
       m_positions[v] = position;
   }
 
-  // The same for a vertex that was elsewhere only by its number.
+  // Sets a vertex that was elsewhere only by its number.
   void restart(Index v, const Point& p)
   {
     set(v, p);

@@ -120,7 +120,7 @@ public:
     sort_by_grid<Parts>(0, m_places.size(), 0);
   }
 
-  // The same by comparisons, where only these are exact: by x, then y, then number. All lines are
+  // Sorts by comparisons, where only these are exact: by x, then y, then number. All lines are
   // vertical.
   template <class Iterator, class Less>
   void sort_by_comparisons(Iterator first, Iterator beyond, const Less& less)

@@ -176,7 +176,7 @@ public:
   bool corners_are_exact(Index) const { return positions_are_exact(); }
   // The corners of an edge, as seen from it.
   Edge_corners_2 corners(Index e) const { return corners(e, positions()); }
-  // The same for other positions of the vertices.
+  // With other positions of the vertices.
   Edge_corners_2 corners(Index e, const std::vector<Position_2>& others) const
   {
     return Space::corners(arrays().edge(e), others);

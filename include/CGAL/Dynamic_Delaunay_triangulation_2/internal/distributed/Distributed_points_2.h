@@ -211,7 +211,7 @@ public:
     send_new();
   }
 
-  // The same where points have come or gone, and none has moved.
+  // Where points have come or gone, and none has moved.
   void start_exchange()
   {
     m_ranks.exchange().start();

@@ -131,7 +131,7 @@ private:
     for_each_face(m_points.owned_vertices(), f);
   }
 
-  // The same for each face with one of these corners.
+  // For each face with one of these corners.
   template <class Function>
   void for_each_face(const std::vector<std::uint8_t>& are_corners, const Function& f) const
   {

@@ -84,7 +84,7 @@ public:
     m_first_basis = m_basis;
     m_reach = (length(m_basis[0]) + length(m_basis[1])) * (1 + 0x1p-40);
   }
-  // The same, after another space.
+  // After another space.
   Distributed_torus_2(const Periodic_cell_2& given, const Distributed_torus_2& last)
     : Distributed_torus_2(given)
   {

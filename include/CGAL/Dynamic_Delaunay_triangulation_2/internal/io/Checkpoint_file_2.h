@@ -226,7 +226,7 @@ public:
     return value;
   }
 
-  // The same, but the second word is a number in this range.
+  // Here the second word is a number in this range.
   template <class Integer>
   Integer number_entry(const char* name, Integer lowest, Integer highest)
   {
@@ -236,7 +236,7 @@ public:
     return value;
   }
 
-  // The same, but the second word is one of these two. Returns whether it is the first of them.
+  // Here the second word is one of these two. Returns whether it is the first of them.
   bool flag_entry(const char* name, std::string_view yes, std::string_view no)
   {
     const std::string_view value = entry(name);

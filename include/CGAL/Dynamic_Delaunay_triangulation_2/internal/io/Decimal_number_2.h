@@ -50,7 +50,7 @@ inline const char* after_decimal_number(const char* first, const char* beyond)
   return end;
 }
 
-// The same as `std::from_chars(first, beyond, number)`, but for the words of infinity and NaN. For
+// As `std::from_chars(first, beyond, number)`, but for the words of infinity and NaN. For
 // standard libraries that have it for integers alone: libc++ of LLVM before version 20.
 inline std::from_chars_result read_decimal_number(const char* first, const char* beyond,
                                                   double& number)

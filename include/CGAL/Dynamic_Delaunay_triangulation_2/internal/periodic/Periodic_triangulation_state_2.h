@@ -147,7 +147,7 @@ public:
 
   const Periodic_shift_2& shift(Index corner) const { return m_shifts[corner]; }
   Image_2 image(Index corner) const { return image(corner, positions()); }
-  // The same with other positions of the vertices.
+  // With other positions of the vertices.
   Image_2 image(Index corner, const std::vector<Position_2>& positions) const
   {
     return {positions[m_arrays.apex(corner)], m_shifts[corner]};

@@ -234,7 +234,7 @@ public:
     return Filter(*this, corners).proves_delaunay();
   }
 
-  // The same for four edges: bit i of the result is set if the i-th one is proved Delaunay.
+  // Of four edges: bit i of the result is set if the i-th one is proved Delaunay.
   int filter_proves_delaunay(const std::array<Edge_images_2, 4>& edges) const
   {
 #ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2

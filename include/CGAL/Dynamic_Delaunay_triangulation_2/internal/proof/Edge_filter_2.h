@@ -130,7 +130,8 @@ inline int filtered_orientation(const Position_2& a, const Position_2& b, const 
   return int((determinant > bound) & is_large) - int((determinant < -bound) & is_large);
 }
 
-// The same for the side of d of the circle through a, b and c, which must be counterclockwise.
+// The proved sign of the side of d of the circle through a, b and c, which must be
+// counterclockwise.
 inline int filtered_in_circle(const Position_2& a, const Position_2& b, const Position_2& c,
                               const Position_2& d)
 {
@@ -221,7 +222,7 @@ public:
     return prove(four, left_bound(four), right_bound(four), in_circle_bound(four));
   }
 
-  // The same with other bounds.
+  // With other bounds.
   CGAL_DYNAMIC_DELAUNAY_AVX2 int prove(const Signs& four, __m256d left_bound, __m256d right_bound,
                                        __m256d in_circle_bound)
   {

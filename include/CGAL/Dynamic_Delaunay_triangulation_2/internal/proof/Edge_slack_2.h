@@ -47,7 +47,7 @@ inline void append_moved_plain(const Position_2* positions, const Position_2* re
 
 #ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
 
-// The same with the same operations, sixteen vertices at once.
+// By the same operations, sixteen vertices at once.
 __attribute__((target("avx2"))) inline void
 append_moved_avx2(const Position_2* positions, const Position_2* references, Index first,
                   Index beyond, double bound, std::vector<Index>& moved)

@@ -50,7 +50,7 @@ public:
 
 #ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
 
-  // The same for four edges at once.
+  // Those of four edges at once.
   CGAL_DYNAMIC_DELAUNAY_AVX2 Four_corners_2 corners_of_four(const Edge_2* edges,
                                                             const Position_2* positions)
   {
@@ -140,7 +140,7 @@ append_unproved_avx2(const Edge_2* edges, const Position_2* positions, Index fir
   append_unproved_plain<Space>(edges, positions, e, beyond, unproved);
 }
 
-// The same for the edges in `list`.
+// Appends those of the edges in `list` that are not proved.
 template <class Space>
 __attribute__((target("avx2"))) void
 append_unproved_of_avx2(const Edge_2* edges, const Position_2* positions,
@@ -290,7 +290,7 @@ public:
         [&](Index p, Index q, Index r) { return hull_corner_state(p, q, r); });
   }
 
-  // The same at lower cost, but may report a NOT_FLIPPABLE edge as INVERTED.
+  // As state(), at lower cost, but may report a NOT_FLIPPABLE edge as INVERTED.
   Edge_state_2 rough_state(Index e) const
   {
     const Edge_filter_2 filter(m_state.corners(e));
@@ -315,7 +315,7 @@ public:
     for (Index e = first; e < beyond; ++e)
       unproved.push_back(e);
   }
-  // The same for the edges of a list.
+  // Appends those of a list.
   void append_unproved(const std::vector<Index>& list, std::vector<Index>& unproved) const
   {
     if (m_state.positions_are_exact())

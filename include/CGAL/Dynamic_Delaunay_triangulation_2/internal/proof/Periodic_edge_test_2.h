@@ -45,7 +45,7 @@ public:
     return m_state.torus().edge_state(m_state.corners_at(arrays.halfedge(e)));
   }
 
-  // The same: a filter in front of an exact test costs little here.
+  // No less than state(): a filter in front of an exact test costs little here.
   Edge_state_2 rough_state(Index e) const { return state(e); }
 
   // Appends those of the edges [first, beyond) that the filters do not prove Delaunay. Empty edges
@@ -58,7 +58,7 @@ public:
     keep_unproved(unproved, before);
   }
 
-  // The same for the edges of a list.
+  // Appends those of a list.
   void append_unproved(const std::vector<Index>& list, std::vector<Index>& unproved) const
   {
     const std::size_t first = unproved.size();

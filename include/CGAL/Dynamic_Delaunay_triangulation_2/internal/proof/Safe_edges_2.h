@@ -90,7 +90,7 @@ public:
         check_hull(frame);
   }
 
-  // The same after an update that was not completed.
+  // After an update that was not completed.
   template <class Frame>
   void take_changes(const Frame& frame)
   {

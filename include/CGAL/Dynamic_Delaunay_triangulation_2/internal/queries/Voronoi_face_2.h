@@ -60,7 +60,7 @@ public:
   {
     return to_circumcenter(i, cotangent((i + 2) % 3));
   }
-  // The same; h is the cotangent of the angle at corner i + 2.
+  // Here h is the cotangent of the angle at corner i + 2.
   Position_2 to_circumcenter(std::size_t i, double h) const
   {
     const std::size_t k = (i + 2) % 3; // this side begins at corner i

@@ -84,7 +84,7 @@ public:
          number);
   }
 
-  // The same, but by a star that replaces the faces in conflict with p.
+  // Inserts one by a star that replaces the faces in conflict with p.
   void insert_star(const Point& p, Index number)
   {
     if (m_triangulation.dimension() < 2)

@@ -415,7 +415,7 @@ private:
     exchange_opposite(ca, b, d);
   }
 
-  // The same where the two faces may share more edges than that at h, and vertices may have edges
+  // Flips where the two faces may share more edges than that at h, and vertices may have edges
   // to themselves, as on a torus. The faces must be different.
   void flip_glued(Index h)
   {
@@ -439,7 +439,7 @@ private:
     set_edge(edge_of(previous(g)), previous(g));
   }
 
-  // The same where both faces lie in one frame, so that they share no more than the edge at h.
+  // Flips where both faces lie in one frame, so that they share no more than the edge at h.
   // Takes less than half of the time, because it reads nothing beyond the sides.
   void flip_in_one_frame(Index h)
   {

@@ -586,7 +586,7 @@ private:
     return {std::move(before), std::move(after)};
   }
 
-  // The same half-edge of the face with its new number.
+  // That half-edge of the face with its new number.
   static Index with_face(Index h, const std::vector<Index>& new_face)
   {
     return h == null_index ? null_index : 3 * new_face[h / 3] + h % 3;

@@ -85,7 +85,7 @@ public:
     return false;
   }
 
-  // The same, but for rounding, and quicker.
+  // Equal but for rounding, and quicker.
   bool excludes_about(const Box_2& box) const
   {
     const std::size_t n = m_corners.size();

@@ -71,7 +71,7 @@ public:
       *this = Distributed_zone_2();
   }
 
-  // The same as it was done to the zone that was read from this one's words, by the same code on
+  // As it was done to the zone that was read from this one's words, by the same code on
   // all ranks: rounded elsewhere it might end at another time. Whether anything has changed.
   bool follow(const Distributed_zone_2& read)
   {
