@@ -300,9 +300,9 @@ public:
   void for_each_boundary_edge(const Function& f) const
   {
     const auto& state = m_core->state;
-    for (Index h = 0; h < 3 * state.arrays().number_of_faces(); ++h) {
+    for (Index h = 0; h < state.arrays().number_of_halfedges(); ++h) {
       const Index from = Arrays::previous(h), to = Arrays::next(h);
-      if (state.is_in_gap(h / 3) && !state.are_across(from, to))
+      if (state.is_in_gap(Arrays::face_of(h)) && !state.are_across(from, to))
         f(size_type(state.id_at(from)), size_type(state.id_at(to)), state.shift_between(from, to));
     }
   }
@@ -328,8 +328,8 @@ public:
   void for_each_face(const Function& f) const
   {
     const auto& state = m_core->state;
-    for (Index h = 0; h < 3 * state.arrays().number_of_faces(); h += 3)
-      if (!state.is_in_gap(h / 3))
+    for (Index h = 0; h < state.arrays().number_of_halfedges(); h += 3)
+      if (!state.is_in_gap(Arrays::face_of(h)))
         f(std::array<size_type, 3>{state.id_at(h), state.id_at(h + 1), state.id_at(h + 2)},
           std::array<Periodic_shift_2, 3>{state.shift_between(h, h), state.shift_between(h, h + 1),
                                           state.shift_between(h, h + 2)});

@@ -69,7 +69,7 @@ TEST(Edge_filter, proves_the_same_edges_plain_and_vectorised)
     const Index scale = Index(i % 4);
     const auto vertex = [&] { return i % 10 == 0 ? any(random) : any(random) / 4 * 4 + scale; };
     Edge_2 edge{vertex(), vertex(), vertex(), vertex()};
-    for (Index* v : {&edge.source, &edge.target, &edge.left, &edge.right})
+    for (auto* v : {&edge.source, &edge.target, &edge.left, &edge.right})
       *v = (std::min)(*v, Index(positions.size()) - 1);
     edges.push_back(edge);
   }

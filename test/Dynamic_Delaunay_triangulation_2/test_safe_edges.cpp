@@ -774,7 +774,7 @@ TEST(Edge_proofs, of_a_list_are_those_of_the_whole)
   }
   std::vector<Edge_2> edges(997);
   for (Edge_2& edge : edges)
-    for (Index* v : {&edge.source, &edge.target, &edge.left, &edge.right})
+    for (auto* v : {&edge.source, &edge.target, &edge.left, &edge.right})
       *v = Index(random() % positions.size());
   std::vector<Index> all;
   internal::append_unproved<internal::Plane_2>(edges.data(), positions, 0, Index(edges.size()),

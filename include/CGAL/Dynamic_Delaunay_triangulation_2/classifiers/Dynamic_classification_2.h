@@ -23,7 +23,7 @@ namespace CGAL {
 
 The Classified set of a frame (thesis 4.1.3), which a classifier fills.
 
-\tparam Maintained an internal type.
+\tparam State an internal type.
 */
 template <class State>
 class Dynamic_classification_2
@@ -31,6 +31,8 @@ class Dynamic_classification_2
 public:
   /// the type of all numbers, as in `Dynamic_frame_2`.
   using Index = Dynamic_Delaunay_triangulations_2::Index;
+  using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index;
+  using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;
 
   /// \cond
   void clear(const State& state)
@@ -56,7 +58,7 @@ public:
   /// Delaunay, an exact classifier must either classify one of its ends in this way, or pass the
   /// edge to `add_edge()`.
   /// \throws Unknown_index_error_2 if there is no such vertex.
-  void add_vertex(Index v)
+  void add_vertex(Vertex_index v)
   {
     if (v >= m_state->positions().size())
       throw Unknown_index_error_2("vertex", v, m_state->positions().size());
@@ -78,7 +80,7 @@ public:
   /// classifies the four vertices of edge `e` because of that edge alone: repairs that work on
   /// edges start at `e`, and need not test the other edges of its vertices.
   /// \throws Unknown_index_error_2 if there is no such edge.
-  void add_edge(Index e)
+  void add_edge(Edge_index e)
   {
     if (e >= m_state->arrays().number_of_edges())
       throw Unknown_index_error_2("edge", e, m_state->arrays().number_of_edges());
@@ -97,7 +99,7 @@ public:
 
   /// the same as `add_edge()`, but for an edge in the state `ILLEGAL`: flipping it costs less.
   /// \throws Unknown_index_error_2 if there is no such edge.
-  void add_illegal_edge(Index e)
+  void add_illegal_edge(Edge_index e)
   {
     if (e >= m_state->arrays().number_of_edges())
       throw Unknown_index_error_2("edge", e, m_state->arrays().number_of_edges());
@@ -107,7 +109,7 @@ public:
 
   /// classifies edge `e` of `frame` unless it is Delaunay. Decided exactly.
   template <class Frame>
-  void add_unless_delaunay(const Frame& frame, Index e)
+  void add_unless_delaunay(const Frame& frame, Edge_index e)
   {
     using Dynamic_Delaunay_triangulations_2::Edge_state_2;
     const Edge_state_2 state = frame.edge_state(e);
@@ -167,7 +169,7 @@ public:
   /// the vertices given to `add_vertex()` or `add_id()`.
   const std::vector<Index>& whole_vertices() const { return m_whole_vertices.members(); }
   /// whether vertex `v` was given to `add_vertex()` or `add_id()`.
-  bool is_whole_vertex(Index v) const { return m_whole_vertices.contains(v); }
+  bool is_whole_vertex(Vertex_index v) const { return m_whole_vertices.contains(v); }
   /// the edges given to `add_edge()` or `add_illegal_edge()`; see `number_of_illegal_edges()` for
   /// their order.
   const std::vector<Index>& edges() const { return m_edges; }
@@ -176,7 +178,7 @@ private:
   // An edge that is not Delaunay, with its vertices: they are in the cache of who finds it.
   struct Broken_edge
   {
-    Index edge;
+    Edge_index edge;
     bool is_illegal;
     std::array<Index, 4> vertices;
   };
@@ -220,24 +222,24 @@ private:
                                                                     m_state->positions().data());
   }
 
-  void list_edge(Index e)
+  void list_edge(Edge_index e)
   {
     m_edges.push_back(e);
     std::swap(m_edges.back(), m_edges[m_edges.size() - 1 - m_number_of_illegal]);
   }
 
-  void list_illegal_edge(Index e)
+  void list_illegal_edge(Edge_index e)
   {
     m_edges.push_back(e);
     ++m_number_of_illegal;
   }
 
-  void add_vertices_of(Index e)
+  void add_vertices_of(Edge_index e)
   {
-    for_each_finite(vertices_of(e), [this](Index v) { m_vertices.insert(v); });
+    for_each_finite(vertices_of(e), [this](Vertex_index v) { m_vertices.insert(v); });
   }
 
-  std::array<Index, 4> vertices_of(Index e) const
+  std::array<Index, 4> vertices_of(Edge_index e) const
   {
     const auto& edge = m_state->edge(e);
     return {edge.source, edge.target, edge.left, edge.right};
@@ -246,7 +248,7 @@ private:
   template <class Function>
   static void for_each_finite(const std::array<Index, 4>& vertices, const Function& f)
   {
-    for (const Index v : vertices)
+    for (const Vertex_index v : vertices)
       if (v != Dynamic_Delaunay_triangulations_2::internal::infinite_index)
         f(v);
   }

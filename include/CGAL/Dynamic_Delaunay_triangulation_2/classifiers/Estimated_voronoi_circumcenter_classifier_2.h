@@ -39,7 +39,7 @@ public:
   {
     if (frame.has_changes())
       after_update(frame);
-    for (Index e = 0; e < frame.number_of_edges(); ++e)
+    for (Edge_index e = 0; e < frame.number_of_edges(); ++e)
       if (names_edge(frame, e))
         classified.add_edge(e);
   }
@@ -67,16 +67,18 @@ public:
     if (!frame.everything_is_new())
       frame.follow_faces(m_offsets);
     m_offsets.resize(frame.number_of_faces());
-    frame.for_each_changed_face([&](Index f) { m_offsets[f] = offset(frame, f); });
+    frame.for_each_changed_face([&](Face_index f) { m_offsets[f] = offset(frame, f); });
   }
 
 private:
   using Index = Dynamic_Delaunay_triangulations_2::Index;
+  using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;
+  using Face_index = Dynamic_Delaunay_triangulations_2::Face_index;
   using Position = Dynamic_Delaunay_triangulations_2::Position_2;
 
   // The vector from the mean of the vertices to the circumcenter.
   template <class Frame>
-  static Position offset(const Frame& frame, Index f)
+  static Position offset(const Frame& frame, Face_index f)
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     const auto corners = frame.face_corners(f);

@@ -60,7 +60,7 @@ public:
       after_update(frame);
     // all values are squared; at the infinite vertex they are NaN, and no comparison holds
     const double lowest = m_x * m_x, highest = (2 - m_x) * (2 - m_x);
-    for (Index e = 0; e < frame.number_of_edges(); ++e) {
+    for (Edge_index e = 0; e < frame.number_of_edges(); ++e) {
       const double growth = relative_square(frame, e) / m_references[e];
       m_growths[e] = growth;
       if (growth < lowest || growth > highest) {
@@ -79,7 +79,7 @@ public:
       m_growths.assign(frame.number_of_edges(), 1);
       m_references.resize(frame.number_of_edges());
       sum_up(frame);
-      for (Index e = 0; e < frame.number_of_edges(); ++e)
+      for (Edge_index e = 0; e < frame.number_of_edges(); ++e)
         m_references[e] = relative_square(frame, e);
       return;
     }
@@ -87,26 +87,28 @@ public:
     frame.follow_edges(m_references);
     frame.follow_vertices(m_sums, [](Index) { return 0.; });
     m_changed.clear(frame.positions().size());
-    for (const Index e : frame.new_edges()) {
+    for (const Edge_index e : frame.new_edges()) {
       m_growths[e] = 1;
       // every vertex that gained or lost an edge is a vertex of a new edge's faces
       const auto& edge = frame.edge(e);
-      for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+      for (const Vertex_index v : {edge.source, edge.target, edge.left, edge.right})
         if (!frame.is_infinite(v))
           m_changed.insert(v);
     }
-    for (const Index v : m_changed)
+    for (const Vertex_index v : m_changed)
       sum_up_around(frame, v);
-    for (const Index v : m_changed)
+    for (const Vertex_index v : m_changed)
       frame.for_each_incident_edge(
-          v, [&](Index e) { m_references[e] = relative_square(frame, e) / m_growths[e]; });
+          v, [&](Edge_index e) { m_references[e] = relative_square(frame, e) / m_growths[e]; });
   }
 
 private:
   using Index = Dynamic_Delaunay_triangulations_2::Index;
+  using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index;
+  using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;
 
   template <class Frame>
-  static double squared_length(const Frame& frame, Index e)
+  static double squared_length(const Frame& frame, Edge_index e)
   {
     const auto way = frame.edge_vector(e);
     return Dynamic_Delaunay_triangulations_2::internal::dot(way, way);
@@ -117,7 +119,7 @@ private:
   void sum_up(const Frame& frame)
   {
     m_sums.assign(frame.positions().size(), 0);
-    for (Index e = 0; e < frame.number_of_edges(); ++e) {
+    for (Edge_index e = 0; e < frame.number_of_edges(); ++e) {
       const double square = finite_squared_length(frame, e);
       m_sums[frame.edge(e).source] += square;
       m_sums[frame.edge(e).target] += square;
@@ -125,15 +127,16 @@ private:
   }
 
   template <class Frame>
-  void sum_up_around(const Frame& frame, Index v)
+  void sum_up_around(const Frame& frame, Vertex_index v)
   {
     m_sums[v] = 0;
-    frame.for_each_incident_edge(v, [&](Index e) { m_sums[v] += finite_squared_length(frame, e); });
+    frame.for_each_incident_edge(
+        v, [&](Edge_index e) { m_sums[v] += finite_squared_length(frame, e); });
   }
 
   // 0 for an edge that has no length.
   template <class Frame>
-  static double finite_squared_length(const Frame& frame, Index e)
+  static double finite_squared_length(const Frame& frame, Edge_index e)
   {
     const double square = squared_length(frame, e);
     return square >= 0 ? square : 0;
@@ -142,7 +145,7 @@ private:
   // The square of L / M, except for the factor of the number of surrounding edges, which is equal
   // for any two values that are compared.
   template <class Frame>
-  double relative_square(const Frame& frame, Index e) const
+  double relative_square(const Frame& frame, Edge_index e) const
   {
     const double square = squared_length(frame, e);
     return square / (m_sums[frame.edge(e).source] + m_sums[frame.edge(e).target] - 2 * square);

@@ -69,7 +69,7 @@ public:
   {
     m_unproved.clear();
     frame.append_unproved(0, frame.number_of_edges(), m_unproved);
-    for (const Index e : m_unproved)
+    for (const Edge_index e : m_unproved)
       if (!frame.corners_are_exact(e) || !is_proved_near(frame.corners(e)))
         classified.add_unless_delaunay(frame, e);
   }
@@ -84,6 +84,7 @@ public:
 
 private:
   using Index = Dynamic_Delaunay_triangulations_2::Index;
+  using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;
   using Position = Dynamic_Delaunay_triangulations_2::Position_2;
 
   // With the power R^2 - |od|^2 of d, which is in_circle / left, and R^2 = |ab|^2 |bc|^2 |ca|^2 /

@@ -68,14 +68,14 @@ public:
   template <class Frame>
   void after_update(const Frame& frame)
   {
-    using Index = typename Frame::Index;
+    using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;
     if (frame.everything_is_new()) {
       m_squared_references.resize(frame.number_of_edges());
-      for (Index e = 0; e < frame.number_of_edges(); ++e)
+      for (Edge_index e = 0; e < frame.number_of_edges(); ++e)
         m_squared_references[e] = squared_length(frame, e);
     } else {
       frame.follow_edges(m_squared_references);
-      for (const Index e : frame.new_edges())
+      for (const Edge_index e : frame.new_edges())
         m_squared_references[e] = squared_length(frame, e);
     }
   }

@@ -80,6 +80,8 @@ public:
 
 private:
   using Index = Dynamic_Delaunay_triangulations_2::Index;
+  using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index;
+  using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;
 
   template <class C, class Frame, class = void>
   struct Has_names_edge : std::false_type
@@ -101,12 +103,12 @@ private:
     m_seen.clear(frame.number_of_edges());
     const std::size_t first_illegal = first.edges().size() - first.number_of_illegal_edges();
     for (std::size_t i = 0; i < first.edges().size(); ++i) {
-      const Index e = first.edges()[i];
+      const Edge_index e = first.edges()[i];
       if (m_seen.insert(e) && m_second.names_edge(frame, e))
         add_edge(e, i >= first_illegal, classified);
     }
-    for (const Index v : first.whole_vertices())
-      frame.for_each_incident_edge(v, [&](Index e) {
+    for (const Vertex_index v : first.whole_vertices())
+      frame.for_each_incident_edge(v, [&](Edge_index e) {
         if (m_seen.insert(e) && m_second.names_edge(frame, e))
           classified.add_edge(e);
       });
@@ -117,15 +119,15 @@ private:
   {
     Classification second = classified.empty_copy();
     m_second(frame, second);
-    for (const Index v : first.whole_vertices())
+    for (const Vertex_index v : first.whole_vertices())
       if (second.is_whole_vertex(v))
         classified.add_vertex(v);
     m_seen.clear(frame.number_of_edges());
     m_named.clear(frame.number_of_edges());
-    for (const Index e : second.edges())
+    for (const Edge_index e : second.edges())
       m_named.insert(e);
     keep_named(
-        frame, first, second, [this](Index e) { return m_named.contains(e); }, classified);
+        frame, first, second, [this](Edge_index e) { return m_named.contains(e); }, classified);
     keep_named(
         frame, second, first, [](Index) { return false; },
         classified); // those that it names are in already
@@ -152,7 +154,7 @@ private:
   }
 
   template <class Classification>
-  static void add_edge(Index e, bool is_illegal, Classification& classified)
+  static void add_edge(Edge_index e, bool is_illegal, Classification& classified)
   {
     if (is_illegal)
       classified.add_illegal_edge(e);
@@ -164,11 +166,11 @@ private:
   void keep_of_opposite_ends(const Frame& frame, const Classification& first,
                              const Classification& second, Classification& classified)
   {
-    for (const Index v : first.whole_vertices())
+    for (const Vertex_index v : first.whole_vertices())
       if (!second.is_whole_vertex(v))
-        frame.for_each_incident_edge(v, [&](Index e) {
+        frame.for_each_incident_edge(v, [&](Edge_index e) {
           const auto& edge = frame.edge(e);
-          const Index w = edge.source == v ? edge.target : edge.source;
+          const Vertex_index w = edge.source == v ? edge.target : edge.source;
           if (second.is_whole_vertex(w) && !first.is_whole_vertex(w) && m_seen.insert(e))
             classified.add_edge(e);
         });

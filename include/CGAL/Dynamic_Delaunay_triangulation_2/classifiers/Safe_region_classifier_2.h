@@ -81,6 +81,8 @@ public:
 
 private:
   using Index = Dynamic_Delaunay_triangulations_2::Index;
+  using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index;
+  using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;
   using Position = Dynamic_Delaunay_triangulations_2::Position_2;
 
   static constexpr unsigned frames_worth_it = 16, max_rest = 64;
@@ -91,7 +93,7 @@ private:
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     m_moved.clear();
-    for (Index v = 1; v <= frame.number_of_vertices(); ++v)
+    for (Vertex_index v = 1; v <= frame.number_of_vertices(); ++v)
       if (!(squared_distance(frame.position(v), m_references[v]) <= m_squared_bounds[v]))
         m_moved.push_back(v);
     add_relocated(frame);
@@ -110,8 +112,8 @@ private:
   void find_edges_of_moved(const Frame& frame)
   {
     m_edges.clear(frame.number_of_edges());
-    for (const Index v : m_moved)
-      frame.for_each_edge_that_sees(v, [&](Index e) { m_edges.insert(e); });
+    for (const Vertex_index v : m_moved)
+      frame.for_each_edge_that_sees(v, [&](Edge_index e) { m_edges.insert(e); });
     m_unproved.assign(m_edges.begin(), m_edges.end());
     std::sort(m_unproved.begin(), m_unproved.end());
   }
@@ -143,9 +145,9 @@ private:
     m_cell_changes = frame.number_of_cell_changes();
     m_tolerances.resize(frame.number_of_edges());
     m_squared_bounds.resize(m_references.size());
-    for (Index e = 0; e < frame.number_of_edges(); ++e)
+    for (Edge_index e = 0; e < frame.number_of_edges(); ++e)
       measure(frame, e);
-    for (Index v = 1; v <= frame.number_of_vertices(); ++v)
+    for (Vertex_index v = 1; v <= frame.number_of_vertices(); ++v)
       take_smallest(frame, v);
     m_holds = true;
   }
@@ -154,25 +156,25 @@ private:
   void renew(const Frame& frame)
   {
     m_holds = false; // until it is done: memory may run out
-    frame.follow_vertices(m_references, [&](Index v) { return frame.position(v); });
+    frame.follow_vertices(m_references, [&](Vertex_index v) { return frame.position(v); });
     frame.follow_vertices(m_squared_bounds, [](Index) { return -1.; });
     frame.follow_edges(m_tolerances);
     if (!frame.has_other_numbers())
       add_relocated(frame);
     m_edges.clear(frame.number_of_edges());
-    for (const Index v : m_moved) {
+    for (const Vertex_index v : m_moved) {
       m_references[v] = frame.position(v);
-      frame.for_each_edge_that_sees(v, [&](Index e) { m_edges.insert(e); });
+      frame.for_each_edge_that_sees(v, [&](Edge_index e) { m_edges.insert(e); });
     }
-    frame.for_each_changed_edge([&](Index e) { m_edges.insert(e); });
+    frame.for_each_changed_edge([&](Edge_index e) { m_edges.insert(e); });
     m_vertices.clear(m_references.size());
-    for (const Index e : m_edges) {
+    for (const Edge_index e : m_edges) {
       measure(frame, e);
       const auto& edge = frame.edge(e);
-      for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+      for (const Vertex_index v : {edge.source, edge.target, edge.left, edge.right})
         m_vertices.insert(v);
     }
-    for (const Index v : m_vertices)
+    for (const Vertex_index v : m_vertices)
       if (!frame.is_infinite(v))
         take_smallest(frame, v);
     m_moved.clear();
@@ -180,17 +182,17 @@ private:
   }
 
   template <class Frame>
-  void measure(const Frame& frame, Index e)
+  void measure(const Frame& frame, Edge_index e)
   {
     m_tolerances[e] = Frame::Slacks::tolerance(frame, e, m_references);
   }
 
   template <class Frame>
-  void take_smallest(const Frame& frame, Index v)
+  void take_smallest(const Frame& frame, Vertex_index v)
   {
     double smallest = (std::numeric_limits<double>::max)();
     frame.for_each_edge_that_sees(
-        v, [&](Index e) { smallest = (std::min)(smallest, m_tolerances[e]); });
+        v, [&](Edge_index e) { smallest = (std::min)(smallest, m_tolerances[e]); });
     m_squared_bounds[v] =
         smallest > 0 ? Dynamic_Delaunay_triangulations_2::internal::squared_bound(smallest) : -1;
   }

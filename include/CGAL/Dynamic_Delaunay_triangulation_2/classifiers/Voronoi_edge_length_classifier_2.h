@@ -60,7 +60,7 @@ public:
   {
     if (frame.has_changes())
       after_update(frame);
-    for (Index e = 0; e < frame.number_of_edges(); ++e)
+    for (Edge_index e = 0; e < frame.number_of_edges(); ++e)
       if (names_edge(frame, e))
         classified.add_edge(e);
   }
@@ -83,7 +83,7 @@ public:
       frame.follow_edges(m_limits);
     m_limits.resize(frame.number_of_edges());
     m_measured.clear(frame.number_of_edges());
-    frame.for_each_changed_edge([&](Index e) {
+    frame.for_each_changed_edge([&](Edge_index e) {
       if (!m_measured.insert(e))
         return;
       const Corners corners = frame.corners(e);
@@ -93,6 +93,7 @@ public:
 
 private:
   using Index = Dynamic_Delaunay_triangulations_2::Index;
+  using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;
   using Position = Dynamic_Delaunay_triangulations_2::Position_2;
   using Corners = Dynamic_Delaunay_triangulations_2::Edge_corners_2;
 

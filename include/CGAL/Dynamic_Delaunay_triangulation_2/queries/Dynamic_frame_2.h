@@ -35,7 +35,7 @@ vertex. Edges and faces are numbered from 0. A rebuild may change all of these n
 insertion or a removal a few of them; the ids of points never change. A frame has edges and faces
 only while the points span the plane; otherwise no classifier is asked.
 
-\tparam Maintained an internal type.
+\tparam State an internal type.
 */
 template <class State>
 class Dynamic_frame_2
@@ -43,6 +43,13 @@ class Dynamic_frame_2
 public:
   /// the type of all numbers: an unsigned integer of 32 bits.
   using Index = Dynamic_Delaunay_triangulations_2::Index;
+  /// numbers of one kind of elements each. Any number converts to them, and they to `Index`, but
+  /// not to one of another kind.
+  using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index;
+  using Halfedge_index = Dynamic_Delaunay_triangulations_2::Halfedge_index; ///< likewise.
+  using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;         ///< likewise.
+  using Face_index = Dynamic_Delaunay_triangulations_2::Face_index;         ///< likewise.
+  using Point_id = Dynamic_Delaunay_triangulations_2::Point_id;             ///< likewise.
   /// two doubles, `x` and `y`. If the kernel's coordinates are not doubles, these are the nearest
   /// ones.
   using Position = Dynamic_Delaunay_triangulations_2::Position_2;
@@ -82,10 +89,10 @@ public:
   /// whether a point has the id `id`.
   bool has_id(std::size_t id) const { return m_state->ids().is_taken(id); }
   /// the vertex of the point `id`. \pre `has_id(id)`
-  Index vertex(std::size_t id) const { return m_state->ids().vertex(Index(id)); }
+  Vertex_index vertex(std::size_t id) const { return m_state->ids().vertex(Index(id)); }
   /// the id of the point at the finite vertex `v`. If several points share it: the id of their
   /// representative, which was there first.
-  Index id(Index v) const { return m_state->ids().representative(v); }
+  Point_id id(Vertex_index v) const { return m_state->ids().representative(v); }
   /// calls `f(i)` for the id `i` of every duplicate, that is, every point that shares the vertex of
   /// a representative, smaller ids first. Cost: proportional to their number.
   template <class Function>
@@ -95,17 +102,17 @@ public:
       f(duplicate.id);
   }
   /// whether `v` is the infinite vertex.
-  static bool is_infinite(Index v)
+  static bool is_infinite(Vertex_index v)
   {
     return v == Dynamic_Delaunay_triangulations_2::internal::infinite_index;
   }
   /// the position of vertex `v`; NaNs for the infinite vertex.
-  const Position& position(Index v) const { return m_state->positions()[v]; }
+  const Position& position(Vertex_index v) const { return m_state->positions()[v]; }
   /// the positions of all vertices, indexed by their numbers.
   const std::vector<Position>& positions() const { return m_state->positions(); }
   /// the position of vertex `v` one frame ago, in periodic space the image of it that is nearest to
   /// the present position. Valid only while classifying.
-  Position previous_position(Index v) const { return m_state->previous_position(v); }
+  Position previous_position(Vertex_index v) const { return m_state->previous_position(v); }
   /// whether all positions equal the coordinates of the points, with none of them rounded, and
   /// circles are Euclidean. Otherwise nothing exact follows from positions.
   bool positions_are_exact() const { return m_state->positions_are_exact(); }
@@ -115,7 +122,7 @@ public:
   /// @{
 
   /// edge `e` with its two opposite vertices.
-  decltype(auto) edge(Index e) const { return m_state->edge(e); }
+  decltype(auto) edge(Edge_index e) const { return m_state->edge(e); }
   /// all edges, indexed by their numbers. Not in periodic space.
   const std::vector<Edge>& edges() const
   {
@@ -128,51 +135,51 @@ public:
     return is_infinite(edge.source) || is_infinite(edge.target);
   }
   /// the three vertices of face `f`. They were counterclockwise when the face was made.
-  std::array<Index, 3> face(Index f) const { return m_state->face(f); }
+  std::array<Index, 3> face(Face_index f) const { return m_state->face(f); }
 
   /// the two faces at edge `e`: first the one with the vertex `left` of `edge(e)`, then the one
   /// with `right`.
-  std::array<Index, 2> faces_at(Index e) const
+  std::array<Index, 2> faces_at(Edge_index e) const
   {
     const auto& arrays = m_state->arrays();
     if (arrays.is_empty_edge(e))
       return {0, 0};
-    const Index h = arrays.halfedge(e);
-    const Index f = arrays.face_of(h), g = arrays.face_of(arrays.twin(h));
+    const Halfedge_index h = arrays.halfedge(e);
+    const Face_index f = arrays.face_of(h), g = arrays.face_of(arrays.twin(h));
     return m_state->is_along(e, h) ? std::array<Index, 2>{f, g} : std::array<Index, 2>{g, f};
   }
 
   /// calls `f(w)` for every neighbor `w` of vertex `v`, including the infinite vertex.
   template <class Function>
-  void for_each_neighbor(Index v, Function&& f) const
+  void for_each_neighbor(Vertex_index v, Function&& f) const
   {
     if (!m_state->arrays().is_outside(v))
       m_state->arrays().for_each_neighbor(v, f);
   }
   /// calls `f(s)` for the four other edges `s` of the two faces at edge `e`.
   template <class Function>
-  void for_each_side(Index e, Function&& f) const
+  void for_each_side(Edge_index e, Function&& f) const
   {
     if (!m_state->arrays().is_empty_edge(e))
       m_state->arrays().for_each_side(e, f);
   }
   /// calls `f(e)` for every edge `e` at vertex `v`.
   template <class Function>
-  void for_each_incident_edge(Index v, Function&& f) const
+  void for_each_incident_edge(Vertex_index v, Function&& f) const
   {
     const auto& arrays = m_state->arrays();
     if (!arrays.is_outside(v))
-      arrays.for_each_corner(v, [&](Index h) { f(arrays.edge_of(arrays.previous(h))); });
+      arrays.for_each_corner(v, [&](Halfedge_index h) { f(arrays.edge_of(arrays.previous(h))); });
   }
 
   /// calls `f(e)` for every edge `e` whose test depends on the position of vertex `v`: the edges
   /// that end at `v`, and those to which `v` is opposite.
   template <class Function>
-  void for_each_edge_that_sees(Index v, Function&& f) const
+  void for_each_edge_that_sees(Vertex_index v, Function&& f) const
   {
     const auto& arrays = m_state->arrays();
     if (!arrays.is_outside(v))
-      arrays.for_each_corner(v, [&](Index h) {
+      arrays.for_each_corner(v, [&](Halfedge_index h) {
         f(arrays.edge_of(h));
         f(arrays.edge_of(arrays.previous(h)));
       });
@@ -188,46 +195,46 @@ public:
 
   /// the positions of the four vertices of edge `e`, as seen from the edge; NaNs for an infinite
   /// vertex.
-  Corners corners(Index e) const { return m_state->corners(e); }
+  Corners corners(Edge_index e) const { return m_state->corners(e); }
   /// the same, but with the given positions, indexed by vertex numbers.
-  Corners corners(Index e, const std::vector<Position>& positions) const
+  Corners corners(Edge_index e, const std::vector<Position>& positions) const
   {
     return m_state->corners(e, positions);
   }
 
   /// whether `corners(e)` equal the coordinates of the points, or of their images, with none of
   /// them rounded.
-  bool corners_are_exact(Index e) const { return m_state->corners_are_exact(e); }
+  bool corners_are_exact(Edge_index e) const { return m_state->corners_are_exact(e); }
 
   /// the vector from the source of edge `e` to its target; NaNs if one of them is infinite.
-  Position edge_vector(Index e) const { return m_state->edge_vector(e); }
+  Position edge_vector(Edge_index e) const { return m_state->edge_vector(e); }
   /// the positions of the three vertices of face `f`, as seen from the face; NaNs for an infinite
   /// vertex.
-  std::array<Position, 3> face_corners(Index f) const { return m_state->face_corners(f); }
+  std::array<Position, 3> face_corners(Face_index f) const { return m_state->face_corners(f); }
 
   /// whether one of the four vertices of edge `e` is the infinite one; in a slab, whether they are
   /// on both sides of the gap beside it.
-  bool is_at_infinity(Index e) const { return m_state->is_at_infinity(e); }
+  bool is_at_infinity(Edge_index e) const { return m_state->is_at_infinity(e); }
   /// for an edge at infinity: whether its finite face is not counterclockwise, or the hull turns
   /// right at the edge's end, as computed in floating point. False for all other edges.
-  bool breaks_hull(Index e) const { return m_state->breaks_hull(e); }
+  bool breaks_hull(Edge_index e) const { return m_state->breaks_hull(e); }
 
   /// whether edge `e` needs no repair: it is locally Delaunay, its faces are counterclockwise, and
   /// the hull is convex there. Decided exactly.
-  bool is_delaunay(Index e) const
+  bool is_delaunay(Edge_index e) const
   {
     return edge_state(e) == Dynamic_Delaunay_triangulations_2::Edge_state_2::DELAUNAY;
   }
   /// what is wrong with edge `e`, if anything. Decided exactly, except that a twisted edge may be
   /// reported as crossed.
-  Dynamic_Delaunay_triangulations_2::Edge_state_2 edge_state(Index e) const
+  Dynamic_Delaunay_triangulations_2::Edge_state_2 edge_state(Edge_index e) const
   {
     return Edge_test(*m_state).rough_state(e);
   }
 
   /// true only if edge `e` is Delaunay and not at infinity. Decided in floating point with proved
   /// bounds alone: false if these do not suffice, or if positions are rounded.
-  bool proves_delaunay(Index e) const { return Edge_test(*m_state).proves_delaunay(e); }
+  bool proves_delaunay(Edge_index e) const { return Edge_test(*m_state).proves_delaunay(e); }
 
   /// appends to `unproved` all edges from `first` to before `beyond` that are not Delaunay, and a
   /// few others: those for which `proves_delaunay()` is false. An exact classifier tests all edges
@@ -316,11 +323,11 @@ public:
   void for_each_changed_edge(Function&& f) const
   {
     if (everything_is_new()) {
-      for (Index e = 0; e < number_of_edges(); ++e)
+      for (Edge_index e = 0; e < number_of_edges(); ++e)
         f(e);
       return;
     }
-    for (const Index e : new_edges()) {
+    for (const Edge_index e : new_edges()) {
       f(e);
       for_each_side(e, f);
     }
@@ -332,12 +339,12 @@ public:
   void for_each_changed_face(Function&& f) const
   {
     if (everything_is_new()) {
-      for (Index g = 0; g < number_of_faces(); ++g)
+      for (Face_index g = 0; g < number_of_faces(); ++g)
         f(g);
       return;
     }
-    for (const Index e : new_edges())
-      for (const Index g : faces_at(e))
+    for (const Edge_index e : new_edges())
+      for (const Face_index g : faces_at(e))
         f(g);
   }
 

@@ -27,6 +27,45 @@ namespace Dynamic_Delaunay_triangulations_2 {
 /// Index of a vertex, a half-edge, an edge or a face in the flat arrays.
 using Index = std::uint32_t;
 
+/// An index of one kind of elements. Any number can be one, and none is one of another kind.
+template <class Element>
+class Index_of_2
+{
+public:
+  Index_of_2() = default;
+  constexpr Index_of_2(Index number)
+    : m_number(number)
+  {
+  }
+  template <class Other>
+  Index_of_2(Index_of_2<Other>) = delete;
+
+  constexpr operator Index() const { return m_number; }
+  Index_of_2& operator++()
+  {
+    ++m_number;
+    return *this;
+  }
+  Index_of_2 operator++(int) { return m_number++; }
+  Index_of_2& operator+=(Index step)
+  {
+    m_number += step;
+    return *this;
+  }
+
+private:
+  Index m_number;
+};
+
+/// \name Indices of each kind
+/// @{
+using Vertex_index = Index_of_2<struct Vertex_element>;
+using Halfedge_index = Index_of_2<struct Halfedge_element>;
+using Edge_index = Index_of_2<struct Edge_element>;
+using Face_index = Index_of_2<struct Face_element>;
+using Point_id = Index_of_2<struct Point_element>; ///< of a point, not of its vertex
+/// @}
+
 /// The coordinates of a vertex in the flat arrays: exact where the kernel's coordinates are
 /// doubles, the nearest doubles elsewhere.
 #ifdef __GNUC__
@@ -43,7 +82,7 @@ struct Position_2
 /// the two faces at the edge, both counterclockwise.
 struct Edge_2
 {
-  Index source, target, left, right;
+  Vertex_index source, target, left, right;
 };
 
 /// The positions of the four vertices of an edge, as seen from the edge. `left` and `right` are the

@@ -256,7 +256,7 @@ private:
     bool are_exact = true;
     const auto staged = m_positions.staged();
     auto duplicate = m_next_duplicates.begin(); // sorted by id
-    Index id = 0;
+    Point_id id = 0;
     for (; id < ids && first != beyond; ++id, ++first) {
       if (!m_state.ids().is_taken(id))
         continue;

@@ -27,7 +27,7 @@ class Point_ids_2
 public:
   struct Duplicate
   {
-    Index id;
+    Point_id id;
     Point point;
   };
 
@@ -37,23 +37,26 @@ public:
   {
     return number_of_representatives() + Index(m_duplicates.size());
   }
-  bool has_representative(Index vertex) const { return m_representative[vertex] != null_index; }
+  bool has_representative(Vertex_index vertex) const
+  {
+    return m_representative[vertex] != null_index;
+  }
   Index number_of_representatives() const { return Index(m_representative.size()) - 1; }
   bool is_taken(std::size_t id) const
   {
     return id < m_vertex_of_id.size() && m_vertex_of_id[id] != null_index;
   }
-  Index vertex(Index id) const { return m_vertex_of_id[id]; }
-  Index representative(Index vertex) const { return m_representative[vertex]; }
+  Vertex_index vertex(Point_id id) const { return m_vertex_of_id[id]; }
+  Point_id representative(Vertex_index vertex) const { return m_representative[vertex]; }
   // Indexed by vertices.
   const Index* representatives() const { return m_representative.data(); }
   // For an id that is taken.
-  bool is_representative(Index id) const { return m_representative[m_vertex_of_id[id]] == id; }
+  bool is_representative(Point_id id) const { return m_representative[m_vertex_of_id[id]] == id; }
   const std::vector<Duplicate>& duplicates() const { return m_duplicates; }
   std::vector<Duplicate>& duplicates() { return m_duplicates; }
 
-  const Duplicate& duplicate(Index id) const { return *find_duplicate(m_duplicates, id); }
-  Duplicate& duplicate(Index id) { return *find_duplicate(m_duplicates, id); }
+  const Duplicate& duplicate(Point_id id) const { return *find_duplicate(m_duplicates, id); }
+  Duplicate& duplicate(Point_id id) { return *find_duplicate(m_duplicates, id); }
 
   // The ids of all points: the representatives in the order of their vertices, then the duplicates.
   std::vector<Index> representatives_and_duplicates() const
@@ -92,7 +95,7 @@ public:
       consider(2 * place + 1);
       consider(2 * place + 2);
     }
-    for (Index id = number_of_ids(); ids.size() < number; ++id)
+    for (Point_id id = number_of_ids(); ids.size() < number; ++id)
       ids.push_back(id);
   }
 
@@ -120,7 +123,7 @@ public:
   }
 
   // Makes `id` the representative of the next vertex.
-  Index add_representative(Index id)
+  Index add_representative(Point_id id)
   {
     m_vertex_of_id[id] = Index(m_representative.size());
     m_representative.push_back(id);
@@ -129,13 +132,13 @@ public:
 
   // Has so many vertices instead, whose representatives have to be set.
   void resize(Index vertices) { m_representative.resize(vertices + std::size_t(1)); }
-  void set_representative(Index vertex, Index id)
+  void set_representative(Vertex_index vertex, Point_id id)
   {
     m_vertex_of_id[id] = vertex;
     m_representative[vertex] = id;
   }
 
-  void add_duplicate(Index id, Index representative, const Point& point)
+  void add_duplicate(Point_id id, Index representative, const Point& point)
   {
     m_vertex_of_id[id] = m_vertex_of_id[representative];
     m_duplicates.push_back(Duplicate{id, point});
@@ -147,7 +150,7 @@ public:
     const auto comes_before = [](const Duplicate& g, const Duplicate& h) { return g.id < h.id; };
     if (!std::is_sorted(m_duplicates.begin(), m_duplicates.end(), comes_before))
       std::sort(m_duplicates.begin(), m_duplicates.end(), comes_before);
-    for (Index id = 0; id < number_of_ids(); ++id)
+    for (Point_id id = 0; id < number_of_ids(); ++id)
       if (m_vertex_of_id[id] == null_index)
         m_free_ids.push_back(id); // ascending numbers are a heap
   }
@@ -159,7 +162,7 @@ public:
   {
     reserve_extra(m_free_ids, next_ids.size());
     reserve_extra(m_vertex_of_id, next_ids.size());
-    for (const Index id : next_ids)
+    for (const Point_id id : next_ids)
       if (id == number_of_ids()) {
         m_vertex_of_id.push_back(null_index);
       } else {
@@ -170,7 +173,7 @@ public:
   }
 
   // Frees a reserved id.
-  void release(Index id)
+  void release(Point_id id)
   {
     m_free_ids.push_back(id);
     std::push_heap(m_free_ids.begin(), m_free_ids.end(), std::greater<Index>());
@@ -186,7 +189,7 @@ public:
   void append_vertex() { m_representative.push_back(null_index); }
 
   // Makes `id`, a reserved id or that of a duplicate, the representative of a vertex that has none.
-  void place_representative(Index id, Index vertex)
+  void place_representative(Point_id id, Vertex_index vertex)
   {
     leave(id);
     m_vertex_of_id[id] = vertex;
@@ -194,7 +197,7 @@ public:
   }
 
   // Makes `id`, a reserved id or that of a duplicate, a duplicate at `vertex`.
-  void place_duplicate(Index id, Index vertex, const Point& point)
+  void place_duplicate(Point_id id, Vertex_index vertex, const Point& point)
   {
     leave(id);
     m_vertex_of_id[id] = vertex;
@@ -202,14 +205,14 @@ public:
   }
 
   // Removes a duplicate and frees its id.
-  void remove_duplicate(Index id)
+  void remove_duplicate(Point_id id)
   {
     m_duplicates.erase(find_duplicate(m_duplicates, id));
     free(id);
   }
 
   // Removes a representative without duplicates and frees its id. Its vertex then has none.
-  void remove_representative(Index id)
+  void remove_representative(Point_id id)
   {
     m_representative[m_vertex_of_id[id]] = null_index;
     free(id);
@@ -217,7 +220,7 @@ public:
 
   // The smallest id of the duplicates at `vertex` for which `pleases` is true, or `null_index`.
   template <class Predicate>
-  Index find_duplicate_at(Index vertex, const Predicate& pleases) const
+  Index find_duplicate_at(Vertex_index vertex, const Predicate& pleases) const
   {
     for (const Duplicate& duplicate : m_duplicates)
       if (m_vertex_of_id[duplicate.id] == vertex && pleases(duplicate))
@@ -229,7 +232,8 @@ public:
   // `point`, a duplicate.
   void exchange_representative(Index duplicate, const Point& point)
   {
-    const Index vertex = m_vertex_of_id[duplicate], representative = m_representative[vertex];
+    const Vertex_index vertex = m_vertex_of_id[duplicate];
+    const Point_id representative = m_representative[vertex];
     m_duplicates.erase(find_duplicate(m_duplicates, duplicate));
     m_duplicates.insert(find_duplicate(m_duplicates, representative),
                         Duplicate{representative, point});
@@ -238,19 +242,19 @@ public:
 
   // Makes the representative and the duplicates of vertex `other` duplicates at `vertex`. `point`
   // is the representative's point.
-  void merge(Index other, Index vertex, const Point& point)
+  void merge(Index other, Vertex_index vertex, const Point& point)
   {
     for (const Duplicate& duplicate : m_duplicates)
       if (m_vertex_of_id[duplicate.id] == other)
         m_vertex_of_id[duplicate.id] = vertex;
-    const Index id = m_representative[other];
+    const Point_id id = m_representative[other];
     m_vertex_of_id[id] = vertex;
     m_duplicates.insert(find_duplicate(m_duplicates, id), Duplicate{id, point});
     m_representative[other] = null_index;
   }
 
   // Moves the points of the last vertex to one without representative, and drops the last one.
-  void move_last_vertex_to(Index vertex)
+  void move_last_vertex_to(Vertex_index vertex)
   {
     const Index last = number_of_representatives();
     CGAL_precondition(!has_representative(vertex));
@@ -267,20 +271,20 @@ public:
 private:
   // The place of a duplicate in the list, or where to insert it.
   template <class Duplicates>
-  static auto find_duplicate(Duplicates& duplicates, Index id)
+  static auto find_duplicate(Duplicates& duplicates, Point_id id)
   {
     return std::lower_bound(duplicates.begin(), duplicates.end(), id,
                             [](const Duplicate& duplicate, Index i) { return duplicate.id < i; });
   }
 
   // Removes a duplicate from its vertex. A reserved id has no vertex to leave.
-  void leave(Index id)
+  void leave(Point_id id)
   {
     if (is_taken(id))
       m_duplicates.erase(find_duplicate(m_duplicates, id));
   }
 
-  void free(Index id)
+  void free(Point_id id)
   {
     m_vertex_of_id[id] = null_index;
     release(id);

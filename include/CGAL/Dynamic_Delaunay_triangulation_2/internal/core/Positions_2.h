@@ -75,7 +75,7 @@ public:
     else
       return m_positions;
   }
-  decltype(auto) point(Index v) const { return Arrays::as_point(m_points[v]); }
+  decltype(auto) point(Vertex_index v) const { return Arrays::as_point(m_points[v]); }
 
   // Whether no coordinate was rounded in positions().
   bool are_exact() const { return m_are_exact; }
@@ -84,7 +84,7 @@ public:
   // and the functions below return those of now.
   bool have_moved() const { return m_is_frame || !m_moved.empty(); }
 
-  Position_2 previous_position(Index v) const
+  Position_2 previous_position(Vertex_index v) const
   {
     if constexpr (points_are_two_doubles)
       return *previous(v);
@@ -93,7 +93,7 @@ public:
   }
 
   // Fetches the position of a vertex, and the previous one.
-  void prefetch(Index v) const
+  void prefetch(Vertex_index v) const
   {
     internal::prefetch(&positions()[v]);
     if (m_is_frame)
@@ -131,7 +131,7 @@ private:
     Stored_point* points;
     Position_2* positions;
 
-    void set(Index v, const Position_2& position, const Point& p) const
+    void set(Vertex_index v, const Position_2& position, const Point& p) const
     {
       points[v] = Arrays::stored(position, p);
       if constexpr (!points_are_two_doubles)
@@ -166,7 +166,7 @@ private:
   // Reserves memory for so many moves. Then move() throws only what copying a point throws.
   void reserve_for_moves(std::size_t number) { reserve_extra(m_moved, number); }
 
-  void move(Index v, const Point& p)
+  void move(Vertex_index v, const Point& p)
   {
     m_moved.emplace_back(v, m_points[v]);
     set(v, p);
@@ -179,7 +179,7 @@ private:
               [](const auto& a, const auto& b) { return a.first < b.first; });
   }
 
-  void set(Index v, const Point& p)
+  void set(Vertex_index v, const Point& p)
   {
     const Position_2 position = approximation(p);
     m_points[v] = Arrays::stored(position, p);
@@ -188,7 +188,7 @@ private:
   }
 
   // Sets a vertex that was elsewhere only by its number.
-  void restart(Index v, const Point& p)
+  void restart(Vertex_index v, const Point& p)
   {
     set(v, p);
     if (have_moved())
@@ -234,7 +234,7 @@ private:
       m_other_points.resize(number);
   }
 
-  void move_last_to(Index v)
+  void move_last_to(Vertex_index v)
   {
     forget_previous();
     m_points[v] = m_points.back();
@@ -265,17 +265,18 @@ private:
   }
 
   // The place of a vertex before it moved, as it is stored.
-  const Stored_point* previous(Index v) const
+  const Stored_point* previous(Vertex_index v) const
   {
     if (m_is_frame)
       return &m_other_points[v];
     if (m_moved.empty())
       return &m_points[v];
-    const auto moved = std::lower_bound(m_moved.begin(), m_moved.end(), v,
-                                        [](const auto& entry, Index w) { return entry.first < w; });
+    const auto moved =
+        std::lower_bound(m_moved.begin(), m_moved.end(), v,
+                         [](const auto& entry, Vertex_index w) { return entry.first < w; });
     return moved != m_moved.end() && moved->first == v ? &moved->second : &m_points[v];
   }
-  Stored_point* previous(Index v)
+  Stored_point* previous(Vertex_index v)
   {
     return const_cast<Stored_point*>(std::as_const(*this).previous(v));
   }

@@ -92,7 +92,7 @@ public:
   const Triangulation& triangulation() const { return m_topology.triangulation(); }
   const Halfedge_arrays_2& arrays() const { return m_topology.arrays(); }
   bool is_written_by_handles() const { return m_topology.is_written_by_handles(); }
-  Vertex_handle vertex_handle(Index v) const { return m_topology.vertex_handle(v); }
+  Vertex_handle vertex_handle(Vertex_index v) const { return m_topology.vertex_handle(v); }
   const Ids& ids() const { return m_topology.ids(); }
   const Change_log_2& changes() const { return m_topology.changes(); }
 
@@ -116,19 +116,22 @@ public:
   bool are_coordinates_rounded() const { return !m_positions.are_exact(); }
   bool have_points_moved() const { return m_positions.have_moved(); }
 
-  const Edge_2& edge(Index e) const { return arrays().edge(e); }
-  std::array<Index, 3> face(Index f) const { return arrays().face(f); }
+  const Edge_2& edge(Edge_index e) const { return arrays().edge(e); }
+  std::array<Index, 3> face(Face_index f) const { return arrays().face(f); }
   // Whether half-edge h of edge e goes from its source to its target.
-  bool is_along(Index e, Index h) const { return arrays().source(h) == edge(e).source; }
+  bool is_along(Edge_index e, Halfedge_index h) const
+  {
+    return arrays().source(h) == edge(e).source;
+  }
   static bool is_shown_right(Index) { return true; }
-  bool is_at_infinity(Index e) const { return internal::is_at_infinity(edge(e)); }
-  bool breaks_hull(Index e) const { return internal::breaks_hull(edge(e), positions()); }
+  bool is_at_infinity(Edge_index e) const { return internal::is_at_infinity(edge(e)); }
+  bool breaks_hull(Edge_index e) const { return internal::breaks_hull(edge(e), positions()); }
 
-  Position_2 edge_vector(Index e) const
+  Position_2 edge_vector(Edge_index e) const
   {
     return positions()[edge(e).target] - positions()[edge(e).source];
   }
-  std::array<Position_2, 3> face_corners(Index f) const
+  std::array<Position_2, 3> face_corners(Face_index f) const
   {
     const auto [a, b, c] = arrays().face(f);
     return {positions()[a], positions()[b], positions()[c]};
@@ -152,46 +155,49 @@ public:
   using Predicates = Vertex_predicates_2<Triangulation_state_2>;
   static constexpr bool predicates_are_exact = !Are_known_to_be_inexact_2<Traits>::value;
 
-  static Index vertex_of(Corner corner) { return corner; }
-  static Corner corner_of(Index v) { return v; }
+  static Vertex_index vertex_of(Corner corner) { return corner; }
+  static Corner corner_of(Vertex_index v) { return v; }
   // The apex of half-edge h, as seen by a frame of its face.
-  Corner corner_in(Index h, Frame) const { return arrays().apex(h); }
+  Corner corner_in(Halfedge_index h, Frame) const { return arrays().apex(h); }
   // The frame of the face of h as seen from its apex, and that of the face beyond h.
   static Frame frame_at(Index) { return {}; }
   static Frame frame_beyond(Index, Frame) { return {}; }
   const Position_2& rounded_position(Corner corner) const { return positions()[corner]; }
   // Whether a point is where vertex v is.
-  bool is_at(const Point& p, Index v) const { return coincide(traits(), p, point(v)); }
+  bool is_at(const Point& p, Vertex_index v) const { return coincide(traits(), p, point(v)); }
   static Frame frame_seen_from(Index, Index) { return {}; }
-  double rounded_squared_distance(Index v, Index w) const
+  double rounded_squared_distance(Vertex_index v, Vertex_index w) const
   {
     return squared_distance(positions()[v], positions()[w]);
   }
   // The position of v one frame ago, as it is seen from where its present one is `now`.
-  Position_2 previous_position_at(Index v, const Position_2&) const { return previous_position(v); }
+  Position_2 previous_position_at(Vertex_index v, const Position_2&) const
+  {
+    return previous_position(v);
+  }
   // Where to look for a position in an order of space.
   static const Position_2& place_in_order(const Position_2& p) { return p; }
   bool are_neighbors(Corner a, Corner b) const { return arrays().are_neighbors(a, b); }
 
   bool corners_are_exact(Index) const { return positions_are_exact(); }
   // The corners of an edge, as seen from it.
-  Edge_corners_2 corners(Index e) const { return corners(e, positions()); }
+  Edge_corners_2 corners(Edge_index e) const { return corners(e, positions()); }
   // With other positions of the vertices.
-  Edge_corners_2 corners(Index e, const std::vector<Position_2>& others) const
+  Edge_corners_2 corners(Edge_index e, const std::vector<Position_2>& others) const
   {
     return Space::corners(arrays().edge(e), others);
   }
 
   // The present point of a vertex.
-  decltype(auto) point(Index v) const { return m_positions.point(v); }
+  decltype(auto) point(Vertex_index v) const { return m_positions.point(v); }
 
   // The position of a vertex one frame ago, or before it moved alone in this call.
-  Position_2 previous_position(Index v) const { return m_positions.previous_position(v); }
+  Position_2 previous_position(Vertex_index v) const { return m_positions.previous_position(v); }
 
-  void prefetch_positions(Index v) const { m_positions.prefetch(v); }
+  void prefetch_positions(Vertex_index v) const { m_positions.prefetch(v); }
 
   // The present point with this id.
-  Point point_of_id(Index id) const
+  Point point_of_id(Point_id id) const
   {
     return ids().is_representative(id) ? point(ids().vertex(id)) : ids().duplicate(id).point;
   }

@@ -108,6 +108,8 @@ private:
       m_text += field;
     else if constexpr (std::is_arithmetic_v<Field>)
       append_number(m_text, field);
+    else if constexpr (std::is_convertible_v<const Field&, Index>)
+      append_number(m_text, Index(field));
     else
       return std::apply([&](const auto&... fields) { (append(fields), ...); }, field);
     m_text += ' ';

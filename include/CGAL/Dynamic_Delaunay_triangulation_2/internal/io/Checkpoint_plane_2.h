@@ -172,7 +172,7 @@ public:
   }
   // Rounded coordinates are written as well: how a number was rounded depends on how it was
   // computed, which is not kept.
-  static auto coordinates(const State& state, Index v)
+  static auto coordinates(const State& state, Vertex_index v)
   {
     if constexpr (State::coordinates_are_doubles)
       return coordinates(state.point(v));
@@ -183,11 +183,11 @@ public:
 
   static bool has_faces(const State& state) { return state.spans_plane(); }
   static std::tuple<> rest_of_face(const State&, Index) { return {}; }
-  static Index rest_of_corner(Index h) { return Halfedge_arrays_2::face_of(h); }
+  static Index rest_of_corner(Halfedge_index h) { return Halfedge_arrays_2::face_of(h); }
 
-  static std::array<Index, 2> halfedges(const Halfedge_arrays_2& arrays, Index e)
+  static std::array<Index, 2> halfedges(const Halfedge_arrays_2& arrays, Edge_index e)
   {
-    const Index h = arrays.halfedge(e);
+    const Halfedge_index h = arrays.halfedge(e);
     return {arrays.source(h) == arrays.edge(e).source ? h : arrays.twin(h), h};
   }
 
@@ -240,18 +240,19 @@ public:
   void read_rest_of_face(Index) const { m_file.end_line(); }
 
   // Reads a face that must have this vertex.
-  bool read_rest_of_corner(Index v)
+  bool read_rest_of_corner(Vertex_index v)
   {
-    const Index f = m_file.number("the face", Index(0), m_kept.faces.number_of_faces() - 1);
-    const Index h = Flat_faces_2::first_halfedge(f);
+    const Face_index f = m_file.number("the face", Index(0), m_kept.faces.number_of_faces() - 1);
+    const Halfedge_index h = Flat_faces_2::first_halfedge(f);
     return m_kept.faces.apex(h) == v || m_kept.faces.apex(h + 1) == v ||
            m_kept.faces.apex(h + 2) == v;
   }
 
   // The twin of the first half-edge. The second one must be either of them.
-  Index checked_twin(Index forward, Index halfedge, const std::vector<bool>& is_listed) const
+  Index checked_twin(Index forward, Halfedge_index halfedge,
+                     const std::vector<bool>& is_listed) const
   {
-    const Index twin =
+    const Halfedge_index twin =
         Flat_faces_2::number_in_arrays(m_kept.faces.twin(Flat_faces_2::from_arrays(forward)));
     if (halfedge != forward && halfedge != twin)
       m_file.refuse("these are half-edges of two edges");

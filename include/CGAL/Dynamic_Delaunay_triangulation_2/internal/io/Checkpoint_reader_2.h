@@ -67,7 +67,7 @@ private:
     check_ids();
     m_kept.ids.reset(m_number_of_ids);
     auto id = m_ids.begin();
-    for (Index v = 0; v < number_of_vertices(); ++v)
+    for (Vertex_index v = 0; v < number_of_vertices(); ++v)
       m_kept.ids.add_representative(*id++);
     for (const auto& [vertex, point] : m_duplicates)
       m_kept.ids.add_duplicate(*id++, m_ids[vertex - 1], point);
@@ -80,7 +80,7 @@ private:
   {
     const Index number =
         m_file.number_entry("vertices", m_space.fewest_vertices(), m_space.most_vertices());
-    for (Index v = 1; v <= number; ++v) {
+    for (Vertex_index v = 1; v <= number; ++v) {
       read_id();
       m_space.read_vertex();
       m_file.end_line();
@@ -103,7 +103,7 @@ private:
       m_file.refuse("there are duplicates, and no vertices");
     for (Index i = 0; i < number; ++i) {
       read_id();
-      const Index vertex = m_file.number("the vertex", Index(1), number_of_vertices());
+      const Vertex_index vertex = m_file.number("the vertex", Index(1), number_of_vertices());
       const Point p = m_space.read_point();
       m_file.end_line();
       if (!m_space.coincide(p, m_kept.points[vertex - 1]))
@@ -129,7 +129,7 @@ private:
   void check_ids() const
   {
     std::vector<bool> is_there(m_number_of_ids);
-    for (const Index id : m_ids) {
+    for (const Point_id id : m_ids) {
       if (is_there[id])
         m_file.refuse("the id " + std::to_string(id) + " is there more than once, above");
       is_there[id] = true;
@@ -165,7 +165,7 @@ private:
   void read_faces()
   {
     const Index number = read_number("faces", number_of_faces());
-    for (Index f = 0; f < number; ++f) {
+    for (Face_index f = 0; f < number; ++f) {
       m_file.next_line();
       m_kept.faces.resize(f + std::size_t(1));
       for (Index i = 0; i < 3; ++i)
@@ -188,11 +188,11 @@ private:
 
   void read_corners()
   {
-    Index v = Space::first_vertex;
+    Vertex_index v = Space::first_vertex;
     const Index beyond = v + read_number("corners", number_of_vertices() + 1 - v);
     for (; v < beyond; ++v) {
       m_file.next_line();
-      const Index h = read_halfedge();
+      const Halfedge_index h = read_halfedge();
       const bool is_rest_right = m_space.read_rest_of_corner(v);
       m_file.end_line();
       if (!is_rest_right || m_kept.faces.apex(Flat_faces_2::from_arrays(h)) != v)
@@ -206,11 +206,11 @@ private:
   {
     const Index number = read_number("edges", number_of_halfedges() / 2);
     std::vector<bool> is_listed(number_of_halfedges());
-    for (Index e = 0; e < number; ++e) {
+    for (Edge_index e = 0; e < number; ++e) {
       m_file.next_line();
-      const Index h = read_halfedge(), g = read_halfedge();
+      const Halfedge_index h = read_halfedge(), g = read_halfedge();
       m_file.end_line();
-      const Index twin = m_space.checked_twin(h, g, is_listed);
+      const Halfedge_index twin = m_space.checked_twin(h, g, is_listed);
       is_listed[h] = is_listed[twin] = true;
       m_kept.forward_halfedges.push_back(h);
       m_kept.halfedges.push_back(g);

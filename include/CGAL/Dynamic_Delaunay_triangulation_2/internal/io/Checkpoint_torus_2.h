@@ -68,7 +68,7 @@ public:
   }
 
   static std::array<double, 2> coordinates(const Point& p) { return {p.x(), p.y()}; }
-  static std::array<double, 2> coordinates(const State& state, Index v)
+  static std::array<double, 2> coordinates(const State& state, Vertex_index v)
   {
     return {state.positions()[v].x, state.positions()[v].y};
   }
@@ -76,13 +76,13 @@ public:
   static bool has_faces(const State&) { return true; }
 
   // The first corner has no shift.
-  static std::array<Periodic_shift_2, 2> rest_of_face(const State& state, Index f)
+  static std::array<Periodic_shift_2, 2> rest_of_face(const State& state, Face_index f)
   {
-    return {state.shift(3 * f + 1), state.shift(3 * f + 2)};
+    return {state.shift(Arrays::halfedge_in(f, 1)), state.shift(Arrays::halfedge_in(f, 2))};
   }
   static std::tuple<> rest_of_corner(Index) { return {}; }
 
-  static std::array<Index, 2> halfedges(const Arrays& arrays, Index e)
+  static std::array<Index, 2> halfedges(const Arrays& arrays, Edge_index e)
   {
     return {arrays.halfedge(e), arrays.twin(arrays.halfedge(e))};
   }
@@ -123,11 +123,11 @@ public:
 
   static bool has_faces() { return true; }
 
-  void read_rest_of_face(Index f)
+  void read_rest_of_face(Face_index f)
   {
     m_shifts.insert(m_shifts.end(), {no_shift, read_shift(), read_shift()});
     m_file.end_line();
-    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+    for (const Halfedge_index h : Arrays::halfedges_of(f))
       if (source(h) == target(h) && are_equal(side(h), no_shift))
         m_file.refuse("the face has a corner twice");
   }
@@ -136,7 +136,7 @@ public:
 
   // Links two half-edges, which have to run along each other in opposite directions, also by their
   // shifts. Returns the second one.
-  Index checked_twin(Index h, Index g, const std::vector<bool>& is_listed)
+  Index checked_twin(Halfedge_index h, Halfedge_index g, const std::vector<bool>& is_listed)
   {
     if (h == g || is_listed[h] || is_listed[g])
       m_file.refuse("a half-edge is there more than once");
@@ -186,12 +186,12 @@ private:
   }
 
   // From the source of a half-edge to its target.
-  Periodic_shift_2 side(Index h) const
+  Periodic_shift_2 side(Halfedge_index h) const
   {
     return m_shifts[Arrays::previous(h)] - m_shifts[Arrays::next(h)];
   }
-  Index source(Index h) const { return m_kept.faces.source(Flat_faces_2::from_arrays(h)); }
-  Index target(Index h) const { return m_kept.faces.target(Flat_faces_2::from_arrays(h)); }
+  Index source(Halfedge_index h) const { return m_kept.faces.source(Flat_faces_2::from_arrays(h)); }
+  Index target(Halfedge_index h) const { return m_kept.faces.target(Flat_faces_2::from_arrays(h)); }
 
   Checkpoint_input_2& m_file;
   Checkpoint_arrays_2<Point>& m_kept;

@@ -63,13 +63,13 @@ private:
     const auto& ids = m_state.ids();
     file.line("ids", ids.number_of_ids());
     file.line("vertices", ids.number_of_representatives());
-    for (Index v = 1; v <= ids.number_of_representatives(); ++v)
+    for (Vertex_index v = 1; v <= ids.number_of_representatives(); ++v)
       file.line(ids.representative(v), Space::coordinates(m_state, v));
     file.line("duplicates", ids.duplicates().size());
     for (const auto& duplicate : ids.duplicates())
       file.line(duplicate.id, ids.vertex(duplicate.id), Space::coordinates(duplicate.point));
     file.line("free_ids", ids.number_of_ids() - ids.number_of_points());
-    for (Index id = 0; id < ids.number_of_ids(); ++id)
+    for (Point_id id = 0; id < ids.number_of_ids(); ++id)
       if (!ids.is_taken(id))
         file.line(id);
   }
@@ -79,13 +79,13 @@ private:
     const auto& arrays = m_state.arrays();
     const Index beyond = m_state.number_of_vertices() + 1;
     file.line("faces", arrays.number_of_faces());
-    for (Index f = 0; f < arrays.number_of_faces(); ++f)
+    for (Face_index f = 0; f < arrays.number_of_faces(); ++f)
       file.line(arrays.face(f), Space::rest_of_face(m_state, f));
     file.line("corners", beyond - Space::first_vertex);
-    for (Index v = Space::first_vertex; v < beyond; ++v)
+    for (Vertex_index v = Space::first_vertex; v < beyond; ++v)
       file.line(arrays.corner(v), Space::rest_of_corner(arrays.corner(v)));
     file.line("edges", arrays.number_of_edges());
-    for (Index e = 0; e < arrays.number_of_edges(); ++e)
+    for (Edge_index e = 0; e < arrays.number_of_edges(); ++e)
       file.line(Space::halfedges(arrays, e));
   }
 

@@ -29,7 +29,7 @@ public:
   struct Flaw
   {
     const char* what = nullptr;
-    Index face = 0;
+    Face_index face = 0;
   };
 
   // The vertices are those from `first` to before `beyond`.
@@ -57,7 +57,7 @@ public:
   }
 
 private:
-  static Flaw flaw_at(Index halfedge, const char* what)
+  static Flaw flaw_at(Halfedge_index halfedge, const char* what)
   {
     return {what, Flat_faces_2::number_in_arrays(halfedge) / 3};
   }
@@ -65,7 +65,7 @@ private:
   template <class Function>
   void for_each_halfedge(const Function& f) const
   {
-    for (Index face = 0; face < m_faces.number_of_faces(); ++face)
+    for (Face_index face = 0; face < m_faces.number_of_faces(); ++face)
       for (Index i = 0; i < 3; ++i)
         f(Flat_faces_2::first_halfedge(face) + i);
   }
@@ -74,15 +74,15 @@ private:
   void sort_halfedges()
   {
     m_first.assign(m_beyond + std::size_t(1), 0);
-    for_each_halfedge([this](Index h) { ++m_first[m_faces.source(h)]; });
-    for (Index v = 0; v < m_beyond; ++v)
+    for_each_halfedge([this](Halfedge_index h) { ++m_first[m_faces.source(h)]; });
+    for (Vertex_index v = 0; v < m_beyond; ++v)
       m_first[v + 1] += m_first[v];
     m_sorted.resize(m_first[m_beyond]);
-    for_each_halfedge([this](Index h) { m_sorted[--m_first[m_faces.source(h)]] = h; });
+    for_each_halfedge([this](Halfedge_index h) { m_sorted[--m_first[m_faces.source(h)]] = h; });
   }
 
   template <class Function>
-  void for_each_halfedge_from(Index v, const Function& f) const
+  void for_each_halfedge_from(Vertex_index v, const Function& f) const
   {
     for (Index i = m_first[v]; i < m_first[v + 1]; ++i)
       f(m_sorted[i]);
@@ -92,8 +92,8 @@ private:
   {
     Flaw flaw;
     std::vector<Index> halfedge_to(m_beyond, null_index); // from v to each vertex
-    for (Index v = 0; v < m_beyond; ++v) {
-      for_each_halfedge_from(v, [&](Index h) {
+    for (Vertex_index v = 0; v < m_beyond; ++v) {
+      for_each_halfedge_from(v, [&](Halfedge_index h) {
         Index& there = halfedge_to[m_faces.target(h)];
         if (m_faces.target(h) == v)
           flaw = flaw_at(h, "the face has a vertex twice");
@@ -101,14 +101,15 @@ private:
           flaw = flaw_at(h, "an edge of the face is there twice");
         there = h;
       });
-      for_each_halfedge_from(v, [&](Index h) {
+      for_each_halfedge_from(v, [&](Halfedge_index h) {
         const Index arriving = Flat_faces_2::previous(h);
         const Index back = halfedge_to[m_faces.source(arriving)];
         if (back == null_index)
           flaw = flaw_at(h, "an edge of the face has no other face");
         m_faces.set_twin(arriving, back);
       });
-      for_each_halfedge_from(v, [&](Index h) { halfedge_to[m_faces.target(h)] = null_index; });
+      for_each_halfedge_from(
+          v, [&](Halfedge_index h) { halfedge_to[m_faces.target(h)] = null_index; });
       if (flaw.what)
         return flaw;
     }
@@ -123,7 +124,7 @@ private:
 
   Flaw check_vertices() const
   {
-    for (Index v = m_first_vertex; v < m_beyond; ++v) {
+    for (Vertex_index v = m_first_vertex; v < m_beyond; ++v) {
       const Index degree = m_first[v + 1] - m_first[v];
       if (degree == 0)
         return {"a vertex is in no face", m_faces.number_of_faces() - 1};
@@ -145,16 +146,16 @@ private:
     std::vector<Index> waiting(1, 0);
     is_reached[0] = true;
     while (!waiting.empty()) {
-      const Index h = Flat_faces_2::first_halfedge(waiting.back());
+      const Halfedge_index h = Flat_faces_2::first_halfedge(waiting.back());
       waiting.pop_back();
       for (Index i = 0; i < 3; ++i) {
-        const Index f = Flat_faces_2::number_in_arrays(m_faces.twin(h + i)) / 3;
+        const Face_index f = Flat_faces_2::number_in_arrays(m_faces.twin(h + i)) / 3;
         if (!is_reached[f])
           waiting.push_back(f);
         is_reached[f] = true;
       }
     }
-    for (Index f = 0; f < m_faces.number_of_faces(); ++f)
+    for (Face_index f = 0; f < m_faces.number_of_faces(); ++f)
       if (!is_reached[f])
         return {"the face hangs together with the first one by no edges", f};
     return {};

@@ -29,7 +29,7 @@ struct Periodic_change_2
   {
     return {kind, i, j, {shift, no_shift}};
   }
-  static Periodic_change_2 translation(Index id, const Periodic_shift_2& shift)
+  static Periodic_change_2 translation(Point_id id, const Periodic_shift_2& shift)
   {
     return {Kind::POINT_TRANSLATED, id, null_index, {shift, no_shift}};
   }

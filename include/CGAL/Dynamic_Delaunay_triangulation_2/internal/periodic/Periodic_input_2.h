@@ -197,7 +197,7 @@ private:
     if (gone.empty())
       return stage_all(points, now);
     Points_that_stay staying{*this, now, points, std::vector<bool>(m_state.ids().number_of_ids())};
-    for (const Index id : gone)
+    for (const Point_id id : gone)
       staying.goes[id] = true;
     stage_all(staying, now);
   }
@@ -205,7 +205,7 @@ private:
   bool is_same_cell() const { return m_cell == m_state.torus().cell(); }
 
   // Where the cell takes a point that stays as it is in its multiples.
-  Point point_taken_along(Index id, const Torus_2& now) const
+  Point point_taken_along(Point_id id, const Torus_2& now) const
   {
     const Point p = m_state.point_of_id(id);
     if (is_same_cell())
@@ -235,7 +235,7 @@ private:
   template <class Next>
   void throw_refused(const Next& next, const Torus_2& now) const
   {
-    for (Index id = 0; id < m_state.ids().number_of_ids(); ++id)
+    for (Point_id id = 0; id < m_state.ids().number_of_ids(); ++id)
       if (m_state.ids().is_taken(id))
         checked_position(next(id), id, now);
   }
@@ -306,10 +306,10 @@ private:
         vertices < min_vertices_to_prefetch ? 0 : vertices - prefetched_ahead;
     constexpr Index block = 16;
     static_assert(block <= prefetched_ahead);
-    for (Index v = first; v < beyond; v += block) {
+    for (Vertex_index v = first; v < beyond; v += block) {
       const Index end = (std::min)(v + block, beyond);
       if (end < end_of_prefetching)
-        for (Index w = v; w < end; ++w)
+        for (Vertex_index w = v; w < end; ++w)
           next.prefetch(m_state.ids().representatives()[w + prefetched_ahead]);
       if (!(is_same && stage_usual(next, now, usual, v, end, part.sum)) &&
           !stage_any<is_same>(next, now, v, end, part))
@@ -331,7 +331,7 @@ private:
     const double short_way = (std::min)(now.short_way(), std::sqrt(m_squared_long_way));
     bool are_usual = true;
     Position_2 ways{0, 0};
-    for (Index v = first; v < beyond; ++v) {
+    for (Vertex_index v = first; v < beyond; ++v) {
       const Point& point = next(representatives[v]);
       const Position_2 q = approximation(point), way = q - positions[v];
       staged.set(v, q, point);
@@ -348,7 +348,7 @@ private:
   bool stage_any(const Next& next, const Torus_2& now, Index first, Index beyond, Part& part)
   {
     const auto staged = m_positions.staged();
-    for (Index v = first; v < beyond; ++v) {
+    for (Vertex_index v = first; v < beyond; ++v) {
       const Position_2& p = m_state.positions()[v];
       const Point& point = next(m_state.ids().representative(v));
       const Position_2 q = approximation(point);
@@ -373,11 +373,11 @@ private:
 
   // WAYS ----------------------------------------------------------------------------------------
 
-  double squared_distance_to_neighbors(Index v) const
+  double squared_distance_to_neighbors(Vertex_index v) const
   {
     double least = std::numeric_limits<double>::infinity();
     const Torus_2& torus = m_state.torus();
-    m_state.arrays().for_each_corner(v, [&](Index h) {
+    m_state.arrays().for_each_corner(v, [&](Halfedge_index h) {
       const Image_2 p = m_state.image(h), q = m_state.image(Halfedge_arrays_2::next(h));
       if (!torus.are_across(p.shift, q.shift))
         least = (std::min)(least, squared_distance(torus.rounded(p), torus.rounded(q)));
@@ -396,7 +396,7 @@ private:
     if (!torus.cell().is_slab())
       return torus.cell().area();
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (Index v = 1; v <= m_state.number_of_vertices(); ++v) {
+    for (Vertex_index v = 1; v <= m_state.number_of_vertices(); ++v) {
       const double height = torus.multiples(m_state.positions()[v]).y;
       low = (std::min)(low, height);
       high = (std::max)(high, height);
@@ -420,7 +420,7 @@ private:
   {
     if (multiples == unit_multiples || multiples == exchanged_multiples)
       return true;
-    const Index halfedges = 3 * m_state.arrays().number_of_faces();
+    const Index halfedges = m_state.arrays().number_of_halfedges();
     return Parts::all_of(halfedges, [&](std::size_t first, std::size_t beyond) {
       bool are = true;
       for (std::size_t h = first; h < beyond; ++h) {

@@ -38,7 +38,7 @@ class Padded_region_2;
 // A vertex as it is seen from somewhere: an image.
 struct Periodic_corner_2
 {
-  Index vertex;
+  Vertex_index vertex;
   Periodic_shift_2 shift;
 
   friend bool operator<(const Periodic_corner_2& a, const Periodic_corner_2& b)
@@ -145,41 +145,45 @@ public:
   // There are faces as soon as there is a vertex.
   bool spans_plane() const { return number_of_vertices() > 0; }
 
-  const Periodic_shift_2& shift(Index corner) const { return m_shifts[corner]; }
-  Image_2 image(Index corner) const { return image(corner, positions()); }
+  const Periodic_shift_2& shift(Halfedge_index corner) const { return m_shifts[corner]; }
+  Image_2 image(Halfedge_index corner) const { return image(corner, positions()); }
   // With other positions of the vertices.
-  Image_2 image(Index corner, const std::vector<Position_2>& positions) const
+  Image_2 image(Halfedge_index corner, const std::vector<Position_2>& positions) const
   {
     return {positions[m_arrays.apex(corner)], m_shifts[corner]};
   }
 
   // The id at a corner: that of the representative where points coincide.
-  Index id_at(Index corner) const { return m_ids.representative(m_arrays.apex(corner)); }
+  Point_id id_at(Halfedge_index corner) const
+  {
+    return m_ids.representative(m_arrays.apex(corner));
+  }
   // The shift of a corner as seen from another one of its face.
-  Periodic_shift_2 shift_between(Index corner, Index other) const
+  Periodic_shift_2 shift_between(Halfedge_index corner, Index other) const
   {
     return m_shifts[other] - m_shifts[corner];
   }
-  bool are_across(Index corner, Index other) const
+  bool are_across(Halfedge_index corner, Index other) const
   {
     return m_torus.are_across(m_shifts[corner], m_shifts[other]);
   }
   // Whether a face is beside a slab, between its sides.
-  bool is_in_gap(Index f) const
+  bool is_in_gap(Face_index f) const
   {
-    return are_across(3 * f, 3 * f + 1) || are_across(3 * f, 3 * f + 2);
+    return are_across(Halfedge_arrays_2::halfedge_in(f, 0), Halfedge_arrays_2::halfedge_in(f, 1)) ||
+           are_across(Halfedge_arrays_2::halfedge_in(f, 0), Halfedge_arrays_2::halfedge_in(f, 2));
   }
 
   // What is added to shifts in the face beyond h for shifts in the face of h.
-  Periodic_shift_2 transition(Index h) const
+  Periodic_shift_2 transition(Halfedge_index h) const
   {
     using Arrays = Halfedge_arrays_2;
     return m_shifts[Arrays::next(h)] - m_shifts[Arrays::previous(m_arrays.twin(h))];
   }
 
   // The corners of the faces at half-edge h, in the frame of its face.
-  Edge_images_2 corners_at(Index h) const { return corners_at(h, positions()); }
-  Edge_images_2 corners_at(Index h, const std::vector<Position_2>& positions) const
+  Edge_images_2 corners_at(Halfedge_index h) const { return corners_at(h, positions()); }
+  Edge_images_2 corners_at(Halfedge_index h, const std::vector<Position_2>& positions) const
   {
     using Arrays = Halfedge_arrays_2;
     Image_2 right = image(m_arrays.twin(h), positions);
@@ -195,21 +199,21 @@ public:
   using Predicates = Corner_predicates_2<Periodic_triangulation_state_2>;
   static constexpr bool predicates_are_exact = true;
 
-  static Index vertex_of(const Corner& corner) { return corner.vertex; }
-  static Corner corner_of(Index v) { return {v, no_shift}; }
-  Corner corner_in(Index h, const Frame& frame) const
+  static Vertex_index vertex_of(const Corner& corner) { return corner.vertex; }
+  static Corner corner_of(Vertex_index v) { return {v, no_shift}; }
+  Corner corner_in(Halfedge_index h, const Frame& frame) const
   {
     return {m_arrays.apex(h), m_shifts[h] + frame};
   }
-  Frame frame_at(Index h) const { return no_shift - m_shifts[h]; }
-  Frame frame_beyond(Index h, const Frame& frame) const { return frame + transition(h); }
+  Frame frame_at(Halfedge_index h) const { return no_shift - m_shifts[h]; }
+  Frame frame_beyond(Halfedge_index h, const Frame& frame) const { return frame + transition(h); }
   // Whether an image of a point is where vertex v is.
-  bool is_at(const Point& p, Index v) const
+  bool is_at(const Point& p, Vertex_index v) const
   {
     return m_torus.coincide(approximation(p), positions()[v]);
   }
   // The frame of the face of h in which the apex of h is seen from v where it is near.
-  Frame frame_seen_from(Index v, Index h) const
+  Frame frame_seen_from(Vertex_index v, Halfedge_index h) const
   {
     return frame_at(h) + shift_of_step(positions()[m_arrays.apex(h)], positions()[v]);
   }
@@ -220,12 +224,12 @@ public:
     return m_torus.is_short(step) ? no_shift : m_torus.nearest_shift(m_torus.multiples(step));
   }
   // Between images that are near to each other.
-  double rounded_squared_distance(Index v, Index w) const
+  double rounded_squared_distance(Vertex_index v, Vertex_index w) const
   {
     return squared_distance(nearest_image(positions()[v], positions()[w]), positions()[w]);
   }
   // The position of v one frame ago, as it is seen from where its present one is `now`.
-  Position_2 previous_position_at(Index v, const Position_2& now) const
+  Position_2 previous_position_at(Vertex_index v, const Position_2& now) const
   {
     return now - (positions()[v] - previous_position(v));
   }
@@ -254,28 +258,28 @@ public:
     return false;
   }
   // Whether the next edge at this corner of a face goes to the image of v by `way`.
-  bool leads(Index h, Index v, const Periodic_shift_2& way) const
+  bool leads(Halfedge_index h, Vertex_index v, const Periodic_shift_2& way) const
   {
     const Index end = Halfedge_arrays_2::next(h);
     return m_arrays.apex(end) == v && are_equal(m_shifts[end] - m_shifts[h], way);
   }
 
   // Whether the four corners of an edge have the same shift.
-  bool is_in_one_frame(Index e) const
+  bool is_in_one_frame(Edge_index e) const
   {
     const auto [a, b, c, d] = corners_at(m_arrays.halfedge(e));
     return are_equal(a.shift, b.shift) && are_equal(b.shift, c.shift) &&
            are_equal(c.shift, d.shift);
   }
   // Whether passes over the arrays see the edge if it is in one frame, and else no vertex of it.
-  bool is_shown_right(Index e) const
+  bool is_shown_right(Edge_index e) const
   {
     const Edge_2& shown = m_arrays.edge(e);
     const bool has_no_vertices = shown.target == infinite_index && shown.left == infinite_index &&
                                  shown.right == infinite_index;
     return is_in_one_frame(e) != is_shifted(e) && (!is_shifted(e) || has_no_vertices);
   }
-  bool is_shifted(Index e) const { return m_arrays.is_hidden(e); }
+  bool is_shifted(Edge_index e) const { return m_arrays.is_hidden(e); }
 
   std::size_t number_of_cell_changes() const { return m_cell_changes; }
 
@@ -283,25 +287,25 @@ public:
 
   static constexpr bool positions_are_exact() { return true; }
   bool have_points_moved() const { return m_positions.have_moved(); }
-  void prefetch_positions(Index v) const { m_positions.prefetch(v); }
-  decltype(auto) point(Index v) const { return m_positions.point(v); }
+  void prefetch_positions(Vertex_index v) const { m_positions.prefetch(v); }
+  decltype(auto) point(Vertex_index v) const { return m_positions.point(v); }
   // One frame ago, or before the vertex moved alone in this call: the image of that position that
   // is nearest to the present one.
-  Position_2 previous_position(Index v) const
+  Position_2 previous_position(Vertex_index v) const
   {
     return nearest_image(m_positions.previous_position(v), positions()[v]);
   }
 
-  Edge_2 edge(Index e) const
+  Edge_2 edge(Edge_index e) const
   {
     using Arrays = Halfedge_arrays_2;
     if (!is_shifted(e) || m_arrays.is_empty_edge(e))
       return m_arrays.edge(e);
-    const Index h = m_arrays.halfedge(e);
+    const Halfedge_index h = m_arrays.halfedge(e);
     return {m_arrays.apex(Arrays::next(h)), m_arrays.apex(Arrays::previous(h)), m_arrays.apex(h),
             m_arrays.apex(m_arrays.twin(h))};
   }
-  std::array<Index, 3> face(Index f) const
+  std::array<Index, 3> face(Face_index f) const
   {
     return m_arrays.is_empty_face(f)
                ? std::array<Index, 3>{infinite_index, infinite_index, infinite_index}
@@ -310,7 +314,7 @@ public:
   static constexpr bool is_along(Index, Index) { return true; } // halfedge(e) goes along edge(e)
 
   // Whether the corners of an edge are on both sides of the gap beside a slab.
-  bool is_at_infinity(Index e) const
+  bool is_at_infinity(Edge_index e) const
   {
     if (!is_shifted(e))
       return false;
@@ -320,14 +324,14 @@ public:
     return m_torus.are_across(a.shift, b.shift) || m_torus.are_across(b.shift, c.shift) ||
            m_torus.are_across(c.shift, d.shift);
   }
-  bool breaks_hull(Index e) const
+  bool breaks_hull(Edge_index e) const
   {
     return is_at_infinity(e) && Edge_test(*this).state(e) != Edge_state_2::DELAUNAY;
   }
 
-  bool corners_are_exact(Index e) const { return !is_shifted(e); }
-  Edge_corners_2 corners(Index e) const { return corners(e, positions()); }
-  Edge_corners_2 corners(Index e, const std::vector<Position_2>& positions) const
+  bool corners_are_exact(Edge_index e) const { return !is_shifted(e); }
+  Edge_corners_2 corners(Edge_index e) const { return corners(e, positions()); }
+  Edge_corners_2 corners(Edge_index e, const std::vector<Position_2>& positions) const
   {
     if (!is_shifted(e))
       return Space::corners(m_arrays.edge(e), positions);
@@ -335,7 +339,7 @@ public:
       return {nan_point(), nan_point(), nan_point(), nan_point()};
     return m_torus.rounded_corners(corners_at(m_arrays.halfedge(e), positions)).first;
   }
-  Position_2 edge_vector(Index e) const
+  Position_2 edge_vector(Edge_index e) const
   {
     if (!is_shifted(e))
       return positions()[m_arrays.edge(e).target] - positions()[m_arrays.edge(e).source];
@@ -344,15 +348,18 @@ public:
     const Edge_images_2 corners = corners_at(m_arrays.halfedge(e));
     return rounded_vector(corners.source, corners.target);
   }
-  std::array<Position_2, 3> face_corners(Index f) const
+  std::array<Position_2, 3> face_corners(Face_index f) const
   {
     if (m_arrays.is_empty_face(f))
       return {nan_point(), nan_point(), nan_point()};
-    return {Position_2{0, 0}, rounded_vector(image(3 * f), image(3 * f + 1)),
-            rounded_vector(image(3 * f), image(3 * f + 2))};
+    return {Position_2{0, 0},
+            rounded_vector(image(Halfedge_arrays_2::halfedge_in(f, 0)),
+                           image(Halfedge_arrays_2::halfedge_in(f, 1))),
+            rounded_vector(image(Halfedge_arrays_2::halfedge_in(f, 0)),
+                           image(Halfedge_arrays_2::halfedge_in(f, 2)))};
   }
 
-  Point point_of_id(Index id) const
+  Point point_of_id(Point_id id) const
   {
     return m_ids.is_representative(id) ? point(m_ids.vertex(id)) : m_ids.duplicate(id).point;
   }

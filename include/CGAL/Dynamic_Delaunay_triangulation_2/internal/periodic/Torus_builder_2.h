@@ -71,7 +71,7 @@ public:
     });
     ids.insert(ids.end(), coming_ids.begin(), coming_ids.end());
     points.insert(points.end(), coming_points.begin(), coming_points.end());
-    const auto comes_second = [this](Index id) { return !keeps_vertex(id); };
+    const auto comes_second = [this](Point_id id) { return !keeps_vertex(id); };
     const auto second = std::find_if(ids.begin(), ids.end(), comes_second) - ids.begin();
     build(std::move(ids), std::move(points), std::size_t(second));
   }
@@ -97,17 +97,17 @@ public:
   {
     Periodic_faces_2 faces;
     faces.shifts = shifts;
-    for (Index h = 0; h < Index(shifts.size()); ++h) {
+    for (Halfedge_index h = 0; h < Index(shifts.size()); ++h) {
       const Index flat = Flat_faces_2::from_arrays(h);
       faces.apexes.push_back(kept.faces.apex(flat));
       faces.twins.push_back(Flat_faces_2::number_in_arrays(kept.faces.twin(flat)));
     }
     m_state.m_torus = torus;
-    write_points(kept.points.size(), [&](Index v) { return kept.points[v - 1]; });
+    write_points(kept.points.size(), [&](Vertex_index v) { return kept.points[v - 1]; });
     write_faces(faces);
-    for (Index e = 0; e < arrays().number_of_edges(); ++e)
+    for (Edge_index e = 0; e < arrays().number_of_edges(); ++e)
       arrays().set_edge(e, kept.forward_halfedges[e]);
-    for (Index v = 1; v < arrays().number_of_vertices(); ++v)
+    for (Vertex_index v = 1; v < arrays().number_of_vertices(); ++v)
       arrays().set_corner(v, kept.corners[v - 1]);
     hide_shifted_edges();
     ids() = kept.ids;
@@ -144,7 +144,7 @@ private:
     std::swap(m_state.m_ids, other.m_ids);
   }
 
-  bool keeps_vertex(Index id) const
+  bool keeps_vertex(Point_id id) const
   {
     return m_state.ids().is_taken(id) && m_state.ids().is_representative(id);
   }
@@ -154,9 +154,9 @@ private:
   {
     std::vector<Index> ids = m_state.ids().representatives_and_duplicates();
     std::vector<bool> goes(m_state.ids().number_of_ids());
-    for (const Index id : gone)
+    for (const Point_id id : gone)
       goes[id] = true;
-    ids.erase(std::remove_if(ids.begin(), ids.end(), [&](Index id) { return goes[id]; }),
+    ids.erase(std::remove_if(ids.begin(), ids.end(), [&](Point_id id) { return goes[id]; }),
               ids.end());
     return ids;
   }
@@ -168,7 +168,7 @@ private:
   void build(std::vector<Index> point_ids, std::vector<Point> points, std::size_t second)
   {
     Index number_of_ids = ids().number_of_ids();
-    for (const Index id : point_ids)
+    for (const Point_id id : point_ids)
       number_of_ids = (std::max)(number_of_ids, id + 1);
     const std::size_t logged = m_editing.log().size();
     m_editing.reserve(arrays().number_of_edges());
@@ -206,7 +206,7 @@ private:
     const std::size_t logged = m_editing.log().size();
     const Periodic_faces_2& faces = triangulator.faces();
     const std::size_t vertices = faces.points.size() - 1;
-    write_points(vertices, [&](Index v) { return points[faces.points[v]]; });
+    write_points(vertices, [&](Vertex_index v) { return points[faces.points[v]]; });
     write_faces(faces);
     ids().resize(Index(vertices));
     for_each_in_parts(vertices, [&](std::size_t i) {
@@ -248,7 +248,7 @@ private:
     m_relocation.announce_reserved(point_ids, points);
     m_relocation.put_in(
         {}, [] { return most_faces; },
-        [this](Index v, std::size_t, std::size_t faces) {
+        [this](Vertex_index v, std::size_t, std::size_t faces) {
           if (faces == 0) {
             m_lawson.run_around(m_state, m_editor, v, m_open, any_number);
             flip(m_open, any_number);
@@ -264,7 +264,7 @@ private:
   //       /  1    /  /
   //      /    /  0  /
   //     v ------- r
-  void start(Index id, const Point& p)
+  void start(Point_id id, const Point& p)
   {
     const auto [r, t] = short_basis(m_state.torus());
     m_state.m_positions.append(p);
@@ -325,7 +325,7 @@ private:
     arrays().resize(vertices, 2 * vertices);
     m_state.m_shifts = faces.shifts;
     for_each_in_parts(2 * std::size_t(vertices), [&](std::size_t f) {
-      for (Index h = Index(3 * f); h < 3 * f + 3; ++h)
+      for (const Halfedge_index h : Halfedge_arrays_2::halfedges_of(Face_index(Index(f))))
         arrays().set_apex_and_twin(h, faces.apexes[h], faces.twins[h]);
       m_editing.move_frame(Index(f));
     });

@@ -73,10 +73,10 @@ public:
   // FACES AND EDGES -----------------------------------------------------------------------------
 
   // A flip needs two faces, and must give no edge that is there already, or has no length.
-  bool can_flip(Index h) const
+  bool can_flip(Halfedge_index h) const
   {
     const Arrays& arrays = m_state.arrays();
-    const Index g = arrays.twin(h);
+    const Halfedge_index g = arrays.twin(h);
     if (Arrays::face_of(h) == Arrays::face_of(g))
       return false;
     if (!arrays.is_hidden(arrays.edge_of(h)) && arrays.apex(h) != arrays.apex(g) &&
@@ -88,9 +88,9 @@ public:
     return !(a == d) && !m_state.are_neighbors(a, d);
   }
 
-  void flip(Index h, Log& log)
+  void flip(Halfedge_index h, Log& log)
   {
-    const Index diagonal = arrays().edge_of(h);
+    const Edge_index diagonal = arrays().edge_of(h);
     note_edge(Kind::EDGE_REMOVED, h, log);
     if (arrays().is_hidden(diagonal))
       flip_shifted(h);
@@ -99,9 +99,9 @@ public:
     note_edge(Kind::EDGE_CREATED, arrays().halfedge(diagonal), log);
   }
 
-  void flip_shifted(Index h)
+  void flip_shifted(Halfedge_index h)
   {
-    const Index g = arrays().twin(h);
+    const Halfedge_index g = arrays().twin(h);
     const Edge_images_2 images = m_state.corners_at(h);
     arrays().flip_glued(h);
     shifts()[Arrays::previous(h)] = images.right.shift;
@@ -112,16 +112,18 @@ public:
     after_face(Arrays::face_of(g));
   }
 
-  void set_corner(Index h, const typename State::Corner& corner)
+  void set_corner(Halfedge_index h, const typename State::Corner& corner)
   {
     arrays().set_apex(h, corner.vertex);
     shifts()[h] = corner.shift;
   }
 
   // `frame` is that of the face as seen from the slot's vertex.
-  void put_in(const Slot& slot, Index f, const Periodic_shift_2& frame)
+  void put_in(const Slot& slot, Face_index f, const Periodic_shift_2& frame)
   {
-    const Periodic_shift_2 a = shifts()[3 * f], b = shifts()[3 * f + 1], c = shifts()[3 * f + 2];
+    const Periodic_shift_2 a = shifts()[Arrays::halfedge_in(f, 0)],
+                           b = shifts()[Arrays::halfedge_in(f, 1)],
+                           c = shifts()[Arrays::halfedge_in(f, 2)];
     const Periodic_shift_2 v = no_shift - frame;
     arrays().put_in(slot, f);
     set_shifts(f, v, b, c);
@@ -132,27 +134,27 @@ public:
   static void before_face(Index) {}
   // Moves the frame of a face to its first corner, and writes its edges as passes over all edges
   // see them.
-  void after_face(Index f)
+  void after_face(Face_index f)
   {
     move_frame(f);
-    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+    for (const Halfedge_index h : Arrays::halfedges_of(f))
       show_or_hide(arrays().edge_of(h));
   }
 
-  void before_edge(Index e) { note_edge(Kind::EDGE_REMOVED, arrays().halfedge(e), log()); }
-  void after_edge(Index e) { note_edge(Kind::EDGE_CREATED, arrays().halfedge(e), log()); }
+  void before_edge(Edge_index e) { note_edge(Kind::EDGE_REMOVED, arrays().halfedge(e), log()); }
+  void after_edge(Edge_index e) { note_edge(Kind::EDGE_CREATED, arrays().halfedge(e), log()); }
 
   // Notes all edges as removed or created. There must be memory for it.
   void note_all_edges(Kind kind)
   {
     if constexpr (Calls::is_heard)
-      for (Index e = 0; e < arrays().number_of_edges(); ++e)
+      for (Edge_index e = 0; e < arrays().number_of_edges(); ++e)
         if (!arrays().is_empty_edge(e))
           note_edge(kind, arrays().halfedge(e), log());
   }
 
   // Where the corners at an edge have the same shift the edge stands in the arrays as in the plane.
-  void show_or_hide(Index e)
+  void show_or_hide(Edge_index e)
   {
     if (m_state.is_in_one_frame(e))
       arrays().set_edge(e, arrays().halfedge(e));
@@ -160,10 +162,10 @@ public:
       arrays().hide_edge(e);
   }
 
-  void move_frame(Index f)
+  void move_frame(Face_index f)
   {
-    const Periodic_shift_2 first = shifts()[3 * f];
-    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+    const Periodic_shift_2 first = shifts()[Arrays::halfedge_in(f, 0)];
+    for (const Halfedge_index h : Arrays::halfedges_of(f))
       shifts()[h] = shifts()[h] - first;
   }
 
@@ -174,15 +176,15 @@ public:
   static void before_vertex_relocation(Index) {}
   static void before_vertex_merge(Index, Index) {}
 
-  void reserve_for_id_change(Index v)
+  void reserve_for_id_change(Vertex_index v)
   {
     reserve_extra(changes().relocated, 1);
     if constexpr (Calls::is_heard)
       reserve(2 * std::size_t(arrays().degree(v)) + 1);
   }
-  void before_id_change(Index v) { note_edges_around(Kind::EDGE_REMOVED, v); }
+  void before_id_change(Vertex_index v) { note_edges_around(Kind::EDGE_REMOVED, v); }
   // The vertex was at `before`.
-  void after_id_change(Index v, Index, const Position_2& before)
+  void after_id_change(Vertex_index v, Index, const Position_2& before)
   {
     note_edges_around(Kind::EDGE_CREATED, v);
     after_move(v, before);
@@ -197,14 +199,14 @@ public:
     reserve_extra(changes().relocated, number);
     reserve(number + 1);
   }
-  void after_move(Index v, const Position_2& before)
+  void after_move(Vertex_index v, const Position_2& before)
   {
     shift_images(v, m_state.shift_of_step(before, m_state.positions()[v]));
   }
 
   // To be called where the position of v was replaced by one that is about `shift` away: every
   // image of v stays where it is, about.
-  void shift_images(Index v, const Periodic_shift_2& shift)
+  void shift_images(Vertex_index v, const Periodic_shift_2& shift)
   {
     if (are_equal(shift, no_shift))
       return;
@@ -212,8 +214,8 @@ public:
     if (arrays().is_outside(v))
       return;
     changes().relocated.push_back(v);
-    arrays().for_each_corner(v, [&](Index h) { shifts()[h] = shifts()[h] - shift; });
-    arrays().for_each_corner(v, [&](Index h) { after_face(Arrays::face_of(h)); });
+    arrays().for_each_corner(v, [&](Halfedge_index h) { shifts()[h] = shifts()[h] - shift; });
+    arrays().for_each_corner(v, [&](Halfedge_index h) { after_face(Arrays::face_of(h)); });
   }
 
   // The lattice gets another cell. `multiples` are the vectors of the old cell in those of the new
@@ -236,7 +238,7 @@ public:
   void resize_data(std::size_t, std::size_t faces) { shifts().resize(3 * faces); }
   static void renew_vertex(Index) {}
   static void move_last_vertex_data_to(Index) {}
-  void move_last_face_data_to(Index f)
+  void move_last_face_data_to(Face_index f)
   {
     const std::size_t last = shifts().size() - 3;
     set_shifts(f, shifts()[last], shifts()[last + 1], shifts()[last + 2]);
@@ -254,7 +256,7 @@ private:
   }
 
   // Edges across the gap of a slab are none of the user's.
-  void note_edge(Kind kind, Index h, Log& log) const
+  void note_edge(Kind kind, Halfedge_index h, Log& log) const
   {
     if constexpr (Calls::is_heard) {
       const Index from = Arrays::next(h), to = Arrays::previous(h);
@@ -265,21 +267,21 @@ private:
   }
 
   // Edges from the vertex to itself are met twice, and noted once.
-  void note_edges_around(Kind kind, Index v)
+  void note_edges_around(Kind kind, Vertex_index v)
   {
     if constexpr (Calls::is_heard)
-      arrays().for_each_corner(v, [&](Index h) {
-        const Index spoke = Arrays::previous(h);
+      arrays().for_each_corner(v, [&](Halfedge_index h) {
+        const Halfedge_index spoke = Arrays::previous(h);
         if (arrays().target(spoke) != v || spoke == arrays().halfedge(arrays().edge_of(spoke)))
           note_edge(kind, spoke, log());
       });
   }
 
-  void set_shifts(Index f, Periodic_shift_2 a, Periodic_shift_2 b, Periodic_shift_2 c)
+  void set_shifts(Face_index f, Periodic_shift_2 a, Periodic_shift_2 b, Periodic_shift_2 c)
   {
-    shifts()[3 * f] = a;
-    shifts()[3 * f + 1] = b;
-    shifts()[3 * f + 2] = c;
+    shifts()[Arrays::halfedge_in(f, 0)] = a;
+    shifts()[Arrays::halfedge_in(f, 1)] = b;
+    shifts()[Arrays::halfedge_in(f, 2)] = c;
   }
 
   State& m_state;

@@ -44,11 +44,13 @@ public:
   bool hull_turns_once() const
   {
     const Vertex_predicates_2<State> predicates(m_state);
-    const auto is_larger = [&](Index v, Index w) { return predicates.compare_xy(v, w) == LARGER; };
+    const auto is_larger = [&](Vertex_index v, Vertex_index w) {
+      return predicates.compare_xy(v, w) == LARGER;
+    };
     int summits = 0;
     const auto& arrays = m_state.arrays();
-    arrays.for_each_corner(infinite_index, [&](Index corner) {
-      const Index v = arrays.target(corner);
+    arrays.for_each_corner(infinite_index, [&](Halfedge_index corner) {
+      const Vertex_index v = arrays.target(corner);
       const Index next = arrays.target(arrays.next_corner(corner));
       summits += is_larger(v, arrays.source(corner)) && is_larger(v, next);
     });

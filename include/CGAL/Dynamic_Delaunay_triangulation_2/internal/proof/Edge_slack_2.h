@@ -40,7 +40,7 @@ inline bool is_within(double tolerance, const Position_2& p, const Position_2& q
 inline void append_moved_plain(const Position_2* positions, const Position_2* references,
                                Index first, Index beyond, double bound, std::vector<Index>& moved)
 {
-  for (Index v = first; v < beyond; ++v)
+  for (Vertex_index v = first; v < beyond; ++v)
     if (!(squared_distance(positions[v], references[v]) <= bound))
       moved.push_back(v);
 }
@@ -54,7 +54,7 @@ append_moved_avx2(const Position_2* positions, const Position_2* references, Ind
 {
   constexpr Index block = 16;
   const __m256d bounds = _mm256_set1_pd(bound);
-  Index v = first;
+  Vertex_index v = first;
   for (; v + block <= beyond; v += block) {
     const double *p = &positions[v].x, *r = &references[v].x;
     __m256d are_near = _mm256_castsi256_pd(_mm256_set1_epi64x(-1));
@@ -235,7 +235,7 @@ struct Plane_slacks_2
 
   // How far the corners of an edge may move, roughly; NaN for edges that are no sample.
   template <class Frame>
-  static double value(const Frame& frame, Index e)
+  static double value(const Frame& frame, Edge_index e)
   {
     return is_at_infinity(frame.edge(e)) ? std::numeric_limits<double>::quiet_NaN()
                                          : slack(frame, e, frame.positions()).value();
@@ -243,7 +243,7 @@ struct Plane_slacks_2
 
   // Whether the edge is safe while no corner is farther than `tolerance` from its reference.
   template <class Frame>
-  static bool is_safe(const Frame& frame, Index e, const std::vector<Position_2>& references,
+  static bool is_safe(const Frame& frame, Edge_index e, const std::vector<Position_2>& references,
                       double tolerance)
   {
     return slack(frame, e, references).is_safe(tolerance);
@@ -251,13 +251,15 @@ struct Plane_slacks_2
 
   // A distance from the references up to which the edge is safe; negative if there is none.
   template <class Frame>
-  static double tolerance(const Frame& frame, Index e, const std::vector<Position_2>& references)
+  static double tolerance(const Frame& frame, Edge_index e,
+                          const std::vector<Position_2>& references)
   {
     return slack(frame, e, references).tolerance();
   }
 
   template <class Frame>
-  static Edge_slack_2 slack(const Frame& frame, Index e, const std::vector<Position_2>& positions)
+  static Edge_slack_2 slack(const Frame& frame, Edge_index e,
+                            const std::vector<Position_2>& positions)
   {
     return Edge_slack_2(frame.edge(e), frame.corners(e, positions));
   }

@@ -99,7 +99,7 @@ inline bool is_at_infinity(const Edge_2& edge)
 
 inline void prefetch_corners(const Edge_2& edge, const Position_2* positions)
 {
-  for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+  for (const Vertex_index v : {edge.source, edge.target, edge.left, edge.right})
     prefetch(positions + v);
 }
 
@@ -109,7 +109,7 @@ template <class Space>
 void append_unproved_plain(const Edge_2* edges, const Position_2* positions, Index first,
                            Index beyond, std::vector<Index>& unproved)
 {
-  for (Index e = first; e < beyond; ++e)
+  for (Edge_index e = first; e < beyond; ++e)
     if (!Edge_filter_2(Space::corners(edges[e], positions)).proves_delaunay())
       unproved.push_back(e);
 }
@@ -124,7 +124,7 @@ append_unproved_avx2(const Edge_2* edges, const Position_2* positions, Index fir
                      std::vector<Index>& unproved)
 {
   constexpr Index ahead = 128, far_ahead = 512;
-  Index e = first;
+  Edge_index e = first;
   for (; e + 4 <= beyond; e += 4) {
     if (prefetches && e + far_ahead < beyond) {
       prefetch(edges + e + far_ahead);
@@ -186,7 +186,7 @@ void append_unproved_of(const Edge_2* edges, const std::vector<Position_2>& posi
   if (has_avx2())
     return append_unproved_of_avx2<Space>(edges, positions.data(), list, unproved);
 #endif
-  for (const Index e : list)
+  for (const Edge_index e : list)
     append_unproved_plain<Space>(edges, positions.data(), e, e + 1, unproved);
 }
 
@@ -225,15 +225,15 @@ public:
     return kernel_side_of_circle(a, b, c, d);
   }
 
-  bool coincide(Index v, Index w) const { return compare_xy(v, w) == EQUAL; }
+  bool coincide(Vertex_index v, Vertex_index w) const { return compare_xy(v, w) == EQUAL; }
 
-  Comparison_result compare_xy(Index v, Index w) const
+  Comparison_result compare_xy(Vertex_index v, Vertex_index w) const
   {
     const Comparison_result x = compare_x(v, w);
     return x != EQUAL ? x : compare_y(v, w);
   }
 
-  Comparison_result compare_yx(Index v, Index w) const
+  Comparison_result compare_yx(Vertex_index v, Vertex_index w) const
   {
     const Comparison_result y = compare_y(v, w);
     return y != EQUAL ? y : compare_x(v, w);
@@ -254,13 +254,13 @@ private:
                                                                m_state.point(c), m_state.point(d));
   }
 
-  Comparison_result compare_x(Index v, Index w) const
+  Comparison_result compare_x(Vertex_index v, Vertex_index w) const
   {
     if (m_state.positions_are_exact())
       return CGAL::compare(m_state.positions()[v].x, m_state.positions()[w].x);
     return m_state.traits().compare_x_2_object()(m_state.point(v), m_state.point(w));
   }
-  Comparison_result compare_y(Index v, Index w) const
+  Comparison_result compare_y(Vertex_index v, Vertex_index w) const
   {
     if (m_state.positions_are_exact())
       return CGAL::compare(m_state.positions()[v].y, m_state.positions()[w].y);
@@ -282,7 +282,7 @@ public:
   {
   }
 
-  Edge_state_2 state(Index e) const
+  Edge_state_2 state(Edge_index e) const
   {
     return by_kind(
         m_state.arrays().edge(e), [&] { return inner_edge_state(e); },
@@ -291,7 +291,7 @@ public:
   }
 
   // As state(), at lower cost, but may report a NOT_FLIPPABLE edge as INVERTED.
-  Edge_state_2 rough_state(Index e) const
+  Edge_state_2 rough_state(Edge_index e) const
   {
     const Edge_filter_2 filter(m_state.corners(e));
     if (m_state.positions_are_exact() && filter.disproves_delaunay())
@@ -300,7 +300,7 @@ public:
   }
 
   // Whether the filter alone proves the edge Delaunay. It never does for an edge at infinity.
-  bool proves_delaunay(Index e) const
+  bool proves_delaunay(Edge_index e) const
   {
     return m_state.positions_are_exact() && Edge_filter_2(m_state.corners(e)).proves_delaunay();
   }
@@ -312,7 +312,7 @@ public:
     if (m_state.positions_are_exact())
       return internal::append_unproved<typename State::Space>(
           m_state.arrays().edges().data(), m_state.positions(), first, beyond, unproved);
-    for (Index e = first; e < beyond; ++e)
+    for (Edge_index e = first; e < beyond; ++e)
       unproved.push_back(e);
   }
   // Appends those of a list.
@@ -328,7 +328,7 @@ private:
   // Whether to flip depends on the sign of the in-circle determinant alone, even where a face is
   // inverted: if a vertex has crossed an edge, the determinant at that edge is positive, and
   // flipping the edge makes both faces counterclockwise.
-  Edge_state_2 inner_edge_state(Index e) const
+  Edge_state_2 inner_edge_state(Edge_index e) const
   {
     if (m_state.positions_are_exact()) {
       const Edge_filter_2 filter(m_state.corners(e));
@@ -360,7 +360,7 @@ private:
   }
 
   // Tests the turn of the hull at v; the hull is counterclockwise.
-  Edge_state_2 hull_corner_state(Index before, Index v, Index after) const
+  Edge_state_2 hull_corner_state(Index before, Vertex_index v, Index after) const
   {
     switch (orientation(before, v, after)) {
     case LEFT_TURN:

@@ -29,7 +29,7 @@ public:
   {
   }
 
-  Edge_state_2 state(Index e) const
+  Edge_state_2 state(Edge_index e) const
   {
     const auto& arrays = m_state.arrays();
     if (arrays.is_empty_edge(e))
@@ -46,7 +46,7 @@ public:
   }
 
   // No less than state(): a filter in front of an exact test costs little here.
-  Edge_state_2 rough_state(Index e) const { return state(e); }
+  Edge_state_2 rough_state(Edge_index e) const { return state(e); }
 
   // Appends those of the edges [first, beyond) that the filters do not prove Delaunay. Empty edges
   // are left out.
@@ -67,7 +67,7 @@ public:
     keep_unproved(unproved, first);
   }
 
-  bool proves_delaunay(Index e) const
+  bool proves_delaunay(Edge_index e) const
   {
     const auto& arrays = m_state.arrays();
     if (arrays.is_empty_edge(e))
@@ -83,11 +83,11 @@ private:
   void keep_unproved(std::vector<Index>& unproved, std::size_t first) const
   {
     const auto& arrays = m_state.arrays();
-    const auto corners = [&](Index e) { return m_state.corners_at(arrays.halfedge(e)); };
+    const auto corners = [&](Edge_index e) { return m_state.corners_at(arrays.halfedge(e)); };
     std::array<Index, 4> shifted;
     std::size_t kept = first, waiting = 0;
     for (std::size_t i = first; i < unproved.size(); ++i) {
-      const Index e = unproved[i];
+      const Edge_index e = unproved[i];
       if (arrays.is_empty_edge(e))
         continue;
       if (!m_state.is_shifted(e)) {

@@ -29,7 +29,7 @@ struct Periodic_slacks_2
   static constexpr bool has_hull = false;
 
   template <class Frame>
-  static double value(const Frame& frame, Index e)
+  static double value(const Frame& frame, Edge_index e)
   {
     if (frame.state().arrays().is_empty_edge(e))
       return std::numeric_limits<double>::quiet_NaN();
@@ -40,7 +40,7 @@ struct Periodic_slacks_2
   }
 
   template <class Frame>
-  static bool is_safe(const Frame& frame, Index e, const std::vector<Position_2>& references,
+  static bool is_safe(const Frame& frame, Edge_index e, const std::vector<Position_2>& references,
                       double tolerance)
   {
     const auto& state = frame.state();
@@ -61,7 +61,8 @@ struct Periodic_slacks_2
 
   // A distance from the references up to which the edge is safe; negative if there is none.
   template <class Frame>
-  static double tolerance(const Frame& frame, Index e, const std::vector<Position_2>& references)
+  static double tolerance(const Frame& frame, Edge_index e,
+                          const std::vector<Position_2>& references)
   {
     if (frame.is_at_infinity(e))
       return -1;
@@ -81,7 +82,7 @@ private:
   }
 
   template <class Frame>
-  static Edge_images_2 corners_of(const Frame& frame, Index e,
+  static Edge_images_2 corners_of(const Frame& frame, Edge_index e,
                                   const std::vector<Position_2>& positions)
   {
     return frame.state().corners_at(frame.state().arrays().halfedge(e), positions);

@@ -55,7 +55,7 @@ public:
     m_sample.clear();
     const std::size_t vertices = frame.number_of_vertices();
     for (std::size_t i = 0; i < sample_size; ++i) {
-      const Index v = Index(1 + i * vertices / sample_size);
+      const Vertex_index v = Index(1 + i * vertices / sample_size);
       m_sample.push_back(distance(frame.position(v), frame.previous_position(v)));
     }
     m_typical_step = quantile(2);
@@ -103,22 +103,22 @@ public:
     if (!m_holds)
       return;
     m_changed.clear();
-    for (const Index v : frame.relocated_vertices()) {
+    for (const Vertex_index v : frame.relocated_vertices()) {
       m_references[v] = frame.position(v);
       // those of other images of a point are not new
-      frame.for_each_edge_that_sees(v, [this](Index e) { m_changed.push_back(e); });
+      frame.for_each_edge_that_sees(v, [this](Edge_index e) { m_changed.push_back(e); });
     }
-    for (const Index e : frame.new_edges()) {
+    for (const Edge_index e : frame.new_edges()) {
       if constexpr (Frame::Slacks::has_hull)
         if (is_at_infinity(frame.edge(e))) {
           consider_around(frame, e);
           continue;
         }
       m_changed.push_back(e);
-      frame.for_each_side(e, [this](Index side) { m_changed.push_back(side); });
+      frame.for_each_side(e, [this](Edge_index side) { m_changed.push_back(side); });
     }
     make_distinct(m_changed);
-    for (const Index e : m_changed)
+    for (const Edge_index e : m_changed)
       consider(frame, e);
     m_holds = m_tight.size() <= max_tight(frame);
   }
@@ -135,18 +135,18 @@ public:
       return false;
     m_hull_stays = m_hull_is_safe;
     frame.append_unproved(m_tight.members(), unproved);
-    for (const Index v : m_moved)
-      frame.for_each_edge_that_sees(v, [&](Index e) {
+    for (const Vertex_index v : m_moved)
+      frame.for_each_edge_that_sees(v, [&](Edge_index e) {
         if constexpr (Frame::Slacks::has_hull)
           m_hull_stays = m_hull_stays && !is_at_infinity(frame.edge(e));
         if (!frame.proves_delaunay(e))
           unproved.push_back(e);
       });
     unproved.erase(std::remove_if(unproved.begin(), unproved.end(),
-                                  [&](Index e) { return frame.is_delaunay(e); }),
+                                  [&](Edge_index e) { return frame.is_delaunay(e); }),
                    unproved.end());
     for (std::size_t i = 0, broken = unproved.size(); i < broken; ++i)
-      frame.for_each_side(unproved[i], [&](Index e) {
+      frame.for_each_side(unproved[i], [&](Edge_index e) {
         if (!frame.proves_delaunay(e))
           unproved.push_back(e);
       });
@@ -200,18 +200,18 @@ private:
     const std::size_t edges = frame.number_of_edges();
     std::vector<std::vector<Index>> tight(Frame::Parts::number(edges));
     Frame::Parts::for_each(edges, [&](std::size_t part, std::size_t first, std::size_t beyond) {
-      for (Index e = Index(first); e < beyond; ++e)
+      for (Edge_index e = Index(first); e < beyond; ++e)
         if (!Frame::Slacks::is_safe(frame, e, m_references, m_tolerance))
           tight[part].push_back(e);
     });
     m_tight.clear(edges);
     for (const std::vector<Index>& list : tight)
-      for (const Index e : list)
+      for (const Edge_index e : list)
         m_tight.insert(e);
   }
 
   template <class Frame>
-  void consider(const Frame& frame, Index e)
+  void consider(const Frame& frame, Edge_index e)
   {
     if (!Frame::Slacks::is_safe(frame, e, m_references, m_tolerance))
       m_tight.insert(e);
@@ -224,13 +224,13 @@ private:
   void check_hull(const Frame& frame)
   {
     m_hull_is_checked = true;
-    frame.for_each_neighbor(infinite_index, [&](Index v) {
+    frame.for_each_neighbor(infinite_index, [&](Vertex_index v) {
       m_hull_is_checked =
           m_hull_is_checked && is_within(m_tolerance, frame.position(v), m_references[v]);
     });
     m_hull_is_safe = m_hull_is_checked && frame.hull_turns_once();
     if (m_hull_is_safe)
-      frame.for_each_incident_edge(infinite_index, [&](Index e) {
+      frame.for_each_incident_edge(infinite_index, [&](Edge_index e) {
         m_hull_is_safe =
             m_hull_is_safe &&
             Frame::Slacks::slack(frame, e, m_references).keeps_turning_angle(m_tolerance);
@@ -239,14 +239,14 @@ private:
 
   // Considers the edges around a new edge at the hull.
   template <class Frame>
-  void consider_around(const Frame& frame, Index e)
+  void consider_around(const Frame& frame, Edge_index e)
   {
     const Edge_2& edge = frame.edge(e);
     m_hull_is_safe = false;
     m_hull_is_checked = false;
-    for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+    for (const Vertex_index v : {edge.source, edge.target, edge.left, edge.right})
       if (v != infinite_index)
-        frame.for_each_incident_edge(v, [&](Index f) { consider(frame, f); });
+        frame.for_each_incident_edge(v, [&](Edge_index f) { consider(frame, f); });
   }
 
   bool m_holds = false;

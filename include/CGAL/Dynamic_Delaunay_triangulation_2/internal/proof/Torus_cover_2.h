@@ -38,7 +38,7 @@ public:
   {
     const Torus_2& torus = m_state.torus();
     Torus_2::Polynomial<1> area{0, 0}, area_of_cell = torus.exact_double_area();
-    for (Index h = 0; h < 3 * arrays().number_of_faces(); h += 3) {
+    for (Halfedge_index h = 0; h < arrays().number_of_halfedges(); h += 3) {
       const auto face =
           torus.exact_double_area(m_state.image(h), m_state.image(h + 1), m_state.image(h + 2));
       area = {area[0] + face[0], area[1] + face[1]};
@@ -53,7 +53,7 @@ private:
 
   bool do_shifts_agree() const
   {
-    for (Index h = 0; h < 3 * arrays().number_of_faces(); ++h)
+    for (Halfedge_index h = 0; h < arrays().number_of_halfedges(); ++h)
       if (!are_equal(m_state.transition(h), no_shift - m_state.transition(arrays().twin(h))))
         return false;
     return true;

@@ -84,10 +84,10 @@ private:
   {
     const auto& ids = m_state.ids();
     Index duplicates = 0;
-    for (Index id = 0; id < ids.number_of_ids(); ++id) {
+    for (Point_id id = 0; id < ids.number_of_ids(); ++id) {
       if (!ids.is_taken(id))
         continue;
-      const Index v = ids.vertex(id);
+      const Vertex_index v = ids.vertex(id);
       if (v == infinite_index || v > m_state.number_of_vertices())
         return false;
       if (!ids.is_representative(id)) {
@@ -96,7 +96,7 @@ private:
           return false;
       }
     }
-    for (Index v = 1; v <= ids.number_of_representatives(); ++v)
+    for (Vertex_index v = 1; v <= ids.number_of_representatives(); ++v)
       if (!ids.is_taken(ids.representative(v)) || ids.vertex(ids.representative(v)) != v)
         return false;
     return duplicates == ids.duplicates().size() &&
@@ -111,13 +111,13 @@ private:
       return false;
     if (!has_faces())
       return arrays.number_of_faces() == 0;
-    const auto is_face = [&](Index f) { return !arrays.is_empty_face(f); };
-    const auto has_corner = [&](Index v) {
+    const auto is_face = [&](Face_index f) { return !arrays.is_empty_face(f); };
+    const auto has_corner = [&](Vertex_index v) {
       return !arrays.is_outside(v) && arrays.apex(arrays.corner(v)) == v;
     };
     return all_of(0, arrays.number_of_faces(), is_face) &&
-           all_of(0, 3 * std::size_t(arrays.number_of_faces()),
-                  [this](Index h) { return is_halfedge_consistent(h); }) &&
+           all_of(0, arrays.number_of_halfedges(),
+                  [this](Halfedge_index h) { return is_halfedge_consistent(h); }) &&
            all_of(first_vertex, arrays.number_of_vertices(), has_corner);
   }
 
@@ -144,9 +144,9 @@ private:
       return true;
     using Arrays = Halfedge_arrays_2;
     std::vector<typename State::Corner> ends;
-    for (Index v = first_vertex; v < m_state.arrays().number_of_vertices(); ++v) {
+    for (Vertex_index v = first_vertex; v < m_state.arrays().number_of_vertices(); ++v) {
       ends.assign(1, State::corner_of(v));
-      m_state.arrays().for_each_corner(v, [&](Index h) {
+      m_state.arrays().for_each_corner(v, [&](Halfedge_index h) {
         ends.push_back(m_state.corner_in(Arrays::next(h), m_state.frame_at(h)));
       });
       std::sort(ends.begin(), ends.end());
@@ -156,11 +156,11 @@ private:
     return true;
   }
 
-  bool is_halfedge_consistent(Index h) const
+  bool is_halfedge_consistent(Halfedge_index h) const
   {
     const auto& arrays = m_state.arrays();
-    const Index g = arrays.twin(h);
-    const Index e = arrays.edge_of(h);
+    const Halfedge_index g = arrays.twin(h);
+    const Edge_index e = arrays.edge_of(h);
     const Edge_2 edge = m_state.edge(e);
     const bool is_forward = m_state.is_along(e, arrays.halfedge(e)) == (h == arrays.halfedge(e));
     const Index left = is_forward ? edge.left : edge.right;

@@ -58,7 +58,7 @@ public:
 
   static Answer answer(std::size_t id) { return id; }
   static Site vertex(Site v) { return v; }
-  static Site site(Index v) { return v; }
+  static Site site(Vertex_index v) { return v; }
 
   double approximate_square(Site v) const { return m_distances.approximate_square(v); }
   Comparison_result compare(Site v, Site w) const { return m_distances.compare(v, w); }
@@ -79,7 +79,7 @@ public:
   {
     for (const Site v : sites)
       f(Answer(m_frame.id(v)));
-    m_frame.for_each_duplicate([&](Index id) {
+    m_frame.for_each_duplicate([&](Point_id id) {
       if (sites.contains(m_frame.vertex(id)))
         f(Answer(id));
     });
@@ -118,9 +118,12 @@ public:
   static bool contains(const Sites& sites, const Site& v) { return sites.count(v) != 0; }
 
   static Answer answer(std::size_t id) { return {id, no_shift}; }
-  Index vertex(const Site& v) const { return m_frame.vertex(v.first); }
+  Vertex_index vertex(const Site& v) const { return m_frame.vertex(v.first); }
   // The image of a vertex near the place; where it is, if the place is that of one of its points.
-  Site site(Index v) const { return {m_frame.id(v), shift_to(m_place, m_frame.position(v))}; }
+  Site site(Vertex_index v) const
+  {
+    return {m_frame.id(v), shift_to(m_place, m_frame.position(v))};
+  }
 
   double approximate_square(const Site& v) const
   {
@@ -149,7 +152,7 @@ public:
   {
     for (const Site& v : sites)
       f(v);
-    m_frame.for_each_duplicate([&](Index id) {
+    m_frame.for_each_duplicate([&](Point_id id) {
       const auto p = m_dt.point(id);
       const std::size_t v = m_frame.id(m_frame.vertex(id));
       const Periodic_shift_2 shift = shift_to(position(v), {p.x(), p.y()});

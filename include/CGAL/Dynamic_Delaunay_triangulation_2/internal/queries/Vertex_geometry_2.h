@@ -36,9 +36,9 @@ public:
 
   // Calls f(w) for every finite neighbor w of the finite vertex v.
   template <class Function>
-  void for_each(Index v, Function&& f) const
+  void for_each(Vertex_index v, Function&& f) const
   {
-    const auto call_if_finite = [&](Index w) {
+    const auto call_if_finite = [&](Vertex_index w) {
       if (!m_frame.is_infinite(w))
         f(w);
     };
@@ -50,7 +50,7 @@ public:
 
 private:
   template <class Function>
-  void for_each_on_line(Index v, const Function& f) const
+  void for_each_on_line(Vertex_index v, const Function& f) const
   {
     auto neighbor = m_dt.tds().incident_vertices(m_dt.vertex(m_frame.id(v)));
     const auto first = neighbor;
@@ -122,13 +122,13 @@ public:
   }
 
   // Computed in plain floating point.
-  double approximate_square(Index v) const
+  double approximate_square(Vertex_index v) const
   {
     return squared_distance(m_position, m_frame.position(v));
   }
 
   // Compares the distances of v and w.
-  Comparison_result compare(Index v, Index w) const
+  Comparison_result compare(Vertex_index v, Vertex_index w) const
   {
     if (m_positions_are_exact) {
       const Comparison_result result = filtered(approximate_square(v), approximate_square(w));
@@ -139,7 +139,7 @@ public:
   }
 
   // Compares the squared distance of v with `square`.
-  Comparison_result compare_square(Index v, const FT& square) const
+  Comparison_result compare_square(Vertex_index v, const FT& square) const
   {
     if (m_positions_are_exact) {
       const auto [lower, upper] = CGAL::to_interval(square);
@@ -151,7 +151,7 @@ public:
   }
 
 private:
-  const Point& point(Index v) const { return m_dt.point(m_frame.id(v)); }
+  const Point& point(Vertex_index v) const { return m_dt.point(m_frame.id(v)); }
 
   static bool is_surely_smaller(double s, double t)
   {

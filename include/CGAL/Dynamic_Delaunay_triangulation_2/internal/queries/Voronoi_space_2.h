@@ -116,7 +116,7 @@ public:
     if (m_dimension == 2)
       m_frame.for_each_neighbor(infinite_index, f);
     else
-      for (Index v = 1; v < number_of_cells(); ++v)
+      for (Vertex_index v = 1; v < number_of_cells(); ++v)
         f(v);
   }
 
@@ -124,11 +124,11 @@ public:
   template <class Function>
   void for_each_neighbor(std::size_t id, const Function& f) const
   {
-    const Index v = m_frame.vertex(id);
+    const Vertex_index v = m_frame.vertex(id);
     if (m_dimension == 2)
-      m_frame.for_each_neighbor(v, [&](Index w) { f(neighbor(v, w)); });
+      m_frame.for_each_neighbor(v, [&](Vertex_index w) { f(neighbor(v, w)); });
     else
-      m_neighbors.for_each(v, [&](Index w) { f(neighbor(v, w)); });
+      m_neighbors.for_each(v, [&](Vertex_index w) { f(neighbor(v, w)); });
   }
 
   // Of a point and two neighbors, the second one left of the first.
@@ -156,12 +156,12 @@ private:
   BOOST_FORCEINLINE void call_with_face(std::size_t part, Index i, const Function& f) const
   {
     const std::array<Index, 3> v = m_frame.face(i);
-    if (std::none_of(v.begin(), v.end(), [&](Index w) { return m_frame.is_infinite(w); }))
+    if (std::none_of(v.begin(), v.end(), [&](Vertex_index w) { return m_frame.is_infinite(w); }))
       f(part, v,
         Voronoi_face_2({m_vector(v[1], v[2]), m_vector(v[2], v[0]), m_vector(v[0], v[1])}));
   }
 
-  Voronoi_neighbor_2 neighbor(Index v, Index w) const
+  Voronoi_neighbor_2 neighbor(Vertex_index v, Vertex_index w) const
   {
     if (m_frame.is_infinite(w))
       return {0, {0, 0}, m_frame.position(w)};
@@ -205,7 +205,7 @@ public:
   {
     if (m_dt.number_of_points() == m_dt.number_of_vertices())
       return;
-    for (Index id = 0; id < number_of_ids(); ++id)
+    for (Point_id id = 0; id < number_of_ids(); ++id)
       if (has_id(id) && !is_representative(id))
         f(id);
   }
@@ -248,7 +248,7 @@ public:
       for (const std::size_t id : ids)
         --missing_faces[id];
     });
-    for (Index id = 0; id < number_of_cells(); ++id)
+    for (Point_id id = 0; id < number_of_cells(); ++id)
       if (missing_faces[id] > 0)
         f(id);
   }

@@ -59,44 +59,52 @@ public:
   {
   }
 
-  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
-  static Index face_of(Index h) { return h / 3; }
+  static Halfedge_index next(Halfedge_index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static Halfedge_index previous(Halfedge_index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  static Face_index face_of(Halfedge_index h) { return h / 3; }
+  // That opposite to the i-th vertex of a face, and which vertex that is.
+  static Halfedge_index halfedge_in(Face_index f, Index i) { return 3 * f + i; }
+  static Index place_of(Halfedge_index h) { return h % 3; }
+  static std::array<Halfedge_index, 3> halfedges_of(Face_index f)
+  {
+    return {halfedge_in(f, 0), halfedge_in(f, 1), halfedge_in(f, 2)};
+  }
 
   // With the infinite one.
   Index number_of_vertices() const { return Index(m_corner.size()); }
   // 0 unless edges have numbers.
   Index number_of_faces() const { return m_edges.empty() ? 0 : faces_with_holes(); }
+  Index number_of_halfedges() const { return 3 * number_of_faces(); }
   Index number_of_edges() const { return Index(m_edges.size()); }
 
-  // The vertex opposite to half-edge h: vertex h % 3 of its face.
-  Index apex(Index h) const { return m_halfedges[h].apex; }
-  Index source(Index h) const { return apex(next(h)); }
-  Index target(Index h) const { return apex(previous(h)); }
-  Index twin(Index h) const { return m_halfedges[h].twin; }
-  Index edge_of(Index h) const { return m_halfedges[h].edge; }
-  Index halfedge(Index edge) const { return m_halfedge_of_edge[edge]; }
-  const Edge_2& edge(Index e) const { return m_edges[e]; }
+  // The vertex opposite to half-edge h: vertex place_of(h) of its face.
+  Vertex_index apex(Halfedge_index h) const { return m_halfedges[h].apex; }
+  Vertex_index source(Halfedge_index h) const { return apex(next(h)); }
+  Vertex_index target(Halfedge_index h) const { return apex(previous(h)); }
+  Halfedge_index twin(Halfedge_index h) const { return m_halfedges[h].twin; }
+  Edge_index edge_of(Halfedge_index h) const { return m_halfedges[h].edge; }
+  Halfedge_index halfedge(Edge_index edge) const { return m_halfedge_of_edge[edge]; }
+  const Edge_2& edge(Edge_index e) const { return m_edges[e]; }
   const std::vector<Edge_2>& edges() const { return m_edges; }
-  std::array<Index, 3> face(Index f) const
+  std::array<Index, 3> face(Face_index f) const
   {
-    return {apex(3 * f), apex(3 * f + 1), apex(3 * f + 2)};
+    return {apex(halfedge_in(f, 0)), apex(halfedge_in(f, 1)), apex(halfedge_in(f, 2))};
   }
 
   // For a flip of edge e, to be called in this order: each step reads what the one before has
   // fetched. First edge(e) and halfedge(e), then the two faces at e, then what the flip changes
   // around them.
-  void prefetch_edge(Index e) const
+  void prefetch_edge(Edge_index e) const
   {
     prefetch(&m_edges[e]);
     prefetch(&m_halfedge_of_edge[e]);
   }
-  void prefetch_face_at(Index e) const { prefetch_face(halfedge(e)); }
-  void prefetch_face_beyond(Index e) const { prefetch_face(twin(halfedge(e))); }
-  void prefetch_around(Index e) const
+  void prefetch_face_at(Edge_index e) const { prefetch_face(halfedge(e)); }
+  void prefetch_face_beyond(Edge_index e) const { prefetch_face(twin(halfedge(e))); }
+  void prefetch_around(Edge_index e) const
   {
-    for (const Index h : {halfedge(e), twin(halfedge(e))}) {
-      const Index side = next(h);
+    for (const Halfedge_index h : {halfedge(e), twin(halfedge(e))}) {
+      const Halfedge_index side = next(h);
       prefetch(&m_edges[edge_of(side)]);
       prefetch(&m_edges[edge_of(previous(h))]);
       prefetch(&m_halfedge_of_edge[edge_of(side)]);
@@ -104,33 +112,33 @@ public:
       prefetch(&m_corner[apex(side)]);
     }
   }
-  void prefetch_face(Index h) const
+  void prefetch_face(Halfedge_index h) const
   {
-    prefetch(&m_halfedges[h / 3 * 3]);
-    prefetch(&m_halfedges[h / 3 * 3 + 2].edge);
+    prefetch(&m_halfedges[halfedge_in(face_of(h), 0)]);
+    prefetch(&m_halfedges[halfedge_in(face_of(h), 2)].edge);
   }
   // Calls f(edge) for the edges of the two faces at edge e other than e.
   template <class Function>
-  void for_each_side(Index e, Function&& f) const
+  void for_each_side(Edge_index e, Function&& f) const
   {
-    for (const Index h : {halfedge(e), twin(halfedge(e))}) {
+    for (const Halfedge_index h : {halfedge(e), twin(halfedge(e))}) {
       f(edge_of(next(h)));
       f(edge_of(previous(h)));
     }
   }
 
   // A corner of v: a half-edge whose apex is v.
-  Index corner(Index v) const { return m_corner[v]; }
+  Halfedge_index corner(Vertex_index v) const { return m_corner[v]; }
   // The corner of the same vertex in the next face counterclockwise.
-  Index next_corner(Index h) const { return next(twin(next(h))); }
-  Index previous_corner(Index h) const { return previous(twin(previous(h))); }
+  Halfedge_index next_corner(Halfedge_index h) const { return next(twin(next(h))); }
+  Halfedge_index previous_corner(Halfedge_index h) const { return previous(twin(previous(h))); }
 
   // Calls f(corner) for every face at v, counterclockwise.
   template <class Function>
-  void for_each_corner(Index v, Function&& f) const
+  void for_each_corner(Vertex_index v, Function&& f) const
   {
     const Index first = m_corner[v];
-    Index h = first;
+    Halfedge_index h = first;
     do {
       f(h);
       h = next_corner(h);
@@ -139,13 +147,13 @@ public:
 
   // Calls f(w) for every neighbor w of v, counterclockwise, the infinite vertex among them.
   template <class Function>
-  void for_each_neighbor(Index v, Function&& f) const
+  void for_each_neighbor(Vertex_index v, Function&& f) const
   {
-    for_each_corner(v, [&](Index h) { f(apex(next(h))); });
+    for_each_corner(v, [&](Halfedge_index h) { f(apex(next(h))); });
   }
 
   // The number of edges at v.
-  Index degree(Index v) const
+  Index degree(Vertex_index v) const
   {
     Index degree = 0;
     for_each_corner(v, [&](Index) { ++degree; });
@@ -155,9 +163,10 @@ public:
   // Whether the apexes of h and of its twin are neighbors, apart from the two faces. Walks around
   // both apexes in step, because one of them may have many neighbors, like the infinite vertex, and
   // both ways, because that waits for the memory half as often.
-  bool are_apexes_neighbors(Index h) const
+  bool are_apexes_neighbors(Halfedge_index h) const
   {
-    const Index g = twin(h), a = apex(h), d = apex(g);
+    const Halfedge_index g = twin(h);
+    const Vertex_index a = apex(h), d = apex(g);
     Index i = next_corner(h), j = previous_corner(h), k = next_corner(g), l = previous_corner(g);
     while (true) {
       if (apex(next(i)) == d || apex(next(j)) == d || apex(next(k)) == a || apex(next(l)) == a)
@@ -174,7 +183,7 @@ public:
   }
 
   // Whether v and w have an edge. Walks around both in step, for the same reason.
-  bool are_neighbors(Index v, Index w) const
+  bool are_neighbors(Vertex_index v, Vertex_index w) const
   {
     Index i = corner(v), k = corner(w);
     do {
@@ -194,18 +203,18 @@ public:
 
   struct Slot
   {
-    Index vertex;
-    std::array<Index, 2> faces;
-    std::array<Index, 3> edges;
+    Vertex_index vertex;
+    std::array<Face_index, 2> faces;
+    std::array<Edge_index, 3> edges;
   };
 
   Index faces_with_holes() const { return Index(m_halfedges.size() / 3); }
 
-  bool is_outside(Index v) const { return m_corner[v] == null_index; }
-  bool is_empty_face(Index f) const { return apex(3 * f) == null_index; }
-  bool is_empty_edge(Index e) const { return m_halfedge_of_edge[e] == null_index; }
+  bool is_outside(Vertex_index v) const { return m_corner[v] == null_index; }
+  bool is_empty_face(Face_index f) const { return apex(halfedge_in(f, 0)) == null_index; }
+  bool is_empty_edge(Edge_index e) const { return m_halfedge_of_edge[e] == null_index; }
   // Whether the edge stands here without vertices; see hide_edge().
-  bool is_hidden(Index e) const { return m_edges[e].source == infinite_index; }
+  bool is_hidden(Edge_index e) const { return m_edges[e].source == infinite_index; }
 
 private:
   template <class State>
@@ -255,38 +264,38 @@ private:
     m_halfedge_of_edge.resize(3 * std::size_t(faces) / 2);
   }
 
-  void set_apex(Index h, Index v)
+  void set_apex(Halfedge_index h, Vertex_index v)
   {
     m_halfedges[h].apex = v;
     m_corner[v] = h;
   }
 
-  void set_twin(Index h, Index g) { m_halfedges[h].twin = g; }
+  void set_twin(Halfedge_index h, Halfedge_index g) { m_halfedges[h].twin = g; }
 
-  void link(Index h, Index g)
+  void link(Halfedge_index h, Halfedge_index g)
   {
     m_halfedges[h].twin = g;
     m_halfedges[g].twin = h;
   }
 
   // Makes e the edge of h and of its twin, and sets its four vertices.
-  void set_edge(Index e, Index h)
+  void set_edge(Edge_index e, Halfedge_index h)
   {
-    const Index g = twin(h);
+    const Halfedge_index g = twin(h);
     m_halfedges[h].edge = m_halfedges[g].edge = e;
     m_halfedge_of_edge[e] = h;
     m_edges[e] = Edge_2{source(h), target(h), apex(h), apex(g)};
   }
 
   // Set the half-edge that is stored for edge e, or the corner for vertex v.
-  void set_halfedge(Index e, Index h) { m_halfedge_of_edge[e] = h; }
-  void set_corner(Index v, Index h) { m_corner[v] = h; }
+  void set_halfedge(Edge_index e, Halfedge_index h) { m_halfedge_of_edge[e] = h; }
+  void set_corner(Vertex_index v, Halfedge_index h) { m_corner[v] = h; }
 
   // WRITING EVERYTHING --------------------------------------------------------------------------
   //
   // In this order, with the apex and the twin of each half-edge first.
 
-  void set_apex_and_twin(Index h, Index v, Index g)
+  void set_apex_and_twin(Halfedge_index h, Vertex_index v, Halfedge_index g)
   {
     m_halfedges[h].apex = v;
     m_halfedges[h].twin = g;
@@ -299,9 +308,8 @@ private:
   {
     m_edges.resize(m_halfedges.size() / 2);
     m_halfedge_of_edge.resize(m_halfedges.size() / 2);
-    for (Index h = 0; h < Index(m_halfedges.size()); ++h) {
-      const Index neighbor = m_halfedges[h].twin / 3;
-      for (Index g = 3 * neighbor; g < 3 * neighbor + 3; ++g)
+    for (Halfedge_index h = 0; h < Index(m_halfedges.size()); ++h) {
+      for (const Halfedge_index g : halfedges_of(face_of(m_halfedges[h].twin)))
         if (source(g) == target(h) && target(g) == source(h))
           m_halfedges[h].twin = g;
     }
@@ -319,7 +327,7 @@ private:
   {
     const std::size_t halfedges = m_halfedges.size(), vertices = m_corner.size();
     if (!Parts::are_shared(Parts::number(halfedges))) {
-      for (Index h = 0; h < halfedges; ++h)
+      for (Halfedge_index h = 0; h < halfedges; ++h)
         m_corner[apex(h)] = h;
       return;
     }
@@ -331,16 +339,16 @@ private:
       const std::size_t low = Parts::begin(part, parts, vertices),
                         high = Parts::begin(part + 1, parts, vertices);
       left_over[part] = null_index;
-      for (Index h = Index(first); h < beyond; ++h)
+      for (Halfedge_index h = Index(first); h < beyond; ++h)
         if (apex(h) >= low && apex(h) < high)
           m_corner[apex(h)] = h;
         else
-          m_halfedges[h].edge = std::exchange(left_over[part], h);
+          m_halfedges[h].edge = Index(std::exchange(left_over[part], Index(h))); // for now
     });
     for (std::size_t part = 0; part < parts; ++part)
-      for (Index h = left_over[part]; h != null_index; h = edge_of(h)) {
+      for (Halfedge_index h = left_over[part]; h != null_index; h = Index(edge_of(h))) {
         Index& corner = m_corner[apex(h)];
-        corner = corner == null_index ? h : (std::max)(corner, h);
+        corner = corner == null_index ? Index(h) : (std::max)(corner, Index(h));
       }
   }
 
@@ -354,7 +362,7 @@ private:
     std::array<Index, Parts::max_parts> edges;
     Parts::for_each(halfedges, [&](std::size_t part, std::size_t first, std::size_t beyond) {
       edges[part] = 0;
-      for (Index h = Index(first); h < beyond; ++h)
+      for (Halfedge_index h = Index(first); h < beyond; ++h)
         edges[part] += h < twin(h);
     });
     Index sum = 0;
@@ -367,11 +375,11 @@ private:
 
   // Numbers the edges whose first half-edges are in a range, from e on. Lists these half-edges
   // without a branch on which of two is the first, because it would be unpredictable.
-  void number_edges_of(Index first, Index beyond, Index e)
+  void number_edges_of(Index first, Index beyond, Edge_index e)
   {
     constexpr Index stretch = 256;
     std::array<Index, stretch> firsts;
-    for (Index h = first; h < beyond;) {
+    for (Halfedge_index h = first; h < beyond;) {
       Index number = 0;
       for (const Index end = (std::min)(beyond, h + stretch); h < end; ++h) {
         firsts[number] = h;
@@ -385,14 +393,14 @@ private:
   // Exchanges the diagonal at half-edge h, vertex by vertex as CGAL's TDS_2::flip(face, i) does.
   // The corners of the two vertices that leave a face are set even where they do not change: a
   // store is cheaper than a branch.
-  void flip(Index h)
+  void flip(Halfedge_index h)
   {
-    const Index g = twin(h);
-    const Index h_next = next(h), h_previous = previous(h);
-    const Index g_next = next(g), g_previous = previous(g);
+    const Halfedge_index g = twin(h);
+    const Halfedge_index h_next = next(h), h_previous = previous(h);
+    const Halfedge_index g_next = next(g), g_previous = previous(g);
     const Index a = apex(h), b = apex(h_next), c = apex(h_previous), d = apex(g);
-    const Index ab = edge_of(h_previous), bd = edge_of(g_next);
-    const Index dc = edge_of(g_previous), ca = edge_of(h_next), diagonal = edge_of(h);
+    const Edge_index ab = edge_of(h_previous), bd = edge_of(g_next);
+    const Edge_index dc = edge_of(g_previous), ca = edge_of(h_next), diagonal = edge_of(h);
 
     m_halfedges[h_previous].apex = d;
     m_halfedges[g_previous].apex = a;
@@ -417,12 +425,12 @@ private:
 
   // Flips where the two faces may share more edges than that at h, and vertices may have edges
   // to themselves, as on a torus. The faces must be different.
-  void flip_glued(Index h)
+  void flip_glued(Halfedge_index h)
   {
-    const Index g = twin(h);
-    const Index h_next = next(h), g_next = next(g);
-    const Index outer_bd = twin(g_next), outer_ca = twin(h_next);
-    const Index bd = edge_of(g_next), ca = edge_of(h_next), diagonal = edge_of(h);
+    const Halfedge_index g = twin(h);
+    const Halfedge_index h_next = next(h), g_next = next(g);
+    const Halfedge_index outer_bd = twin(g_next), outer_ca = twin(h_next);
+    const Edge_index bd = edge_of(g_next), ca = edge_of(h_next), diagonal = edge_of(h);
     const Index a = apex(h), d = apex(g);
     // the sides bd and ca move to h and g, also where they are each other's twins
     link(h, outer_bd == h_next ? g : outer_bd);
@@ -430,7 +438,7 @@ private:
     link(h_next, g_next);
     set_apex(previous(h), d);
     set_apex(previous(g), a);
-    for (const Index corner : {h, h_next, g, g_next})
+    for (const Halfedge_index corner : {h, h_next, g, g_next})
       set_corner(apex(corner), corner);
     set_edge(bd, h);
     set_edge(ca, g);
@@ -441,21 +449,21 @@ private:
 
   // Flips where both faces lie in one frame, so that they share no more than the edge at h.
   // Takes less than half of the time, because it reads nothing beyond the sides.
-  void flip_in_one_frame(Index h)
+  void flip_in_one_frame(Halfedge_index h)
   {
-    const Index g = twin(h);
-    const Index ab = edge_of(previous(h)), dc = edge_of(previous(g));
-    const Index bd = edge_of(next(g)), ca = edge_of(next(h));
+    const Halfedge_index g = twin(h);
+    const Edge_index ab = edge_of(previous(h)), dc = edge_of(previous(g));
+    const Edge_index bd = edge_of(next(g)), ca = edge_of(next(h));
     flip(h);
     turn_along(bd, h);
     turn_along(ca, g);
-    for (const Index side : {ab, bd, dc, ca})
+    for (const Edge_index side : {ab, bd, dc, ca})
       if (is_hidden(side))
         hide_edge(side);
   }
 
   // Leaves an edge without vertices: passes over the edges then never prove it.
-  void hide_edge(Index e)
+  void hide_edge(Edge_index e)
   {
     m_edges[e] = Edge_2{infinite_index, infinite_index, infinite_index, infinite_index};
   }
@@ -485,36 +493,36 @@ private:
   // Puts the slot's vertex v into face f. Face f keeps the edge opposite to its first vertex, and v
   // replaces that vertex. The edges opposite to the second and third vertex go to the slot's faces,
   // where v replaces the second and third vertex.
-  void put_in(const Slot& slot, Index f)
+  void put_in(const Slot& slot, Face_index f)
   {
-    const Index v = slot.vertex;
-    const Index g = slot.faces[0], k = slot.faces[1];
+    const Vertex_index v = slot.vertex;
+    const Face_index g = slot.faces[0], k = slot.faces[1];
     const std::array<Index, 3> corners = face(f);
-    const Index outer_g = twin(3 * f + 1), outer_k = twin(3 * f + 2);
-    const Index edge_g = edge_of(3 * f + 1), edge_k = edge_of(3 * f + 2);
+    const Halfedge_index outer_g = twin(halfedge_in(f, 1)), outer_k = twin(halfedge_in(f, 2));
+    const Index edge_g = edge_of(halfedge_in(f, 1)), edge_k = edge_of(halfedge_in(f, 2));
     set_face(g, corners[0], v, corners[2]);
     set_face(k, corners[0], corners[1], v);
     set_face(f, v, corners[1], corners[2]);
-    link(3 * g + 1, outer_g);
-    link(3 * k + 2, outer_k);
-    link(3 * f + 1, 3 * g);
-    link(3 * f + 2, 3 * k);
-    link(3 * g + 2, 3 * k + 1);
-    set_edge(edge_of(3 * f), 3 * f);
-    set_edge(edge_g, 3 * g + 1);
-    set_edge(edge_k, 3 * k + 2);
-    set_edge(slot.edges[0], 3 * f + 1);
-    set_edge(slot.edges[1], 3 * f + 2);
-    set_edge(slot.edges[2], 3 * g + 2);
+    link(halfedge_in(g, 1), outer_g);
+    link(halfedge_in(k, 2), outer_k);
+    link(halfedge_in(f, 1), halfedge_in(g, 0));
+    link(halfedge_in(f, 2), halfedge_in(k, 0));
+    link(halfedge_in(g, 2), halfedge_in(k, 1));
+    set_edge(edge_of(halfedge_in(f, 0)), halfedge_in(f, 0));
+    set_edge(edge_g, halfedge_in(g, 1));
+    set_edge(edge_k, halfedge_in(k, 2));
+    set_edge(slot.edges[0], halfedge_in(f, 1));
+    set_edge(slot.edges[1], halfedge_in(f, 2));
+    set_edge(slot.edges[2], halfedge_in(g, 2));
   }
 
   // The last face, edge or vertex takes the number of an empty one. The last one must not be empty
   // itself, unless both are the same.
-  void move_last_face_to(Index f)
+  void move_last_face_to(Face_index f)
   {
     const Index last = number_of_faces() - 1;
     for (Index i = 0; i < 3 && f != last; ++i) {
-      const Index from = 3 * last + i, to = 3 * f + i;
+      const Index from = halfedge_in(last, i), to = halfedge_in(f, i);
       m_halfedges[to] = m_halfedges[from];
       m_halfedges[twin(to)].twin = to;
       if (m_halfedge_of_edge[edge_of(to)] == from)
@@ -524,23 +532,23 @@ private:
     m_halfedges.resize(m_halfedges.size() - 3);
   }
 
-  void move_last_edge_to(Index e)
+  void move_last_edge_to(Edge_index e)
   {
     const Index last = number_of_edges() - 1;
     if (e != last) {
       m_edges[e] = m_edges[last];
-      const Index h = m_halfedge_of_edge[e] = m_halfedge_of_edge[last];
+      const Halfedge_index h = m_halfedge_of_edge[e] = m_halfedge_of_edge[last];
       m_halfedges[h].edge = m_halfedges[twin(h)].edge = e;
     }
     m_edges.pop_back();
     m_halfedge_of_edge.pop_back();
   }
 
-  void move_last_vertex_to(Index v)
+  void move_last_vertex_to(Vertex_index v)
   {
     const Index last = Index(m_corner.size()) - 1;
     if (v != last) {
-      for_each_corner(last, [&](Index h) {
+      for_each_corner(last, [&](Halfedge_index h) {
         m_halfedges[h].apex = v;
         rename(edge_of(h), last, v);
         rename(edge_of(previous(h)), last, v);
@@ -553,22 +561,22 @@ private:
   void empty(const Slot& slot)
   {
     m_corner[slot.vertex] = null_index;
-    for (const Index f : slot.faces)
-      m_halfedges[3 * f].apex = null_index;
-    for (const Index e : slot.edges) {
+    for (const Face_index f : slot.faces)
+      m_halfedges[halfedge_in(f, 0)].apex = null_index;
+    for (const Edge_index e : slot.edges) {
       m_halfedge_of_edge[e] = null_index;
       hide_edge(e);
     }
   }
 
-  void set_face(Index f, Index a, Index b, Index c)
+  void set_face(Face_index f, Index a, Index b, Index c)
   {
-    set_apex(3 * f, a);
-    set_apex(3 * f + 1, b);
-    set_apex(3 * f + 2, c);
+    set_apex(halfedge_in(f, 0), a);
+    set_apex(halfedge_in(f, 1), b);
+    set_apex(halfedge_in(f, 2), c);
   }
 
-  void rename(Index e, Index from, Index to)
+  void rename(Edge_index e, Vertex_index from, Vertex_index to)
   {
     Edge_2& edge = m_edges[e];
     edge.source = edge.source == from ? to : edge.source;
@@ -580,18 +588,20 @@ private:
   // The three half-edges of a face stand together, because they are needed together.
   struct Halfedge
   {
-    Index apex, twin, edge;
+    Vertex_index apex;
+    Halfedge_index twin;
+    Edge_index edge;
   };
 
   // Lets an edge go from the source to the target of half-edge h.
-  void turn_along(Index e, Index h)
+  void turn_along(Edge_index e, Halfedge_index h)
   {
     const Edge_2 edge = m_edges[e];
     if (edge.source != source(h))
       m_edges[e] = {edge.target, edge.source, edge.right, edge.left};
   }
 
-  void exchange_opposite(Index e, Index from, Index to)
+  void exchange_opposite(Edge_index e, Vertex_index from, Vertex_index to)
   {
     Edge_2& edge = m_edges[e];
     (edge.left == from ? edge.left : edge.right) = to;

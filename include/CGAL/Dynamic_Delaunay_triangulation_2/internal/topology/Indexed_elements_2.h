@@ -153,8 +153,8 @@ public:
 
   Face_handle face() const
   {
-    const Index h = m_storage->arrays().corner(m_index);
-    return h == null_index ? Face_handle() : Face_handle(m_storage, h / 3);
+    const Halfedge_index h = m_storage->arrays().corner(m_index);
+    return h == null_index ? Face_handle() : Face_handle(m_storage, Halfedge_arrays_2::face_of(h));
   }
   void set_face(const Face_handle& f) { m_storage->set_face(m_index, f.index()); }
 
@@ -169,12 +169,12 @@ public:
   // What Indexed_container_2 needs.
   static Index size_with_holes(const Storage& s) { return s.vertices_with_holes(); }
   static std::size_t size(const Storage& s) { return s.number_of_vertices(); }
-  static bool is_hole(const Storage& s, Index v) { return s.is_erased_vertex(v); }
-  static Index next(const Storage& s, Index v)
+  static bool is_hole(const Storage& s, Vertex_index v) { return s.is_erased_vertex(v); }
+  static Index next(const Storage& s, Vertex_index v)
   {
     while (v < size_with_holes(s) && is_hole(s, v))
       ++v;
-    return v < size_with_holes(s) ? v : Vertex_handle::end_index;
+    return v < size_with_holes(s) ? Index(v) : Vertex_handle::end_index;
   }
   static Vertex_handle create(Storage& s) { return {&s, s.create_vertex()}; }
   static Vertex_handle create(Storage& s, const Point& p)
@@ -195,7 +195,7 @@ public:
       s.vertex_properties().copy(other.m_index, v.index());
     return v;
   }
-  static void erase(Storage& s, Index v) { s.erase_vertex(v); }
+  static void erase(Storage& s, Vertex_index v) { s.erase_vertex(v); }
   static void clear(Storage& s) { s.clear_vertices(); }
   static void reserve(Storage& s, std::size_t number) { s.reserve_vertices(number); }
 
@@ -227,7 +227,7 @@ public:
 
   Vertex_handle vertex(int i) const
   {
-    const Index v = m_storage->arrays().apex(halfedge(i));
+    const Vertex_index v = m_storage->arrays().apex(halfedge(i));
     return v == null_index ? Vertex_handle() : Vertex_handle(m_storage, v);
   }
   bool has_vertex(const Vertex_handle& v) const
@@ -240,8 +240,8 @@ public:
 
   Face_handle neighbor(int i) const
   {
-    const Index g = m_storage->arrays().twin(halfedge(i));
-    return g == null_index ? Face_handle() : Face_handle(m_storage, g / 3);
+    const Halfedge_index g = m_storage->arrays().twin(halfedge(i));
+    return g == null_index ? Face_handle() : Face_handle(m_storage, Halfedge_arrays_2::face_of(g));
   }
   bool has_neighbor(const Face_handle& g) const
   {
@@ -304,12 +304,12 @@ public:
   // What Indexed_container_2 needs.
   static Index size_with_holes(const Storage& s) { return s.faces_with_holes(); }
   static std::size_t size(const Storage& s) { return s.number_of_faces(); }
-  static bool is_hole(const Storage& s, Index f) { return s.is_erased_face(f); }
-  static Index next(const Storage& s, Index f)
+  static bool is_hole(const Storage& s, Face_index f) { return s.is_erased_face(f); }
+  static Index next(const Storage& s, Face_index f)
   {
     while (f < size_with_holes(s) && is_hole(s, f))
       ++f;
-    return f < size_with_holes(s) ? f : Face_handle::end_index;
+    return f < size_with_holes(s) ? Index(f) : Face_handle::end_index;
   }
   static Face_handle create(Storage& s) { return {&s, s.create_face()}; }
   static Face_handle create(Storage& s, const Vertex_handle& v0, const Vertex_handle& v1,
@@ -341,7 +341,7 @@ public:
         f->info() = other.info();
     return f;
   }
-  static void erase(Storage& s, Index f) { s.erase_face(f); }
+  static void erase(Storage& s, Face_index f) { s.erase_face(f); }
   static void clear(Storage& s) { s.clear_faces(); }
   static void reserve(Storage& s, std::size_t number) { s.reserve_faces(number); }
 
@@ -354,10 +354,10 @@ private:
   // Would make a handle refer to another face.
   Indexed_face_2& operator=(const Indexed_face_2&) = default;
 
-  Index halfedge(int i) const
+  Halfedge_index halfedge(int i) const
   {
     CGAL_precondition(i >= 0 && i <= 2);
-    return 3 * m_index + Index(i);
+    return Halfedge_arrays_2::halfedge_in(m_index, Index(i));
   }
 
   auto is_vertex(const Vertex_handle& v) const

@@ -221,8 +221,8 @@ public:
   const Halfedge_arrays_2& arrays() const { return m_arrays; }
   const Points& points() const { return m_points; }
 
-  const Point& point(Index v) const { return as_point(m_points[v]); }
-  Point& point(Index v) { return as_point(m_points[v]); }
+  const Point& point(Vertex_index v) const { return as_point(m_points[v]); }
+  Point& point(Vertex_index v) { return as_point(m_points[v]); }
 
   // Of handles: different for each storage of a program.
   std::uint32_t serial() const { return m_serial; }
@@ -233,15 +233,18 @@ public:
 
   Vertex_properties& vertex_properties() { return m_vertex_properties; }
   Face_properties& face_properties() { return m_face_properties; }
-  auto& vertex_info(Index v) { return m_vertex_infos.values[v]; }
-  auto& face_info(Index f) { return m_face_infos.values[f]; }
+  auto& vertex_info(Vertex_index v) { return m_vertex_infos.values[v]; }
+  auto& face_info(Face_index f) { return m_face_infos.values[f]; }
 
   Index vertices_with_holes() const { return m_arrays.number_of_vertices(); }
   Index faces_with_holes() const { return m_arrays.faces_with_holes(); }
   std::size_t number_of_vertices() const { return vertices_with_holes() - m_erased_vertices; }
   std::size_t number_of_faces() const { return faces_with_holes() - m_erased_faces; }
-  bool is_erased_vertex(Index v) const { return m_arrays.corner(v) == erased_index; }
-  bool is_erased_face(Index f) const { return m_arrays.apex(3 * f) == erased_index; }
+  bool is_erased_vertex(Vertex_index v) const { return m_arrays.corner(v) == erased_index; }
+  bool is_erased_face(Face_index f) const
+  {
+    return m_arrays.apex(Halfedge_arrays_2::halfedge_in(f, 0)) == erased_index;
+  }
   bool has_holes() const { return m_erased_vertices + m_erased_faces > 0; }
 
   // WRITING BY HANDLES ----------------------------------------------------------------------------
@@ -252,7 +255,7 @@ public:
   {
     note_written_by_handle();
     if (!m_free_vertices.empty()) {
-      const Index v = m_free_vertices.back();
+      const Vertex_index v = m_free_vertices.back();
       m_free_vertices.pop_back();
       --m_erased_vertices;
       m_arrays.m_corner[v] = null_index;
@@ -275,7 +278,7 @@ public:
   Index create_face()
   {
     note_written_by_handle();
-    Index f;
+    Face_index f;
     if (!m_free_faces.empty()) {
       f = m_free_faces.back();
       m_free_faces.pop_back();
@@ -291,14 +294,14 @@ public:
       m_face_infos.append();
       m_arrays.m_halfedges.resize(m_arrays.m_halfedges.size() + 3);
     }
-    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+    for (const Halfedge_index h : Halfedge_arrays_2::halfedges_of(f))
       m_arrays.m_halfedges[h] = {null_index, null_index, null_index};
     return f;
   }
 
   // Erase throws nothing: where memory has run out, a hole stays one until all is cleared or
   // collected.
-  void erase_vertex(Index v) noexcept
+  void erase_vertex(Vertex_index v) noexcept
   {
     note_written_by_handle();
     m_arrays.m_corner[v] = erased_index;
@@ -306,34 +309,36 @@ public:
     append_if_possible(m_free_vertices, v);
   }
 
-  void erase_face(Index f) noexcept
+  void erase_face(Face_index f) noexcept
   {
     note_written_by_handle();
-    m_arrays.m_halfedges[3 * f].apex = erased_index;
+    m_arrays.m_halfedges[Halfedge_arrays_2::halfedge_in(f, 0)].apex = erased_index;
     ++m_erased_faces;
     append_if_possible(m_free_faces, f);
   }
 
-  void set_vertex(Index h, Index v)
+  void set_vertex(Halfedge_index h, Vertex_index v)
   {
     note_written_by_handle();
     m_arrays.m_halfedges[h].apex = v;
   }
 
   // Sets the neighbor at h to face g, or to none. The twin is known up to its face.
-  void set_neighbor(Index h, Index g)
+  void set_neighbor(Halfedge_index h, Face_index g)
   {
     note_written_by_handle();
-    m_arrays.m_halfedges[h].twin = g == null_index ? null_index : 3 * g;
+    m_arrays.m_halfedges[h].twin =
+        g == null_index ? Halfedge_index(null_index) : Halfedge_arrays_2::halfedge_in(g, 0);
   }
 
-  void set_face(Index v, Index f)
+  void set_face(Vertex_index v, Face_index f)
   {
     note_written_by_handle();
-    m_arrays.m_corner[v] = f == null_index ? null_index : 3 * f;
+    m_arrays.m_corner[v] =
+        f == null_index ? Halfedge_index(null_index) : Halfedge_arrays_2::halfedge_in(f, 0);
   }
 
-  void set_point(Index v, const Point& p)
+  void set_point(Vertex_index v, const Point& p)
   {
     note_written_by_handle();
     store(m_points[v], p);
@@ -383,20 +388,20 @@ public:
     if (!has_holes())
       return;
     const auto [vertices_before, new_vertex] = numbers_without_holes(
-        vertices_with_holes(), [this](Index v) { return is_erased_vertex(v); });
-    const auto [faces_before, new_face] =
-        numbers_without_holes(faces_with_holes(), [this](Index f) { return is_erased_face(f); });
+        vertices_with_holes(), [this](Vertex_index v) { return is_erased_vertex(v); });
+    const auto [faces_before, new_face] = numbers_without_holes(
+        faces_with_holes(), [this](Face_index f) { return is_erased_face(f); });
     Renumbered_face_data face_data(m_face_properties, m_face_infos, faces_before);
     Renumbered_vertex_data vertex_data(m_vertex_properties, m_vertex_infos, vertices_before);
     m_arrays.drop_edges(); // nothing throws from here on, unless copying a point or a value does
-    for (Index v = 0; v < Index(vertices_before.size()); ++v) {
+    for (Vertex_index v = 0; v < Index(vertices_before.size()); ++v) {
       m_points[v] = std::move(m_points[vertices_before[v]]);
       m_arrays.m_corner[v] = with_face(m_arrays.corner(vertices_before[v]), new_face);
     }
-    for (Index f = 0; f < Index(faces_before.size()); ++f)
+    for (Face_index f = 0; f < Index(faces_before.size()); ++f)
       for (Index i = 0; i < 3; ++i) {
-        auto& to = m_arrays.m_halfedges[3 * f + i];
-        to = m_arrays.m_halfedges[3 * faces_before[f] + i];
+        auto& to = m_arrays.m_halfedges[Halfedge_arrays_2::halfedge_in(f, i)];
+        to = m_arrays.m_halfedges[Halfedge_arrays_2::halfedge_in(faces_before[f], i)];
         to.apex = to.apex == null_index ? null_index : new_vertex[to.apex];
         to.twin = with_face(to.twin, new_face);
       }
@@ -508,18 +513,18 @@ private:
     m_is_written_by_handles = other.m_is_written_by_handles;
   }
 
-  void renew_vertex(Index v)
+  void renew_vertex(Vertex_index v)
   {
     m_vertex_properties.reset(v);
     m_vertex_infos.reset(v);
   }
 
-  void move_last_vertex_data_to(Index v)
+  void move_last_vertex_data_to(Vertex_index v)
   {
     m_vertex_properties.move_last_to(v);
     m_vertex_infos.move_last_to(v);
   }
-  void move_last_face_data_to(Index f)
+  void move_last_face_data_to(Face_index f)
   {
     m_face_properties.move_last_to(f);
     m_face_infos.move_last_to(f);
@@ -587,9 +592,11 @@ private:
   }
 
   // That half-edge of the face with its new number.
-  static Index with_face(Index h, const std::vector<Index>& new_face)
+  static Halfedge_index with_face(Halfedge_index h, const std::vector<Index>& new_face)
   {
-    return h == null_index ? null_index : 3 * new_face[h / 3] + h % 3;
+    return h == null_index ? Halfedge_index(null_index)
+                           : Halfedge_arrays_2::halfedge_in(new_face[Halfedge_arrays_2::face_of(h)],
+                                                            Halfedge_arrays_2::place_of(h));
   }
 
   static std::uint32_t next_serial()

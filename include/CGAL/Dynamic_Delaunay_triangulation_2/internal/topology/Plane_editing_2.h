@@ -64,37 +64,37 @@ public:
 
   // FACES AND EDGES -----------------------------------------------------------------------------
 
-  bool can_flip(Index h) const { return !m_arrays.are_apexes_neighbors(h); }
+  bool can_flip(Halfedge_index h) const { return !m_arrays.are_apexes_neighbors(h); }
 
-  void flip(Index h, Log&)
+  void flip(Halfedge_index h, Log&)
   {
     using Edge = typename State::Triangulation::Edge;
     const auto f = m_topology.face_handle(Arrays::face_of(h));
-    const int place = int(h % 3);
+    const int place = int(Arrays::place_of(h));
     calls().before_flip(Edge(f, place));
     m_arrays.flip(h);
     calls().after_flip(Edge(f, Triangulation_cw_ccw_2::ccw(place)));
   }
 
-  void set_corner(Index h, Index v) { m_arrays.set_apex(h, v); }
-  void put_in(const Slot& slot, Index f, typename State::Frame) { m_arrays.put_in(slot, f); }
+  void set_corner(Halfedge_index h, Vertex_index v) { m_arrays.set_apex(h, v); }
+  void put_in(const Slot& slot, Face_index f, typename State::Frame) { m_arrays.put_in(slot, f); }
 
-  void before_face(Index f) { calls().before_face_removal(m_topology.face_handle(f)); }
-  void after_face(Index f) { calls().after_face_creation(m_topology.face_handle(f)); }
+  void before_face(Face_index f) { calls().before_face_removal(m_topology.face_handle(f)); }
+  void after_face(Face_index f) { calls().after_face_creation(m_topology.face_handle(f)); }
   static void before_edge(Index) {}
   static void after_edge(Index) {}
 
   // VERTICES ------------------------------------------------------------------------------------
 
-  void after_vertex_creation(Index v)
+  void after_vertex_creation(Vertex_index v)
   {
     calls().after_vertex_creation(m_topology.vertex_handle(v), ids().representative(v));
   }
-  void before_vertex_removal(Index v)
+  void before_vertex_removal(Vertex_index v)
   {
     calls().before_vertex_removal(m_topology.vertex_handle(v), ids().representative(v));
   }
-  void before_vertex_relocation(Index v)
+  void before_vertex_relocation(Vertex_index v)
   {
     calls().before_vertex_relocation(m_topology.vertex_handle(v), ids().representative(v));
   }
@@ -106,7 +106,7 @@ public:
 
   static void reserve_for_id_change(Index) {}
   static void before_id_change(Index) {}
-  void after_id_change(Index v, Index former, const Position_2&)
+  void after_id_change(Vertex_index v, Index former, const Position_2&)
   {
     calls().after_id_change(m_topology.vertex_handle(v), former);
   }
@@ -122,9 +122,9 @@ public:
   {
     m_storage.resize_data(vertices, faces);
   }
-  void renew_vertex(Index v) { m_storage.renew_vertex(v); }
-  void move_last_vertex_data_to(Index v) { m_storage.move_last_vertex_data_to(v); }
-  void move_last_face_data_to(Index f) { m_storage.move_last_face_data_to(f); }
+  void renew_vertex(Vertex_index v) { m_storage.renew_vertex(v); }
+  void move_last_vertex_data_to(Vertex_index v) { m_storage.move_last_vertex_data_to(v); }
+  void move_last_face_data_to(Face_index f) { m_storage.move_last_face_data_to(f); }
 
 private:
   typename Topology::Visitor_calls& calls() { return m_topology.m_visitor_calls; }

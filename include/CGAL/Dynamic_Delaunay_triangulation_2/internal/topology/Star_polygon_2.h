@@ -46,8 +46,8 @@ public:
   struct Side
   {
     Corner corner;
-    Index outer; // the half-edge on the other side
-    Index edge;
+    Halfedge_index outer; // the half-edge on the other side
+    Edge_index edge;
   };
 
   // The numbers of three corners. Cutting the ear off removes `tip` from the polygon.
@@ -70,11 +70,11 @@ public:
   // THE POLYGON -----------------------------------------------------------------------------------
 
   // Reads the polygon around v, which is in its faces. False if it meets itself.
-  bool read(const State& state, Index v)
+  bool read(const State& state, Vertex_index v)
   {
     const Arrays& arrays = state.arrays();
     clear(v);
-    arrays.for_each_corner(v, [&](Index h) {
+    arrays.for_each_corner(v, [&](Halfedge_index h) {
       const Corner corner = state.corner_in(Arrays::next(h), state.frame_at(h));
       m_sides.push_back({corner, arrays.twin(h), arrays.edge_of(h)});
       m_faces.push_back(Arrays::face_of(h));
@@ -99,12 +99,13 @@ public:
   // On a torus this is done for all images of v. If the polygon does not meet itself, those of
   // different images have no face in common, and no two are side by side: so each side has a face
   // beyond that stays, in whose circle v is not, and all edges are locally Delaunay.
-  bool find_as_delaunay(const State& state, Index f, const Frame& frame, Index v, std::size_t most)
+  bool find_as_delaunay(const State& state, Face_index f, const Frame& frame, Vertex_index v,
+                        std::size_t most)
   {
     const Arrays& arrays = state.arrays();
     const Predicates predicates(state);
     const Corner center = state.corner_of(v);
-    const auto is_in_circle = [&](Index outer, const Frame& beyond) {
+    const auto is_in_circle = [&](Halfedge_index outer, const Frame& beyond) {
       return arrays.apex(outer) != infinite_index &&
              predicates.side_of_circle(
                  state.corner_in(outer, beyond), state.corner_in(Arrays::next(outer), beyond),
@@ -113,11 +114,12 @@ public:
     clear(v);
     m_faces.push_back(f);
     m_open.clear();
-    for (const Index h : {3 * f + 2, 3 * f + 1, 3 * f})
+    for (const Halfedge_index h :
+         {Arrays::halfedge_in(f, 2), Arrays::halfedge_in(f, 1), Arrays::halfedge_in(f, 0)})
       m_open.push_back({h, frame});
     while (!m_open.empty() && m_faces.size() <= most) {
       const Open open = m_open.back();
-      const Index outer = arrays.twin(open.halfedge);
+      const Halfedge_index outer = arrays.twin(open.halfedge);
       const Frame beyond = state.frame_beyond(open.halfedge, open.frame);
       m_open.pop_back();
       if (is_in_circle(outer, beyond)) {
@@ -135,9 +137,9 @@ public:
   // Adds the faces and edges of the slot that the center has kept, or got.
   void add(const Arrays::Slot& slot)
   {
-    for (const Index f : slot.faces)
+    for (const Face_index f : slot.faces)
       m_faces.push_back(f);
-    for (const Index e : slot.edges)
+    for (const Edge_index e : slot.edges)
       m_edges.push_back(e);
   }
 
@@ -209,7 +211,7 @@ private:
   // A half-edge of a face inside of the polygon; the face beyond is to be examined.
   struct Open
   {
-    Index halfedge;
+    Halfedge_index halfedge;
     Frame frame;
   };
 
@@ -257,7 +259,7 @@ private:
   {
     if (last - first < 2)
       return;
-    const Index apex = find_apex(predicates, first, last);
+    const Vertex_index apex = find_apex(predicates, first, last);
     divide(predicates, first, apex);
     divide(predicates, apex, last);
     m_ears.push_back({first, apex, last});
@@ -271,7 +273,7 @@ private:
     const auto is_on_left = [&](const Corner& corner) {
       return predicates.orientation(source, target, corner) == LEFT_TURN;
     };
-    Index apex = first + 1;
+    Vertex_index apex = first + 1;
     while (apex + 1 < last && !is_on_left(m_sides[apex].corner))
       ++apex;
     for (Index i = apex + 1; i < last; ++i) {

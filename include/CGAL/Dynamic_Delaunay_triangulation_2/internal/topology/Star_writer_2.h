@@ -45,16 +45,17 @@ public:
       m_open_sides[i] = {sides[i].outer, sides[i].edge};
     for (std::size_t i = 0; i < ears.size(); ++i) {
       const auto& ear = ears[i];
-      const Index f = polygon.faces()[i];
-      set_corner(3 * f, sides[ear.before].corner);
-      set_corner(3 * f + 1, sides[ear.tip].corner);
-      set_corner(3 * f + 2, sides[ear.after].corner);
-      close(m_open_sides[ear.before], 3 * f + 2);
-      close(m_open_sides[ear.tip], 3 * f);
-      m_open_sides[ear.before] = {3 * f + 1, polygon.edges()[i]};
+      const Face_index f = polygon.faces()[i];
+      set_corner(Halfedge_arrays_2::halfedge_in(f, 0), sides[ear.before].corner);
+      set_corner(Halfedge_arrays_2::halfedge_in(f, 1), sides[ear.tip].corner);
+      set_corner(Halfedge_arrays_2::halfedge_in(f, 2), sides[ear.after].corner);
+      close(m_open_sides[ear.before], Halfedge_arrays_2::halfedge_in(f, 2));
+      close(m_open_sides[ear.tip], Halfedge_arrays_2::halfedge_in(f, 0));
+      m_open_sides[ear.before] = {Halfedge_arrays_2::halfedge_in(f, 1), polygon.edges()[i]};
     }
     // the last ear is a triangle that has a side of the polygon for its third edge
-    close(m_open_sides[ears.back().after], 3 * polygon.faces()[ears.size() - 1] + 1);
+    close(m_open_sides[ears.back().after],
+          Halfedge_arrays_2::halfedge_in(polygon.faces()[ears.size() - 1], 1));
     const Slot slot = slot_left_by(polygon);
     m_arrays.empty(slot);
     return slot;
@@ -68,15 +69,16 @@ public:
     const auto& sides = polygon.sides();
     const std::size_t degree = sides.size();
     for (std::size_t i = 0; i < degree; ++i) {
-      const Index h = 3 * polygon.faces()[i];
+      const Halfedge_index h = Halfedge_arrays_2::halfedge_in(polygon.faces()[i], 0);
       set_corner(h, State::corner_of(polygon.center()));
       set_corner(h + 1, sides[i].corner);
       set_corner(h + 2, sides[i + 1 < degree ? i + 1 : 0].corner);
     }
     for (std::size_t i = 0; i < degree; ++i) {
-      const Index h = 3 * polygon.faces()[i];
+      const Halfedge_index h = Halfedge_arrays_2::halfedge_in(polygon.faces()[i], 0);
       close({sides[i].outer, sides[i].edge}, h);
-      m_arrays.link(h + 1, 3 * polygon.faces()[i + 1 < degree ? i + 1 : 0] + 2);
+      m_arrays.link(h + 1,
+                    Halfedge_arrays_2::halfedge_in(polygon.faces()[i + 1 < degree ? i + 1 : 0], 2));
       m_arrays.set_edge(polygon.edges()[i], h + 1);
     }
   }
@@ -90,7 +92,7 @@ public:
     for (std::size_t i = 0; i + 3 < edges.size(); ++i)
       f(edges[i]);
     const Index last = polygon.faces()[polygon.ears().size() - 1];
-    for (Index h = 3 * last; h < 3 * last + 3; ++h)
+    for (const Halfedge_index h : Halfedge_arrays_2::halfedges_of(last))
       f(m_arrays.edge_of(h));
   }
 
@@ -98,11 +100,12 @@ private:
   // A side of a polygon while ears are cut off: the half-edge outside of it, and its edge.
   struct Open_side
   {
-    Index outer, edge;
+    Halfedge_index outer;
+    Edge_index edge;
   };
 
   // Makes h, whose face has its vertices, the other half-edge of an open side.
-  void close(const Open_side& side, Index h)
+  void close(const Open_side& side, Halfedge_index h)
   {
     m_arrays.link(h, side.outer);
     m_arrays.set_edge(side.edge, h);

@@ -179,8 +179,8 @@ public:
   // Whether anything was changed through handles, which the user has.
   bool is_written_by_handles() const { return m_storage.is_written_by_handles(); }
 
-  Vertex_handle vertex_handle(Index v) const { return Vertex_handle(&m_storage, v); }
-  Face_handle face_handle(Index f) const { return Face_handle(&m_storage, f); }
+  Vertex_handle vertex_handle(Vertex_index v) const { return Vertex_handle(&m_storage, v); }
+  Face_handle face_handle(Face_index f) const { return Face_handle(&m_storage, f); }
 
   typename Storage::Vertex_properties& vertex_properties() { return m_storage.vertex_properties(); }
   typename Storage::Face_properties& face_properties() { return m_storage.face_properties(); }

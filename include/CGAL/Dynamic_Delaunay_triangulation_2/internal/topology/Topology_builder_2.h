@@ -67,7 +67,7 @@ public:
     m_point_ids.resize(vertices + std::size_t(1)); // the infinite vertex has no point
     m_points.resize(vertices + std::size_t(1));
     Parts::for_each(vertices, [&](std::size_t, std::size_t first, std::size_t beyond) {
-      for (Index v = Index(first) + 1; v <= beyond; ++v) {
+      for (Vertex_index v = Index(first) + 1; v <= beyond; ++v) {
         m_point_ids[v] = m_state.ids().representative(v);
         m_points[v] = m_state.point(v);
       }
@@ -82,19 +82,19 @@ public:
     std::vector<Index> point_ids = ids.representatives_and_duplicates();
     std::vector<Point> points;
     points.reserve(point_ids.size());
-    for (Index v = 1; v <= m_state.number_of_vertices(); ++v)
+    for (Vertex_index v = 1; v <= m_state.number_of_vertices(); ++v)
       points.push_back(m_state.point(v));
     for (const auto& duplicate : ids.duplicates())
       points.push_back(duplicate.point);
     number(std::move(point_ids), std::move(points), ids.number_of_ids(),
-           [&](Index id) { return ids.is_representative(id); });
+           [&](Point_id id) { return ids.is_representative(id); });
   }
 
   // The vertices, by their new numbers.
   const Spatial_order_2& order() const { return m_order; }
   // The results: the ids, and the point of each vertex.
   Ids& ids() { return m_ids; }
-  const Point& point(Index vertex) const { return m_points[m_place_of_vertex[vertex - 1]]; }
+  const Point& point(Vertex_index vertex) const { return m_points[m_place_of_vertex[vertex - 1]]; }
 
   // Free memory that is not needed any more: the points, the order, and all the rest. Throw
   // nothing.
@@ -172,8 +172,8 @@ private:
       ++representative;
     if (representative == beyond)
       representative = first;
-    const Index id = m_point_ids[m_order[representative]];
-    const Index vertex = m_ids.add_representative(id);
+    const Point_id id = m_point_ids[m_order[representative]];
+    const Vertex_index vertex = m_ids.add_representative(id);
     m_place_of_vertex.push_back(m_order[representative]);
     for (std::size_t i = first; i < beyond; ++i)
       if (i != representative)
@@ -227,7 +227,7 @@ public:
   {
     write_all_anew([&] {
       m_numbering.number(std::move(ids), std::move(points), number_of_ids,
-                         [&](Index id) { return keeps_vertex(id, m_topology.m_ids); });
+                         [&](Point_id id) { return keeps_vertex(id, m_topology.m_ids); });
       triangulate_numbered();
     });
   }
@@ -238,7 +238,7 @@ public:
   {
     try {
       Index number_of_ids = m_topology.m_ids.number_of_ids();
-      for (const Index id : coming_ids)
+      for (const Point_id id : coming_ids)
         number_of_ids = (std::max)(number_of_ids, id + 1);
       std::vector<Index> ids = ids_without(gone);
       std::vector<Point> points;
@@ -247,7 +247,7 @@ public:
         points = std::move(coming_points);
       } else {
         points.reserve(ids.size() + coming_ids.size());
-        for (const Index id : ids)
+        for (const Point_id id : ids)
           points.push_back(m_state.point_of_id(id));
         points.insert(points.end(), coming_points.begin(), coming_points.end());
         ids.insert(ids.end(), coming_ids.begin(), coming_ids.end());
@@ -318,7 +318,8 @@ public:
   {
     auto& visitor_calls = m_topology.m_visitor_calls;
     tell_of_faces_before();
-    for_each_vertex([&](Vertex_handle v, Index id) { visitor_calls.before_vertex_removal(v, id); });
+    for_each_vertex(
+        [&](Vertex_handle v, Point_id id) { visitor_calls.before_vertex_removal(v, id); });
     const int dimension = m_state.triangulation().dimension();
     set_dimension(other.triangulation().dimension());
     other.m_topology.m_triangulation.tds().set_dimension(dimension);
@@ -326,7 +327,8 @@ public:
     std::swap(m_topology.m_ids, other.m_topology.m_ids);
     std::swap(m_topology.m_changes, other.m_topology.m_changes);
     m_positions.exchange_all_but_points(other.m_positions);
-    for_each_vertex([&](Vertex_handle v, Index id) { visitor_calls.after_vertex_creation(v, id); });
+    for_each_vertex(
+        [&](Vertex_handle v, Point_id id) { visitor_calls.after_vertex_creation(v, id); });
     tell_of_faces_after();
   }
 
@@ -383,7 +385,7 @@ private:
   void for_each_face(const Function& f) const
   {
     if constexpr (State::Visitor_calls::is_heard)
-      for (Index face = 0; face < m_arrays.number_of_faces(); ++face)
+      for (Face_index face = 0; face < m_arrays.number_of_faces(); ++face)
         f(m_topology.face_handle(face));
   }
 
@@ -392,7 +394,7 @@ private:
   void for_each_vertex(const Function& f) const
   {
     if constexpr (State::Visitor_calls::is_heard)
-      for (Index v = 1; v <= m_state.number_of_vertices(); ++v)
+      for (Vertex_index v = 1; v <= m_state.number_of_vertices(); ++v)
         f(m_topology.vertex_handle(v), m_topology.m_ids.representative(v));
   }
 
@@ -400,7 +402,7 @@ private:
   void tell_of_going_vertices(const Ids& next_ids)
   {
     auto& visitor_calls = m_topology.m_visitor_calls;
-    for_each_vertex([&](Vertex_handle v, Index id) {
+    for_each_vertex([&](Vertex_handle v, Point_id id) {
       if (!next_ids.is_taken(id) || goes(id))
         visitor_calls.before_vertex_removal(v, id);
       else if (!next_ids.is_representative(id)) {
@@ -414,7 +416,7 @@ private:
   // Tells of the vertices that were not there when these ids were.
   void tell_of_new_vertices(const Ids& former_ids)
   {
-    for_each_vertex([&](Vertex_handle v, Index id) {
+    for_each_vertex([&](Vertex_handle v, Point_id id) {
       if (!keeps_vertex(id, former_ids))
         m_topology.m_visitor_calls.after_vertex_creation(v, id);
     });
@@ -426,10 +428,10 @@ private:
   {
     const auto& tds = triangulation.tds();
     std::vector<Index> waiting;
-    for (Index v = 1; v <= m_state.number_of_vertices(); ++v)
+    for (Vertex_index v = 1; v <= m_state.number_of_vertices(); ++v)
       if (!coincide(m_state.traits(), m_state.point(v), tds.vertex_handle(v)->point()))
         waiting.push_back(v);
-    const auto arrives = [&](Index v) {
+    const auto arrives = [&](Vertex_index v) {
       const Vertex_handle vertex = tds.vertex_handle(v);
       const bool arrived = triangulation.move_if_no_collision(vertex, m_state.point(v)) == vertex;
       relocated += arrived;
@@ -469,17 +471,17 @@ private:
     if (gone.empty())
       return ids;
     m_goes.assign(m_topology.m_ids.number_of_ids(), false);
-    for (const Index id : gone)
+    for (const Point_id id : gone)
       m_goes[id] = true;
-    ids.erase(std::remove_if(ids.begin(), ids.end(), [this](Index id) { return goes(id); }),
+    ids.erase(std::remove_if(ids.begin(), ids.end(), [this](Point_id id) { return goes(id); }),
               ids.end());
     return ids;
   }
 
   // Whether the point with this id is removed. A new point may get its id, but not its vertex.
-  bool goes(Index id) const { return id < m_goes.size() && m_goes[id]; }
+  bool goes(Point_id id) const { return id < m_goes.size() && m_goes[id]; }
 
-  bool keeps_vertex(Index id, const Ids& ids) const
+  bool keeps_vertex(Point_id id, const Ids& ids) const
   {
     return ids.is_taken(id) && ids.is_representative(id) && !goes(id);
   }
@@ -542,7 +544,7 @@ private:
     if constexpr (!Positions::points_are_two_doubles)
       positions.resize(vertices, nan_point());
     Parts::for_each(vertices - 1, [&](std::size_t, std::size_t first, std::size_t beyond) {
-      for (Index v = Index(first) + 1; v <= beyond; ++v) {
+      for (Vertex_index v = Index(first) + 1; v <= beyond; ++v) {
         const Point& p = m_numbering.point(v);
         const Position_2 position = approximation(p);
         points[v] = Arrays::stored(position, p);
@@ -561,9 +563,10 @@ private:
       return before;
     const Ids &ids = m_numbering.ids(), &present_ids = m_topology.m_ids;
     before.push_back(infinite_index);
-    for (Index v = 1; v <= ids.number_of_representatives(); ++v) {
-      const Index id = ids.representative(v);
-      before.push_back(keeps_vertex(id, present_ids) ? present_ids.vertex(id) : null_index);
+    for (Vertex_index v = 1; v <= ids.number_of_representatives(); ++v) {
+      const Point_id id = ids.representative(v);
+      before.push_back(keeps_vertex(id, present_ids) ? present_ids.vertex(id)
+                                                     : Vertex_index(null_index));
     }
     return before;
   }
@@ -595,10 +598,10 @@ private:
     const Index number = faces.number_of_faces();
     m_arrays.resize(m_state.number_of_vertices(), number);
     Parts::for_each(number, [&](std::size_t, std::size_t first, std::size_t beyond) {
-      for (Index f = Index(first); f < beyond; ++f)
+      for (Face_index f = Index(first); f < beyond; ++f)
         for (Index i = 0; i < 3; ++i) {
-          const Index h = Flat_faces_2::first_halfedge(f) + i;
-          m_arrays.set_apex_and_twin(3 * f + i, faces.apex(h),
+          const Halfedge_index h = Flat_faces_2::first_halfedge(f) + i;
+          m_arrays.set_apex_and_twin(Halfedge_arrays_2::halfedge_in(f, i), faces.apex(h),
                                      Flat_faces_2::number_in_arrays(faces.twin(h)));
         }
     });
@@ -620,7 +623,7 @@ private:
   {
     Triangulation line(m_state.traits());
     Face_handle last;
-    for (Index v = 1; v <= m_state.number_of_vertices(); ++v)
+    for (Vertex_index v = 1; v <= m_state.number_of_vertices(); ++v)
       last = line.insert(m_state.point(v), last)->face();
     take_arrays(line);
   }
@@ -646,11 +649,11 @@ private:
   // Restores the numbers of edges, and the corners.
   void restore_numbers(const Checkpoint_arrays_2<Point>& kept)
   {
-    for (Index e = 0; e < m_arrays.number_of_edges(); ++e) {
+    for (Edge_index e = 0; e < m_arrays.number_of_edges(); ++e) {
       m_arrays.set_edge(e, kept.forward_halfedges[e]);
       m_arrays.set_halfedge(e, kept.halfedges[e]);
     }
-    for (Index v = 0; v < m_arrays.number_of_vertices(); ++v)
+    for (Vertex_index v = 0; v < m_arrays.number_of_vertices(); ++v)
       m_arrays.set_corner(v, kept.corners[v]);
   }
 

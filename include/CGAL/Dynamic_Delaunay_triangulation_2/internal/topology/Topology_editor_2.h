@@ -29,7 +29,8 @@ namespace internal {
 // A directed edge on the boundary of a set of faces. The set is on its left.
 struct Boundary_edge_2
 {
-  Index source, target, halfedge;
+  Vertex_index source, target;
+  Halfedge_index halfedge;
 
   bool operator<(const Boundary_edge_2& other) const
   {
@@ -58,7 +59,7 @@ struct Patch_2
   {
     using Arrays = Halfedge_arrays_2;
     boundary.clear();
-    for (Index h = 0; h < Index(twins.size()); ++h)
+    for (Halfedge_index h = 0; h < Index(twins.size()); ++h)
       if (twins[h] == null_index)
         boundary.push_back({apexes[Arrays::next(h)], apexes[Arrays::previous(h)], h});
     std::sort(boundary.begin(), boundary.end());
@@ -130,7 +131,7 @@ public:
   // Refuses flips that would double an edge, because the vertices of an edge, on a torus with their
   // shifts, identify it. Among these are all flips at vertices of degree 3. Counterclockwise faces
   // at the edge do not exclude them, because other faces may overlap these.
-  bool can_flip(Index h) const { return m_editing.can_flip(h); }
+  bool can_flip(Halfedge_index h) const { return m_editing.can_flip(h); }
 
   // Exchanges the diagonal at half-edge h. If it throws, nothing has changed.
   //
@@ -139,7 +140,7 @@ public:
   //     |   \   |  -------->  |   /   |
   //     |  g  \ |             | /     |
   //     d ----- c             d ----- c
-  void flip(Index h)
+  void flip(Halfedge_index h)
   {
     m_editing.reserve(2);
     m_changes.new_edges.push_back(m_arrays.edge_of(h));
@@ -159,7 +160,8 @@ public:
     m_editing.reserve(2 * most);
     const auto flip_part = [&](std::size_t part) {
       Flips_of_part& flips = m_flips_of_parts[part];
-      f(part, [&](Index h) { return try_flip(topology, part, no_edge_doubles, h, flips); });
+      f(part,
+        [&](Halfedge_index h) { return try_flip(topology, part, no_edge_doubles, h, flips); });
     };
     const auto log = [&] {
       for (std::size_t part = 0; part < parts; ++part)
@@ -188,36 +190,39 @@ public:
     collect_inner_edges(old_faces);
     auto& new_edges = m_changes.new_edges;
     new_edges.insert(new_edges.end(), m_inner_edges.begin(), m_inner_edges.end());
-    for (const Index f : old_faces) // nothing throws from here on
+    for (const Face_index f : old_faces) // nothing throws from here on
       m_editing.before_face(f);
-    const auto global = [&](Index h) { return 3 * old_faces[h / 3] + h % 3; };
-    for (Index h = 0; h < Index(patch.apexes.size()); ++h)
+    const auto global = [&](Halfedge_index h) {
+      return Halfedge_arrays_2::halfedge_in(old_faces[Halfedge_arrays_2::face_of(h)],
+                                            Halfedge_arrays_2::place_of(h));
+    };
+    for (Halfedge_index h = 0; h < Index(patch.apexes.size()); ++h)
       m_arrays.set_apex(global(h), patch.apexes[h]);
-    for (Index h = 0; h < Index(patch.twins.size()); ++h)
+    for (Halfedge_index h = 0; h < Index(patch.twins.size()); ++h)
       if (patch.twins[h] != null_index && h < patch.twins[h])
         m_arrays.link(global(h), global(patch.twins[h]));
     for (std::size_t i = 0; i < outside.size(); ++i)
       m_arrays.link(global(patch.boundary[i].halfedge), outside[i]);
     auto edge = m_inner_edges.begin();
-    for (Index h = 0; h < Index(patch.twins.size()); ++h)
+    for (Halfedge_index h = 0; h < Index(patch.twins.size()); ++h)
       if (patch.twins[h] != null_index && h < patch.twins[h])
         m_arrays.set_edge(*edge++, global(h));
-    for (const Index h : outside)
+    for (const Halfedge_index h : outside)
       m_arrays.set_edge(m_arrays.edge_of(h), h);
-    for (const Index f : old_faces)
+    for (const Face_index f : old_faces)
       m_editing.after_face(f);
   }
 
   // Fetches what replace() will write: first these faces, some time later what they refer to.
   void prefetch(const std::vector<Index>& faces) const
   {
-    for (const Index f : faces)
-      m_arrays.prefetch_face(3 * f);
+    for (const Face_index f : faces)
+      m_arrays.prefetch_face(Halfedge_arrays_2::halfedge_in(f, 0));
   }
   void prefetch_edges(const std::vector<Index>& faces) const
   {
-    for (const Index f : faces)
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+    for (const Face_index f : faces)
+      for (const Halfedge_index h : Halfedge_arrays_2::halfedges_of(f))
         m_arrays.prefetch_edge(m_arrays.edge_of(h));
   }
 
@@ -226,9 +231,9 @@ public:
   // put one in, a face is split. Both work for any positions.
 
   // Fetches what take_out() will write around v.
-  void prefetch_around(Index v) const
+  void prefetch_around(Vertex_index v) const
   {
-    m_arrays.for_each_corner(v, [&](Index h) {
+    m_arrays.for_each_corner(v, [&](Halfedge_index h) {
       internal::prefetch(&m_state.positions()[m_arrays.source(h)]);
       m_arrays.prefetch_edge(m_arrays.edge_of(h));
       m_arrays.prefetch_edge(m_arrays.edge_of(Halfedge_arrays_2::next(h)));
@@ -243,7 +248,7 @@ public:
       internal::prefetch(&m_state.positions()[State::vertex_of(side.corner)]);
       m_arrays.prefetch_edge(side.edge);
     }
-    for (const Index e : polygon.edges())
+    for (const Edge_index e : polygon.edges())
       m_arrays.prefetch_edge(e);
   }
 
@@ -258,7 +263,7 @@ public:
   Slot remove(const Polygon& polygon)
   {
     return take_out(polygon, [&] {
-      const Index v = polygon.center();
+      const Vertex_index v = polygon.center();
       m_editing.before_vertex_removal(v);
       m_ids.remove_representative(m_ids.representative(v));
     });
@@ -273,7 +278,7 @@ public:
   // A face, and its frame as seen from the vertex that is put into it.
   struct Seen_face
   {
-    Index face;
+    Face_index face;
     Frame frame;
   };
 
@@ -298,11 +303,11 @@ public:
     if (!m_changes.everything_is_new) {
       new_edges.insert(new_edges.end(), slot.edges.begin(), slot.edges.end());
       m_arrays.for_each_corner(slot.vertex,
-                               [&](Index h) { new_edges.push_back(m_arrays.edge_of(h)); });
+                               [&](Halfedge_index h) { new_edges.push_back(m_arrays.edge_of(h)); });
     }
-    for (const Index e : slot.edges)
+    for (const Edge_index e : slot.edges)
       m_editing.after_edge(e);
-    for (const Index f : {place.face, slot.faces[0], slot.faces[1]})
+    for (const Face_index f : {Face_index(place.face), slot.faces[0], slot.faces[1]})
       m_editing.after_face(f);
   }
 
@@ -319,9 +324,9 @@ public:
     m_star_writer.write_star(polygon, corner_setter());
     m_changes.new_edges.insert(m_changes.new_edges.end(), polygon.edges().begin(),
                                polygon.edges().end());
-    for (const Index e : polygon.edges())
+    for (const Edge_index e : polygon.edges())
       m_editing.after_edge(e);
-    for (const Index f : polygon.faces())
+    for (const Face_index f : polygon.faces())
       m_editing.after_face(f);
   }
 
@@ -395,7 +400,7 @@ public:
   // Reserves the next ids, as given by `Point_ids_2::list_next_ids()`, for points to be inserted.
   // If it throws, nothing has changed. `release_id()` returns an id that was not used.
   void reserve_ids(const std::vector<Index>& ids) { m_ids.reserve(ids); }
-  void release_id(Index id) { m_ids.release(id); }
+  void release_id(Point_id id) { m_ids.release(id); }
 
   // Reserve memory. Then remove_duplicate(), place_duplicate(), put_in() and hand_points_to() throw
   // nothing.
@@ -407,9 +412,9 @@ public:
     m_editing.reserve(2 * number);
   }
 
-  void remove_duplicate(Index id) { m_ids.remove_duplicate(id); }
+  void remove_duplicate(Point_id id) { m_ids.remove_duplicate(id); }
 
-  void place_duplicate(Index id, Index vertex, const Point& p)
+  void place_duplicate(Point_id id, Vertex_index vertex, const Point& p)
   {
     m_ids.place_duplicate(id, vertex, p);
   }
@@ -417,7 +422,7 @@ public:
   // Puts the slot's vertex into a face or a polygon, for the point `id`, which is new or was a
   // duplicate.
   template <class Place>
-  void put_in_new(const Slot& slot, const Place& place, Index id)
+  void put_in_new(const Slot& slot, const Place& place, Point_id id)
   {
     m_ids.place_representative(id, slot.vertex);
     m_editing.after_vertex_creation(slot.vertex);
@@ -442,7 +447,7 @@ public:
 
   // Makes a duplicate at v the representative, so that v has its point. The representative becomes
   // a duplicate at p. If it throws, nothing has changed.
-  void exchange_representative(Index duplicate, Index v, const Point& p)
+  void exchange_representative(Index duplicate, Vertex_index v, const Point& p)
   {
     m_editing.reserve_for_id_change(v);
     const Index representative = m_ids.representative(v);
@@ -473,9 +478,9 @@ public:
   }
 
 private:
-  void move_representative(Index id, const Point& p)
+  void move_representative(Point_id id, const Point& p)
   {
-    const Index v = m_ids.vertex(id);
+    const Vertex_index v = m_ids.vertex(id);
     const Index successor = m_ids.duplicates().empty() || m_state.is_at(p, v)
                                 ? null_index
                                 : m_ids.find_duplicate_at(v, [&](const auto& duplicate) {
@@ -507,7 +512,8 @@ private:
 
   auto corner_setter()
   {
-    return [this](Index h, const typename State::Corner& c) { m_editing.set_corner(h, c); };
+    return
+        [this](Halfedge_index h, const typename State::Corner& c) { m_editing.set_corner(h, c); };
   }
 
   // `vacate()`, which must not throw, is called before the center leaves its faces, after the
@@ -521,14 +527,14 @@ private:
     reserve_extra(m_changes.new_edges, degree);
     m_editing.reserve(2 * degree);
     m_star_writer.reserve(polygon); // nothing throws from here on
-    for (const Index f : polygon.faces())
+    for (const Face_index f : polygon.faces())
       m_editing.before_face(f);
-    for (const Index e : polygon.edges())
+    for (const Edge_index e : polygon.edges())
       m_editing.before_edge(e);
     vacate();
     const Slot slot = m_star_writer.write_ears(polygon, corner_setter());
     m_star_writer.for_each_edge_of_ears(polygon,
-                                        [this](Index e) { m_changes.new_edges.push_back(e); });
+                                        [this](Edge_index e) { m_changes.new_edges.push_back(e); });
     for (std::size_t i = 0; i + 3 < degree; ++i)
       m_editing.after_edge(polygon.edges()[i]);
     for (std::size_t i = 0; i + 2 < degree; ++i)
@@ -545,9 +551,9 @@ private:
     m_empty_edges.clear();
     for (const Slot& slot : empty_slots) {
       m_empty_vertices.push_back(slot.vertex);
-      for (const Index f : slot.faces)
+      for (const Face_index f : slot.faces)
         m_empty_faces.push_back(f);
-      for (const Index e : slot.edges)
+      for (const Edge_index e : slot.edges)
         m_empty_edges.push_back(e);
     }
     for (std::vector<Index>* numbers : {&m_empty_vertices, &m_empty_faces, &m_empty_edges})
@@ -560,13 +566,13 @@ private:
   {
     auto& renumberings = m_changes.renumberings;
     const bool are_noted = !m_changes.everything_is_new;
-    for (const Index f : m_empty_faces) {
+    for (const Face_index f : m_empty_faces) {
       if (are_noted)
         renumberings.faces.note_move(m_arrays.number_of_faces() - 1, f);
       m_arrays.move_last_face_to(f);
       m_editing.move_last_face_data_to(f);
     }
-    for (const Index e : m_empty_edges) {
+    for (const Edge_index e : m_empty_edges) {
       const Index last = m_arrays.number_of_edges() - 1;
       if (are_noted)
         renumberings.edges.note_move(last, e);
@@ -574,7 +580,7 @@ private:
         note(last, e);
       m_arrays.move_last_edge_to(e);
     }
-    for (const Index v : m_empty_vertices) {
+    for (const Vertex_index v : m_empty_vertices) {
       if (are_noted)
         renumberings.vertices.note_move(m_state.number_of_vertices(), v);
       m_arrays.move_last_vertex_to(v);
@@ -589,9 +595,9 @@ private:
   void collect_inner_edges(const Index_set_2& faces)
   {
     m_inner_edges.clear();
-    for (const Index f : faces)
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (h < m_arrays.twin(h) && faces.contains(m_arrays.twin(h) / 3))
+    for (const Face_index f : faces)
+      for (const Halfedge_index h : Halfedge_arrays_2::halfedges_of(f))
+        if (h < m_arrays.twin(h) && faces.contains(Halfedge_arrays_2::face_of(m_arrays.twin(h))))
           m_inner_edges.push_back(m_arrays.edge_of(h));
   }
 
@@ -604,10 +610,10 @@ private:
     typename Editing::Log log;
   };
 
-  bool try_flip(const Topology_parts_2& topology, std::size_t part, bool no_edge_doubles, Index h,
-                Flips_of_part& flips)
+  bool try_flip(const Topology_parts_2& topology, std::size_t part, bool no_edge_doubles,
+                Halfedge_index h, Flips_of_part& flips)
   {
-    const Index e = m_arrays.edge_of(h);
+    const Edge_index e = m_arrays.edge_of(h);
     if (!topology.is_inside(part, e) || !(no_edge_doubles || can_flip(h)))
       return false;
     Editing::reserve(flips.log, 2);

@@ -46,9 +46,9 @@ public:
   }
 
   // The part of one of the vertices of edge e.
-  std::size_t part_of(Index e) const { return m_arrays.edge(e).source / m_vertices; }
+  std::size_t part_of(Edge_index e) const { return m_arrays.edge(e).source / m_vertices; }
 
-  bool is_inside(std::size_t part, Index e) const
+  bool is_inside(std::size_t part, Edge_index e) const
   {
     const Edge_2& edge = m_arrays.edge(e);
     return edge.source != edge.target && has_vertex(part, edge.source) &&
@@ -59,7 +59,7 @@ public:
   bool has_all(std::size_t part, std::initializer_list<Index> vertices) const
   {
     return std::all_of(vertices.begin(), vertices.end(),
-                       [&](Index v) { return has_vertex(part, v); });
+                       [&](Vertex_index v) { return has_vertex(part, v); });
   }
 
   // For a pass over a list of edges that asks part_of() and is_inside().
@@ -71,7 +71,7 @@ public:
   }
 
 private:
-  bool has_vertex(std::size_t part, Index v) const
+  bool has_vertex(std::size_t part, Vertex_index v) const
   {
     return v - part * m_vertices < m_vertices; // false if v is smaller: nothing is signed
   }

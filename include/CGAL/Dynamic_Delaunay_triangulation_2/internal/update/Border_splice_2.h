@@ -51,7 +51,7 @@ public:
     m_spliced.clear(bound);
     m_boundary_edges.clear();
     m_prepared.clear();
-    for (const Index v : classified)
+    for (const Vertex_index v : classified)
       if (!m_state.arrays().is_outside(v))
         m_inner.insert(v);
     m_number_of_classified = m_inner.size();
@@ -85,7 +85,7 @@ private:
   {
     const std::size_t size = m_inner.size();
     for (std::size_t i = 0; i < size; ++i)
-      m_state.arrays().for_each_neighbor(m_inner[i], [&](Index w) {
+      m_state.arrays().for_each_neighbor(m_inner[i], [&](Vertex_index w) {
         if (w != infinite_index)
           m_inner.insert(w);
       });
@@ -103,8 +103,9 @@ private:
       prefetch_following(editor);
       return Splice_result_2::DONE;
     }
-    m_cluster.collect(m_inner[i], any,
-                      [this](Index w) { return m_inner.contains(w) && !m_spliced.contains(w); });
+    m_cluster.collect(m_inner[i], any, [this](Vertex_index w) {
+      return m_inner.contains(w) && !m_spliced.contains(w);
+    });
     return m_cluster.make(limits);
   }
 
@@ -130,11 +131,11 @@ private:
       m_outside.push_back(m_state.arrays().twin(edge.halfedge));
       m_boundary_edges.push_back(m_state.arrays().edge_of(edge.halfedge));
     }
-    for (const Index v : m_cluster.cluster()) {
+    for (const Vertex_index v : m_cluster.cluster()) {
       m_spliced.insert(v);
       m_inner.insert(v);
     }
-    for (const Index v : m_cluster.border())
+    for (const Vertex_index v : m_cluster.border())
       m_border.insert(v);
     m_prepared.note_replaced(m_cluster.old_faces());
     editor.replace(m_cluster.old_faces(), m_cluster.new_faces(), m_outside);

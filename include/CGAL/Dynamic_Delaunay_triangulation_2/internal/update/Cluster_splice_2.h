@@ -54,12 +54,12 @@ public:
   // Starts a cluster at v with the vertices that are connected with it by some for which
   // `belongs()`. False if they are more than `most`.
   template <class Belongs>
-  bool collect(Index v, std::size_t most, const Belongs& belongs)
+  bool collect(Vertex_index v, std::size_t most, const Belongs& belongs)
   {
     m_cluster.clear(m_state.arrays().number_of_vertices());
     m_cluster.insert(v);
     for (std::size_t i = 0; i < m_cluster.size() && m_cluster.size() <= most; ++i)
-      m_state.arrays().for_each_neighbor(m_cluster[i], [&](Index w) {
+      m_state.arrays().for_each_neighbor(m_cluster[i], [&](Vertex_index w) {
         if (belongs(w))
           m_cluster.insert(w);
       });
@@ -145,16 +145,16 @@ private:
   void grow(bool doubles)
   {
     const std::size_t size = m_cluster.size();
-    for (const Index v : m_disagreeing)
+    for (const Vertex_index v : m_disagreeing)
       if (v != infinite_index)
         m_cluster.insert(v);
     if (m_cluster.size() == size || doubles)
-      for (const Index v : m_border)
+      for (const Vertex_index v : m_border)
         m_cluster.insert(v);
     for (std::size_t first = 0; doubles && m_cluster.size() < 2 * size;) {
       const std::size_t beyond = m_cluster.size();
       for (; first < beyond; ++first)
-        m_state.arrays().for_each_neighbor(m_cluster[first], [&](Index w) {
+        m_state.arrays().for_each_neighbor(m_cluster[first], [&](Vertex_index w) {
           if (w != infinite_index)
             m_cluster.insert(w);
         });
@@ -172,19 +172,19 @@ private:
     m_old_faces.clear(arrays.number_of_faces());
     m_border.clear(m_state.arrays().number_of_vertices());
     m_has_infinite_faces = false;
-    for (const Index v : m_cluster)
-      arrays.for_each_corner(v, [&](Index h) {
-        m_old_faces.insert(h / 3);
-        const Index w = arrays.source(h);
+    for (const Vertex_index v : m_cluster)
+      arrays.for_each_corner(v, [&](Halfedge_index h) {
+        m_old_faces.insert(Arrays::face_of(h));
+        const Vertex_index w = arrays.source(h);
         if (w == infinite_index)
           m_has_infinite_faces = true;
         else if (!m_cluster.contains(w))
           m_border.insert(w);
       });
     m_old_boundary.clear();
-    for (const Index f : m_old_faces)
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (!m_old_faces.contains(arrays.twin(h) / 3))
+    for (const Face_index f : m_old_faces)
+      for (const Halfedge_index h : Arrays::halfedges_of(f))
+        if (!m_old_faces.contains(Arrays::face_of(arrays.twin(h))))
           m_old_boundary.push_back({arrays.source(h), arrays.target(h), h});
     std::sort(m_old_boundary.begin(), m_old_boundary.end());
   }
@@ -208,20 +208,22 @@ private:
     m_new.clear();
     m_new_number.assign(faces.number_of_faces(), null_index);
     Index number = 0;
-    for (Index f = 0; f < faces.number_of_faces(); ++f) {
-      const Index h = Flat_faces_2::first_halfedge(f);
+    for (Face_index f = 0; f < faces.number_of_faces(); ++f) {
+      const Halfedge_index h = Flat_faces_2::first_halfedge(f);
       if (m_cluster.contains(faces.apex(h)) || m_cluster.contains(faces.apex(h + 1)) ||
           m_cluster.contains(faces.apex(h + 2)))
         m_new_number[f] = number++;
     }
-    for (Index f = 0; f < faces.number_of_faces(); ++f)
+    for (Face_index f = 0; f < faces.number_of_faces(); ++f)
       if (m_new_number[f] != null_index)
         for (Index i = 0; i < 3; ++i) {
-          const Index h = Flat_faces_2::first_halfedge(f) + i;
-          const Index g = Flat_faces_2::number_in_arrays(faces.twin(h));
-          const Index neighbor = m_new_number[g / 3];
+          const Halfedge_index h = Flat_faces_2::first_halfedge(f) + i;
+          const Halfedge_index g = Flat_faces_2::number_in_arrays(faces.twin(h));
+          const Index neighbor = m_new_number[Arrays::face_of(g)];
           m_new.apexes.push_back(faces.apex(h));
-          m_new.twins.push_back(neighbor == null_index ? null_index : 3 * neighbor + g % 3);
+          m_new.twins.push_back(neighbor == null_index
+                                    ? Halfedge_index(null_index)
+                                    : Arrays::halfedge_in(neighbor, Arrays::place_of(g)));
         }
     m_new.find_boundary();
   }
@@ -266,8 +268,8 @@ private:
   // it already. This is possible only where old faces overlap. Such vertices count as disagreeing.
   bool doubles_an_edge()
   {
-    for (Index h = 0; h < Index(m_new.twins.size()); ++h) {
-      const Index v = m_new.apexes[Arrays::next(h)], w = m_new.apexes[Arrays::previous(h)];
+    for (Halfedge_index h = 0; h < Index(m_new.twins.size()); ++h) {
+      const Vertex_index v = m_new.apexes[Arrays::next(h)], w = m_new.apexes[Arrays::previous(h)];
       if (m_new.twins[h] != null_index && v < w && !m_cluster.contains(v) &&
           !m_cluster.contains(w) && is_edge_outside(w, v)) {
         m_disagreeing.push_back(v);
@@ -278,16 +280,16 @@ private:
   }
 
   // Walks around v, which must be finite.
-  bool is_edge_outside(Index v, Index w)
+  bool is_edge_outside(Vertex_index v, Vertex_index w)
   {
     const Arrays& arrays = m_state.arrays();
     bool is_outside = false;
-    arrays.for_each_corner(v, [&](Index h) {
+    arrays.for_each_corner(v, [&](Halfedge_index h) {
       const Index beyond = arrays.twin(Arrays::previous(h));
-      m_looked_at.push_back(h / 3);
-      is_outside =
-          is_outside || (arrays.apex(Arrays::next(h)) == w &&
-                         !(m_old_faces.contains(h / 3) && m_old_faces.contains(beyond / 3)));
+      m_looked_at.push_back(Arrays::face_of(h));
+      is_outside = is_outside || (arrays.apex(Arrays::next(h)) == w &&
+                                  !(m_old_faces.contains(Arrays::face_of(h)) &&
+                                    m_old_faces.contains(Arrays::face_of(beyond))));
     });
     return is_outside;
   }

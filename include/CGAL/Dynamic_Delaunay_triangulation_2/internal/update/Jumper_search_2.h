@@ -45,7 +45,7 @@ public:
     });
     m_seen.clear(m_state.arrays().number_of_vertices());
     m_suspects.erase(std::remove_if(m_suspects.begin(), m_suspects.end(),
-                                    [this](Index v) { return !m_seen.insert(v); }),
+                                    [this](Vertex_index v) { return !m_seen.insert(v); }),
                      m_suspects.end());
     collect_from_parts(m_suspects.size(), m_jumpers, [&](std::size_t i, Work& work) {
       if (has_jumped(m_suspects[i], work))
@@ -60,13 +60,13 @@ public:
   {
     m_jumpers.clear();
     m_seen.clear(m_state.arrays().number_of_vertices());
-    for (const Index e : edges) {
+    for (const Edge_index e : edges) {
       const Edge_2 edge = m_state.edge(e);
       const std::array<Index, 4> vertices{edge.source, edge.target, edge.left, edge.right};
-      const auto is_taken = [this](Index v) { return m_seen.contains(v); };
+      const auto is_taken = [this](Vertex_index v) { return m_seen.contains(v); };
       if (std::any_of(vertices.begin(), vertices.end(), is_taken))
         continue;
-      const Index v = farthest_of(vertices);
+      const Vertex_index v = farthest_of(vertices);
       if (v != null_index && m_seen.insert(v))
         m_jumpers.push_back(v);
     }
@@ -74,12 +74,12 @@ public:
   }
 
   // Whether v has jumped, if no other vertex has moved. `false` if it has no finite neighbors.
-  bool has_jumped_alone(Index v) const
+  bool has_jumped_alone(Vertex_index v) const
   {
     const Position_2 place = m_state.previous_position(v);
     const double square = squared_distance(m_state.positions()[v], place);
     std::size_t neighbors = 0, passed = 0;
-    for_each_neighbor(v, [&](Index w, const Position_2& position) {
+    for_each_neighbor(v, [&](Vertex_index w, const Position_2& position) {
       const double squared_length = squared_distance(place, position);
       neighbors += w != infinite_index;
       passed += square > max_way * max_way * squared_length; // false for the infinite one
@@ -120,7 +120,7 @@ private:
     Work& work = m_works.front();
     work.x.clear();
     work.y.clear();
-    for (const Index v : vertices)
+    for (const Vertex_index v : vertices)
       if (v != infinite_index) {
         const Position_2 step = displacement(v);
         work.x.push_back(step.x);
@@ -129,7 +129,7 @@ private:
     const Position_2 usual{quantile(work.x, 2), quantile(work.y, 2)};
     Index farthest = null_index;
     double longest = 0;
-    for (const Index v : vertices)
+    for (const Vertex_index v : vertices)
       if (v != infinite_index) {
         const Position_2 relative = displacement(v) - usual;
         const double length = dot(relative, relative);
@@ -149,12 +149,12 @@ private:
 
   // Lists those vertices that moved differently from each of the others, and not just a little. At
   // 100,000 points, reading these scattered data takes most of the search.
-  void look_at(Index e, std::vector<Index>& suspects) const
+  void look_at(Edge_index e, std::vector<Index>& suspects) const
   {
     std::array<Index, 4> vertices;
     std::array<Position_2, 4> places, steps;
     std::size_t size = 0;
-    const auto add = [&](Index v, const Position_2& position) {
+    const auto add = [&](Vertex_index v, const Position_2& position) {
       if (v == infinite_index)
         return;
       vertices[size] = v;
@@ -184,7 +184,7 @@ private:
     }
   }
 
-  bool has_jumped(Index v, Work& work) const
+  bool has_jumped(Vertex_index v, Work& work) const
   {
     collect_neighbors(v, work);
     if (work.squared_lengths.empty())
@@ -202,36 +202,36 @@ private:
     if (i + 2 * ahead < edges.size())
       prefetch(&m_state.arrays().edge(edges[i + 2 * ahead]));
     if (i + ahead < edges.size())
-      for_each_vertex(edges[i + ahead], [this](Index v) { m_state.prefetch_positions(v); });
+      for_each_vertex(edges[i + ahead], [this](Vertex_index v) { m_state.prefetch_positions(v); });
   }
 
   template <class Function>
-  void for_each_vertex(Index e, const Function& f) const
+  void for_each_vertex(Edge_index e, const Function& f) const
   {
     const Edge_2& edge = m_state.arrays().edge(e);
-    for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+    for (const Vertex_index v : {edge.source, edge.target, edge.left, edge.right})
       f(v);
   }
 
   // Calls f(w, position) for every neighbor w of v, with its position as seen from v.
   template <class Function>
-  void for_each_neighbor(Index v, const Function& f) const
+  void for_each_neighbor(Vertex_index v, const Function& f) const
   {
     using Arrays = Halfedge_arrays_2;
-    m_state.arrays().for_each_corner(v, [&](Index h) {
+    m_state.arrays().for_each_corner(v, [&](Halfedge_index h) {
       const auto corner = m_state.corner_in(Arrays::next(h), m_state.frame_at(h));
       f(State::vertex_of(corner), m_state.rounded_position(corner));
     });
   }
 
   // Collects how far each neighbor moved, and its distance from v in the last frame.
-  void collect_neighbors(Index v, Work& work) const
+  void collect_neighbors(Vertex_index v, Work& work) const
   {
     work.x.clear();
     work.y.clear();
     work.squared_lengths.clear();
     const Position_2 place = m_state.previous_position(v);
-    for_each_neighbor(v, [&](Index w, const Position_2& position) {
+    for_each_neighbor(v, [&](Vertex_index w, const Position_2& position) {
       if (w == infinite_index)
         return;
       const Position_2 step = displacement(w);
@@ -242,7 +242,7 @@ private:
     });
   }
 
-  Position_2 displacement(Index v) const
+  Position_2 displacement(Vertex_index v) const
   {
     return m_state.positions()[v] - m_state.previous_position(v);
   }

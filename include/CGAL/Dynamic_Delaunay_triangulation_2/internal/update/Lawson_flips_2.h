@@ -49,11 +49,11 @@ public:
 
   // Flips around v, which was put into a face. Leaves in `open` what it could not prove.
   template <class State, class Editor>
-  std::size_t run_around(const State& state, Editor& editor, Index v, std::vector<Index>& open,
-                         std::size_t most)
+  std::size_t run_around(const State& state, Editor& editor, Vertex_index v,
+                         std::vector<Index>& open, std::size_t most)
   {
     open.clear();
-    state.arrays().for_each_corner(v, [&](Index h) {
+    state.arrays().for_each_corner(v, [&](Halfedge_index h) {
       open.push_back(state.arrays().edge_of(h));
       open.push_back(state.arrays().edge_of(Halfedge_arrays_2::previous(h)));
     });
@@ -75,7 +75,7 @@ private:
                             bool faces_tile_hull, std::size_t limit)
   {
     std::size_t flips = 0;
-    const auto try_flip = [&](Index h) {
+    const auto try_flip = [&](Halfedge_index h) {
       const bool is_right = faces_tile_hull || editor.can_flip(h);
       if (is_right)
         editor.flip(h);
@@ -165,7 +165,7 @@ private:
         prefetch_stretch(state, work.seeds, i);
       work.touched.push_back(work.seeds[i]);
       while (!work.touched.empty() && work.flips < limit) {
-        const Index e = work.touched.back();
+        const Edge_index e = work.touched.back();
         work.touched.pop_back();
         work.flips += examine(state, e, try_flip, work);
       }
@@ -176,7 +176,7 @@ private:
 
   // Flips e if a flip may help and is possible. Otherwise adds e to `open`, unless it is Delaunay.
   template <class State, class Try_flip>
-  static bool examine(const State& state, Index e, const Try_flip& try_flip, Work& work)
+  static bool examine(const State& state, Edge_index e, const Try_flip& try_flip, Work& work)
   {
     const Edge_state_2 verdict = typename State::Edge_test(state).state(e);
     if (verdict == Edge_state_2::DELAUNAY)
@@ -191,7 +191,7 @@ private:
     // the old diagonal, so it is Delaunay as soon as its faces, and thus its sides, are proved.
     if (verdict == Edge_state_2::INVERTED)
       work.touched.push_back(e);
-    arrays.for_each_side(e, [&](Index side) { work.touched.push_back(side); });
+    arrays.for_each_side(e, [&](Edge_index side) { work.touched.push_back(side); });
     return true;
   }
 
@@ -210,15 +210,15 @@ private:
       for (std::size_t i = first; i < beyond; ++i)
         f(seeds[i]);
     };
-    for_each_seed([&](Index e) { arrays.prefetch_edge(e); });
-    for_each_seed([&](Index e) {
+    for_each_seed([&](Edge_index e) { arrays.prefetch_edge(e); });
+    for_each_seed([&](Edge_index e) {
       arrays.prefetch_face_at(e);
       prefetch_corners(arrays.edge(e), positions);
     });
-    for_each_seed([&](Index e) { arrays.prefetch_face_beyond(e); });
-    for_each_seed([&](Index e) { arrays.prefetch_around(e); });
-    for_each_seed([&](Index e) {
-      arrays.for_each_side(e, [&](Index side) {
+    for_each_seed([&](Edge_index e) { arrays.prefetch_face_beyond(e); });
+    for_each_seed([&](Edge_index e) { arrays.prefetch_around(e); });
+    for_each_seed([&](Edge_index e) {
+      arrays.for_each_side(e, [&](Edge_index side) {
         prefetch(positions + arrays.edge(side).left);
         prefetch(positions + arrays.edge(side).right);
       });

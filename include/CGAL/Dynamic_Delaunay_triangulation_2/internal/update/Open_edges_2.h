@@ -57,8 +57,8 @@ public:
       return;
     }
     const Dynamic_frame_2<State> frame(state);
-    for (const Index v : classification.whole_vertices())
-      frame.for_each_incident_edge(v, [this](Index e) { m_uncertain.push_back(e); });
+    for (const Vertex_index v : classification.whole_vertices())
+      frame.for_each_incident_edge(v, [this](Edge_index e) { m_uncertain.push_back(e); });
     const auto& edges = classification.edges();
     const auto illegal = edges.end() - std::ptrdiff_t(classification.number_of_illegal_edges());
     m_uncertain.insert(m_uncertain.end(), edges.begin(), illegal);
@@ -77,7 +77,7 @@ public:
     for (; i < new_edges.size(); ++i)
       if (!arrays.is_empty_edge(new_edges[i])) {
         m_opened_last.insert(new_edges[i]);
-        arrays.for_each_side(new_edges[i], [this](Index e) { m_opened_last.insert(e); });
+        arrays.for_each_side(new_edges[i], [this](Edge_index e) { m_opened_last.insert(e); });
       }
     using Parts = typename State::Parts;
     constexpr std::size_t least = (std::max)(Parts::usual_size / 4, std::size_t(1));
@@ -125,7 +125,7 @@ public:
   {
     open_illegal();
     make_distinct(m_uncertain);
-    const auto is_empty = [&](Index e) { return state.arrays().is_empty_edge(e); };
+    const auto is_empty = [&](Edge_index e) { return state.arrays().is_empty_edge(e); };
     m_uncertain.erase(std::remove_if(m_uncertain.begin(), m_uncertain.end(), is_empty),
                       m_uncertain.end());
   }
@@ -138,14 +138,15 @@ public:
     constexpr std::size_t least = (std::max)(Parts::usual_size / 64, std::size_t(1));
     const Dynamic_frame_2<State> frame(state);
     std::vector<Index> vertices;
-    for_each_uncertain_vertex(state, [&](Index v) { vertices.push_back(v); });
+    for_each_uncertain_vertex(state, [&](Vertex_index v) { vertices.push_back(v); });
     make_distinct(vertices); // one vertex may be at many of these edges, and have many others
     std::vector<std::vector<Index>> edges(Parts::number(vertices.size(), least));
-    Parts::for_each(
-        vertices.size(), least, [&](std::size_t part, std::size_t i, std::size_t beyond) {
-          for (; i < beyond; ++i)
-            frame.for_each_edge_that_sees(vertices[i], [&](Index e) { edges[part].push_back(e); });
-        });
+    Parts::for_each(vertices.size(), least,
+                    [&](std::size_t part, std::size_t i, std::size_t beyond) {
+                      for (; i < beyond; ++i)
+                        frame.for_each_edge_that_sees(
+                            vertices[i], [&](Edge_index e) { edges[part].push_back(e); });
+                    });
     for (const std::vector<Index>& list : edges)
       m_uncertain.insert(m_uncertain.end(), list.begin(), list.end());
     make_distinct(m_uncertain);
@@ -163,9 +164,9 @@ public:
   template <class State, class Function>
   void for_each_uncertain_vertex(const State& state, const Function& f) const
   {
-    for (const Index e : m_uncertain) {
+    for (const Edge_index e : m_uncertain) {
       const Edge_2 edge = state.edge(e);
-      for (const Index v : {edge.source, edge.target, edge.left, edge.right})
+      for (const Vertex_index v : {edge.source, edge.target, edge.left, edge.right})
         if (v != infinite_index)
           f(v);
     }

@@ -30,7 +30,7 @@ public:
   void run(const std::vector<Index>& classified, unsigned padding)
   {
     m_vertices.clear(m_state.arrays().number_of_vertices());
-    for (const Index v : classified)
+    for (const Vertex_index v : classified)
       if (!m_state.arrays().is_outside(v))
         m_vertices.insert(v);
     m_number_of_classified = m_vertices.size();
@@ -50,7 +50,8 @@ private:
   {
     const std::size_t size = m_vertices.size();
     for (std::size_t i = 0; i < size; ++i)
-      m_state.arrays().for_each_neighbor(m_vertices[i], [&](Index w) { m_vertices.insert(w); });
+      m_state.arrays().for_each_neighbor(m_vertices[i],
+                                         [&](Vertex_index w) { m_vertices.insert(w); });
   }
 
   std::vector<Index> part(std::size_t first, std::size_t beyond) const

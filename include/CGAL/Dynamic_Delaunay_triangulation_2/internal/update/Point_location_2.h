@@ -23,12 +23,13 @@ namespace internal {
 template <class State>
 struct Place_2
 {
-  Index face = null_index;
+  Face_index face = null_index;
   typename State::Frame frame{}; // of the face, as seen from the point
-  Index vertex = null_index;
-  Index edge = null_index; // on a torus, a half-edge of the face that the point is on, if any
-  Index steps = 0;         // of the walk to find it
-  bool is_inside = false;  // strictly inside of a finite face
+  Vertex_index vertex = null_index;
+  Halfedge_index edge =
+      null_index;         // on a torus, a half-edge of the face that the point is on, if any
+  Index steps = 0;        // of the walk to find it
+  bool is_inside = false; // strictly inside of a finite face
 };
 
 // Jump and walk (Mücke, Saias and Zhu, 1999): walks from the nearest of some vertices through
@@ -52,14 +53,14 @@ public:
 
   // Locates vertex v, which is in no face. `nearby` is a finite vertex in some face. The numbers of
   // the vertices around v are expected to differ from its number by at most `spread`.
-  Place locate(Index v, Index nearby, Index spread) const
+  Place locate(Vertex_index v, Vertex_index nearby, Index spread) const
   {
     const Arrays& arrays = m_state.arrays();
     const Index start = arrays.corner(nearest(v, nearby, spread));
     Place place;
     place.face = Arrays::face_of(start);
     place.frame = m_state.frame_seen_from(v, start);
-    Index h = way_out(place, v);
+    Halfedge_index h = way_out(place, v);
     while (h != null_index && may_go_on(++place.steps)) {
       const Index entry = arrays.twin(h);
       place.frame = m_state.frame_beyond(h, place.frame);
@@ -77,7 +78,7 @@ private:
   // cube root of n vertices, evenly spread over the numbers. Then searches around the best one at
   // ever smaller steps of the numbers, which follow a curve through the plane. At 100,000 points
   // the second search takes as long as two steps of the walk, and saves some forty.
-  Index nearest(Index v, Index nearby, Index spread) const
+  Index nearest(Vertex_index v, Vertex_index nearby, Index spread) const
   {
     const Index vertices = m_state.number_of_vertices();
     Index samples = 1;
@@ -105,7 +106,7 @@ private:
     double squared_distance;
   };
 
-  void consider(Index w, Nearest& best) const
+  void consider(Vertex_index w, Nearest& best) const
   {
     const double square = m_state.rounded_squared_distance(best.of, w);
     if (square < best.squared_distance && !m_state.arrays().is_outside(w)) {
@@ -119,7 +120,7 @@ private:
     return !State::can_locate_anywhere || steps < m_state.arrays().number_of_faces();
   }
 
-  Index any_face_with(Index v, Index otherwise) const
+  Index any_face_with(Vertex_index v, Index otherwise) const
   {
     const Arrays& arrays = m_state.arrays();
     Place place;
@@ -130,14 +131,14 @@ private:
   }
 
   // The edge of the place's face that separates it from v; `null_index` if v is in it.
-  Index way_out(const Place& place, Index v) const
+  Halfedge_index way_out(const Place& place, Vertex_index v) const
   {
     const Arrays& arrays = m_state.arrays();
-    const Index first = 3 * place.face;
-    for (Index h = first; h < first + 3; ++h) // an infinite face has one finite edge
+    const Halfedge_index first = Arrays::halfedge_in(place.face, 0);
+    for (Halfedge_index h = first; h < first + 3; ++h) // an infinite face has one finite edge
       if (arrays.apex(h) == infinite_index)
-        return orientation(h, place.frame, v) == LEFT_TURN ? null_index : h;
-    for (Index h = first; h < first + 3; ++h)
+        return orientation(h, place.frame, v) == LEFT_TURN ? Halfedge_index(null_index) : h;
+    for (Halfedge_index h = first; h < first + 3; ++h)
       if (orientation(h, place.frame, v) == RIGHT_TURN)
         return h;
     return null_index;
@@ -146,19 +147,19 @@ private:
   // The edge through which to leave the face of half-edge `entry`, which has v strictly on its
   // left. `turn` determines which edge is tested first: always preferring the same one can cause
   // detours.
-  Index way_on(Index entry, const Frame& frame, Index v, bool turn) const
+  Halfedge_index way_on(Halfedge_index entry, const Frame& frame, Vertex_index v, bool turn) const
   {
     if (m_state.arrays().apex(entry) == infinite_index)
       return null_index;
-    const Index next = Arrays::next(entry), previous = Arrays::previous(entry);
-    const Index first = turn ? next : previous, second = turn ? previous : next;
+    const Halfedge_index next = Arrays::next(entry), previous = Arrays::previous(entry);
+    const Halfedge_index first = turn ? next : previous, second = turn ? previous : next;
     if (orientation(first, frame, v) == RIGHT_TURN)
       return first;
-    return orientation(second, frame, v) == RIGHT_TURN ? second : null_index;
+    return orientation(second, frame, v) == RIGHT_TURN ? second : Halfedge_index(null_index);
   }
 
   // Of v and the ends of half-edge h.
-  Orientation orientation(Index h, const Frame& frame, Index v) const
+  Orientation orientation(Halfedge_index h, const Frame& frame, Vertex_index v) const
   {
     return m_predicates.orientation(m_state.corner_in(Arrays::next(h), frame),
                                     m_state.corner_in(Arrays::previous(h), frame),
@@ -166,19 +167,19 @@ private:
   }
 
   // Finds out where in its face v is.
-  void complete(Place& place, Index v) const
+  void complete(Place& place, Vertex_index v) const
   {
     const Arrays& arrays = m_state.arrays();
-    const Index first = 3 * place.face;
+    const Halfedge_index first = Arrays::halfedge_in(place.face, 0);
     const auto corners = arrays.face(place.face);
     const bool is_finite =
         std::find(corners.begin(), corners.end(), infinite_index) == corners.end();
     place.is_inside = is_finite;
-    for (Index h = first; h < first + 3 && place.is_inside; ++h)
+    for (Halfedge_index h = first; h < first + 3 && place.is_inside; ++h)
       place.is_inside = orientation(h, place.frame, v) == LEFT_TURN;
     if (place.is_inside)
       return;
-    for (Index h = first; h < first + 3; ++h) {
+    for (Halfedge_index h = first; h < first + 3; ++h) {
       if (arrays.apex(h) != infinite_index &&
           m_predicates.coincide(State::corner_of(v), m_state.corner_in(h, place.frame)))
         place.vertex = arrays.apex(h);

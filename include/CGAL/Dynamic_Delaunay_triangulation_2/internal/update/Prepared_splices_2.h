@@ -98,7 +98,7 @@ public:
   {
     if (!is_anything_left())
       return;
-    for (const Index f : faces)
+    for (const Face_index f : faces)
       m_replaced.insert(f);
   }
 
@@ -143,23 +143,24 @@ private:
   }
 
   // Collects the cluster of v. False if it is too large, or met one that was.
-  bool collect(Part& part, Index v, const Index_set_2& inner, const Index_set_2& spliced) const
+  bool collect(Part& part, Vertex_index v, const Index_set_2& inner,
+               const Index_set_2& spliced) const
   {
     bool is_whole = true;
-    const auto belongs = [&](Index w) {
+    const auto belongs = [&](Vertex_index w) {
       const bool is_inner = inner.contains(w) && !spliced.contains(w);
       is_whole = is_whole && !(is_inner && part.seen.contains(w));
       return is_inner && is_whole;
     };
     is_whole = part.splice->collect(v, most_vertices, belongs) && is_whole;
-    for (const Index w : part.splice->cluster())
+    for (const Vertex_index w : part.splice->cluster())
       part.seen.insert(w);
     return is_whole;
   }
 
   bool is_fresh(const Record& record) const
   {
-    const auto is_replaced = [this](Index f) { return m_replaced.contains(f); };
+    const auto is_replaced = [this](Face_index f) { return m_replaced.contains(f); };
     const auto is_any_replaced = [&](const std::vector<Index>& faces) {
       return std::any_of(faces.begin(), faces.end(), is_replaced);
     };

@@ -111,11 +111,11 @@ public:
     m_jumper = jumper;
     if (jumper != null_index)
       Dynamic_frame_2<State>(m_state).for_each_edge_that_sees(
-          jumper, [this](Index e) { m_open.uncertain().push_back(e); });
+          jumper, [this](Edge_index e) { m_open.uncertain().push_back(e); });
   }
 
   // Whether this vertex has to be taken out, if it is the only one that has moved.
-  bool has_jumped_alone(Index v) const { return m_jumpers.has_jumped_alone(v); }
+  bool has_jumped_alone(Vertex_index v) const { return m_jumpers.has_jumped_alone(v); }
 
   // Removes the points with these ids. False if some of them are left, which is so only in a torus
   // of few vertices; then a rebuild has to leave them out.
@@ -130,9 +130,9 @@ public:
     const bool are_gone = m_relocation.remove_rest();
     if (m_relocation.has_rest())
       m_open.open_new_edges(m_state, first_new);
-    for (const Index v : moved)
+    for (const Vertex_index v : moved)
       Dynamic_frame_2<State>(m_state).for_each_edge_that_sees(
-          v, [this](Index e) { m_open.uncertain().push_back(e); });
+          v, [this](Edge_index e) { m_open.uncertain().push_back(e); });
     return are_gone;
   }
 
@@ -143,7 +143,7 @@ public:
   {
     if (jumpers.size() > max_taken_out())
       return;
-    for (const Index v : jumpers)
+    for (const Vertex_index v : jumpers)
       if (can_spare(1))
         m_relocation.take_out_of_delaunay(v);
   }
@@ -176,7 +176,7 @@ public:
                    Repair_budget_2::relocation);
     std::size_t steps_before = 0;
     const auto most_faces = [&] { return is_delaunay ? most_flips() + 1 : 0; };
-    const auto end = [&](Index v, std::size_t steps, std::size_t faces) {
+    const auto end = [&](Vertex_index v, std::size_t steps, std::size_t faces) {
       m_budget.spend(Repair_budget_2::relocation / 2 +
                      Repair_budget_2::step_of_a_walk * (steps - steps_before));
       steps_before = steps;
@@ -324,7 +324,7 @@ public:
   void splice_inverted(unsigned padding)
   {
     std::vector<Index> vertices;
-    m_open.for_each_uncertain_vertex(m_state, [&](Index v) { vertices.push_back(v); });
+    m_open.for_each_uncertain_vertex(m_state, [&](Vertex_index v) { vertices.push_back(v); });
     constexpr std::size_t max_enlargements = 3; // beyond it, padding or a vertex less does better
     if constexpr (!State::can_splice) {
       if (padding > 0 || !put_in_farthest_anew())
@@ -377,7 +377,7 @@ private:
   bool hull_turns_once() const
   {
     const Change_log_2& changes = m_state.changes();
-    const auto is_at_hull = [this](Index e) { return m_state.is_at_infinity(e); };
+    const auto is_at_hull = [this](Edge_index e) { return m_state.is_at_infinity(e); };
     return (m_hull_stays && !changes.everything_is_new &&
             std::none_of(changes.new_edges.begin(), changes.new_edges.end(), is_at_hull)) ||
            Dynamic_frame_2<State>(m_state).hull_turns_once();
@@ -494,7 +494,7 @@ private:
   }
 
   // Flips around a vertex that was put in.
-  void settle(Index v)
+  void settle(Vertex_index v)
   {
     std::size_t flips = m_lawson.run_around(m_state, m_editor, v, m_around, most_flips());
     for (std::size_t more = flips; !State::can_locate_anywhere && more > 0 && !m_around.empty();) {
@@ -564,7 +564,7 @@ private:
       return rebuild(Rebuild_reason_2::COINCIDENCE);
     m_open.reopen(m_state, m_splice.boundary_edges());
     std::vector<Index> candidates = m_splice.region();
-    m_open.for_each_uncertain_vertex(m_state, [&](Index v) { candidates.push_back(v); });
+    m_open.for_each_uncertain_vertex(m_state, [&](Vertex_index v) { candidates.push_back(v); });
     make_distinct(candidates);
     const std::size_t first_new = m_state.changes().new_edges.size();
     const std::size_t merged =
@@ -591,8 +591,8 @@ private:
     m_report->padded += m_padded.size();
     m_report->border += m_border.size();
     const Dynamic_frame_2<State> frame(m_state);
-    for (const Index v : m_splice.inner())
-      frame.for_each_edge_that_sees(v, [this](Index e) { m_open.uncertain().push_back(e); });
+    for (const Vertex_index v : m_splice.inner())
+      frame.for_each_edge_that_sees(v, [this](Edge_index e) { m_open.uncertain().push_back(e); });
     make_distinct(m_open.uncertain());
     flip();
     if (has_inverted_edges())
@@ -638,7 +638,7 @@ private:
   {
     std::vector<Index> ids;
     std::vector<Point> points;
-    m_relocation.for_each_coming([&](Index id, const Point& p) {
+    m_relocation.for_each_coming([&](Point_id id, const Point& p) {
       ids.push_back(id);
       points.push_back(p);
     });

@@ -202,7 +202,7 @@ private:
   {
     std::vector<Index> jumpers = input.find_jumpers();
     std::sort(gone.begin(), gone.end());
-    const auto is_gone = [&](Index v) {
+    const auto is_gone = [&](Vertex_index v) {
       return std::binary_search(gone.begin(), gone.end(), m_state.ids().representative(v));
     };
     jumpers.erase(std::remove_if(jumpers.begin(), jumpers.end(), is_gone), jumpers.end());
@@ -235,7 +235,7 @@ private:
     const auto& ids = m_state.ids();
     const auto representatives =
         std::size_t(std::count_if(change.gone.begin(), change.gone.end(),
-                                  [&](Index id) { return ids.is_representative(id); }));
+                                  [&](Point_id id) { return ids.is_representative(id); }));
     return m_state.number_of_vertices() < State::min_vertices + representatives;
   }
 
@@ -257,8 +257,8 @@ private:
     const Frame frame(m_state);
     const std::size_t edges = frame.number_of_edges();
     const auto is_half_broken = [](const Sample& few) { return 2 * few.broken >= few.size; };
-    const auto is_not_delaunay = [&](Index e) { return !frame.is_delaunay(e); };
-    const auto is_unproved = [&](Index e) {
+    const auto is_not_delaunay = [&](Edge_index e) { return !frame.is_delaunay(e); };
+    const auto is_unproved = [&](Edge_index e) {
       return !frame.is_at_infinity(e) && !frame.proves_delaunay(e);
     };
     // the filter alone first, because every frame pays for it
@@ -298,7 +298,7 @@ private:
       m_tools.rebuild(reason);
     } else {
       m_tools.relocation().give_up(); // of points that were removed already
-      const auto is_gone = [this](Index id) { return !m_state.ids().is_taken(id); };
+      const auto is_gone = [this](Point_id id) { return !m_state.ids().is_taken(id); };
       change.gone.erase(std::remove_if(change.gone.begin(), change.gone.end(), is_gone),
                         change.gone.end());
       m_tools.builder().build_with(change.gone, std::move(change.coming),
@@ -343,9 +343,9 @@ private:
   {
     const Frame frame(m_state);
     m_edges_around.clear();
-    for (const Index id : ids)
+    for (const Point_id id : ids)
       frame.for_each_edge_that_sees(frame.vertex(id),
-                                    [&](Index e) { m_edges_around.push_back(e); });
+                                    [&](Edge_index e) { m_edges_around.push_back(e); });
     if (ids.size() > 1)
       make_distinct(m_edges_around);
     m_tools.classification().add_unless_delaunay(frame, m_edges_around);
@@ -356,16 +356,16 @@ private:
   {
     if (ids.size() != 1)
       return null_index;
-    const Index v = m_state.ids().vertex(ids.front());
-    return m_tools.has_jumped_alone(v) ? v : null_index;
+    const Vertex_index v = m_state.ids().vertex(ids.front());
+    return m_tools.has_jumped_alone(v) ? v : Vertex_index(null_index);
   }
 
   bool is_any_on_hull(const std::vector<Index>& ids) const
   {
-    const auto is_on_hull = [&](Index id) {
+    const auto is_on_hull = [&](Point_id id) {
       bool sees_infinity = false;
-      m_state.arrays().for_each_neighbor(m_state.ids().vertex(id),
-                                         [&](Index w) { sees_infinity |= w == infinite_index; });
+      m_state.arrays().for_each_neighbor(
+          m_state.ids().vertex(id), [&](Vertex_index w) { sees_infinity |= w == infinite_index; });
       return sees_infinity;
     };
     return std::any_of(ids.begin(), ids.end(), is_on_hull);

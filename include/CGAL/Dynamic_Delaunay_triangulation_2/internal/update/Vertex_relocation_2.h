@@ -92,7 +92,7 @@ public:
 
   // Takes v out, to be put in again at its present position. False, with nothing done, if its faces
   // cannot be replaced: in a torus of few vertices these meet images of themselves.
-  bool take_out(Index v)
+  bool take_out(Vertex_index v)
   {
     reserve_for_slot();
     const bool can_go = triangulate_anyhow_without(v);
@@ -103,7 +103,7 @@ public:
 
   // Takes v out if everything is Delaunay, except that v may have moved, and if it is known how to
   // leave everything so. False if not: then nothing is done.
-  bool take_out_of_delaunay(Index v)
+  bool take_out_of_delaunay(Vertex_index v)
   {
     reserve_for_slot();
     const bool is_known = triangulate_as_delaunay_without(v);
@@ -122,9 +122,9 @@ public:
     std::vector<Index> moved;
     m_editor.reserve_for_removals(ids.size());
     m_rest.clear();
-    for (const Index id : ids)
+    for (const Point_id id : ids)
       remove(id, are_delaunay, moved);
-    const auto is_outside = [this](Index v) { return m_state.arrays().is_outside(v); };
+    const auto is_outside = [this](Vertex_index v) { return m_state.arrays().is_outside(v); };
     moved.erase(std::remove_if(moved.begin(), moved.end(), is_outside), moved.end());
     return moved;
   }
@@ -133,7 +133,7 @@ public:
   // take_out(); then it and those after it stay.
   bool remove_rest()
   {
-    for (const Index v : m_rest) {
+    for (const Vertex_index v : m_rest) {
       reserve_for_slot();
       if (!triangulate_anyhow_without(v))
         return false;
@@ -151,7 +151,7 @@ public:
     const auto& ids = m_state.ids();
     m_meeting_order.sort(vertices.begin(), vertices.end());
     std::vector<std::pair<Index, Index>> pairs;
-    m_meeting_order.for_each_coincident_pair([&](Index v, Index w) {
+    m_meeting_order.for_each_coincident_pair([&](Vertex_index v, Vertex_index w) {
       pairs.emplace_back(ids.representative(v), ids.representative(w));
     });
     constexpr std::size_t min_vertices = 3;
@@ -194,9 +194,9 @@ public:
       const std::size_t i = m_order[k];
       const std::size_t most = most_faces();
       m_replaced = 0;
-      const Index v = i < m_waiting.size()
-                          ? put_in_again(m_waiting[i], hint, most, counts)
-                          : insert(parted_duplicates, i - m_waiting.size(), hint, most, counts);
+      const Vertex_index v = i < m_waiting.size() ? put_in_again(m_waiting[i], hint, most, counts)
+                                                  : insert(parted_duplicates, i - m_waiting.size(),
+                                                           hint, most, counts);
       if (v == null_index)
         continue;
       if (k + 1 < m_order.size())
@@ -230,7 +230,7 @@ public:
       if (m_state.arrays().is_outside(slot.vertex) && m_state.ids().has_representative(slot.vertex))
         m_editor.put_in(slot, any_face());
     m_editor.drop_in_need(m_empty);
-    for_each_coming([this](Index id, const Point&) { m_editor.release_id(id); });
+    for_each_coming([this](Point_id id, const Point&) { m_editor.release_id(id); });
     m_empty.clear();
     forget_all();
   }
@@ -252,7 +252,7 @@ private:
     m_editor.keep_memory_for(2 * max_slots);
   }
 
-  bool triangulate_as_delaunay_without(Index v)
+  bool triangulate_as_delaunay_without(Vertex_index v)
   {
     const bool can_go = m_polygon.read(m_state, v);
     m_editor.prefetch(m_polygon);
@@ -260,7 +260,7 @@ private:
   }
 
   // The faces around v have it at its previous position.
-  bool triangulate_anyhow_without(Index v)
+  bool triangulate_anyhow_without(Vertex_index v)
   {
     if (!m_polygon.read(m_state, v) || (State::is_periodic && !m_polygon.has_different_vertices()))
       return false;
@@ -268,10 +268,10 @@ private:
     return true;
   }
 
-  void remove(Index id, bool are_delaunay, std::vector<Index>& moved)
+  void remove(Point_id id, bool are_delaunay, std::vector<Index>& moved)
   {
     const auto& ids = m_state.ids();
-    const Index v = ids.vertex(id);
+    const Vertex_index v = ids.vertex(id);
     if (ids.is_representative(id)) {
       const Index successor = ids.find_duplicate_at(v, [](const auto&) { return true; });
       if (successor == null_index)
@@ -285,7 +285,7 @@ private:
   }
 
   // Removes v if that leaves everything Delaunay, otherwise lists it.
-  void remove_vertex(Index v, bool are_delaunay)
+  void remove_vertex(Vertex_index v, bool are_delaunay)
   {
     reserve_extra(m_rest, 1);
     reserve_for_slot();
@@ -303,7 +303,7 @@ private:
     const auto add = [this](const Position_2& p) { m_places.push_back(m_state.place_in_order(p)); };
     for (const Slot& slot : m_waiting)
       add(m_state.positions()[slot.vertex]);
-    for (const Index id : parted_duplicates)
+    for (const Point_id id : parted_duplicates)
       add(approximation(m_state.ids().duplicate(id).point));
     for (const Point& p : m_coming_points)
       add(approximation(p));
@@ -314,7 +314,7 @@ private:
   // A finite vertex that is in some face.
   Index any_vertex() const
   {
-    Index v = 1;
+    Vertex_index v = 1;
     while (m_state.arrays().is_outside(v))
       ++v;
     return v;
@@ -322,22 +322,22 @@ private:
 
   typename Editor::Seen_face any_face() const
   {
-    const Index h = m_state.arrays().corner(any_vertex());
+    const Halfedge_index h = m_state.arrays().corner(any_vertex());
     return {Halfedge_arrays_2::face_of(h), m_state.frame_at(h)};
   }
 
   // Where to start the search for the next position.
   struct Hint
   {
-    Index nearby, spread;
+    Vertex_index nearby, spread;
   };
 
   // A neighbor of v, because the number of v itself belongs to its former position.
-  Hint hint_at(Index v) const
+  Hint hint_at(Vertex_index v) const
   {
-    Index nearby = v;
-    m_state.arrays().for_each_neighbor(v,
-                                       [&](Index w) { nearby = w == infinite_index ? nearby : w; });
+    Vertex_index nearby = v;
+    m_state.arrays().for_each_neighbor(
+        v, [&](Vertex_index w) { nearby = w == infinite_index ? nearby : w; });
     const std::size_t spread = 4 * m_state.number_of_vertices() / m_order.size();
     return {nearby, Index(spread)};
   }
@@ -345,7 +345,7 @@ private:
   // Returns v, or `null_index` if another vertex is there already, and now has the points of v.
   Index put_in_again(const Slot& slot, const Hint& hint, std::size_t most, Counts& counts)
   {
-    const Index v = slot.vertex;
+    const Vertex_index v = slot.vertex;
     const Place place = m_location.locate(v, hint.nearby, hint.spread);
     counts.steps += place.steps;
     if (place.vertex == null_index) {
@@ -371,7 +371,7 @@ private:
     const auto& ids = m_state.ids();
     const bool parts = i < parted_duplicates.size();
     const std::size_t coming = i - parted_duplicates.size();
-    const Index id = parts ? parted_duplicates[i] : m_coming_ids[coming];
+    const Point_id id = parts ? parted_duplicates[i] : m_coming_ids[coming];
     const Point p = parts ? ids.duplicate(id).point : m_coming_points[coming];
     counts.parted += parts;
     m_editor.reserve_for_duplicates(1);
