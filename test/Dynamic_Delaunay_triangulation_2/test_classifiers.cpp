@@ -70,7 +70,7 @@ TEST(Edge_filter, proves_the_same_edges_plain_and_vectorised)
     const auto vertex = [&] { return i % 10 == 0 ? any(random) : any(random) / 4 * 4 + scale; };
     Edge_2 edge{vertex(), vertex(), vertex(), vertex()};
     for (auto* v : {&edge.source, &edge.target, &edge.left, &edge.right})
-      *v = (std::min)(*v, Index(positions.size()) - 1);
+      *v = (std::min)(Index(*v), Index(positions.size()) - 1);
     edges.push_back(edge);
   }
   std::vector<Index> plain, chosen;

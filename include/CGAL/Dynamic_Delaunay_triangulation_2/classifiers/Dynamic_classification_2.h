@@ -31,8 +31,8 @@ class Dynamic_classification_2
 public:
   /// the type of all numbers, as in `Dynamic_frame_2`.
   using Index = Dynamic_Delaunay_triangulations_2::Index;
-  using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index;
-  using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;
+  using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index; ///< likewise.
+  using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;     ///< likewise.
 
   /// \cond
   void clear(const State& state)
