@@ -6,6 +6,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Key_frame_policy_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_neighbor_lists_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_point_queries_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_gradients_2.h>
@@ -186,6 +187,18 @@ bool help_a_simulation()
   force -= Kernel::Vector_2(dx, dy);
   //! [Voronoi forces]
 
+  //! [bounded cells]
+  using Bounded_cells = CGAL::Bounded_voronoi_cells_2;
+  const std::vector<Point> walls{Point(-5, 0), Point(25, 0), Point(10, 20)}; // counterclockwise
+  Bounded_cells bounded;
+  bounded.set_domain(walls.begin(), walls.end());
+  bounded.compute(dt, 1.5); // a radius
+  double contact = 0;       // of point i with all of its neighbors
+  for (std::size_t k = bounded.first_pieces()[i]; k < bounded.first_pieces()[i + 1]; ++k)
+    if (bounded.pieces()[k].side == Bounded_cells::Side::NEIGHBOR)
+      contact += bounded.pieces()[k].length;
+  //! [bounded cells]
+
   std::vector<std::size_t> ids;
   //! [queries]
   CGAL::Delaunay_point_queries_2<Dynamic> queries(dt);
@@ -194,7 +207,7 @@ bool help_a_simulation()
   //! [queries]
   return lists.degree(i) >= 2 && force.squared_length() > 0 && density > 0 &&
          std::hypot(x - points[i].x(), y - points[i].y()) < 1 && total > 0 && corners.size() > 2 &&
-         nearest.has_value();
+         contact > 0 && nearest.has_value();
 }
 
 bool choose_what_is_done()

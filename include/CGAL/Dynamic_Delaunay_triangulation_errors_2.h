@@ -354,6 +354,31 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
+The corners of a domain are not those of a convex polygon, counterclockwise.
+*/
+class Domain_error_2 : public Dynamic_Delaunay_triangulation_error_2
+{
+public:
+  /// \cond
+  Domain_error_2(std::size_t corner, const std::string& demand)
+    : Dynamic_Delaunay_triangulation_error_2(
+          Dynamic_Delaunay_triangulations_2::internal::message_text("corner ", corner,
+                                                                    " of the domain: ", demand))
+    , m_corner(corner)
+  {
+  }
+  /// \endcond
+
+  /// the number of the corner.
+  std::size_t corner() const { return m_corner; }
+
+private:
+  std::size_t m_corner;
+};
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Errors
+
 A periodic cell has parallel vectors, a number that is not finite, or proportions that integers
 cannot count.
 */

@@ -1,0 +1,210 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_BOUNDED_CELL_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_BOUNDED_CELL_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// The intersection of a disc around the origin with half-planes: what is left of a Voronoi cell,
+// with its point in the origin.
+//
+//            side                          The convex polygon of the half-planes has corners, and a
+//          __________                      side after each. `for_each_piece()` gives what lies of
+//         /  chord   \     chord: the      each side within the disc, a chord, and the arcs that
+//        (            )    part of a       connect chords.
+//     arc \__________/     side inside
+//
+// A line is known by its unit normal n, which points out of the half-plane, and its distance h from
+// the origin: n x <= h inside. A place on it is h n + u t, where t is n turned left. Chords are
+// intervals of u, and their triangles with the origin have the area h (u' - u) / 2: nothing cancels
+// where the origin is inside. Corners are computed from the lines of both their sides, so what was
+// cut off before leaves no error.
+class Bounded_cell_2
+{
+public:
+  static constexpr std::size_t no_label = std::size_t(-1);
+
+  // Begins with a square that is larger than the disc. Its sides have no label.
+  void start(double radius, double half_width)
+  {
+    const double w = half_width;
+    m_radius = radius;
+    m_corners = {{-w, -w}, {w, -w}, {w, w}, {-w, w}};
+    m_sides = {{{0, -1}, w, no_label},
+               {{1, 0}, w, no_label},
+               {{0, 1}, w, no_label},
+               {{-1, 0}, w, no_label}};
+  }
+
+  // Cuts off what is beyond a line, whose side gets a label.
+  void cut(const Position_2& normal, double distance, std::size_t label)
+  {
+    const Side cutting{normal, distance, label};
+    m_excess.clear();
+    for (const Position_2& corner : m_corners)
+      m_excess.push_back(dot(normal, corner) - distance);
+    const auto is_beyond = [](double excess) { return excess > 0; };
+    if (std::none_of(m_excess.begin(), m_excess.end(), is_beyond))
+      return;
+    m_new_corners.clear();
+    m_new_sides.clear();
+    for (std::size_t i = 0; i < m_corners.size(); ++i) {
+      const std::size_t next = i + 1 < m_corners.size() ? i + 1 : 0;
+      if (!is_beyond(m_excess[i]))
+        append(m_corners[i], m_sides[i]);
+      if (is_beyond(m_excess[i]) != is_beyond(m_excess[next]))
+        append(meeting_place(i, next, cutting), is_beyond(m_excess[i]) ? m_sides[i] : cutting);
+    }
+    m_corners.swap(m_new_corners);
+    m_sides.swap(m_new_sides);
+  }
+
+  // Calls chord(label, normal, distance, u, u') and arc(from, to, angle) along the boundary,
+  // counterclockwise. An arc that is the whole circle begins and ends on the x-axis.
+  template <class Chord_function, class Arc_function>
+  void for_each_piece(const Chord_function& chord, const Arc_function& arc)
+  {
+    find_chords();
+    if (m_chords.empty()) {
+      if (is_disc_inside())
+        arc(Position_2{m_radius, 0}, Position_2{m_radius, 0}, full_turn);
+      return;
+    }
+    for (std::size_t i = 0; i < m_chords.size(); ++i) {
+      const Chord& here = m_chords[i];
+      const Chord& next = m_chords[i + 1 < m_chords.size() ? i + 1 : 0];
+      const Side& side = m_sides[here.side];
+      chord(side.label, side.normal, side.distance, here.first, here.last);
+      if (here.ends_on_circle || next.begins_on_circle) {
+        const Position_2 from = place(here.side, here.last), to = place(next.side, next.first);
+        if (const double angle = angle_around(here.side, from, next.side, to); angle > 0)
+          arc(from, to, angle);
+      }
+    }
+  }
+
+private:
+  static constexpr double full_turn = boost::math::constants::two_pi<double>();
+
+  struct Side
+  {
+    Position_2 normal;
+    double distance;
+    std::size_t label;
+  };
+
+  struct Chord
+  {
+    std::size_t side;
+    double first, last;
+    bool begins_on_circle, ends_on_circle;
+  };
+
+  void append(const Position_2& corner, const Side& side)
+  {
+    m_new_corners.push_back(corner);
+    m_new_sides.push_back(side);
+  }
+
+  // Where the side from corner i to corner `next` meets a line. Where they are about parallel, one
+  // coordinate along them is as uncertain as it is in any case, and stays between the corners.
+  Position_2 meeting_place(std::size_t i, std::size_t next, const Side& line) const
+  {
+    constexpr double parallel = 1e-6;
+    const Side& side = m_sides[i];
+    const double sine = cross(side.normal, line.normal);
+    if (std::abs(sine) > parallel)
+      return {(side.distance * line.normal.y - line.distance * side.normal.y) / sine,
+              (line.distance * side.normal.x - side.distance * line.normal.x) / sine};
+    const double t = m_excess[i] / (m_excess[i] - m_excess[next]);
+    const Position_2 &p = m_corners[i], &q = m_corners[next];
+    return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
+  }
+
+  static Position_2 turned_left(const Position_2& v) { return {-v.y, v.x}; }
+
+  Position_2 place(std::size_t i, double u) const
+  {
+    const auto& [normal, distance, label] = m_sides[i];
+    const Position_2 t = turned_left(normal);
+    return {distance * normal.x + u * t.x, distance * normal.y + u * t.y};
+  }
+
+  void find_chords()
+  {
+    m_chords.clear();
+    for (std::size_t i = 0; i < m_corners.size(); ++i) {
+      const Side& side = m_sides[i];
+      if (side.label == no_label || !(std::abs(side.distance) < m_radius))
+        continue;
+      const Position_2 t = turned_left(side.normal);
+      const double from = dot(m_corners[i], t);
+      const double to = dot(m_corners[i + 1 < m_corners.size() ? i + 1 : 0], t);
+      const double half = std::sqrt((m_radius - side.distance) * (m_radius + side.distance));
+      const double first = (std::max)(from, -half), last = (std::min)(to, half);
+      if (first < last)
+        m_chords.push_back({i, first, last, from<-half, to> half});
+    }
+  }
+
+  bool is_disc_inside() const
+  {
+    return !m_corners.empty() && std::all_of(m_sides.begin(), m_sides.end(),
+                                             [](const Side& side) { return side.distance >= 0; });
+  }
+
+  static double angle(const Position_2& from, const Position_2& to)
+  {
+    return std::atan2(cross(from, to), dot(from, to));
+  }
+
+  // The angle of the arc from a place on side i to one on side k. Where rounding could take no turn
+  // for a full one, the corners in between, which are outside of the disc, tell.
+  double angle_around(std::size_t i, const Position_2& from, std::size_t k,
+                      const Position_2& to) const
+  {
+    constexpr double least = 1e-3;
+    double turn = angle(from, to);
+    if (turn < 0)
+      turn += full_turn;
+    if (turn > least && turn < full_turn - least)
+      return turn;
+    double sum = 0;
+    Position_2 last = from;
+    std::size_t corner = i;
+    do {
+      corner = corner + 1 < m_corners.size() ? corner + 1 : 0;
+      sum += angle(last, m_corners[corner]);
+      last = m_corners[corner];
+    } while (corner != k);
+    sum += angle(last, to);
+    return (std::max)(turn + full_turn * std::round((sum - turn) / full_turn), 0.0);
+  }
+
+  double m_radius = 0;
+  std::vector<Position_2> m_corners, m_new_corners;
+  std::vector<Side> m_sides, m_new_sides; // each after its corner
+  std::vector<double> m_excess;           // of the corners
+  std::vector<Chord> m_chords;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_BOUNDED_CELL_2_H

@@ -1,0 +1,422 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_QUERIES_BOUNDED_VORONOI_CELLS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_QUERIES_BOUNDED_VORONOI_CELLS_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Bounded_cell_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Voronoi_space_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+#include <CGAL/enum.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/number_type_basic.h>
+#include <CGAL/Periodic_cell_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Ref
+
+The points' Voronoi cells as far as they reach: each cell ends at a *radius* around its point, at
+the walls of a convex *domain*, or at both. So no cell is unbounded. Cells that end at a radius are
+those of the finite Voronoi model of tissue (J. Huang, H. Levine, D. Bi: *Soft Matter* 19, 2023).
+They work in the plane and in periodic space, domains only in the plane.
+
+The boundary of a cell consists of *pieces*, counterclockwise around it:
+
+- on a *neighbor*: a segment where the cell touches that of a neighbor, a contact. Both cells have
+  it, with the same length but for rounding. Neighbors without such a segment have no contact, also
+  where four points lie on a circle;
+- on a *wall*: a segment of an edge of the domain, numbered from that after its first corner;
+- *free*: an arc at the radius. If radii differ, also a segment where the cell ends at the bisector
+  with a neighbor that does not reach so far.
+
+Lengths and radii are in the unit of the coordinates, areas in the squared unit, angles in radians.
+Every measure has an entry for each id.
+
+- Points that coincide share a cell, with the radius of their representative. Each gets an equal
+  share of its area, and the whole of its lengths and its centroid. The pieces are those of the
+  representative; the others have none.
+- A point may be outside of the domain. Then its cell is what the domain has of it, or nothing.
+- An empty cell has area and lengths 0, and its point for the centroid.
+- Removed ids have no pieces, and 0 for all measures.
+
+Accuracy: a chord at the distance h from the point, from u to u', adds h (u' - u) / 2 to the area,
+and an arc with the angle w adds r^2 w / 2. If the point is inside of the domain all of these are
+positive, so the area has a relative error of a few roundings for each piece, however thin the cell
+is. Lengths have errors of a few roundings of the radius, but where curves are about tangent: two
+discs that touch may have a contact of 10^-8 radii, or none.
+
+An object keeps its memory. Threads share the points if the triangulation has a `Parallel_tag`; the
+result is the same.
+
+\sa `Bounded_voronoi_gradients_2`
+\sa `Voronoi_cell_measures_2`
+*/
+class Bounded_voronoi_cells_2
+{
+public:
+  /// \name Types
+  /// @{
+
+  /// the type of ids.
+  using size_type = std::size_t;
+  /// a place: two doubles, `x` and `y`.
+  using Position = Dynamic_Delaunay_triangulations_2::Position_2;
+
+  /// what is on the other side of a piece of a boundary.
+  enum class Side {
+    NEIGHBOR, ///< the cell of a neighbor.
+    WALL,     ///< the outside of the domain.
+    FREE      ///< no cell.
+  };
+
+  /// a piece of a boundary. In periodic space places are around the point as it was given.
+  struct Piece
+  {
+    Side side;              ///< what is on the other side.
+    size_type other;        ///< the id of the neighbor whose bisector it is on, the number of the
+                            ///< wall, or of an arc the id of the cell.
+    Periodic_shift_2 shift; ///< by which the neighbor is translated; 0 in the plane.
+    Position from;          ///< where it begins.
+    Position to;            ///< where it ends.
+    double length;          ///< that of the segment or of the arc.
+    double angle;           ///< of an arc around the point; 0 for a segment.
+  };
+
+  /// @}
+  /// \name The Domain
+  /// Without a domain cells end at their radius only.
+  /// @{
+
+  /// takes a convex polygon, whose corners have `x()` and `y()`, counterclockwise.
+  ///
+  /// \throws Domain_error_2 if there are fewer than three corners, or one of them is not finite or
+  /// no left turn; nothing changes.
+  template <class InputIterator>
+  void set_domain(InputIterator first, InputIterator beyond)
+  {
+    std::vector<Position> corners;
+    for (; first != beyond; ++first)
+      corners.push_back({CGAL::to_double(first->x()), CGAL::to_double(first->y())});
+    check(corners);
+    m_domain = std::move(corners);
+  }
+  /// takes a box.
+  ///
+  /// \throws Domain_error_2 if it has no area, or is not finite; nothing changes.
+  void set_domain(const Bbox_2& box)
+  {
+    using Point = Exact_predicates_inexact_constructions_kernel::Point_2;
+    const std::array<Point, 4> corners{Point(box.xmin(), box.ymin()), Point(box.xmax(), box.ymin()),
+                                       Point(box.xmax(), box.ymax()),
+                                       Point(box.xmin(), box.ymax())};
+    set_domain(corners.begin(), corners.end());
+  }
+  /// forgets the domain.
+  void remove_domain() { m_domain.clear(); }
+
+  /// @}
+  /// \name Computation
+  /// If memory runs out, there are no cells.
+  /// @{
+
+  /// computes the cells of all points, with one radius. It may be infinite if there is a domain.
+  ///
+  /// Cost: for each point, proportional to the number of its neighbors, and of the domain's walls,
+  /// times the number of its cell's corners. \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`
+  /// or `Dynamic_periodic_Delaunay_triangulation_2`.
+  /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
+  /// \throws Parameter_error_2 if the radius is not a positive number, or infinite without a
+  /// domain; nothing changes. \pre In periodic space there is no domain.
+  template <class Dynamic>
+  void compute(const Dynamic& dt, double radius)
+  {
+    check_radius(radius);
+    compute_with(dt, [=](size_type) { return radius; });
+  }
+  /// takes a radius for each id. Those of removed ids mean nothing.
+  ///
+  /// \throws Point_count_error_2 if there are not as many radii as ids; nothing changes.
+  template <class Dynamic>
+  void compute(const Dynamic& dt, const std::vector<double>& radii)
+  {
+    if (radii.size() != dt.number_of_ids())
+      throw Point_count_error_2(dt.number_of_ids(), radii.size());
+    for (size_type id = 0; id < radii.size(); ++id)
+      if (dt.has_id(id))
+        check_radius(radii[id]);
+    compute_with(dt, [&](size_type id) { return radii[id]; });
+  }
+
+  /// @}
+  /// \name Access
+  /// @{
+
+  /// the area of each id's cell.
+  const std::vector<double>& areas() const { return m_areas; }
+  /// the whole length of its boundary.
+  const std::vector<double>& perimeters() const { return m_perimeters; }
+  /// the centroid.
+  const std::vector<Position>& centroids() const { return m_centroids; }
+  /// the length on walls.
+  const std::vector<double>& wall_lengths() const { return m_wall_lengths; }
+  /// the length of what is free. The cell is at the surface of the points if it is not 0.
+  const std::vector<double>& free_lengths() const { return m_free_lengths; }
+
+  /// the pieces of all cells: those of each id are consecutive.
+  const std::vector<Piece>& pieces() const { return m_pieces; }
+  /// the radius of each id with which the cells were computed.
+  const std::vector<double>& radii() const { return m_radii; }
+  /// the corners of the domain, or none.
+  const std::vector<Position>& domain() const { return m_domain; }
+
+  /// where the pieces of each id begin in `pieces()`; one more entry than there are ids.
+  const std::vector<size_type>& first_pieces() const { return m_first_pieces; }
+
+  /// @}
+
+private:
+  // What a side of a cell is to be named.
+  struct Label
+  {
+    Side side;
+    size_type other;
+    Periodic_shift_2 shift;
+    double radius; // of the neighbor
+  };
+  using Cell = Dynamic_Delaunay_triangulations_2::internal::Bounded_cell_2;
+
+  // Some consecutive ids.
+  struct Part
+  {
+    size_type first;
+    std::vector<Piece> pieces;
+  };
+
+  static void check_radius(double radius, bool may_be_infinite)
+  {
+    constexpr double least = (std::numeric_limits<double>::min)(), most = 1e150;
+    if (!(radius >= least && (radius <= most || (may_be_infinite && std::isinf(radius)))))
+      throw Parameter_error_2("the radius", radius, least, most);
+  }
+  void check_radius(double radius) const { check_radius(radius, !m_domain.empty()); }
+
+  static void check(const std::vector<Position>& corners)
+  {
+    using Point = Exact_predicates_inexact_constructions_kernel::Point_2;
+    if (corners.size() < 3)
+      throw Domain_error_2(corners.size(), "there are no more, and a domain has at least three");
+    const auto point = [&](size_type i) {
+      return Point(corners[i % corners.size()].x, corners[i % corners.size()].y);
+    };
+    double turned = 0;
+    for (size_type i = 0; i < corners.size(); ++i) {
+      if (!std::isfinite(corners[i].x) || !std::isfinite(corners[i].y))
+        throw Domain_error_2(i, "it is not finite");
+    }
+    for (size_type i = 0; i < corners.size(); ++i) {
+      const Point p = point(i + corners.size() - 1), q = point(i), r = point(i + 1);
+      if (orientation(p, q, r) != LEFT_TURN)
+        throw Domain_error_2(i, "it must be a left turn");
+      turned += std::atan2((q.x() - p.x()) * (r.y() - q.y()) - (q.y() - p.y()) * (r.x() - q.x()),
+                           (q.x() - p.x()) * (r.x() - q.x()) + (q.y() - p.y()) * (r.y() - q.y()));
+    }
+    if (turned > 7) // a full turn is 6.28
+      throw Domain_error_2(0, "the corners turn around more than once");
+  }
+
+  template <class Dynamic, class Radius>
+  void compute_with(const Dynamic& dt, const Radius& radius)
+  {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    CGAL_precondition(!Dynamic::Frame::is_periodic || m_domain.empty());
+    const Voronoi_space_2<Dynamic> space(dt);
+    start(space.number_of_ids());
+    std::vector<Part> parts;
+    std::mutex adding;
+    space.for_each_range(space.number_of_ids(), [&](size_type first, size_type beyond) {
+      Part part{first, {}};
+      Cell cell;
+      std::vector<Label> labels;
+      for (size_type id = first; id < beyond; ++id) {
+        const size_type before = part.pieces.size();
+        m_radii[id] = space.has_id(id) ? radius(id) : 0;
+        if (space.has_id(id) && space.is_representative(id)) {
+          cut_cell(space, id, radius, cell, labels);
+          measure(space.position(id), id, radius(id), cell, labels, part.pieces);
+        }
+        m_first_pieces[id] = part.pieces.size() - before; // a number for now
+      }
+      const std::lock_guard<std::mutex> lock(adding);
+      parts.push_back(std::move(part));
+    });
+    collect(parts);
+    share_areas(space);
+  }
+
+  void start(size_type ids)
+  {
+    m_pieces.clear();
+    for (std::vector<double>* measures :
+         {&m_radii, &m_areas, &m_perimeters, &m_wall_lengths, &m_free_lengths})
+      measures->assign(ids, 0);
+    m_centroids.assign(ids, {0, 0});
+    m_first_pieces.assign(ids + 1, 0);
+  }
+
+  // Cuts a square around the point by all lines that may bound its cell.
+  template <class Space, class Radius>
+  void cut_cell(const Space& space, size_type id, const Radius& radius, Cell& cell,
+                std::vector<Label>& labels) const
+  {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    const double r = radius(id);
+    const Position p = space.position(id);
+    cell.start(r, 2 * (std::isinf(r) ? reach(p) : r));
+    labels.clear();
+    labels.reserve(m_domain.size());
+    for (size_type i = 0; i < m_domain.size(); ++i) {
+      const Position from = m_domain[i] - p, along = m_domain[next(i)] - m_domain[i];
+      const double length = std::hypot(along.x, along.y);
+      labels.push_back({Side::WALL, i, {0, 0}, 0});
+      cell.cut({along.y / length, -along.x / length}, cross(from, along) / length, i);
+    }
+    space.for_each_neighbor(id, [&](const Voronoi_neighbor_2& neighbor) {
+      if (neighbor.is_infinite())
+        return;
+      const Position& way = neighbor.vector;
+      const double length = std::hypot(way.x, way.y);
+      cell.cut({way.x / length, way.y / length}, length / 2, labels.size());
+      labels.push_back({Side::NEIGHBOR, neighbor.id, neighbor.shift, radius(neighbor.id)});
+    });
+  }
+
+  size_type next(size_type corner) const { return corner + 1 < m_domain.size() ? corner + 1 : 0; }
+
+  // The distance of the farthest corner of the domain.
+  double reach(const Position& p) const
+  {
+    double farthest = 0;
+    for (const Position& corner : m_domain)
+      farthest = (std::max)(farthest, std::hypot(corner.x - p.x, corner.y - p.y));
+    return farthest;
+  }
+
+  // Adds up the pieces of a cell around p, and appends them.
+  void measure(const Position& p, size_type id, double radius, Cell& cell,
+               const std::vector<Label>& labels, std::vector<Piece>& pieces)
+  {
+    Position moment{0, 0}; // three times the area times the vector to the centroid
+    const auto add = [&](Side side, const Label& label, const Position& from, const Position& to,
+                         double length, double angle) {
+      m_perimeters[id] += length;
+      if (side != Side::NEIGHBOR)
+        (side == Side::WALL ? m_wall_lengths : m_free_lengths)[id] += length;
+      pieces.push_back({side,
+                        label.other,
+                        label.shift,
+                        {p.x + from.x, p.y + from.y},
+                        {p.x + to.x, p.y + to.y},
+                        length,
+                        angle});
+    };
+    const auto add_chord = [&](size_type number, const Position& n, double h, double first,
+                               double last) {
+      const Label& label = labels[number];
+      const auto place = [&](double u) { return Position{h * n.x - u * n.y, h * n.y + u * n.x}; };
+      const Position from = place(first), to = place(last);
+      const double doubled_area = h * (last - first);
+      m_areas[id] += doubled_area / 2;
+      moment = {moment.x + doubled_area * (from.x + to.x) / 2,
+                moment.y + doubled_area * (from.y + to.y) / 2};
+      // what the neighbor does not reach is free
+      double contact_first = first, contact_last = last;
+      if (label.side == Side::NEIGHBOR && label.radius < radius) {
+        const double half =
+            label.radius > h ? std::sqrt((label.radius - h) * (label.radius + h)) : 0;
+        contact_first = (std::min)((std::max)(first, -half), last);
+        contact_last = (std::max)((std::min)(last, half), contact_first);
+      }
+      const auto add_part = [&](Side side, double u, double v) {
+        if (u < v)
+          add(side, label, place(u), place(v), v - u, 0);
+      };
+      add_part(Side::FREE, first, contact_first);
+      add_part(label.side, contact_first, contact_last);
+      add_part(Side::FREE, contact_last, last);
+    };
+    const auto add_arc = [&](const Position& from, const Position& to, double angle) {
+      const double squared = radius * radius;
+      m_areas[id] += squared * angle / 2;
+      moment = {moment.x + squared * (to.y - from.y), moment.y - squared * (to.x - from.x)};
+      add(Side::FREE, {Side::FREE, id, {0, 0}, 0}, from, to, radius * angle, angle);
+    };
+    cell.for_each_piece(add_chord, add_arc);
+    const double weight = 3 * m_areas[id];
+    m_centroids[id] = weight > 0 ? Position{p.x + moment.x / weight, p.y + moment.y / weight} : p;
+  }
+
+  // Brings the pieces of all parts into the order of ids.
+  void collect(std::vector<Part>& parts)
+  {
+    std::sort(parts.begin(), parts.end(),
+              [](const Part& p, const Part& q) { return p.first < q.first; });
+    for (const Part& part : parts)
+      m_pieces.insert(m_pieces.end(), part.pieces.begin(), part.pieces.end());
+    size_type sum = 0;
+    for (size_type& number : m_first_pieces)
+      sum += std::exchange(number, sum);
+  }
+
+  template <class Space>
+  void share_areas(const Space& space)
+  {
+    std::vector<size_type> duplicates;
+    space.for_each_duplicate([&](size_type id) { duplicates.push_back(id); });
+    if (duplicates.empty())
+      return;
+    std::vector<size_type> representative_of_cell(space.number_of_cells());
+    std::vector<double> points(space.number_of_cells(), 1);
+    for (size_type id = 0; id < space.number_of_ids(); ++id)
+      if (space.has_id(id) && space.is_representative(id))
+        representative_of_cell[space.cell(id)] = id;
+    for (const size_type id : duplicates)
+      ++points[space.cell(id)];
+    for (const size_type id : duplicates) {
+      const size_type representative = representative_of_cell[space.cell(id)];
+      m_areas[id] = m_areas[representative] / points[space.cell(id)];
+      m_perimeters[id] = m_perimeters[representative];
+      m_centroids[id] = m_centroids[representative];
+      m_wall_lengths[id] = m_wall_lengths[representative];
+      m_free_lengths[id] = m_free_lengths[representative];
+    }
+    for (const size_type id : duplicates) {
+      const auto cell = space.cell(id);
+      m_areas[representative_of_cell[cell]] /= std::exchange(points[cell], 1);
+    }
+  }
+
+  std::vector<Position> m_domain; // its corners, or none
+  std::vector<double> m_radii, m_areas, m_perimeters, m_wall_lengths, m_free_lengths;
+  std::vector<Position> m_centroids;
+  std::vector<Piece> m_pieces;
+  std::vector<size_type> m_first_pieces;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_QUERIES_BOUNDED_VORONOI_CELLS_2_H

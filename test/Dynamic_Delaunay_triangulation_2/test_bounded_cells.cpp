@@ -1,0 +1,676 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Voronoi cells that end at a radius or at the walls of a domain, against sweeps around their
+// points that know no Delaunay neighbors, in long double.
+
+#include "oracle.h"
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_gradients_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+using Point = Epick::Point_2;
+using Points = std::vector<Point>;
+using Numbers = std::vector<double>;
+using Plane = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
+using Torus = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick>;
+using Cells = CGAL::Bounded_voronoi_cells_2;
+using Side = Cells::Side;
+using Real = long double;
+
+const Real pi = std::acos(Real(-1));
+
+Plane triangulation(const Points& points)
+{
+  return Plane(points.begin(), points.end());
+}
+
+double sum(const Numbers& numbers)
+{
+  return std::accumulate(numbers.begin(), numbers.end(), 0.0);
+}
+
+Real between(std::mt19937& random, double low, double high)
+{
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+// -------------------------------------------------------------------------------------------------
+// The oracle: what is seen from a point, direction by direction. A line is at a distance h in a
+// direction; in between only the nearest one counts, or the radius.
+
+struct Line
+{
+  Real h, direction;
+  std::size_t other; // the id of the neighbor
+  bool is_wall;
+};
+
+struct Swept
+{
+  Real area = 0, perimeter = 0, wall = 0, free = 0;
+  std::map<std::size_t, Real> contacts;
+};
+
+class Sweep
+{
+public:
+  Sweep(std::vector<Line> lines, Real radius)
+    : m_lines(std::move(lines))
+    , m_radius(radius)
+  {
+    const auto is_far = [&](const Line& line) { return line.h >= radius; };
+    m_lines.erase(std::remove_if(m_lines.begin(), m_lines.end(), is_far), m_lines.end());
+  }
+
+  // With the radii of all others.
+  Swept run(const Numbers& radii) const
+  {
+    Swept swept;
+    const std::vector<Real> turns = directions();
+    for (std::size_t i = 0; i + 1 < turns.size(); ++i)
+      add(turns[i], turns[i + 1], radii, swept);
+    return swept;
+  }
+
+private:
+  // In which something else may become the nearest.
+  std::vector<Real> directions() const
+  {
+    std::vector<Real> result{0, 2 * pi};
+    const auto add = [&](Real direction) {
+      result.push_back(direction - 2 * pi * std::floor(direction / (2 * pi)));
+    };
+    for (const Line& line : m_lines) {
+      if (std::isfinite(m_radius)) {
+        const Real half = std::acos(line.h / m_radius);
+        add(line.direction - half);
+        add(line.direction + half);
+      }
+      for (const Line& other : m_lines) { // h / cos(t - d) = h' / cos(t - d')
+        const Real x = line.h * std::cos(other.direction) - other.h * std::cos(line.direction);
+        const Real y = line.h * std::sin(other.direction) - other.h * std::sin(line.direction);
+        if (x != 0 || y != 0) {
+          add(std::atan2(-x, y));
+          add(std::atan2(x, -y));
+        }
+      }
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  void add(Real from, Real to, const Numbers& radii, Swept& swept) const
+  {
+    const Real middle = (from + to) / 2;
+    const Line* nearest = nullptr;
+    Real distance = m_radius;
+    for (const Line& line : m_lines) {
+      const Real cosine = std::cos(middle - line.direction);
+      if (cosine > 0 && line.h / cosine < distance) {
+        nearest = &line;
+        distance = line.h / cosine;
+      }
+    }
+    if (nearest == nullptr) {
+      swept.area += m_radius * m_radius * (to - from) / 2;
+      swept.perimeter += m_radius * (to - from);
+      swept.free += m_radius * (to - from);
+      return;
+    }
+    const auto place = [&](Real turn) { return nearest->h * std::tan(turn - nearest->direction); };
+    const Real u = place(from), v = place(to);
+    swept.area += nearest->h * (v - u) / 2;
+    swept.perimeter += v - u;
+    if (nearest->is_wall) {
+      swept.wall += v - u;
+      return;
+    }
+    const Real reach = radii[nearest->other];
+    const Real half = reach > nearest->h ? std::sqrt(reach * reach - nearest->h * nearest->h) : 0;
+    const Real contact = (std::max)((std::min)(v, half) - (std::max)(u, -half), Real(0));
+    swept.contacts[nearest->other] += contact;
+    swept.free += v - u - contact;
+  }
+
+  std::vector<Line> m_lines;
+  Real m_radius;
+};
+
+Line bisector(const Point& p, Real x, Real y, std::size_t other)
+{
+  return {std::hypot(x - p.x(), y - p.y()) / 2, std::atan2(y - p.y(), x - p.x()), other, false};
+}
+
+// The lines of all other points and of all walls.
+std::vector<Line> lines_around(const Points& points, std::size_t id, const Points& domain)
+{
+  std::vector<Line> lines;
+  const Point& p = points[id];
+  for (std::size_t j = 0; j < points.size(); ++j)
+    if (j != id)
+      lines.push_back(bisector(p, points[j].x(), points[j].y(), j));
+  for (std::size_t i = 0; i < domain.size(); ++i) {
+    const Point &q = domain[i], &r = domain[(i + 1) % domain.size()];
+    const Real x = Real(r.x()) - q.x(), y = Real(r.y()) - q.y();
+    const Real h = ((Real(q.x()) - p.x()) * y - (Real(q.y()) - p.y()) * x) / std::hypot(x, y);
+    lines.push_back({h, std::atan2(-x, y), i, true});
+  }
+  return lines;
+}
+
+std::map<std::size_t, Real> contacts_of(const Cells& cells, std::size_t id)
+{
+  std::map<std::size_t, Real> contacts;
+  for (std::size_t i = cells.first_pieces()[id]; i < cells.first_pieces()[id + 1]; ++i)
+    if (cells.pieces()[i].side == Side::NEIGHBOR)
+      contacts[cells.pieces()[i].other] += cells.pieces()[i].length;
+  return contacts;
+}
+
+// Lengths within rounding of the size of the whole, areas within 1e-12 of themselves.
+void expect_swept(const Cells& cells, std::size_t id, const Swept& swept, double unit)
+{
+  SCOPED_TRACE(testing::Message() << "id " << id);
+  const double error = 1e-13 * unit;
+  ASSERT_NEAR(cells.areas()[id], double(swept.area), 1e-12 * double(swept.area));
+  ASSERT_NEAR(cells.perimeters()[id], double(swept.perimeter), 10 * error);
+  ASSERT_NEAR(cells.wall_lengths()[id], double(swept.wall), 10 * error);
+  ASSERT_NEAR(cells.free_lengths()[id], double(swept.free), 10 * error);
+  auto contacts = contacts_of(cells, id);
+  for (const auto& [other, length] : swept.contacts)
+    ASSERT_NEAR(double(contacts[other]), double(length), 10 * error) << "with " << other;
+  for (const auto& [other, length] : contacts)
+    ASSERT_TRUE(length < error || swept.contacts.count(other) == 1) << "with " << other;
+}
+
+// Around each cell, one piece begins where the last one ends.
+void expect_closed(const Cells& cells, std::size_t id, double unit)
+{
+  const std::size_t first = cells.first_pieces()[id], beyond = cells.first_pieces()[id + 1];
+  double length = 0;
+  for (std::size_t i = first; i < beyond; ++i) {
+    const auto &piece = cells.pieces()[i], &next = cells.pieces()[i + 1 < beyond ? i + 1 : first];
+    ASSERT_GT(piece.length, 0);
+    ASSERT_NEAR(piece.to.x, next.from.x, 1e-12 * unit);
+    ASSERT_NEAR(piece.to.y, next.from.y, 1e-12 * unit);
+    length += piece.length;
+  }
+  ASSERT_NEAR(length, cells.perimeters()[id], 1e-13 * unit);
+}
+
+// -------------------------------------------------------------------------------------------------
+// Discs.
+
+std::vector<Points> clouds()
+{
+  Cloud<Epick> cloud(1);
+  return {cloud.uniform(2), cloud.uniform(30), Cloud<Epick>::grid(6, 5),
+          Cloud<Epick>::on_circle(30), cloud.on_line(12)};
+}
+
+TEST(Discs, are_cut_by_the_bisectors_of_all_other_points)
+{
+  for (const Points& points : clouds()) {
+    const Plane dt = triangulation(points);
+    if (dt.number_of_vertices() < points.size())
+      continue;
+    for (const double radius : {0.01, 0.4, 0.5, 0.7, 1.0, 5.0, 65.0, 1000.0}) {
+      SCOPED_TRACE(testing::Message() << points.size() << " points, radius " << radius);
+      Cells cells;
+      cells.compute(dt, radius);
+      const Numbers radii(points.size(), radius);
+      for (std::size_t id = 0; id < points.size(); ++id) {
+        const Sweep sweep(lines_around(points, id, {}), radius);
+        ASSERT_NO_FATAL_FAILURE(expect_swept(cells, id, sweep.run(radii), radius));
+        ASSERT_NO_FATAL_FAILURE(expect_closed(cells, id, radius));
+      }
+    }
+  }
+}
+
+TEST(Discs, touch_where_both_of_them_reach_if_their_radii_differ)
+{
+  std::mt19937 random(2);
+  for (int round = 0; round < 40; ++round) {
+    SCOPED_TRACE(testing::Message() << "round " << round);
+    const Points points = Cloud<Epick>(unsigned(round)).uniform(40);
+    Numbers radii;
+    for (std::size_t id = 0; id < points.size(); ++id)
+      radii.push_back(double(between(random, 0.05, 1.5)));
+    Cells cells;
+    cells.compute(triangulation(points), radii);
+    for (std::size_t id = 0; id < points.size(); ++id) {
+      const Sweep sweep(lines_around(points, id, {}), radii[id]);
+      ASSERT_NO_FATAL_FAILURE(expect_swept(cells, id, sweep.run(radii), 2));
+      ASSERT_NO_FATAL_FAILURE(expect_closed(cells, id, 2));
+      for (const auto& [other, length] : contacts_of(cells, id))
+        ASSERT_NEAR(double(contacts_of(cells, other)[id]), double(length), 1e-13);
+    }
+  }
+}
+
+TEST(Discs, are_whole_where_no_other_one_is_near)
+{
+  Cells cells;
+  cells.compute(triangulation({Point(3, 4)}), 2);
+  EXPECT_DOUBLE_EQ(cells.areas()[0], double(4 * pi));
+  EXPECT_DOUBLE_EQ(cells.free_lengths()[0], double(4 * pi));
+  ASSERT_EQ(cells.pieces().size(), 1u);
+  EXPECT_DOUBLE_EQ(cells.pieces()[0].angle, double(2 * pi));
+  EXPECT_DOUBLE_EQ(cells.centroids()[0].x, 3);
+  cells.compute(triangulation({Point(0, 0), Point(4, 0)}), 2); // they touch in one point
+  EXPECT_DOUBLE_EQ(cells.areas()[1], double(4 * pi));
+  EXPECT_TRUE(contacts_of(cells, 0).empty());
+  cells.compute(triangulation({}), 2);
+  EXPECT_TRUE(cells.areas().empty());
+  EXPECT_EQ(cells.first_pieces(), std::vector<std::size_t>{0});
+}
+
+TEST(Discs, that_hardly_overlap_are_neither_whole_nor_empty)
+{
+  for (double distance = 2; distance > 1.999; distance -= 1e-5) {
+    Cells cells;
+    cells.compute(triangulation({Point(0, 0), Point(distance, 0)}), 1);
+    const Numbers radii{1, 1};
+    const Sweep sweep(lines_around({Point(0, 0), Point(distance, 0)}, 0, {}), 1);
+    ASSERT_NO_FATAL_FAILURE(expect_swept(cells, 0, sweep.run(radii), 1));
+  }
+  // a sliver between two bisectors far away from each other, and nothing else
+  for (const double gap : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {
+    const Points points{Point(0, 0), Point(gap, 0), Point(-gap, 0)};
+    Cells cells;
+    cells.compute(triangulation(points), 1);
+    const double chord = 2 * std::sqrt(1 - gap * gap / 4), arc = 2 * std::asin(gap / 2);
+    ASSERT_NEAR(cells.areas()[0], (gap * chord + 2 * arc) / 2, 1e-15 * gap);
+    ASSERT_NEAR(cells.free_lengths()[0], 2 * arc, 1e-14 * gap);
+    ASSERT_NEAR(cells.perimeters()[0], 2 * chord + 2 * arc, 1e-15);
+  }
+}
+
+// -------------------------------------------------------------------------------------------------
+// Domains.
+
+const Points triangle{Point(-1, -2), Point(9, 1), Point(2, 8)};
+const Points trapezium{Point(-0.5, -0.25), Point(6, 0), Point(4, 5.5), Point(0.125, 6)};
+
+double area_of(const Points& domain)
+{
+  Real area = 0;
+  for (std::size_t i = 0; i < domain.size(); ++i) {
+    const Point &p = domain[i], &q = domain[(i + 1) % domain.size()];
+    area += (Real(p.x()) * q.y() - Real(q.x()) * p.y()) / 2;
+  }
+  return double(area);
+}
+
+bool is_inside(const Point& p, const Points& domain)
+{
+  for (std::size_t i = 0; i < domain.size(); ++i)
+    if (CGAL::orientation(domain[i], domain[(i + 1) % domain.size()], p) != CGAL::LEFT_TURN)
+      return false;
+  return true;
+}
+
+TEST(Domains, end_cells_at_their_walls)
+{
+  for (const Points& domain : {triangle, trapezium})
+    for (const double radius : {0.3, 0.8, 3.0, infinity}) {
+      SCOPED_TRACE(testing::Message() << domain.size() << " walls, radius " << radius);
+      const Points points = Cloud<Epick>(7).uniform(40);
+      Cells cells;
+      cells.set_domain(domain.begin(), domain.end());
+      cells.compute(triangulation(points), radius);
+      const Numbers radii(points.size(), radius);
+      int inside = 0;
+      for (std::size_t id = 0; id < points.size(); ++id) {
+        ASSERT_NO_FATAL_FAILURE(expect_closed(cells, id, 10));
+        if (!is_inside(points[id], domain))
+          continue;
+        ++inside;
+        const Sweep sweep(lines_around(points, id, domain), radius);
+        ASSERT_NO_FATAL_FAILURE(expect_swept(cells, id, sweep.run(radii), 10));
+      }
+      EXPECT_GT(inside, 10);
+    }
+}
+
+TEST(Domains, are_filled_by_cells_without_radius_wherever_the_points_are)
+{
+  for (const Points& domain : {triangle, trapezium})
+    for (const std::size_t number : {1u, 2u, 3u, 50u, 2000u}) {
+      Cells cells;
+      cells.set_domain(domain.begin(), domain.end());
+      const Points points = Cloud<Epick>(3).uniform(number);
+      cells.compute(triangulation(points), infinity);
+      EXPECT_NEAR(sum(cells.areas()), area_of(domain), 1e-13 * area_of(domain));
+      EXPECT_EQ(sum(cells.free_lengths()), 0);
+      double walls = 0;
+      for (std::size_t i = 0; i < domain.size(); ++i)
+        walls += std::sqrt(CGAL::squared_distance(domain[i], domain[(i + 1) % domain.size()]));
+      EXPECT_NEAR(sum(cells.wall_lengths()), walls, 1e-13 * walls);
+    }
+}
+
+TEST(Domains, that_are_boxes_have_the_cells_of_measures_in_a_box)
+{
+  const Points points = Cloud<Epick>(4).uniform(300);
+  const CGAL::Bbox_2 box(2, -1, 15, 20);
+  const Plane dt = triangulation(points);
+  Cells cells;
+  cells.set_domain(box);
+  cells.compute(dt, infinity);
+  CGAL::Voronoi_cell_measures_2 measures;
+  measures.compute(dt, box);
+  for (std::size_t id = 0; id < points.size(); ++id) {
+    EXPECT_NEAR(cells.areas()[id], measures.areas()[id], 1e-12);
+    EXPECT_NEAR(cells.perimeters()[id], measures.perimeters()[id], 1e-12);
+    if (cells.areas()[id] > 1e-6) {
+      EXPECT_NEAR(cells.centroids()[id].x, measures.centroids()[id].x, 1e-8);
+      EXPECT_NEAR(cells.centroids()[id].y, measures.centroids()[id].y, 1e-8);
+    }
+  }
+}
+
+TEST(Domains, may_have_points_outside_whose_cells_reach_in)
+{
+  Cells cells;
+  cells.set_domain(CGAL::Bbox_2(-1, -5, 1, 5));
+  cells.compute(triangulation({Point(1.5, 0.5)}), 1); // a segment of a disc
+  const double angle = 2 * std::acos(0.5);
+  EXPECT_NEAR(cells.areas()[0], (angle - std::sin(angle)) / 2, 1e-14);
+  EXPECT_NEAR(cells.wall_lengths()[0], std::sqrt(3), 1e-14);
+  cells.compute(triangulation({Point(3, 3)}), 1);
+  EXPECT_EQ(cells.areas()[0], 0);
+  EXPECT_EQ(cells.centroids()[0].x, 3);
+  EXPECT_TRUE(cells.pieces().empty());
+  cells.compute(triangulation({Point(3, 3)}), 100);
+  EXPECT_NEAR(cells.areas()[0], 20, 1e-12);
+  cells.compute(triangulation({Point(1, 0.5)}), 0.25); // on a wall
+  EXPECT_NEAR(cells.areas()[0], double(pi) / 32, 1e-15);
+  EXPECT_NEAR(cells.wall_lengths()[0], 0.5, 1e-15);
+  cells.remove_domain();
+  cells.compute(triangulation({Point(3, 3)}), 1);
+  EXPECT_DOUBLE_EQ(cells.areas()[0], double(pi));
+}
+
+TEST(Domains, must_be_convex_and_counterclockwise)
+{
+  Cells cells;
+  const auto refused_corner = [&](const Points& corners) {
+    try {
+      cells.set_domain(corners.begin(), corners.end());
+    } catch (const CGAL::Domain_error_2& error) {
+      return int(error.corner());
+    }
+    return -1;
+  };
+  EXPECT_EQ(refused_corner({Point(0, 0), Point(1, 0)}), 2);
+  EXPECT_EQ(refused_corner({Point(0, 0), Point(0, 1), Point(1, 0)}), 0);
+  EXPECT_EQ(refused_corner({Point(0, 0), Point(4, 0), Point(2, 1), Point(0, 4)}), 2);
+  EXPECT_EQ(refused_corner({Point(0, 0), Point(4, 0), Point(8, 0), Point(0, 4)}), 1);
+  EXPECT_EQ(refused_corner({Point(0, 0), Point(1, 0), Point(0, infinity)}), 2);
+  Points star;
+  for (int i = 0; i < 5; ++i)
+    star.push_back(Point(std::cos(i * 4 * double(pi) / 5), std::sin(i * 4 * double(pi) / 5)));
+  EXPECT_EQ(refused_corner(star), 0);
+  EXPECT_THROW(cells.set_domain(CGAL::Bbox_2(0, 0, 0, 1)), CGAL::Domain_error_2);
+  // the last one that was taken stays
+  EXPECT_EQ(refused_corner(trapezium), -1);
+  EXPECT_EQ(refused_corner(star), 0);
+  cells.compute(triangulation({Point(1, 1)}), infinity);
+  EXPECT_NEAR(cells.areas()[0], area_of(trapezium), 1e-12);
+}
+
+// -------------------------------------------------------------------------------------------------
+// Periodic space.
+
+TEST(Periodic_cells, are_cut_by_the_bisectors_of_all_images)
+{
+  for (const CGAL::Periodic_cell_2& cell :
+       {CGAL::Periodic_cell_2(5, 5), CGAL::Periodic_cell_2(4, 0, 9, 4)})
+    for (const std::size_t number : {1u, 2u, 20u}) {
+      const Points points = Cloud<Epick>(5).uniform(number);
+      const Torus dt(points.begin(), points.end(), cell);
+      for (const double radius : {0.3, 0.8, 1.9, 30.0}) {
+        SCOPED_TRACE(testing::Message() << number << " points, radius " << radius);
+        Cells cells;
+        cells.compute(dt, radius);
+        const Numbers radii(points.size(), radius);
+        for (std::size_t id = 0; id < points.size(); ++id) {
+          std::vector<Line> lines;
+          for (std::size_t j = 0; j < points.size(); ++j)
+            for (int s = -7; s <= 7; ++s)
+              for (int t = -7; t <= 7; ++t)
+                if (j != id || s != 0 || t != 0)
+                  lines.push_back(bisector(points[id],
+                                           points[j].x() + s * cell.ax() + t * cell.bx(),
+                                           points[j].y() + s * cell.ay() + t * cell.by(), j));
+          const auto is_far = [&](const Line& line) { return line.h > (number < 20 ? 5 : 2); };
+          lines.erase(std::remove_if(lines.begin(), lines.end(), is_far), lines.end());
+          ASSERT_NO_FATAL_FAILURE(expect_swept(cells, id, Sweep(lines, radius).run(radii), 10));
+          ASSERT_NO_FATAL_FAILURE(expect_closed(cells, id, 10));
+        }
+      }
+    }
+}
+
+TEST(Periodic_cells, fill_the_cell_if_their_radius_is_large)
+{
+  const Points points = Cloud<Epick>(6).uniform(500);
+  const Torus dt(points.begin(), points.end(), CGAL::Periodic_cell_2(30, 10, -5, 20));
+  Cells cells;
+  cells.compute(dt, 1000);
+  EXPECT_NEAR(sum(cells.areas()), 650, 1e-13 * 650);
+  for (const auto& piece : cells.pieces())
+    ASSERT_EQ(piece.side, Side::NEIGHBOR);
+}
+
+// -------------------------------------------------------------------------------------------------
+// Ids.
+
+TEST(Ids, that_are_removed_have_nothing_and_those_that_coincide_share)
+{
+  Points points = Cloud<Epick>(8).uniform(60);
+  points[20] = points[40] = points[7];
+  Plane dt = triangulation(points);
+  dt.remove(3);
+  Cells cells;
+  cells.compute(dt, 0.8);
+  EXPECT_EQ(cells.areas()[3], 0);
+  EXPECT_EQ(cells.first_pieces()[3], cells.first_pieces()[4]);
+  std::size_t with_pieces = 0;
+  for (const std::size_t id : {7u, 20u, 40u}) {
+    EXPECT_EQ(cells.areas()[id], cells.areas()[7]);
+    EXPECT_EQ(cells.perimeters()[id], cells.perimeters()[7]);
+    with_pieces += cells.first_pieces()[id] < cells.first_pieces()[id + 1];
+  }
+  EXPECT_EQ(with_pieces, 1u);
+  Cells of_one;
+  dt.remove(20);
+  dt.remove(40);
+  of_one.compute(dt, 0.8);
+  EXPECT_DOUBLE_EQ(3 * cells.areas()[7], of_one.areas()[7]);
+}
+
+TEST(Radii, must_be_positive_and_as_many_as_ids)
+{
+  const Plane dt = triangulation(Cloud<Epick>(9).uniform(10));
+  Cells cells;
+  cells.compute(dt, 1);
+  const Numbers areas = cells.areas();
+  for (const double radius : {0.0, -1.0, nan, infinity, 1e200}) {
+    EXPECT_THROW(cells.compute(dt, radius), CGAL::Parameter_error_2);
+    Numbers radii(10, 1);
+    radii[4] = radius;
+    EXPECT_THROW(cells.compute(dt, radii), CGAL::Parameter_error_2);
+  }
+  EXPECT_THROW(cells.compute(dt, Numbers(9, 1)), CGAL::Point_count_error_2);
+  EXPECT_EQ(cells.areas(), areas);
+}
+
+// -------------------------------------------------------------------------------------------------
+// Gradients, against differences of an energy that has another weight for every area and length.
+
+// The same for a piece as long as it has the same sides.
+double length_weight(const Cells::Piece& piece, std::size_t id)
+{
+  const double other = piece.angle > 0 ? 99 : double(piece.other);
+  return std::sin(double(id + 1) * (other + 2.5) + 7.3 * int(piece.side) + 3 * piece.shift[0] +
+                  5.7 * piece.shift[1]);
+}
+double area_weight(std::size_t id)
+{
+  return std::cos(3.7 * double(id));
+}
+
+struct Energy
+{
+  double value = 0;
+  Numbers area_weights{}, length_weights{};
+
+  explicit Energy(const Cells& cells)
+  {
+    for (std::size_t id = 0; id < cells.areas().size(); ++id) {
+      area_weights.push_back(area_weight(id));
+      value += area_weight(id) * cells.areas()[id];
+      for (std::size_t i = cells.first_pieces()[id]; i < cells.first_pieces()[id + 1]; ++i) {
+        length_weights.push_back(length_weight(cells.pieces()[i], id));
+        value += length_weights.back() * cells.pieces()[i].length;
+      }
+    }
+  }
+};
+
+template <class Triangulation>
+void expect_gradients(Triangulation& dt, const Points& points, const Numbers& radii,
+                      const Points& domain)
+{
+  Cells cells;
+  if (!domain.empty())
+    cells.set_domain(domain.begin(), domain.end());
+  const auto energy = [&](const Points& where, const Numbers& reach) {
+    dt.update(where.begin(), where.end());
+    cells.compute(dt, reach);
+    return Energy(cells);
+  };
+  const Energy here = energy(points, radii);
+  CGAL::Bounded_voronoi_gradients_2 gradients;
+  gradients.compute(dt, cells, here.area_weights, here.length_weights);
+  const double step = 1e-6;
+  // Of a point that moves, and of radii that grow.
+  const auto difference = [&](std::size_t id, double x, double y, const Numbers& growth) {
+    const auto at = [&](double t) {
+      Points moved = points;
+      moved[id] = Point(points[id].x() + t * x, points[id].y() + t * y);
+      Numbers reach = radii;
+      for (std::size_t i = 0; i < reach.size(); ++i)
+        reach[i] += t * growth[i];
+      return energy(moved, reach).value;
+    };
+    return (at(step) - at(-step)) / (2 * step);
+  };
+  const Numbers none(points.size(), 0);
+  for (std::size_t id = 0; id < points.size(); ++id) {
+    SCOPED_TRACE(testing::Message() << "id " << id);
+    const auto& gradient = gradients.by_positions()[id];
+    const double size = 1 + std::abs(gradient.x) + std::abs(gradient.y);
+    ASSERT_NEAR(gradient.x, difference(id, 1, 0, none), 1e-6 * size);
+    ASSERT_NEAR(gradient.y, difference(id, 0, 1, none), 1e-6 * size);
+    const double by_radius = gradients.by_radii()[id];
+    Numbers growth = none;
+    growth[id] = 1;
+    if (radii[0] != radii[1]) { // a contact between equal radii ends where the smaller one does
+      ASSERT_NEAR(by_radius, difference(id, 0, 0, growth), 1e-6 * (1 + std::abs(by_radius)));
+    }
+  }
+  if (std::isfinite(radii[0])) {
+    ASSERT_NEAR(sum(gradients.by_radii()), difference(0, 0, 0, Numbers(points.size(), 1)),
+                1e-5 * double(points.size()));
+  }
+}
+
+TEST(Gradients, are_limits_of_differences_in_the_plane)
+{
+  std::mt19937 random(11);
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Points points = Cloud<Epick>(seed).uniform(25);
+    Plane dt = triangulation(points);
+    Numbers radii(points.size(), 0.7);
+    ASSERT_NO_FATAL_FAILURE(expect_gradients(dt, points, radii, {}));
+    ASSERT_NO_FATAL_FAILURE(expect_gradients(dt, points, radii, trapezium));
+    ASSERT_NO_FATAL_FAILURE(
+        expect_gradients(dt, points, Numbers(points.size(), infinity), trapezium));
+    for (double& radius : radii)
+      radius = double(between(random, 0.2, 1.2));
+    ASSERT_NO_FATAL_FAILURE(expect_gradients(dt, points, radii, {}));
+    ASSERT_NO_FATAL_FAILURE(expect_gradients(dt, points, radii, triangle));
+  }
+}
+
+TEST(Gradients, are_limits_of_differences_in_periodic_space)
+{
+  std::mt19937 random(12);
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Points points = Cloud<Epick>(seed).uniform(20);
+    Torus dt(points.begin(), points.end(), CGAL::Periodic_cell_2(5, 1, -0.5, 4));
+    Numbers radii(points.size(), 0.6);
+    ASSERT_NO_FATAL_FAILURE(expect_gradients(dt, points, radii, {}));
+    ASSERT_NO_FATAL_FAILURE(expect_gradients(dt, points, Numbers(points.size(), 50), {}));
+    for (double& radius : radii)
+      radius = double(between(random, 0.2, 1.2));
+    ASSERT_NO_FATAL_FAILURE(expect_gradients(dt, points, radii, {}));
+  }
+}
+
+TEST(Gradients, by_radius_of_a_whole_disc_are_its_circumference)
+{
+  const Plane dt = triangulation({Point(3, 4)});
+  Cells cells;
+  cells.compute(dt, 2);
+  CGAL::Bounded_voronoi_gradients_2 gradients;
+  gradients.compute(dt, cells, {1}, {10});
+  EXPECT_DOUBLE_EQ(gradients.by_radii()[0], double(4 * pi + 20 * pi));
+  EXPECT_EQ(gradients.by_positions()[0].x, 0);
+  EXPECT_THROW(gradients.compute(dt, cells, {1, 1}, {10}), CGAL::Point_count_error_2);
+  EXPECT_THROW(gradients.compute(dt, cells, {1}, {}), CGAL::Point_count_error_2);
+}
+
+TEST(Threads, change_nothing)
+{
+  using Shared =
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2, CGAL::Default,
+                                             CGAL::Default, CGAL::Default, CGAL::Default,
+                                             CGAL::Parallel_if_available_tag>;
+  const Points points = Cloud<Epick>(10).uniform(30000);
+  const Shared shared(points.begin(), points.end());
+  Cells alone, together;
+  alone.compute(triangulation(points), 0.6);
+  together.compute(shared, 0.6);
+  EXPECT_EQ(alone.areas(), together.areas());
+  EXPECT_EQ(alone.first_pieces(), together.first_pieces());
+  ASSERT_EQ(alone.pieces().size(), together.pieces().size());
+  for (std::size_t i = 0; i < alone.pieces().size(); ++i)
+    ASSERT_EQ(alone.pieces()[i].length, together.pieces()[i].length);
+}
+
+} // namespace
