@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <deque>
 #include <limits>
 #include <mutex>
 #include <utility>
@@ -68,6 +69,8 @@ result is the same.
 */
 class Bounded_voronoi_cells_2
 {
+  using Index = Dynamic_Delaunay_triangulations_2::Index;
+
 public:
   /// \name Types
   /// @{
@@ -114,6 +117,12 @@ public:
       corners.push_back({CGAL::to_double(first->x()), CGAL::to_double(first->y())});
     check(corners);
     m_domain = std::move(corners);
+    m_normals.clear();
+    for (size_type i = 0; i < m_domain.size(); ++i) {
+      const Position &p = m_domain[i], &q = m_domain[next(i)];
+      const double length = std::hypot(q.x - p.x, q.y - p.y);
+      m_normals.push_back({(q.y - p.y) / length, -(q.x - p.x) / length});
+    }
   }
   /// takes a box.
   ///
@@ -190,6 +199,12 @@ public:
   /// @}
 
 private:
+  // Where the pieces of a cell are at first, in the order of space.
+  struct Source
+  {
+    size_type part, first;
+  };
+
   // What a side of a cell is to be named.
   struct Label
   {
@@ -200,11 +215,12 @@ private:
   };
   using Cell = Dynamic_Delaunay_triangulations_2::internal::Bounded_cell_2;
 
-  // Some consecutive ids.
+  // Some cells, and memory for one after the other.
   struct Part
   {
-    size_type first;
-    std::vector<Piece> pieces;
+    std::vector<Piece> pieces{};
+    Cell cell{};
+    std::vector<Label> labels{};
   };
 
   static void check_radius(double radius, bool may_be_infinite)
@@ -246,26 +262,34 @@ private:
     CGAL_precondition(!Dynamic::Frame::is_periodic || m_domain.empty());
     const Voronoi_space_2<Dynamic> space(dt);
     start(space.number_of_ids());
-    std::vector<Part> parts;
-    std::mutex adding;
-    space.for_each_range(space.number_of_ids(), [&](size_type first, size_type beyond) {
-      Part part{first, {}};
-      Cell cell;
-      std::vector<Label> labels;
-      for (size_type id = first; id < beyond; ++id) {
-        const size_type before = part.pieces.size();
-        m_radii[id] = space.has_id(id) ? radius(id) : 0;
-        if (space.has_id(id) && space.is_representative(id)) {
-          cut_cell(space, id, radius, cell, labels);
-          measure(space.position(id), id, radius(id), cell, labels, part.pieces);
+    for (size_type id = 0; id < space.number_of_ids(); ++id)
+      m_radii[id] = space.has_id(id) ? radius(id) : 0;
+    std::mutex taking;
+    size_type used = 0;
+    space.for_each_range(space.number_of_cells(), [&](size_type first, size_type beyond) {
+      const size_type number = take_part(used, taking);
+      Part& part = m_parts[number];
+      part.pieces.clear();
+      for (size_type c = first; c < beyond; ++c)
+        if (space.is_cell(Index(c))) {
+          const size_type id = space.id_of_cell(Index(c)), before = part.pieces.size();
+          cut_cell(space, id, part.cell, part.labels);
+          measure(space.position(id), id, part);
+          m_first_pieces[id] = part.pieces.size() - before; // a number for now
+          m_sources[id] = {number, before};
         }
-        m_first_pieces[id] = part.pieces.size() - before; // a number for now
-      }
-      const std::lock_guard<std::mutex> lock(adding);
-      parts.push_back(std::move(part));
     });
-    collect(parts);
+    collect();
     share_areas(space);
+  }
+
+  // Parts keep their memory, and their places while others are added.
+  size_type take_part(size_type& used, std::mutex& taking)
+  {
+    const std::lock_guard<std::mutex> lock(taking);
+    if (used == m_parts.size())
+      m_parts.emplace_back();
+    return used++;
   }
 
   void start(size_type ids)
@@ -276,33 +300,67 @@ private:
       measures->assign(ids, 0);
     m_centroids.assign(ids, {0, 0});
     m_first_pieces.assign(ids + 1, 0);
+    m_sources.resize(ids);
   }
 
-  // Cuts a square around the point by all lines that may bound its cell.
-  template <class Space, class Radius>
-  void cut_cell(const Space& space, size_type id, const Radius& radius, Cell& cell,
-                std::vector<Label>& labels) const
+  // The sides of a cell are the bisectors with its neighbors, in their order, then cut by walls.
+  // Those beyond the radius do not matter, unless they are needed to close the polygon.
+  template <class Space>
+  void cut_cell(const Space& space, size_type id, Cell& cell, std::vector<Label>& labels) const
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
-    const double r = radius(id);
-    const Position p = space.position(id);
-    cell.start(r, 2 * (std::isinf(r) ? reach(p) : r));
+    const double r = m_radii[id];
     labels.clear();
-    labels.reserve(m_domain.size());
-    for (size_type i = 0; i < m_domain.size(); ++i) {
-      const Position from = m_domain[i] - p, along = m_domain[next(i)] - m_domain[i];
-      const double length = std::hypot(along.x, along.y);
-      labels.push_back({Side::WALL, i, {0, 0}, 0});
-      cell.cut({along.y / length, -along.x / length}, cross(from, along) / length, i);
+    bool is_around = true;
+    cell.start(r);
+    for_each_bisector(
+        space, id,
+        [&](const Voronoi_neighbor_2& neighbor, const Position& normal, double distance) {
+          is_around = is_around && !neighbor.is_infinite();
+          cell.add_side(normal, distance, labels.size());
+          labels.push_back({Side::NEIGHBOR, neighbor.id, neighbor.shift, 0});
+        });
+    const Position p = space.position(id);
+    if (!(is_around && cell.close())) {
+      cell.start(r, 2 * (std::isinf(r) ? reach(p) : r));
+      labels.clear();
+      for_each_bisector(
+          space, id,
+          [&](const Voronoi_neighbor_2& neighbor, const Position& normal, double distance) {
+            if (neighbor.is_infinite() || distance >= r)
+              return;
+            cell.cut(normal, distance, labels.size());
+            labels.push_back({Side::NEIGHBOR, neighbor.id, neighbor.shift, 0});
+          });
     }
+    for (Label& label : labels)
+      label.radius = m_radii[label.other];
+    cut_by_walls(p, cell, labels);
+  }
+
+  template <class Space, class Function>
+  static void for_each_bisector(const Space& space, size_type id, const Function& f)
+  {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
     space.for_each_neighbor(id, [&](const Voronoi_neighbor_2& neighbor) {
-      if (neighbor.is_infinite())
-        return;
       const Position& way = neighbor.vector;
-      const double length = std::hypot(way.x, way.y);
-      cell.cut({way.x / length, way.y / length}, length / 2, labels.size());
-      labels.push_back({Side::NEIGHBOR, neighbor.id, neighbor.shift, radius(neighbor.id)});
+      const double length = std::sqrt(dot(way, way));
+      f(neighbor, Position{way.x / length, way.y / length}, length / 2);
     });
+  }
+
+  void cut_by_walls(const Position& p, Cell& cell, std::vector<Label>& labels) const
+  {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    for (size_type i = 0; i < m_domain.size(); ++i) {
+      const Position from = m_domain[i] - p;
+      const Position& normal = m_normals[i];
+      const double distance = dot(normal, from);
+      if (cell.is_within(normal, distance))
+        continue;
+      cell.cut(normal, distance, labels.size());
+      labels.push_back({Side::WALL, i, {0, 0}, 0});
+    }
   }
 
   size_type next(size_type corner) const { return corner + 1 < m_domain.size() ? corner + 1 : 0; }
@@ -317,26 +375,26 @@ private:
   }
 
   // Adds up the pieces of a cell around p, and appends them.
-  void measure(const Position& p, size_type id, double radius, Cell& cell,
-               const std::vector<Label>& labels, std::vector<Piece>& pieces)
+  void measure(const Position& p, size_type id, Part& part)
   {
+    const double radius = m_radii[id];
     Position moment{0, 0}; // three times the area times the vector to the centroid
     const auto add = [&](Side side, const Label& label, const Position& from, const Position& to,
                          double length, double angle) {
       m_perimeters[id] += length;
       if (side != Side::NEIGHBOR)
         (side == Side::WALL ? m_wall_lengths : m_free_lengths)[id] += length;
-      pieces.push_back({side,
-                        label.other,
-                        label.shift,
-                        {p.x + from.x, p.y + from.y},
-                        {p.x + to.x, p.y + to.y},
-                        length,
-                        angle});
+      part.pieces.push_back({side,
+                             label.other,
+                             label.shift,
+                             {p.x + from.x, p.y + from.y},
+                             {p.x + to.x, p.y + to.y},
+                             length,
+                             angle});
     };
     const auto add_chord = [&](size_type number, const Position& n, double h, double first,
                                double last) {
-      const Label& label = labels[number];
+      const Label& label = part.labels[number];
       const auto place = [&](double u) { return Position{h * n.x - u * n.y, h * n.y + u * n.x}; };
       const Position from = place(first), to = place(last);
       const double doubled_area = h * (last - first);
@@ -365,21 +423,25 @@ private:
       moment = {moment.x + squared * (to.y - from.y), moment.y - squared * (to.x - from.x)};
       add(Side::FREE, {Side::FREE, id, {0, 0}, 0}, from, to, radius * angle, angle);
     };
-    cell.for_each_piece(add_chord, add_arc);
+    part.cell.for_each_piece(add_chord, add_arc);
     const double weight = 3 * m_areas[id];
     m_centroids[id] = weight > 0 ? Position{p.x + moment.x / weight, p.y + moment.y / weight} : p;
   }
 
   // Brings the pieces of all parts into the order of ids.
-  void collect(std::vector<Part>& parts)
+  void collect()
   {
-    std::sort(parts.begin(), parts.end(),
-              [](const Part& p, const Part& q) { return p.first < q.first; });
-    for (const Part& part : parts)
-      m_pieces.insert(m_pieces.end(), part.pieces.begin(), part.pieces.end());
     size_type sum = 0;
-    for (size_type& number : m_first_pieces)
-      sum += std::exchange(number, sum);
+    for (size_type id = 0; id < m_sources.size(); ++id) {
+      const size_type number = std::exchange(m_first_pieces[id], sum);
+      sum += number;
+      if (number == 0)
+        continue;
+      const auto& [part, before] = m_sources[id];
+      const auto first = m_parts[part].pieces.begin() + std::ptrdiff_t(before);
+      m_pieces.insert(m_pieces.end(), first, first + std::ptrdiff_t(number));
+    }
+    m_first_pieces.back() = sum;
   }
 
   template <class Space>
@@ -410,11 +472,14 @@ private:
     }
   }
 
-  std::vector<Position> m_domain; // its corners, or none
+  std::vector<Position> m_domain;  // its corners, or none
+  std::vector<Position> m_normals; // of the walls, outward
   std::vector<double> m_radii, m_areas, m_perimeters, m_wall_lengths, m_free_lengths;
   std::vector<Position> m_centroids;
   std::vector<Piece> m_pieces;
   std::vector<size_type> m_first_pieces;
+  std::vector<Source> m_sources; // of each id
+  std::deque<Part> m_parts;
 };
 
 } // namespace CGAL

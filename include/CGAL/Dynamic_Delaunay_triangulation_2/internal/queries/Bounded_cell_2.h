@@ -51,6 +51,41 @@ public:
                {{-1, 0}, w, no_label}};
   }
 
+  // Begins without sides, for add_side() and close().
+  void start(double radius)
+  {
+    m_radius = radius;
+    m_corners.clear();
+    m_sides.clear();
+  }
+  // Adds the next side counterclockwise: that of the next neighbor of a point that is no corner of
+  // the hull.
+  void add_side(const Position_2& normal, double distance, std::size_t label)
+  {
+    m_sides.push_back({normal, distance, label});
+  }
+  // Finds the corners between the sides. False where two sides may not meet: then the polygon has
+  // to be cut out of a square.
+  bool close()
+  {
+    for (std::size_t i = 0; i < m_sides.size(); ++i) {
+      const Side &side = m_sides[i == 0 ? m_sides.size() - 1 : i - 1], &next = m_sides[i];
+      const double sine = cross(side.normal, next.normal);
+      if (!(sine > parallel))
+        return false;
+      m_corners.push_back(meeting_place(side, next, sine));
+    }
+    return m_sides.size() > 2;
+  }
+
+  // Whether no corner is beyond a line.
+  bool is_within(const Position_2& normal, double distance) const
+  {
+    return distance >= m_radius ||
+           std::none_of(m_corners.begin(), m_corners.end(),
+                        [&](const Position_2& corner) { return dot(normal, corner) > distance; });
+  }
+
   // Cuts off what is beyond a line, whose side gets a label.
   void cut(const Position_2& normal, double distance, std::size_t label)
   {
@@ -99,6 +134,7 @@ public:
   }
 
 private:
+  static constexpr double parallel = 1e-6; // the sine between lines that are
   static constexpr double full_turn = boost::math::constants::two_pi<double>();
 
   struct Side
@@ -121,16 +157,21 @@ private:
     m_new_sides.push_back(side);
   }
 
+  // Of two lines.
+  static Position_2 meeting_place(const Side& side, const Side& line, double sine)
+  {
+    return {(side.distance * line.normal.y - line.distance * side.normal.y) / sine,
+            (line.distance * side.normal.x - side.distance * line.normal.x) / sine};
+  }
+
   // Where the side from corner i to corner `next` meets a line. Where they are about parallel, one
   // coordinate along them is as uncertain as it is in any case, and stays between the corners.
   Position_2 meeting_place(std::size_t i, std::size_t next, const Side& line) const
   {
-    constexpr double parallel = 1e-6;
     const Side& side = m_sides[i];
     const double sine = cross(side.normal, line.normal);
     if (std::abs(sine) > parallel)
-      return {(side.distance * line.normal.y - line.distance * side.normal.y) / sine,
-              (line.distance * side.normal.x - side.distance * line.normal.x) / sine};
+      return meeting_place(side, line, sine);
     const double t = m_excess[i] / (m_excess[i] - m_excess[next]);
     const Position_2 &p = m_corners[i], &q = m_corners[next];
     return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};

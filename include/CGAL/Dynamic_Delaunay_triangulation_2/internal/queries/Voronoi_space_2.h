@@ -69,6 +69,9 @@ public:
   bool is_representative(std::size_t id) const { return m_frame.id(m_frame.vertex(id)) == id; }
   Index number_of_cells() const { return m_frame.number_of_vertices() + 1; }
   Index cell(std::size_t id) const { return m_frame.vertex(id); }
+  // Cells are numbered in an order of space. Not every number is that of a cell.
+  bool is_cell(Index c) const { return !m_frame.is_infinite(c); }
+  std::size_t id_of_cell(Index c) const { return m_frame.id(c); }
   Position_2 position(std::size_t id) const { return m_frame.position(m_frame.vertex(id)); }
 
   template <class Function>
@@ -194,6 +197,8 @@ public:
   bool is_representative(std::size_t id) const { return m_dt.representative(id) == id; }
   Index number_of_cells() const { return number_of_ids(); }
   Index cell(std::size_t id) const { return Index(m_dt.representative(id)); }
+  bool is_cell(Index c) const { return has_id(c) && is_representative(c); }
+  std::size_t id_of_cell(Index c) const { return c; }
   Position_2 position(std::size_t id) const
   {
     const auto p = m_dt.point(id);
