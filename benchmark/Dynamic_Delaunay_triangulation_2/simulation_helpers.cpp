@@ -9,6 +9,8 @@
 // or queries.
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_gradients_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_neighbor_lists_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_point_queries_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_gradients_2.h>
@@ -235,6 +237,55 @@ void nearest_to_places_cgal(benchmark::State& state)
   });
 }
 
+// Cells that end where discs do that hardly leave a gap.
+constexpr double radius = 0.7;
+
+void bounded_cells(benchmark::State& state)
+{
+  CGAL::Bounded_voronoi_cells_2 cells;
+  run(state, [&](const Dynamic& dt) {
+    cells.compute(dt, radius);
+    benchmark::DoNotOptimize(cells.pieces().data());
+  });
+}
+
+void bounded_cells_periodic(benchmark::State& state)
+{
+  CGAL::Bounded_voronoi_cells_2 cells;
+  run_periodic(state, [&](const Periodic& dt) {
+    cells.compute(dt, radius);
+    benchmark::DoNotOptimize(cells.pieces().data());
+  });
+}
+
+void bounded_cells_in_a_hexagon(benchmark::State& state)
+{
+  std::vector<Point> corners;
+  for (int i = 0; i < 6; ++i) {
+    const double angle = i * 1.0471975512, middle = side(state) / 2;
+    corners.push_back(Point(middle * (1 + std::cos(angle)), middle * (1 + std::sin(angle))));
+  }
+  CGAL::Bounded_voronoi_cells_2 cells;
+  cells.set_domain(corners.begin(), corners.end());
+  run(state, [&](const Dynamic& dt) {
+    cells.compute(dt, radius);
+    benchmark::DoNotOptimize(cells.pieces().data());
+  });
+}
+
+void bounded_forces(benchmark::State& state)
+{
+  const Dynamic dt(cloud(state, 1));
+  CGAL::Bounded_voronoi_cells_2 cells;
+  cells.compute(dt, radius);
+  const std::vector<double> by_area(cells.areas().size(), 1), by_length(cells.pieces().size(), 2);
+  CGAL::Bounded_voronoi_gradients_2 gradients;
+  run(state, [&](const Dynamic& same) {
+    gradients.compute(same, cells, by_area, by_length);
+    benchmark::DoNotOptimize(gradients.by_positions().data());
+  });
+}
+
 // Each a little further on, as one asks who walks through the cloud.
 void nearest_to_places_in_a_row(benchmark::State& state)
 {
@@ -261,6 +312,10 @@ BENCHMARK(voronoi_edges_periodic)->Apply(sizes);
 BENCHMARK(forces)->Apply(sizes);
 BENCHMARK(forces_periodic)->Apply(sizes);
 BENCHMARK(clipped_cells)->Apply(sizes);
+BENCHMARK(bounded_cells)->Apply(sizes);
+BENCHMARK(bounded_cells_periodic)->Apply(sizes);
+BENCHMARK(bounded_cells_in_a_hexagon)->Apply(sizes);
+BENCHMARK(bounded_forces)->Apply(sizes);
 BENCHMARK(nearest_neighbor_of_each)->Apply(sizes);
 BENCHMARK(within_radius_of_each)->Apply(sizes);
 BENCHMARK(nearest_to_places)->Apply(sizes);
