@@ -5,6 +5,7 @@
 // points that know no Delaunay neighbors, in long double.
 
 #include "oracle.h"
+#include "replaced_heap.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_gradients_2.h>
@@ -432,10 +433,14 @@ TEST(Domains, must_be_convex_and_counterclockwise)
     star.push_back(Point(std::cos(i * 4 * double(pi) / 5), std::sin(i * 4 * double(pi) / 5)));
   EXPECT_EQ(refused_corner(star), 0);
   EXPECT_THROW(cells.set_domain(CGAL::Bbox_2(0, 0, 0, 1)), CGAL::Domain_error_2);
-  // the last one that was taken stays
+  // the last one that was taken stays, and is none of periodic space
   EXPECT_EQ(refused_corner(trapezium), -1);
   EXPECT_EQ(refused_corner(star), 0);
   cells.compute(triangulation({Point(1, 1)}), infinity);
+  EXPECT_NEAR(cells.areas()[0], area_of(trapezium), 1e-12);
+  const Points point{Point(1, 1)};
+  const Torus torus(point.begin(), point.end(), CGAL::Periodic_cell_2(5, 5));
+  EXPECT_THROW(cells.compute(torus, 1), CGAL::Domain_error_2);
   EXPECT_NEAR(cells.areas()[0], area_of(trapezium), 1e-12);
 }
 
@@ -653,6 +658,54 @@ TEST(Gradients, by_radius_of_a_whole_disc_are_its_circumference)
   EXPECT_EQ(gradients.by_positions()[0].x, 0);
   EXPECT_THROW(gradients.compute(dt, cells, {1, 1}, {10}), CGAL::Point_count_error_2);
   EXPECT_THROW(gradients.compute(dt, cells, {1}, {}), CGAL::Point_count_error_2);
+}
+
+TEST(Memory, is_kept_for_another_calm_frame)
+{
+  Cloud<Epick> cloud(17);
+  Points points = cloud.uniform(400);
+  Plane plane = triangulation(points);
+  Torus torus(points, CGAL::Periodic_cell_2(20, 20));
+  Cells of_plane, of_torus;
+  of_plane.set_domain(triangle.begin(), triangle.end());
+  CGAL::Bounded_voronoi_gradients_2 gradients;
+  for (int frame = 0; frame < 5; ++frame) {
+    cloud.shake(points, 1e-7);
+    points[7] = points[8];
+    plane.update(points.begin(), points.end());
+    torus.update(points);
+    const std::size_t before = replaced_heap::number_of_allocations;
+    of_plane.compute(plane, 0.8);
+    of_torus.compute(torus, 0.8);
+    const std::size_t allocations = replaced_heap::number_of_allocations - before;
+    if (frame > 1) {
+      EXPECT_EQ(allocations, 0u) << "frame " << frame;
+    }
+    const Energy energy(of_plane);
+    gradients.compute(plane, of_plane, energy.area_weights, energy.length_weights);
+  }
+}
+
+TEST(Memory, may_run_out_and_leaves_neither_cells_nor_gradients)
+{
+  const Plane dt = triangulation(Cloud<Epick>(18).uniform(20));
+  bool has_run_out = true;
+  for (long allocations = 0; has_run_out; ++allocations) {
+    Cells cells;
+    CGAL::Bounded_voronoi_gradients_2 gradients;
+    has_run_out = false;
+    try {
+      const replaced_heap::Scarcity scarcity(allocations);
+      cells.compute(dt, 0.8);
+      gradients.compute(dt, cells, cells.areas(), Numbers(cells.pieces().size(), 1));
+    } catch (const std::bad_alloc&) {
+      has_run_out = true;
+      EXPECT_TRUE(gradients.by_positions().empty());
+      EXPECT_TRUE(cells.areas().empty() || cells.pieces().size() >= 20);
+      cells.compute(dt, 0.8);
+    }
+    EXPECT_EQ(cells.areas().size(), 20u);
+  }
 }
 
 TEST(Threads, change_nothing)

@@ -259,8 +259,32 @@ private:
   void compute_with(const Dynamic& dt, const Radius& radius)
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
-    CGAL_precondition(!Dynamic::Frame::is_periodic || m_domain.empty());
+    if (Dynamic::Frame::is_periodic && !m_domain.empty())
+      throw Domain_error_2(0, "there is none in periodic space");
     const Voronoi_space_2<Dynamic> space(dt);
+    try {
+      compute_in(space, radius);
+    } catch (...) {
+      clear();
+      throw;
+    }
+  }
+
+  // Throws nothing.
+  void clear()
+  {
+    m_pieces.clear();
+    for (std::vector<double>* measures :
+         {&m_radii, &m_areas, &m_perimeters, &m_wall_lengths, &m_free_lengths})
+      measures->clear();
+    m_centroids.clear();
+    m_first_pieces.clear();
+  }
+
+  template <class Space, class Radius>
+  void compute_in(const Space& space, const Radius& radius)
+  {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
     start(space.number_of_ids());
     for (size_type id = 0; id < space.number_of_ids(); ++id)
       m_radii[id] = space.has_id(id) ? radius(id) : 0;
@@ -444,32 +468,22 @@ private:
     m_first_pieces.back() = sum;
   }
 
+  // Gives points that coincide what their representative has.
   template <class Space>
   void share_areas(const Space& space)
   {
-    std::vector<size_type> duplicates;
-    space.for_each_duplicate([&](size_type id) { duplicates.push_back(id); });
-    if (duplicates.empty())
-      return;
-    std::vector<size_type> representative_of_cell(space.number_of_cells());
-    std::vector<double> points(space.number_of_cells(), 1);
-    for (size_type id = 0; id < space.number_of_ids(); ++id)
-      if (space.has_id(id) && space.is_representative(id))
-        representative_of_cell[space.cell(id)] = id;
-    for (const size_type id : duplicates)
-      ++points[space.cell(id)];
-    for (const size_type id : duplicates) {
-      const size_type representative = representative_of_cell[space.cell(id)];
-      m_areas[id] = m_areas[representative] / points[space.cell(id)];
-      m_perimeters[id] = m_perimeters[representative];
-      m_centroids[id] = m_centroids[representative];
-      m_wall_lengths[id] = m_wall_lengths[representative];
-      m_free_lengths[id] = m_free_lengths[representative];
-    }
-    for (const size_type id : duplicates) {
-      const auto cell = space.cell(id);
-      m_areas[representative_of_cell[cell]] /= std::exchange(points[cell], 1);
-    }
+    const auto representative = [&](size_type id) { return space.id_of_cell(space.cell(id)); };
+    m_sharers.assign(space.number_of_ids(), 1);
+    space.for_each_duplicate([&](size_type id) { ++m_sharers[representative(id)]; });
+    for (size_type id = 0; id < m_areas.size(); ++id)
+      m_areas[id] /= m_sharers[id];
+    space.for_each_duplicate([&](size_type id) {
+      const size_type its_representative = representative(id);
+      for (std::vector<double>* measures :
+           {&m_areas, &m_perimeters, &m_wall_lengths, &m_free_lengths})
+        (*measures)[id] = (*measures)[its_representative];
+      m_centroids[id] = m_centroids[its_representative];
+    });
   }
 
   std::vector<Position> m_domain;  // its corners, or none
@@ -479,6 +493,7 @@ private:
   std::vector<Piece> m_pieces;
   std::vector<size_type> m_first_pieces;
   std::vector<Source> m_sources; // of each id
+  std::vector<double> m_sharers; // of the cell of each representative
   std::deque<Part> m_parts;
 };
 

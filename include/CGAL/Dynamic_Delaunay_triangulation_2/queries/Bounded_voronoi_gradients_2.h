@@ -62,8 +62,9 @@ public:
   /// computes both gradients. `cells` are those of `dt` as it is, `area_weights` has an entry for
   /// each id, and `length_weights` one for each of `cells.pieces()`.
   ///
-  /// Points that coincide have one cell: their representative gets the gradient for all of them
-  /// together, and the others get 0. Removed ids have 0.
+  /// If memory runs out, there are no gradients. Points that coincide have one cell: their
+  /// representative gets the gradient for all of them together, and the others get 0. Removed ids
+  /// have 0.
   ///
   /// Cost: linear. \throws Point_count_error_2 if there are not as many weights as ids, or as
   /// pieces; nothing changes.
@@ -76,12 +77,14 @@ public:
       throw Point_count_error_2(ids, area_weights.size());
     if (length_weights.size() != cells.pieces().size())
       throw Point_count_error_2(cells.pieces().size(), length_weights.size());
+    find_weights_of_cells(dt, area_weights);
+    m_by_positions.reserve(ids);
+    m_by_radii.reserve(ids); // nothing throws from here on
     m_by_positions.assign(ids, {0, 0});
     m_by_radii.assign(ids, 0);
-    const std::vector<double> weights = weights_of_cells(dt, area_weights);
     for (size_type id = 0; id < ids; ++id)
       if (cells.first_pieces()[id] < cells.first_pieces()[id + 1])
-        add_cell(dt, cells, id, weights[id], length_weights);
+        add_cell(dt, cells, id, m_weights[id], length_weights);
   }
 
   /// @}
@@ -111,17 +114,19 @@ private:
 
   // Each of several points in one place has an equal part of the area.
   template <class Dynamic>
-  static std::vector<double> weights_of_cells(const Dynamic& dt, const std::vector<double>& weights)
+  void find_weights_of_cells(const Dynamic& dt, const std::vector<double>& weights)
   {
-    std::vector<double> sums(weights.size(), 0), points(weights.size(), 0);
+    m_by_positions.clear();
+    m_by_radii.clear();
+    m_weights.assign(weights.size(), 0);
+    m_sharers.assign(weights.size(), 0);
     for (size_type id = 0; id < weights.size(); ++id)
       if (dt.has_id(id)) {
-        sums[dt.representative(id)] += weights[id];
-        ++points[dt.representative(id)];
+        m_weights[dt.representative(id)] += weights[id];
+        ++m_sharers[dt.representative(id)];
       }
     for (size_type id = 0; id < weights.size(); ++id)
-      sums[id] /= points[id] > 0 ? points[id] : 1;
-    return sums;
+      m_weights[id] /= m_sharers[id] > 0 ? m_sharers[id] : 1;
   }
 
   template <class Dynamic>
@@ -257,6 +262,7 @@ private:
 
   std::vector<Vector> m_by_positions;
   std::vector<double> m_by_radii;
+  std::vector<double> m_weights, m_sharers; // of the cells of representatives
 };
 
 } // namespace CGAL
