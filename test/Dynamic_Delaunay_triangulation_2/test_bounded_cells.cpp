@@ -9,6 +9,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_gradients_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_surface_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 
@@ -658,6 +659,124 @@ TEST(Gradients, by_radius_of_a_whole_disc_are_its_circumference)
   EXPECT_EQ(gradients.by_positions()[0].x, 0);
   EXPECT_THROW(gradients.compute(dt, cells, {1, 1}, {10}), CGAL::Point_count_error_2);
   EXPECT_THROW(gradients.compute(dt, cells, {1}, {}), CGAL::Point_count_error_2);
+}
+
+// -------------------------------------------------------------------------------------------------
+// Surfaces.
+
+// The number of components that contacts make of all points.
+std::size_t components(const Cells& cells)
+{
+  std::vector<std::size_t> root(cells.areas().size());
+  std::iota(root.begin(), root.end(), std::size_t(0));
+  const auto find = [&](std::size_t id) {
+    while (root[id] != id)
+      id = root[id];
+    return id;
+  };
+  for (std::size_t id = 0; id < root.size(); ++id)
+    for (const auto& contact : contacts_of(cells, id))
+      root[find(id)] = find(contact.first);
+  std::size_t number = 0;
+  for (std::size_t id = 0; id < root.size(); ++id)
+    number += root[id] == id;
+  return number;
+}
+
+// Edges with a contact, and faces whose circumcenter is in the discs: with the points they have the
+// homotopy type of the union of the discs (H. Edelsbrunner, 1995).
+long euler_characteristic(const Plane& dt, const Cells& cells, double radius)
+{
+  long edges = 0, faces = 0;
+  for (std::size_t id = 0; id < cells.areas().size(); ++id)
+    for (const auto& contact : contacts_of(cells, id))
+      edges += contact.first > id;
+  for (const auto& face : dt.triangulation().finite_face_handles()) {
+    const Point &p = face->vertex(0)->point(), &q = face->vertex(1)->point(),
+                &r = face->vertex(2)->point();
+    faces += std::sqrt(CGAL::squared_radius(p, q, r)) < radius;
+  }
+  return long(cells.areas().size()) - edges + faces;
+}
+
+TEST(Surfaces, surround_every_component_and_every_hole)
+{
+  for (unsigned seed = 1; seed <= 10; ++seed)
+    for (const double radius : {0.2, 0.45, 0.6, 0.75, 0.9, 1.2}) {
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ", radius " << radius);
+      const Plane dt = triangulation(Cloud<Epick>(seed).uniform(200));
+      Cells cells;
+      cells.compute(dt, radius);
+      CGAL::Bounded_voronoi_surface_2 surface;
+      surface.compute(cells);
+      long outer = 0, holes = 0;
+      double length = 0;
+      for (std::size_t line = 0; line < surface.number_of_lines(); ++line) {
+        ASSERT_TRUE(surface.is_closed(line));
+        (surface.areas()[line] > 0 ? outer : holes) += 1;
+        const std::size_t first = surface.first_pieces()[line],
+                          beyond = surface.first_pieces()[line + 1];
+        for (std::size_t i = first; i < beyond; ++i) {
+          const auto& piece = cells.pieces()[surface.pieces()[i]];
+          const auto& next = cells.pieces()[surface.pieces()[i + 1 < beyond ? i + 1 : first]];
+          ASSERT_EQ(piece.side, Side::FREE);
+          ASSERT_GT(cells.free_lengths()[surface.ids()[i]], 0);
+          ASSERT_NEAR(piece.to.x, next.from.x, 1e-12);
+          ASSERT_NEAR(piece.to.y, next.from.y, 1e-12);
+          length += piece.length;
+        }
+      }
+      ASSERT_EQ(outer, long(components(cells)));
+      ASSERT_EQ(outer - holes, euler_characteristic(dt, cells, radius));
+      ASSERT_NEAR(sum(surface.areas()), sum(cells.areas()), 1e-11);
+      ASSERT_NEAR(length, sum(cells.free_lengths()), 1e-11);
+    }
+}
+
+TEST(Surfaces, go_from_wall_to_wall_where_a_domain_cuts_them)
+{
+  Cells cells;
+  cells.set_domain(CGAL::Bbox_2(0, 0, 4, 1));
+  cells.compute(triangulation({Point(0.5, 0.5), Point(1.5, 0.5), Point(3.5, 0.5)}), 0.7);
+  CGAL::Bounded_voronoi_surface_2 surface;
+  surface.compute(cells);
+  // in four corners, in the gap, and above and below the contact
+  EXPECT_EQ(surface.number_of_lines(), 8u);
+  for (std::size_t line = 0; line < surface.number_of_lines(); ++line)
+    EXPECT_FALSE(surface.is_closed(line));
+  cells.remove_domain();
+  cells.compute(triangulation({Point(0.5, 0.5)}), 0.7);
+  surface.compute(cells); // a whole circle
+  ASSERT_EQ(surface.number_of_lines(), 1u);
+  EXPECT_NEAR(surface.areas()[0], double(pi) * 0.49, 1e-14);
+  cells.compute(triangulation({}), 1);
+  surface.compute(cells);
+  EXPECT_EQ(surface.number_of_lines(), 0u);
+}
+
+TEST(Surfaces, are_made_of_all_that_is_free_whatever_the_radii_and_in_periodic_space)
+{
+  std::mt19937 random(13);
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Points points = Cloud<Epick>(seed).uniform(100);
+    Numbers radii;
+    for (std::size_t id = 0; id < points.size(); ++id)
+      radii.push_back(double(between(random, 0.2, 1)));
+    Cells of_plane, of_torus;
+    of_plane.compute(triangulation(points), radii);
+    of_torus.compute(Torus(points.begin(), points.end(), CGAL::Periodic_cell_2(10, 10)), radii);
+    for (const Cells* cells : {&of_plane, &of_torus}) {
+      CGAL::Bounded_voronoi_surface_2 surface;
+      surface.compute(*cells);
+      double length = 0;
+      for (const std::size_t piece : surface.pieces())
+        length += cells->pieces()[piece].length;
+      ASSERT_NEAR(length, sum(cells->free_lengths()), 1e-11);
+      for (std::size_t line = 0; line < surface.number_of_lines(); ++line)
+        ASSERT_TRUE(surface.is_closed(line));
+    }
+  }
 }
 
 TEST(Memory, is_kept_for_another_calm_frame)

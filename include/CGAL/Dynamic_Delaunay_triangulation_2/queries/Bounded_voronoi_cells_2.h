@@ -65,6 +65,7 @@ An object keeps its memory. Threads share the points if the triangulation has a 
 result is the same.
 
 \sa `Bounded_voronoi_gradients_2`
+\sa `Bounded_voronoi_surface_2`
 \sa `Voronoi_cell_measures_2`
 */
 class Bounded_voronoi_cells_2
