@@ -20,6 +20,7 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -175,6 +176,23 @@ std::vector<Line> lines_around(const Points& points, std::size_t id, const Point
     const Real h = ((Real(q.x()) - p.x()) * y - (Real(q.y()) - p.y()) * x) / std::hypot(x, y);
     lines.push_back({h, std::atan2(-x, y), i, true});
   }
+  return lines;
+}
+
+// The lines of all images that are no farther than `reach`.
+std::vector<Line> lines_around_images(const Points& points, std::size_t id,
+                                      const CGAL::Periodic_cell_2& cell, Real reach)
+{
+  std::vector<Line> lines;
+  for (std::size_t j = 0; j < points.size(); ++j)
+    for (int s = -7; s <= 7; ++s)
+      for (int t = -7; t <= 7; ++t)
+        if (j != id || s != 0 || t != 0) {
+          const Line line = bisector(points[id], points[j].x() + s * cell.ax() + t * cell.bx(),
+                                     points[j].y() + s * cell.ay() + t * cell.by(), j);
+          if (line.h <= reach)
+            lines.push_back(line);
+        }
   return lines;
 }
 
@@ -461,21 +479,58 @@ TEST(Periodic_cells, are_cut_by_the_bisectors_of_all_images)
         cells.compute(dt, radius);
         const Numbers radii(points.size(), radius);
         for (std::size_t id = 0; id < points.size(); ++id) {
-          std::vector<Line> lines;
-          for (std::size_t j = 0; j < points.size(); ++j)
-            for (int s = -7; s <= 7; ++s)
-              for (int t = -7; t <= 7; ++t)
-                if (j != id || s != 0 || t != 0)
-                  lines.push_back(bisector(points[id],
-                                           points[j].x() + s * cell.ax() + t * cell.bx(),
-                                           points[j].y() + s * cell.ay() + t * cell.by(), j));
-          const auto is_far = [&](const Line& line) { return line.h > (number < 20 ? 5 : 2); };
-          lines.erase(std::remove_if(lines.begin(), lines.end(), is_far), lines.end());
+          const auto lines = lines_around_images(points, id, cell, number < 20 ? 5 : 2);
           ASSERT_NO_FATAL_FAILURE(expect_swept(cells, id, Sweep(lines, radius).run(radii), 10));
           ASSERT_NO_FATAL_FAILURE(expect_closed(cells, id, 10));
         }
       }
     }
+}
+
+// An arc from one corner of a cell to another was missing where both were on the circle.
+TEST(Corners, may_be_on_the_circle)
+{
+  // a tangent contact is off by the root of rounding, some 5e-8, and a cell can have eight
+  constexpr double error = 1e-6;
+  std::mt19937 random(15);
+  const auto below = [&](int n) { return int(random() % unsigned(n)); };
+  const CGAL::Periodic_cell_2 periodic_cell(4, 4);
+  const Points walls{Point(0.25, 0.25), Point(3.75, 0.25), Point(3.75, 3.25), Point(0.25, 3.25)};
+  for (int round = 0; round < 400; ++round) {
+    SCOPED_TRACE(testing::Message() << "round " << round);
+    const double steps[] = {0.5, std::sqrt(0.5), 1, std::sqrt(1.25), std::sqrt(2.0), 1.25, 1.5};
+    std::set<std::pair<int, int>> places;
+    for (int i = 1 + below(12); i > 0; --i)
+      places.insert({below(4), below(4)});
+    Points points;
+    Numbers radii;
+    const double common = steps[below(7)];
+    const bool have_one = below(2) == 0;
+    for (const auto& [x, y] : places) {
+      points.emplace_back(x, y);
+      radii.push_back(have_one ? common : steps[below(7)]);
+    }
+    const auto expect = [&](const Cells& cells, std::size_t id, const std::vector<Line>& lines) {
+      const Swept swept = Sweep(lines, radii[id]).run(radii);
+      ASSERT_NEAR(cells.areas()[id], double(swept.area), 1e-12) << "id " << id;
+      ASSERT_NEAR(cells.perimeters()[id], double(swept.perimeter), 1e-12) << "id " << id;
+      ASSERT_NEAR(cells.free_lengths()[id], double(swept.free), error) << "id " << id;
+      ASSERT_NO_FATAL_FAILURE(expect_closed(cells, id, 2));
+    };
+    Cells cells;
+    cells.compute(triangulation(points), radii);
+    for (std::size_t id = 0; id < points.size(); ++id)
+      ASSERT_NO_FATAL_FAILURE(expect(cells, id, lines_around(points, id, {})));
+    cells.compute(Torus(points.begin(), points.end(), periodic_cell), radii);
+    for (std::size_t id = 0; id < points.size(); ++id)
+      ASSERT_NO_FATAL_FAILURE(expect(cells, id, lines_around_images(points, id, periodic_cell, 2)));
+    cells.set_domain(walls.begin(), walls.end());
+    cells.compute(triangulation(points), radii);
+    for (std::size_t id = 0; id < points.size(); ++id)
+      if (is_inside(points[id], walls)) {
+        ASSERT_NO_FATAL_FAILURE(expect(cells, id, lines_around(points, id, walls)));
+      }
+  }
 }
 
 TEST(Periodic_cells, fill_the_cell_if_their_radius_is_large)
@@ -535,7 +590,7 @@ TEST(Radii, must_be_positive_and_as_many_as_ids)
 // -------------------------------------------------------------------------------------------------
 // Gradients, against differences of an energy that has another weight for every area and length.
 
-// The same for a piece as long as it has the same sides.
+// Depends on nothing but what is on both sides of the piece.
 double length_weight(const Cells::Piece& piece, std::size_t id)
 {
   const double other = piece.angle > 0 ? 99 : double(piece.other);
@@ -777,6 +832,73 @@ TEST(Surfaces, are_made_of_all_that_is_free_whatever_the_radii_and_in_periodic_s
         ASSERT_TRUE(surface.is_closed(line));
     }
   }
+}
+
+// Areas mixed the images of points on both sides of the border.
+TEST(Surfaces, enclose_equal_areas_wherever_the_border_of_a_periodic_cell_is)
+{
+  std::mt19937 random(14);
+  const CGAL::Periodic_cell_2 cell(10, 10);
+  for (const int size : {40, 160}) { // of 1/16: alone in the middle, and all around
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+      SCOPED_TRACE(testing::Message() << "size " << size << ", seed " << seed);
+      Points here, there;
+      for (int i = 0; i < size; ++i) {
+        const int x = int(random() % unsigned(size)), y = int(random() % unsigned(size));
+        here.emplace_back(x / 16.0, y / 16.0);
+        there.emplace_back((x + 140) % 160 / 16.0, (y + 150) % 160 / 16.0);
+      }
+      Cells cells, moved;
+      cells.compute(Torus(here.begin(), here.end(), cell), 0.6);
+      moved.compute(Torus(there.begin(), there.end(), cell), 0.6);
+      CGAL::Bounded_voronoi_surface_2 surface, of_moved;
+      surface.compute(cells);
+      of_moved.compute(moved);
+      ASSERT_EQ(of_moved.number_of_lines(), surface.number_of_lines());
+      Numbers areas, areas_of_moved;
+      CGAL::Periodic_shift_2 winding{0, 0};
+      for (std::size_t line = 0; line < surface.number_of_lines(); ++line) {
+        ASSERT_TRUE(of_moved.is_closed(line));
+        const CGAL::Periodic_shift_2 turns = of_moved.windings()[line];
+        ASSERT_EQ(std::isnan(of_moved.areas()[line]), turns[0] != 0 || turns[1] != 0);
+        winding = {winding[0] + turns[0], winding[1] + turns[1]};
+        if (!std::isnan(of_moved.areas()[line]))
+          areas_of_moved.push_back(of_moved.areas()[line]);
+        if (!std::isnan(surface.areas()[line]))
+          areas.push_back(surface.areas()[line]);
+      }
+      EXPECT_EQ(winding, (CGAL::Periodic_shift_2{0, 0})); // all of them bound the cells
+      std::sort(areas.begin(), areas.end());
+      std::sort(areas_of_moved.begin(), areas_of_moved.end());
+      ASSERT_EQ(areas.size(), areas_of_moved.size());
+      for (std::size_t i = 0; i < areas.size(); ++i)
+        ASSERT_NEAR(areas[i], areas_of_moved[i], 1e-12);
+      if (size == 40) {
+        Cells of_plane;
+        of_plane.compute(triangulation(here), 0.6);
+        ASSERT_NEAR(sum(areas_of_moved), sum(of_plane.areas()), 1e-11);
+      }
+    }
+  }
+}
+
+TEST(Surfaces, wind_around_a_torus_on_both_sides_of_a_strip)
+{
+  Points points;
+  for (int i = 0; i < 20; ++i)
+    points.emplace_back(i / 2.0, 5);
+  Cells cells;
+  cells.compute(Torus(points.begin(), points.end(), CGAL::Periodic_cell_2(10, 10)), 0.4);
+  CGAL::Bounded_voronoi_surface_2 surface;
+  surface.compute(cells);
+  ASSERT_EQ(surface.number_of_lines(), 2u);
+  for (std::size_t line = 0; line < 2; ++line) {
+    EXPECT_TRUE(surface.is_closed(line));
+    EXPECT_TRUE(std::isnan(surface.areas()[line]));
+    EXPECT_EQ(std::abs(surface.windings()[line][0]), 1);
+    EXPECT_EQ(surface.windings()[line][1], 0);
+  }
+  EXPECT_EQ(surface.windings()[0][0], -surface.windings()[1][0]);
 }
 
 TEST(Memory, is_kept_for_another_calm_frame)

@@ -52,6 +52,7 @@ Every measure has an entry for each id.
   share of its area, and the whole of its lengths and its centroid. The pieces are those of the
   representative; the others have none.
 - A point may be outside of the domain. Then its cell is what the domain has of it, or nothing.
+- Where a wall lies on a bisector, rounding decides which of them a piece is on.
 - An empty cell has area and lengths 0, and its point for the centroid.
 - Removed ids have no pieces, and 0 for all measures.
 

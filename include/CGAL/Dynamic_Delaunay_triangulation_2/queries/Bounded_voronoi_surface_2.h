@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
 #include <CGAL/Periodic_cell_2.h>
 
@@ -20,13 +21,15 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
 The surface of all bounded Voronoi cells together, as lines: the border of a tissue, of its parts
-and of its holes. With one radius, that is the boundary of the union of the discs, and the points on
-it those of the alpha shape.
+and of its holes. With one radius and no domain this is the boundary of the union of the discs, and
+the cells along it are those of the points on the boundary of the alpha shape.
 
 A line consists of free pieces, each beginning where the last one ends, with the cells on its left.
-A line is *closed*, or goes from wall to wall. In the plane, a closed line that encloses a positive
-area surrounds a component of the cells, and one with a negative area a hole. In periodic space a
-closed line can wind around the cell, and its area means nothing then.
+It goes from wall to wall, or is *closed*. A closed line around a positive area surrounds a
+component of the cells, and one around a negative area a hole. In periodic space a closed line may
+wind around the torus instead, and then has no area: a component that winds has such lines, or holes
+only. The pieces of a line may be those of different images there, as each piece is around its own
+point.
 
 Contacts of no more than rounding, which one of two cells may have and the other not, do not count.
 
@@ -54,13 +57,13 @@ public:
   {
     clear();
     try {
-      find_successors(cells);
+      find_steps(cells);
       m_is_taken.assign(cells.pieces().size(), false);
       m_first_pieces.push_back(0);
-      for (size_type piece = 0; piece < m_successors.size(); ++piece)
+      for (size_type piece = 0; piece < m_steps.size(); ++piece)
         if (is_free(cells, piece) && !m_has_predecessor[piece])
           add_line(cells, piece);
-      for (size_type piece = 0; piece < m_successors.size(); ++piece)
+      for (size_type piece = 0; piece < m_steps.size(); ++piece)
         if (is_free(cells, piece) && !m_is_taken[piece])
           add_line(cells, piece);
     } catch (...) {
@@ -81,10 +84,18 @@ public:
   const std::vector<size_type>& first_pieces() const { return m_first_pieces; }
   /// the id of the cell of each entry of `pieces()`.
   const std::vector<size_type>& ids() const { return m_ids; }
-  /// the area that each line encloses, negative if it is clockwise; NaN if it is not closed.
+  /// the area that each line encloses, negative if it is clockwise; NaN if it is not closed or
+  /// winds.
   const std::vector<double>& areas() const { return m_areas; }
-  /// whether a line ends where it begins.
-  bool is_closed(size_type line) const { return !std::isnan(m_areas[line]); }
+  /// the vectors of the periodic cell by which the end of each line is translated against its
+  /// beginning: how it winds. 0 in the plane.
+  const std::vector<Periodic_shift_2>& windings() const { return m_windings; }
+  /// whether a line ends where it begins, or in an image of that place.
+  /// \pre `line < number_of_lines()`
+  bool is_closed(size_type line) const
+  {
+    return m_steps[m_pieces[m_first_pieces[line + 1] - 1]].piece != none;
+  }
 
   /// @}
 
@@ -93,13 +104,22 @@ private:
   using Side = Cells::Side;
   static constexpr size_type none = std::size_t(-1);
 
+  // To the free piece after another one, and by which vectors its cell is translated against that
+  // of the other.
+  struct Step
+  {
+    size_type piece;
+    Periodic_shift_2 shift;
+  };
+
   void clear()
   {
-    m_successors.clear();
+    m_steps.clear();
     m_pieces.clear();
     m_first_pieces.clear();
     m_ids.clear();
     m_areas.clear();
+    m_windings.clear();
   }
 
   static bool is_free(const Cells& cells, size_type piece)
@@ -113,7 +133,7 @@ private:
     return piece + 1 < cells.first_pieces()[id + 1] ? piece + 1 : cells.first_pieces()[id];
   }
 
-  // The same contact as a piece of the neighbor.
+  // A contact as a piece of the neighbor.
   size_type twin(const Cells& cells, size_type piece) const
   {
     const Piece& contact = cells.pieces()[piece];
@@ -128,65 +148,84 @@ private:
   }
 
   // Turns around the end of a free piece, through all cells that meet there.
-  size_type successor(const Cells& cells, size_type piece) const
+  Step step_from(const Cells& cells, size_type piece) const
   {
+    Periodic_shift_2 shift{0, 0};
     size_type next = next_in_cell(cells, piece);
     for (size_type turns = 0; turns < cells.pieces().size(); ++turns) {
-      if (cells.pieces()[next].side == Side::WALL)
-        return none;
-      if (is_free(cells, next))
-        return next;
+      const Piece& contact = cells.pieces()[next];
+      if (contact.side == Side::WALL)
+        break;
+      if (contact.side == Side::FREE)
+        return {next, shift};
       const size_type beyond = twin(cells, next);
+      if (beyond != none)
+        add(shift, contact.shift);
       next = next_in_cell(cells, beyond == none ? next : beyond);
     }
-    return none;
+    return {none, {0, 0}};
   }
 
-  void find_successors(const Cells& cells)
+  static void add(Periodic_shift_2& sum, const Periodic_shift_2& shift)
+  {
+    sum[0] += shift[0];
+    sum[1] += shift[1];
+  }
+
+  void find_steps(const Cells& cells)
   {
     const size_type pieces = cells.pieces().size();
     m_owners.resize(pieces);
     for (size_type id = 0; id < cells.areas().size(); ++id)
       for (size_type i = cells.first_pieces()[id]; i < cells.first_pieces()[id + 1]; ++i)
         m_owners[i] = id;
-    m_successors.assign(pieces, none);
+    m_steps.assign(pieces, {none, {0, 0}});
     m_has_predecessor.assign(pieces, false);
     for (size_type piece = 0; piece < pieces; ++piece)
       if (is_free(cells, piece)) {
-        m_successors[piece] = successor(cells, piece);
-        if (m_successors[piece] != none)
-          m_has_predecessor[m_successors[piece]] = true;
+        m_steps[piece] = step_from(cells, piece);
+        if (m_steps[piece].piece != none)
+          m_has_predecessor[m_steps[piece].piece] = true;
       }
   }
 
+  // The area is that of the polygon of chords, and what arcs have beyond them. Chords follow each
+  // other from the line's beginning, whichever images their pieces are.
   void add_line(const Cells& cells, size_type first)
   {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
     double doubled_area = 0;
-    size_type piece = first;
+    Cells::Position end{0, 0};
+    Periodic_shift_2 winding{0, 0};
+    size_type number = first;
     do {
-      m_is_taken[piece] = true;
-      m_pieces.push_back(piece);
-      m_ids.push_back(m_owners[piece]);
-      doubled_area += doubled_area_at(cells, piece, cells.pieces()[first].from);
-      piece = m_successors[piece];
-    } while (piece != none && !m_is_taken[piece]);
+      const Piece& piece = cells.pieces()[number];
+      m_is_taken[number] = true;
+      m_pieces.push_back(number);
+      m_ids.push_back(m_owners[number]);
+      const Cells::Position chord{piece.to.x - piece.from.x, piece.to.y - piece.from.y};
+      doubled_area += cross(end, chord) + doubled_area_beyond_chord(cells, number);
+      end = {end.x + chord.x, end.y + chord.y};
+      add(winding, m_steps[number].shift);
+      number = m_steps[number].piece;
+    } while (number != none && !m_is_taken[number]);
     m_first_pieces.push_back(m_pieces.size());
-    m_areas.push_back(piece == first ? doubled_area / 2 : std::numeric_limits<double>::quiet_NaN());
+    m_windings.push_back(winding);
+    const bool encloses = number == first && winding == Periodic_shift_2{0, 0};
+    m_areas.push_back(encloses ? doubled_area / 2 : std::numeric_limits<double>::quiet_NaN());
   }
 
-  // Between a piece and a place: a triangle, and for an arc what is beyond its chord.
-  double doubled_area_at(const Cells& cells, size_type number, const Cells::Position& place) const
+  double doubled_area_beyond_chord(const Cells& cells, size_type number) const
   {
-    const Piece& piece = cells.pieces()[number];
-    const double radius = cells.radii()[m_owners[number]];
-    const double beyond = piece.angle > 0 ? piece.angle - std::sin(piece.angle) : 0;
-    return (piece.from.x - place.x) * (piece.to.y - place.y) -
-           (piece.from.y - place.y) * (piece.to.x - place.x) + radius * radius * beyond;
+    const double radius = cells.radii()[m_owners[number]], angle = cells.pieces()[number].angle;
+    return angle > 0 ? radius * radius * (angle - std::sin(angle)) : 0;
   }
 
   std::vector<size_type> m_pieces, m_first_pieces, m_ids;
   std::vector<double> m_areas;
-  std::vector<size_type> m_owners, m_successors; // of each piece of a cell
+  std::vector<Periodic_shift_2> m_windings;
+  std::vector<size_type> m_owners; // of each piece of a cell
+  std::vector<Step> m_steps;
   std::vector<bool> m_has_predecessor, m_is_taken;
 };
 

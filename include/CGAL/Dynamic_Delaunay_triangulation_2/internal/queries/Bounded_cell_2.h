@@ -125,7 +125,7 @@ public:
       const Chord& next = m_chords[i + 1 < m_chords.size() ? i + 1 : 0];
       const Side& side = m_sides[here.side];
       chord(side.label, side.normal, side.distance, here.first, here.last);
-      if (here.ends_on_circle || next.begins_on_circle) {
+      if (here.is_before_arc) {
         const Position_2 from = place(here.side, here.last), to = place(next.side, next.first);
         if (const double angle = angle_around(here.side, from, next.side, to); angle > 0)
           arc(from, to, angle);
@@ -148,7 +148,7 @@ private:
   {
     std::size_t side;
     double first, last;
-    bool begins_on_circle, ends_on_circle;
+    bool is_before_arc;
   };
 
   void append(const Position_2& corner, const Side& side)
@@ -186,21 +186,37 @@ private:
     return {distance * normal.x + u * t.x, distance * normal.y + u * t.y};
   }
 
+  // An arc is where a side, or the end of one, is outside of the disc. Corners alone do not tell: a
+  // chord may end at a corner on the circle, with arcs and sides outside before the next chord.
   void find_chords()
   {
     m_chords.clear();
+    bool is_arc_before_first = false;
+    const auto leave_disc = [&] {
+      (m_chords.empty() ? is_arc_before_first : m_chords.back().is_before_arc) = true;
+    };
     for (std::size_t i = 0; i < m_corners.size(); ++i) {
       const Side& side = m_sides[i];
-      if (side.label == no_label || !(std::abs(side.distance) < m_radius))
+      if (side.label == no_label || !(std::abs(side.distance) < m_radius)) {
+        leave_disc();
         continue;
+      }
       const Position_2 t = turned_left(side.normal);
       const double from = dot(m_corners[i], t);
       const double to = dot(m_corners[i + 1 < m_corners.size() ? i + 1 : 0], t);
+      if (!(from < to))
+        continue; // a side that rounding makes
       const double half = std::sqrt((m_radius - side.distance) * (m_radius + side.distance));
+      if (from < -half)
+        leave_disc();
       const double first = (std::max)(from, -half), last = (std::min)(to, half);
       if (first < last)
-        m_chords.push_back({i, first, last, from<-half, to> half});
+        m_chords.push_back({i, first, last, false});
+      if (to > half)
+        leave_disc();
     }
+    if (is_arc_before_first && !m_chords.empty())
+      m_chords.back().is_before_arc = true;
   }
 
   bool is_disc_inside() const
