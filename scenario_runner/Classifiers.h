@@ -98,7 +98,7 @@ protected:
   std::variant<Classifiers...> m_classifier;
 };
 
-// The same for classifiers all of which decide edge by edge.
+// One of several classifiers all of which decide edge by edge.
 template <class... Classifiers>
 class Any_edge_classifier : public Any_classifier<Classifiers...>
 {

@@ -29,7 +29,7 @@ inline CLI::Validator whole_number(std::uint64_t lowest, std::uint64_t highest)
   return {check, ""};
 }
 
-// The same for other numbers.
+// Numbers that need not be whole.
 inline CLI::Validator number(const scenario::Range& range)
 {
   const auto check = [range](std::string& text) {

@@ -143,7 +143,7 @@ public:
     return is_there;
   }
 
-  // The same without the checks, where they would take longer than all else.
+  // A step without checks, where they would take longer than all else.
   bool measure()
   {
     return go_on([this] {
@@ -152,7 +152,7 @@ public:
     });
   }
 
-  // The same without the checks and the opponents, on the way to the frames that count. Their order
+  // A step without checks and opponents, on the way to the frames that count. Their order
   // for the opponents comes from the frame before the next one that is measured, if `is_last`.
   bool follow(bool is_last)
   {

@@ -29,8 +29,8 @@ struct Periodic_face
   }
 };
 
-// The same face always in the same way, whichever image it is, and whichever corner comes first;
-// faces in ascending order, each once.
+// Images of a face, and orders of its corners, have one normal form. Faces are sorted in ascending
+// order, each once.
 Periodic_face normal(const Periodic_face& face);
 void sort_once(std::vector<Periodic_face>& faces);
 

@@ -23,7 +23,7 @@
 
 namespace run {
 
-// The same points, as CGAL's.
+// The points as CGAL's.
 template <class Iterator>
 auto kernel_points(Iterator points)
 {

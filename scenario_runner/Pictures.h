@@ -120,7 +120,7 @@ struct Listed_picture
   double time;
 };
 
-// The same text in an HTML element.
+// The text with the characters escaped that mean something in HTML.
 std::string html_text(const std::string& text);
 
 // A page that shows pictures one after another, by itself: it needs no network and no server, and

@@ -67,7 +67,7 @@ Recording parse_lammps_dump(const std::string& file, std::string_view text);
 // \throws Scenario_error, in which the text is called `file`
 Recording parse_xyz(const std::string& file, std::string_view text);
 
-// The same of files; the path - stands for standard input.
+// Read a file; the path - stands for standard input.
 bool is_standard_input(const std::string& path);
 Recording read_csv_motion(const std::string& path);
 Recording read_lammps_dump(const std::string& path);

@@ -86,7 +86,7 @@ Any_policy make_policy(const Policy_choice& choice);
 // What triangulates anew, the default first.
 const std::vector<std::pair<std::string, CGAL::Static_engine_2>>& engines();
 
-// The same one for the whole and for regions.
+// Triangulates both the whole and regions.
 CGAL::Static_engines_2 engines_named(const std::string& name);
 
 } // namespace run

@@ -79,7 +79,7 @@ public:
   // The next line that is not blank, without blanks around it, or false at the end.
   bool next_line(std::string_view& line);
 
-  // The same with the blanks around it, of which a tab may separate fields.
+  // Also skips blank lines, but leaves the blanks around it: a tab may separate fields.
   bool next_whole_line(std::string_view& line);
 
   // The next line, also if it is blank.

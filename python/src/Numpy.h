@@ -24,7 +24,7 @@ struct Input
 // Of the shape (n, 2). `name` is for messages.
 Input points_input(pybind11::handle object, const std::string& name = "points");
 
-// The same, but the numbers are copied.
+// The numbers are copied.
 Input copied_points_input(pybind11::handle object);
 
 // Integers of the shape (n,).

@@ -67,7 +67,7 @@ void expect_equal(const Dynamic& dt, const Dynamic& other)
   }
 }
 
-// The same random calls for both: whole frames, points that come, go, move, or meet.
+// Random calls, equal for both: whole frames, points that come, go, move, or meet.
 template <class Dynamic>
 class Common_future
 {

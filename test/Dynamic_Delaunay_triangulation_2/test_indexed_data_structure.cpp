@@ -393,7 +393,7 @@ TEST(Indexed_data_structure, interpolates_as_on_cgals_structure)
     // Natural neighbors reproduce linear functions.
     EXPECT_TRUE(std::abs(value - (3 + 2 * p.x() - p.y())) < 1e-9);
 
-    // The same with vertices in place of points.
+    // With vertices in place of points there are as many.
     using Weighted_vertex = std::pair<Indexed::Vertex_handle, double>;
     std::vector<Weighted_vertex> vertices;
     const auto of_vertices = CGAL::natural_neighbor_coordinates_2(

@@ -93,7 +93,7 @@ void expect_equal(const Triangulation& pt, const Triangulation& other)
   }
 }
 
-// The same random calls for a run and for one that is written and read again and again.
+// Random calls, equal for a run and for one that is written and read again and again.
 class Interrupted_run
 {
 public:

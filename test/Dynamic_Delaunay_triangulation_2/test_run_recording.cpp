@@ -198,7 +198,7 @@ public:
 
   bool is_at_end() const { return m_positions.is_at_end() && m_changes.is_at_end(); }
 
-  // The same with the shifts between the points of the motion, of which the recording has images.
+  // With the shifts between the points of the motion, of which the recording has images.
   Shown_frame frame(const scenario::Motion& motion) const
   {
     Shown_frame frame;

@@ -77,7 +77,7 @@ void for_chosen(const Moving& moving, const Function& f)
   }
 }
 
-// The same in coordinates from the middle of the box.
+// Transforms in coordinates from the middle of the box.
 template <class Function>
 void around_middle(const Moving& moving, const Function& f)
 {

@@ -112,7 +112,7 @@ void move(Distributed& dt, std::vector<Disc>& discs, double side)
     discs = dt.carry(discs);
 }
 
-// The same for the same points, whatever ranks own them.
+// Depends on the points alone, whatever ranks own them.
 std::uint64_t fingerprint(const Distributed& dt)
 {
   std::uint64_t sum = 0, all = 0;

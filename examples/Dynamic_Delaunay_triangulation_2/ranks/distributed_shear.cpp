@@ -65,7 +65,7 @@ std::vector<Point> next_positions(const Distributed& dt)
   return next;
 }
 
-// The same for the same points, whatever ranks own them.
+// Depends on the points alone, whatever ranks own them.
 std::uint64_t fingerprint(const Distributed& dt)
 {
   std::uint64_t sum = 0, all = 0;

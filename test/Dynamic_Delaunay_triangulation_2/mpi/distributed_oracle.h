@@ -33,8 +33,8 @@ using Points = std::vector<Point>;
 using Newcomers = std::vector<std::pair<Id, Point>>;
 using Edges = std::vector<std::pair<Id, Id>>; // ascending
 
-// The same on all ranks. It has a type of this file, so that templates find the expect_exact() of
-// every space.
+// All points, equal on all ranks. It has a type of this file, so that templates find the
+// expect_exact() of every space.
 struct Population : std::map<Id, Point>
 {
   using std::map<Id, Point>::map;
