@@ -142,7 +142,9 @@ std::vector<Memory_record> measure_memory(const Scale_options& options)
   constexpr std::size_t frames = 4;
   std::vector<Memory_record> records;
   for (const std::size_t points : options.points) {
-    records.push_back(Memory_run(points, options.threads.back()).measure(calm, rough, frames));
+    for (const unsigned threads : options.threads) {
+      records.push_back(Memory_run(points, threads).measure(calm, rough, frames));
+    }
   }
   return records;
 }

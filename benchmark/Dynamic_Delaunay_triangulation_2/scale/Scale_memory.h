@@ -21,6 +21,7 @@ namespace scale {
 struct Memory_record
 {
   std::size_t points = 0;
+  unsigned threads = 0;
   double cgal = 0.0; // CGAL's own triangulation of the same points
   double constructed = 0.0;
   double construction_peak = 0.0;
@@ -47,6 +48,7 @@ public:
   {
     Memory_record record;
     record.points = m_points;
+    record.threads = m_threads;
     Scale_motion motion(m_points);
     record.cgal = bytes_of_cgal(motion.points());
     const Meter meter;

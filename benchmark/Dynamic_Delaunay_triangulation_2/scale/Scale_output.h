@@ -106,7 +106,8 @@ inline void write_bandwidths(std::ostream& out, const Bandwidths& bandwidths,
 inline void write_memory(std::ostream& out, const std::vector<Memory_record>& records)
 {
   common::Table table(out, name_width,
-                      {{"CGAL", 7, 1},
+                      {{"threads", 7},
+                       {"CGAL", 7, 1},
                        {"built", 7, 1},
                        {"calm", 7, 1},
                        {"rough", 7, 1},
@@ -121,7 +122,7 @@ inline void write_memory(std::ostream& out, const std::vector<Memory_record>& re
   table.write_head("bytes a point");
   for (const Memory_record& record : records) {
     const auto points = static_cast<double>(record.points);
-    table.write_row("memory/" + std::to_string(record.points), record.cgal / points,
+    table.write_row("memory/" + std::to_string(record.points), record.threads, record.cgal / points,
                     record.constructed / points, record.calm / points, record.rough / points,
                     record.rebuilt / points, (record.rough - record.cgal) / points, "",
                     record.construction_peak / points, record.frame_peak / points,
@@ -154,14 +155,14 @@ inline void write_csv(const std::filesystem::path& directory, const std::string&
   }
   machine.finish();
   common::Csv_file bytes(directory / "memory.csv", remarks,
-                         {"points", "cgal", "built", "calm", "rough", "rebuilt", "build_peak",
-                          "frame_peak", "rebuild_peak"});
+                         {"points", "threads", "cgal", "built", "calm", "rough", "rebuilt",
+                          "build_peak", "frame_peak", "rebuild_peak"});
   for (const Memory_record& record : memory) {
     const auto points = static_cast<double>(record.points);
-    bytes.write_row(record.points, record.cgal / points, record.constructed / points,
-                    record.calm / points, record.rough / points, record.rebuilt / points,
-                    record.construction_peak / points, record.frame_peak / points,
-                    record.rebuild_peak / points);
+    bytes.write_row(record.points, record.threads, record.cgal / points,
+                    record.constructed / points, record.calm / points, record.rough / points,
+                    record.rebuilt / points, record.construction_peak / points,
+                    record.frame_peak / points, record.rebuild_peak / points);
   }
   bytes.finish();
 }

@@ -67,8 +67,9 @@ def share_of(bandwidths):
 
 
 def draw_memory(axes, memory):
+    rows = memory.select(threads=memory.values("threads")[-1])
     for place, (column, label) in enumerate(BYTES):
-        axes.plot(numbers(memory.rows, "points"), numbers(memory.rows, column),
+        axes.plot(numbers(rows, "points"), numbers(rows, column),
                   color=style.COLORS[place], marker=MARKERS[place], markersize=3, label=label)
     axes.set_xscale("log")
     axes.set_ylim(bottom=0)
