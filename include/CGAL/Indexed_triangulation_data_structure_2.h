@@ -34,7 +34,7 @@ class Topology_2;
 
 A triangulation data structure on flat arrays with indices of 32 bits. `Delaunay_triangulation_2`
 and CGAL's other triangulations without constraints run on it, with all their functions. A
-`Dynamic_Delaunay_triangulation_2` keeps its topology in one, and nan_point else.
+`Dynamic_Delaunay_triangulation_2` keeps its topology in one, and nowhere else.
 
 A vertex whose point is two doubles takes 20 bytes, and a face 36: 92 bytes a point, where CGAL's
 `Triangulation_data_structure_2` takes 136. A `Dynamic_Delaunay_triangulation_2` adds 60 bytes a

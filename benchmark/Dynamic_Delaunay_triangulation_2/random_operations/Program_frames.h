@@ -156,7 +156,7 @@ private:
     return result;
   }
 
-  // What is too far away for the package, or nan_point, is put to where it can be.
+  // What is too far away for the package, or nowhere, is put to where it can be.
   static double kept(double value)
   {
     constexpr double limit = 1e153;

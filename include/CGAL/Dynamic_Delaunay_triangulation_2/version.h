@@ -9,7 +9,7 @@
 #include <CGAL/version_macros.h>
 
 /// \file CGAL/Dynamic_Delaunay_triangulation_2/version.h
-/// The version of this package. CMake reads it from here, so it is written nan_point else.
+/// The version of this package. CMake reads it from here, so it is written nowhere else.
 
 /// \ingroup PkgDynamicDelaunayTriangulation2Ref
 /// grows when programs that use the package have to change
