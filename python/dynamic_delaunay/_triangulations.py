@@ -145,7 +145,7 @@ class _Triangulation(_core.Triangulation):
 
     @property
     def ids(self) -> NDArray[np.int64]:
-        """int64 (n,): the ids of all points, in ascending order."""
+        """int64 (n,): the ids of all points; those that the user chose in the order of the rows, others ascending."""
         return self._arrays(Group.IDS)[0]
 
     @property

@@ -5,7 +5,9 @@ import pathlib
 import subprocess
 import sys
 
+import numpy as np
 import pytest
+from agreement import edges_by_scipy
 
 EXAMPLES = pathlib.Path(__file__).parent.parent / "examples"
 
@@ -40,3 +42,63 @@ def test_lloyd():
     spreads = [float(line.split()[5]) for line in output_of("lloyd").splitlines()]
     assert len(spreads) == 6 and all(later < earlier for earlier, later in zip(spreads, spreads[1:]))
     assert spreads[-1] < 0.3 * spreads[0]
+
+
+BOX = np.array([10.0, 8.0])
+SHIFTS = np.array([(i, j) for i in (0, -1, 1) for j in (0, -1, 1)])
+
+
+def neighbors_by_scipy(points):
+    """Of each row in the periodic box, in ascending order: those among nine copies."""
+    neighbors = [set() for _ in points]
+    for i, j in edges_by_scipy(np.concatenate([points + shift * BOX for shift in SHIFTS])):
+        if min(i, j) < len(points):
+            neighbors[i % len(points)].add(j % len(points))
+            neighbors[j % len(points)].add(i % len(points))
+    return neighbors
+
+
+def test_lammps_neighbors(tmp_path):
+    random = np.random.default_rng(1)
+    points = random.random((60, 2)) * BOX
+    frames, text = [], ""
+    for step in range(3):
+        ids = random.permutation(60)[step:]
+        frames.append((ids, points[ids]))
+        rows = "".join(f"{id} 1 {points[id, 0]!r} {points[id, 1]!r} 0\n" for id in ids)
+        text += (f"ITEM: TIMESTEP\n{100 * step}\nITEM: NUMBER OF ATOMS\n{len(ids)}\n"
+                 f"ITEM: BOX BOUNDS pp pp pp\n0 10\n0 8\n-0.5 0.5\nITEM: ATOMS id type x y z\n{rows}")
+        points = (points + random.normal(0, 0.1, points.shape)) % BOX
+    dump = tmp_path / "motion.lammpstrj"
+    dump.write_text(text)
+    lines = iter(output_of("lammps_neighbors", dump).splitlines())
+    for step, (ids, places) in enumerate(frames):
+        assert next(lines).startswith(f"step {100 * step}: {len(ids)} atoms")
+        printed = [[int(id) for id in next(lines).split()] for _ in ids]
+        assert sorted(row[0] for row in printed) == sorted(ids)
+        for id, neighbors in zip(ids, neighbors_by_scipy(places)):
+            assert next(row[1:] for row in printed if row[0] == id) == sorted(ids[list(neighbors)])
+    assert next(lines, None) is None
+
+
+def test_lammps_neighbors_refuse_a_tilted_box(tmp_path):
+    dump = tmp_path / "tilted.lammpstrj"
+    dump.write_text("ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS xy xz yz pp pp pp\n")
+    run = subprocess.run([sys.executable, EXAMPLES / "lammps_neighbors.py", dump], capture_output=True, text=True,
+                         check=False)
+    assert run.returncode == 1 and "step 7: the box must be periodic in x and y, and not tilted" in run.stderr
+
+
+def test_table_densities(tmp_path):
+    pandas = pytest.importorskip("pandas")
+    x, y = (numbers.ravel() for numbers in np.meshgrid(np.arange(5.0), np.arange(4.0)))
+    frames = [pandas.DataFrame({"particle": np.arange(20), "x": scale * x, "y": scale * y, "frame": frame, "mass": 3.0})
+              for frame, scale in enumerate((2.0, 1.0))]
+    tracks = pandas.concat(frames).sample(frac=1, random_state=1)
+    tracks.to_csv(tmp_path / "tracks.csv", index=False)
+    output_of("table_densities", tmp_path / "tracks.csv", tmp_path / "densities.csv")
+    densities = pandas.read_csv(tmp_path / "densities.csv")
+    assert (densities[["particle", "x", "y", "frame", "mass"]].to_numpy() == tracks.to_numpy()).all()
+    inner = densities[(densities.frame == 0) & densities.x.between(1, 7) & densities.y.between(1, 5)]
+    assert len(inner) == 6 and np.allclose(inner.density, 0.25)  # squares of the side 2
+    assert np.allclose(densities[densities.frame == 0].groupby("frame").density.apply(lambda d: (1 / d).sum()), 8 * 6)

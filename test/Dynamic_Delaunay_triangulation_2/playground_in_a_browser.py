@@ -445,6 +445,15 @@ def begins_with_a_list_of_pages(page, width):
         page.console()
 
 
+def moves_the_points_of_the_example(page):
+    page.open("example", file="package/example.html")
+    page.until("document.title === 'Delaunay: true'", "it is not certified")
+    before = page.run("return document.getElementById('canvas').toDataURL()")
+    page.until(f"document.getElementById('canvas').toDataURL() !== {json.dumps(before)}", "nothing moves")
+    page.until("document.title === 'Delaunay: true'", "it is not certified any more")
+    page.console()
+
+
 def draw(page, screen, directory):
     width, height = SCREENS[screen]
     for name, link in {**LINKS, "large": "#scenario=brownian&points=10000&layers=edges+points+changed",
@@ -488,6 +497,7 @@ def main(chromium, driver, site, directory=None):
                 saves_its_picture(page, downloads)
                 balances_a_pendulum(page)
                 explains(page, width)
+                moves_the_points_of_the_example(page)
                 if directory:
                     draw(page, screen, directory)
         served.shutdown()
