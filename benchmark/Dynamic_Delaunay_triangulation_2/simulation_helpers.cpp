@@ -2,22 +2,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What simulations get from a triangulation that is there, and what that costs a point, or a query:
-// neighbor lists, Voronoi cells and forces, nearest points and those within a radius. The points
-// are a uniform cloud, one to a unit of area, whose ids say nothing about where they are; places
-// that are asked for are anywhere among them. Cases with `cgal` do the same by CGAL's own means,
-// cases with `periodic` in a periodic square. The counter s/point is the time divided by the points
-// or queries.
+// neighbor lists, Voronoi cells and forces, nearest points and those within a radius, and weights
+// by which to interpolate. The points are a uniform cloud, one to a unit of area, whose ids say
+// nothing about where they are; places that are asked for are anywhere among them, or those of a
+// grid, row by row. Cases with `cgal` do the same by CGAL's own means, with the face of the last
+// place as a hint, cases with `periodic` in a periodic square. The counter s/point is the time
+// divided by the points or queries.
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_gradients_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_neighbor_lists_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_point_queries_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Interpolation_weights_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_gradients_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cells_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/natural_neighbor_coordinates_2.h>
 
 #include <benchmark/benchmark.h>
 
@@ -26,6 +29,7 @@
 #include <cstdint>
 #include <iterator>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -239,6 +243,97 @@ void nearest_to_places_cgal(benchmark::State& state)
   });
 }
 
+// Those of a grid, each row from the other end than the last one: one to a point.
+std::vector<Point> grid(const benchmark::State& state)
+{
+  const auto columns = std::int64_t(side(state));
+  std::vector<Point> places;
+  for (std::int64_t i = 0; i < state.range(0); ++i) {
+    const std::int64_t row = i / columns, column = i % columns;
+    places.push_back(Point(double(row % 2 == 0 ? column : columns - 1 - column) + 0.5,
+                           double(row) * side(state) / double(columns + 1)));
+  }
+  return places;
+}
+
+void natural_neighbors(benchmark::State& state, const std::vector<Point>& places)
+{
+  CGAL::Interpolation_weights_2 weights;
+  run(state, [&](const Dynamic& dt) {
+    weights.compute_natural_neighbor(dt, places.begin(), places.end());
+    benchmark::DoNotOptimize(weights.weights().data());
+  });
+}
+
+// Into arrays of the same form.
+void natural_neighbors_cgal(benchmark::State& state, const std::vector<Point>& places)
+{
+  using Triangulation = Dynamic::Triangulation;
+  std::vector<std::pair<Triangulation::Vertex_handle, double>> parts;
+  Ids offsets, ids;
+  std::vector<double> weights;
+  run(state, [&](const Dynamic& dt) {
+    const Triangulation& triangulation = dt.triangulation();
+    Triangulation::Face_handle face;
+    offsets.assign(1, 0);
+    ids.clear();
+    weights.clear();
+    for (const Point& place : places) {
+      parts.clear();
+      face = triangulation.locate(place, face);
+      const auto result = CGAL::natural_neighbor_coordinates_2(
+          triangulation, place, std::back_inserter(parts), [](const auto& found) { return found; },
+          face);
+      for (const auto& [vertex, part] : parts) {
+        ids.push_back(dt.id(vertex));
+        weights.push_back(part / result.second);
+      }
+      offsets.push_back(ids.size());
+    }
+    benchmark::DoNotOptimize(weights.data());
+  });
+}
+
+void natural_neighbors_in_a_grid(benchmark::State& state)
+{
+  natural_neighbors(state, grid(state));
+}
+
+void natural_neighbors_in_a_grid_cgal(benchmark::State& state)
+{
+  natural_neighbors_cgal(state, grid(state));
+}
+
+void natural_neighbors_anywhere(benchmark::State& state)
+{
+  natural_neighbors(state, cloud(state, 2));
+}
+
+void natural_neighbors_anywhere_cgal(benchmark::State& state)
+{
+  natural_neighbors_cgal(state, cloud(state, 2));
+}
+
+void linear_in_a_grid(benchmark::State& state)
+{
+  const std::vector<Point> places = grid(state);
+  CGAL::Interpolation_weights_2 weights;
+  run(state, [&](const Dynamic& dt) {
+    weights.compute_linear(dt, places.begin(), places.end());
+    benchmark::DoNotOptimize(weights.weights().data());
+  });
+}
+
+void natural_neighbors_in_a_grid_periodic(benchmark::State& state)
+{
+  const std::vector<Point> places = grid(state);
+  CGAL::Interpolation_weights_2 weights;
+  run_periodic(state, [&](const Periodic& dt) {
+    weights.compute_natural_neighbor(dt, places.begin(), places.end());
+    benchmark::DoNotOptimize(weights.weights().data());
+  });
+}
+
 // Cells that end where discs do that hardly leave a gap.
 constexpr double radius = 0.7;
 
@@ -323,6 +418,12 @@ BENCHMARK(within_radius_of_each)->Apply(sizes);
 BENCHMARK(nearest_to_places)->Apply(sizes);
 BENCHMARK(nearest_to_places_cgal)->Apply(sizes);
 BENCHMARK(nearest_to_places_in_a_row)->Apply(sizes);
+BENCHMARK(natural_neighbors_in_a_grid)->Apply(sizes);
+BENCHMARK(natural_neighbors_in_a_grid_cgal)->Apply(sizes);
+BENCHMARK(natural_neighbors_in_a_grid_periodic)->Apply(sizes);
+BENCHMARK(natural_neighbors_anywhere)->Apply(sizes);
+BENCHMARK(natural_neighbors_anywhere_cgal)->Apply(sizes);
+BENCHMARK(linear_in_a_grid)->Apply(sizes);
 
 } // namespace
 

@@ -9,6 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_neighbor_lists_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_point_queries_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Interpolation_weights_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_gradients_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cells_2.h>
@@ -205,9 +206,18 @@ bool help_a_simulation()
   const auto nearest = queries.nearest(Point(1, 2));          // none, if there is no point
   queries.neighbors_within(i, 0.25, std::back_inserter(ids)); // a squared radius; decided exactly
   //! [queries]
-  return lists.degree(i) >= 2 && force.squared_length() > 0 && density > 0 &&
-         std::hypot(x - points[i].x(), y - points[i].y()) < 1 && total > 0 && corners.size() > 2 &&
-         contact > 0 && nearest.has_value();
+
+  const std::vector<Point> places{Point(1, 2), Point(1.5, 2)};
+  const std::vector<double> temperatures(dt.number_of_ids(), 20);
+  std::vector<double> samples;
+  //! [interpolation]
+  CGAL::Interpolation_weights_2 weights; // three arrays: offsets(), ids(), weights()
+  weights.compute_natural_neighbor(dt, places.begin(), places.end());        // or compute_linear()
+  weights.interpolate(temperatures.begin(), std::back_inserter(samples), 0); // 0 outside the hull
+  //! [interpolation]
+  return samples.size() == places.size() && lists.degree(i) >= 2 && force.squared_length() > 0 &&
+         density > 0 && std::hypot(x - points[i].x(), y - points[i].y()) < 1 && total > 0 &&
+         corners.size() > 2 && contact > 0 && nearest.has_value();
 }
 
 bool choose_what_is_done()

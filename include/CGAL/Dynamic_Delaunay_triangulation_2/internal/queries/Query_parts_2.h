@@ -28,7 +28,7 @@ void query_in_parts(const Queries& queries, std::size_t size, const Function& f)
 {
   Parts::for_each(size, least_queries<Parts>,
                   [&](std::size_t part, std::size_t first, std::size_t beyond) {
-                    const Queries queries_of_part(queries);
+                    Queries queries_of_part(queries);
                     for (std::size_t i = first; i < beyond; ++i)
                       f(queries_of_part, i, part);
                   });
@@ -43,7 +43,7 @@ void list_in_parts(const Queries& queries, std::size_t size, std::vector<Answer>
   std::vector<std::vector<Answer>> found(Parts::number(size, least_queries<Parts>));
   std::vector<std::size_t> ends(size + 1);
   query_in_parts<Parts>(queries, size,
-                        [&](const Queries& queries_of_part, std::size_t i, std::size_t part) {
+                        [&](Queries& queries_of_part, std::size_t i, std::size_t part) {
                           std::vector<Answer>& of_part = found[part];
                           const std::size_t before = of_part.size();
                           f(queries_of_part, i, std::back_inserter(of_part));

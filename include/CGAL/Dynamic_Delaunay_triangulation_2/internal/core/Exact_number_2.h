@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_EXACT_NUMBER_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_EXACT_NUMBER_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/Lazy_exact_nt.h>
+#include <CGAL/Number_types/internal/Exact_type_selector.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// The numbers in which coordinates are added, multiplied and divided without rounding: their own
+// type if it can do that, and rational numbers elsewhere.
+template <class FT>
+struct Exact_number_2
+{
+  using Type = std::conditional_t<Algebraic_structure_traits<FT>::Is_exact::value, FT,
+                                  typename CGAL::internal::Exact_field_selector<double>::Type>;
+  static Type of(const FT& x) { return Type(x); }
+};
+
+// Their approximations by doubles may have few digits, and there is nothing to gain from being
+// lazy.
+template <class ET>
+struct Exact_number_2<Lazy_exact_nt<ET>>
+{
+  using Type = ET;
+  static const Type& of(const Lazy_exact_nt<ET>& x) { return x.exact(); }
+};
+
+template <class Number>
+struct Exact_vector_2
+{
+  Number x, y;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_EXACT_NUMBER_2_H

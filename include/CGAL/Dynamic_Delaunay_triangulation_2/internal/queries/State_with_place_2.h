@@ -1,0 +1,293 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_STATE_WITH_PLACE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_STATE_WITH_PLACE_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Exact_number_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/check_certified_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_filter_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/enum.h>
+#include <CGAL/Periodic_cell_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// A certified triangulation with a place in it. The place is one more corner, whose vertex has the
+// number `null_index`: so Point_location_2 takes this for a state, and the vectors from the place
+// to vertices are found as those between vertices. What the plane and periodic space have in
+// common, they have by the same names.
+template <class Dynamic, bool = Dynamic::Frame::is_periodic>
+class State_with_place_2;
+
+template <class Dynamic>
+using State_of_2 = std::decay_t<decltype(std::declval<const Dynamic&>().frame().state())>;
+
+// THE PLANE ---------------------------------------------------------------------------------------
+
+template <class Dynamic>
+class State_with_place_2<Dynamic, false>
+{
+  using State = State_of_2<Dynamic>;
+  using Traits = typename Dynamic::Geom_traits;
+  static_assert(Has_euclidean_circles_2<Traits>::value,
+                "these traits have circles of their own, and areas are those of Euclidean ones");
+
+public:
+  using Point = typename Dynamic::Point;
+  using Corner = typename State::Corner;
+  using Frame = typename State::Frame;
+  using Predicates = const State_with_place_2&;
+  using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
+  using Exact = typename Exact_number_2<Coordinate>::Type;
+
+  static constexpr bool is_periodic = false, can_locate_anywhere = false;
+
+  // Throws unless the triangulation is certified.
+  explicit State_with_place_2(const Dynamic& dt)
+    : m_state(&dt.frame().state())
+    , m_traits(&dt.triangulation().geom_traits())
+    , m_is_exact(m_state->positions_are_exact())
+  {
+  }
+
+  // Throws for a place that is none: `number` is what the error calls it. It must live as long as
+  // it is asked for.
+  void set_place(const Point& place, std::size_t number)
+  {
+    bool is_exact = true;
+    m_position = checked_position(place, number, is_exact);
+    m_place = &place;
+    m_is_exact = is_exact && m_state->positions_are_exact();
+  }
+
+  const Halfedge_arrays_2& arrays() const { return m_state->arrays(); }
+  Index number_of_vertices() const { return m_state->number_of_vertices(); }
+  std::pair<Index, Periodic_shift_2> id_and_shift(Corner corner) const
+  {
+    return {m_state->ids().representative(corner), no_shift};
+  }
+
+  // Whether a face is outside of the hull.
+  bool is_outside(Face_index f) const
+  {
+    const auto corners = arrays().face(f);
+    return std::find(corners.begin(), corners.end(), infinite_index) != corners.end();
+  }
+
+  static Corner corner_of(Vertex_index v) { return v; }
+  Corner corner_in(Halfedge_index h, Frame frame) const { return m_state->corner_in(h, frame); }
+  static Frame frame_at(Index) { return {}; }
+  static Frame frame_seen_from(Index, Index) { return {}; }
+  static Frame frame_beyond(Index, Frame) { return {}; }
+  double rounded_squared_distance(Index, Vertex_index w) const
+  {
+    return squared_distance(m_position, position(w));
+  }
+
+  Orientation orientation(Corner a, Corner b, Corner c) const
+  {
+    if (m_is_exact)
+      if (const int sign = filtered_orientation(position(a), position(b), position(c)))
+        return sign > 0 ? LEFT_TURN : RIGHT_TURN;
+    return m_traits->orientation_2_object()(point(a), point(b), point(c));
+  }
+  // The side of d of the circle through a, b and c, which must be counterclockwise.
+  Oriented_side side_of_circle(Corner a, Corner b, Corner c, Corner d) const
+  {
+    if (m_is_exact)
+      if (const int sign = filtered_in_circle(position(a), position(b), position(c), position(d)))
+        return sign > 0 ? ON_POSITIVE_SIDE : ON_NEGATIVE_SIDE;
+    return m_traits->side_of_oriented_circle_2_object()(point(a), point(b), point(c), point(d));
+  }
+  bool coincide(Corner a, Corner b) const
+  {
+    return internal::coincide(*m_traits, point(a), point(b));
+  }
+
+  // The vector between two corners, rounded. Raises the error to what a coordinate is at most off
+  // by, beside the rounding of one subtraction: infinite where nothing is known.
+  Position_2 vector(Corner from, Corner to, double& error) const
+  {
+    if (!m_is_exact)
+      error = std::numeric_limits<double>::infinity();
+    return position(to) - position(from);
+  }
+  Exact_vector_2<Exact> exact_vector(Corner from, Corner to) const
+  {
+    const auto exact = [](const Coordinate& x) { return Exact_number_2<Coordinate>::of(x); };
+    const auto& p = point(from);
+    const auto& q = point(to);
+    return {exact(q.x()) - exact(p.x()), exact(q.y()) - exact(p.y())};
+  }
+
+private:
+  const Position_2& position(Corner corner) const
+  {
+    return corner == null_index ? m_position : m_state->positions()[corner];
+  }
+  Point point(Corner corner) const
+  {
+    return corner == null_index ? *m_place : m_state->point(corner);
+  }
+
+  const State* m_state;
+  const Traits* m_traits;
+  const Point* m_place = nullptr;
+  Position_2 m_position{0, 0};
+  bool m_is_exact;
+};
+
+// PERIODIC SPACE ----------------------------------------------------------------------------------
+
+template <class Dynamic>
+class State_with_place_2<Dynamic, true>
+{
+  using State = State_of_2<Dynamic>;
+
+public:
+  using Point = typename Dynamic::Point;
+  using Corner = typename State::Corner;
+  using Frame = typename State::Frame;
+  using Predicates = const State_with_place_2&;
+  using Exact = typename Exact_number_2<double>::Type;
+
+  static constexpr bool is_periodic = true, can_locate_anywhere = false;
+
+  explicit State_with_place_2(const Dynamic& dt)
+    : m_state(&dt.frame().state())
+  {
+    check_certified(dt);
+  }
+
+  void set_place(const Point& place, std::size_t number)
+  {
+    m_position = checked_position(place, number, torus());
+  }
+
+  const Halfedge_arrays_2& arrays() const { return m_state->arrays(); }
+  Index number_of_vertices() const { return m_state->number_of_vertices(); }
+  std::pair<Index, Periodic_shift_2> id_and_shift(const Corner& corner) const
+  {
+    return {m_state->ids().representative(corner.vertex), corner.shift};
+  }
+
+  // Whether a face is outside of a slab.
+  bool is_outside(Face_index f) const { return m_state->is_in_gap(f); }
+
+  static Corner corner_of(Vertex_index v) { return {v, no_shift}; }
+  Corner corner_in(Halfedge_index h, const Frame& frame) const
+  {
+    return m_state->corner_in(h, frame);
+  }
+  Frame frame_at(Halfedge_index h) const { return m_state->frame_at(h); }
+  Frame frame_seen_from(Index, Halfedge_index h) const
+  {
+    return m_state->frame_at(h) + shift_to_place(arrays().apex(h));
+  }
+  Frame frame_beyond(Halfedge_index h, const Frame& frame) const
+  {
+    return m_state->frame_beyond(h, frame);
+  }
+  double rounded_squared_distance(Index, Vertex_index w) const
+  {
+    double ignored = 0;
+    const Position_2 v = vector(corner_of(null_index), {w, shift_to_place(w)}, ignored);
+    return dot(v, v);
+  }
+
+  Orientation orientation(const Corner& a, const Corner& b, const Corner& c) const
+  {
+    return torus().orientation(image(a), image(b), image(c));
+  }
+  Oriented_side side_of_circle(const Corner& a, const Corner& b, const Corner& c,
+                               const Corner& d) const
+  {
+    return torus().side_of_circle(image(a), image(b), image(c), image(d));
+  }
+  bool coincide(const Corner& a, const Corner& b) const
+  {
+    return torus().coincide(image(a), image(b));
+  }
+
+  // As in the plane. Across the border of the cell, the sum of two coordinates and two multiples of
+  // the cell's vectors, and of what rounding takes from each of its steps, is as good as rounded
+  // once (Ogita, Rump and Oishi, 2005): a further error is below 2^-98 times the sum of all
+  // absolute values.
+  Position_2 vector(const Corner& from, const Corner& to, double& error) const
+  {
+    const Image_2 p = image(from), q = image(to);
+    if (are_equal(from.shift, to.shift))
+      return q.position - p.position;
+    const double i = to.shift[0] - from.shift[0], j = to.shift[1] - from.shift[1];
+    const auto sum = [&](double start, double end, double a, double b) {
+      const double ia = i * a, jb = j == 0 ? 0 : j * b;
+      double rounding = std::fma(i, a, -ia) + (j == 0 ? 0 : std::fma(j, b, -jb));
+      const double way = add(end, -start, rounding);
+      const double v = add(add(ia, jb, rounding), way, rounding);
+      error = (std::max)(error,
+                         0x1p-98 * (std::abs(start) + std::abs(end) + std::abs(ia) + std::abs(jb)));
+      return v + rounding;
+    };
+    const Periodic_cell_2& cell = torus().cell();
+    return {sum(p.position.x, q.position.x, cell.ax(), cell.bx()),
+            sum(p.position.y, q.position.y, cell.ay(), cell.by())};
+  }
+  // Between corners on the same side of the gap beside a slab.
+  Exact_vector_2<Exact> exact_vector(const Corner& from, const Corner& to) const
+  {
+    const Periodic_cell_2& cell = torus().cell();
+    const Exact i(to.shift[0] - from.shift[0]), j(to.shift[1] - from.shift[1]);
+    const auto exact = [&](double p, double q, double a, double b) {
+      const Exact open = Exact(q) - Exact(p) + i * Exact(a);
+      return j == 0 ? open : Exact(open + j * Exact(b));
+    };
+    const Position_2 p = image(from).position, q = image(to).position;
+    return {exact(p.x, q.x, cell.ax(), cell.bx()), exact(p.y, q.y, cell.ay(), cell.by())};
+  }
+
+private:
+  // Adds to `rounding` what the sum is too small.
+  static double add(double a, double b, double& rounding)
+  {
+    const double sum = a + b, part = sum - a;
+    rounding += (a - (sum - part)) + (b - part);
+    return sum;
+  }
+
+  const Torus_2& torus() const { return m_state->torus(); }
+  Periodic_shift_2 shift_to_place(Vertex_index v) const
+  {
+    return m_state->shift_of_step(m_state->positions()[v], m_position);
+  }
+  Image_2 image(const Corner& corner) const
+  {
+    return {corner.vertex == null_index ? m_position : m_state->positions()[corner.vertex],
+            corner.shift};
+  }
+
+  const State* m_state;
+  Position_2 m_position{0, 0};
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_STATE_WITH_PLACE_2_H

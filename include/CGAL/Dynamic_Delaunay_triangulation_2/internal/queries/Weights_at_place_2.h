@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_WEIGHTS_AT_PLACE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_WEIGHTS_AT_PLACE_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Cavity_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/State_with_place_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Weight_parts_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Point_location_2.h>
+#include <CGAL/enum.h>
+#include <CGAL/Periodic_cell_2.h>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// A point with its weight.
+struct Weighted_id_2
+{
+  std::pair<Index, Periodic_shift_2> id_and_shift;
+  double weight;
+
+  friend bool operator<(const Weighted_id_2& a, const Weighted_id_2& b)
+  {
+    return a.id_and_shift.first != b.id_and_shift.first
+               ? a.id_and_shift.first < b.id_and_shift.first
+               : a.id_and_shift.second < b.id_and_shift.second;
+  }
+};
+
+// The weights of the points around one place after the other.
+template <class Dynamic>
+class Weights_at_place_2
+{
+  using Arrays = Halfedge_arrays_2;
+  using State = State_with_place_2<Dynamic>;
+  using Corner = typename State::Corner;
+
+public:
+  using Point = typename Dynamic::Point;
+
+  // No weight is farther from the truth.
+  static constexpr double largest_error = 1e-12;
+
+  explicit Weights_at_place_2(const Dynamic& dt)
+    : m_state(dt)
+    , m_rounded(m_state)
+  {
+  }
+  Weights_at_place_2(const Weights_at_place_2& other)
+    : m_state(other.m_state)
+    , m_rounded(m_state)
+  {
+  }
+  Weights_at_place_2& operator=(const Weights_at_place_2&) = delete;
+
+  // Writes all weights, in no particular order; none if the place is outside of the hull. `number`
+  // is what errors call the place.
+  template <class OutputIterator>
+  void natural_neighbors(const Point& p, std::size_t number, OutputIterator weights)
+  {
+    if (!locate(p, number) || write_at_vertex(weights))
+      return;
+    const Halfedge_index h = edge_with_place();
+    if (h != null_index && m_state.is_outside(Arrays::face_of(m_state.arrays().twin(h))))
+      return write_on_edge(h, weights);
+    m_cavity.find(m_state, m_place.face, m_place.frame);
+    const auto& border = m_cavity.border();
+    const std::size_t size = border.size();
+    write(
+        size, [&](std::size_t i) { return border[i]; },
+        [&](auto& parts) {
+          for (const auto& [corners, places] : m_cavity.faces())
+            parts.add_face(corners, {places[0] % size, places[1] % size, places[2] % size}, 1);
+          for (std::size_t i = 0; i < size; ++i) {
+            const std::size_t next = i + 1 < size ? i + 1 : 0;
+            parts.add_face({here(), border[i], border[next]}, {size, i, next}, -1);
+          }
+        },
+        weights);
+  }
+
+  template <class OutputIterator>
+  void linear(const Point& p, std::size_t number, OutputIterator weights)
+  {
+    if (!locate(p, number) || write_at_vertex(weights))
+      return;
+    if (const Halfedge_index h = edge_with_place(); h != null_index)
+      return write_on_edge(h, weights);
+    const std::array<Corner, 3> corners{corner(first_halfedge()), corner(first_halfedge() + 1),
+                                        corner(first_halfedge() + 2)};
+    write(
+        3, [&](std::size_t i) { return corners[i]; },
+        [&](auto& parts) { parts.add_triangle(here(), corners); }, weights);
+  }
+
+private:
+  static Corner here() { return State::corner_of(null_index); }
+  Halfedge_index first_halfedge() const { return Arrays::halfedge_in(m_place.face, 0); }
+  Corner corner(Halfedge_index h) const { return m_state.corner_in(h, m_place.frame); }
+
+  // False if the place is outside of the hull.
+  bool locate(const Point& p, std::size_t number)
+  {
+    m_state.set_place(p, number);
+    if (m_state.arrays().number_of_faces() == 0)
+      return false;
+    const bool is_near = m_state.rounded_squared_distance(null_index, m_last) <= m_near;
+    m_place = Point_location_2<State>(m_state).locate(null_index, m_last,
+                                                      is_near ? 0 : m_state.number_of_vertices());
+    if (m_state.is_outside(m_place.face))
+      return false;
+    // From a place that is few edges away it is faster to walk than to search for a better start.
+    constexpr double few = 8;
+    double ignored = 0;
+    const Position_2 side =
+        m_state.vector(corner(first_halfedge()), corner(first_halfedge() + 1), ignored);
+    m_last = m_state.arrays().apex(first_halfedge());
+    m_near = few * few * dot(side, side);
+    return true;
+  }
+
+  // The half-edge of its face that the place is on, if any.
+  Halfedge_index edge_with_place() const
+  {
+    if (!m_place.is_inside)
+      for (Halfedge_index h = first_halfedge(); h < first_halfedge() + 3; ++h)
+        if (m_state.orientation(corner(Arrays::next(h)), corner(Arrays::previous(h)), here()) ==
+            COLLINEAR)
+          return h;
+    return null_index;
+  }
+
+  template <class OutputIterator>
+  bool write_at_vertex(OutputIterator weights) const
+  {
+    if (m_place.vertex == null_index)
+      return false;
+    for (Halfedge_index h = first_halfedge(); h < first_halfedge() + 3; ++h)
+      if (m_state.coincide(here(), corner(h)))
+        *weights++ = Weighted_id_2{m_state.id_and_shift(corner(h)), 1};
+    return true;
+  }
+
+  template <class OutputIterator>
+  void write_on_edge(Halfedge_index h, OutputIterator weights)
+  {
+    const std::array<Corner, 2> ends{corner(Arrays::next(h)), corner(Arrays::previous(h))};
+    write(
+        2, [&](std::size_t i) { return ends[i]; },
+        [&](auto& parts) { parts.add_edge(here(), ends[0], ends[1]); }, weights);
+  }
+
+  // Writes the weights of corners whose parts `add` adds up.
+  template <class Corner_of, class Add, class OutputIterator>
+  void write(std::size_t size, const Corner_of& corner_of, const Add& add, OutputIterator weights)
+  {
+    const auto write_all = [&](const std::vector<double>& values) {
+      for (std::size_t i = 0; i < size; ++i)
+        *weights++ = Weighted_id_2{m_state.id_and_shift(corner_of(i)), values[i]};
+    };
+    m_rounded.start(size);
+    add(m_rounded);
+    if (m_rounded.normalize(largest_error))
+      return write_all(m_rounded.weights());
+    Exact_weight_parts_2<State> exact(m_state, size);
+    add(exact);
+    write_all(exact.weights());
+  }
+
+  State m_state;
+  Rounded_weight_parts_2<State> m_rounded;
+  Place_2<State> m_place;
+  Cavity_2<State> m_cavity;
+  Vertex_index m_last = 1; // near the last place
+  double m_near = -1;      // the square of how far to walk from there
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_WEIGHTS_AT_PLACE_2_H
