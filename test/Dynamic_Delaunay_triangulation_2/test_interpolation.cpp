@@ -397,11 +397,12 @@ TEST(Interpolation, any_number_of_points_can_be_natural_neighbors)
 
 // PERIODIC SPACE ----------------------------------------------------------------------------------
 
-// As seen from a place: all images around it, triangulated without rounding.
+// As seen from a place: all images around it, triangulated without rounding. The points may be
+// given many cells away along the first vector.
 class Image_oracle
 {
 public:
-  Image_oracle(const Periodic& dt, const Exact_point& place, int reach)
+  Image_oracle(const Periodic& dt, const Exact_point& place, int reach, int away)
   {
     const CGAL::Periodic_cell_2& cell = dt.cell();
     const Epeck::Vector_2 a(cell.ax(), cell.ay()),
@@ -410,7 +411,7 @@ public:
     for (std::size_t id = 0; id < dt.number_of_ids(); ++id)
       for (int i = -reach; i <= reach; ++i)
         for (int j = cell.is_slab() ? 0 : -reach; j <= (cell.is_slab() ? 0 : reach); ++j)
-          images.push_back(exact(dt.point(id)) + Number(i) * a + Number(j) * b);
+          images.push_back(exact(dt.point(id)) + Number(i - away) * a + Number(j) * b);
     m_dt.insert(images.begin(), images.end());
     m_weights = oracle(m_dt, place);
   }
@@ -421,7 +422,7 @@ private:
   Weight_of m_weights;
 };
 
-void expect_periodic(const Periodic& dt, const Points& places)
+void expect_periodic(const Periodic& dt, const Points& places, int away = 0)
 {
   const CGAL::Periodic_cell_2& cell = dt.cell();
   Weights weights;
@@ -441,7 +442,7 @@ void expect_periodic(const Periodic& dt, const Points& places)
     for (std::size_t i = weights.offsets()[place]; i < weights.offsets()[place + 1]; ++i)
       if (weights.weights()[i] != 0)
         found[image(i)] = weights.weights()[i];
-    ASSERT_NO_FATAL_FAILURE(expect_near(found, Image_oracle(dt, p, 4).weights()));
+    ASSERT_NO_FATAL_FAILURE(expect_near(found, Image_oracle(dt, p, 4, away).weights()));
     ASSERT_NO_FATAL_FAILURE(expect_sound(weights, place, p, image));
   }
 }
@@ -459,6 +460,17 @@ TEST(Interpolation, on_a_torus_neighbors_are_images)
       places.emplace_back(points[0].x() / 2, points[0].y() / 2);
       ASSERT_NO_FATAL_FAILURE(expect_periodic(Periodic(points, cell), places));
     }
+}
+
+TEST(Interpolation, points_that_are_given_a_million_cells_away_lose_no_digit)
+{
+  constexpr int away = 1000003;
+  const CGAL::Periodic_cell_2 cell(1, 0.1, 0.4, 0.9);
+  Points points = scaled<Epick>(Cloud<Epick>(7).uniform(30), 1 / std::sqrt(30));
+  for (auto& p : points)
+    p = {p.x() + away * cell.ax(), p.y() + away * cell.ay()};
+  ASSERT_NO_FATAL_FAILURE(expect_periodic(
+      Periodic(points, cell), scaled<Epick>(Cloud<Epick>(8).uniform(9), 0.5, -0.3), away));
 }
 
 TEST(Interpolation, on_a_lattice_that_winds_all_ties_are_decided)

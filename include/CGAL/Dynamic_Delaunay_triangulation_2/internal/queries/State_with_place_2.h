@@ -29,10 +29,10 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// A certified triangulation with a place in it. The place is one more corner, whose vertex has the
-// number `null_index`: so Point_location_2 takes this for a state, and the vectors from the place
-// to vertices are found as those between vertices. What the plane and periodic space have in
-// common, they have by the same names.
+// A certified triangulation with a place in it, if one is set. The place is one more corner, whose
+// vertex has the number `null_index`: so Point_location_2 takes this for a state, and the vectors
+// from the place to vertices are found as those between vertices. What the plane and periodic space
+// have in common, they have by the same names.
 template <class Dynamic, bool = Dynamic::Frame::is_periodic>
 class State_with_place_2;
 
@@ -89,6 +89,11 @@ public:
   {
     const auto corners = arrays().face(f);
     return std::find(corners.begin(), corners.end(), infinite_index) != corners.end();
+  }
+  // Whether an edge goes there.
+  bool is_outside_at(Halfedge_index h) const
+  {
+    return arrays().source(h) == infinite_index || arrays().target(h) == infinite_index;
   }
 
   static Corner corner_of(Vertex_index v) { return v; }
@@ -190,6 +195,10 @@ public:
 
   // Whether a face is outside of a slab.
   bool is_outside(Face_index f) const { return m_state->is_in_gap(f); }
+  bool is_outside_at(Halfedge_index h) const
+  {
+    return m_state->are_across(Halfedge_arrays_2::next(h), Halfedge_arrays_2::previous(h));
+  }
 
   static Corner corner_of(Vertex_index v) { return {v, no_shift}; }
   Corner corner_in(Halfedge_index h, const Frame& frame) const

@@ -9,14 +9,13 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Exact_number_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Voronoi_face_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Rounded_face_2.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -30,20 +29,8 @@ namespace internal {
 // what they own of the new ones. A corner owns h l^2 / 8 of each side of a face; see
 // Voronoi_face_2. So no circumcenter is needed, and those far away do no harm.
 
-// Parts in doubles, with bounds on their errors.
-//
-// Let u = 2^-53, and let r |v| bound the error of a vector v, where r is u, and where coordinates
-// are off by up to e a further 1.5e / |v|. Let k = 2r + 2u. Then the dot and the cross product of v
-// and w are off by at most k |v| |w|, to the first order.
-//   - The doubled area of a face is off by the share k / sin(a), where a is its largest angle, as
-//     it is the product of the two shorter sides.
-//   - With the cotangent c of the angle opposite to a side of the length l, c l^2 is off by at most
-//     l^2 (k / sin + |c| (k + k / sin(a) + 3u)): by the dot product of the other sides, by l^2, by
-//     the area, and by three roundings. And 1 / sin <= 1 + |c|, and 3u < k. So that is at most
-//     k l^2 (1 + |c|) (4 + |c_a|).
-//   - Each sum adds u times what it is.
-// A tenth more covers the higher orders where the share of the area is below 2^-10. Nothing is
-// known where squares could underflow, or something overflows: then the bound is infinite or NaN.
+// Parts in doubles, with bounds on their errors: of what a corner owns, those of Rounded_face_2.
+// Each sum adds u = 2^-53 times what it is. A tenth more covers the higher orders.
 template <class State>
 class Rounded_weight_parts_2
 {
@@ -88,32 +75,19 @@ public:
   void add_face(const std::array<Corner, 3>& corners, const std::array<std::size_t, 3>& numbers,
                 int sign)
   {
-    double e = 0;
-    const std::array<Position_2, 3> sides{m_state.vector(corners[1], corners[2], e),
-                                          m_state.vector(corners[2], corners[0], e),
-                                          m_state.vector(corners[0], corners[1], e)};
-    const Voronoi_face_2 face(sides, e);
-    const std::array<double, 3> c{face.cotangent(0), face.cotangent(1), face.cotangent(2)};
-    std::size_t longest = 0, shortest = 0;
-    std::array<double, 3> owned, sizes;
+    const Rounded_face_2 face(m_state, corners);
+    std::array<double, 3> owned, errors;
     for (std::size_t i = 0; i < 3; ++i) {
-      const double square = face.squared_length(i);
-      longest = square > face.squared_length(longest) ? i : longest;
-      shortest = square < face.squared_length(shortest) ? i : shortest;
-      owned[i] = sign * c[i] * square;
-      sizes[i] = square * (1 + std::abs(c[i]));
+      owned[i] = sign * face.cotangent(i) * face.squared_length(i);
+      errors[i] = 1.1 * face.error_of_owned(i);
     }
-    const double r = unit + (e > 0 ? 1.5 * e / face.length(shortest) : 0), k = 2 * r + 2 * unit;
-    const double blunt = 1 + std::abs(c[longest]);
-    const bool is_proved = (face.squared_length(shortest) > smallest) & (k * blunt < 0x1p-10);
-    const double share = is_proved ? 1.1 * k * (3 + blunt) : unproved;
     for (std::size_t i = 0; i < 3; ++i)
       if (const std::size_t number = numbers[i]; number < m_parts.size()) {
         const std::size_t j = (i + 1) % 3, l = (i + 2) % 3;
         const double both = owned[j] + owned[l];
         m_parts[number] += both;
-        m_errors[number] += share * (sizes[j] + sizes[l]) +
-                            1.1 * unit * (std::abs(both) + std::abs(m_parts[number]));
+        m_errors[number] +=
+            errors[j] + errors[l] + 1.1 * unit * (std::abs(both) + std::abs(m_parts[number]));
       }
   }
 
@@ -134,13 +108,6 @@ public:
 
 private:
   static constexpr double unit = 0x1p-53, smallest = 1e-280;
-  static constexpr double unproved = std::numeric_limits<double>::infinity();
-
-  static double error_of_product(const Position_2& v, const Position_2& w, double e)
-  {
-    const double a = std::abs(v.x) + std::abs(v.y), b = std::abs(w.x) + std::abs(w.y);
-    return 5 * unit * a * b + 2 * e * (a + b + e);
-  }
 
   const State& m_state;
   std::vector<double> m_parts, m_errors;

@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_ROUNDED_FACE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_ROUNDED_FACE_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Voronoi_face_2.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// How far a dot or cross product is off, where coordinates are by up to e beside the rounding of
+// one subtraction, but for underflow. With u = 2^-53 each of two products of coordinates has three
+// roundings, and their sum is one more.
+inline double error_of_product(const Position_2& v, const Position_2& w, double e)
+{
+  const double a = std::abs(v.x) + std::abs(v.y), b = std::abs(w.x) + std::abs(w.y);
+  return 5 * 0x1p-53 * a * b + 2 * e * (a + b + e);
+}
+
+// A Delaunay face in doubles, and how far these are off.
+//
+// Let u = 2^-53, and let r |v| bound the error of a vector v, where r is u, and where coordinates
+// are off by up to e a further 1.5e / |v|. Let k = 2r + 2u. Then the dot and the cross product of v
+// and w are off by at most k |v| |w|, to the first order. So the doubled area of a face is off by
+// the share k / sin(a), where a is its largest angle, as it is the product of the two shorter
+// sides. Let c be the cotangent of the angle opposite to a side of the length l. Then
+// 1 / sin <= 1 + |c|, and
+//   - c is off by k / sin + |c| (k / sin(a) + u): by the dot product of the other sides, by the
+//     area, and by the division;
+//   - c l^2 is off by l^2 (k / sin + |c| (k + k / sin(a) + 3u)), by l^2 and two more roundings. As
+//     3u < k, that is at most k l^2 (1 + |c|) (4 + |c_a|);
+//   - the squared radius l^2 (1 + c^2) / 4, with the longest side, is off by the share
+//     k + 2 |c| (k (1 + |c|)^2 + u |c|) / (1 + c^2) + 3u <= k (3 + 5 |c|).
+// Higher orders are less than a tenth of that where the share of the area is below 2^-10. Nothing
+// is known where squares could underflow, or something overflows: then the bounds are infinite or
+// NaN.
+class Rounded_face_2
+{
+public:
+  // Of counterclockwise corners.
+  template <class State>
+  Rounded_face_2(const State& state, const std::array<typename State::Corner, 3>& corners)
+    : m_face({state.vector(corners[1], corners[2], m_off),
+              state.vector(corners[2], corners[0], m_off),
+              state.vector(corners[0], corners[1], m_off)},
+             m_off)
+    , m_cotangents{m_face.cotangent(0), m_face.cotangent(1), m_face.cotangent(2)}
+  {
+    std::size_t shortest = 0;
+    for (const std::size_t i : {1, 2}) {
+      m_longest = squared_length(i) > squared_length(m_longest) ? i : m_longest;
+      shortest = squared_length(i) < squared_length(shortest) ? i : shortest;
+    }
+    const double r = unit + (m_off > 0 ? 1.5 * m_off / m_face.length(shortest) : 0);
+    const double k = 2 * r + 2 * unit, blunt = std::abs(m_cotangents[m_longest]);
+    const bool is_known = (squared_length(shortest) > 1e-280) & (k * (1 + blunt) < 0x1p-10);
+    m_unit = is_known ? k : std::numeric_limits<double>::infinity();
+  }
+
+  double squared_length(std::size_t i) const { return m_face.squared_length(i); }
+  double cotangent(std::size_t i) const { return m_cotangents[i]; }
+  double squared_radius() const
+  {
+    const double c = m_cotangents[m_longest];
+    return squared_length(m_longest) * (1 + c * c) / 4;
+  }
+
+  // In the first order.
+  double error_of_owned(std::size_t i) const
+  {
+    return m_unit * squared_length(i) * (1 + std::abs(m_cotangents[i])) *
+           (4 + std::abs(m_cotangents[m_longest]));
+  }
+  double error_of_squared_radius() const
+  {
+    return m_unit * squared_radius() * (3 + 5 * std::abs(m_cotangents[m_longest]));
+  }
+
+private:
+  static constexpr double unit = 0x1p-53;
+
+  double m_off = 0; // by how much coordinates are, beside rounding
+  const Voronoi_face_2 m_face;
+  const std::array<double, 3> m_cotangents;
+  std::size_t m_longest = 0;
+  double m_unit; // k
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_ROUNDED_FACE_2_H
