@@ -30,7 +30,8 @@ after the other, and `offsets()` tells where each list begins (compressed sparse
 - *Natural neighbor* weights are Sibson's: if a point were inserted at the place, its Voronoi cell
   would take a part of each neighbor's; the weight of a neighbor is its share in the new cell. They
   do not depend on which diagonals the triangulation has where points are cocircular, and they
-  change continuously with the place and the points, and smoothly except at the points.
+  change continuously with the place and the points, and with the place differentiably, except at
+  the points.
 - *Linear* weights are the barycentric coordinates of the place in its face. They are faster, and
   have kinks at edges.
 
@@ -44,9 +45,9 @@ is the place.
 - A place outside of the convex hull, or of a slab, has no weights. Nor has any place if the points
   do not span the plane, or if there are none.
 
-No weight differs from the exact one for the coordinates as they are given by more than 10<sup>-12
-</sup>. They are computed in doubles, with a bound on the error, and with rational numbers where
-that bound is larger, as at hulls with faces that are nearly flat. The manual proves the bound,
+No weight differs from the exact one, for the coordinates as they are given, by more than 1e-12.
+They are computed in doubles, with a bound on the error, and with rational numbers where that bound
+is larger, as at hulls with faces that are nearly flat. The manual has the bound,
 \ref DynamicDelaunaySubsection_Interpolation.
 
 In periodic space a neighbor is an image of a point: `shifts()` tells which one, in multiples of the
@@ -114,8 +115,8 @@ public:
 
   /// the number of places.
   size_type number_of_places() const { return m_offsets.size() - 1; }
-  /// whether a place has no weights, as it is outside of the hull. \pre `place <
-  /// number_of_places()`
+  /// whether a place has no weights, as it is outside of the hull.
+  /// \pre `place < number_of_places()`
   bool is_outside(size_type place) const { return m_offsets[place] == m_offsets[place + 1]; }
   /// where the list of each place begins in `ids()` and `weights()`, and where the last list ends:
   /// `number_of_places() + 1` numbers.
