@@ -480,6 +480,44 @@ TEST(Interpolation, on_a_lattice_that_winds_all_ties_are_decided)
       expect_periodic(dt, {{0, 0}, {0.125, 0.125}, {0.125, 0}, {0.9375, -0.0625}, {1.3, 0.2}}));
 }
 
+// Where points and places are few and small integers or halves of them, everything that can
+// coincide does: places are on points, edges, hulls and circles.
+TEST(Interpolation, ties_of_all_kinds_are_decided_as_without_rounding)
+{
+  std::mt19937 random(10);
+  for (int round = 0; round < 40; ++round) {
+    SCOPED_TRACE(round);
+    std::uniform_int_distribution<int> coordinate(0, 4), half(-1, 9);
+    Points points, places;
+    for (int i = 0; i < 14; ++i) {
+      const int x = coordinate(random);
+      points.emplace_back(x, coordinate(random));
+    }
+    for (int i = 0; i < 40; ++i) {
+      const int x = half(random);
+      places.emplace_back(x / 2.0, half(random) / 2.0);
+    }
+    const Plane dt(points.begin(), points.end());
+    const Weights weights = natural(dt, places);
+    std::vector<Exact_point> exact_points;
+    for (const auto& p : points)
+      exact_points.push_back(exact(p));
+    const Exact_triangulation fresh(exact_points.begin(), exact_points.end());
+    for (std::size_t place = 0; place < places.size(); ++place) {
+      SCOPED_TRACE(place);
+      Weight_of found;
+      for (std::size_t i = weights.offsets()[place]; i < weights.offsets()[place + 1]; ++i)
+        if (weights.weights()[i] != 0)
+          found[exact(dt.point(weights.ids()[i]))] = weights.weights()[i];
+      ASSERT_NO_FATAL_FAILURE(expect_near(found, oracle(fresh, exact(places[place]))));
+    }
+    places.resize(6);
+    points = scaled<Epick>(points, 0.25);
+    places = scaled<Epick>(places, 0.25);
+    ASSERT_NO_FATAL_FAILURE(expect_periodic(Periodic(points, CGAL::Periodic_cell_2(1, 1)), places));
+  }
+}
+
 TEST(Interpolation, in_a_slab_there_is_an_outside_and_a_border)
 {
   const Points points{{0.1, 0}, {0.6, 0}, {0.3, 0.5}, {0.8, 0.75}, {0.2, 1}, {0.7, 1}};

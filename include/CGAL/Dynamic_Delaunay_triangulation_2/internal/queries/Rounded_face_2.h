@@ -36,12 +36,12 @@ inline double error_of_product(const Position_2& v, const Position_2& w, double 
 // the share k / sin(a), where a is its largest angle, as it is the product of the two shorter
 // sides. Let c be the cotangent of the angle opposite to a side of the length l. Then
 // 1 / sin <= 1 + |c|, and
-//   - c is off by k / sin + |c| (k / sin(a) + u): by the dot product of the other sides, by the
-//     area, and by the division;
-//   - c l^2 is off by l^2 (k / sin + |c| (k + k / sin(a) + 3u)), by l^2 and two more roundings. As
-//     3u < k, that is at most k l^2 (1 + |c|) (4 + |c_a|);
+//   - c is off by k / sin + |c| (k / sin(a) + 2u): by the dot product of the other sides, by the
+//     area, by a division and a product;
+//   - c l^2 is off by l^2 (k / sin + |c| (k + k / sin(a) + 4u)), by l^2 and two more roundings. As
+//     4u <= k, that is at most k l^2 (1 + |c|) (4 + |c_a|);
 //   - the squared radius l^2 (1 + c^2) / 4, with the longest side, is off by the share
-//     k + 2 |c| (k (1 + |c|)^2 + u |c|) / (1 + c^2) + 3u <= k (3 + 5 |c|).
+//     k + 2 |c| (k (1 + |c|)^2 + 2u |c|) / (1 + c^2) + 3u <= k (3 + 5 |c|).
 // Higher orders are less than a tenth of that where the share of the area is below 2^-10. Nothing
 // is known where squares could underflow, or something overflows: then the bounds are infinite or
 // NaN.
@@ -51,12 +51,14 @@ public:
   // Of counterclockwise corners.
   template <class State>
   Rounded_face_2(const State& state, const std::array<typename State::Corner, 3>& corners)
-    : m_face({state.vector(corners[1], corners[2], m_off),
-              state.vector(corners[2], corners[0], m_off),
-              state.vector(corners[0], corners[1], m_off)},
-             m_off)
-    , m_cotangents{m_face.cotangent(0), m_face.cotangent(1), m_face.cotangent(2)}
+    : m_face{std::array<Position_2, 3>{state.vector(corners[1], corners[2], m_off),
+                                       state.vector(corners[2], corners[0], m_off),
+                                       state.vector(corners[0], corners[1], m_off)},
+             m_off} // braces, as the last one is known when the others are
   {
+    const double inverse = 1 / m_face.doubled_area(); // three divisions would take longer
+    for (std::size_t i = 0; i < 3; ++i)
+      m_cotangents[i] = -dot(m_face.side((i + 1) % 3), m_face.side((i + 2) % 3)) * inverse;
     std::size_t shortest = 0;
     for (const std::size_t i : {1, 2}) {
       m_longest = squared_length(i) > squared_length(m_longest) ? i : m_longest;
@@ -92,7 +94,7 @@ private:
 
   double m_off = 0; // by how much coordinates are, beside rounding
   const Voronoi_face_2 m_face;
-  const std::array<double, 3> m_cotangents;
+  std::array<double, 3> m_cotangents;
   std::size_t m_longest = 0;
   double m_unit; // k
 };

@@ -81,8 +81,9 @@ public:
     write(
         size, [&](std::size_t i) { return border[i]; },
         [&](auto& parts) {
+          const auto begin = [&](std::size_t place) { return place == size ? 0 : place; };
           for (const auto& [corners, places] : m_cavity.faces())
-            parts.add_face(corners, {places[0] % size, places[1] % size, places[2] % size}, 1);
+            parts.add_face(corners, {begin(places[0]), begin(places[1]), begin(places[2])}, 1);
           for (std::size_t i = 0; i < size; ++i) {
             const std::size_t next = i + 1 < size ? i + 1 : 0;
             parts.add_face({here(), border[i], border[next]}, {size, i, next}, -1);
