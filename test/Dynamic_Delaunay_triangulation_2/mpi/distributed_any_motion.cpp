@@ -7,9 +7,15 @@
 
 #include "distributed_any_run.h"
 #include "distributed_any_runs.h"
+#include "distributed_theme.h"
 
-int main(int argc, char** argv)
+namespace distributed_any_motion {
+
+void run_theme()
 {
-  return make_runs<Any_run>(argc, argv, 60,
-                            [](unsigned run) { return run % 16 == 0 ? 20000 : 400; });
+  make_runs<Any_run>(60, [](unsigned run) { return run % 16 == 0 ? 20000 : 400; });
 }
+
+const Theme theme("distributed_any_motion", run_theme);
+
+} // namespace distributed_any_motion

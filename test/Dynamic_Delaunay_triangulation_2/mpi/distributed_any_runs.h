@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A program that makes many runs whose ways random numbers decide.
+// Many runs whose ways random numbers decide.
 
 #ifndef DISTRIBUTED_ANY_RUNS_H
 #define DISTRIBUTED_ANY_RUNS_H
@@ -14,9 +14,8 @@
 // Runs with up to `most_points(seed)` points. DYNAMIC_DELAUNAY_DISTRIBUTED_RUNS=1000 makes so many,
 // from the seed DYNAMIC_DELAUNAY_DISTRIBUTED_SEED on; a failure names its seed.
 template <class Run, class Most_points>
-int make_runs(int argc, char** argv, unsigned usual, const Most_points& most_points)
+void make_runs(unsigned usual, const Most_points& most_points)
 {
-  start(argc, argv);
   const char* const wanted = std::getenv("DYNAMIC_DELAUNAY_DISTRIBUTED_RUNS");
   const char* const seed = std::getenv("DYNAMIC_DELAUNAY_DISTRIBUTED_SEED");
   const unsigned runs = wanted ? unsigned(std::atoi(wanted)) : usual;
@@ -25,8 +24,6 @@ int make_runs(int argc, char** argv, unsigned usual, const Most_points& most_poi
     random_operations::Random_decisions decisions(run);
     Run(decisions, "seed " + std::to_string(run)).run(most_points(run));
   }
-  MPI_Finalize();
-  return 0;
 }
 
 #endif // DISTRIBUTED_ANY_RUNS_H

@@ -4,6 +4,7 @@
 // Run by several ranks: what they have written, some of them read again, with the same edges; files
 // that are not as they were written are refused.
 
+#include "distributed_theme.h"
 #include "distributed_uses.h"
 
 #include <algorithm>
@@ -12,6 +13,8 @@
 #include <fstream>
 #include <random>
 #include <string>
+
+namespace distributed_checkpoint {
 
 struct Data // of a point
 {
@@ -89,9 +92,8 @@ void other_files_are_refused(const std::string& path)
   expect(refuses(bad, "cannot read"), "a file that is not there is refused");
 }
 
-int main(int argc, char** argv)
+void run_theme()
 {
-  start(argc, argv);
   const std::string path = file_name("distributed_checkpoint");
   const Population population = random_points();
   {
@@ -108,5 +110,8 @@ int main(int argc, char** argv)
   other_files_are_refused(path);
   if (this_rank == 0)
     std::remove(path.c_str());
-  MPI_Finalize();
 }
+
+const Theme theme("distributed_checkpoint", run_theme);
+
+} // namespace distributed_checkpoint

@@ -5,10 +5,13 @@
 // points for all ranks.
 
 #include "distributed_oracle.h"
+#include "distributed_theme.h"
 
 #include <cmath>
 #include <cstddef>
 #include <random>
+
+namespace distributed_degeneracies {
 
 // All points with integer coordinates on a circle around the origin, and a few outside of it.
 Points points_on_one_circle()
@@ -27,9 +30,8 @@ Points points_on_one_circle()
   return points;
 }
 
-int main(int argc, char** argv)
+void run_theme()
 {
-  start(argc, argv);
   std::mt19937 random(11); // the same on all ranks
   std::normal_distribution<double> step(0, 0.05);
   Points grid, line, pairs;
@@ -71,5 +73,8 @@ int main(int argc, char** argv)
           });
   }
   run("a grid of one rank", grid, 2, {on_first, no_balance}, at_rest);
-  MPI_Finalize();
 }
+
+const Theme theme("distributed_degeneracies", run_theme);
+
+} // namespace distributed_degeneracies

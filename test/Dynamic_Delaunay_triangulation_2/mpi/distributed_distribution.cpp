@@ -4,6 +4,7 @@
 // Run by several ranks: which rank owns which points, how the user's data follow them, and what
 // ranks send.
 
+#include "distributed_theme.h"
 #include "distributed_uses.h"
 
 #include <cmath>
@@ -11,6 +12,8 @@
 #include <cstdint>
 #include <random>
 #include <utility>
+
+namespace distributed_distribution {
 
 Population random_points(std::size_t n, std::mt19937& random)
 {
@@ -106,14 +109,16 @@ void bad_load_factors_are_refused()
          "a load factor below 1 is refused");
 }
 
-int main(int argc, char** argv)
+void run_theme()
 {
-  start(argc, argv);
   points_of_one_rank_are_spread();
   calm_frames_need_no_questions();
   ghosts_that_went_away_are_dropped();
   points_that_mix_are_distributed_anew();
   fast_points_are_not_distributed_in_every_frame();
   bad_load_factors_are_refused();
-  MPI_Finalize();
 }
+
+const Theme theme("distributed_distribution", run_theme);
+
+} // namespace distributed_distribution

@@ -4,6 +4,7 @@
 // Run by several ranks: the union of their edges is the triangulation of all points, in each frame.
 
 #include "distributed_oracle.h"
+#include "distributed_theme.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 
@@ -15,6 +16,8 @@
 #include <random>
 #include <utility>
 #include <vector>
+
+namespace distributed_motion {
 
 // A block of soft discs falls over in a box. All ranks compute the same motion of all of them, with
 // the contacts that one process finds.
@@ -81,9 +84,8 @@ void refuse_bad_input()
   expect_exact(dt, points, "after a refusal");
 }
 
-int main(int argc, char** argv)
+void run_theme()
 {
-  start(argc, argv);
   const char* const wanted = std::getenv("DYNAMIC_DELAUNAY_DISTRIBUTED_FRAMES");
   const int frames = wanted ? std::atoi(wanted) : 20;
 
@@ -114,5 +116,8 @@ int main(int argc, char** argv)
   run("a rank that owns all", cloud, 2, {on_first, no_balance}, at_rest);
   run("points in turn", cloud, 2, {in_turn, no_balance}, at_rest);
   refuse_bad_input();
-  MPI_Finalize();
 }
+
+const Theme theme("distributed_motion", run_theme);
+
+} // namespace distributed_motion

@@ -6,8 +6,15 @@
 
 #include "distributed_any_runs.h"
 #include "distributed_periodic_any_run.h"
+#include "distributed_theme.h"
 
-int main(int argc, char** argv)
+namespace distributed_periodic_any_motion {
+
+void run_theme()
 {
-  return make_runs<Any_periodic_run>(argc, argv, 25, [](unsigned) { return 150; });
+  make_runs<Any_periodic_run>(25, [](unsigned) { return 150; });
 }
+
+const Theme theme("distributed_periodic_any_motion", run_theme);
+
+} // namespace distributed_periodic_any_motion

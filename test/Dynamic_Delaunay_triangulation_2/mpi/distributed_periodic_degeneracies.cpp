@@ -5,10 +5,13 @@
 // coincide, also by translations of the lattice, too few points for all ranks, and extreme cells.
 
 #include "distributed_periodic_oracle.h"
+#include "distributed_theme.h"
 
 #include <cmath>
 #include <cstddef>
 #include <random>
+
+namespace distributed_periodic_degeneracies {
 
 // All points with integer coordinates on a circle, and a few outside of it.
 Points points_on_one_circle()
@@ -27,9 +30,8 @@ Points points_on_one_circle()
   return points;
 }
 
-int main(int argc, char** argv)
+void run_theme()
 {
-  start(argc, argv);
   std::mt19937 random(11); // the same on all ranks
   std::normal_distribution<double> step(0, 0.05);
   Points grid, line, pairs;
@@ -89,5 +91,8 @@ int main(int argc, char** argv)
                             p.x() / 40 * cell.ay() + p.y() / 40 * cell.by()));
     run_periodic("few points in an extreme cell", parts, 1, {}, always(cell), at_rest);
   }
-  MPI_Finalize();
 }
+
+const Theme theme("distributed_periodic_degeneracies", run_theme);
+
+} // namespace distributed_periodic_degeneracies

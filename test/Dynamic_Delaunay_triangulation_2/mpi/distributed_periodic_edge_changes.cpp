@@ -5,6 +5,7 @@
 // one process lists, called by the same shifts.
 
 #include "distributed_periodic_oracle.h"
+#include "distributed_theme.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/distributed/Distributed_periodic_edge_changes_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Periodic_edge_changes_visitor_2.h>
@@ -18,6 +19,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace distributed_periodic_edge_changes {
 
 using Changes = CGAL::Distributed_periodic_edge_changes_2;
 using Visitor = CGAL::Periodic_edge_changes_visitor_2;
@@ -167,9 +170,8 @@ void changes_of_a_population(const Points& points)
   }
 }
 
-int main(int argc, char** argv)
+void run_theme()
 {
-  start(argc, argv);
   std::mt19937 random(11); // the same on all ranks
   std::uniform_real_distribution<double> coordinate(0, length);
   std::normal_distribution<double> step(0, 1);
@@ -223,5 +225,8 @@ int main(int argc, char** argv)
   }
   no_edge_changes_where_images_do_not(cloud);
   changes_of_a_population(grid);
-  MPI_Finalize();
 }
+
+const Theme theme("distributed_periodic_edge_changes", run_theme);
+
+} // namespace distributed_periodic_edge_changes

@@ -5,6 +5,7 @@
 // triangulation of all points, in each frame.
 
 #include "distributed_periodic_oracle.h"
+#include "distributed_theme.h"
 
 #include <cmath>
 #include <cstddef>
@@ -12,6 +13,8 @@
 #include <limits>
 #include <random>
 #include <vector>
+
+namespace distributed_periodic_motion {
 
 constexpr double length = 20;
 
@@ -74,9 +77,8 @@ void refuse_bad_input()
   expect(refuses(Cell(6, 7), next), "too many points are refused");
 }
 
-int main(int argc, char** argv)
+void run_theme()
 {
-  start(argc, argv);
   std::mt19937 random(7); // the same on all ranks
   std::uniform_real_distribution<double> coordinate(0, length), part(0, 1);
   std::normal_distribution<double> step(0, 0.05);
@@ -131,5 +133,8 @@ int main(int argc, char** argv)
                  return Point(cloud[i].x() + way, cloud[i].y() - way);
                });
   refuse_bad_input();
-  MPI_Finalize();
 }
+
+const Theme theme("distributed_periodic_motion", run_theme);
+
+} // namespace distributed_periodic_motion

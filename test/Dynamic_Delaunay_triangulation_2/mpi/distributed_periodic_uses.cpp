@@ -5,6 +5,7 @@
 // neighbor lists and measures, and checkpoints that other numbers of ranks read.
 
 #include "distributed_periodic_oracle.h"
+#include "distributed_theme.h"
 #include "distributed_uses.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/distributed/Distributed_neighbor_lists_2.h>
@@ -18,6 +19,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace distributed_periodic_uses {
 
 const Cell skew_cell(12, 1, 4, 11);
 
@@ -249,9 +252,8 @@ void points_can_be_given_back()
   }
 }
 
-int main(int argc, char** argv)
+void run_theme()
 {
-  start(argc, argv);
   any_points_come_and_go(Distributed_periodic::default_load_factor);
   any_points_come_and_go(no_balance);
   duplicates_and_measures();
@@ -261,5 +263,8 @@ int main(int argc, char** argv)
   other_ranks_read_checkpoints();
   sheared_cells_are_followed_for_long();
   points_can_be_given_back();
-  MPI_Finalize();
 }
+
+const Theme theme("distributed_periodic_uses", run_theme);
+
+} // namespace distributed_periodic_uses

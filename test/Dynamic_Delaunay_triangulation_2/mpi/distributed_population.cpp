@@ -3,12 +3,15 @@
 
 // Run by several ranks: points that are inserted and removed by their ids, whatever rank asks.
 
+#include "distributed_theme.h"
 #include "distributed_uses.h"
 
 #include <cstddef>
 #include <random>
 #include <utility>
 #include <vector>
+
+namespace distributed_population {
 
 void any_points_come_and_go(double load_factor)
 {
@@ -63,11 +66,13 @@ void bad_ids_are_refused()
   expect_exact(dt, points, "after refusals");
 }
 
-int main(int argc, char** argv)
+void run_theme()
 {
-  start(argc, argv);
   any_points_come_and_go(Distributed::default_load_factor);
   any_points_come_and_go(no_balance);
   bad_ids_are_refused();
-  MPI_Finalize();
 }
+
+const Theme theme("distributed_population", run_theme);
+
+} // namespace distributed_population

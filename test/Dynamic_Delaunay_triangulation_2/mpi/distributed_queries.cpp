@@ -5,6 +5,7 @@
 // one process; validity and certificates.
 
 #include "distributed_oracle.h"
+#include "distributed_theme.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/distributed/Distributed_edge_changes_2.h>
@@ -16,6 +17,8 @@
 #include <cstddef>
 #include <iterator>
 #include <random>
+
+namespace distributed_queries {
 
 void expect_neighbors(const Distributed& dt, const Population& population, const std::string& what)
 {
@@ -109,9 +112,8 @@ void expect_queries(const std::string& what, const Points& points, double spread
   expect_exact(dt, population, what + ", certified anew");
 }
 
-int main(int argc, char** argv)
+void run_theme()
 {
-  start(argc, argv);
   std::mt19937 random(19); // the same on all ranks
   std::uniform_real_distribution<double> coordinate(0, 20);
   Points cloud, grid, line;
@@ -124,5 +126,8 @@ int main(int argc, char** argv)
   expect_queries("a grid", grid, 0, 4);
   expect_queries("a line", Points(line.begin(), line.begin() + 60), 0, 4);
   expect_queries("few points", Points(cloud.begin(), cloud.begin() + 4), 0.1, 4);
-  MPI_Finalize();
 }
+
+const Theme theme("distributed_queries", run_theme);
+
+} // namespace distributed_queries

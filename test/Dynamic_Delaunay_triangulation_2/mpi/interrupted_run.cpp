@@ -3,17 +3,22 @@
 
 // Run by several ranks: points fly about in a box, with a checkpoint every ten frames.
 //
-//   interrupted_run FILE kill     in frame 40 the last rank kills itself, while others write
-//   interrupted_run FILE throw    in frame 45 the last rank throws
-//   interrupted_run FILE resume   continues from the file, and compares with an undisturbed run
+// Arguments are a file and one of
+//
+//   kill           in frame 40 the last rank kills itself, while others write
+//   throw          in frame 45 the last rank throws
+//   resume FRAME   continues from the file, and compares with an undisturbed run
 
-#include "../distributed_oracle.h"
+#include "distributed_oracle.h"
+#include "distributed_theme.h"
 
 #include <csignal>
 #include <cstddef>
 #include <random>
 #include <stdexcept>
 #include <string>
+
+namespace interrupted_run {
 
 struct State // of a point, but for its position
 {
@@ -101,13 +106,15 @@ void resume(const std::string& file, int expected_frame)
   }
 }
 
-int main(int argc, char** argv)
+void run_theme()
 {
-  start(argc, argv);
-  const std::string file = argv[1], mode = argv[2];
+  const std::string file = theme_arguments.at(0), mode = theme_arguments.at(1);
   if (mode == "resume")
-    resume(file, std::stoi(argv[3]));
+    resume(file, std::stoi(theme_arguments.at(2)));
   else
     run_until_interrupted(file, mode);
-  MPI_Finalize();
 }
+
+const Theme theme("interrupted_run", run_theme);
+
+} // namespace interrupted_run

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # A rank that dies or throws ends the run within seconds, with a message; another number of ranks continues from the last
-# complete checkpoint. RUN_RANKS is the command up to the number of ranks, PROGRAM is interrupted_run.
+# complete checkpoint. RUN_RANKS is the command up to the number of ranks, PROGRAM is that of all themes.
 
 set(file "${CMAKE_CURRENT_BINARY_DIR}/interrupted_run.checkpoint")
 
@@ -10,7 +10,7 @@ set(file "${CMAKE_CURRENT_BINARY_DIR}/interrupted_run.checkpoint")
 function(expect_end mode message)
   file(REMOVE "${file}")
   string(TIMESTAMP begin "%s")
-  execute_process(COMMAND ${RUN_RANKS} 4 "${PROGRAM}" "${file}" ${mode}
+  execute_process(COMMAND ${RUN_RANKS} 4 "${PROGRAM}" interrupted_run "${file}" ${mode}
     RESULT_VARIABLE result OUTPUT_VARIABLE text ERROR_VARIABLE text TIMEOUT 60)
   string(TIMESTAMP end "%s")
   math(EXPR seconds "${end} - ${begin}")
@@ -23,7 +23,7 @@ function(expect_end mode message)
 endfunction()
 
 function(expect_continuation ranks frame)
-  execute_process(COMMAND ${RUN_RANKS} ${ranks} "${PROGRAM}" "${file}" resume ${frame}
+  execute_process(COMMAND ${RUN_RANKS} ${ranks} "${PROGRAM}" interrupted_run "${file}" resume ${frame}
     RESULT_VARIABLE result OUTPUT_VARIABLE text ERROR_VARIABLE text TIMEOUT 60)
   if(NOT result EQUAL 0)
     message(FATAL_ERROR "${ranks} ranks do not continue: ${result}\n${text}")
