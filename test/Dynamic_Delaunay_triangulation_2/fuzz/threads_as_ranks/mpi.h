@@ -5,7 +5,7 @@
 // what all of them do, and a run takes milliseconds. `run_ranks(n, f)` calls f() on n of them. What
 // an implementation of MPI may do, this does in the same order whenever the threads run alike;
 // names are those of the standard, and each function does what the standard says, for the arguments
-// that occur. Files are declared alone.
+// that occur; whoever asks for what is not there waits a little for news. Files are declared alone.
 
 #ifndef THREADS_AS_RANKS_MPI_H
 #define THREADS_AS_RANKS_MPI_H
@@ -50,6 +50,7 @@ public:
     : m_size(size)
     , m_boxes(std::size_t(size))
     , m_given(std::size_t(size))
+    , m_news(std::size_t(size))
   {
   }
 
@@ -69,6 +70,7 @@ public:
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
     m_boxes[std::size_t(target)].push_back(message);
+    m_news[std::size_t(target)].tell();
   }
 
   Handle find(int rank, int communicator, int tag)
@@ -89,12 +91,15 @@ public:
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
     message->is_taken = true;
+    m_news[std::size_t(message->source)].tell();
   }
 
   void enter(const std::pair<int, int>& barrier)
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
-    ++m_entered[barrier];
+    if (++m_entered[barrier] == m_size)
+      for (News& news : m_news)
+        news.tell();
   }
 
   bool is_over(const Request& request)
@@ -103,7 +108,29 @@ public:
     return request.sent ? request.sent->is_taken : m_entered[request.barrier] == m_size;
   }
 
+  // Since it has waited last. Not for long: it may have other things to do.
+  void wait_for_news(int rank)
+  {
+    std::unique_lock<std::mutex> lock(m_mutex);
+    News& news = m_news[std::size_t(rank)];
+    news.is_there.wait_for(lock, std::chrono::milliseconds(1), [&] { return news.are_some; });
+    news.are_some = false;
+  }
+
 private:
+  // For one rank: a message, one of its own that has been taken, or a barrier that is over.
+  struct News
+  {
+    std::condition_variable is_there;
+    bool are_some = false;
+
+    void tell()
+    {
+      are_some = true;
+      is_there.notify_one();
+    }
+  };
+
   void meet()
   {
     std::unique_lock<std::mutex> lock(m_mutex);
@@ -122,6 +149,7 @@ private:
   std::condition_variable m_all_there;
   std::vector<std::deque<Handle>> m_boxes;      // by ranks
   std::vector<const void*> m_given;             // by ranks
+  std::vector<News> m_news;                     // by ranks
   std::map<std::pair<int, int>, int> m_entered; // by barriers
 };
 
@@ -352,7 +380,7 @@ inline int MPI_Test(MPI_Request* request, int* is_over, MPI_Status*)
 {
   *is_over = threads_as_ranks::world->is_over(*request);
   if (!*is_over)
-    std::this_thread::yield();
+    threads_as_ranks::world->wait_for_news(threads_as_ranks::rank);
   return MPI_SUCCESS;
 }
 
@@ -362,7 +390,7 @@ inline int MPI_Testall(int count, MPI_Request* requests, int* are_over, MPI_Stat
     return threads_as_ranks::world->is_over(request);
   });
   if (!*are_over)
-    std::this_thread::yield();
+    threads_as_ranks::world->wait_for_news(threads_as_ranks::rank);
   return MPI_SUCCESS;
 }
 
