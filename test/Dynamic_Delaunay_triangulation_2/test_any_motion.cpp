@@ -4,6 +4,7 @@
 // Any motion: points jump, trade places, meet and part, come and go, all in one update.
 
 #include "change_ledger.h"
+#include "interrupting_visitor.h"
 #include "oracle.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Estimated_voronoi_circumcenter_classifier_2.h>
@@ -29,7 +30,6 @@
 #include <numeric>
 #include <random>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -47,15 +47,6 @@ Edge_set edges_of(const Dynamic& dt)
   dt.for_each_edge([&](std::size_t i, std::size_t j) { edges.insert(std::minmax(i, j)); });
   return edges;
 }
-
-// What it throws who has had enough.
-struct Refusal : std::runtime_error
-{
-  Refusal()
-    : std::runtime_error("it has had enough")
-  {
-  }
-};
 
 // Keeps the edges and the faces in step with what it is told, and writes down who is relocated.
 class Diary : public CGAL::Edge_changes_visitor_2
@@ -1519,63 +1510,6 @@ TEST_F(Wrong_frames, of_jumps_that_the_classifier_refuses_change_nothing)
   ASSERT_NO_FATAL_FAILURE(expect_next_frame_is_right());
 }
 
-// Throws at the n-th thing that it is told between the beginning and the end of a call.
-class Interrupter : public CGAL::Delaunay_update_visitor_base_2
-{
-public:
-  void throw_at(int n) { m_left = n; }
-
-  template <class... Arguments>
-  void before_flip(const Arguments&...)
-  {
-    hear();
-  }
-  template <class... Arguments>
-  void before_face_removal(const Arguments&...)
-  {
-    hear();
-  }
-  template <class... Arguments>
-  void after_face_creation(const Arguments&...)
-  {
-    hear();
-  }
-  template <class... Arguments>
-  void after_vertex_creation(const Arguments&...)
-  {
-    hear();
-  }
-  template <class... Arguments>
-  void before_vertex_removal(const Arguments&...)
-  {
-    hear();
-  }
-  template <class... Arguments>
-  void before_vertex_relocation(const Arguments&...)
-  {
-    hear();
-  }
-  template <class... Arguments>
-  void before_vertex_merge(const Arguments&...)
-  {
-    hear();
-  }
-  template <class... Arguments>
-  void after_id_change(const Arguments&...)
-  {
-    hear();
-  }
-
-private:
-  void hear()
-  {
-    if (m_left > 0 && --m_left == 0)
-      throw Refusal();
-  }
-
-  int m_left = -1;
-};
-
 // Mends first, or not at all, when it is told to throw.
 class Failing_repair : public CGAL::Flip_and_splice_repair_2
 {
@@ -1656,7 +1590,7 @@ TEST(Visitor_that_throws_amid_a_frame, does_not_keep_it_from_its_end)
 {
   using Dynamic =
       CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2, CGAL::Default,
-                                             CGAL::Default, CGAL::Default, Interrupter>;
+                                             CGAL::Default, CGAL::Default, Interrupting_visitor>;
   Cloud<Epick> cloud(61);
   const Frame first = frame_of(cloud.uniform(300)), next = next_of(first, cloud);
   bool has_thrown = true;

@@ -3,6 +3,7 @@
 
 // Visitors: what they are told is what happens, all of it, in every kind of call.
 
+#include "interrupting_visitor.h"
 #include "oracle.h"
 #include "population_player.h"
 #include "stamps.h"
@@ -22,11 +23,10 @@
 #include <memory>
 #include <set>
 #include <sstream>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_visitors {
 
 using Points = Cloud<Epick>::Points;
 using Edges = std::vector<CGAL::Edge_changes_visitor_2::Edge>;
@@ -385,21 +385,9 @@ TEST(Visitor, works_with_exact_coordinates_and_from_a_population)
 // -------------------------------------------------------------------------------------------------
 // Visitors that throw
 
-struct Refusal : std::runtime_error
+// Hears the beginning and the end of a call as well, and what comes after a flip.
+struct Throwing : Interrupting_visitor
 {
-  Refusal()
-    : std::runtime_error("the visitor has had enough")
-  {
-  }
-};
-
-// Throws at the n-th thing that it is told, `before_update()` included.
-class Throwing : public CGAL::Delaunay_update_visitor_base_2
-{
-public:
-  void throw_at(int n) { m_left = n; }
-  bool has_thrown() const { return m_left == 0; }
-
   template <class... Arguments>
   void before_update(const Arguments&...)
   {
@@ -411,44 +399,10 @@ public:
     hear();
   }
   template <class... Arguments>
-  void before_flip(const Arguments&...)
-  {
-    hear();
-  }
-  template <class... Arguments>
   void after_flip(const Arguments&...)
   {
     hear();
   }
-  template <class... Arguments>
-  void before_face_removal(const Arguments&...)
-  {
-    hear();
-  }
-  template <class... Arguments>
-  void after_face_creation(const Arguments&...)
-  {
-    hear();
-  }
-  template <class... Arguments>
-  void after_vertex_creation(const Arguments&...)
-  {
-    hear();
-  }
-  template <class... Arguments>
-  void before_vertex_removal(const Arguments&...)
-  {
-    hear();
-  }
-
-private:
-  void hear()
-  {
-    if (m_left > 0 && --m_left == 0)
-      throw Refusal();
-  }
-
-  int m_left = -1;
 };
 
 TEST(Visitor_that_throws, leaves_all_as_it_was_where_nothing_has_changed_yet)
@@ -590,4 +544,4 @@ TEST_F(Edge_changes, add_up_over_frames_until_they_are_cleared)
   EXPECT_FALSE(dt.visitor().created_edges().empty());
 }
 
-} // namespace
+} // namespace test_visitors
