@@ -7,7 +7,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
 
-namespace {
+namespace test_agreement {
 
 using Points = Cloud<Epick>::Points;
 using Fresh = CGAL::Delaunay_triangulation_2<Epick>;
@@ -116,4 +116,4 @@ TEST(Delaunay_agreement, refuses_triangulations_of_different_points)
                std::invalid_argument);
 }
 
-} // namespace
+} // namespace test_agreement

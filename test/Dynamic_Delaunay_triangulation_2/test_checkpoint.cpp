@@ -22,7 +22,7 @@
 #include <sstream>
 #include <utility>
 
-namespace {
+namespace test_checkpoint {
 
 using CGAL::Checkpoint_error_2;
 using Exact = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
@@ -915,4 +915,4 @@ TEST(Checkpoints, nothing_changes_if_memory_runs_out)
   EXPECT_TRUE(population.has(100));
 }
 
-} // namespace
+} // namespace test_checkpoint

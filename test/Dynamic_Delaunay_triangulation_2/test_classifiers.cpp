@@ -13,7 +13,7 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace test_classifiers {
 
 using Points = Cloud<Epick>::Points;
 using Distance = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Point_distance_classifier_2>;
@@ -210,4 +210,4 @@ TEST(A_classifier_of_ones_own, of_a_few_lines_is_as_fast_as_the_built_in_one)
   ADD_FAILURE() << "it takes " << ratio << " times as long";
 }
 
-} // namespace
+} // namespace test_classifiers

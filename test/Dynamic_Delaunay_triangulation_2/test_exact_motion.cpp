@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_exact_motion {
 
 template <class Kernel>
 class Exact_motion : public testing::Test
@@ -284,4 +284,4 @@ TEST(Exact_coordinates, that_move_by_less_than_doubles_tell_are_followed)
   }
 }
 
-} // namespace
+} // namespace test_exact_motion

@@ -31,7 +31,7 @@ extern "C" const char* __lsan_default_suppressions()
 }
 #endif
 
-namespace {
+namespace test_exceptions {
 
 using Exact = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
 using Heuristic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Point_distance_classifier_2>;
@@ -788,4 +788,4 @@ TEST_F(Parts, of_classifiers_that_throw_when_told_of_changes_of_the_population_a
     }
 }
 
-} // namespace
+} // namespace test_exceptions

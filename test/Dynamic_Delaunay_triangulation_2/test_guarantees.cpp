@@ -15,7 +15,7 @@
 #include <array>
 #include <limits>
 
-namespace {
+namespace test_guarantees {
 
 using Points = Cloud<Epick>::Points;
 using Exact = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
@@ -284,4 +284,4 @@ TEST(Guarantees, a_frame_in_which_nothing_breaks_allocates_nothing)
   EXPECT_GT(calm_frames, 10u);
 }
 
-} // namespace
+} // namespace test_guarantees

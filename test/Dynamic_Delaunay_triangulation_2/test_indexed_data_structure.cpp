@@ -39,7 +39,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_indexed_data_structure {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
@@ -697,4 +697,4 @@ TEST(Triangulation_state, keeps_properties_through_frames_insertions_removals_an
   ASSERT_TRUE(dt.is_valid(true));
 }
 
-} // namespace
+} // namespace test_indexed_data_structure

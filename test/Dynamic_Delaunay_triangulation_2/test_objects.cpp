@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_objects {
 
 using Point = Epick::Point_2;
 using Points = std::vector<Point>;
@@ -297,4 +297,4 @@ TEST(Objects, of_periodic_space_keep_their_cell_when_they_are_moved_from)
   EXPECT_TRUE(pt.number_of_edges() == 150u && pt.is_valid());
 }
 
-} // namespace
+} // namespace test_objects

@@ -29,7 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_periodic {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
@@ -1492,4 +1492,4 @@ TEST(Random_operations, end_exactly_delaunay)
     ASSERT_NO_FATAL_FAILURE(Random_operations(seed).run(200)) << "seed " << seed;
 }
 
-} // namespace
+} // namespace test_periodic

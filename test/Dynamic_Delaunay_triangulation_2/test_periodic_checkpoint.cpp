@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_periodic_checkpoint {
 
 using CGAL::Checkpoint_error_2;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -755,4 +755,4 @@ TEST(Periodic_checkpoints, a_full_disk_is_noticed)
   }
 }
 
-} // namespace
+} // namespace test_periodic_checkpoint

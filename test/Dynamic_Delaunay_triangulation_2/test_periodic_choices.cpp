@@ -42,7 +42,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_periodic_choices {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
@@ -763,4 +763,4 @@ TEST(A_population, has_the_same_choices)
   ASSERT_TRUE(population.triangulation().is_certified() && population.triangulation().is_valid());
 }
 
-} // namespace
+} // namespace test_periodic_choices

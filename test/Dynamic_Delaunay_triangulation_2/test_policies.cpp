@@ -25,7 +25,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace {
+namespace test_policies {
 
 using Points = Cloud<Epick>::Points;
 using Reason = CGAL::Rebuild_reason_2;
@@ -433,4 +433,4 @@ TYPED_TEST(Classifiers_under_policies, stay_exact_if_they_are_under_the_hybrid_o
   }
 }
 
-} // namespace
+} // namespace test_policies

@@ -18,7 +18,7 @@
 #include <random>
 #include <vector>
 
-namespace {
+namespace test_repairs {
 
 using Points = Cloud<Epick>::Points;
 
@@ -589,4 +589,4 @@ TEST(Merging, leaves_three_vertices_where_others_are_taken_out)
       }));
 }
 
-} // namespace
+} // namespace test_repairs

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_robustness_findings {
 
 using Point = Epick::Point_2;
 using Points = std::vector<Point>;
@@ -148,4 +148,4 @@ TEST(A_rebuild, is_for_the_dimension_where_the_plane_was_or_is_not_spanned)
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, line));
 }
 
-} // namespace
+} // namespace test_robustness_findings

@@ -29,7 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_simulation_helpers {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -947,4 +947,4 @@ TEST(Simulation_helpers, whoever_may_only_look_can_ask)
             Ids{people.id(12)});
 }
 
-} // namespace
+} // namespace test_simulation_helpers

@@ -18,7 +18,7 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace test_single_points {
 
 using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
 using Point = Epick::Point_2;
@@ -359,4 +359,4 @@ TEST(Single_changes, keep_a_valid_structure_where_faces_overlap)
   EXPECT_GT(changes_of_overlapping, 2 * seeds);
 }
 
-} // namespace
+} // namespace test_single_points

@@ -30,7 +30,7 @@
 #include <set>
 #include <utility>
 
-namespace {
+namespace test_thesis_classifiers {
 
 using Points = Cloud<Epick>::Points;
 using CGAL::Dynamic_Delaunay_triangulations_2::Edge_2;
@@ -929,7 +929,7 @@ TEST(Predictive_point_distance_classifier, looks_only_when_point_distance_would_
 // Any number of edges that have nothing to do with each other.
 struct Loose_edges
 {
-  using Index = ::Index;
+  using Index = CGAL::Dynamic_Delaunay_triangulations_2::Index;
   using Edge = Edge_2;
   std::vector<Position_2> m_positions{{std::nan(""), std::nan("")}};
   std::vector<Edge_2> m_edges{};
@@ -1793,4 +1793,4 @@ TEST(All_classifiers, refuse_parameters_out_of_range)
   }
 }
 
-} // namespace
+} // namespace test_thesis_classifiers

@@ -27,7 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_traits {
 
 using Terrain = CGAL::Projection_traits_xy_3<Epick>;
 
@@ -423,4 +423,4 @@ TEST(Terrain, heuristics_and_relocation_take_heights_along)
   }
 }
 
-} // namespace
+} // namespace test_traits

@@ -27,7 +27,7 @@
 #include <tuple>
 #include <vector>
 
-namespace {
+namespace test_voronoi_cells {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -893,4 +893,4 @@ TEST(Gradients, are_gone_if_memory_runs_out_and_can_be_had_again)
   }
 }
 
-} // namespace
+} // namespace test_voronoi_cells

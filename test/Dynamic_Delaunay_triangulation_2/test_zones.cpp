@@ -17,7 +17,7 @@
 #include <random>
 #include <vector>
 
-namespace {
+namespace test_zones {
 
 using namespace CGAL::Dynamic_Delaunay_triangulations_2::internal;
 using CGAL::Dynamic_Delaunay_triangulations_2::Index;
@@ -300,4 +300,4 @@ TEST_F(Zones, Points_at_the_end_of_long_ellipses_that_contain_no_block_are_not_d
   EXPECT_FALSE(density.is_dense(0));
 }
 
-} // namespace
+} // namespace test_zones
