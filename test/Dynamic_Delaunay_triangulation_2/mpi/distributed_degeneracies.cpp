@@ -7,28 +7,10 @@
 #include "distributed_oracle.h"
 #include "distributed_theme.h"
 
-#include <cmath>
 #include <cstddef>
 #include <random>
 
 namespace distributed_degeneracies {
-
-// All points with integer coordinates on a circle around the origin, and a few outside of it.
-Points points_on_one_circle()
-{
-  Points points;
-  const long squared = 1105 * 169;
-  for (long x = -432; x <= 432; ++x) {
-    const long y = std::lround(std::sqrt(double(squared - x * x)));
-    if (x * x + y * y == squared) {
-      points.push_back(Point(double(x), double(y)));
-      points.push_back(Point(double(x), -double(y)));
-    }
-  }
-  for (int k = 0; k < 8; ++k)
-    points.push_back(Point(500 * std::cos(k), 500 * std::sin(k)));
-  return points;
-}
 
 void run_theme()
 {
@@ -50,7 +32,7 @@ void run_theme()
     run("a grid that shears", grid, 4, ownership, [&](std::size_t i, const Point& p, int frame) {
       return Point(double(i % 20) + double(frame) * p.y(), p.y());
     });
-    const Points circle = points_on_one_circle();
+    const Points circle = points_on_one_circle(1105 * 169, 500);
     expect(circle.size() > 60, "many points are on one circle");
     run("a circle", circle, 3, ownership, [&](std::size_t i, const Point&, int frame) {
       return frame == 2 && i == 5 ? Point(1, 1) : circle[i];

@@ -14,6 +14,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -148,6 +149,23 @@ inline Population numbered(const Points& points)
   for (const Point& p : points)
     population.emplace(Id(population.size()), p);
   return population;
+}
+
+// All points with integer coordinates on a circle around the origin, and a few outside of it.
+inline Points points_on_one_circle(long squared_radius, double outside)
+{
+  Points points;
+  const long radius = long(std::sqrt(double(squared_radius)));
+  for (long x = -radius; x <= radius; ++x) {
+    const long y = std::lround(std::sqrt(double(squared_radius - x * x)));
+    if (x * x + y * y == squared_radius) {
+      points.push_back(Point(double(x), double(y)));
+      points.push_back(Point(double(x), -double(y)));
+    }
+  }
+  for (int k = 0; k < 8; ++k)
+    points.push_back(Point(outside * std::cos(k), outside * std::sin(k)));
+  return points;
 }
 
 // Which rank begins with point `i` of `size`.

@@ -13,23 +13,6 @@
 
 namespace distributed_periodic_degeneracies {
 
-// All points with integer coordinates on a circle, and a few outside of it.
-Points points_on_one_circle()
-{
-  Points points;
-  const long squared = 1105;
-  for (long x = -33; x <= 33; ++x) {
-    const long y = std::lround(std::sqrt(double(squared - x * x)));
-    if (x * x + y * y == squared) {
-      points.push_back(Point(double(x), double(y)));
-      points.push_back(Point(double(x), -double(y)));
-    }
-  }
-  for (int k = 0; k < 8; ++k)
-    points.push_back(Point(50 * std::cos(k), 50 * std::sin(k)));
-  return points;
-}
-
 void run_theme()
 {
   std::mt19937 random(11); // the same on all ranks
@@ -58,7 +41,7 @@ void run_theme()
         });
     run_periodic("a grid in a skew cell", grid, 1, ownership, always(Cell(24, 12, 36, 24)),
                  at_rest);
-    const Points circle = points_on_one_circle();
+    const Points circle = points_on_one_circle(1105, 50);
     run_periodic("a circle", circle, 3, ownership, always(Cell(110, 110)),
                  [&](std::size_t i, const Point&, int frame) {
                    return frame == 2 && i == 5 ? Point(1, 1) : circle[i];
