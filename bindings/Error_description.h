@@ -69,6 +69,8 @@ inline std::optional<Error_description> error_description(const std::exception_p
         "indices can be read as they are"};
   } catch (const CGAL::Parameter_error_2& e) {
     return Description{"ParameterError", e.what(), {{"value", e.value()}}};
+  } catch (const CGAL::Domain_error_2& e) {
+    return Description{"DomainError", e.what(), {{"corner", e.corner()}}};
   } catch (const CGAL::Periodic_cell_error_2& e) {
     return Description{"PeriodicCellError", e.what()};
   } catch (const CGAL::Periodic_range_error_2& e) {

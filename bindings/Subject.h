@@ -15,7 +15,14 @@
 #include <variant>
 #include <vector>
 
+namespace CGAL {
+class Bounded_voronoi_cells_2;
+class Bounded_voronoi_gradients_2;
+} // namespace CGAL
+
 namespace bindings {
+
+struct Bounded_cells;
 
 // Rows of numbers in memory, with any strides in bytes, also negative ones.
 struct Rows
@@ -46,6 +53,9 @@ struct Box
 {
   double xmin, ymin, xmax, ymax;
 };
+
+// Of Voronoi cells: one for all, or one for each row.
+using Radii = std::variant<double, Rows>;
 
 // What becomes an array of the other language, whose rows have this shape: {} of numbers, {2} of
 // pairs.
@@ -116,6 +126,13 @@ public:
   virtual std::vector<Array> arrays(Group group) const = 0;
   virtual std::vector<Array> clipped_cells(const Box& box) const = 0;
   virtual Array cell_corners(std::int64_t id) const = 0;
+  // `cells` has the domain, if there is one.
+  virtual Bounded_cells bounded_cells(CGAL::Bounded_voronoi_cells_2 cells,
+                                      const Radii& radii) const = 0;
+  // Of an energy that depends so on areas, by rows, and on lengths, by pieces.
+  virtual CGAL::Bounded_voronoi_gradients_2 bounded_gradients(const Bounded_cells& bounded,
+                                                              const Rows& area_weights,
+                                                              const Rows& length_weights) const = 0;
 
   virtual std::string checkpoint() const = 0;
   virtual void restore(const std::string& checkpoint) = 0;

@@ -5,6 +5,7 @@
 #define BINDINGS_SUBJECT_OF_H
 
 #include "bindings/Array_reading.h"
+#include "bindings/Bounded_cells.h"
 #include "bindings/Row_iterator.h"
 #include "bindings/Subject.h"
 
@@ -198,6 +199,30 @@ public:
     }
   }
 
+  Bounded_cells bounded_cells(CGAL::Bounded_voronoi_cells_2 cells,
+                              const Radii& radii) const override
+  {
+    if constexpr (Kinds::has_extras) {
+      Bounded_cells bounded =
+          compute_bounded_cells(dt(), Row_numbers(dt(), has_user_ids), std::move(cells), radii);
+      bounded.cell = cell();
+      return bounded;
+    } else {
+      return refuse_extra(), Bounded_cells();
+    }
+  }
+
+  CGAL::Bounded_voronoi_gradients_2 bounded_gradients(const Bounded_cells& bounded,
+                                                      const Rows& area_weights,
+                                                      const Rows& length_weights) const override
+  {
+    if constexpr (Kinds::has_extras) {
+      return compute_bounded_gradients(dt(), bounded, area_weights, length_weights);
+    } else {
+      return refuse_extra(), CGAL::Bounded_voronoi_gradients_2();
+    }
+  }
+
   std::string checkpoint() const override
   {
     if constexpr (Kinds::has_extras) {
@@ -228,7 +253,7 @@ public:
 private:
   [[noreturn]] static bool refuse_extra()
   {
-    throw std::logic_error("this binding has neither checkpoints nor checks of validity");
+    throw std::logic_error("this binding has no checkpoints, checks of validity or bounded cells");
   }
 
   const auto& owner() const

@@ -10,12 +10,17 @@ come and go, and ``track()`` for whole trajectories.
 from . import errors
 from ._core import ClassifierFrame, UpdateReport, __version__
 from ._triangulations import CellMeasures, DynamicDelaunay, PeriodicDelaunay, PeriodicPopulation, Population
+from .bounded import BoundedCellGradients, BoundedCells, CellPieces, CellSurface, Side
 from .errors import *  # noqa: F403
 from .neighbors import NeighborList
 from .trajectory import Frame, track
 
 __all__ = [
+    "BoundedCellGradients",
+    "BoundedCells",
     "CellMeasures",
+    "CellPieces",
+    "CellSurface",
     "ClassifierFrame",
     "DynamicDelaunay",
     "Frame",
@@ -23,6 +28,7 @@ __all__ = [
     "PeriodicDelaunay",
     "PeriodicPopulation",
     "Population",
+    "Side",
     "UpdateReport",
     "__version__",
     "errors",

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._core import ClassifierFrame, Group, UpdateReport
+from .bounded import BoundedCells
 from .errors import InputIndexError, InputTypeError, InputValueError, PeriodicCellError, UnknownIdError
 from .neighbors import NeighborList
 
@@ -222,6 +223,18 @@ class _Triangulation(_core.Triangulation):
         if not -(2**63) <= integer < 2**63:
             raise UnknownIdError(f"there is no point with id {integer}: ids have 64 bits")
         return self._cell_corners(integer)
+
+    def bounded_cells(self, radius: ArrayLike = np.inf, domain: Optional[ArrayLike] = None) -> BoundedCells:
+        """Voronoi cells as far as they reach: each ends at a radius around its point, one for all or float (rows,), at
+        the walls of a domain, or at both. A domain is a convex polygon, float (k, 2), counterclockwise, the first
+        corner also at the end or not; there is none in periodic space. A point may be outside of it: its cell is what
+        the domain has of it. Cost: linear, times the number of walls.
+
+        ParameterError if a radius is not positive, or infinite without a domain; DomainError if a corner is no left
+        turn. Those of removed ids mean nothing."""
+        radii = _floats("the radius", radius)
+        one = float(radii) if radii.ndim == 0 else None
+        return BoundedCells(self, self._bounded_cells(one, radius, domain))
 
     def neighbor_list(self) -> NeighborList:
         """Pairs of neighbors with vectors and the lengths of Voronoi edges, as freud's. Of points that coincide, only

@@ -77,6 +77,13 @@ class ParameterError(DynamicDelaunayError, ValueError):
     value: float
 
 
+class DomainError(DynamicDelaunayError, ValueError):
+    """The corners of a domain are not those of a convex polygon, counterclockwise; or space is periodic, and has none.
+    ``corner``, its place."""
+
+    corner: int
+
+
 class PeriodicCellError(DynamicDelaunayError, ValueError):
     """A periodic cell has parallel vectors, numbers that are not finite, or is too thin."""
 

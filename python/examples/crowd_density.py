@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Densities in a crowd at a bottleneck: the inverse areas of Voronoi cells, clipped to the room.
+"""Densities in a crowd at a bottleneck: the inverse areas of Voronoi cells in the room, which end 2 m from a person.
 
     crowd_density.py [--picture FILE] [--frames N]
 
@@ -15,7 +15,8 @@ import numpy as np
 
 from dynamic_delaunay import track
 
-ROOM = (-5.0, 0.0, 5.0, 10.0)  # m; the gap is in the middle of the lower side
+ROOM = np.array([(-5.0, 0.0), (5.0, 0.0), (5.0, 10.0), (-5.0, 10.0)])  # m; the gap is in the middle of the lower side
+REACH = 2.0  # m
 GAP = np.array([0.0, 0.0])
 QUEUE_DENSITY = 4.0  # people per square meter
 
@@ -39,22 +40,21 @@ def walk(frames, people=150, seed=1):
             ids = np.where(np.arange(people) == first, ids.max() + 1, ids)
 
 
-def draw(crowd, densities, path):
+def draw(cells, path):
     import matplotlib
 
     matplotlib.use("Agg")
     from matplotlib import pyplot
     from matplotlib.collections import PolyCollection
 
-    bounded = [k for k, id in enumerate(crowd.ids) if len(crowd.voronoi_cell(id))]
-    cells = PolyCollection([crowd.voronoi_cell(crowd.ids[k]) for k in bounded], edgecolors="white")
-    cells.set_array(densities[bounded])
-    cells.set_clim(0, 2 * QUEUE_DENSITY)
+    polygons = PolyCollection(cells.rings(), edgecolors="white")
+    polygons.set_array(1 / cells.areas)
+    polygons.set_clim(0, 2 * QUEUE_DENSITY)
     figure, axes = pyplot.subplots(figsize=(6, 6))
-    axes.add_collection(cells)
-    axes.plot(*crowd.points.T, "k.", markersize=3)
-    axes.set(xlim=ROOM[0::2], ylim=ROOM[1::2], xlabel="x, m", ylabel="y, m", aspect="equal")
-    figure.colorbar(cells, label="people per square meter")
+    axes.add_collection(polygons)
+    axes.plot(*cells.points.T, "k.", markersize=3)
+    axes.set(xlim=(-5, 5), ylim=(0, 10), xlabel="x, m", ylabel="y, m", aspect="equal")
+    figure.colorbar(polygons, label="people per square meter")
     figure.savefig(path)
 
 
@@ -68,14 +68,14 @@ def main():
         crowd = frame.triangulation
         came += frame.report.inserted
         left += frame.report.removed
-        areas = crowd.clipped_cells(ROOM).areas
+        cells = crowd.bounded_cells(REACH, ROOM)
         if frame.number % 50 == 0:
             before_gap = np.linalg.norm(crowd.points - GAP, axis=1) < 3
-            density = before_gap.sum() / areas[before_gap].sum()
+            density = before_gap.sum() / cells.areas[before_gap].sum()
             print(f"{frame.number / 10:4.0f} s: {density:.1f} people per square meter")
     print(f"{came} came, {left} left")
     if options.picture:
-        draw(crowd, 1 / areas, options.picture)
+        draw(cells, options.picture)
 
 
 if __name__ == "__main__":

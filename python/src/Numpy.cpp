@@ -126,6 +126,15 @@ Input ids_input(py::handle object, std::size_t size, const std::string& name)
   return ids;
 }
 
+Input numbers_input(py::handle object, const std::string& name)
+{
+  const py::array array = numbers(object, "fiu", name);
+  if (array.ndim() != 1) {
+    throw py::value_error(name + " have the shape " + shape_text(array) + ": it must be (n,)");
+  }
+  return input(of_type<double>(array));
+}
+
 py::array to_numpy(Array array)
 {
   return std::visit(
@@ -146,6 +155,15 @@ py::array to_numpy(Array array)
         return result;
       },
       array.numbers);
+}
+
+py::tuple to_numpy(std::vector<Array> arrays)
+{
+  py::tuple tuple(arrays.size());
+  for (std::size_t i = 0; i < arrays.size(); ++i) {
+    tuple[i] = to_numpy(std::move(arrays[i]));
+  }
+  return tuple;
 }
 
 } // namespace python

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace python {
 
@@ -31,8 +32,12 @@ Input copied_points_input(pybind11::handle object);
 Input ids_input(pybind11::handle object, const std::string& name = "ids");
 Input ids_input(pybind11::handle object, std::size_t size, const std::string& name = "ids");
 
+// Real numbers of the shape (n,).
+Input numbers_input(pybind11::handle object, const std::string& name);
+
 // A read-only array that owns the numbers. Nothing is copied.
 pybind11::array to_numpy(Array array);
+pybind11::tuple to_numpy(std::vector<Array> arrays);
 
 } // namespace python
 

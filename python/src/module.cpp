@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bindings/Report_fields.h"
+#include "bindings/Row_iterator.h"
+#include "python/src/Bounded_cells_in_python.h"
 #include "python/src/Errors.h"
 #include "python/src/Function_in_python.h"
 #include "python/src/Numpy.h"
@@ -11,6 +13,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -37,6 +40,7 @@ namespace python {
 namespace {
 
 using Report = Subject::Report;
+using Corner = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
 
 // What Python holds. All work is done without the interpreter's lock, and by one thread at a time.
 class Triangulation
@@ -133,11 +137,7 @@ public:
         version = m_version;
         return subject.arrays(group);
       });
-      py::tuple tuple(arrays.size());
-      for (std::size_t i = 0; i < arrays.size(); ++i) {
-        tuple[i] = to_numpy(std::move(arrays[i]));
-      }
-      cached = {std::move(tuple), version};
+      cached = {to_numpy(std::move(arrays)), version};
     }
     return cached.arrays;
   }
@@ -180,6 +180,37 @@ public:
       found = triangles_at(input.rows, flat);
     }
     return to_numpy({std::move(found)});
+  }
+
+  // One radius, or else one for each row.
+  Bounded_cells_in_python bounded_cells(const std::optional<double>& radius,
+                                        const py::object& radii, const py::object& domain)
+  {
+    const Input its_radii = radius ? Input{} : numbers_input(radii, "radii");
+    CGAL::Bounded_voronoi_cells_2 cells;
+    if (!domain.is_none()) {
+      set_domain(cells, points_input(domain, "the corners of a domain"));
+    }
+    return read([&](const Subject& subject) {
+      return Bounded_cells_in_python{
+          subject.bounded_cells(std::move(cells), radius ? Radii(*radius) : Radii(its_radii.rows)),
+          m_version};
+    });
+  }
+
+  py::tuple bounded_gradients(const Bounded_cells_in_python& cells, const py::object& area_weights,
+                              const py::object& length_weights)
+  {
+    const Input areas = numbers_input(area_weights, "weights of areas"),
+                lengths = numbers_input(length_weights, "weights of lengths");
+    return to_numpy(read([&](const Subject& subject) {
+      if (cells.version != m_version) {
+        throw Use_error("the triangulation has changed since these cells were made: gradients "
+                        "need those of now");
+      }
+      return gradient_arrays(cells.bounded,
+                             subject.bounded_gradients(cells.bounded, areas.rows, lengths.rows));
+    }));
   }
 
   Report last_report() const { return m_report; }
@@ -251,6 +282,18 @@ private:
       return f(subject);
     });
     return m_report;
+  }
+
+  static void set_domain(CGAL::Bounded_voronoi_cells_2& cells, const Input& corners)
+  {
+    std::vector<Corner> points;
+    for (const Corner& corner : row_range(corners.rows.size, Read_point<Corner>{corners.rows})) {
+      points.push_back(corner);
+    }
+    if (points.size() > 1 && points.front() == points.back()) {
+      points.pop_back(); // a ring that is closed
+    }
+    cells.set_domain(points.begin(), points.end());
   }
 
   Input input_of_ids(const py::object& ids, const Input& points) const
@@ -420,14 +463,12 @@ void bind_triangulation(py::module_& module)
            })
       .def("_clipped_cells",
            [](Triangulation& t, double xmin, double ymin, double xmax, double ymax) {
-             py::list arrays;
-             for (Array& array : t.read([&](const Subject& subject) {
-                    return subject.clipped_cells({xmin, ymin, xmax, ymax});
-                  })) {
-               arrays.append(to_numpy(std::move(array)));
-             }
-             return arrays;
+             return to_numpy(t.read([&](const Subject& subject) {
+               return subject.clipped_cells({xmin, ymin, xmax, ymax});
+             }));
            })
+      .def("_bounded_cells", &Triangulation::bounded_cells)
+      .def("_bounded_gradients", &Triangulation::bounded_gradients)
       .def("_cell_corners",
            [](Triangulation& t, std::int64_t id) {
              return to_numpy(t.read([&](const Subject& s) { return s.cell_corners(id); }));
@@ -470,6 +511,7 @@ PYBIND11_MODULE(_core, module)
   register_errors();
   bind_report(module);
   bind_classifier_frame(module);
+  bind_bounded_cells(module);
   bind_triangulation(module);
 }
 

@@ -56,6 +56,7 @@ def test_what_needs_a_delaunay_triangulation_is_refused_until_it_is_mended(kind)
     dt = kind(POINTS, classifier=lambda frame: None)
     dt.update(next_frame(POINTS))
     asked = [lambda: dt.areas, lambda: dt.ridges, dt.neighbor_list, lambda: dt.voronoi_cell(3)]
+    asked.append(lambda: dt.bounded_cells(0.1))
     if kind is DynamicDelaunay:
         asked += [lambda: dt.find_simplex(POINTS), lambda: dt.clipped_cells((0, 0, 1, 1))]
     for ask in asked:

@@ -218,6 +218,10 @@ def test_refuses_what_is_no_box_or_checkpoint():
         (lambda dt: dt.clipped_cells((0, 0, 1)), ValueError),
         (lambda dt: dt.clipped_cells("box!"), ValueError),
         (lambda dt: dt.clipped_cells(({}, 0, 1, 1)), TypeError),
+        (lambda dt: dt.bounded_cells("far"), ValueError),
+        (lambda dt: dt.bounded_cells({}), TypeError),
+        (lambda dt: dt.bounded_cells([[1], [2, 3]]), ValueError),
+        (lambda dt: dt.bounded_cells(1, "room"), TypeError),
         (lambda dt: dt.voronoi_cell("1"), TypeError),
         (lambda dt: dt.neighbors_of(60), IndexError),
         (lambda dt: dt.neighbors_of(1.5), TypeError),
@@ -293,6 +297,7 @@ def test_objects_are_initialized_once():
             lambda: unprepared.edges,
             lambda: unprepared.update(POINTS),
             lambda: len(unprepared),
+            lambda: unprepared.bounded_cells(1),
             lambda: pickle.dumps(unprepared),
             lambda: copy.copy(unprepared),
         ):

@@ -1,0 +1,248 @@
+# Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Voronoi cells that end at a radius, at the walls of a domain, or at both."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+from functools import cached_property
+from typing import TYPE_CHECKING, NamedTuple, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from .errors import InputTypeError, InputValueError
+from .neighbors import NeighborList
+
+if TYPE_CHECKING:
+    from ._triangulations import _Triangulation
+
+
+class Side(IntEnum):
+    """What is on the other side of a piece of a cell's boundary."""
+
+    NEIGHBOR = 0
+    """the cell of a neighbor: a contact"""
+    WALL = 1
+    """the outside of the domain"""
+    FREE = 2
+    """no cell"""
+
+
+class CellPieces(NamedTuple):
+    """The boundaries of cells in pieces, those of each row one after the other, counterclockwise around its point. Each
+    is a segment, or an arc at the radius."""
+
+    indptr: NDArray[np.int32]
+    """int32 (rows + 1,): where the pieces of each row begin"""
+    sides: NDArray[np.int32]
+    """int32 (pieces,): what is on the other side, a ``Side``"""
+    others: NDArray[np.int32]
+    """int32 (pieces,): the row of the neighbor whose bisector it is on; of a wall its number, from that after the first
+    corner; of an arc the row of the cell"""
+    shifts: NDArray[np.int32]
+    """int32 (pieces, 2): the shift of the neighbor; 0 in the plane"""
+    starts: NDArray[np.float64]
+    """float64 (pieces, 2): where it begins"""
+    ends: NDArray[np.float64]
+    """float64 (pieces, 2): where it ends"""
+    lengths: NDArray[np.float64]
+    """float64 (pieces,): the length of the segment or of the arc"""
+    angles: NDArray[np.float64]
+    """float64 (pieces,): the angle of an arc around the point, in radians; 0 of a segment"""
+
+
+class CellSurface(NamedTuple):
+    """The border of all cells together, as lines of free pieces, with the cells on the left. A closed line surrounds a
+    group of cells, or a hole if it is clockwise; others go from wall to wall."""
+
+    indptr: NDArray[np.int32]
+    """int32 (lines + 1,): where each line begins"""
+    pieces: NDArray[np.int32]
+    """int32 (k,): the pieces of all lines, one after the other, as places in the arrays of ``CellPieces``"""
+    rows: NDArray[np.int32]
+    """int32 (k,): the rows of their cells"""
+    areas: NDArray[np.float64]
+    """float64 (lines,): the area that a line encloses, negative of a hole; NaN if it is not closed or winds"""
+    windings: NDArray[np.int32]
+    """int32 (lines, 2): how often a line winds around the periodic cell; 0 in the plane"""
+    are_closed: NDArray[np.int32]
+    """int32 (lines,): 1 if a line ends where it begins, or in an image of that place, else 0"""
+
+
+class BoundedCellGradients(NamedTuple):
+    """How an energy of bounded cells changes."""
+
+    by_positions: NDArray[np.float64]
+    """float64 (rows, 2): with x and y of each point"""
+    by_radii: NDArray[np.float64]
+    """float64 (rows,): with each radius"""
+
+
+_MOST_SEGMENTS = 1_000_000
+
+
+def _largest_turn(radii: NDArray[np.float64], segments: int, tolerance: Optional[float]) -> NDArray[np.float64]:
+    """The largest angle of an arc that a segment may stand for."""
+    if tolerance is None:
+        if not isinstance(segments, (int, np.integer)):
+            raise InputTypeError(f"segments is {segments!r}: it must be an integer")
+        if not 3 <= segments <= _MOST_SEGMENTS:
+            raise InputValueError(f"segments is {segments}: it must be from 3 to {_MOST_SEGMENTS} for a circle")
+        return np.full(radii.shape, 2 * np.pi / segments)
+    if not isinstance(tolerance, (int, float, np.number)):
+        raise InputTypeError(f"the tolerance is {tolerance!r}: it must be a number")
+    if not tolerance > 0:
+        raise InputValueError(f"the tolerance is {tolerance}: it must be positive")
+    # a chord of the angle t is r (1 - cos(t / 2)) = 2 r sin(t / 4)**2 away from its arc
+    turns: NDArray[np.float64] = np.minimum(4 * np.arcsin(np.sqrt(np.minimum(tolerance / radii / 2, 1))), 2 * np.pi / 3)
+    if turns.size and not turns.min() >= 2 * np.pi / _MOST_SEGMENTS:
+        raise InputValueError(
+            f"the tolerance is {tolerance}: with the radius {radii.max()} a circle would have more than "
+            f"{_MOST_SEGMENTS} segments"
+        )
+    return turns
+
+
+class BoundedCells:
+    """Voronoi cells that end at a radius around their points, at the walls of a convex domain, or at both.
+
+    ``bounded_cells()`` of a triangulation makes them. They are of that moment, and stay as they are. Arrays are
+    read-only and have the rows of the triangulation at that moment; lengths and radii are in the unit of the
+    coordinates. An empty cell has area and lengths 0, its point for the centroid, and no pieces.
+
+    Points that coincide share a cell: each has an equal share of its area, and the whole of its lengths and its
+    centroid. The pieces are those of the point that represents them; the others have none.
+    """
+
+    def __init__(self, triangulation: _Triangulation, core: _core.BoundedCells) -> None:
+        self._triangulation = triangulation
+        self._core = core
+
+    @cached_property
+    def _measures(self) -> tuple[NDArray[np.float64], ...]:
+        return self._core._measures()
+
+    @property
+    def radii(self) -> NDArray[np.float64]:
+        """float64 (rows,): the radius of each cell."""
+        return self._measures[0]
+
+    @property
+    def areas(self) -> NDArray[np.float64]:
+        """float64 (rows,): areas, in the squared unit of the coordinates."""
+        return self._measures[1]
+
+    @property
+    def perimeters(self) -> NDArray[np.float64]:
+        """float64 (rows,): the lengths of whole boundaries."""
+        return self._measures[2]
+
+    @property
+    def centroids(self) -> NDArray[np.float64]:
+        """float64 (rows, 2): centroids."""
+        return self._measures[3]
+
+    @property
+    def free_lengths(self) -> NDArray[np.float64]:
+        """float64 (rows,): the length of what is free. A cell is at the surface if it is not 0."""
+        return self._measures[4]
+
+    @property
+    def wall_lengths(self) -> NDArray[np.float64]:
+        """float64 (rows,): the length on walls of the domain."""
+        return self._measures[5]
+
+    @cached_property
+    def points(self) -> NDArray[np.float64]:
+        """float64 (rows, 2): the points of the cells."""
+        return self._core._points()
+
+    @cached_property
+    def pieces(self) -> CellPieces:
+        """The boundaries of all cells, in pieces."""
+        return CellPieces(*self._core._pieces())
+
+    @cached_property
+    def surface(self) -> CellSurface:
+        """The border of all cells together, as lines."""
+        return CellSurface(*self._core._surface())
+
+    @cached_property
+    def _owners(self) -> NDArray[np.int64]:
+        indptr = self.pieces.indptr
+        return np.repeat(np.arange(len(indptr) - 1), np.diff(indptr))
+
+    def neighbor_list(self) -> NeighborList:
+        """The contacts between cells, each in both directions: pairs of rows with vectors, and the lengths of contacts
+        as weights."""
+        touching = self.pieces.sides == Side.NEIGHBOR
+        first, second = self._owners[touching].astype(np.int32), self.pieces.others[touching]
+        vectors = self.points[second] - self.points[first]
+        cell = self._core._cell()
+        if cell is not None:
+            vectors += self.pieces.shifts[touching] @ np.array(cell.numbers).reshape(2, 2)
+        counts = np.bincount(first, minlength=len(self.areas))
+        return NeighborList(first, second, vectors, self.pieces.lengths[touching], counts)
+
+    def gradients(self, area_weights: ArrayLike, length_weights: ArrayLike) -> BoundedCellGradients:
+        """How an energy changes with positions and radii: the forces on cells, with the opposite sign. The energy is
+        given by its derivatives by the areas of cells, float (rows,), and by the lengths of ``pieces``, float
+        (pieces,). UseError if the triangulation has changed since the cells were made. Cost: linear.
+
+        For the energy ``((areas - 1)**2 + (perimeters - 3.8)**2).sum()`` these are ``2 * (areas - 1)`` and
+        ``np.repeat(2 * (perimeters - 3.8), np.diff(pieces.indptr))``."""
+        return BoundedCellGradients(
+            *self._triangulation._bounded_gradients(self._core, area_weights, length_weights)
+        )
+
+    def _polyline(
+        self, pieces: NDArray[np.int64], segments: int, tolerance: Optional[float]
+    ) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+        """Where the segments of these pieces begin, and where those of each piece do."""
+        owners, angles = self._owners[pieces], self.pieces.angles[pieces]
+        are_arcs = angles > 0
+        counts = np.ones(len(pieces), np.int64)
+        turns = _largest_turn(self.radii[owners[are_arcs]], segments, tolerance)
+        counts[are_arcs] = np.maximum(np.ceil(angles[are_arcs] / turns), 2)
+        firsts = np.concatenate([[0], np.cumsum(counts)])
+        of_piece = np.repeat(np.arange(len(pieces)), counts)
+        turn = angles[of_piece] * (np.arange(firsts[-1]) - firsts[of_piece]) / counts[of_piece]
+        centers, corners = self.points[owners[of_piece]], self.pieces.starts[pieces[of_piece]]
+        inner = turn > 0
+        x, y = (corners - centers)[inner].T
+        cosine, sine = np.cos(turn[inner]), np.sin(turn[inner])
+        corners[inner] = centers[inner] + np.column_stack([cosine * x - sine * y, sine * x + cosine * y])
+        return corners, firsts
+
+    def rings(self, *, segments: int = 64, tolerance: Optional[float] = None) -> list[NDArray[np.float64]]:
+        """float64 (k, 2) for each row: the corners of its cell, counterclockwise, the first one once; none of an empty
+        cell. As polygons of shapely and collections of matplotlib take them.
+
+        Corners of arcs are on the circle. A whole circle would have so many ``segments``, and every arc has at least
+        two; or no place of an arc is farther than the ``tolerance`` from its segments."""
+        corners, firsts = self._polyline(np.arange(len(self.pieces.sides)), segments, tolerance)
+        return np.split(corners, firsts[self.pieces.indptr[1:-1]])[: len(self.areas)]
+
+    def surface_lines(self, *, segments: int = 64, tolerance: Optional[float] = None) -> list[NDArray[np.float64]]:
+        """float64 (k, 2) for each line of ``surface``: its corners, as in ``rings()``. A closed line ends
+        where it begins, but for rounding. In periodic space a line begins at one of its pieces and goes on from there,
+        out of the periodic cell if need be."""
+        surface = self.surface
+        pieces = surface.pieces.astype(np.int64)
+        corners, firsts = self._polyline(pieces, segments, tolerance)
+        starts, ends = self.pieces.starts[pieces], self.pieces.ends[pieces]
+        is_periodic = self._core._cell() is not None
+        lines = []
+        for begin, end in zip(surface.indptr[:-1], surface.indptr[1:]):
+            line = np.concatenate([corners[firsts[begin] : firsts[end]], ends[end - 1 : end]])
+            if is_periodic:  # a piece is around its own point: its image that begins where the last one ends
+                ways = np.cumsum(ends[begin:end] - starts[begin:end], axis=0)
+                places = starts[begin] + np.concatenate([[[0, 0]], ways[:-1]])
+                counts = np.diff(firsts[begin : end + 1])
+                counts[-1] += 1
+                line += np.repeat(places - starts[begin:end], counts, axis=0)
+            lines.append(line)
+        return lines
