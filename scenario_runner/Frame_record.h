@@ -7,6 +7,7 @@
 #include "scenario_runner/Motion.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
 
 #include <array>
 #include <cstddef>
@@ -55,6 +56,16 @@ struct Shown_triangle
   std::array<scenario::Shift, 3> shifts{};
 };
 
+// The part of a point's Voronoi cell that bounds of some kind leave.
+struct Shown_cell
+{
+  double area;
+  double perimeter;
+  std::size_t contacts; // neighbors that it touches
+  double free_length;
+  double wall_length;
+};
+
 // A run as pictures and files show its frame. Points are known by their places in the motion;
 // those that coincide share the edges and triangles of the first of them.
 class Run_view
@@ -67,6 +78,9 @@ public:
   virtual std::vector<Vertex_set> sets() const = 0; // of each point
   virtual std::vector<Shown_edge> edges() const = 0;
   virtual std::vector<Shown_triangle> triangles() const = 0;
+  // Of each point, in the domain that `bounded` has. The frame must be certified.
+  virtual std::vector<Shown_cell> cells(CGAL::Bounded_voronoi_cells_2& bounded,
+                                        double radius) const = 0;
 };
 
 // Of each vertex of a run's frame. A rebuild gives vertices other numbers than those under which

@@ -14,6 +14,7 @@
 #include <boost/iterator/counting_iterator.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -175,6 +176,19 @@ public:
     }
     return sets;
   }
+  std::vector<Shown_cell> cells(CGAL::Bounded_voronoi_cells_2& bounded,
+                                double radius) const override
+  {
+    bounded.compute(triangulation(), radius);
+    std::vector<Shown_cell> cells;
+    for (std::size_t place = 0; place != m_motion.points().size(); ++place) {
+      const std::size_t id = m_kept->id(m_motion, place);
+      cells.push_back({bounded.areas()[id], bounded.perimeters()[id],
+                       number_of_contacts(bounded, triangulation().representative(id)),
+                       bounded.free_lengths()[id], bounded.wall_lengths()[id]});
+    }
+    return cells;
+  }
   const Frame_record& record() const override { return m_record; }
   const Dynamic& triangulation() const { return m_kept->triangulation(); }
 
@@ -196,6 +210,18 @@ protected:
   virtual double agreement() = 0;
 
 private:
+  // Each piece on a neighbor is a contact with another one, or with another image.
+  static std::size_t number_of_contacts(const CGAL::Bounded_voronoi_cells_2& bounded,
+                                        std::size_t id)
+  {
+    using Cells = CGAL::Bounded_voronoi_cells_2;
+    const auto begin = bounded.pieces().begin();
+    return static_cast<std::size_t>(std::count_if(
+        begin + static_cast<std::ptrdiff_t>(bounded.first_pieces()[id]),
+        begin + static_cast<std::ptrdiff_t>(bounded.first_pieces()[id + 1]),
+        [](const Cells::Piece& piece) { return piece.side == Cells::Side::NEIGHBOR; }));
+  }
+
   template <class Work>
   void with_frame_in_message(Work work) const
   {

@@ -96,8 +96,21 @@ void add_output_options(CLI::App& app, Run_options& options)
   app.add_option("--lammps", options.lammps,
                  "write the points of all frames as a LAMMPS dump, which can be run again")
       ->type_name("FILE.lammpstrj");
+  app.add_option("--cells", options.cells,
+                 "write the Voronoi cells of all frames, a row for each point: area, density, "
+                 "perimeter, contacts, free length and length on walls; needs --radius, --domain "
+                 "or both")
+      ->type_name("FILE.csv");
+  app.add_option("--radius", options.radius, "where the cells of --cells end around their points")
+      ->type_name("R")
+      ->check(number(scenario::positive_up_to(1e150)));
+  app.add_option("--domain", options.domain,
+                 "the convex polygon in which the cells of --cells are, as well-known text or "
+                 "GeoJSON")
+      ->type_name("FILE.wkt|FILE.geojson");
   app.add_option("--every", options.every,
-                 "every N-th frame and the last one for --svg, --html, --vtk, --xyz and --lammps")
+                 "every N-th frame and the last one for --svg, --html, --vtk, --xyz, --lammps and "
+                 "--cells")
       ->type_name("N")
       ->transform(whole_number(1, max_frames));
   app.add_flag("--quiet", options.quiet, "no progress, no table");
@@ -117,10 +130,13 @@ void check_files(const Run_options& options)
   if (std::filesystem::is_regular_file(options.scenario, ignored)) {
     files.emplace_back("SCENARIO", options.scenario);
   }
+  if (options.domain) {
+    files.emplace_back("--domain", *options.domain);
+  }
   for (const auto& [name, file] :
        {std::pair("--report", options.report), std::pair("--csv", options.csv),
         std::pair("--html", options.html), std::pair("--xyz", options.xyz),
-        std::pair("--lammps", options.lammps)}) {
+        std::pair("--lammps", options.lammps), std::pair("--cells", options.cells)}) {
     if (!file) {
       continue;
     }
@@ -136,9 +152,25 @@ void check_files(const Run_options& options)
 void check_every(const Run_options& options)
 {
   if (options.every && !options.svg && !options.html && !options.vtk && !options.xyz &&
-      !options.lammps) {
-    throw CLI::ValidationError("--every", "chooses frames for --svg, --html, --vtk, --xyz or "
-                                          "--lammps, and none of them is there");
+      !options.lammps && !options.cells) {
+    throw CLI::ValidationError("--every", "chooses frames for --svg, --html, --vtk, --xyz, "
+                                          "--lammps or --cells, and none of them is there");
+  }
+}
+
+void check_cells(const Run_options& options)
+{
+  if (!options.cells && (options.radius || options.domain)) {
+    throw CLI::ValidationError(options.radius ? "--radius" : "--domain",
+                               "says where the cells of --cells end, and it is not there");
+  }
+  if (options.cells && !options.radius && !options.domain) {
+    throw CLI::ValidationError("--cells", "needs --radius, --domain or both, as cells may have no "
+                                          "end");
+  }
+  if (options.cells && !options.classifier.is_exact) {
+    throw CLI::ValidationError("--cells", "needs an exact classifier, and " +
+                                              options.classifier.text() + " is heuristic");
   }
 }
 
@@ -164,6 +196,7 @@ Run_options parse_options(CLI::App& app, int argc, const char* const* argv)
   app.parse(argc, argv);
   check_files(options);
   check_every(options);
+  check_cells(options);
   return options;
 }
 

@@ -37,6 +37,9 @@ struct Run_options
   std::optional<std::string> vtk{};
   std::optional<std::string> xyz{};
   std::optional<std::string> lammps{};
+  std::optional<std::string> cells{};
+  std::optional<double> radius{};
+  std::optional<std::string> domain{};
   std::optional<std::size_t> every{};
   bool quiet = false;
 

@@ -4,6 +4,7 @@
 // Runs a scenario, checks the maintained triangulation on every frame, and compares its cost with
 // that of fresh triangulations: run_scenario --help.
 
+#include "scenario_runner/Cell_log.h"
 #include "scenario_runner/Classifiers.h"
 #include "scenario_runner/Open_motion.h"
 #include "scenario_runner/Output_formats.h"
@@ -69,6 +70,9 @@ public:
       m_point_logs.push_back(std::make_unique<run::Point_log>(run::Point_log::Format::LAMMPS_DUMP,
                                                               *options.lammps, recorded, box));
     }
+    if (options.cells) {
+      m_cells.emplace(*options.cells, recorded, options.radius, options.domain);
+    }
   }
 
   void take_first_frame(const run::Run_view& run)
@@ -84,6 +88,9 @@ public:
     }
     for (const auto& log : m_point_logs) {
       log->write(run);
+    }
+    if (m_cells) {
+      m_cells->write(run);
     }
   }
 
@@ -113,6 +120,9 @@ public:
     for (const auto& log : m_point_logs) {
       log->finish();
     }
+    if (m_cells) {
+      m_cells->finish();
+    }
     if (m_report) {
       run::write_report(m_report->stream(), subject, summary);
       m_report->finish();
@@ -126,6 +136,7 @@ private:
   std::optional<run::Player_page> m_player;
   std::optional<run::Vtk_series> m_grids;
   std::vector<std::unique_ptr<run::Point_log>> m_point_logs;
+  std::optional<run::Cell_log> m_cells;
   run::Progress_display m_progress;
 };
 
@@ -223,6 +234,9 @@ int run_scenario(const run::Run_options& options)
   const std::string path = scenario::scenario_path(options.scenario);
   const scenario::Scenario_facts facts = scenario::scenario_facts(path, options.overrides.points);
   const auto motion = open(path, options, !facts.seed);
+  if (options.domain && motion->cell()) {
+    throw std::invalid_argument("--domain: is for the plane, and the motion is in a periodic cell");
+  }
   const run::Run_subject subject = run_subject(options, *motion, facts);
   std::size_t frames = options.frames.value_or(motion->frames());
   if (!facts.seed) {

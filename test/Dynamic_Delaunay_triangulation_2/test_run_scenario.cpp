@@ -8,9 +8,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -315,9 +321,10 @@ TEST(Help, lists_scenarios_classifiers_repairs_policies_engines_and_formats)
 {
   const Outcome outcome = run_program({"--help"});
   EXPECT_TRUE(outcome.succeeded);
-  for (const char* word : {"dam_break", "point_distance", "flip_and_splice", "key_frames:K",
-                           "bowyer_watson", "--time-step", "--vtk", "ParaView", "--xyz", "--lammps",
-                           "--every", "doc/Dynamic_Delaunay_triangulation_2/Scenario_files.txt"}) {
+  for (const char* word :
+       {"dam_break", "point_distance", "flip_and_splice", "key_frames:K", "bowyer_watson",
+        "--time-step", "--vtk", "ParaView", "--xyz", "--lammps", "--cells", "--radius", "--domain",
+        "--every", "doc/Dynamic_Delaunay_triangulation_2/Scenario_files.txt"}) {
     EXPECT_TRUE(contains(outcome.output, word)) << word;
   }
   EXPECT_TRUE(run_program({"--version"}).succeeded);
@@ -394,6 +401,245 @@ TEST(Mistakes, in_a_file_are_answered_with_their_place)
   const std::string dump = small_dump();
   expect_refusal({write_file("cut.lammpstrj", dump.substr(0, dump.size() - 15))},
                  {"cut.lammpstrj"});
+}
+
+// -------------------------------------------------------------------------------------------------
+// The cells of --cells.
+
+using Rows = std::vector<std::map<std::string, std::string>>;
+
+Words fields_of(const std::string& line)
+{
+  Words fields(1);
+  for (const char c : line) {
+    if (c == ',') {
+      fields.emplace_back();
+    } else {
+      fields.back() += c;
+    }
+  }
+  return fields;
+}
+
+Rows rows_of(const std::string& path)
+{
+  std::istringstream in(content_of(path));
+  std::string line;
+  std::getline(in, line);
+  const Words columns = fields_of(line);
+  Rows rows;
+  while (std::getline(in, line)) {
+    const Words fields = fields_of(line);
+    EXPECT_EQ(fields.size(), columns.size()) << line;
+    rows.emplace_back();
+    for (std::size_t i = 0; i != fields.size(); ++i) {
+      rows.back()[columns[i]] = fields[i];
+    }
+  }
+  return rows;
+}
+
+Rows cells_of(Words arguments)
+{
+  const std::string path = temporary_path("cells.csv");
+  std::filesystem::remove(path);
+  arguments.insert(arguments.end(), {"--cells", path, "--quiet"});
+  const Outcome outcome = run_program(arguments);
+  EXPECT_TRUE(outcome.succeeded);
+  EXPECT_EQ(outcome.output + outcome.errors, "");
+  return rows_of(path);
+}
+
+double sum(const Rows& rows, const std::string& column, const std::string& frame)
+{
+  double sum = 0;
+  for (const auto& row : rows) {
+    if (row.at("frame") == frame) {
+      sum += std::stod(row.at(column));
+    }
+  }
+  return sum;
+}
+
+std::string pentagon()
+{
+  return write_file("pentagon.wkt", "POLYGON ((-1 0, 4 -1, 5 3, 2 7, -1 4, -1 0))\n");
+}
+constexpr double area_of_pentagon = 33;
+
+TEST(Cells, fill_their_domain_in_every_frame_also_where_points_come_and_go)
+{
+  const Rows rows = cells_of({write_file("tracks.csv", small_csv()), "--domain", pentagon()});
+  EXPECT_EQ(rows.size(), 8u * 5u - 2u);
+  const double walls = std::hypot(5, 1) + std::hypot(1, 4) + 5 + std::hypot(3, 3) + 4;
+  for (std::size_t frame = 0; frame != 8; ++frame) {
+    const std::string number = std::to_string(frame);
+    EXPECT_NEAR(sum(rows, "area", number), area_of_pentagon, 1e-12);
+    EXPECT_NEAR(sum(rows, "wall_length", number), walls, 1e-12);
+    EXPECT_EQ(sum(rows, "free_length", number), 0);
+  }
+  for (const auto& row : rows) {
+    EXPECT_DOUBLE_EQ(std::stod(row.at("density")) * std::stod(row.at("area")), 1);
+    const bool is_alone_in_the_middle = row.at("id") == "4";
+    EXPECT_EQ(row.at("contacts") == "4", is_alone_in_the_middle) << row.at("frame");
+  }
+  EXPECT_EQ(rows[4].at("x"), "2");
+  EXPECT_EQ(rows.back().at("time"), "7");
+}
+
+TEST(Cells, end_at_their_radius)
+{
+  const std::string tracks = write_file("pair.csv", "frame,id,x,y\n0,7,0,0\n0,9,1,0\n0,11,100,0\n");
+  const Rows rows = cells_of({tracks, "--radius", "1"});
+  ASSERT_EQ(rows.size(), 3u);
+  const double pi = std::acos(-1), half_angle = std::acos(0.5);
+  for (const std::size_t i : {0u, 1u}) {
+    EXPECT_NEAR(std::stod(rows[i].at("area")), pi - half_angle + std::sin(half_angle) / 2, 1e-14);
+    EXPECT_NEAR(std::stod(rows[i].at("free_length")), 2 * (pi - half_angle), 1e-14);
+    EXPECT_NEAR(std::stod(rows[i].at("perimeter")), 2 * (pi - half_angle) + std::sqrt(3), 1e-14);
+    EXPECT_EQ(rows[i].at("contacts"), "1");
+  }
+  EXPECT_NEAR(std::stod(rows[2].at("area")), pi, 1e-14);
+  EXPECT_EQ(rows[2].at("contacts"), "0");
+  EXPECT_EQ(rows[2].at("id"), "11");
+}
+
+TEST(Cells, of_points_in_one_place_share_its_area_and_outside_of_the_domain_have_no_density)
+{
+  const std::string tracks =
+      write_file("twins.csv", "frame,id,x,y\n0,1,1,1\n0,2,1,1\n0,3,3,1\n0,4,90,0\n");
+  const Rows rows = cells_of({tracks, "--radius", "10", "--domain", pentagon()});
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[0].at("area"), rows[1].at("area"));
+  EXPECT_EQ(rows[0].at("contacts"), "1");
+  EXPECT_EQ(rows[1].at("contacts"), "1");
+  EXPECT_NEAR(sum(rows, "area", "0"), area_of_pentagon, 1e-12);
+  EXPECT_EQ(rows[3].at("area"), "0");
+  EXPECT_EQ(rows[3].at("density"), "");
+}
+
+TEST(Cells, fill_a_torus)
+{
+  std::string xyz = "20\nLattice=\"2 0 0 0.5 1 0 0 0 1\" pbc=\"T T F\"\n";
+  for (int i = 0; i != 20; ++i) {
+    xyz += "X " + std::to_string(i * 37 % 20 * 0.1 + i * i * 0.001) + ' ' +
+           std::to_string(i * 0.05) + " 0\n";
+  }
+  const Rows rows = cells_of({write_file("torus.xyz", xyz), "--radius", "5"});
+  ASSERT_EQ(rows.size(), 20u);
+  EXPECT_NEAR(sum(rows, "area", "0"), 2, 1e-12);
+  EXPECT_EQ(sum(rows, "contacts", "0"), 6 * 20); // no four on a circle
+}
+
+TEST(Cells, are_of_every_nth_frame_and_equal_on_any_number_of_threads)
+{
+  const Words options = {"brownian", "--points", "500",      "--frames", "7",
+                         "--every",  "3",        "--radius", "0.05"};
+  const Rows rows = cells_of(options);
+  std::set<std::string> frames;
+  for (const auto& row : rows) {
+    frames.insert(row.at("frame"));
+  }
+  EXPECT_EQ(frames, (std::set<std::string>{"0", "3", "6", "7"}));
+  EXPECT_EQ(rows.size(), 4u * 500u);
+  Words with_threads = options;
+  with_threads.insert(with_threads.end(), {"--threads", "2"});
+  EXPECT_EQ(cells_of(with_threads), rows);
+}
+
+TEST(Cells, are_a_table_that_can_be_run_again)
+{
+  const std::string path = temporary_path("again.csv");
+  ASSERT_TRUE(run_program({"brownian", "--points", "50", "--frames", "3", "--cells", path,
+                           "--radius", "0.1", "--quiet"})
+                  .succeeded);
+  EXPECT_EQ(cells_of({path, "--radius", "0.1"}), rows_of(path));
+}
+
+TEST(Domain, is_the_same_in_any_file_that_holds_it)
+{
+  const std::string tracks = write_file("tracks.csv", small_csv());
+  const Rows rows = cells_of({tracks, "--domain", pentagon()});
+  const std::string ring = "[[-1,0],[4,-1],[5,3],[2,7],[-1,4],[-1,0]]";
+  const std::string polygon = R"({"type": "Polygon", "coordinates": [)" + ring + "]}";
+  const std::string feature =
+      R"({"type": "Feature", "properties": {"name": "room"}, "geometry": )" + polygon + "}";
+  for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
+           {"lines.WKT", "  POLYGON((\n -1 0,\n 4 -1,\n 5 3,\n 2 7,\n -1 4,\n -1 0))\n\n"},
+           {"polygon.geojson", polygon},
+           {"heights.json", R"({"type": "Polygon", "coordinates":
+               [[[-1,0,7],[4,-1,7],[5,3,7],[2,7,7],[-1,4,7],[-1,0,7]]]})"},
+           {"feature.geojson", feature},
+           {"features.geojson",
+            R"({"type": "FeatureCollection", "features": [)" + feature + "]}"}}) {
+    EXPECT_EQ(cells_of({tracks, "--domain", write_file(name, text)}), rows) << name;
+  }
+  const Rows clockwise =
+      cells_of({tracks, "--domain",
+                write_file("clockwise.wkt", "POLYGON ((-1 0, -1 4, 2 7, 5 3, 4 -1, -1 0))")});
+  EXPECT_NEAR(sum(clockwise, "area", "0"), area_of_pentagon, 1e-12);
+}
+
+void expect_refused_domain(const std::string& name, const std::string& text, Words parts)
+{
+  const std::string cells = temporary_path("refused.csv");
+  parts.push_back(name);
+  expect_refusal({"brownian", "--cells", cells, "--domain", write_file(name, text)}, parts);
+  EXPECT_FALSE(std::filesystem::exists(cells));
+  EXPECT_FALSE(std::filesystem::exists(cells + ".part"));
+}
+
+TEST(Domain, that_is_not_convex_or_has_a_hole_is_refused_by_its_file_and_corner)
+{
+  expect_refused_domain("bent.wkt", "POLYGON ((0 0, 4 0, 4 4, 2 1, 0 0))",
+                        {"corner 3", "(2, 1)", "left turn", "one convex polygon without holes"});
+  expect_refused_domain("crossed.wkt", "POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))", {"one convex"});
+  expect_refused_domain("hole.wkt",
+                        "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 2, 2 2, 2 1, 1 1))",
+                        {"hole", "one convex polygon without holes"});
+  expect_refused_domain("thin.wkt", "POLYGON ((0 0, 4 0, 0 0))", {"at least three"});
+  expect_refused_domain("nan.wkt", "POLYGON ((0 0, nan 0, 4 4, 0 4, 0 0))", {"not finite"});
+  expect_refused_domain("flat.geojson",
+                        R"({"type": "Polygon", "coordinates": [[[0,0],[1,0],[2,0],[0,0]]]})",
+                        {"left turn"});
+}
+
+TEST(Domain, in_a_broken_file_is_refused_with_its_place)
+{
+  expect_refused_domain("broken.geojson", "{\n  \"type\": oops\n}\n", {"line 2", "column 11"});
+  expect_refused_domain("broken.wkt", "POLYGON ((0 0, 4 0, four 4, 0 0))",
+                        {"POLYGON ((x y", "four"});
+  expect_refused_domain("line.wkt", "LINESTRING (0 0, 4 0)", {"POLYGON"});
+  expect_refused_domain("empty.wkt", "", {"POLYGON"});
+  expect_refused_domain("several.geojson", R"({"type": "MultiPolygon", "coordinates": []})",
+                        {"MultiPolygon", "a Polygon, a Feature of one"});
+  expect_refused_domain("none.geojson", R"({"type": "FeatureCollection", "features": []})",
+                        {"number of features"});
+  expect_refused_domain("list.geojson", "[1, 2]", {"no GeoJSON"});
+  expect_refused_domain("places.geojson",
+                        R"({"type": "Polygon", "coordinates": [[[0,0],[1,0],["a",1]]]})",
+                        {"place 2 of ring 0", "two numbers"});
+  expect_refused_domain("bare.geojson", R"({"type": "Polygon"})", {"'coordinates' is missing"});
+  expect_refused_domain("room.txt", "POLYGON ((0 0, 4 0, 4 4, 0 0))", {".wkt", ".geojson"});
+  expect_refusal({"--cells", temporary_path("cells.csv"), "--domain", "no_such_file.wkt"},
+                 {"no_such_file.wkt"});
+}
+
+TEST(Cells, are_refused_where_they_have_no_end_or_no_proof_or_no_file)
+{
+  const std::string cells = temporary_path("refused.csv");
+  expect_refusal({"--cells", cells}, {"--cells", "--radius", "--domain"});
+  expect_refusal({"--radius", "1"}, {"--radius", "--cells"});
+  expect_refusal({"--domain", pentagon()}, {"--domain", "--cells"});
+  for (const char* radius : {"0", "-1", "nan", "inf", "1e200", "wide"}) {
+    expect_refusal({"--cells", cells, "--radius", radius}, {"--radius", radius, "1e+150"});
+  }
+  expect_refusal({"--cells", cells, "--radius", "1", "--classifier", "point_distance"},
+                 {"--cells", "exact", "point_distance:0.7"});
+  expect_refusal({"brownian_periodic", "--cells", cells, "--domain", pentagon()},
+                 {"--domain", "periodic"});
+  const std::string domain = pentagon();
+  expect_refusal({"--cells", domain, "--domain", domain}, {"--cells", "--domain"});
 }
 
 } // namespace

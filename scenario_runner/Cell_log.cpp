@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "scenario_runner/Cell_log.h"
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace run {
+
+namespace {
+
+CGAL::Bounded_voronoi_cells_2 cells_in(const std::optional<std::string>& domain)
+{
+  CGAL::Bounded_voronoi_cells_2 cells;
+  if (domain) {
+    scenario::set_domain(cells, scenario::read_polygon_file(*domain), *domain);
+  }
+  return cells;
+}
+
+} // namespace
+
+Cell_log::Cell_log(const std::string& path, const Frame_choice& choice,
+                   const std::optional<double>& radius, const std::optional<std::string>& domain)
+  : m_cells(cells_in(domain))
+  , m_radius(radius.value_or(std::numeric_limits<double>::infinity()))
+  , m_choice(choice)
+  , m_file(path, {"frame", "time", "id", "x", "y", "area", "density", "perimeter", "contacts",
+                  "free_length", "wall_length"})
+{
+}
+
+void Cell_log::write(const Run_view& run)
+{
+  if (!m_choice.has(run.record().frame)) {
+    return;
+  }
+  const std::vector<Shown_cell> cells = run.cells(m_cells, m_radius);
+  const scenario::Motion& motion = run.motion();
+  for (std::size_t i = 0; i != cells.size(); ++i) {
+    const Shown_cell& cell = cells[i];
+    const std::optional<double> density =
+        cell.area > 0.0 ? std::optional(1.0 / cell.area) : std::nullopt;
+    m_file.write(run.record().frame, motion.time(), motion.ids()[i], motion.points()[i].x,
+                 motion.points()[i].y, cell.area, density, cell.perimeter, cell.contacts,
+                 cell.free_length, cell.wall_length);
+  }
+}
+
+} // namespace run

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SCENARIO_RUNNER_CELL_LOG_H
+#define SCENARIO_RUNNER_CELL_LOG_H
+
+#include "scenario_runner/Csv_writer.h"
+#include "scenario_runner/Domain_file.h"
+#include "scenario_runner/Frame_record.h"
+#include "scenario_runner/Pictures.h"
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
+
+#include <optional>
+#include <string>
+
+namespace run {
+
+// The bounded Voronoi cells of some frames as comma separated values, a row for each point.
+class Cell_log
+{
+public:
+  // Without a radius cells end at the walls of the domain, whose file is given.
+  Cell_log(const std::string& path, const Frame_choice& choice, const std::optional<double>& radius,
+           const std::optional<std::string>& domain);
+
+  void write(const Run_view& run);
+  void finish() { m_file.finish(); }
+
+private:
+  CGAL::Bounded_voronoi_cells_2 m_cells;
+  double m_radius;
+  Frame_choice m_choice;
+  Csv_writer m_file;
+};
+
+} // namespace run
+
+#endif // SCENARIO_RUNNER_CELL_LOG_H
