@@ -354,7 +354,9 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
-The corners of a domain are not those of a convex polygon, counterclockwise.
+The corners of a domain are not those of a convex polygon, counterclockwise, or not those of a
+simple polygon with holes where that is allowed. Corners of holes follow those of the outer
+boundary.
 */
 class Domain_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
@@ -374,6 +376,39 @@ public:
 
 private:
   std::size_t m_corner;
+};
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Errors
+
+A point is outside of the domain in which its cell is asked for, or in one of its holes.
+*/
+class Point_outside_domain_error_2 : public Dynamic_Delaunay_triangulation_error_2
+{
+public:
+  /// \cond
+  Point_outside_domain_error_2(std::size_t id, double x, double y)
+    : Dynamic_Delaunay_triangulation_error_2(
+          Dynamic_Delaunay_triangulations_2::internal::message_text(
+              "point ", id, " at (", x, ", ", y,
+              ") is outside of the domain: points must be inside or on a wall"))
+    , m_id(id)
+    , m_x(x)
+    , m_y(y)
+  {
+  }
+  /// \endcond
+
+  /// the id of the point.
+  std::size_t id() const { return m_id; }
+  /// its first coordinate.
+  double x() const { return m_x; }
+  /// its second coordinate.
+  double y() const { return m_y; }
+
+private:
+  std::size_t m_id;
+  double m_x, m_y;
 };
 
 /*!

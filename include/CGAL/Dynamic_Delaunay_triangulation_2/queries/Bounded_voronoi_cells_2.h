@@ -102,6 +102,21 @@ public:
     double angle;           ///< of an arc around the point; 0 for a segment.
   };
 
+  /// what all pieces of a cell have together.
+  struct Measures
+  {
+    double area;        ///< the area.
+    double perimeter;   ///< the whole length of the boundary.
+    Position centroid;  ///< the centroid.
+    double wall_length; ///< the length on walls.
+    double free_length; ///< the length of what is free.
+  };
+  /// a cell by itself.
+  struct Cell : Measures
+  {
+    std::vector<Piece> pieces; ///< its boundary, counterclockwise.
+  };
+
   /// @}
   /// \name The Domain
   /// Without a domain cells end at their radius only.
@@ -165,12 +180,26 @@ public:
   template <class Dynamic>
   void compute(const Dynamic& dt, const std::vector<double>& radii)
   {
-    if (radii.size() != dt.number_of_ids())
-      throw Point_count_error_2(dt.number_of_ids(), radii.size());
-    for (size_type id = 0; id < radii.size(); ++id)
-      if (dt.has_id(id))
-        check_radius(radii[id]);
+    check_radii(dt, radii, !m_domain.empty());
     compute_with(dt, [&](size_type id) { return radii[id]; });
+  }
+
+  /// returns the cell of one point, which `compute()` would give if all points had this radius. If
+  /// it coincides with others it has its share of the area, and their pieces. Nothing changes.
+  ///
+  /// Cost: as `compute()` has it for this point; also linear in the number of points that coincide
+  /// with others.
+  /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`.
+  /// \throws Unknown_id_error_2 if no point has this id.
+  /// \throws Parameter_error_2 as `compute()`.
+  template <class Dynamic>
+  Cell cell(const Dynamic& dt, size_type id, double radius) const
+  {
+    check_radius(radius);
+    check_space<Dynamic>();
+    Part part;
+    const Measures measures = measure_one(dt, id, radius, Walls_2{*this}, part);
+    return {measures, std::move(part.pieces)};
   }
 
   /// @}
@@ -200,12 +229,9 @@ public:
 
   /// @}
 
-private:
-  // Where the pieces of a cell are at first, in the order of space.
-  struct Source
-  {
-    size_type part, first;
-  };
+  /// \cond
+protected:
+  using Polygon = Dynamic_Delaunay_triangulations_2::internal::Bounded_cell_2;
 
   // What a side of a cell is to be named.
   struct Label
@@ -215,15 +241,112 @@ private:
     Periodic_shift_2 shift;
     double radius; // of the neighbor
   };
-  using Cell = Dynamic_Delaunay_triangulations_2::internal::Bounded_cell_2;
+
+  // A closed line of pieces, by the number of the first one.
+  struct Ring
+  {
+    size_type first;
+    double area; // negative around a hole
+  };
 
   // Some cells, and memory for one after the other.
   struct Part
   {
     std::vector<Piece> pieces{};
-    Cell cell{};
+    std::vector<Ring> rings{};
+    Polygon polygon{};
     std::vector<Label> labels{};
   };
+
+  // Where the pieces and rings of a cell are at first, in the order of space.
+  struct Source
+  {
+    size_type part, first_piece, first_ring, pieces, rings;
+  };
+
+  // Adds up the pieces of a boundary around p, and lists them.
+  class Boundary_2
+  {
+  public:
+    Boundary_2(const Position& p, size_type id, double radius, std::vector<Piece>& pieces)
+      : m_p(p)
+      , m_id(id)
+      , m_radius(radius)
+      , m_pieces(pieces)
+      , m_measures{0, 0, p, 0, 0}
+    {
+    }
+
+    void add_chord(const Label& label, const Position& n, double h, double first, double last)
+    {
+      const auto place = [&](double u) { return Position{h * n.x - u * n.y, h * n.y + u * n.x}; };
+      const Position from = place(first), to = place(last);
+      const double doubled_area = h * (last - first);
+      m_measures.area += doubled_area / 2;
+      m_moment = {m_moment.x + doubled_area * (from.x + to.x) / 2,
+                  m_moment.y + doubled_area * (from.y + to.y) / 2};
+      // what the neighbor does not reach is free
+      double contact_first = first, contact_last = last;
+      if (label.side == Side::NEIGHBOR && label.radius < m_radius) {
+        const double half =
+            label.radius > h ? std::sqrt((label.radius - h) * (label.radius + h)) : 0;
+        contact_first = (std::min)((std::max)(first, -half), last);
+        contact_last = (std::max)((std::min)(last, half), contact_first);
+      }
+      const auto add_part = [&](Side side, double u, double v) {
+        if (u < v)
+          add(side, label, place(u), place(v), v - u, 0);
+      };
+      add_part(Side::FREE, first, contact_first);
+      add_part(label.side, contact_first, contact_last);
+      add_part(Side::FREE, contact_last, last);
+    }
+
+    void add_arc(const Position& from, const Position& to, double angle)
+    {
+      const double squared = m_radius * m_radius;
+      m_measures.area += squared * angle / 2;
+      m_moment = {m_moment.x + squared * (to.y - from.y), m_moment.y - squared * (to.x - from.x)};
+      add(Side::FREE, free_label(m_id), from, to, m_radius * angle, angle);
+    }
+
+    double area() const { return m_measures.area; }
+    Measures measures() const
+    {
+      Measures result = m_measures;
+      if (const double weight = 3 * result.area; weight > 0)
+        result.centroid = {m_p.x + m_moment.x / weight, m_p.y + m_moment.y / weight};
+      return result;
+    }
+
+  private:
+    void add(Side side, const Label& label, const Position& from, const Position& to, double length,
+             double angle)
+    {
+      m_measures.perimeter += length;
+      if (side == Side::WALL)
+        m_measures.wall_length += length;
+      else if (side == Side::FREE)
+        m_measures.free_length += length;
+      m_pieces.push_back({side,
+                          label.other,
+                          label.shift,
+                          {m_p.x + from.x, m_p.y + from.y},
+                          {m_p.x + to.x, m_p.y + to.y},
+                          length,
+                          angle});
+    }
+
+    const Position m_p;
+    const size_type m_id;
+    const double m_radius;
+    std::vector<Piece>& m_pieces;
+    Measures m_measures;
+    Position m_moment{0, 0}; // three times the area times the vector to the centroid
+  };
+
+  // Of what belongs to no neighbor and to no wall.
+  static Label free_label(size_type id) { return {Side::FREE, id, {0, 0}, 0}; }
 
   static void check_radius(double radius, bool may_be_infinite)
   {
@@ -232,6 +355,16 @@ private:
       throw Parameter_error_2("the radius", radius, least, most);
   }
   void check_radius(double radius) const { check_radius(radius, !m_domain.empty()); }
+
+  template <class Dynamic>
+  static void check_radii(const Dynamic& dt, const std::vector<double>& radii, bool may_be_infinite)
+  {
+    if (radii.size() != dt.number_of_ids())
+      throw Point_count_error_2(dt.number_of_ids(), radii.size());
+    for (size_type id = 0; id < radii.size(); ++id)
+      if (dt.has_id(id))
+        check_radius(radii[id], may_be_infinite);
+  }
 
   static void check(const std::vector<Position>& corners)
   {
@@ -257,19 +390,67 @@ private:
       throw Domain_error_2(0, "the corners turn around more than once");
   }
 
+  // Cuts cells by the convex domain.
+  struct Walls_2
+  {
+    template <class Space, class Radius>
+    Measures operator()(const Space& space, size_type id, const Radius& radius, Part& part) const
+    {
+      const Position p = space.position(id);
+      cut_cell(
+          space, id, radius, [&] { return cells.reach(p); }, part.polygon, part.labels);
+      cells.cut_by_walls(p, part.polygon, part.labels);
+      return measure(p, id, radius(id), part);
+    }
+    const Bounded_voronoi_cells_2& cells;
+  };
+
+  template <class Dynamic>
+  void check_space() const
+  {
+    if (Dynamic::Frame::is_periodic && !m_domain.empty())
+      throw Domain_error_2(0, "there is none in periodic space");
+  }
+
   template <class Dynamic, class Radius>
   void compute_with(const Dynamic& dt, const Radius& radius)
   {
-    using namespace Dynamic_Delaunay_triangulations_2::internal;
-    if (Dynamic::Frame::is_periodic && !m_domain.empty())
-      throw Domain_error_2(0, "there is none in periodic space");
-    const Voronoi_space_2<Dynamic> space(dt);
+    check_space<Dynamic>();
+    const Dynamic_Delaunay_triangulations_2::internal::Voronoi_space_2<Dynamic> space(dt);
+    compute_in(space, radius, Walls_2{*this});
+  }
+
+  // A cutter is called with a space, an id, the radius of each id and a part, adds the pieces of
+  // the cell and returns its measures. Each range of cells has a copy of it.
+  template <class Space, class Radius, class Cutter>
+  void compute_in(const Space& space, const Radius& radius, const Cutter& cutter)
+  {
     try {
-      compute_in(space, radius);
+      cut_cells(space, radius, cutter);
+      collect_pieces();
+      share_areas(space);
     } catch (...) {
       clear();
       throw;
     }
+  }
+
+  template <class Dynamic, class Cutter>
+  static Measures measure_one(const Dynamic& dt, size_type id, double radius, const Cutter& cutter,
+                              Part& part)
+  {
+    const Dynamic_Delaunay_triangulations_2::internal::Voronoi_space_2<Dynamic> space(dt);
+    if (!space.has_id(id))
+      throw Unknown_id_error_2(id, space.number_of_ids());
+    const auto representative = [&](size_type i) { return space.id_of_cell(space.cell(i)); };
+    Cutter own_cutter(cutter);
+    Measures measures = own_cutter(
+        space, representative(id), [=](size_type) { return radius; }, part);
+    double sharers = 1;
+    space.for_each_duplicate(
+        [&](size_type i) { sharers += representative(i) == representative(id); });
+    measures.area /= sharers;
+    return measures;
   }
 
   // Throws nothing.
@@ -283,30 +464,39 @@ private:
     m_first_pieces.clear();
   }
 
-  template <class Space, class Radius>
-  void compute_in(const Space& space, const Radius& radius)
+  template <class Space, class Radius, class Cutter>
+  void cut_cells(const Space& space, const Radius& radius, const Cutter& cutter)
   {
-    using namespace Dynamic_Delaunay_triangulations_2::internal;
     start(space.number_of_ids());
     for (size_type id = 0; id < space.number_of_ids(); ++id)
       m_radii[id] = space.has_id(id) ? radius(id) : 0;
+    const auto radius_of = [&](size_type id) { return m_radii[id]; };
     std::mutex taking;
     size_type used = 0;
     space.for_each_range(space.number_of_cells(), [&](size_type first, size_type beyond) {
       const size_type number = take_part(used, taking);
       Part& part = m_parts[number];
       part.pieces.clear();
+      part.rings.clear();
+      Cutter cutter_of_part(cutter);
       for (size_type c = first; c < beyond; ++c)
         if (space.is_cell(Index(c))) {
-          const size_type id = space.id_of_cell(Index(c)), before = part.pieces.size();
-          cut_cell(space, id, part.cell, part.labels);
-          measure(space.position(id), id, part);
-          m_first_pieces[id] = part.pieces.size() - before; // a number for now
-          m_sources[id] = {number, before};
+          const size_type id = space.id_of_cell(Index(c));
+          const size_type pieces = part.pieces.size(), rings = part.rings.size();
+          set_measures(id, cutter_of_part(space, id, radius_of, part));
+          m_sources[id] = {number, pieces, rings, part.pieces.size() - pieces,
+                           part.rings.size() - rings};
         }
     });
-    collect();
-    share_areas(space);
+  }
+
+  void set_measures(size_type id, const Measures& measures)
+  {
+    m_areas[id] = measures.area;
+    m_perimeters[id] = measures.perimeter;
+    m_centroids[id] = measures.centroid;
+    m_wall_lengths[id] = measures.wall_length;
+    m_free_lengths[id] = measures.free_length;
   }
 
   // Parts keep their memory, and their places while others are added.
@@ -325,17 +515,19 @@ private:
          {&m_radii, &m_areas, &m_perimeters, &m_wall_lengths, &m_free_lengths})
       measures->assign(ids, 0);
     m_centroids.assign(ids, {0, 0});
-    m_first_pieces.assign(ids + 1, 0);
-    m_sources.resize(ids);
+    m_first_pieces.clear();
+    m_sources.assign(ids, {0, 0, 0, 0, 0});
   }
 
-  // The sides of a cell are the bisectors with its neighbors, in their order, then cut by walls.
-  // Those beyond the radius do not matter, unless they are needed to close the polygon.
-  template <class Space>
-  void cut_cell(const Space& space, size_type id, Cell& cell, std::vector<Label>& labels) const
+  // The sides of a cell are the bisectors with its neighbors, in their order. Those beyond the
+  // radius do not matter, unless they are needed to close the polygon. If the radius is infinite no
+  // more matters than what is within reach().
+  template <class Space, class Radius, class Reach>
+  static void cut_cell(const Space& space, size_type id, const Radius& radius, const Reach& reach,
+                       Polygon& cell, std::vector<Label>& labels)
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
-    const double r = m_radii[id];
+    const double r = radius(id);
     labels.clear();
     bool is_around = true;
     cell.start(r);
@@ -346,9 +538,8 @@ private:
           cell.add_side(normal, distance, labels.size());
           labels.push_back({Side::NEIGHBOR, neighbor.id, neighbor.shift, 0});
         });
-    const Position p = space.position(id);
     if (!(is_around && cell.close())) {
-      cell.start(r, 2 * (std::isinf(r) ? reach(p) : r));
+      cell.start(r, 2 * (std::isinf(r) ? reach() : r));
       labels.clear();
       for_each_bisector(
           space, id,
@@ -360,8 +551,7 @@ private:
           });
     }
     for (Label& label : labels)
-      label.radius = m_radii[label.other];
-    cut_by_walls(p, cell, labels);
+      label.radius = radius(label.other);
   }
 
   template <class Space, class Function>
@@ -375,7 +565,7 @@ private:
     });
   }
 
-  void cut_by_walls(const Position& p, Cell& cell, std::vector<Label>& labels) const
+  void cut_by_walls(const Position& p, Polygon& cell, std::vector<Label>& labels) const
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     for (size_type i = 0; i < m_domain.size(); ++i) {
@@ -400,74 +590,31 @@ private:
     return farthest;
   }
 
-  // Adds up the pieces of a cell around p, and appends them.
-  void measure(const Position& p, size_type id, Part& part)
+  // Adds up the pieces of the polygon around p, and appends them.
+  static Measures measure(const Position& p, size_type id, double radius, Part& part)
   {
-    const double radius = m_radii[id];
-    Position moment{0, 0}; // three times the area times the vector to the centroid
-    const auto add = [&](Side side, const Label& label, const Position& from, const Position& to,
-                         double length, double angle) {
-      m_perimeters[id] += length;
-      if (side != Side::NEIGHBOR)
-        (side == Side::WALL ? m_wall_lengths : m_free_lengths)[id] += length;
-      part.pieces.push_back({side,
-                             label.other,
-                             label.shift,
-                             {p.x + from.x, p.y + from.y},
-                             {p.x + to.x, p.y + to.y},
-                             length,
-                             angle});
-    };
-    const auto add_chord = [&](size_type number, const Position& n, double h, double first,
-                               double last) {
-      const Label& label = part.labels[number];
-      const auto place = [&](double u) { return Position{h * n.x - u * n.y, h * n.y + u * n.x}; };
-      const Position from = place(first), to = place(last);
-      const double doubled_area = h * (last - first);
-      m_areas[id] += doubled_area / 2;
-      moment = {moment.x + doubled_area * (from.x + to.x) / 2,
-                moment.y + doubled_area * (from.y + to.y) / 2};
-      // what the neighbor does not reach is free
-      double contact_first = first, contact_last = last;
-      if (label.side == Side::NEIGHBOR && label.radius < radius) {
-        const double half =
-            label.radius > h ? std::sqrt((label.radius - h) * (label.radius + h)) : 0;
-        contact_first = (std::min)((std::max)(first, -half), last);
-        contact_last = (std::max)((std::min)(last, half), contact_first);
-      }
-      const auto add_part = [&](Side side, double u, double v) {
-        if (u < v)
-          add(side, label, place(u), place(v), v - u, 0);
-      };
-      add_part(Side::FREE, first, contact_first);
-      add_part(label.side, contact_first, contact_last);
-      add_part(Side::FREE, contact_last, last);
-    };
-    const auto add_arc = [&](const Position& from, const Position& to, double angle) {
-      const double squared = radius * radius;
-      m_areas[id] += squared * angle / 2;
-      moment = {moment.x + squared * (to.y - from.y), moment.y - squared * (to.x - from.x)};
-      add(Side::FREE, {Side::FREE, id, {0, 0}, 0}, from, to, radius * angle, angle);
-    };
-    part.cell.for_each_piece(add_chord, add_arc);
-    const double weight = 3 * m_areas[id];
-    m_centroids[id] = weight > 0 ? Position{p.x + moment.x / weight, p.y + moment.y / weight} : p;
+    Boundary_2 boundary(p, id, radius, part.pieces);
+    part.polygon.for_each_piece(
+        [&](size_type number, const Position& n, double h, double first, double last) {
+          boundary.add_chord(part.labels[number], n, h, first, last);
+        },
+        [&](const Position& from, const Position& to, double angle) {
+          boundary.add_arc(from, to, angle);
+        });
+    return boundary.measures();
   }
 
   // Brings the pieces of all parts into the order of ids.
-  void collect()
+  void collect_pieces()
   {
-    size_type sum = 0;
-    for (size_type id = 0; id < m_sources.size(); ++id) {
-      const size_type number = std::exchange(m_first_pieces[id], sum);
-      sum += number;
-      if (number == 0)
-        continue;
-      const auto& [part, before] = m_sources[id];
-      const auto first = m_parts[part].pieces.begin() + std::ptrdiff_t(before);
-      m_pieces.insert(m_pieces.end(), first, first + std::ptrdiff_t(number));
+    m_first_pieces.push_back(0);
+    for (const Source& source : m_sources) {
+      if (source.pieces > 0) {
+        const auto first = m_parts[source.part].pieces.begin() + std::ptrdiff_t(source.first_piece);
+        m_pieces.insert(m_pieces.end(), first, first + std::ptrdiff_t(source.pieces));
+      }
+      m_first_pieces.push_back(m_pieces.size());
     }
-    m_first_pieces.back() = sum;
   }
 
   // Gives points that coincide what their representative has.
@@ -488,15 +635,19 @@ private:
     });
   }
 
+private:
   std::vector<Position> m_domain;  // its corners, or none
   std::vector<Position> m_normals; // of the walls, outward
   std::vector<double> m_radii, m_areas, m_perimeters, m_wall_lengths, m_free_lengths;
   std::vector<Position> m_centroids;
   std::vector<Piece> m_pieces;
   std::vector<size_type> m_first_pieces;
-  std::vector<Source> m_sources; // of each id
   std::vector<double> m_sharers; // of the cell of each representative
+
+protected:
+  std::vector<Source> m_sources; // of each id
   std::deque<Part> m_parts;
+  /// \endcond
 };
 
 } // namespace CGAL

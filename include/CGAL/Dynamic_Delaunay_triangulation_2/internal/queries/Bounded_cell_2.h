@@ -51,6 +51,14 @@ public:
                {{-1, 0}, w, no_label}};
   }
 
+  // Begins with what another one is.
+  void start(const Bounded_cell_2& cell)
+  {
+    m_radius = cell.m_radius;
+    m_corners = cell.m_corners;
+    m_sides = cell.m_sides;
+  }
+
   // Begins without sides, for add_side() and close().
   void start(double radius)
   {
@@ -86,7 +94,33 @@ public:
                         [&](const Position_2& corner) { return dot(normal, corner) > distance; });
   }
 
-  // Cuts off what is beyond a line, whose side gets a label.
+  // The part of a line between u and v, if first < last.
+  struct Interval
+  {
+    double first, last;
+  };
+  Interval part_of_line(const Position_2& normal, double distance, double u, double v) const
+  {
+    if (!(std::abs(distance) < m_radius))
+      return {0, 0};
+    const double half = std::sqrt((m_radius - distance) * (m_radius + distance));
+    Interval part{(std::max)(u, -half), (std::min)(v, half)};
+    const Position_2 t = turned_left(normal);
+    for (const Side& side : m_sides) {
+      const double slope = dot(side.normal, t);
+      const double rest = side.distance - distance * dot(side.normal, normal);
+      if (slope > 0)
+        part.last = (std::min)(part.last, rest / slope);
+      else if (slope < 0)
+        part.first = (std::max)(part.first, rest / slope);
+      else if (rest < 0)
+        return {0, 0};
+    }
+    return part;
+  }
+
+  // Cuts off what is beyond a line, whose side gets a label. Nothing is left of what only touches
+  // the rest.
   void cut(const Position_2& normal, double distance, std::size_t label)
   {
     const Side cutting{normal, distance, label};
@@ -96,6 +130,11 @@ public:
     const auto is_beyond = [](double excess) { return excess > 0; };
     if (std::none_of(m_excess.begin(), m_excess.end(), is_beyond))
       return;
+    if (std::none_of(m_excess.begin(), m_excess.end(), [](double excess) { return excess < 0; })) {
+      m_corners.clear();
+      m_sides.clear();
+      return;
+    }
     m_new_corners.clear();
     m_new_sides.clear();
     for (std::size_t i = 0; i < m_corners.size(); ++i) {

@@ -1,0 +1,446 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_CELL_IN_DOMAIN_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_CELL_IN_DOMAIN_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Bounded_cell_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Polygonal_domain_2.h>
+#include <CGAL/enum.h>
+#include <CGAL/Kernel/global_functions_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// What a domain leaves of a bounded cell, which is convex.
+//
+// Triangles of the domain that the cell reaches are found from that of its point on, through the
+// edges that cross the cell. In each of them the cell is cut as by any convex polygon: that is a
+// *portion*. Portions meet at diagonals of the domain. So boundaries are traced from piece to piece
+// around a portion, and through a diagonal to the portion beyond; no general clipping is needed.
+//
+// Only in triangles that are seen through other ones, a portion is also cut by the outermost rays
+// that pass all edges before (as in CGAL's Triangular_expansion_visibility_2): these are chosen by
+// exact predicates.
+class Cell_in_domain_2
+{
+  using Domain = Polygonal_domain_2;
+  using Face_handle = Domain::Face_handle;
+  using Vertex_handle = Domain::Vertex_handle;
+  static constexpr std::size_t none = std::size_t(-1);
+
+public:
+  enum class Kind { CELL, WALL, SIGHT, ARC, DIAGONAL };
+
+  // A piece of the boundary: of the side of the cell or of the wall with a number, of a line of
+  // sight, or an arc. Segments are named as Bounded_cell_2 has it.
+  struct Piece
+  {
+    Kind kind;
+    std::size_t number;
+    Position_2 normal;
+    double distance, first, last;
+    Position_2 from, to; // of an arc
+    double angle;
+    std::size_t portion;
+    bool is_used;
+  };
+
+  explicit Cell_in_domain_2(const Domain& domain)
+    : m_domain(domain)
+    , m_portion_of_face(domain.number_of_faces(), none)
+  {
+  }
+
+  // Begins with the cell of p, whose radius this is, where p is in the closed face. The cell must
+  // stay. Whether any wall crosses it.
+  bool start(const Position_2& p, double radius, Face_handle face, const Bounded_cell_2& cell)
+  {
+    m_p = p;
+    m_radius = radius;
+    m_cell = &cell;
+    bool meets_wall = false;
+    flood(face, [&](Face_handle here, int i) {
+      meets_wall = meets_wall || is_wall(here, i);
+      return !is_wall(here, i);
+    });
+    return meets_wall;
+  }
+  // What is connected with p has been found. Then one of these may follow.
+  void take_all()
+  {
+    flood(m_portions.front().face, [](Face_handle, int) { return true; });
+  }
+  void take_visible()
+  {
+    const Face_handle face = m_portions.front().face;
+    m_portions.clear();
+    add_portions_at(face);
+    const std::size_t starts = m_portions.size();
+    for (std::size_t i = 0; i < starts; ++i)
+      look_around(i, starts);
+    for (std::size_t i = starts; i < m_portions.size(); ++i)
+      look_further(i);
+  }
+
+  // Calls f(area, pieces) for each closed line of pieces: for each component its outer boundary,
+  // and then its holes, whose areas are negative.
+  template <class Function>
+  void for_each_ring(const Function& f)
+  {
+    m_pieces.clear();
+    for (std::size_t i = 0; i < m_portions.size(); ++i)
+      cut_portion(i);
+    m_rings.clear();
+    for (std::size_t i = 0; i < m_pieces.size(); ++i)
+      if (m_pieces[i].kind != Kind::DIAGONAL && !m_pieces[i].is_used)
+        trace_ring(i);
+    std::sort(m_rings.begin(), m_rings.end(), [](const Ring& r, const Ring& s) {
+      return std::make_tuple(r.component, r.area < 0, r.first) <
+             std::make_tuple(s.component, s.area < 0, s.first);
+    });
+    for (const Ring& ring : m_rings) {
+      m_ring.clear();
+      append_ring(ring.first);
+      f(ring.area, m_ring);
+    }
+  }
+
+private:
+  // What is narrower than this, measured by its distance from the point, may be due to rounding.
+  static constexpr double narrow = 0x1p-48;
+  // Of a portion's sides that the cell does not have.
+  static constexpr std::size_t first_edge = none - 4, ray = none - 1;
+
+  // A triangle, or what is seen of it between two rays, if there are any.
+  struct Portion
+  {
+    Face_handle face;
+    Vertex_handle right, left;
+    int entry;                                              // the edge where rays come in
+    std::array<std::size_t, 3> beyond{none, none, none};    // the portion beyond each diagonal
+    std::array<std::size_t, 3> diagonals{none, none, none}; // their pieces
+    std::size_t first_piece = 0, beyond_pieces = 0;
+    std::size_t component = 0;
+  };
+
+  struct Ring
+  {
+    std::size_t first, component;
+    double area;
+  };
+
+  static int ccw(int i) { return Domain::Triangulation::ccw(i); }
+  static int cw(int i) { return Domain::Triangulation::cw(i); }
+  static bool is_wall(Face_handle face, int i)
+  {
+    return face->info().walls[std::size_t(i)] != none;
+  }
+  Orientation turn(Vertex_handle v, Vertex_handle w) const
+  {
+    return orientation(Domain::Point(m_p.x, m_p.y), v->point(), w->point());
+  }
+
+  // Whether a part of edge i, wider than rounding, is in the cell.
+  bool crosses(Face_handle face, int i) const
+  {
+    const Position_2& n = face->info().normals[std::size_t(i)];
+    const auto place = [&](Vertex_handle v) {
+      const Position_2 way = Domain::corner(v) - m_p;
+      return n.x * way.y - n.y * way.x;
+    };
+    const double h = Domain::distance(m_p, face, i);
+    const auto part =
+        m_cell->part_of_line(n, h, place(face->vertex(ccw(i))), place(face->vertex(cw(i))));
+    return part.last - part.first >
+           narrow * (std::abs(h) + std::abs(part.first) + std::abs(part.last));
+  }
+
+  // FINDING PORTIONS ------------------------------------------------------------------------------
+
+  // Goes through all edges that cross the cell and that may be passed.
+  template <class Predicate>
+  void flood(Face_handle start, const Predicate& may_pass)
+  {
+    m_portions.clear();
+    add_portion(start);
+    m_portion_of_face[start->info().number] = 0;
+    for (std::size_t i = 0; i < m_portions.size(); ++i)
+      for (int k = 0; k < 3; ++k) {
+        const Face_handle face = m_portions[i].face, next = face->neighbor(k);
+        if (m_portions[i].beyond[std::size_t(k)] != none || !crosses(face, k) ||
+            !may_pass(face, k) || m_domain.is_infinite(next))
+          continue;
+        std::size_t& portion = m_portion_of_face[next->info().number];
+        if (portion == none)
+          portion = add_portion(next);
+        if (!is_wall(face, k))
+          link(i, k, portion);
+      }
+    for (const Portion& portion : m_portions)
+      m_portion_of_face[portion.face->info().number] = none;
+  }
+
+  std::size_t add_portion(Face_handle face)
+  {
+    Portion portion{};
+    portion.face = face;
+    portion.component = m_portions.size();
+    m_portions.push_back(portion);
+    return m_portions.size() - 1;
+  }
+
+  void link(std::size_t i, int k, std::size_t j)
+  {
+    m_portions[i].beyond[std::size_t(k)] = j;
+    m_portions[j].beyond[std::size_t(m_portions[j].face->index(m_portions[i].face))] = i;
+    const std::size_t components[]{component(i), component(j)};
+    m_portions[(std::max)(components[0], components[1])].component =
+        (std::min)(components[0], components[1]);
+  }
+  std::size_t component(std::size_t i) const
+  {
+    while (m_portions[i].component != i)
+      i = m_portions[i].component;
+    return i;
+  }
+
+  // The faces inside that have p, of which this is one: there are several if p is on an edge, or in
+  // a corner.
+  void add_portions_at(Face_handle face)
+  {
+    int on = 0, edge = 0, off = 0;
+    for (int i = 0; i < 3; ++i)
+      if (turn(face->vertex(ccw(i)), face->vertex(cw(i))) == COLLINEAR) {
+        ++on;
+        edge = i;
+      } else
+        off = i;
+    if (on == 2) { // in the corner between these edges
+      auto around = face->vertex(off)->face();
+      const auto first = around;
+      do {
+        if (around->info().is_inside)
+          add_portion(around);
+        around = around->neighbor(ccw(around->index(face->vertex(off))));
+      } while (around != first);
+      return;
+    }
+    add_portion(face);
+    if (on == 1 && face->neighbor(edge)->info().is_inside)
+      add_portion(face->neighbor(edge));
+  }
+
+  // From p, which is in this portion.
+  void look_around(std::size_t i, std::size_t starts)
+  {
+    for (int k = 0; k < 3; ++k) {
+      const Face_handle face = m_portions[i].face;
+      const Vertex_handle right = face->vertex(ccw(k)), left = face->vertex(cw(k));
+      if (is_wall(face, k))
+        continue;
+      if (turn(right, left) == LEFT_TURN)
+        look_through(i, k, right, left);
+      else
+        for (std::size_t j = 0; j < starts; ++j)
+          if (m_portions[j].face == face->neighbor(k))
+            link(i, k, j);
+    }
+  }
+
+  // Through both other edges than that where the view comes in, whose left end is the right end of
+  // one of them.
+  void look_further(std::size_t i)
+  {
+    const Portion portion = m_portions[i];
+    const Vertex_handle middle = portion.face->vertex(portion.entry);
+    const bool is_left_of_right = turn(portion.right, middle) == LEFT_TURN;
+    const bool is_right_of_left = turn(portion.left, middle) == RIGHT_TURN;
+    if (is_left_of_right)
+      look_through(i, ccw(portion.entry), portion.right, is_right_of_left ? middle : portion.left);
+    if (is_right_of_left)
+      look_through(i, cw(portion.entry), is_left_of_right ? middle : portion.right, portion.left);
+  }
+
+  void look_through(std::size_t i, int k, Vertex_handle right, Vertex_handle left)
+  {
+    const Face_handle face = m_portions[i].face;
+    if (is_wall(face, k) || !crosses(face, k))
+      return;
+    const std::size_t next = add_portion(face->neighbor(k));
+    m_portions[next].right = right;
+    m_portions[next].left = left;
+    m_portions[next].entry = face->neighbor(k)->index(face);
+    link(i, k, next);
+  }
+
+  // CUTTING THEM ----------------------------------------------------------------------------------
+
+  void cut_portion(std::size_t i)
+  {
+    Portion& portion = m_portions[i];
+    portion.first_piece = m_pieces.size();
+    if (portion.face->info().is_inside) {
+      m_polygon.start(*m_cell);
+      for (int k = 0; k < 3; ++k)
+        m_polygon.cut(portion.face->info().normals[std::size_t(k)],
+                      Domain::distance(m_p, portion.face, k), first_edge + std::size_t(k));
+      if (portion.right != Vertex_handle()) {
+        cut_by_ray(portion.face, portion.right, RIGHT_TURN);
+        cut_by_ray(portion.face, portion.left, LEFT_TURN);
+      }
+      append_pieces(i);
+    }
+    portion.beyond_pieces = m_pieces.size();
+  }
+
+  // Cuts off what is on one side of a ray. Where an edge of the triangle is on the ray there is
+  // nothing to cut: a wall that is seen edge-on stays a wall.
+  void cut_by_ray(Face_handle face, Vertex_handle v, Orientation side)
+  {
+    bool is_beyond = false;
+    for (int k = 0; k < 3; ++k)
+      is_beyond = is_beyond || turn(v, face->vertex(k)) == side;
+    if (!is_beyond)
+      return;
+    const Position_2 way = Domain::corner(v) - m_p;
+    const double length = (side == RIGHT_TURN ? 1 : -1) * std::hypot(way.x, way.y);
+    m_polygon.cut({way.y / length, -way.x / length}, 0, ray);
+  }
+
+  void append_pieces(std::size_t i)
+  {
+    Portion& portion = m_portions[i];
+    m_polygon.for_each_piece(
+        [&](std::size_t label, const Position_2& normal, double h, double first, double last) {
+          Piece piece{Kind::CELL, label, normal, h, first, last, {0, 0}, {0, 0}, 0, i, false};
+          if (label == ray)
+            piece.kind = Kind::SIGHT;
+          else if (label >= first_edge) {
+            const std::size_t edge = label - first_edge;
+            const std::size_t wall = portion.face->info().walls[edge];
+            piece.kind = wall == none ? Kind::DIAGONAL : Kind::WALL;
+            piece.number = wall == none ? edge : wall;
+            if (wall == none)
+              portion.diagonals[edge] = m_pieces.size();
+          }
+          m_pieces.push_back(piece);
+        },
+        [&](const Position_2& from, const Position_2& to, double angle) {
+          m_pieces.push_back({Kind::ARC, 0, {0, 0}, 0, 0, 0, from, to, angle, i, false});
+        });
+  }
+
+  // TRACING RINGS ---------------------------------------------------------------------------------
+
+  std::size_t next_in_portion(std::size_t i) const
+  {
+    const Portion& portion = m_portions[m_pieces[i].portion];
+    return i + 1 < portion.beyond_pieces ? i + 1 : portion.first_piece;
+  }
+
+  // The next piece that is no diagonal. A diagonal that only one of two portions has is as long as
+  // a rounding error. All pieces have another one before them, so this ends.
+  std::size_t next(std::size_t i) const
+  {
+    i = next_in_portion(i);
+    while (m_pieces[i].kind == Kind::DIAGONAL) {
+      const std::size_t twin = twin_of(m_pieces[i]);
+      i = next_in_portion(twin == none ? i : twin);
+    }
+    return i;
+  }
+  std::size_t twin_of(const Piece& diagonal) const
+  {
+    const Portion& portion = m_portions[diagonal.portion];
+    const std::size_t j = portion.beyond[diagonal.number];
+    return j == none
+               ? none
+               : m_portions[j].diagonals[std::size_t(m_portions[j].face->index(portion.face))];
+  }
+
+  // Notes it unless it encloses nothing but rounding errors, as where a wall is on a side of the
+  // cell.
+  void trace_ring(std::size_t first)
+  {
+    double area = 0, length = 0, reach = 0;
+    std::size_t i = first;
+    do {
+      Piece& piece = m_pieces[i];
+      piece.is_used = true;
+      if (piece.kind == Kind::ARC) {
+        area += m_radius * m_radius * piece.angle / 2;
+        length += m_radius * piece.angle;
+        reach = (std::max)(reach, m_radius);
+      } else {
+        area += piece.distance * (piece.last - piece.first) / 2;
+        length += piece.last - piece.first;
+        reach = (std::max)(reach, std::abs(piece.distance) +
+                                      (std::max)(std::abs(piece.first), std::abs(piece.last)));
+      }
+      i = next(i);
+    } while (i != first);
+    if (std::abs(area) > narrow * reach * length)
+      m_rings.push_back({first, component(m_pieces[first].portion), area});
+  }
+
+  static bool are_one(const Piece& piece, const Piece& next)
+  {
+    return piece.kind == next.kind && piece.number == next.number &&
+           piece.normal.x == next.normal.x && piece.normal.y == next.normal.y &&
+           piece.distance == next.distance;
+  }
+  static void join(Piece& piece, const Piece& next)
+  {
+    piece.last = next.last;
+    piece.to = next.to;
+    piece.angle += next.angle;
+  }
+
+  // What triangles have divided becomes one again.
+  void append_ring(std::size_t first)
+  {
+    std::size_t i = first;
+    do {
+      if (!m_ring.empty() && are_one(m_ring.back(), m_pieces[i]))
+        join(m_ring.back(), m_pieces[i]);
+      else
+        m_ring.push_back(m_pieces[i]);
+      i = next(i);
+    } while (i != first);
+    if (m_ring.size() > 1 && are_one(m_ring.back(), m_ring.front())) {
+      join(m_ring.back(), m_ring.front());
+      m_ring.front() = m_ring.back();
+      m_ring.pop_back();
+    }
+  }
+
+  const Domain& m_domain;
+  Position_2 m_p{0, 0};
+  double m_radius = 0;
+  const Bounded_cell_2* m_cell = nullptr;
+  Bounded_cell_2 m_polygon; // of a portion
+  std::vector<Portion> m_portions;
+  std::vector<std::size_t> m_portion_of_face;
+  std::vector<Piece> m_pieces, m_ring;
+  std::vector<Ring> m_rings;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_CELL_IN_DOMAIN_2_H

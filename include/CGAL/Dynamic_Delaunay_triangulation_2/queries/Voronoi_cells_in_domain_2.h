@@ -1,0 +1,374 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_QUERIES_VORONOI_CELLS_IN_DOMAIN_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_QUERIES_VORONOI_CELLS_IN_DOMAIN_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Cell_in_domain_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Polygonal_domain_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Voronoi_space_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+#include <CGAL/number_type_basic.h>
+#include <CGAL/Polygon_with_holes_2.h>
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Ref
+
+The points' Voronoi cells in a domain that is any simple polygon with holes, such as a hall with
+walls and pillars. Cells may also end at a radius, one or many. They work in the plane.
+
+A wall can divide what a cell has of the domain. Which of it counts, a *rule* says:
+
+- `WHOLE`: all of it, perhaps in several components. So each place of the domain belongs to the
+  nearest point, and without radii the areas add up to that of the domain;
+- `CONNECTED`: the component that has the point. So one does not own what is behind a wall, but may
+  own what is around a corner. This is the rule of PedPy (`compute_individual_voronoi_polygons`,
+  <https://github.com/PedestrianDynamics/PedPy>), which measures the density of crowds;
+- `VISIBLE`: what is in line of sight from the point. This is star-shaped, and has no holes.
+
+The boundary of a cell consists of *rings*: of each component the outer boundary, counterclockwise,
+and then the boundaries of its holes, clockwise. A ring consists of the pieces that
+`Bounded_voronoi_cells_2` has; each begins where the last one ends, so the places where pieces begin
+are the corners. Also free are lines of sight, beyond which a wall hides what would belong to the
+cell; their `other` is the id of the cell. Walls are numbered from that after the first corner of
+the outer boundary on, then come those of the holes.
+
+Lengths and radii are in the unit of the coordinates, areas in the squared unit. Every measure has
+an entry for each id.
+
+- A point may be on a wall, but not outside of the domain.
+- By `CONNECTED` and `VISIBLE` a contact is what the cell has of the bisector; the neighbor's cell
+  may have less of it, or nothing.
+- Components that touch in a point only are apart. Where an opening is narrower than 2^-48 of its
+  distance from the point, or where a wall is on a bisector, rounding decides.
+- A wall that is seen edge-on is on the boundary of a visible cell.
+- Points that coincide share a cell: each gets an equal share of its area, and the whole of its
+  lengths and its centroid. The pieces are those of the representative; the others have none.
+- Removed ids have no pieces, and 0 for all measures. They may be anywhere.
+
+Method: the domain is triangulated once, and each cell is cut by the triangles that it reaches from
+its point on. Accuracy: areas have a relative error of a few roundings for each piece, times the
+ratio of the squared extent of the cell to its area if walls cut it. Which walls hide what is found
+by exact predicates.
+
+An object keeps its memory. Threads share the points if the triangulation has a `Parallel_tag`; the
+result is the same. Nothing of this is compiled unless its header is included.
+
+\sa `Bounded_voronoi_cells_2`
+*/
+class Voronoi_cells_in_domain_2
+#ifndef DOXYGEN_RUNNING
+  : private Bounded_voronoi_cells_2
+#endif
+{
+  using Base = Bounded_voronoi_cells_2;
+  using Domain = Dynamic_Delaunay_triangulations_2::internal::Polygonal_domain_2;
+  using Index = Dynamic_Delaunay_triangulations_2::Index;
+
+public:
+  /// \name Types
+  /// @{
+
+  /// the type of ids.
+  using size_type = std::size_t;
+  /// a place: two doubles, `x` and `y`.
+  using Position = Base::Position;
+  /// what is on the other side of a piece of a boundary.
+  using Side = Base::Side;
+  /// a piece of a boundary.
+  using Piece = Base::Piece;
+  /// area, perimeter, centroid, and the lengths on walls and of what is free.
+  using Measures = Base::Measures;
+
+  /// what of a Voronoi cell counts.
+  enum class Rule {
+    WHOLE,     ///< all that is in the domain.
+    CONNECTED, ///< the component that has the point.
+    VISIBLE    ///< what is in line of sight from the point.
+  };
+
+  /// a cell by itself.
+  struct Cell : Measures
+  {
+    std::vector<Piece> pieces; ///< its boundary, ring after ring.
+    std::vector<size_type>
+        first_pieces;               ///< where rings begin; one more entry than there are rings.
+    std::vector<double> ring_areas; ///< the area that each ring encloses, negative of a hole.
+  };
+
+  /// @}
+  /// \name The Domain
+  /// @{
+
+  /// takes a polygon with holes, of any kernel, whose coordinates are doubles or converted to them.
+  /// It does not matter which way its boundaries turn. Takes \f$O(n \log n)\f$ for n corners.
+  ///
+  /// \throws Domain_error_2 with the number of a corner unless it has an outer boundary, all
+  /// boundaries are simple, and holes are inside of the outer boundary, outside of each other, and
+  /// do not touch.
+  template <class Kernel, class Container>
+  explicit Voronoi_cells_in_domain_2(const Polygon_with_holes_2<Kernel, Container>& domain,
+                                     Rule rule = Rule::WHOLE)
+    : m_rule(rule)
+  {
+    set_domain(domain);
+  }
+
+  /// takes another domain. The cells stay until they are computed again.
+  ///
+  /// \throws Domain_error_2 as the constructor; nothing changes.
+  template <class Kernel, class Container>
+  void set_domain(const Polygon_with_holes_2<Kernel, Container>& domain)
+  {
+    std::vector<Domain::Ring> rings;
+    const auto add = [&](const auto& polygon) {
+      rings.emplace_back();
+      for (auto p = polygon.vertices_begin(); p != polygon.vertices_end(); ++p)
+        rings.back().push_back({CGAL::to_double(p->x()), CGAL::to_double(p->y())});
+    };
+    add(domain.outer_boundary());
+    for (auto hole = domain.holes_begin(); hole != domain.holes_end(); ++hole)
+      add(*hole);
+    m_domain = std::make_shared<const Domain>(rings);
+  }
+
+  /// takes another rule, for cells that are computed from now on.
+  void set_rule(Rule rule) { m_rule = rule; }
+  /// the rule.
+  Rule rule() const { return m_rule; }
+
+  /// @}
+  /// \name Computation
+  /// If memory runs out, there are no cells.
+  /// @{
+
+  /// computes the cells of all points. If there is a radius, they end there.
+  ///
+  /// Cost: as for `Bounded_voronoi_cells_2`, and for cells that walls cut, proportional to the
+  /// number of the domain's triangles that the cell reaches, times the number of its corners.
+  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`.
+  /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`.
+  /// \throws Parameter_error_2 if the radius is not a positive number, or infinity.
+  /// \throws Point_outside_domain_error_2 with the id of a point that is outside. Whatever is
+  /// thrown but for want of memory, nothing changes.
+  template <class Dynamic>
+  void compute(const Dynamic& dt, double radius = std::numeric_limits<double>::infinity())
+  {
+    check_radius(radius, true);
+    compute_with(dt, [=](size_type) { return radius; });
+  }
+  /// takes a radius for each id. Those of removed ids mean nothing.
+  ///
+  /// \throws Point_count_error_2 if there are not as many radii as ids; nothing changes.
+  template <class Dynamic>
+  void compute(const Dynamic& dt, const std::vector<double>& radii)
+  {
+    check_radii(dt, radii, true);
+    compute_with(dt, [&](size_type id) { return radii[id]; });
+  }
+
+  /// returns the cell of one point, which `compute()` would give if all points had this radius. If
+  /// it coincides with others it has its share of the area, and their pieces. Nothing changes.
+  ///
+  /// Cost: as `compute()` has it for this point; also linear in the size of the domain, and in the
+  /// number of points that coincide with others.
+  /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`.
+  /// \throws Unknown_id_error_2 if no point has this id.
+  /// \throws Parameter_error_2, Point_outside_domain_error_2 as `compute()`.
+  template <class Dynamic>
+  Cell cell(const Dynamic& dt, size_type id,
+            double radius = std::numeric_limits<double>::infinity()) const
+  {
+    check_plane<Dynamic>();
+    check_radius(radius, true);
+    Part part;
+    const Measures measures = measure_one(dt, id, radius, Cutter_2(*m_domain, m_rule), part);
+    Cell cell{measures, std::move(part.pieces), {}, {}};
+    for (const Ring& ring : part.rings) {
+      cell.first_pieces.push_back(ring.first);
+      cell.ring_areas.push_back(ring.area);
+    }
+    cell.first_pieces.push_back(cell.pieces.size());
+    return cell;
+  }
+
+  /// @}
+  /// \name Access
+  /// @{
+
+  /// the area of each id's cell.
+  const std::vector<double>& areas() const { return Base::areas(); }
+  /// the whole length of its boundary, with that of holes.
+  const std::vector<double>& perimeters() const { return Base::perimeters(); }
+  /// the centroid. It may be outside of the cell.
+  const std::vector<Position>& centroids() const { return Base::centroids(); }
+  /// the length on walls.
+  const std::vector<double>& wall_lengths() const { return Base::wall_lengths(); }
+  /// the length of what is free.
+  const std::vector<double>& free_lengths() const { return Base::free_lengths(); }
+  /// the radius of each id with which the cells were computed.
+  const std::vector<double>& radii() const { return Base::radii(); }
+
+  /// where the rings of each id begin; one more entry than there are ids.
+  const std::vector<size_type>& first_rings() const { return m_first_rings; }
+  /// where the pieces of each ring begin in `pieces()`; one more entry than there are rings.
+  const std::vector<size_type>& first_pieces() const { return m_first_pieces_of_rings; }
+  /// the area that each ring encloses, negative of a hole.
+  const std::vector<double>& ring_areas() const { return m_ring_areas; }
+  /// the pieces of all rings.
+  const std::vector<Piece>& pieces() const { return Base::pieces(); }
+
+  /// @}
+
+private:
+  using Face_handle = Domain::Face_handle;
+  using Clipped = Dynamic_Delaunay_triangulations_2::internal::Cell_in_domain_2;
+
+  // Cuts a cell, and adds its pieces and rings to a part. Faces where points are may be known.
+  class Cutter_2
+  {
+  public:
+    Cutter_2(const Domain& domain, Rule rule, const std::vector<Face_handle>* faces = nullptr)
+      : m_domain(domain)
+      , m_rule(rule)
+      , m_faces(faces)
+      , m_clipped(domain)
+    {
+    }
+
+    template <class Space, class Radius>
+    Measures operator()(const Space& space, size_type id, const Radius& radius, Part& part)
+    {
+      const Position p = space.position(id);
+      const Face_handle face =
+          m_faces != nullptr ? (*m_faces)[id] : find_face(m_domain, p, id, m_last_face);
+      cut_cell(
+          space, id, radius, [&] { return m_domain.reach(p); }, part.polygon, part.labels);
+      if (m_clipped.start(p, radius(id), face, part.polygon))
+        return measure_clipped(p, id, radius(id), part);
+      part.rings.push_back({part.pieces.size(), 0});
+      const Measures measures = measure(p, id, radius(id), part);
+      part.rings.back().area = measures.area;
+      return measures;
+    }
+
+  private:
+    Measures measure_clipped(const Position& p, size_type id, double radius, Part& part)
+    {
+      if (m_rule == Rule::WHOLE)
+        m_clipped.take_all();
+      else if (m_rule == Rule::VISIBLE)
+        m_clipped.take_visible();
+      Boundary_2 boundary(p, id, radius, part.pieces);
+      m_clipped.for_each_ring([&](double area, const std::vector<Clipped::Piece>& pieces) {
+        part.rings.push_back({part.pieces.size(), area});
+        for (const Clipped::Piece& piece : pieces)
+          if (piece.kind == Clipped::Kind::ARC)
+            boundary.add_arc(piece.from, piece.to, piece.angle);
+          else
+            boundary.add_chord(label(piece, id, part), piece.normal, piece.distance, piece.first,
+                               piece.last);
+      });
+      return boundary.measures();
+    }
+
+    static Label label(const Clipped::Piece& piece, size_type id, const Part& part)
+    {
+      if (piece.kind == Clipped::Kind::CELL)
+        return part.labels[piece.number];
+      if (piece.kind == Clipped::Kind::WALL)
+        return {Side::WALL, piece.number, {0, 0}, 0};
+      return free_label(id);
+    }
+
+    const Domain& m_domain;
+    const Rule m_rule;
+    const std::vector<Face_handle>* const m_faces;
+    Face_handle m_last_face;
+    Clipped m_clipped;
+  };
+
+  template <class Dynamic>
+  static void check_plane()
+  {
+    static_assert(!Dynamic::Frame::is_periodic, "domains with walls are in the plane");
+  }
+
+  static Face_handle find_face(const Domain& domain, const Position& p, size_type id,
+                               Face_handle& last)
+  {
+    const Face_handle face = domain.locate(Domain::Point(p.x, p.y), last);
+    if (face == Face_handle())
+      throw Point_outside_domain_error_2(id, p.x, p.y);
+    return face;
+  }
+
+  template <class Dynamic, class Radius>
+  void compute_with(const Dynamic& dt, const Radius& radius)
+  {
+    check_plane<Dynamic>();
+    const Dynamic_Delaunay_triangulations_2::internal::Voronoi_space_2<Dynamic> space(dt);
+    find_faces(space);
+    compute_in(space, radius, Cutter_2(*m_domain, m_rule, &m_faces));
+    try {
+      collect_rings();
+    } catch (...) {
+      clear();
+      throw;
+    }
+  }
+
+  template <class Space>
+  void find_faces(const Space& space)
+  {
+    m_faces.resize(space.number_of_ids());
+    space.for_each_range(space.number_of_cells(), [&](size_type first, size_type beyond) {
+      Face_handle last;
+      for (size_type c = first; c < beyond; ++c)
+        if (space.is_cell(Index(c))) {
+          const size_type id = space.id_of_cell(Index(c));
+          m_faces[id] = find_face(*m_domain, space.position(id), id, last);
+        }
+    });
+  }
+
+  // In the order of ids, as the pieces are.
+  void collect_rings()
+  {
+    m_first_rings.assign(1, 0);
+    m_first_pieces_of_rings.clear();
+    m_ring_areas.clear();
+    for (size_type id = 0; id < m_sources.size(); ++id) {
+      const Source& source = m_sources[id];
+      for (size_type i = 0; i < source.rings; ++i) {
+        const Ring& ring = m_parts[source.part].rings[source.first_ring + i];
+        m_first_pieces_of_rings.push_back(Base::first_pieces()[id] + ring.first -
+                                          source.first_piece);
+        m_ring_areas.push_back(ring.area);
+      }
+      m_first_rings.push_back(m_ring_areas.size());
+    }
+    m_first_pieces_of_rings.push_back(pieces().size());
+  }
+
+  std::shared_ptr<const Domain> m_domain; // copies share it
+  Rule m_rule;
+  std::vector<Face_handle> m_faces; // that have the points, by id
+  std::vector<size_type> m_first_rings, m_first_pieces_of_rings;
+  std::vector<double> m_ring_areas;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_QUERIES_VORONOI_CELLS_IN_DOMAIN_2_H
