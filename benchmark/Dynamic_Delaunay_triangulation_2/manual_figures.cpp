@@ -12,8 +12,10 @@
 //   safe_edge.svg     an edge that is safe, and its annulus
 //   tolerances.svg    how far vertices may go before an edge has to be looked at
 //   motion.svg        the dam break with few points, moving
+//   cells_in_domain.svg  a Voronoi cell in a hall with walls, by three rules
 
 #include "common/Program.h"
+#include "manual_figures/Domain_figure.h"
 #include "manual_figures/Motion_figure.h"
 #include "manual_figures/Safety_figures.h"
 #include "manual_figures/Set_figures.h"
@@ -47,6 +49,7 @@ void draw_all(const std::string& path)
   write(directory, "safe_edge.svg", safety.draw_edge());
   write(directory, "tolerances.svg", safety.draw_tolerances(16));
   write(directory, "motion.svg", Motion_figure::draw(180, 36, 30));
+  write(directory, "cells_in_domain.svg", Domain_figure::draw());
 }
 
 } // namespace

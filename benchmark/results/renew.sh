@@ -12,7 +12,7 @@ dev=$results/../../dev
 
 options_of() {
   case $1 in
-  simulation_helpers) echo --benchmark_min_time=0.1 --benchmark_repetitions=7 ;;
+  cells | simulation_helpers) echo --benchmark_min_time=0.1 --benchmark_repetitions=7 ;;
   esac
 }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_gradients_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cells_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cells_in_domain_2.h>
 #include <CGAL/Dynamic_population_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -200,6 +201,24 @@ bool help_a_simulation()
       contact += bounded.pieces()[k].length;
   //! [bounded cells]
 
+  CGAL::Polygon_2<Kernel> hall, pillar;
+  for (const Point& p : {Point(-1, -1), Point(21, -1), Point(21, 11), Point(-1, 11)})
+    hall.push_back(p);
+  for (const Point& p : {Point(-0.9, -0.9), Point(-0.9, -0.8), Point(-0.8, -0.8)})
+    pillar.push_back(p);
+  //! [cells in a domain]
+  CGAL::Polygon_with_holes_2<Kernel> domain(hall);
+  domain.add_hole(pillar);
+  using Cells_in_domain = CGAL::Voronoi_cells_in_domain_2;
+  Cells_in_domain in_domain(domain, Cells_in_domain::Rule::VISIBLE);
+  in_domain.compute(dt);       // or with radii
+  std::vector<Point> boundary; // of cell i, the corners of its first ring
+  const std::size_t ring = in_domain.first_rings()[i];
+  for (std::size_t k = in_domain.first_pieces()[ring]; k < in_domain.first_pieces()[ring + 1]; ++k)
+    boundary.emplace_back(in_domain.pieces()[k].from.x, in_domain.pieces()[k].from.y);
+  const Cells_in_domain::Cell one = in_domain.cell(dt, i); // without the others
+  //! [cells in a domain]
+
   std::vector<std::size_t> ids;
   //! [queries]
   CGAL::Delaunay_point_queries_2<Dynamic> queries(dt);
@@ -217,7 +236,8 @@ bool help_a_simulation()
   //! [interpolation]
   return samples.size() == places.size() && lists.degree(i) >= 2 && force.squared_length() > 0 &&
          density > 0 && std::hypot(x - points[i].x(), y - points[i].y()) < 1 && total > 0 &&
-         corners.size() > 2 && contact > 0 && nearest.has_value();
+         corners.size() > 2 && contact > 0 && boundary.size() > 2 && one.area > 0 &&
+         nearest.has_value();
 }
 
 bool choose_what_is_done()

@@ -14,6 +14,7 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace manual_figures {
 
@@ -45,6 +46,21 @@ public:
       m_svg << " stroke-dasharray=\"" << dashes << '"';
     }
     m_svg << "/>\n";
+  }
+
+  // Between polygons, one in another.
+  void area(const std::vector<std::vector<Point>>& rings, const std::string& color)
+  {
+    m_svg << "<path fill-rule=\"evenodd\" fill=\"" << color << "\" d=\"";
+    for (const std::vector<Point>& ring : rings) {
+      char command = 'M';
+      for (const Point& p : ring) {
+        m_svg << command << m_view.x(p) << ' ' << m_view.y(p);
+        command = 'L';
+      }
+      m_svg << 'Z';
+    }
+    m_svg << "\"/>\n";
   }
 
   // Of a radius on paper.

@@ -86,7 +86,6 @@ Coordinates may be of any size whose square is still a double.
 An object keeps its memory: `compute()` allocates nothing if the triangulation had as many ids and
 vertices before, and, for clipped cells, if no cell has more corners than any cell before.
 
-\cgalExample{Dynamic_Delaunay_triangulation_2/crowd_densities.cpp}
 \cgalExample{Dynamic_Delaunay_triangulation_2/lloyd_relaxation.cpp}
 
 \sa `Voronoi_cell_gradients_2`

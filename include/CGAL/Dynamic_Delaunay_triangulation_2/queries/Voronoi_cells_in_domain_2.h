@@ -65,6 +65,8 @@ by exact predicates.
 An object keeps its memory. Threads share the points if the triangulation has a `Parallel_tag`; the
 result is the same. Nothing of this is compiled unless its header is included.
 
+\cgalExample{Dynamic_Delaunay_triangulation_2/crowd_densities.cpp}
+
 \sa `Bounded_voronoi_cells_2`
 */
 class Voronoi_cells_in_domain_2

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -117,6 +118,22 @@ public:
         return {0, 0};
     }
     return part;
+  }
+
+  // Of the side whose line is nearest to two places, or no_label if there are no sides.
+  std::size_t label_at(const Position_2& p, const Position_2& q) const
+  {
+    std::size_t label = no_label;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Side& side : m_sides) {
+      const double distance = std::abs(dot(side.normal, p) - side.distance) +
+                              std::abs(dot(side.normal, q) - side.distance);
+      if (side.label != no_label && distance < least) {
+        label = side.label;
+        least = distance;
+      }
+    }
+    return label;
   }
 
   // Cuts off what is beyond a line, whose side gets a label. Nothing is left of what only touches

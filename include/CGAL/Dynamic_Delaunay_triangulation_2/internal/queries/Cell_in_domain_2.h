@@ -104,6 +104,7 @@ public:
     m_pieces.clear();
     for (std::size_t i = 0; i < m_portions.size(); ++i)
       cut_portion(i);
+    name_open_diagonals();
     m_rings.clear();
     for (std::size_t i = 0; i < m_pieces.size(); ++i)
       if (m_pieces[i].kind != Kind::DIAGONAL && !m_pieces[i].is_used)
@@ -154,6 +155,11 @@ private:
     return orientation(Domain::Point(m_p.x, m_p.y), v->point(), w->point());
   }
 
+  static bool is_narrow(double h, double first, double last)
+  {
+    return last - first <= narrow * (std::abs(h) + std::abs(first) + std::abs(last));
+  }
+
   // Whether a part of edge i, wider than rounding, is in the cell.
   bool crosses(Face_handle face, int i) const
   {
@@ -165,8 +171,7 @@ private:
     const double h = Domain::distance(m_p, face, i);
     const auto part =
         m_cell->part_of_line(n, h, place(face->vertex(ccw(i))), place(face->vertex(cw(i))));
-    return part.last - part.first >
-           narrow * (std::abs(h) + std::abs(part.first) + std::abs(part.last));
+    return !is_narrow(h, part.first, part.last);
   }
 
   // FINDING PORTIONS ------------------------------------------------------------------------------
@@ -344,6 +349,26 @@ private:
         });
   }
 
+  // A diagonal without another portion beyond is on a side of the cell, or seen edge-on, or as
+  // short as rounding errors.
+  void name_open_diagonals()
+  {
+    for (Piece& piece : m_pieces) {
+      if (piece.kind != Kind::DIAGONAL || twin_of(piece) != none)
+        continue;
+      const Face_handle face = m_portions[piece.portion].face;
+      const int edge = int(piece.number);
+      const auto place = [&](double u) {
+        return Position_2{piece.distance * piece.normal.x - u * piece.normal.y,
+                          piece.distance * piece.normal.y + u * piece.normal.x};
+      };
+      const std::size_t label = m_cell->label_at(place(piece.first), place(piece.last));
+      const bool is_edge_on = turn(face->vertex(ccw(edge)), face->vertex(cw(edge))) == COLLINEAR;
+      piece.kind = is_edge_on || label == Bounded_cell_2::no_label ? Kind::SIGHT : Kind::CELL;
+      piece.number = label;
+    }
+  }
+
   // TRACING RINGS ---------------------------------------------------------------------------------
 
   std::size_t next_in_portion(std::size_t i) const
@@ -352,15 +377,12 @@ private:
     return i + 1 < portion.beyond_pieces ? i + 1 : portion.first_piece;
   }
 
-  // The next piece that is no diagonal. A diagonal that only one of two portions has is as long as
-  // a rounding error. All pieces have another one before them, so this ends.
+  // The next piece that is no diagonal. All pieces have another one before them, so this ends.
   std::size_t next(std::size_t i) const
   {
     i = next_in_portion(i);
-    while (m_pieces[i].kind == Kind::DIAGONAL) {
-      const std::size_t twin = twin_of(m_pieces[i]);
-      i = next_in_portion(twin == none ? i : twin);
-    }
+    while (m_pieces[i].kind == Kind::DIAGONAL)
+      i = next_in_portion(twin_of(m_pieces[i]));
     return i;
   }
   std::size_t twin_of(const Piece& diagonal) const
@@ -377,10 +399,12 @@ private:
   void trace_ring(std::size_t first)
   {
     double area = 0, length = 0, reach = 0;
+    bool is_point = true;
     std::size_t i = first;
     do {
       Piece& piece = m_pieces[i];
       piece.is_used = true;
+      is_point = is_point && is_negligible(piece);
       if (piece.kind == Kind::ARC) {
         area += m_radius * m_radius * piece.angle / 2;
         length += m_radius * piece.angle;
@@ -393,8 +417,13 @@ private:
       }
       i = next(i);
     } while (i != first);
-    if (std::abs(area) > narrow * reach * length)
+    if (!is_point && std::abs(area) > narrow * reach * length)
       m_rings.push_back({first, component(m_pieces[first].portion), area});
+  }
+
+  static bool is_negligible(const Piece& piece)
+  {
+    return piece.kind != Kind::ARC && is_narrow(piece.distance, piece.first, piece.last);
   }
 
   static bool are_one(const Piece& piece, const Piece& next)
@@ -410,15 +439,16 @@ private:
     piece.angle += next.angle;
   }
 
-  // What triangles have divided becomes one again.
+  // What triangles have divided becomes one again, and what is as short as rounding errors goes.
   void append_ring(std::size_t first)
   {
     std::size_t i = first;
     do {
-      if (!m_ring.empty() && are_one(m_ring.back(), m_pieces[i]))
-        join(m_ring.back(), m_pieces[i]);
-      else
-        m_ring.push_back(m_pieces[i]);
+      const Piece& piece = m_pieces[i];
+      if (!m_ring.empty() && are_one(m_ring.back(), piece))
+        join(m_ring.back(), piece);
+      else if (!is_negligible(piece))
+        m_ring.push_back(piece);
       i = next(i);
     } while (i != first);
     if (m_ring.size() > 1 && are_one(m_ring.back(), m_ring.front())) {

@@ -1,0 +1,598 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Voronoi cells in polygons with holes, by three rules, against exact Boolean operations and
+// against sweeps around their points.
+
+#include "domain_oracle.h"
+#include "oracle.h"
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cells_in_domain_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace domain_oracle;
+using Cells = CGAL::Voronoi_cells_in_domain_2;
+using Rule = Cells::Rule;
+using Side = Cells::Side;
+using Plane = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
+using Numbers = std::vector<double>;
+using Point = Epick::Point_2;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Rule rules[]{Rule::WHOLE, Rule::CONNECTED, Rule::VISIBLE};
+
+Plane triangulation(const Points& points)
+{
+  return Plane(points.begin(), points.end());
+}
+
+double sum(const Numbers& numbers)
+{
+  return std::accumulate(numbers.begin(), numbers.end(), 0.0);
+}
+
+double area(const Domain& domain)
+{
+  CGAL::Polygon_2<Epeck> exact;
+  Epeck::FT result = 0;
+  const auto add = [&](const Polygon& ring, int sign) {
+    exact.clear();
+    for (auto p = ring.vertices_begin(); p != ring.vertices_end(); ++p)
+      exact.push_back({p->x(), p->y()});
+    result += sign * CGAL::abs(exact.area());
+  };
+  add(domain.outer_boundary(), 1);
+  for (const Polygon& hole : domain.holes())
+    add(hole, -1);
+  return CGAL::to_double(result);
+}
+
+Polygon polygon(const Points& corners)
+{
+  return Polygon(corners.begin(), corners.end());
+}
+
+Polygon box(double x, double y, double width, double height)
+{
+  return polygon(
+      {Point(x, y), Point(x + width, y), Point(x + width, y + height), Point(x, y + height)});
+}
+
+bool is_inside(const Domain& domain, const Point& p)
+{
+  if (domain.outer_boundary().has_on_unbounded_side(p))
+    return false;
+  for (const Polygon& hole : domain.holes())
+    if (hole.has_on_bounded_side(p))
+      return false;
+  return true;
+}
+
+bool is_on_wall(const Domain& domain, const Point& p)
+{
+  return domain.outer_boundary().has_on_boundary(p) ||
+         std::any_of(domain.holes_begin(), domain.holes_end(),
+                     [&](const Polygon& hole) { return hole.has_on_boundary(p); });
+}
+
+// -------------------------------------------------------------------------------------------------
+// Domains.
+
+// Three halls side by side, over a corridor.
+Domain comb()
+{
+  return Domain(
+      polygon({Point(0, 0), Point(12, 0), Point(12, 10), Point(9, 10), Point(9, 2), Point(8, 2),
+               Point(8, 10), Point(5, 10), Point(5, 2), Point(4, 2), Point(4, 10), Point(0, 10)}));
+}
+
+Domain hall_with_pillars()
+{
+  Domain domain(box(0, 0, 10, 10));
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      domain.add_hole(box(1.5 + 3 * i, 1.5 + 3 * j, 1, 1));
+  return domain;
+}
+
+// A star with random rays, and some of the smaller ones in it that do not touch.
+class Random_domain
+{
+public:
+  explicit Random_domain(unsigned seed, bool is_on_grid)
+    : m_random(seed)
+    , m_is_on_grid(is_on_grid)
+  {
+  }
+
+  Domain make()
+  {
+    for (;;) {
+      const Polygon outer = star(5, 5, 5, 4 + int(m_random() % 12));
+      if (outer.is_simple())
+        return with_holes(Domain(outer));
+    }
+  }
+  Point inside(const Domain& domain)
+  {
+    for (;;) {
+      const Point p(rounded(between(0, 10)), rounded(between(0, 10)));
+      if (is_inside(domain, p))
+        return p;
+    }
+  }
+  // Different ones.
+  Points inside(const Domain& domain, std::size_t number)
+  {
+    std::set<Point> points;
+    for (std::size_t i = 0; i < number; ++i)
+      points.insert(inside(domain));
+    return {points.begin(), points.end()};
+  }
+
+private:
+  double between(double low, double high)
+  {
+    return std::uniform_real_distribution<double>(low, high)(m_random);
+  }
+  double rounded(double x) const { return m_is_on_grid ? std::round(2 * x) / 2 : x; }
+
+  Polygon star(double x, double y, double size, int corners)
+  {
+    Points points;
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 6.28 * i / corners, r = size * between(0.2, 1);
+      points.emplace_back(rounded(x + r * std::cos(angle)), rounded(y + r * std::sin(angle)));
+    }
+    return polygon(points);
+  }
+
+  Domain with_holes(Domain domain)
+  {
+    for (int i = int(m_random() % 6); i > 0; --i) {
+      const Point p = inside(domain);
+      const Polygon hole = star(p.x(), p.y(), between(0.3, 2), 3 + int(m_random() % 4));
+      Domain next = domain;
+      next.add_hole(hole);
+      try {
+        const Cells cells(next);
+        domain = next;
+      } catch (const CGAL::Domain_error_2&) { // it touches something
+      }
+    }
+    return domain;
+  }
+
+  std::mt19937 m_random;
+  bool m_is_on_grid;
+};
+
+// -------------------------------------------------------------------------------------------------
+// Comparison.
+
+struct Shape
+{
+  std::size_t outer = 0, holes = 0;
+  std::map<std::size_t, double> contacts{};
+};
+
+// Rings are closed, outer ones come first, and all add up.
+Shape checked_shape(const Cells& cells, std::size_t id)
+{
+  Shape shape;
+  double area = 0, perimeter = 0;
+  for (std::size_t ring = cells.first_rings()[id]; ring < cells.first_rings()[id + 1]; ++ring) {
+    area += cells.ring_areas()[ring];
+    ++(cells.ring_areas()[ring] > 0 ? shape.outer : shape.holes);
+    EXPECT_GT(shape.outer, 0u);
+    const std::size_t first = cells.first_pieces()[ring], beyond = cells.first_pieces()[ring + 1];
+    EXPECT_LT(first, beyond);
+    for (std::size_t i = first; i < beyond; ++i) {
+      const auto &piece = cells.pieces()[i], &next = cells.pieces()[i + 1 < beyond ? i + 1 : first];
+      EXPECT_NEAR(piece.to.x, next.from.x, 1e-11);
+      EXPECT_NEAR(piece.to.y, next.from.y, 1e-11);
+      perimeter += piece.length;
+      if (piece.side == Side::NEIGHBOR)
+        shape.contacts[piece.other] += piece.length;
+    }
+  }
+  EXPECT_NEAR(area, cells.areas()[id], 1e-12);
+  EXPECT_NEAR(perimeter, cells.perimeters()[id], 1e-12);
+  return shape;
+}
+
+constexpr double length_error = 1e-9; // of lines that are about parallel
+
+void expect_area(const Cells& cells, std::size_t id, const Point& p, const Measured& measured)
+{
+  const double area = cells.areas()[id];
+  ASSERT_NEAR(area, double(measured.area), 1e-12 * double(measured.area));
+  ASSERT_NEAR(area * (cells.centroids()[id].x - p.x()), double(measured.moment_x), 1e-11);
+  ASSERT_NEAR(area * (cells.centroids()[id].y - p.y()), double(measured.moment_y), 1e-11);
+}
+
+void expect_lengths(const Cells& cells, std::size_t id, const Measured& measured)
+{
+  const Shape shape = checked_shape(cells, id);
+  ASSERT_NEAR(cells.wall_lengths()[id], double(measured.wall), length_error);
+  for (const auto& [other, length] : measured.contacts) {
+    const auto found = shape.contacts.find(other);
+    ASSERT_NEAR(found == shape.contacts.end() ? 0 : found->second, double(length), length_error);
+  }
+  for (const auto& [other, length] : shape.contacts)
+    ASSERT_TRUE(length < length_error || measured.contacts.count(other) == 1);
+}
+
+void expect_right(const Points& points, const Domain& domain, double radius, bool is_general)
+{
+  const Plane dt = triangulation(points);
+  std::map<Rule, Cells> cells;
+  for (const Rule rule : rules) {
+    cells.emplace(rule, Cells(domain, rule));
+    cells.at(rule).compute(dt, radius);
+  }
+  for (std::size_t id = 0; id < points.size(); ++id) {
+    SCOPED_TRACE(testing::Message() << "id " << id << ", radius " << radius);
+    const Boolean_cell boolean(points, id, domain, radius);
+    for (const bool is_connected : {false, true}) {
+      SCOPED_TRACE(is_connected ? "connected" : "whole");
+      const Cells& these = cells.at(is_connected ? Rule::CONNECTED : Rule::WHOLE);
+      const Measured measured = boolean.measure(is_connected);
+      if (is_connected && (measured.components == 0 || measured.is_pinched))
+        continue; // the oracle knows no component of a point on a wall, or too much
+      ASSERT_NO_FATAL_FAILURE(expect_area(these, id, points[id], measured));
+      ASSERT_NEAR(these.perimeters()[id], double(measured.perimeter), length_error);
+      if (is_general) {
+        ASSERT_NO_FATAL_FAILURE(expect_lengths(these, id, measured));
+        const Shape shape = checked_shape(these, id);
+        ASSERT_EQ(shape.outer, measured.components);
+        ASSERT_EQ(shape.holes, measured.holes);
+      }
+    }
+    if (is_on_wall(domain, points[id]))
+      continue; // the sweep would look through it
+    SCOPED_TRACE("visible");
+    const Cells& visible = cells.at(Rule::VISIBLE);
+    const Measured measured = Visible_cell(points, id, domain, radius).measure();
+    ASSERT_NO_FATAL_FAILURE(expect_area(visible, id, points[id], measured));
+    ASSERT_NEAR(visible.perimeters()[id], double(measured.perimeter), length_error);
+    if (is_general) {
+      ASSERT_NO_FATAL_FAILURE(expect_lengths(visible, id, measured));
+    }
+    ASSERT_EQ(checked_shape(visible, id).outer, 1u);
+    ASSERT_EQ(checked_shape(visible, id).holes, 0u);
+  }
+}
+
+TEST(Cells_in_domains, are_what_boolean_operations_and_sweeps_have)
+{
+  std::mt19937 random(1);
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random_domain source(seed, false);
+    const Domain domain = source.make();
+    const Points points = source.inside(domain, 1 + random() % 20);
+    for (const double radius : {infinity, 0.3, 1.0, 4.0})
+      ASSERT_NO_FATAL_FAILURE(expect_right(points, domain, radius, true));
+  }
+}
+
+// Corners, bisectors, walls and circles meet in all ways there.
+TEST(Cells_in_domains, are_right_where_everything_is_on_a_grid)
+{
+  std::mt19937 random(2);
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random_domain source(seed, true);
+    const Domain domain = source.make();
+    const Points points = source.inside(domain, 1 + random() % 20);
+    for (const double radius : {infinity, 0.5, 1.25, 5.0})
+      ASSERT_NO_FATAL_FAILURE(expect_right(points, domain, radius, false));
+  }
+}
+
+TEST(Cells_in_domains, add_up_to_the_domain)
+{
+  for (unsigned seed = 1; seed <= 8; ++seed)
+    for (const bool is_on_grid : {false, true}) {
+      SCOPED_TRACE(testing::Message() << "seed " << seed << (is_on_grid ? ", grid" : ""));
+      Random_domain source(seed, is_on_grid);
+      const Domain domain = source.make();
+      const Plane dt = triangulation(source.inside(domain, is_on_grid ? 50 : 1000));
+      Cells whole(domain), connected(domain, Rule::CONNECTED), visible(domain, Rule::VISIBLE);
+      whole.compute(dt);
+      connected.compute(dt);
+      visible.compute(dt);
+      ASSERT_NEAR(sum(whole.areas()), area(domain), 1e-13 * area(domain));
+      for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
+        ASSERT_LE(connected.areas()[id], whole.areas()[id] * (1 + 1e-12));
+        ASSERT_LE(visible.areas()[id], connected.areas()[id] * (1 + 1e-12));
+      }
+    }
+}
+
+TEST(Cells_in_domains, are_those_of_a_convex_domain_where_it_is_convex)
+{
+  const Polygon hexagon =
+      polygon({Point(3, 0), Point(8, 1), Point(10, 5), Point(7, 10), Point(2, 9), Point(0, 4)});
+  Random_domain source(3, false);
+  const Plane dt = triangulation(source.inside(Domain(hexagon), 300));
+  CGAL::Bounded_voronoi_cells_2 convex;
+  convex.set_domain(hexagon.vertices_begin(), hexagon.vertices_end());
+  for (const double radius : {infinity, 0.4})
+    for (const Rule rule : rules) {
+      convex.compute(dt, radius);
+      Cells cells(Domain(hexagon), rule);
+      cells.compute(dt, radius);
+      for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
+        ASSERT_NEAR(cells.areas()[id], convex.areas()[id], 1e-12 * convex.areas()[id]);
+        ASSERT_NEAR(cells.perimeters()[id], convex.perimeters()[id], 1e-12);
+        ASSERT_NEAR(cells.wall_lengths()[id], convex.wall_lengths()[id], 1e-12);
+        ASSERT_NEAR(cells.free_lengths()[id], convex.free_lengths()[id], 1e-12);
+        ASSERT_EQ(checked_shape(cells, id).outer, 1u);
+      }
+    }
+}
+
+TEST(Cells_in_domains, may_have_three_components_of_which_one_has_the_point)
+{
+  const Plane dt = triangulation({Point(6.5, 9), Point(6.5, 1)});
+  Cells cells(comb());
+  cells.compute(dt);
+  EXPECT_DOUBLE_EQ(cells.areas()[0], 20 + 15 + 15);
+  EXPECT_EQ(checked_shape(cells, 0).outer, 3u);
+  EXPECT_DOUBLE_EQ(checked_shape(cells, 0).contacts[1], 10);
+  cells.set_rule(Rule::CONNECTED);
+  cells.compute(dt);
+  EXPECT_DOUBLE_EQ(cells.areas()[0], 15);
+  EXPECT_DOUBLE_EQ(cells.areas()[1], 12 * 5 - 2 * 3);
+  EXPECT_EQ(checked_shape(cells, 0).outer, 1u);
+  EXPECT_DOUBLE_EQ(checked_shape(cells, 0).contacts[1], 3);
+}
+
+TEST(Cells_in_domains, have_a_ring_around_each_hole)
+{
+  const Domain domain = hall_with_pillars();
+  const Plane dt = triangulation({Point(5, 3.2)});
+  for (const Rule rule : {Rule::WHOLE, Rule::CONNECTED}) {
+    Cells cells(domain, rule);
+    cells.compute(dt);
+    EXPECT_DOUBLE_EQ(cells.areas()[0], 91);
+    EXPECT_DOUBLE_EQ(cells.wall_lengths()[0], 40 + 36);
+    EXPECT_EQ(checked_shape(cells, 0).outer, 1u);
+    EXPECT_EQ(checked_shape(cells, 0).holes, 9u);
+    EXPECT_NEAR(cells.centroids()[0].x, 5, 1e-14);
+    EXPECT_NEAR(cells.centroids()[0].y, 5, 1e-14);
+  }
+  // and two in a disc that encloses two pillars, whose boundary is one arc
+  Cells cells(domain);
+  cells.compute(triangulation({Point(5, 3.5)}), 2.4);
+  EXPECT_EQ(checked_shape(cells, 0).holes, 2u);
+  EXPECT_DOUBLE_EQ(cells.pieces()[0].angle, double(2 * pi));
+}
+
+TEST(Cells_in_domains, end_where_a_wall_is_on_a_bisector)
+{
+  // the bisector has the ends of the walls between the halls on it
+  const Plane halls = triangulation({Point(6.5, 3.5), Point(6.5, 0.5)});
+  Cells cells(comb());
+  cells.compute(halls);
+  EXPECT_DOUBLE_EQ(cells.areas()[0], (4 + 3 + 3) * 8);
+  EXPECT_DOUBLE_EQ(cells.areas()[1], 12 * 2);
+  EXPECT_EQ(checked_shape(cells, 0).outer, 3u);
+  cells.set_rule(Rule::CONNECTED);
+  cells.compute(halls);
+  EXPECT_DOUBLE_EQ(cells.areas()[0], 3 * 8);
+  // and one of a hole, in one cell only
+  Domain domain(box(0, 0, 4, 4));
+  domain.add_hole(box(2, 1, 1, 1));
+  for (const Rule rule : rules) {
+    Cells beside(domain, rule);
+    beside.compute(triangulation({Point(1, 1.5), Point(3, 1.5)}));
+    EXPECT_DOUBLE_EQ(beside.areas()[0], 8);
+    EXPECT_DOUBLE_EQ(beside.perimeters()[0], 12);
+    EXPECT_EQ(checked_shape(beside, 0).outer, 1u);
+    if (rule != Rule::VISIBLE) { // from a wall one does not see what is behind it
+      EXPECT_DOUBLE_EQ(beside.areas()[1], 7);
+      EXPECT_DOUBLE_EQ(beside.perimeters()[1], 14);
+    } else {
+      EXPECT_DOUBLE_EQ(beside.areas()[1], 4);
+    }
+  }
+}
+
+TEST(Visible_cells, have_what_is_seen_from_walls_and_corners)
+{
+  const Domain bend(
+      polygon({Point(0, 0), Point(4, 0), Point(4, 1), Point(1, 1), Point(1, 4), Point(0, 4)}));
+  const auto seen_from = [&](double x, double y) {
+    return Cells(bend, Rule::VISIBLE).cell(triangulation({Point(x, y)}), 0);
+  };
+  EXPECT_DOUBLE_EQ(seen_from(1, 1).area, 7); // from the corner everything
+  EXPECT_DOUBLE_EQ(seen_from(0, 0).area, 7);
+  EXPECT_DOUBLE_EQ(seen_from(1, 3).area, 4);
+  EXPECT_DOUBLE_EQ(seen_from(1, 3).wall_length, 9); // with the wall that it is on
+  EXPECT_DOUBLE_EQ(seen_from(1, 3).free_length, 1);
+  EXPECT_DOUBLE_EQ(seen_from(4, 1).area, 4);
+  EXPECT_DOUBLE_EQ(seen_from(4, 0).area, 4 + 1 / 6.0);
+  EXPECT_EQ(seen_from(4, 1).ring_areas.size(), 1u);
+}
+
+TEST(Visible_cells, end_at_walls_that_are_seen_edge_on)
+{
+  Domain domain(box(0, 0, 10, 2));
+  domain.add_hole(polygon({Point(4, 0.5), Point(6, 0.5), Point(6, 1)}));
+  const auto cell = Cells(domain, Rule::VISIBLE).cell(triangulation({Point(1, 0.5)}), 0);
+  // above a ray through (6, 1), and below the wall and the line that goes on from it
+  EXPECT_DOUBLE_EQ(cell.area, 20 - (0.5 * 5 * 0.5 - 0.5 * 3 * 0) - (0.5 + 0.9) * 4 / 2 + 0.25 * 3);
+}
+
+TEST(Cells_in_domains, have_errors_that_say_what_is_wrong_and_change_nothing)
+{
+  const Domain domain = hall_with_pillars();
+  const Plane dt = triangulation({Point(0.5, 1), Point(9, 4)});
+  Cells cells(domain);
+  cells.compute(dt);
+  const Numbers areas = cells.areas();
+  for (const Point& outside : {Point(2, 2), Point(11, 5), Point(-1e-300, 5), Point(1e300, 0)}) {
+    try {
+      cells.compute(triangulation({Point(0.5, 1), outside}));
+      ADD_FAILURE() << outside;
+    } catch (const CGAL::Point_outside_domain_error_2& error) {
+      EXPECT_EQ(error.id(), 1u);
+      EXPECT_EQ(error.x(), outside.x());
+    }
+    EXPECT_THROW(cells.cell(triangulation({Point(0.5, 1), outside}), 1),
+                 CGAL::Point_outside_domain_error_2);
+  }
+  EXPECT_THROW(cells.compute(dt, 0), CGAL::Parameter_error_2);
+  EXPECT_THROW(cells.compute(dt, Numbers{1}), CGAL::Point_count_error_2);
+  EXPECT_THROW(cells.compute(dt, Numbers{1, std::nan("")}), CGAL::Parameter_error_2);
+  EXPECT_THROW(cells.cell(dt, 2), CGAL::Unknown_id_error_2);
+  EXPECT_EQ(cells.areas(), areas);
+
+  // the corner, and the domain
+  const auto with_hole = [](const Polygon& hole) {
+    Domain result(box(0, 0, 10, 10));
+    result.add_hole(box(1, 1, 4, 4));
+    result.add_hole(hole);
+    return result;
+  };
+  const std::vector<std::pair<std::size_t, Domain>> wrong{
+      {0, Domain()},
+      {0, Domain(polygon({Point(0, 0), Point(1, 0)}))},
+      {1, Domain(polygon({Point(0, 0), Point(1, infinity), Point(1, 1)}))},
+      {2, Domain(polygon({Point(0, 0), Point(1, 0), Point(2, 0)}))},
+      {2, Domain(polygon({Point(0, 0), Point(2, 2), Point(2, 0), Point(0, 2)}))},
+      {3, Domain(polygon({Point(0, 0), Point(2, 0), Point(1, 1), Point(0, 0)}))},
+      {8, with_hole(box(10.5, 1, 2, 2))},
+      {8, with_hole(box(2, 2, 1, 1))},
+      {0, with_hole(box(-1, -1, 12, 12))},
+      {4, with_hole(box(0.5, 0.5, 6, 6))},
+      {5, with_hole(box(5, 2, 1, 1))},
+      {8, with_hole(box(4, 4, 2, 2))}};
+  for (const auto& [corner, these] : wrong) {
+    try {
+      cells.set_domain(these);
+      ADD_FAILURE() << these;
+    } catch (const CGAL::Domain_error_2& error) {
+      EXPECT_EQ(error.corner(), corner) << error.what();
+    }
+  }
+  cells.compute(dt);
+  EXPECT_EQ(cells.areas(), areas);
+}
+
+TEST(Cells_in_domains, can_be_asked_for_one_by_one)
+{
+  const Domain domain = comb();
+  Random_domain source(5, false);
+  Points points = source.inside(domain, 30);
+  points.push_back(points[3]); // they share a cell
+  Plane dt = triangulation(points);
+  dt.remove(7);
+  for (const Rule rule : rules)
+    for (const double radius : {infinity, 2.5}) {
+      Cells cells(domain, rule);
+      cells.compute(dt, radius);
+      for (std::size_t id = 0; id < points.size(); ++id) {
+        if (id == 7) {
+          EXPECT_THROW(cells.cell(dt, id), CGAL::Unknown_id_error_2);
+          EXPECT_EQ(cells.first_rings()[id], cells.first_rings()[id + 1]);
+          continue;
+        }
+        const Cells::Cell cell = cells.cell(dt, id, radius);
+        ASSERT_EQ(cell.area, cells.areas()[id]);
+        ASSERT_EQ(cell.perimeter, cells.perimeters()[id]);
+        ASSERT_EQ(cell.wall_length, cells.wall_lengths()[id]);
+        ASSERT_EQ(cell.free_length, cells.free_lengths()[id]);
+        ASSERT_EQ(cell.centroid.x, cells.centroids()[id].x);
+        ASSERT_EQ(cell.first_pieces.size(), cell.ring_areas.size() + 1);
+        ASSERT_EQ(cell.first_pieces.back(), cell.pieces.size());
+        if (dt.id(dt.vertex(id)) == id) {
+          const std::size_t first = cells.first_rings()[id];
+          ASSERT_EQ(cells.first_rings()[id + 1] - first, cell.ring_areas.size());
+          for (std::size_t i = 0; i < cell.ring_areas.size(); ++i)
+            ASSERT_EQ(cells.ring_areas()[first + i], cell.ring_areas[i]);
+        }
+      }
+    }
+}
+
+TEST(Cells_in_domains, scale_with_the_unit_however_large_or_small)
+{
+  Random_domain source(6, false);
+  const Domain domain = source.make();
+  const Points points = source.inside(domain, 50);
+  const auto scaled = [](const auto& places, double unit) {
+    Points result;
+    for (const Point& p : places)
+      result.emplace_back(unit * p.x(), unit * p.y());
+    return result;
+  };
+  for (const Rule rule : rules) {
+    Cells cells(domain, rule);
+    cells.compute(triangulation(points), 1.5);
+    for (const double unit : {0x1p-200, 0x1p-30, 0x1p40, 0x1p200}) {
+      Domain large(polygon(scaled(domain.outer_boundary(), unit)));
+      for (const Polygon& hole : domain.holes())
+        large.add_hole(polygon(scaled(hole, unit)));
+      Cells of_large(large, rule);
+      of_large.compute(triangulation(scaled(points, unit)), 1.5 * unit);
+      for (std::size_t id = 0; id < points.size(); ++id)
+        ASSERT_EQ(of_large.areas()[id], unit * unit * cells.areas()[id]);
+    }
+  }
+}
+
+TEST(Cells_in_domains, need_no_points)
+{
+  Cells cells(comb());
+  cells.compute(triangulation({}));
+  EXPECT_TRUE(cells.areas().empty());
+  EXPECT_EQ(cells.first_rings(), std::vector<std::size_t>{0});
+  cells.compute(triangulation({Point(2, 9)}));
+  EXPECT_DOUBLE_EQ(cells.areas()[0], area(comb()));
+  const Cells copy = cells;
+  EXPECT_DOUBLE_EQ(copy.cell(triangulation({Point(2, 9)}), 0).area, area(comb()));
+}
+
+TEST(Cells_in_domains, are_the_same_by_threads)
+{
+  using Shared =
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2, CGAL::Default,
+                                             CGAL::Default, CGAL::Default, CGAL::Default,
+                                             CGAL::Parallel_if_available_tag>;
+  const Domain domain = hall_with_pillars();
+  std::mt19937 random(7);
+  Points points;
+  std::uniform_real_distribution<double> coordinate(0, 10);
+  while (points.size() < 80000) {
+    const double x = coordinate(random), y = coordinate(random);
+    if (std::abs(std::fmod(x, 3) - 2) > 0.5) // in no column of pillars
+      points.emplace_back(x, y);
+  }
+  const Shared shared(points.begin(), points.end());
+  Cells alone(domain), together(domain);
+  alone.compute(triangulation(points));
+  together.compute(shared);
+  EXPECT_EQ(alone.areas(), together.areas());
+  EXPECT_EQ(alone.first_rings(), together.first_rings());
+  EXPECT_EQ(alone.first_pieces(), together.first_pieces());
+  EXPECT_EQ(alone.ring_areas(), together.ring_areas());
+}
+
+} // namespace
