@@ -304,6 +304,44 @@ TEST(Cells_in_domains, are_right_where_everything_is_on_a_grid)
   }
 }
 
+// A grid that was turned, so that what was degenerate is so but for rounding.
+TEST(Cells_in_domains, have_right_areas_where_rounding_decides_what_meets)
+{
+  const auto turned = [](const auto& places) {
+    Points result;
+    for (const Point& p : places)
+      result.emplace_back(0.6 * p.x() - 0.8 * p.y(), 0.8 * p.x() + 0.6 * p.y());
+    return result;
+  };
+  std::mt19937 random(3);
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random_domain source(seed, true);
+    const Domain on_grid = source.make();
+    Domain domain(polygon(turned(on_grid.outer_boundary())));
+    for (const Polygon& hole : on_grid.holes())
+      domain.add_hole(polygon(turned(hole)));
+    Points points = turned(source.inside(on_grid, 1 + random() % 20));
+    points.erase(std::remove_if(points.begin(), points.end(),
+                                [&](const Point& p) { return !is_inside(domain, p); }),
+                 points.end());
+    const Plane dt = triangulation(points);
+    for (const double radius : {infinity, 0.5, 1.25, 5.0})
+      for (const Rule rule : {Rule::WHOLE, Rule::VISIBLE}) {
+        Cells cells(domain, rule);
+        cells.compute(dt, radius);
+        for (std::size_t id = 0; id < points.size(); ++id) {
+          SCOPED_TRACE(testing::Message() << "id " << id << ", radius " << radius);
+          checked_shape(cells, id);
+          if (rule == Rule::WHOLE) {
+            const Boolean_cell boolean(points, id, domain, radius);
+            ASSERT_NO_FATAL_FAILURE(expect_area(cells, id, points[id], boolean.measure(false)));
+          }
+        }
+      }
+  }
+}
+
 TEST(Cells_in_domains, add_up_to_the_domain)
 {
   for (unsigned seed = 1; seed <= 8; ++seed)

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -120,22 +119,6 @@ public:
     return part;
   }
 
-  // Of the side whose line is nearest to two places, or no_label if there are no sides.
-  std::size_t label_at(const Position_2& p, const Position_2& q) const
-  {
-    std::size_t label = no_label;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Side& side : m_sides) {
-      const double distance = std::abs(dot(side.normal, p) - side.distance) +
-                              std::abs(dot(side.normal, q) - side.distance);
-      if (side.label != no_label && distance < least) {
-        label = side.label;
-        least = distance;
-      }
-    }
-    return label;
-  }
-
   // Cuts off what is beyond a line, whose side gets a label. Nothing is left of what only touches
   // the rest.
   void cut(const Position_2& normal, double distance, std::size_t label)
@@ -189,16 +172,17 @@ public:
     }
   }
 
-private:
-  static constexpr double parallel = 1e-6; // the sine between lines that are
-  static constexpr double full_turn = boost::math::constants::two_pi<double>();
-
   struct Side
   {
     Position_2 normal;
     double distance;
     std::size_t label;
   };
+  const std::vector<Side>& sides() const { return m_sides; }
+
+private:
+  static constexpr double parallel = 1e-6; // the sine between lines that are
+  static constexpr double full_turn = boost::math::constants::two_pi<double>();
 
   struct Chord
   {

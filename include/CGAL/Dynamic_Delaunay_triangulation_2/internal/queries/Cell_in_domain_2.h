@@ -17,7 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
+#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -56,7 +56,9 @@ public:
     Position_2 from, to; // of an arc
     double angle;
     std::size_t portion;
-    bool is_used;
+    std::size_t door = 0; // the next piece follows this one: itself, or a diagonal's twin
+    double end = 0;       // of a diagonal, where the piece after the twin begins
+    bool is_used = false;
   };
 
   explicit Cell_in_domain_2(const Domain& domain)
@@ -104,7 +106,7 @@ public:
     m_pieces.clear();
     for (std::size_t i = 0; i < m_portions.size(); ++i)
       cut_portion(i);
-    name_open_diagonals();
+    match_diagonals();
     m_rings.clear();
     for (std::size_t i = 0; i < m_pieces.size(); ++i)
       if (m_pieces[i].kind != Kind::DIAGONAL && !m_pieces[i].is_used)
@@ -331,7 +333,7 @@ private:
     Portion& portion = m_portions[i];
     m_polygon.for_each_piece(
         [&](std::size_t label, const Position_2& normal, double h, double first, double last) {
-          Piece piece{Kind::CELL, label, normal, h, first, last, {0, 0}, {0, 0}, 0, i, false};
+          Piece piece{Kind::CELL, label, normal, h, first, last, {0, 0}, {0, 0}, 0, i};
           if (label == ray)
             piece.kind = Kind::SIGHT;
           else if (label >= first_edge) {
@@ -345,28 +347,71 @@ private:
           m_pieces.push_back(piece);
         },
         [&](const Position_2& from, const Position_2& to, double angle) {
-          m_pieces.push_back({Kind::ARC, 0, {0, 0}, 0, 0, 0, from, to, angle, i, false});
+          m_pieces.push_back({Kind::ARC, 0, {0, 0}, 0, 0, 0, from, to, angle, i});
         });
   }
 
-  // A diagonal without another portion beyond is on a side of the cell, or seen edge-on, or as
-  // short as rounding errors.
-  void name_open_diagonals()
+  // Both portions at a diagonal have the same part of it, unless a side of the cell or a wall is
+  // about on the diagonal, or it is seen edge-on. Then what they do not have in common is on that,
+  // and may lead back along a piece before.
+  void match_diagonals()
   {
-    for (Piece& piece : m_pieces) {
-      if (piece.kind != Kind::DIAGONAL || twin_of(piece) != none)
-        continue;
-      const Face_handle face = m_portions[piece.portion].face;
-      const int edge = int(piece.number);
-      const auto place = [&](double u) {
-        return Position_2{piece.distance * piece.normal.x - u * piece.normal.y,
-                          piece.distance * piece.normal.y + u * piece.normal.x};
-      };
-      const std::size_t label = m_cell->label_at(place(piece.first), place(piece.last));
-      const bool is_edge_on = turn(face->vertex(ccw(edge)), face->vertex(cw(edge))) == COLLINEAR;
-      piece.kind = is_edge_on || label == Bounded_cell_2::no_label ? Kind::SIGHT : Kind::CELL;
-      piece.number = label;
+    for (std::size_t i = 0; i < m_pieces.size(); ++i) {
+      Piece& piece = m_pieces[i];
+      const std::size_t twin = piece.kind == Kind::DIAGONAL ? twin_of(piece) : none;
+      piece.door = twin == none ? i : twin;
+      piece.end = twin == none ? piece.last : -m_pieces[twin].last;
     }
+    for (Piece& piece : m_pieces)
+      if (piece.kind == Kind::DIAGONAL &&
+          (!is_narrow(piece.distance, piece.first, piece.end) ||
+           !is_narrow(piece.distance, piece.end, piece.first) || &m_pieces[piece.door] == &piece))
+        put_on_nearest_line(piece);
+  }
+
+  // If the nearest line is no farther than rounding errors, so that it becomes one with others.
+  void put_on_nearest_line(Piece& piece) const
+  {
+    const Position_2 from = place(piece, piece.first), to = place(piece, piece.end);
+    const Face_handle face = m_portions[piece.portion].face;
+    const int edge = int(piece.number);
+    Piece nearest = piece;
+    double least = std::numeric_limits<double>::infinity();
+    const auto offer = [&](Kind kind, std::size_t number, const Position_2& n, double h) {
+      const double distance = std::abs(dot(n, from) - h) + std::abs(dot(n, to) - h);
+      if (distance >= least)
+        return;
+      least = distance;
+      nearest.kind = kind;
+      nearest.number = number;
+      nearest.normal = n;
+      nearest.distance = h;
+    };
+    if (turn(face->vertex(ccw(edge)), face->vertex(cw(edge))) == COLLINEAR)
+      offer(Kind::SIGHT, ray, piece.normal, piece.distance);
+    for (const Bounded_cell_2::Side& side : m_cell->sides())
+      if (side.label != Bounded_cell_2::no_label)
+        offer(Kind::CELL, side.label, side.normal, side.distance);
+    const Face_handle beyond = face->neighbor(edge);
+    for (int k = 0; k < 3; ++k)
+      if (is_wall(beyond, k))
+        offer(Kind::WALL, beyond->info().walls[std::size_t(k)],
+              beyond->info().normals[std::size_t(k)], Domain::distance(m_p, beyond, k));
+    const double reach = std::abs(piece.distance) + std::abs(piece.first) + std::abs(piece.end);
+    piece.last = piece.end;
+    piece.kind = least < std::numeric_limits<double>::infinity() ? nearest.kind : Kind::SIGHT;
+    piece.number = nearest.number;
+    if (least > 4 * narrow * reach)
+      return;
+    piece.normal = nearest.normal;
+    piece.distance = nearest.distance;
+    piece.first = cross(piece.normal, from);
+    piece.last = cross(piece.normal, to);
+  }
+  static Position_2 place(const Piece& piece, double u)
+  {
+    return {piece.distance * piece.normal.x - u * piece.normal.y,
+            piece.distance * piece.normal.y + u * piece.normal.x};
   }
 
   // TRACING RINGS ---------------------------------------------------------------------------------
@@ -380,9 +425,9 @@ private:
   // The next piece that is no diagonal. All pieces have another one before them, so this ends.
   std::size_t next(std::size_t i) const
   {
-    i = next_in_portion(i);
-    while (m_pieces[i].kind == Kind::DIAGONAL)
-      i = next_in_portion(twin_of(m_pieces[i]));
+    do
+      i = next_in_portion(m_pieces[i].door);
+    while (m_pieces[i].kind == Kind::DIAGONAL);
     return i;
   }
   std::size_t twin_of(const Piece& diagonal) const
@@ -411,7 +456,7 @@ private:
         reach = (std::max)(reach, m_radius);
       } else {
         area += piece.distance * (piece.last - piece.first) / 2;
-        length += piece.last - piece.first;
+        length += std::abs(piece.last - piece.first);
         reach = (std::max)(reach, std::abs(piece.distance) +
                                       (std::max)(std::abs(piece.first), std::abs(piece.last)));
       }
@@ -423,7 +468,8 @@ private:
 
   static bool is_negligible(const Piece& piece)
   {
-    return piece.kind != Kind::ARC && is_narrow(piece.distance, piece.first, piece.last);
+    return piece.kind != Kind::ARC && is_narrow(piece.distance, piece.first, piece.last) &&
+           is_narrow(piece.distance, piece.last, piece.first);
   }
 
   static bool are_one(const Piece& piece, const Piece& next)
