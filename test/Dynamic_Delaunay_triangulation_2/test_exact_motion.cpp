@@ -3,7 +3,10 @@
 
 // Whatever the points do, an exact update ends with the Delaunay triangulation.
 
+#include "digest_of_motion.h"
 #include "oracle.h"
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_slack_2.h>
 
 #include <random>
 #include <utility>
@@ -282,6 +285,22 @@ TEST(Exact_coordinates, that_move_by_less_than_doubles_tell_are_followed)
     dt.update(next.begin(), next.end());
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, next));
   }
+}
+
+// On each of them: faces, numbers of edges, tolerances, and how far edges are from being illegal.
+TEST(Every_processor, leads_to_the_same_bits)
+{
+  using CGAL::Dynamic_Delaunay_triangulations_2::internal::Plane_slacks_2;
+  Exact_steps steps;
+  auto points = steps.start(1000, 32);
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick> dt(points);
+  Digest digest;
+  for (int frame = 0; frame < 200; ++frame) {
+    steps.move(points, frame);
+    const auto report = dt.update(points);
+    add_frame<Plane_slacks_2>(digest, report, dt.frame());
+  }
+  EXPECT_EQ(digest.value(), 12754017559655603952u);
 }
 
 } // namespace test_exact_motion

@@ -23,6 +23,7 @@ namespace {
 namespace internal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
 using CGAL::Dynamic_Delaunay_triangulations_2::Edge_2;
 using CGAL::Dynamic_Delaunay_triangulations_2::Index;
+using CGAL::Dynamic_Delaunay_triangulations_2::Vertex_index;
 using internal::Edge_slack_2;
 
 constexpr double tiniest = std::numeric_limits<double>::denorm_min();
@@ -236,6 +237,61 @@ TEST_F(Predicates, of_four_edges_at_once_claim_nothing_wrong_for_any_finite_doub
     ASSERT_TRUE(signs.are_counterclockwise() && signs.side < 0) << text(q);
   }
   EXPECT_GT(proved, 1000u);
+}
+
+// Of one edge in each lane.
+template <int lanes>
+BOOST_FORCEINLINE void expect_what_one_lane_proves(const std::vector<Edge_2>& edges,
+                                                   const std::vector<Position_2>& positions)
+{
+  for (std::size_t first = 0; first + lanes <= edges.size(); first += lanes) {
+    const auto edge_at = [&](int i) CGAL_DYNAMIC_DELAUNAY_INLINE -> const Edge_2& {
+      return edges[first + std::size_t(i)];
+    };
+    const auto filter = internal::Plane_2::filter<lanes>(edge_at, positions.data());
+    const unsigned delaunay = internal::bits(filter.proves_delaunay());
+    const unsigned illegal = internal::bits(filter.proves_illegal());
+    const unsigned not_delaunay = internal::bits(filter.disproves_delaunay());
+    for (int i = 0; i < lanes; ++i) {
+      const internal::Edge_filter_2 one(internal::Plane_2::corners(edge_at(i), positions));
+      ASSERT_EQ((delaunay >> i & 1) != 0, one.proves_delaunay()) << i;
+      ASSERT_EQ((illegal >> i & 1) != 0, one.proves_illegal()) << i;
+      ASSERT_EQ((not_delaunay >> i & 1) != 0, one.disproves_delaunay()) << i;
+    }
+  }
+}
+
+TEST_F(Predicates, of_an_edge_are_the_same_in_any_number_of_lanes)
+{
+  Quadruples quadruples(9);
+  std::vector<Edge_2> edges;
+  std::vector<Position_2> positions;
+  for (Index i = 0; i < 20000; ++i) {
+    const Quadruple q = quadruples.next();
+    Edge_2 edge = One_edge(q).edge(0);
+    for (Vertex_index Edge_2::*corner :
+         {&Edge_2::left, &Edge_2::source, &Edge_2::target, &Edge_2::right})
+      (edge.*corner) += 4 * i - 1;
+    edges.push_back(edge);
+    positions.insert(positions.end(), q.begin(), q.end());
+  }
+  expect_what_one_lane_proves<internal::usual_lanes>(edges, positions);
+  internal::call_with_lanes([&](auto lanes) CGAL_DYNAMIC_DELAUNAY_INLINE {
+    expect_what_one_lane_proves<lanes>(edges, positions);
+  });
+}
+
+// Else 1 + e times 1 - e less 1 is -e^2, where a processor has an instruction for it.
+TEST_F(Predicates, of_products_round_them_before_sums)
+{
+  using internal::product;
+  const volatile double more = 1 + 0x1p-30, less = 1 - 0x1p-30;
+  EXPECT_EQ(product(more, less) - 1, 0);
+  internal::call_with_lanes([&](auto lanes) CGAL_DYNAMIC_DELAUNAY_INLINE {
+    using Number = internal::Lanes<lanes>;
+    const auto is_zero = product(Number(more), Number(less)) - Number(1) == Number(0);
+    EXPECT_EQ(internal::bits(is_zero), internal::all_bits<lanes>);
+  });
 }
 
 // Whether d is not deeper in the circle of the face abc than eps times its radius:

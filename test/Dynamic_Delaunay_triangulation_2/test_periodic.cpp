@@ -3,10 +3,12 @@
 
 // Triangulations of flat tori whose points and cells move.
 
+#include "digest_of_motion.h"
 #include "periodic_oracle.h"
 #include "random_points.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Periodic_slacks_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Periodic_edge_changes_visitor_2.h>
 #include <CGAL/Dynamic_population_2.h>
 
@@ -1490,6 +1492,21 @@ TEST(Random_operations, end_exactly_delaunay)
   const std::uint64_t runs = more ? std::strtoull(more, nullptr, 10) : 20;
   for (std::uint64_t seed = 1; seed <= runs; ++seed)
     ASSERT_NO_FATAL_FAILURE(Random_operations(seed).run(200)) << "seed " << seed;
+}
+
+// Also where edges cross the border of an oblique cell.
+TEST(Every_processor, leads_to_the_same_bits)
+{
+  Exact_steps steps;
+  auto points = steps.start(500, 16);
+  Triangulation pt(points, Cell(Vector(16, 0.375), Vector(2.625, 16)));
+  Digest digest;
+  for (int frame = 0; frame < 100; ++frame) {
+    steps.move(points, frame);
+    const auto report = pt.update(points);
+    add_frame<internal::Periodic_slacks_2>(digest, report, pt.frame());
+  }
+  EXPECT_EQ(digest.value(), 326536245994615353u);
 }
 
 } // namespace test_periodic

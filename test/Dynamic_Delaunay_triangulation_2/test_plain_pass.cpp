@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The package as it is compiled for machines without AVX2's instruction set.
+// The package as it is compiled by compilers without vectors.
 
 #define CGAL_DYNAMIC_DELAUNAY_NO_SIMD
 #include "oracle.h"
 
-#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_LANES
 #error "CGAL_DYNAMIC_DELAUNAY_NO_SIMD is to leave the vectors out"
 #endif
 

@@ -22,7 +22,7 @@ namespace internal {
 inline double squared_distance(const Position_2& p, const Position_2& q)
 {
   const double x = p.x - q.x, y = p.y - q.y;
-  return x * x + y * y;
+  return product(x, x) + product(y, y);
 }
 
 inline double distance(const Position_2& p, const Position_2& q)
@@ -37,12 +37,12 @@ inline Position_2 operator-(const Position_2& p, const Position_2& q)
 
 inline double cross(const Position_2& u, const Position_2& v)
 {
-  return u.x * v.y - u.y * v.x;
+  return product(u.x, v.y) - product(u.y, v.x);
 }
 
 inline double dot(const Position_2& u, const Position_2& v)
 {
-  return u.x * v.x + u.y * v.y;
+  return product(u.x, v.x) + product(u.y, v.y);
 }
 
 // The circumcenter of the triangle of the origin, u and v, in either order. Infinite or NaN for
@@ -51,7 +51,8 @@ inline Position_2 circumcenter(const Position_2& u, const Position_2& v)
 {
   const double uu = dot(u, u), vv = dot(v, v);
   const double scale = 0.5 / cross(u, v);
-  return {(v.y * uu - u.y * vv) * scale, (u.x * vv - v.x * uu) * scale};
+  return {(product(v.y, uu) - product(u.y, vv)) * scale,
+          (product(u.x, vv) - product(v.x, uu)) * scale};
 }
 
 // For an edge at infinity: whether its finite face is not counterclockwise, or the hull turns right

@@ -7,7 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Lanes_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/Interval_nt.h>
@@ -115,31 +115,35 @@ inline bool is_within_limit(double coordinate)
 class Limit_check_2
 {
 public:
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_LANES // g++ takes the coordinates apart
+
   void add(const Position_2& p)
   {
-#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2 // g++ takes the coordinates apart
-    const __m128d product = _mm_mul_pd(_mm_set1_pd(factor_beyond_limit), _mm_loadu_pd(&p.x));
-    m_zero = _mm_add_pd(m_zero, _mm_mul_pd(_mm_setzero_pd(), product));
-#else
-    m_zero.x += 0 * (factor_beyond_limit * p.x);
-    m_zero.y += 0 * (factor_beyond_limit * p.y);
-#endif
+    m_zero = m_zero + product(0, product(factor_beyond_limit, in_two_lanes(p)));
   }
-
   bool holds() const
   {
-#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
-    return _mm_movemask_pd(_mm_cmpeq_pd(m_zero, _mm_setzero_pd())) == 3;
-#else
-    return m_zero.x == 0 && m_zero.y == 0;
-#endif
+    return bits(m_zero == 0) == 3;
   }
 
 private:
-#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
-  __m128d m_zero = _mm_setzero_pd();
+  Lanes<2> m_zero = 0;
+
 #else
+
+  void add(const Position_2& p)
+  {
+    m_zero.x += 0 * (factor_beyond_limit * p.x);
+    m_zero.y += 0 * (factor_beyond_limit * p.y);
+  }
+  bool holds() const
+  {
+    return m_zero.x == 0 && m_zero.y == 0;
+  }
+
+private:
   Position_2 m_zero{0, 0};
+
 #endif
 };
 

@@ -8,28 +8,9 @@
 
 #include <cstdint>
 
-// AVX2 is selected at run time, so that it does not need special compiler flags.
-// CGAL_DYNAMIC_DELAUNAY_NO_SIMD disables it.
-#if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__)) &&                            \
-    !defined(CGAL_DYNAMIC_DELAUNAY_NO_SIMD)
-#define CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
-#define CGAL_DYNAMIC_DELAUNAY_AVX2 __attribute__((target("avx2"), always_inline)) static inline
-#include <immintrin.h>
-#endif
-
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
-
-#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
-
-inline bool has_avx2()
-{
-  static const bool has = __builtin_cpu_supports("avx2");
-  return has;
-}
-
-#endif // CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
 
 // With more vertices than this, and other work between the frames, the flat arrays are not in the
 // second-level cache, and passes over them prefetch. That saves a fifth of the pass over the edges

@@ -7,7 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Lanes_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_filter_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
 #include <CGAL/enum.h>
@@ -88,7 +88,7 @@ public:
   explicit Torus_2(const Periodic_cell_2& cell)
     : m_cell(cell)
   {
-    const double determinant = cell.ax() * cell.by() - cell.ay() * cell.bx();
+    const double determinant = product(cell.ax(), cell.by()) - product(cell.ay(), cell.bx());
     m_inverse_x = {cell.by() / determinant, -cell.bx() / determinant};
     m_inverse_y = {-cell.ay() / determinant, cell.ax() / determinant};
     constexpr double less_than_half = 0.49; // by more than rounding
@@ -114,12 +114,14 @@ public:
   // The coordinates of a vector in multiples of the cell's vectors, rounded.
   Position_2 multiples(const Position_2& v) const
   {
-    return {v.x * m_inverse_x.x + v.y * m_inverse_x.y, v.x * m_inverse_y.x + v.y * m_inverse_y.y};
+    return {product(v.x, m_inverse_x.x) + product(v.y, m_inverse_x.y),
+            product(v.x, m_inverse_y.x) + product(v.y, m_inverse_y.y)};
   }
   // The reverse.
   Position_2 vector(const Position_2& s) const
   {
-    return {s.x * m_cell.ax() + s.y * m_cell.bx(), s.x * m_cell.ay() + s.y * m_cell.by()};
+    return {product(s.x, m_cell.ax()) + product(s.y, m_cell.bx()),
+            product(s.x, m_cell.ay()) + product(s.y, m_cell.by())};
   }
 
   // What no multiple of a vector of this length exceeds by which the lattice can translate, but for
@@ -161,8 +163,8 @@ public:
   // An image as a position, rounded. In a slab it must be on the side where points are given.
   Position_2 rounded(const Image_2& p) const
   {
-    return {p.position.x + (p.shift[0] * m_cell.ax() + p.shift[1] * m_cell.bx()),
-            p.position.y + (p.shift[0] * m_cell.ay() + p.shift[1] * m_cell.by())};
+    const Position_2 way = vector({double(p.shift[0]), double(p.shift[1])});
+    return {p.position.x + way.x, p.position.y + way.y};
   }
 
   bool coincide(const Image_2& p, const Image_2& q) const
@@ -191,7 +193,7 @@ public:
       return exact_orientation(a, b, c);
     double m = 0;
     const Position_2 p = vector(c, a, m), q = vector(c, b, m);
-    const double left = p.x * q.y, right = q.x * p.y, e = error_factor * m;
+    const double left = product(p.x, q.y), right = product(q.x, p.y), e = error_factor * m;
     const double products = std::abs(left) + std::abs(right);
     const double lengths = std::abs(p.x) + std::abs(p.y) + std::abs(q.x) + std::abs(q.y);
     const double bound = 3 * unit * products + 1.01 * e * (lengths + 2 * e);
@@ -205,7 +207,8 @@ public:
   Oriented_side side_of_circle(const Image_2& a, const Image_2& b, const Image_2& c,
                                const Image_2& d) const
   {
-    const Filter filter(*this, {a, b, c, d});
+    const Edge_images_2 corners{a, b, c, d};
+    const Filter<1> filter(*this, &corners);
     if (filter.proves_inside())
       return ON_POSITIVE_SIDE;
     if (filter.proves_outside())
@@ -216,7 +219,7 @@ public:
   // As `Edge_test_2` has it in the plane. No corner is at infinity.
   Edge_state_2 edge_state(const Edge_images_2& corners) const
   {
-    const Filter filter(*this, corners);
+    const Filter<1> filter(*this, &corners);
     if (filter.proves_delaunay())
       return Edge_state_2::DELAUNAY;
     if (filter.proves_illegal())
@@ -231,25 +234,24 @@ public:
 
   bool filter_proves_delaunay(const Edge_images_2& corners) const
   {
-    return Filter(*this, corners).proves_delaunay();
+    return Filter<1>(*this, &corners).proves_delaunay();
   }
 
   // Of four edges: bit i of the result is set if the i-th one is proved Delaunay.
   int filter_proves_delaunay(const std::array<Edge_images_2, 4>& edges) const
   {
-#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
-    if (has_avx2())
-      return Filter_avx2::prove(*this, edges);
-#endif
-    int proved = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-      proved |= int(filter_proves_delaunay(edges[i])) << i;
-    return proved;
+    return call_with_lanes([&](auto lanes) CGAL_DYNAMIC_DELAUNAY_INLINE {
+      constexpr int at_once = (std::min)(int(lanes), 4);
+      unsigned proved = 0;
+      for (int i = 0; i < 4; i += at_once)
+        proved |= bits(Filter<at_once>(*this, &edges[std::size_t(i)]).proves_delaunay()) << i;
+      return int(proved);
+    });
   }
 
   bool filter_proves_counterclockwise(const Edge_images_2& corners) const
   {
-    return Filter(*this, corners).proves_counterclockwise();
+    return Filter<1>(*this, &corners).proves_counterclockwise();
   }
 
   // The corners relative to the right one, rounded, and a bound on the distance by which each of
@@ -270,7 +272,7 @@ public:
   // Twice the area of the triangle, exactly; negative if it is clockwise.
   Polynomial<1> exact_double_area(const Image_2& a, const Image_2& b, const Image_2& c) const
   {
-    return product(Exact_vector(*this, c, a), Exact_vector(*this, c, b));
+    return cross(Exact_vector(*this, c, a), Exact_vector(*this, c, b));
   }
   // Twice the area of the cell, negative if its vectors are clockwise.
   Polynomial<1> exact_double_area() const
@@ -285,15 +287,11 @@ public:
   // values: each coordinate is off by at most error_factor times that.
   BOOST_FORCEINLINE Position_2 vector(const Image_2& from, const Image_2& to, double& m) const
   {
-    const double i = to.shift[0] - from.shift[0], j = to.shift[1] - from.shift[1];
-    const double dx = to.position.x - from.position.x, dy = to.position.y - from.position.y;
-    const double iax = i * m_cell.ax(), jbx = j * m_cell.bx();
-    const double iay = i * m_cell.ay(), jby = j * m_cell.by();
-    const double mx = std::abs(dx) + std::abs(iax) + std::abs(jbx);
-    const double my = std::abs(dy) + std::abs(iay) + std::abs(jby);
-    const double larger = mx < my ? my : mx;
-    m = m < larger ? larger : m;
-    return {dx + (iax + jbx), dy + (iay + jby)};
+    double rows = 0;
+    const auto [x, y] =
+        vector(Images<double>{in_one_lane(from.position), in_one_lane(from.shift)},
+               Images<double>{in_one_lane(to.position), in_one_lane(to.shift)}, m, rows);
+    return {x, y};
   }
 
   // The vector from one image to another: (x, y), and in a slab h times H (-ay, ax).
@@ -325,138 +323,115 @@ private:
   // Of the filter, in t.
   static constexpr double orientation_share = 17, in_circle_share = 135, largest_error = 0x1p-20;
 
+  template <class Number>
+  struct Images
+  {
+    Points_in_lanes_2<Number> position, shift;
+  };
+
+  // In lane i, that of edges[i].
+  template <int lanes>
+  BOOST_FORCEINLINE static Images<Lanes<lanes>> images(const Edge_images_2* edges,
+                                                       Image_2 Edge_images_2::*corner)
+  {
+    return {
+        points_in_lanes<lanes>([&](int i) CGAL_DYNAMIC_DELAUNAY_INLINE -> const Position_2& {
+          return (edges[i].*corner).position;
+        }),
+        points_in_lanes<lanes>([&](int i) CGAL_DYNAMIC_DELAUNAY_INLINE -> const Periodic_shift_2& {
+          return (edges[i].*corner).shift;
+        })};
+  }
+
+  // Also raises `rows` where the images are in different rows of cells.
+  template <class Number>
+  BOOST_FORCEINLINE Points_in_lanes_2<Number>
+  vector(const Images<Number>& from, const Images<Number>& to, Number& m, Number& rows) const
+  {
+    const auto [dx, dy] = to.position - from.position;
+    const auto [i, j] = to.shift - from.shift;
+    const Number iax = product(i, m_cell.ax()), jbx = product(j, m_cell.bx());
+    const Number iay = product(i, m_cell.ay()), jby = product(j, m_cell.by());
+    rows = rows + magnitude(j);
+    m = larger(m, larger(magnitude(dx) + magnitude(iax) + magnitude(jbx),
+                         magnitude(dy) + magnitude(iay) + magnitude(jby)));
+    return {dx + (iax + jbx), dy + (iay + jby)};
+  }
+
+  // Of an edge in each lane.
+  template <int lanes>
   class Filter
   {
+    using Number = Lanes<lanes>;
+    using Points = Points_in_lanes_2<Number>;
+    using Plane_filter = Edge_filter_in_lanes_2<Number>;
+    using Answers = typename Plane_filter::Answers;
+
   public:
-    Filter(const Torus_2& torus, const Edge_images_2& corners)
-      : Filter(torus, corners, 0)
+    BOOST_FORCEINLINE Filter(const Torus_2& torus, const Edge_images_2* edges)
+      : Filter(torus, edges, images<lanes>(edges, &Edge_images_2::right), 0, 0)
     {
     }
 
-    bool proves_counterclockwise() const { return is_counterclockwise; }
-    bool proves_delaunay() const { return is_counterclockwise & proves_outside(); }
-    bool proves_illegal() const { return is_counterclockwise & proves_inside(); }
-    bool proves_inside() const { return is_usable & (m_filter.in_circle > m_in_circle_bound); }
-    bool proves_outside() const { return is_usable & (m_filter.in_circle < -m_in_circle_bound); }
-
-  private:
-    Filter(const Torus_2& torus, const Edge_images_2& corners, double m)
-      : m_vectors{torus.vector(corners.right, corners.left, m),
-                  torus.vector(corners.right, corners.source, m),
-                  torus.vector(corners.right, corners.target, m), Position_2{0, 0}}
-      , m_filter(m_vectors)
+    BOOST_FORCEINLINE Answers proves_counterclockwise() const
     {
-      const auto& [a, b, c, d] = m_vectors;
-      const double t = (std::max)({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y),
-                                   std::abs(c.x), std::abs(c.y)});
-      const double e = error_factor * m, more = orientation_share * t * e;
-      const double left_error = m_filter.left_bound() + more;
-      const double right_error = m_filter.right_bound() + more;
-      m_in_circle_bound = m_filter.in_circle_bound() + in_circle_share * (t * t * t) * e;
-      is_usable = m_filter.is_large() && e < largest_error * t &&
-                  !torus.are_across(corners.left.shift, corners.right.shift) &&
-                  !torus.are_across(corners.source.shift, corners.right.shift) &&
-                  !torus.are_across(corners.target.shift, corners.right.shift);
-      is_counterclockwise =
-          is_usable & (m_filter.left > left_error) & (m_filter.right > right_error);
+      const Number more = product(product(orientation_share, m_size), m_error);
+      return m_is_usable & (m_filter.left > m_filter.left_bound() + more) &
+             (m_filter.right > m_filter.right_bound() + more);
     }
-
-    Edge_corners_2 m_vectors; // from the right corner
-    Edge_filter_2 m_filter;
-    double m_in_circle_bound;
-    bool is_usable, is_counterclockwise;
-  };
-
-#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
-
-  // Filter on four edges at once, by the same operations, so that both prove the same edges.
-  class Filter_avx2
-  {
-    using Plane = Edge_filter_avx2_2;
-    using Four = Four_positions_2;
-
-  public:
-    __attribute__((target("avx2"))) static int prove(const Torus_2& torus,
-                                                     const std::array<Edge_images_2, 4>& edges)
+    BOOST_FORCEINLINE Answers proves_delaunay() const
     {
-      const auto& [e, f, g, h] = edges;
-      const Four_images d = load(e.right, f.right, g.right, h.right);
-      __m256d m = _mm256_setzero_pd(), rows = _mm256_setzero_pd();
-      const Four a = vector(torus, d, load(e.left, f.left, g.left, h.left), m, rows);
-      const Four b = vector(torus, d, load(e.source, f.source, g.source, h.source), m, rows);
-      const Four c = vector(torus, d, load(e.target, f.target, g.target, h.target), m, rows);
-      const Plane::Signs signs = Plane::signs(Plane::minus(b, a), Plane::minus(c, a), b, c);
-      const __m256d t = _mm256_max_pd(largest(a), _mm256_max_pd(largest(b), largest(c)));
-      const __m256d error = times(error_factor, m);
-      const __m256d more = Plane::times(times(orientation_share, t), error);
-      const __m256d more_in_circle =
-          Plane::times(times(in_circle_share, Plane::times(Plane::times(t, t), t)), error);
-      const __m256d is_small = _mm256_cmp_pd(error, times(largest_error, t), _CMP_LT_OQ);
-      const int is_across =
-          torus.m_cell.is_slab()
-              ? _mm256_movemask_pd(_mm256_cmp_pd(rows, _mm256_setzero_pd(), _CMP_NEQ_UQ))
-              : 0;
-      return Plane::prove(signs, Plane::plus(Plane::left_bound(signs), more),
-                          Plane::plus(Plane::right_bound(signs), more),
-                          Plane::plus(Plane::in_circle_bound(signs), more_in_circle)) &
-             _mm256_movemask_pd(is_small) & ~is_across;
+      return proves_counterclockwise() & is_outside();
+    }
+    BOOST_FORCEINLINE Answers proves_illegal() const
+    {
+      return proves_counterclockwise() & is_inside();
+    }
+    BOOST_FORCEINLINE Answers proves_inside() const
+    {
+      return m_is_usable & m_filter.is_large() & is_inside();
+    }
+    BOOST_FORCEINLINE Answers proves_outside() const
+    {
+      return m_is_usable & m_filter.is_large() & is_outside();
     }
 
   private:
-    struct Four_images
+    BOOST_FORCEINLINE Filter(const Torus_2& torus, const Edge_images_2* edges,
+                             const Images<Number>& d, Number m, Number rows)
+      : m_a(torus.vector(d, images<lanes>(edges, &Edge_images_2::left), m, rows))
+      , m_b(torus.vector(d, images<lanes>(edges, &Edge_images_2::source), m, rows))
+      , m_c(torus.vector(d, images<lanes>(edges, &Edge_images_2::target), m, rows))
+      , m_filter(m_b - m_a, m_c - m_a, m_b, m_c)
+      , m_size(larger(largest(m_a), larger(largest(m_b), largest(m_c))))
+      , m_error(product(error_factor, m))
+      , m_is_usable(m_error < product(largest_error, m_size))
     {
-      Four position, shift;
-    };
-
-    CGAL_DYNAMIC_DELAUNAY_AVX2 __m256d times(double a, __m256d b)
-    {
-      return Plane::times(_mm256_set1_pd(a), b);
-    }
-    CGAL_DYNAMIC_DELAUNAY_AVX2 __m256d magnitude(__m256d a, __m256d b, __m256d c)
-    {
-      return Plane::plus(Plane::plus(Plane::magnitude(a), Plane::magnitude(b)),
-                         Plane::magnitude(c));
-    }
-    CGAL_DYNAMIC_DELAUNAY_AVX2 __m256d largest(const Four& p)
-    {
-      return _mm256_max_pd(Plane::magnitude(p.x), Plane::magnitude(p.y));
+      if (torus.cell().is_slab())
+        m_is_usable = m_is_usable & (rows == Number(0));
     }
 
-    CGAL_DYNAMIC_DELAUNAY_AVX2 __m128i load_shifts(const Image_2& p, const Image_2& q)
+    BOOST_FORCEINLINE static Number largest(const Points& p)
     {
-      return _mm_unpacklo_epi64(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(p.shift.data())),
-                                _mm_loadl_epi64(reinterpret_cast<const __m128i*>(q.shift.data())));
+      return larger(magnitude(p.x), magnitude(p.y));
     }
 
-    CGAL_DYNAMIC_DELAUNAY_AVX2 Four_images load(const Image_2& p, const Image_2& q,
-                                                const Image_2& r, const Image_2& s)
+    // Where products of three sizes may not have underflowed, and the edge is usable.
+    BOOST_FORCEINLINE Answers is_inside() const { return m_filter.in_circle > in_circle_bound(); }
+    BOOST_FORCEINLINE Answers is_outside() const { return m_filter.in_circle < -in_circle_bound(); }
+    BOOST_FORCEINLINE Number in_circle_bound() const
     {
-      const __m128 pq = _mm_castsi128_ps(load_shifts(p, q));
-      const __m128 rs = _mm_castsi128_ps(load_shifts(r, s));
-      return {load_four(p.position, q.position, r.position, s.position),
-              {_mm256_cvtepi32_pd(_mm_castps_si128(_mm_shuffle_ps(pq, rs, 0x88))),
-               _mm256_cvtepi32_pd(_mm_castps_si128(_mm_shuffle_ps(pq, rs, 0xdd)))}};
+      const Number cube = product(product(m_size, m_size), m_size);
+      return m_filter.in_circle_bound() + product(product(in_circle_share, cube), m_error);
     }
 
-    // Also raises `rows` where the images are in different rows of cells.
-    CGAL_DYNAMIC_DELAUNAY_AVX2 Four vector(const Torus_2& torus, const Four_images& from,
-                                           const Four_images& to, __m256d& m, __m256d& rows)
-    {
-      const Periodic_cell_2& cell = torus.m_cell;
-      const auto [dx, dy] = Plane::minus(to.position, from.position);
-      const auto [i, j] = Plane::minus(to.shift, from.shift);
-      const __m256d iax = times(cell.ax(), i), jbx = times(cell.bx(), j);
-      const __m256d iay = times(cell.ay(), i), jby = times(cell.by(), j);
-      m = _mm256_max_pd(m, _mm256_max_pd(magnitude(dx, iax, jbx), magnitude(dy, iay, jby)));
-      rows = Plane::plus(rows, Plane::magnitude(j));
-      return {Plane::plus(dx, Plane::plus(iax, jbx)), Plane::plus(dy, Plane::plus(iay, jby))};
-    }
+    Points m_a, m_b, m_c; // from the right corner
+    Plane_filter m_filter;
+    Number m_size, m_error;
+    Answers m_is_usable;
   };
 
-#endif // CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
-
-  // The cross product.
-  Polynomial<1> product(const Exact_vector& p, const Exact_vector& q) const
+  Polynomial<1> cross(const Exact_vector& p, const Exact_vector& q) const
   {
     const Exact bx(-m_cell.ay()), by(m_cell.ax());
     return {p.x * q.y - p.y * q.x, q.h * (p.x * by - p.y * bx) - p.h * (q.x * by - q.y * bx)};
@@ -492,7 +467,7 @@ private:
     Polynomial<3> determinant{Exact(0), Exact(0), Exact(0), Exact(0)};
     for (std::size_t i = 0; i < 3; ++i) {
       const Polynomial<2> square = squared_length(v[i]);
-      const Polynomial<1> area = product(v[(i + 1) % 3], v[(i + 2) % 3]);
+      const Polynomial<1> area = cross(v[(i + 1) % 3], v[(i + 2) % 3]);
       for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t l = 0; l < 2; ++l)
           determinant[k + l] += square[k] * area[l];

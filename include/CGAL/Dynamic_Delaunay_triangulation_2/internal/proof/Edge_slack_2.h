@@ -7,7 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Lanes_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_filter_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 
@@ -36,41 +36,48 @@ inline bool is_within(double tolerance, const Position_2& p, const Position_2& q
   return squared_distance(p, q) <= squared_bound(tolerance);
 }
 
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_LANES
+
+// Whether no squared distance between so many points and references exceeds `bound`.
+template <int lanes, int number>
+BOOST_FORCEINLINE bool are_within(const Position_2* points, const Position_2* references,
+                                  double bound)
+{
+  constexpr int half = lanes / 2; // so many points
+  const auto steps = [&](int i) CGAL_DYNAMIC_DELAUNAY_INLINE {
+    return coordinates_at<lanes>(points + i) - coordinates_at<lanes>(references + i);
+  };
+  const auto are_near = [&](int i) CGAL_DYNAMIC_DELAUNAY_INLINE {
+    const auto [x, y] = taken_apart(steps(i), steps(i + half));
+    return product(x, x) + product(y, y) <= Lanes<lanes>(bound);
+  };
+  auto are_all_near = are_near(0);
+  for (int i = lanes; i < number; i += lanes)
+    are_all_near = are_all_near & are_near(i);
+  return bits(are_all_near) == all_bits<lanes>;
+}
+
+#endif
+
 // Appends the vertices [first, beyond) whose squared distances to references exceed `bound`.
-inline void append_moved_plain(const Position_2* positions, const Position_2* references,
-                               Index first, Index beyond, double bound, std::vector<Index>& moved)
+// Several lanes look at blocks of vertices, of most of which all are near.
+template <int lanes>
+BOOST_FORCEINLINE void append_moved_in_lanes(const Position_2* positions,
+                                             const Position_2* references, Vertex_index first,
+                                             Index beyond, double bound, std::vector<Index>& moved)
 {
-  for (Vertex_index v = first; v < beyond; ++v)
-    if (!(squared_distance(positions[v], references[v]) <= bound))
-      moved.push_back(v);
-}
-
-#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
-
-// By the same operations, sixteen vertices at once.
-__attribute__((target("avx2"))) inline void
-append_moved_avx2(const Position_2* positions, const Position_2* references, Index first,
-                  Index beyond, double bound, std::vector<Index>& moved)
-{
-  constexpr Index block = 16;
-  const __m256d bounds = _mm256_set1_pd(bound);
-  Vertex_index v = first;
-  for (; v + block <= beyond; v += block) {
-    const double *p = &positions[v].x, *r = &references[v].x;
-    __m256d are_near = _mm256_castsi256_pd(_mm256_set1_epi64x(-1));
-    for (int i = 0; i < 2 * int(block); i += 8) {
-      const __m256d d = _mm256_sub_pd(_mm256_loadu_pd(p + i), _mm256_loadu_pd(r + i));
-      const __m256d e = _mm256_sub_pd(_mm256_loadu_pd(p + i + 4), _mm256_loadu_pd(r + i + 4));
-      const __m256d squares = _mm256_hadd_pd(_mm256_mul_pd(d, d), _mm256_mul_pd(e, e));
-      are_near = _mm256_and_pd(are_near, _mm256_cmp_pd(squares, bounds, _CMP_LE_OQ));
-    }
-    if (_mm256_movemask_pd(are_near) != 15)
-      append_moved_plain(positions, references, v, v + block, bound, moved);
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_LANES
+  if constexpr (lanes > 1) {
+    constexpr Index block = 16;
+    for (; first + block <= beyond; first += block)
+      if (!are_within<lanes, block>(positions + first, references + first, bound))
+        append_moved_in_lanes<1>(positions, references, first, first + block, bound, moved);
   }
-  append_moved_plain(positions, references, v, beyond, bound, moved);
+#endif
+  for (; first < beyond; ++first)
+    if (!(squared_distance(positions[first], references[first]) <= bound))
+      moved.push_back(first);
 }
-
-#endif // CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
 
 // Appends all finite vertices that are not proved to be within `tolerance` of their references.
 // Returns false, and may leave vertices out, if they are more than `most`.
@@ -83,13 +90,10 @@ inline bool append_moved(const std::vector<Position_2>& positions,
   constexpr Index part = 1 << 10; // small parts, to detect motion everywhere early
   for (Index first = 1; first < vertices && moved.size() <= most; first += part) {
     const Index beyond = vertices - first < part ? vertices : first + part;
-#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
-    if (has_avx2()) {
-      append_moved_avx2(positions.data(), references.data(), first, beyond, bound, moved);
-      continue;
-    }
-#endif
-    append_moved_plain(positions.data(), references.data(), first, beyond, bound, moved);
+    call_with_lanes([&](auto lanes) CGAL_DYNAMIC_DELAUNAY_INLINE {
+      append_moved_in_lanes<lanes>(positions.data(), references.data(), first, beyond, bound,
+                                   moved);
+    });
   }
   return moved.size() <= most;
 }
@@ -148,7 +152,8 @@ public:
   {
     if (m_is_at_hull)
       return m_determinant > bound(t);
-    return m_is_counterclockwise && m_outer - m_inner > 2 * t + 16 * 0x1p-53 * (m_outer + m_inner);
+    return m_is_counterclockwise &&
+           m_outer - m_inner > 2 * t + product(16 * 0x1p-53, m_outer + m_inner);
   }
 
   // A tolerance with which the edge is safe, the largest one except for rounding; negative if there
@@ -180,24 +185,21 @@ private:
   static Position_2 center(const Position_2& a, const Position_2& b, const Position_2& c,
                            const Position_2& d)
   {
-    const double ax = a.x - d.x, ay = a.y - d.y;
-    const double bx = b.x - d.x, by = b.y - d.y;
-    const double ux = c.x - b.x, uy = c.y - b.y;
-    const double bc = ux * (bx + ux / 2) + uy * (by + uy / 2);
-    const double ad = -(ax * ax + ay * ay) / 2;
-    const double determinant = ay * ux - ax * uy;
-    return {d.x + (bc * ay + ad * uy) / determinant, d.y - (bc * ax + ad * ux) / determinant};
+    const Position_2 ad = a - d, bd = b - d, bc = c - b;
+    const double along_bc = product(bc.x, bd.x + bc.x / 2) + product(bc.y, bd.y + bc.y / 2);
+    const double along_ad = -dot(ad, ad) / 2, determinant = -cross(ad, bc);
+    return {d.x + (product(along_bc, ad.y) + product(along_ad, bc.y)) / determinant,
+            d.y - (product(along_bc, ad.x) + product(along_ad, bc.x)) / determinant};
   }
 
   void measure_turn(const Position_2& p, const Position_2& q, const Position_2& w)
   {
-    const double px = p.x - q.x, py = p.y - q.y;
-    const double wx = w.x - q.x, wy = w.y - q.y;
+    const Position_2 to_p = p - q, to_w = w - q;
     m_is_at_hull = true;
-    m_determinant = wx * py - px * wy;
-    m_product = -(px * wx + py * wy);
-    m_lengths = std::abs(px) + std::abs(py) + std::abs(wx) + std::abs(wy);
-    m_squares = px * px + py * py + wx * wx + wy * wy;
+    m_determinant = cross(to_w, to_p);
+    m_product = -dot(to_p, to_w);
+    m_lengths = std::abs(to_p.x) + std::abs(to_p.y) + std::abs(to_w.x) + std::abs(to_w.y);
+    m_squares = dot(to_p, to_p) + dot(to_w, to_w);
   }
 
   // The hull goes from p through q to w.
@@ -207,19 +209,20 @@ private:
     m_is_corner = true;
   }
 
-  double slack_less_rounding() const { return value() - 8 * 0x1p-53 * (m_outer + m_inner); }
+  double slack_less_rounding() const { return value() - product(8 * 0x1p-53, m_outer + m_inner); }
 
   // The t for which bound(t) equals the determinant.
   double root_of_bound() const
   {
-    const double room = (m_determinant - Edge_filter_2::orientation_factor * m_squares) / 1.0001;
-    return room / (m_lengths + std::sqrt(m_lengths * m_lengths + 4 * room));
+    const double room = (m_determinant - rounding_bound()) / 1.0001;
+    return room / (m_lengths + std::sqrt(product(m_lengths, m_lengths) + 4 * room));
   }
 
   double bound(double t) const
   {
-    return Edge_filter_2::orientation_factor * m_squares + 1.0001 * (2 * t * m_lengths + 4 * t * t);
+    return rounding_bound() + product(1.0001, product(2 * t, m_lengths) + product(4 * t, t));
   }
+  double rounding_bound() const { return product(Edge_filter_2::orientation_factor, m_squares); }
 
   bool m_is_at_hull = false;
   bool m_is_corner = false;

@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Lanes_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_filter_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
@@ -48,26 +49,20 @@ public:
             positions[edge.right]};
   }
 
-#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
-
-  // Those of four edges at once.
-  CGAL_DYNAMIC_DELAUNAY_AVX2 Four_corners_2 corners_of_four(const Edge_2* edges,
-                                                            const Position_2* positions)
+  // The filter of several edges at once: in lane i, of edge_at(i).
+  template <int lanes, class Edge_at>
+  BOOST_FORCEINLINE static Edge_filter_in_lanes_2<Lanes<lanes>> filter(const Edge_at& edge_at,
+                                                                       const Position_2* positions)
   {
-    return {load(positions, edges[0].left, edges[1].left, edges[2].left, edges[3].left),
-            load(positions, edges[0].source, edges[1].source, edges[2].source, edges[3].source),
-            load(positions, edges[0].target, edges[1].target, edges[2].target, edges[3].target),
-            load(positions, edges[0].right, edges[1].right, edges[2].right, edges[3].right)};
+    const auto corners = [&](Vertex_index Edge_2::*corner) CGAL_DYNAMIC_DELAUNAY_INLINE {
+      return points_in_lanes<lanes>([&](int i) CGAL_DYNAMIC_DELAUNAY_INLINE -> const Position_2& {
+        return positions[edge_at(i).*corner];
+      });
+    };
+    const auto a = corners(&Edge_2::left), b = corners(&Edge_2::source);
+    const auto c = corners(&Edge_2::target), d = corners(&Edge_2::right);
+    return {b - a, c - a, b - d, c - d};
   }
-
-private:
-  CGAL_DYNAMIC_DELAUNAY_AVX2 Four_positions_2 load(const Position_2* positions, Index i, Index j,
-                                                   Index k, Index l)
-  {
-    return load_four(positions[i], positions[j], positions[k], positions[l]);
-  }
-
-#endif // CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
 };
 
 // The condition at an edge depends on which of its four vertices is infinite, if any. Calls
@@ -103,91 +98,95 @@ inline void prefetch_corners(const Edge_2& edge, const Position_2* positions)
     prefetch(positions + v);
 }
 
-// Appends those of the edges [first, beyond) that Edge_filter_2 does not prove Delaunay, among them
-// all edges at infinity: their corners are NaN.
-template <class Space>
-void append_unproved_plain(const Edge_2* edges, const Position_2* positions, Index first,
-                           Index beyond, std::vector<Index>& unproved)
+// Appends the numbers of those edges that Edge_filter_2 does not prove Delaunay, among them all
+// edges at infinity: their corners are NaN. Looks at the edges [first, beyond) of a pass, as many
+// at once as there are lanes, and returns the first of those that are left.
+template <class Space, int lanes, class Pass>
+BOOST_FORCEINLINE std::size_t
+append_unproved_in_lanes(const Pass& pass, const Position_2* positions, std::size_t first,
+                         std::size_t beyond, std::vector<Index>& unproved)
 {
-  for (Edge_index e = first; e < beyond; ++e)
-    if (!Edge_filter_2(Space::corners(edges[e], positions)).proves_delaunay())
-      unproved.push_back(e);
-}
-
-#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
-
-// Prefetches one corner of each edge, which fetches nearly all vertices: to prefetch all four takes
-// longer than it saves.
-template <class Space, bool prefetches>
-__attribute__((target("avx2"))) void
-append_unproved_avx2(const Edge_2* edges, const Position_2* positions, Index first, Index beyond,
-                     std::vector<Index>& unproved)
-{
-  constexpr Index ahead = 128, far_ahead = 512;
-  Edge_index e = first;
-  for (; e + 4 <= beyond; e += 4) {
-    if (prefetches && e + far_ahead < beyond) {
-      prefetch(edges + e + far_ahead);
-      for (Index i = e + ahead; i < e + ahead + 4; ++i)
-        prefetch(positions + edges[i].left);
-    }
-    const int proved = Edge_filter_avx2_2::prove(Space::corners_of_four(edges + e, positions));
-    if (proved != 15)
-      for (Index i = 0; i < 4; ++i)
+  for (; first + lanes <= beyond; first += lanes) {
+    pass.template prefetch_ahead<lanes>(first);
+    const auto edge_at = [&](int i) CGAL_DYNAMIC_DELAUNAY_INLINE -> const Edge_2& {
+      return pass.edge(first + std::size_t(i));
+    };
+    const unsigned proved =
+        bits(Space::template filter<lanes>(edge_at, positions).proves_delaunay());
+    if (proved != all_bits<lanes>)
+      for (int i = 0; i < lanes; ++i)
         if (!(proved >> i & 1))
-          unproved.push_back(e + i);
+          unproved.push_back(pass.number(first + std::size_t(i)));
   }
-  append_unproved_plain<Space>(edges, positions, e, beyond, unproved);
+  return first;
 }
 
-// Appends those of the edges in `list` that are not proved.
-template <class Space>
-__attribute__((target("avx2"))) void
-append_unproved_of_avx2(const Edge_2* edges, const Position_2* positions,
-                        const std::vector<Index>& list, std::vector<Index>& unproved)
+template <class Space, class Pass>
+void append_unproved_of_pass(const Pass& pass, const std::vector<Position_2>& positions,
+                             std::size_t first, std::size_t beyond, std::vector<Index>& unproved)
 {
-  std::size_t i = 0;
-  for (; i + 4 <= list.size(); i += 4) {
-    const Edge_2 four[4] = {edges[list[i]], edges[list[i + 1]], edges[list[i + 2]],
-                            edges[list[i + 3]]};
-    const int proved = Edge_filter_avx2_2::prove(Space::corners_of_four(four, positions));
-    if (proved != 15)
-      for (std::size_t k = 0; k < 4; ++k)
-        if (!(proved >> k & 1))
-          unproved.push_back(list[i + k]);
-  }
-  for (; i < list.size(); ++i)
-    append_unproved_plain<Space>(edges, positions, list[i], list[i] + 1, unproved);
+  const Position_2* const places = positions.data();
+  call_with_lanes([=, &unproved](auto lanes) CGAL_DYNAMIC_DELAUNAY_INLINE {
+    const std::size_t rest =
+        append_unproved_in_lanes<Space, lanes>(pass, places, first, beyond, unproved);
+    append_unproved_in_lanes<Space, 1>(pass, places, rest, beyond, unproved);
+  });
 }
 
-#endif // CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
+// A pass over consecutive edges. Prefetches one corner of each, which fetches nearly all vertices:
+// to prefetch all four takes longer than it saves.
+struct Consecutive_edges_2
+{
+  const Edge_2& edge(std::size_t e) const { return edges[e]; }
+  Index number(std::size_t e) const { return Index(e); }
+
+  template <int lanes>
+  void prefetch_ahead(std::size_t e) const
+  {
+    if (e >= end_of_prefetching)
+      return;
+    prefetch(edges + e + far_ahead);
+    for (std::size_t i = 0; i < lanes; ++i)
+      prefetch(positions + edges[e + ahead + i].left);
+  }
+
+  static constexpr std::size_t ahead = 128, far_ahead = 512;
+  const Edge_2* edges;
+  const Position_2* positions;
+  std::size_t end_of_prefetching;
+};
+
+// One over a list of edges.
+struct Listed_edges_2
+{
+  const Edge_2& edge(std::size_t i) const { return edges[list[i]]; }
+  Index number(std::size_t i) const { return list[i]; }
+  template <int>
+  void prefetch_ahead(std::size_t) const
+  {
+  }
+
+  const Edge_2* edges;
+  const Index* list;
+};
 
 template <class Space>
 void append_unproved(const Edge_2* edges, const std::vector<Position_2>& positions, Index first,
                      Index beyond, std::vector<Index>& unproved)
 {
-#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
-  if (has_avx2()) {
-    if (positions.size() < min_vertices_to_prefetch)
-      append_unproved_avx2<Space, false>(edges, positions.data(), first, beyond, unproved);
-    else
-      append_unproved_avx2<Space, true>(edges, positions.data(), first, beyond, unproved);
-    return;
-  }
-#endif
-  append_unproved_plain<Space>(edges, positions.data(), first, beyond, unproved);
+  constexpr std::size_t far_ahead = Consecutive_edges_2::far_ahead;
+  const bool prefetches = positions.size() >= min_vertices_to_prefetch && beyond > far_ahead;
+  append_unproved_of_pass<Space>(
+      Consecutive_edges_2{edges, positions.data(), prefetches ? beyond - far_ahead : 0}, positions,
+      first, beyond, unproved);
 }
 
 template <class Space>
 void append_unproved_of(const Edge_2* edges, const std::vector<Position_2>& positions,
                         const std::vector<Index>& list, std::vector<Index>& unproved)
 {
-#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_AVX2
-  if (has_avx2())
-    return append_unproved_of_avx2<Space>(edges, positions.data(), list, unproved);
-#endif
-  for (const Edge_index e : list)
-    append_unproved_plain<Space>(edges, positions.data(), e, e + 1, unproved);
+  append_unproved_of_pass<Space>(Listed_edges_2{edges, list.data()}, positions, std::size_t(0),
+                                 list.size(), unproved);
 }
 
 // EXACT SIGNS -------------------------------------------------------------------------------------
