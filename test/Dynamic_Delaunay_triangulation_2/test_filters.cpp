@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <vector>
@@ -293,6 +294,31 @@ TEST_F(Predicates, of_products_round_them_before_sums)
     EXPECT_EQ(internal::bits(is_zero), internal::all_bits<lanes>);
   });
 }
+
+#ifdef __aarch64__
+
+// As a game may have set it, or a library linked with -ffast-math.
+TEST_F(Predicates, compute_with_subnormal_numbers_where_a_program_flushes_them)
+{
+  constexpr std::uint64_t flushes = 1 << 24;
+  std::uint64_t state, after;
+  __asm__ volatile("mrs %0, fpcr" : "=r"(state));
+  __asm__ volatile("msr fpcr, %0" : : "r"(state | flushes));
+  volatile double smallest = (std::numeric_limits<double>::min)(), half = 0.5, inside = 0,
+                  outside = 0;
+  outside = smallest * half;
+  {
+    const internal::Default_floating_point_2 default_state;
+    inside = smallest * half;
+  }
+  __asm__ volatile("mrs %0, fpcr" : "=r"(after));
+  __asm__ volatile("msr fpcr, %0" : : "r"(state));
+  EXPECT_EQ(outside, 0);
+  EXPECT_EQ(inside, (std::numeric_limits<double>::min)() / 2);
+  EXPECT_EQ(after, state | flushes);
+}
+
+#endif
 
 // Whether d is not deeper in the circle of the face abc than eps times its radius:
 // 4 left in_circle <= eps (2 - eps) |ab|^2 |bc|^2 |ca|^2, with eps = digits / 2^shift.

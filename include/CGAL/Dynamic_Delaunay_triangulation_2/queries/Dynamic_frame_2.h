@@ -239,7 +239,7 @@ public:
   /// appends to `unproved` all edges from `first` to before `beyond` that are not Delaunay, and a
   /// few others: those for which `proves_delaunay()` is false. An exact classifier tests all edges
   /// this way, and lets `Dynamic_classification_2::add_unless_delaunay()` decide about the appended
-  /// ones. Cost: one pass, four edges at once if the processor has AVX2.
+  /// ones. Cost: one pass, with AVX2 four edges at once.
   /// \pre `first <= beyond`, and `beyond <= number_of_edges()`
   void append_unproved(Index first, Index beyond, std::vector<Index>& unproved) const
   {

@@ -103,15 +103,16 @@ struct Lanes_2
     : vector(v)
   {
   }
-  // The lanes of a and b at these places; those of b follow on those of a.
+  // The lanes of a and b at these places; those of b follow on those of a. g++ wants as many places
+  // as each of them has.
   template <int m, int... places>
   BOOST_FORCEINLINE Lanes_2(const Lanes_2<Number, m>& a, const Lanes_2<Number, m>& b,
                             Places<places...>)
   {
-#if defined(__clang__) || __GNUC__ >= 12
+#ifdef __clang__
     vector = __builtin_shufflevector(a.vector, b.vector, places...);
 #else
-    vector = Vector{(places < m ? a : b).vector[places % m]...};
+    vector = __builtin_shuffle(a.vector, b.vector, typename Bits::Vector{places...});
 #endif
   }
   // Functions for different processors pass vectors by value differently. Objects with destructors
@@ -180,28 +181,34 @@ using Lanes = std::conditional_t<n == 1, double, Lanes_2<double, n>>;
 template <int n>
 using Answers = std::conditional_t<n == 1, bool, Lanes_2<std::int64_t, n>>;
 
-// Vectors have no words for an instruction of x86 that does this.
+#ifdef __SSE2__ // has instructions for which vectors have no words
+
 BOOST_FORCEINLINE unsigned bits(const Answers<2>& answers)
 {
-#ifdef __SSE2__
   return unsigned(__builtin_ia32_movmskpd((Lanes<2>::Vector)answers.vector));
-#else
-  return unsigned(answers.vector[0] & 1) | unsigned(answers.vector[1] & 2);
-#endif
 }
 
 BOOST_FORCEINLINE unsigned bits(const Answers<4>& answers)
 {
-#if defined(__SSE2__) && !defined(__clang__)
-  unsigned result;
-  __asm__("vmovmskpd {%1, %0|%0, %1}" : "=r"(result) : "x"(answers.vector));
-  return result;
-#else
+#ifdef __clang__
   Answers<2>::Vector halves[2];
   std::memcpy(halves, &answers.vector, sizeof(halves));
   return bits(Answers<2>(halves[0])) | bits(Answers<2>(halves[1])) << 2;
+#else
+  unsigned result;
+  __asm__("vmovmskpd {%1, %0|%0, %1}" : "=r"(result) : "x"(answers.vector));
+  return result;
 #endif
 }
+
+#else
+
+BOOST_FORCEINLINE unsigned bits(const Answers<2>& answers)
+{
+  return unsigned(answers.vector[0] & 1) | unsigned(answers.vector[1] & 2);
+}
+
+#endif
 
 #else
 
@@ -253,19 +260,21 @@ BOOST_FORCEINLINE Lanes<2> in_two_lanes(const std::array<int, 2>& v)
   return Lanes<2>(Lanes<2>::Vector{double(v[0]), double(v[1])});
 }
 
-// Of two points. For two instructions of AVX g++ 12 takes several others, as for that of bits(): a
-// pass over edges would take PERCENT longer, one over edges across a border PERCENT.
+#ifdef __SSE2__ // no other processor has four lanes
+
+// Of two points. g++ 12 finds neither of two instructions of AVX by itself, nor that of bits():
+// passes over edges would take a tenth longer.
 BOOST_FORCEINLINE Lanes<4> in_four_lanes(const Position_2& p, const Position_2& q)
 {
   const Lanes<2> low = in_two_lanes(p), high = in_two_lanes(q);
-#if defined(__SSE2__) && !defined(__clang__)
+#ifdef __clang__
+  return Lanes<4>(low, high, Places<0, 1, 2, 3>());
+#else
   Lanes<4>::Vector all;
   __asm__("vinsertf128 {$1, %2, %t1, %0|%0, %t1, %2, 1}"
           : "=x"(all)
           : "x"(low.vector), "xm"(high.vector));
   return Lanes<4>(all);
-#else
-  return Lanes<4>(low, high, Places<0, 1, 2, 3>());
 #endif
 }
 BOOST_FORCEINLINE Lanes<4> in_four_lanes(const std::array<int, 2>& v, const std::array<int, 2>& w)
@@ -276,14 +285,16 @@ BOOST_FORCEINLINE Lanes<4> in_four_lanes(const std::array<int, 2>& v, const std:
   std::memcpy(&low, &v, sizeof(low));
   std::memcpy(&high, &w, sizeof(high));
   const Integers integers = (Integers)Pairs{low, high};
-#if defined(__SSE2__) && !defined(__clang__)
   Lanes<4>::Vector all;
-  __asm__("vcvtdq2pd {%1, %0|%0, %1}" : "=x"(all) : "xm"(integers));
-  return Lanes<4>(all);
+#ifdef __clang__
+  all = __builtin_convertvector(integers, Lanes<4>::Vector);
 #else
-  return Lanes<4>(__builtin_convertvector(integers, Lanes<4>::Vector));
+  __asm__("vcvtdq2pd {%1, %0|%0, %1}" : "=x"(all) : "xm"(integers));
 #endif
+  return Lanes<4>(all);
 }
+
+#endif
 
 // Of point_at(first) and every second one that follows it.
 template <int n, class Point_at>

@@ -376,25 +376,20 @@ private:
     BOOST_FORCEINLINE Answers proves_counterclockwise() const
     {
       const Number more = product(product(orientation_share, m_size), m_error);
-      return m_is_usable & (m_filter.left > m_filter.left_bound() + more) &
-             (m_filter.right > m_filter.right_bound() + more);
+      const Number left_error = m_filter.left_bound() + more;
+      const Number right_error = m_filter.right_bound() + more;
+      return m_is_usable & (m_filter.left > left_error) & (m_filter.right > right_error);
     }
     BOOST_FORCEINLINE Answers proves_delaunay() const
     {
-      return proves_counterclockwise() & is_outside();
+      return is_outside(proves_counterclockwise());
     }
     BOOST_FORCEINLINE Answers proves_illegal() const
     {
-      return proves_counterclockwise() & is_inside();
+      return is_inside(proves_counterclockwise());
     }
-    BOOST_FORCEINLINE Answers proves_inside() const
-    {
-      return m_is_usable & m_filter.is_large() & is_inside();
-    }
-    BOOST_FORCEINLINE Answers proves_outside() const
-    {
-      return m_is_usable & m_filter.is_large() & is_outside();
-    }
+    BOOST_FORCEINLINE Answers proves_inside() const { return is_inside(has_large_terms()); }
+    BOOST_FORCEINLINE Answers proves_outside() const { return is_outside(has_large_terms()); }
 
   private:
     BOOST_FORCEINLINE Filter(const Torus_2& torus, const Edge_images_2* edges,
@@ -416,9 +411,21 @@ private:
       return larger(magnitude(p.x), magnitude(p.y));
     }
 
-    // Where products of three sizes may not have underflowed, and the edge is usable.
-    BOOST_FORCEINLINE Answers is_inside() const { return m_filter.in_circle > in_circle_bound(); }
-    BOOST_FORCEINLINE Answers is_outside() const { return m_filter.in_circle < -in_circle_bound(); }
+    BOOST_FORCEINLINE Answers has_large_terms() const
+    {
+      const Answers are_large = m_filter.is_large();
+      return m_is_usable & are_large;
+    }
+    BOOST_FORCEINLINE Answers is_inside(const Answers& is_known) const
+    {
+      const Number error = in_circle_bound();
+      return is_known & (m_filter.in_circle > error);
+    }
+    BOOST_FORCEINLINE Answers is_outside(const Answers& is_known) const
+    {
+      const Number error = in_circle_bound();
+      return is_known & (m_filter.in_circle < -error);
+    }
     BOOST_FORCEINLINE Number in_circle_bound() const
     {
       const Number cube = product(product(m_size, m_size), m_size);

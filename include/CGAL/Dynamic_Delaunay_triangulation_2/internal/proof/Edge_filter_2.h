@@ -96,26 +96,32 @@ struct Edge_filter_in_lanes_2
   // True only if both faces are counterclockwise.
   BOOST_FORCEINLINE Answers proves_counterclockwise() const
   {
-    return (left > left_bound()) & (right > right_bound());
+    const Number left_error = left_bound(), right_error = right_bound();
+    return (left > left_error) & (right > right_error);
   }
 
   // True only if both faces are counterclockwise and the edge is strictly locally Delaunay.
   BOOST_FORCEINLINE Answers proves_delaunay() const
   {
-    return proves_counterclockwise() & (in_circle < -in_circle_bound());
+    const Answers are_counterclockwise = proves_counterclockwise();
+    const Number error = in_circle_bound();
+    return are_counterclockwise & (in_circle < -error);
   }
 
   // True only if both faces are counterclockwise and the edge is not locally Delaunay.
   BOOST_FORCEINLINE Answers proves_illegal() const
   {
-    return proves_counterclockwise() & (in_circle > in_circle_bound());
+    const Answers are_counterclockwise = proves_counterclockwise();
+    const Number error = in_circle_bound();
+    return are_counterclockwise & (in_circle > error);
   }
 
   // True only if a face is clockwise, or the edge is not locally Delaunay.
   BOOST_FORCEINLINE Answers disproves_delaunay() const
   {
-    return (left < -left_bound()) | (right < -right_bound()) |
-           ((in_circle > in_circle_bound()) & is_large());
+    const Number left_error = left_bound(), right_error = right_bound(), error = in_circle_bound();
+    const Answers has_large_terms = is_large();
+    return (left < -left_error) | (right < -right_error) | ((in_circle > error) & has_large_terms);
   }
 
 private:

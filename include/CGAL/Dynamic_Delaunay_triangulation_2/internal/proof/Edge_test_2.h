@@ -133,40 +133,41 @@ void append_unproved_of_pass(const Pass& pass, const std::vector<Position_2>& po
   });
 }
 
-// A pass over consecutive edges. Prefetches one corner of each, which fetches nearly all vertices:
-// to prefetch all four takes longer than it saves.
+// A pass over consecutive edges.
 struct Consecutive_edges_2
 {
   const Edge_2& edge(std::size_t e) const { return edges[e]; }
   Index number(std::size_t e) const { return Index(e); }
-
-  template <int lanes>
-  void prefetch_ahead(std::size_t e) const
-  {
-    if (e >= end_of_prefetching)
-      return;
-    prefetch(edges + e + far_ahead);
-    for (std::size_t i = 0; i < lanes; ++i)
-      prefetch(positions + edges[e + ahead + i].left);
-  }
-
-  static constexpr std::size_t ahead = 128, far_ahead = 512;
-  const Edge_2* edges;
-  const Position_2* positions;
-  std::size_t end_of_prefetching;
-};
-
-// One over a list of edges.
-struct Listed_edges_2
-{
-  const Edge_2& edge(std::size_t i) const { return edges[list[i]]; }
-  Index number(std::size_t i) const { return list[i]; }
   template <int>
   void prefetch_ahead(std::size_t) const
   {
   }
 
   const Edge_2* edges;
+};
+
+// Prefetches one corner of each edge, which fetches nearly all vertices: to prefetch all four takes
+// longer than it saves.
+struct Prefetched_edges_2 : Consecutive_edges_2
+{
+  template <int lanes>
+  void prefetch_ahead(std::size_t e) const
+  {
+    prefetch(edges + e + far_ahead);
+    for (std::size_t i = 0; i < lanes; ++i)
+      prefetch(positions + edges[e + ahead + i].left);
+  }
+
+  static constexpr std::size_t ahead = 128, far_ahead = 512;
+  const Position_2* positions;
+};
+
+// A pass over those of a list.
+struct Listed_edges_2 : Consecutive_edges_2
+{
+  const Edge_2& edge(std::size_t i) const { return edges[list[i]]; }
+  Index number(std::size_t i) const { return list[i]; }
+
   const Index* list;
 };
 
@@ -174,19 +175,21 @@ template <class Space>
 void append_unproved(const Edge_2* edges, const std::vector<Position_2>& positions, Index first,
                      Index beyond, std::vector<Index>& unproved)
 {
-  constexpr std::size_t far_ahead = Consecutive_edges_2::far_ahead;
-  const bool prefetches = positions.size() >= min_vertices_to_prefetch && beyond > far_ahead;
-  append_unproved_of_pass<Space>(
-      Consecutive_edges_2{edges, positions.data(), prefetches ? beyond - far_ahead : 0}, positions,
-      first, beyond, unproved);
+  constexpr Index last_ones = Prefetched_edges_2::far_ahead;
+  if (positions.size() >= min_vertices_to_prefetch && beyond - first > last_ones) {
+    append_unproved_of_pass<Space>(Prefetched_edges_2{{edges}, positions.data()}, positions, first,
+                                   beyond - last_ones, unproved);
+    first = beyond - last_ones;
+  }
+  append_unproved_of_pass<Space>(Consecutive_edges_2{edges}, positions, first, beyond, unproved);
 }
 
 template <class Space>
 void append_unproved_of(const Edge_2* edges, const std::vector<Position_2>& positions,
                         const std::vector<Index>& list, std::vector<Index>& unproved)
 {
-  append_unproved_of_pass<Space>(Listed_edges_2{edges, list.data()}, positions, std::size_t(0),
-                                 list.size(), unproved);
+  append_unproved_of_pass<Space>(Listed_edges_2{{edges}, list.data()}, positions, 0, list.size(),
+                                 unproved);
 }
 
 // EXACT SIGNS -------------------------------------------------------------------------------------
