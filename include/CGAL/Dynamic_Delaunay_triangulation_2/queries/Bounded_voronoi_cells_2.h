@@ -7,9 +7,9 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Bounded_cell_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Voronoi_space_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Bounded_cell_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Voronoi_space_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -6,9 +6,9 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Cell_in_domain_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Polygonal_domain_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Voronoi_space_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Cell_in_domain_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Polygonal_domain_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Voronoi_space_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/number_type_basic.h>

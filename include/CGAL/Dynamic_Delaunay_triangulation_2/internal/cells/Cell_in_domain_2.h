@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_CELL_IN_DOMAIN_2_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_CELL_IN_DOMAIN_2_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CELLS_CELL_IN_DOMAIN_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CELLS_CELL_IN_DOMAIN_2_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Bounded_cell_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Polygonal_domain_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Bounded_cell_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Polygonal_domain_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/Kernel/global_functions_2.h>
 
@@ -519,4 +519,4 @@ private:
 } // namespace Dynamic_Delaunay_triangulations_2
 } // namespace CGAL
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_CELL_IN_DOMAIN_2_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CELLS_CELL_IN_DOMAIN_2_H
