@@ -50,8 +50,8 @@ struct Vertex_classifier
   }
 };
 
-// Whichever path the machine takes, the same edges are proved.
-TEST(Edge_filter, proves_the_same_edges_plain_and_vectorised)
+// However many lanes the processor has, the same edges are proved.
+TEST(Edge_filter, proves_the_same_edges_in_one_lane_and_in_all)
 {
   using namespace CGAL::Dynamic_Delaunay_triangulations_2;
   std::mt19937 random(4);
@@ -74,8 +74,8 @@ TEST(Edge_filter, proves_the_same_edges_plain_and_vectorised)
     edges.push_back(edge);
   }
   std::vector<Index> plain, chosen;
-  internal::append_unproved_plain<internal::Plane_2>(edges.data(), positions.data(), 0,
-                                                     Index(edges.size()), plain);
+  internal::append_unproved_in_lanes<internal::Plane_2, 1>(
+      internal::Consecutive_edges_2{edges.data()}, positions.data(), 0, edges.size(), plain);
   internal::append_unproved<internal::Plane_2>(edges.data(), positions, 0, Index(edges.size()),
                                                chosen);
   EXPECT_EQ(plain, chosen);
