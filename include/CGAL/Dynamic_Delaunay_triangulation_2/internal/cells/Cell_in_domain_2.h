@@ -323,9 +323,14 @@ private:
       is_beyond = is_beyond || turn(v, face->vertex(k)) == side;
     if (!is_beyond)
       return;
+    m_polygon.cut(normal_of_ray(v, side), 0, ray);
+  }
+  // Towards the side that is cut off.
+  Position_2 normal_of_ray(Vertex_handle v, Orientation side) const
+  {
     const Position_2 way = Domain::corner(v) - m_p;
     const double length = (side == RIGHT_TURN ? 1 : -1) * std::hypot(way.x, way.y);
-    m_polygon.cut({way.y / length, -way.x / length}, 0, ray);
+    return {way.y / length, -way.x / length};
   }
 
   void append_pieces(std::size_t i)
@@ -389,6 +394,11 @@ private:
     };
     if (turn(face->vertex(ccw(edge)), face->vertex(cw(edge))) == COLLINEAR)
       offer(Kind::SIGHT, ray, piece.normal, piece.distance);
+    for (const std::size_t i : {piece.portion, m_pieces[piece.door].portion})
+      if (const Portion& portion = m_portions[i]; portion.right != Vertex_handle()) {
+        offer(Kind::SIGHT, ray, normal_of_ray(portion.right, RIGHT_TURN), 0);
+        offer(Kind::SIGHT, ray, normal_of_ray(portion.left, LEFT_TURN), 0);
+      }
     for (const Bounded_cell_2::Side& side : m_cell->sides())
       if (side.label != Bounded_cell_2::no_label)
         offer(Kind::CELL, side.label, side.normal, side.distance);
