@@ -310,7 +310,7 @@ private:
     m_halfedge_of_edge.resize(m_halfedges.size() / 2);
     for (Halfedge_index h = 0; h < Index(m_halfedges.size()); ++h) {
       for (const Halfedge_index g : halfedges_of(face_of(m_halfedges[h].twin)))
-        if (source(g) == target(h) && target(g) == source(h))
+        if (source(g) == target(h)) // and then target(g) == source(h), as neighbors share an edge
           m_halfedges[h].twin = g;
     }
     std::fill(m_corner.begin(), m_corner.end(), null_index);
