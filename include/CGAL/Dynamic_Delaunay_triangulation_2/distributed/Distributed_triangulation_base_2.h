@@ -1,0 +1,323 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_DISTRIBUTED_DISTRIBUTED_TRIANGULATION_BASE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_DISTRIBUTED_DISTRIBUTED_TRIANGULATION_BASE_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+
+#include <mpi.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Ref
+
+What triangulations of moving points that are spread over the ranks of an MPI communicator can in
+the plane and in periodic space: `Distributed_dynamic_Delaunay_triangulation_2` and
+`Distributed_dynamic_periodic_Delaunay_triangulation_2` derive from it. Functions that are called
+*collective* must be called by all ranks.
+
+Each rank owns some points, and holds copies of points of other ranks, its *ghosts*; in periodic
+space, other images of its own points as well. After construction and after each update every face
+with a corner that the rank owns is proved to be one of the triangulation of all points: no point of
+any rank is strictly inside of its circumcircle, and all points on that circle are held. Edges and
+faces depend only on points and ids, and the cell of periodic space, not on how many ranks there are
+or what they own. The page \ref DynamicDelaunayTriangulation2Ranks describes the protocol, and
+proves this.
+
+Each rank owns a stretch of a Hilbert curve through all points. When a rank holds too many points,
+compared with what ranks held after the last distribution, `update()`, `insert()` or `remove()`
+distributes all of them anew at its end: `number_of_distributions()` then is another one,
+`owned_ids()` has other points in another order, and `carry()` brings the user's data along.
+
+Of MPI it uses its own copy of the communicator, `MPI_Allreduce`, `MPI_Allgather(v)`, and
+synchronous sends with a barrier that does not block; all calls are made by the thread that calls a
+function of this class, so `MPI_THREAD_FUNNELED` is enough. MPI must be initialized before, and
+finalized after the object is gone. An error of MPI ends the program, unless the user gave the
+communicator another error handler. So does an exception on one rank alone that is not caught:
+`mpirun` then ends the other ranks.
+
+\tparam Space the plane or a torus: users need not name it.
+*/
+template <class Space>
+class Distributed_triangulation_base_2
+{
+  using Kernel = typename Space::Kernel;
+
+  static_assert(
+      Dynamic_Delaunay_triangulations_2::internal::has_double_coordinates<typename Kernel::Point_2>,
+      "the coordinates of distributed points must be of type double");
+
+  using Core = Dynamic_Delaunay_triangulations_2::internal::Distributed_triangulation_2<Space>;
+
+public:
+  /// \name Types
+  /// @{
+
+  /// a point.
+  using Point = typename Kernel::Point_2;
+  /// an id, unique over all ranks; any number of 64 bits.
+  using Id = std::int64_t;
+  /// the type of counts.
+  using size_type = std::size_t;
+  /// the triangulation of all points that a rank holds.
+  using Held_triangulation = typename Core::Points::Dynamic;
+
+  /// @}
+  /// \name Creation
+  /// @{
+
+  /// the load factor of objects that are given none.
+  static constexpr double default_load_factor = 1.5;
+
+  /// @}
+  /// \name Motion
+  /// @{
+
+  /// moves the points that this rank owns to these positions, in the order of `owned_ids()`.
+  /// Collective. In periodic space points may be given wrapped into the cell or not: of a point
+  /// that moves by more than half the cell, the image nearest to where it was is taken to be where
+  /// it has gone.
+  ///
+  /// Each rank sends the positions of points that others hold as ghosts, moves its other points
+  /// while these are under way, and updates its own triangulation. If that does not prove all its
+  /// faces, it asks the ranks that may have points in their circumcircles; what they answer becomes
+  /// ghosts, until there are no questions. \throws Point_count_error_2, or
+  /// Non_finite_coordinate_error_2, Coordinate_range_error_2 or, in periodic space,
+  /// Periodic_range_error_2, or Distributed_input_error_2 on the other ranks; nothing has changed
+  /// then on any rank. \post `is_certified()`
+  template <class InputIterator>
+  Update_report_2 update(InputIterator first, InputIterator beyond)
+  {
+    const Floating_point floating_point;
+    return m_core.update(first, beyond);
+  }
+
+  /// @}
+  /// \name Population
+  /// @{
+
+  /// adds points, which the rank that is given them owns, after those that it owns already.
+  /// Collective; a rank may give none.
+  ///
+  /// Cost: as an update in which the points jump to where they are, and every rank hears of all new
+  /// ids. \tparam InputIterator its values are pairs of an `Id` and a `Point`.
+  /// \throws Non_finite_coordinate_error_2, Coordinate_range_error_2 or, in periodic space,
+  /// Periodic_range_error_2 (`id()` is the place in the range), or Distributed_input_error_2 on the
+  /// other ranks; Repeated_id_error_2 on all ranks. Nothing has changed then on any rank.
+  /// \post `is_certified()`
+  template <class InputIterator>
+  Update_report_2 insert(InputIterator first, InputIterator beyond)
+  {
+    const Floating_point floating_point;
+    return m_core.insert(first, beyond);
+  }
+
+  /// removes points, whatever ranks own them. Collective; a rank may give none.
+  ///
+  /// Cost: as an update, and every rank hears of all these ids. \tparam InputIterator its values
+  /// are ids.
+  /// \throws Repeated_id_error_2 if two ranks, or one rank twice, give the same id,
+  /// Unknown_user_id_error_2 if no point has it: on all ranks, and nothing has changed on any.
+  /// \post `is_certified()`
+  template <class InputIterator>
+  Update_report_2 remove(InputIterator first, InputIterator beyond)
+  {
+    const Floating_point floating_point;
+    return m_core.remove(first, beyond);
+  }
+
+  /// @}
+  /// \name Distribution
+  /// @{
+
+  /// makes each rank own a stretch of a Hilbert curve, with about equally many points.
+  /// Collective. Cost: as construction.
+  void distribute()
+  {
+    const Floating_point floating_point;
+    m_core.distribute();
+  }
+
+  /// how often points were distributed since construction. Where this has changed, owned points
+  /// are other ones, in another order.
+  size_type number_of_distributions() const { return m_core.number_of_distributions(); }
+
+  /// data of the points that this rank owns, given data of those that it owned before the last
+  /// distribution, each in the order of `owned_ids()` at that time. Collective. To be called before
+  /// points are inserted or removed. After construction, "before" are the points that the rank was
+  /// given.
+  /// \tparam T trivially copyable.
+  /// \throws Point_count_error_2 if there are not as many as points before, or
+  /// Distributed_input_error_2 on the other ranks.
+  template <class T>
+  std::vector<T> carry(const std::vector<T>& data)
+  {
+    return m_core.carry(data);
+  }
+
+  /// @}
+  /// \name Access
+  /// @{
+
+  /// the ids of the points that this rank owns, in the order of updates.
+  std::vector<Id> owned_ids() const { return m_core.owned_ids(); }
+  /// their positions as they were given last, in periodic space rounded, in the same order.
+  std::vector<Point> owned_points() const
+  {
+    const Floating_point floating_point;
+    std::vector<Point> points;
+    for (const auto& entry : m_core.owned_entries())
+      points.push_back(Point(entry.x, entry.y));
+    return points;
+  }
+  /// the number of points that this rank owns.
+  size_type number_of_owned_points() const { return points().owned().size(); }
+  /// the number of points of other ranks, and in periodic space also of other images of its own
+  /// ones, that this rank holds.
+  size_type number_of_ghosts() const { return points().number_of_ghosts(); }
+  /// whether this rank holds the point or an image of it, as its own or as a ghost.
+  bool holds(Id id) const { return points().holds(id); }
+
+  /// the triangulation of the points that this rank holds: of their images in periodic space, as
+  /// points of the plane. Its faces with the corner of a point that the rank owns, at `held_id()`,
+  /// are those of all points; the others may not be. So what it tells about these vertices, such as
+  /// `Voronoi_cell_measures_2`, is true for all points. Where four points or more are on a circle
+  /// its diagonals may be others than those of `for_each_edge()`.
+  const Held_triangulation& held_triangulation() const { return points().dt(); }
+  /// the id of a held point in `held_triangulation()`, until the next call that changes points: in
+  /// periodic space of the image that this rank owns, or of a ghost, if it is not its own.
+  /// \pre `holds(id)`
+  size_type held_id(Id id) const { return points().place(id); }
+
+  /// whether every face with an owned corner is proved. False only if an exception ended a call.
+  bool is_certified() const { return m_core.is_certified(); }
+
+  /// @}
+  /// \name Checkpoints
+  /// Positions and ids of all points, and the cell of periodic space, in one file, which all ranks
+  /// write and read together, by `MPI_File`. Edges and faces depend on nothing else, so a run
+  /// continues with the same ones, on any number of ranks.
+  ///
+  /// A file is written under its name with `.unfinished` appended, and renamed when it is complete.
+  /// So the last checkpoint stays readable, whenever a rank dies.
+  /// @{
+
+  /// writes what is triangulated. Collective. Cost: 24 bytes a point. \throws Checkpoint_error_2 on
+  /// all ranks if that is impossible; what had the name before is still there.
+  void write_checkpoint(const std::string& path)
+  {
+    const Floating_point floating_point;
+    m_core.write_checkpoint(path);
+  }
+
+  /// the same, with the user's data of each point that this rank owns, in the order of
+  /// `owned_ids()`. \tparam T trivially copyable. \throws Point_count_error_2 if there are not as
+  /// many as owned points, or Distributed_input_error_2 on the other ranks.
+  template <class T>
+  void write_checkpoint(const std::string& path, const std::vector<T>& data)
+  {
+    const Floating_point floating_point;
+    m_core.write_checkpoint(path, data);
+  }
+
+  /// replaces what is triangulated by what is in a file, and distributes points as the constructor
+  /// does. Collective. \throws Checkpoint_error_2 on all ranks if there is no such file, or if it
+  /// is not as it was written; nothing has changed then on any rank. \post `is_certified()`
+  void read_checkpoint(const std::string& path)
+  {
+    const Floating_point floating_point;
+    m_core.read_checkpoint(path);
+  }
+
+  /// the same, and replaces `data` by the user's data of the points that this rank owns.
+  template <class T>
+  void read_checkpoint(const std::string& path, std::vector<T>& data)
+  {
+    const Floating_point floating_point;
+    m_core.read_checkpoint(path, data);
+  }
+
+  /// @}
+  /// \name Checking
+  /// @{
+
+  /// proves all faces with an owned corner anew, without trust in what ranks have agreed to send.
+  /// Collective, with the same result on all ranks. Cost: a pass over all faces, and questions as
+  /// after a distribution.
+  bool certify()
+  {
+    const Floating_point floating_point;
+    return m_core.certify();
+  }
+
+  /// whether what all ranks hold is valid: their triangulations are, both sides of each link
+  /// between ranks hold the same points, no id is owned twice, and vertices, edges and faces of all
+  /// ranks satisfy Euler's formula. Collective, with the same result on all ranks. Cost: linear,
+  /// and as many bytes as ghosts and ids have.
+  bool is_valid()
+  {
+    const Floating_point floating_point;
+    return m_core.is_valid();
+  }
+
+  /// @}
+  /// \name Figures
+  /// Of this rank, since construction.
+  /// @{
+
+  /// how many calls needed questions of any rank.
+  size_type number_of_asking_frames() const { return m_core.proof().number_of_asking_frames(); }
+  /// how often ranks have asked each other.
+  size_type number_of_rounds() const { return m_core.proof().number_of_rounds(); }
+  /// messages that this rank has sent, collective calls of MPI not counted.
+  size_type number_of_messages() const { return m_core.ranks().exchange().sent_messages(); }
+  /// the same in bytes.
+  size_type number_of_bytes() const { return m_core.ranks().exchange().sent_bytes(); }
+  /// bytes that all ranks have told all others, in collective calls: zones, boxes and, in the
+  /// plane, outlines.
+  size_type number_of_gathered_bytes() const { return m_core.ranks().gathered_bytes(); }
+  /// seconds in which this rank has sent, received or waited.
+  double communication_seconds() const { return m_core.ranks().exchange().seconds(); }
+  /// seconds in which this rank has done other things while messages were under way that it had
+  /// sent, for all it knew.
+  double overlapped_seconds() const { return m_core.ranks().exchange().overlapped_seconds(); }
+
+  /// @}
+
+  /// \cond
+  auto& ranks() { return m_core.ranks(); }
+  /// \endcond
+
+protected:
+  /// \cond
+  using Index = Dynamic_Delaunay_triangulations_2::Index;
+  using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point_2;
+
+  explicit Distributed_triangulation_base_2(MPI_Comm communicator)
+    : m_core(communicator)
+  {
+  }
+
+  const typename Core::Points& points() const { return m_core.points(); }
+
+  Core m_core;
+  /// \endcond
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_DISTRIBUTED_DISTRIBUTED_TRIANGULATION_BASE_2_H
