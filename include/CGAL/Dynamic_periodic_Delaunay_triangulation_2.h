@@ -25,7 +25,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Periodic_update_visitor_base_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Delaunay_update_visitor_base_2.h>
 #include <CGAL/iterator.h>
 #include <CGAL/Periodic_cell_2.h>
 #include <CGAL/tags.h>
@@ -50,14 +50,14 @@ namespace internal {
 template <class Kernel, class C, class R, class P, class V, class ConcurrencyTag>
 struct Triangulation_types_2<
     Dynamic_periodic_Delaunay_triangulation_2<Kernel, C, R, P, V, ConcurrencyTag>>
-  : Chosen_types_2<C, R, P, V, Periodic_update_visitor_base_2>
+  : Chosen_types_2<C, R, P, V, Delaunay_update_visitor_base_2>
 {
   static_assert(has_double_coordinates<typename Kernel::Point_2>,
                 "the coordinates of points in periodic space must be of type double");
 
   using Geom_traits = Kernel;
   using Concurrency_tag = ConcurrencyTag;
-  using Parts = Chosen_types_2<C, R, P, V, Periodic_update_visitor_base_2>;
+  using Parts = Chosen_types_2<C, R, P, V, Delaunay_update_visitor_base_2>;
   using Shown_to_visitor = std::conditional_t<
       Parts::has_visitor,
       Dynamic_periodic_Delaunay_triangulation_2<Kernel, C, R, P, V, ConcurrencyTag>, void>;
@@ -117,13 +117,13 @@ Classifiers, repairs and policies are the same as in the plane; `Dynamic_frame_2
 \tparam Repair a model of `DelaunayRepair_2`; `Default` as in `Dynamic_Delaunay_triangulation_2`.
 \tparam UpdatePolicy a model of `DelaunayUpdatePolicy_2`; `Default` for `Always_dynamic_policy_2`.
 \tparam Visitor a model of `PeriodicUpdateVisitor_2`, which is told of all changes of edges;
-  `Default` for `Periodic_update_visitor_base_2`, which ignores them.
+  `Default` for `Delaunay_update_visitor_base_2`, which ignores them.
 \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`, as for a triangulation of the
   plane.
 */
 template <class Kernel, class Classifier = Circumcircle_classifier_2, class Repair = Default,
           class UpdatePolicy = Always_dynamic_policy_2,
-          class Visitor = Periodic_update_visitor_base_2, class ConcurrencyTag = Sequential_tag>
+          class Visitor = Delaunay_update_visitor_base_2, class ConcurrencyTag = Sequential_tag>
 class Dynamic_periodic_Delaunay_triangulation_2
   : public Dynamic_triangulation_base_2<Dynamic_periodic_Delaunay_triangulation_2<
         Kernel, Classifier, Repair, UpdatePolicy, Visitor, ConcurrencyTag>>

@@ -58,7 +58,7 @@ Point image(const Point& p, const Cell& cell, int i, int j)
 }
 
 // What a visitor knows of the edges by hearsay alone.
-class Ledger : public CGAL::Periodic_update_visitor_base_2
+class Ledger : public CGAL::Delaunay_update_visitor_base_2
 {
   using Shift = CGAL::Periodic_shift_2;
   using Edge = std::tuple<std::size_t, std::size_t, Shift>;
@@ -1175,7 +1175,7 @@ TEST(Edge_changes, of_a_checkpoint_are_all_edges_also_where_a_slab_becomes_a_tor
   }
 }
 
-struct Thrower : CGAL::Periodic_update_visitor_base_2
+struct Thrower : CGAL::Delaunay_update_visitor_base_2
 {
   template <class Dynamic>
   void before_update(const Dynamic&)

@@ -421,7 +421,7 @@ struct Failure_of_a_user
 {
 };
 
-struct Faulty_visitor : CGAL::Periodic_update_visitor_base_2
+struct Faulty_visitor : CGAL::Delaunay_update_visitor_base_2
 {
   template <class Dynamic>
   void after_update(const Dynamic&, const CGAL::Update_report_2&)

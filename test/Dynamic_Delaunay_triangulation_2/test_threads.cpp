@@ -226,7 +226,7 @@ private:
   Diary* m_diary;
 };
 
-class Noting_periodic_visitor : public CGAL::Periodic_update_visitor_base_2
+class Noting_periodic_visitor : public CGAL::Delaunay_update_visitor_base_2
 {
 public:
   explicit Noting_periodic_visitor(Diary* diary = nullptr)

@@ -7,7 +7,7 @@
 
 A visitor of a `CGAL::Dynamic_periodic_Delaunay_triangulation_2` is told of all edges that come and
 go, with their shifts, and of all shifts that are numbered anew. So it can follow the edges by
-hearsay alone. `CGAL::Periodic_update_visitor_base_2` has all functions, and is a base for visitors
+hearsay alone. `CGAL::Delaunay_update_visitor_base_2` has all functions, and is a base for visitors
 that need only some of them.
 
 Every call that can change the triangulation begins with `before_update()`. When everything is done
@@ -25,7 +25,7 @@ If a visitor throws in `before_update()`, nothing changes. If it throws later, t
 complete, and the rest is not told.
 
 \cgalHasModelsBegin
-\cgalHasModels{CGAL::Periodic_update_visitor_base_2}
+\cgalHasModels{CGAL::Delaunay_update_visitor_base_2}
 \cgalHasModels{CGAL::Periodic_edge_changes_visitor_2}
 \cgalHasModelsEnd
 */

@@ -7,7 +7,9 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
+#include <CGAL/Periodic_cell_2.h>
 
+#include <array>
 #include <cstddef>
 
 namespace CGAL {
@@ -15,10 +17,12 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Visitors
 
-A visitor that ignores everything. It is the default, which costs nothing, and a base for your own
-visitors, which then define only the functions that they need.
+A visitor that ignores everything, in the plane and in periodic space. It is the default, which
+costs nothing, and a base for your own visitors, which then define only the functions that they
+need.
 
 \cgalModels{DelaunayUpdateVisitor_2}
+\cgalModels{PeriodicUpdateVisitor_2}
 */
 class Delaunay_update_visitor_base_2
 {
@@ -87,6 +91,30 @@ public:
   /// does nothing.
   template <class Dynamic>
   void after_id_change(const Dynamic&, typename Dynamic::Vertex_handle, std::size_t)
+  {
+  }
+
+  /// does nothing.
+  template <class Dynamic>
+  void after_edge_removal(const Dynamic&, std::size_t, std::size_t, const Periodic_shift_2&)
+  {
+  }
+
+  /// does nothing.
+  template <class Dynamic>
+  void after_edge_creation(const Dynamic&, std::size_t, std::size_t, const Periodic_shift_2&)
+  {
+  }
+
+  /// does nothing.
+  template <class Dynamic>
+  void after_translation(const Dynamic&, std::size_t, const Periodic_shift_2&)
+  {
+  }
+
+  /// does nothing.
+  template <class Dynamic>
+  void after_cell_exchange(const Dynamic&, const std::array<Periodic_shift_2, 2>&)
   {
   }
 };

@@ -7,7 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_balance_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Periodic_update_visitor_base_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Delaunay_update_visitor_base_2.h>
 #include <CGAL/Periodic_cell_2.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ edges. Asking for the lists costs that number times its logarithm.
 
 \cgalModels{PeriodicUpdateVisitor_2}
 */
-class Periodic_edge_changes_visitor_2 : public Periodic_update_visitor_base_2
+class Periodic_edge_changes_visitor_2 : public Delaunay_update_visitor_base_2
 {
 public:
   /// an edge from point `i` to the image of point `j` by `shift`. `i` is not larger than `j`; where
