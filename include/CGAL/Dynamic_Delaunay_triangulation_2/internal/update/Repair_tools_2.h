@@ -83,35 +83,31 @@ public:
   Relocation& relocation() { return m_relocation; }
   Builder& builder() { return m_builder; }
 
-  // Opens what was classified. `changes` is the number of points inserted and removed.
-  void take_classification(bool has_to_prove, bool was_certified, std::size_t changes)
+  // What is known when the repair begins, besides the classification.
+  struct Task
   {
-    m_has_to_prove = has_to_prove;
-    m_was_certified = was_certified;
+    bool has_to_prove = false;
+    bool was_certified = false;
+    std::size_t changes = 0; // the number of points inserted and removed
+    std::size_t movers = 0;  // no more points than these have moved
+    bool hull_stays = false; // it turned around once, and none of its vertices has moved
+    // The only vertex that has moved, if it is to be taken out, everything was certified before
+    // that, and no edge was examined.
+    Vertex_index jumper = null_index;
+  };
+
+  // Opens what was classified, or all edges that see the jumper.
+  void open(const Task& task)
+  {
+    CGAL_precondition(task.jumper == null_index || task.movers == 1);
+    m_task = task;
     m_report->classified = m_classification.size();
     m_open.take(m_classification, m_state);
     if (!State::flips_inverted_first)
       m_open.open_all_in_order(m_state);
     m_classified_edges = m_open.size();
-    m_changes = changes;
-    m_movers = m_state.number_of_vertices();
-    m_hull_stays = false;
-    m_jumper = null_index;
-  }
-
-  // Call after take_classification() when at most `movers` points moved, and all others are where
-  // they were. `hull_stays`: whether the hull turned around once, and none of its vertices has
-  // moved. `jumper`: the vertex that is to be taken out, if it is the only one that has moved,
-  // everything was certified before that, and no edge was examined. Open are all edges that see it.
-  void set_movers(std::size_t movers, bool hull_stays, Index jumper)
-  {
-    CGAL_precondition(jumper == null_index || movers == 1);
-    m_movers = movers;
-    m_hull_stays = hull_stays;
-    m_jumper = jumper;
-    if (jumper != null_index)
-      Dynamic_frame_2<State>(m_state).for_each_edge_that_sees(
-          jumper, [this](Edge_index e) { m_open.uncertain().push_back(e); });
+    if (task.jumper != null_index)
+      open_edges_that_see(task.jumper);
   }
 
   // Whether this vertex has to be taken out, if it is the only one that has moved.
@@ -123,16 +119,15 @@ public:
   {
     if (ids.empty())
       return true;
-    const bool are_delaunay = m_was_certified && m_movers == 0;
+    const bool are_delaunay = m_task.was_certified && m_task.movers == 0;
     const std::vector<Index> moved = m_relocation.remove(ids, are_delaunay);
-    m_hull_stays = m_hull_stays && moved.empty();
+    m_task.hull_stays = m_task.hull_stays && moved.empty();
     const std::size_t first_new = m_state.changes().new_edges.size();
     const bool are_gone = m_relocation.remove_rest();
     if (m_relocation.has_rest())
       m_open.open_new_edges(m_state, first_new);
     for (const Vertex_index v : moved)
-      Dynamic_frame_2<State>(m_state).for_each_edge_that_sees(
-          v, [this](Edge_index e) { m_open.uncertain().push_back(e); });
+      open_edges_that_see(v);
     return are_gone;
   }
 
@@ -153,7 +148,7 @@ public:
     if (m_relocation.number_waiting() == 0)
       return;
     m_open.clear();
-    m_has_to_prove = true;
+    m_task.has_to_prove = true;
     put_in({});
   }
 
@@ -161,15 +156,15 @@ public:
   // the classifier has picked.
   void examine_everything()
   {
-    m_has_to_prove = true;
+    m_task.has_to_prove = true;
     m_open.take_unproved(m_state);
   }
 
   // Puts in vertices outside of faces, new points and parted duplicates, with flips around each.
   void put_in(const std::vector<Index>& parted_duplicates)
   {
-    CGAL_precondition(!m_has_to_prove || m_open.empty());
-    bool is_delaunay = m_has_to_prove; // if the hull turns around once: see is_proved()
+    CGAL_precondition(!m_task.has_to_prove || m_open.empty());
+    bool is_delaunay = m_task.has_to_prove; // if the hull turns around once: see is_proved()
     m_open.set_planar(false);
     m_may_take_out = false;
     m_budget.allow((parted_duplicates.size() + m_relocation.number_to_put_in()) *
@@ -231,7 +226,7 @@ public:
   const Open_edges_2& open_edges() const { return m_open; }
   std::size_t number_of_open_edges() const { return m_open.size(); }
   bool has_inverted_edges() const { return !m_open.uncertain().empty(); }
-  bool has_to_prove() const { return m_has_to_prove; }
+  bool has_to_prove() const { return m_task.has_to_prove; }
   bool has_rebuilt() const { return m_report->rebuilt(); }
   std::size_t number_of_edges() const { return m_state.arrays().number_of_edges(); }
   std::size_t number_of_classified_edges() const { return m_classified_edges; }
@@ -241,7 +236,8 @@ public:
   // Whether a rebuild is cheaper than mending the classified edges and the points that come and go.
   bool is_rebuild_cheaper() const
   {
-    return Repair_budget_2::is_rebuild_cheaper(rebuilt_vertices(), m_classified_edges, m_changes);
+    return Repair_budget_2::is_rebuild_cheaper(rebuilt_vertices(), m_classified_edges,
+                                               m_task.changes);
   }
 
   // Whether mending alone has cost as much as a rebuild.
@@ -253,13 +249,13 @@ public:
 
   void take_out_jumpers()
   {
-    if (m_jumper != null_index)
+    if (m_task.jumper != null_index)
       return take_out_jumper();
     if (State::jumpers_leave_before_motion)
       return;
     // where several neighbors jumped, some seem to have stayed until the others are out
     constexpr unsigned max_rounds = 4;
-    const auto may_others_jump = [this] { return m_relocation.number_waiting() < m_movers; };
+    const auto may_others_jump = [this] { return m_relocation.number_waiting() < m_task.movers; };
     for (unsigned round = 0; round < max_rounds && can_take_out() && may_others_jump(); ++round) {
       const std::vector<Index>& edges = round == 0 ? m_open.uncertain() : m_open.opened_last();
       if (edges.empty())
@@ -268,7 +264,7 @@ public:
       const std::vector<Index>& jumpers = m_jumpers.find_jumpers(edges);
       // each counts as a point removed and a point inserted, plus half of that for the search
       if (Repair_budget_2::is_rebuild_cheaper(rebuilt_vertices(), 0,
-                                              m_changes + 3 * jumpers.size()))
+                                              m_task.changes + 3 * jumpers.size()))
         return rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
       if (!take_out(jumpers))
         return;
@@ -298,7 +294,7 @@ public:
       m_open.open_surroundings(m_state);
       flip_uncertain();
     }
-    m_open.set_planar(!has_rebuilt() && m_has_to_prove && m_open.uncertain().empty() &&
+    m_open.set_planar(!has_rebuilt() && m_task.has_to_prove && m_open.uncertain().empty() &&
                       hull_turns_once());
   }
 
@@ -308,7 +304,7 @@ public:
     constexpr std::size_t any = std::size_t(-2);
     if constexpr (!State::can_splice)
       flip_around_classified(padding);
-    else if (splice(m_classification.vertices(), padding, any, m_has_to_prove)) {
+    else if (splice(m_classification.vertices(), padding, any, m_task.has_to_prove)) {
       for (std::size_t i = 0; i < m_splice.number_of_padded(); ++i)
         m_padded.push_back(m_splice.padded(i));
       m_border.assign(m_splice.border().begin(), m_splice.border().end());
@@ -356,7 +352,7 @@ private:
   {
     if (m_relocation.is_under_way())
       return rebuild(Rebuild_reason_2::POPULATION);
-    if (!m_was_certified || !m_state.have_points_moved())
+    if (!m_task.was_certified || !m_state.have_points_moved())
       return rebuild(Rebuild_reason_2::STUCK);
     const bool all_arrived = m_builder.relocate_all(m_report->relocated);
     m_open.clear();
@@ -378,9 +374,15 @@ private:
   {
     const Change_log_2& changes = m_state.changes();
     const auto is_at_hull = [this](Edge_index e) { return m_state.is_at_infinity(e); };
-    return (m_hull_stays && !changes.everything_is_new &&
+    return (m_task.hull_stays && !changes.everything_is_new &&
             std::none_of(changes.new_edges.begin(), changes.new_edges.end(), is_at_hull)) ||
            Dynamic_frame_2<State>(m_state).hull_turns_once();
+  }
+
+  void open_edges_that_see(Vertex_index v)
+  {
+    Dynamic_frame_2<State>(m_state).for_each_edge_that_sees(
+        v, [this](Edge_index e) { m_open.uncertain().push_back(e); });
   }
 
   void forget()
@@ -412,11 +414,11 @@ private:
   // Takes out the only vertex that has moved. If everything was Delaunay, it stays so without it.
   void take_out_jumper()
   {
-    if (can_spare(1) && m_relocation.take_out_of_delaunay(m_jumper)) {
+    if (can_spare(1) && m_relocation.take_out_of_delaunay(m_task.jumper)) {
       m_open.clear();
       m_budget.spend(Repair_budget_2::relocation / 2);
     } else if (can_take_out())
-      take_out({m_jumper});
+      take_out({m_task.jumper});
   }
 
   // Whether enough vertices remain without so many.
@@ -428,7 +430,7 @@ private:
 
   bool can_take_out() const
   {
-    return m_may_take_out && m_has_to_prove && m_state.have_points_moved() && !has_rebuilt();
+    return m_may_take_out && m_task.has_to_prove && m_state.have_points_moved() && !has_rebuilt();
   }
 
   // Takes these vertices out if the budget allows it and enough remain. Whether it did.
@@ -524,7 +526,7 @@ private:
     if (has_rebuilt())
       return false;
     m_open.set_planar(false);
-    m_hull_stays = false;
+    m_task.hull_stays = false;
     const std::size_t most = m_budget.left() / Repair_budget_2::spliced_vertex;
     Splice_limits_2 limits{max_enlargements, most};
     const Splice_result_2 result = m_splice.run(m_editor, vertices, padding, limits);
@@ -560,7 +562,7 @@ private:
   // coincidence was found.
   void merge()
   {
-    if (!m_has_to_prove)
+    if (!m_task.has_to_prove)
       return rebuild(Rebuild_reason_2::COINCIDENCE);
     m_open.reopen(m_state, m_splice.boundary_edges());
     std::vector<Index> candidates = m_splice.region();
@@ -590,14 +592,13 @@ private:
     m_border = m_splice.border();
     m_report->padded += m_padded.size();
     m_report->border += m_border.size();
-    const Dynamic_frame_2<State> frame(m_state);
     for (const Vertex_index v : m_splice.inner())
-      frame.for_each_edge_that_sees(v, [this](Edge_index e) { m_open.uncertain().push_back(e); });
+      open_edges_that_see(v);
     make_distinct(m_open.uncertain());
     flip();
     if (has_inverted_edges())
       splice_inverted(0);
-    if (!m_has_to_prove)
+    if (!m_task.has_to_prove)
       m_open.clear();
   }
 
@@ -618,7 +619,7 @@ private:
       return;
     m_splice.run(vertices, padding);
     const std::vector<Index> region = m_splice.inner();
-    if (!m_has_to_prove) {
+    if (!m_task.has_to_prove) {
       examine_everything();
       flip();
     }
@@ -663,15 +664,10 @@ private:
   std::vector<Index> m_around; // edges around a vertex that was put in
   std::vector<Index> m_padded, m_border;
   Update_report_2* m_report = nullptr;
-  bool m_has_to_prove = false;
-  bool m_was_certified = false;
+  Task m_task{};              // hull_stays until a splice
   bool m_is_exact = true;     // whether the classifier is
   bool m_may_take_out = true; // until a vertex is put in
-  bool m_hull_stays = false;  // see set_movers(); until a splice
-  std::size_t m_movers = 0;
-  Index m_jumper = null_index; // see set_movers()
   std::size_t m_classified_edges = 0;
-  std::size_t m_changes = 0;
 };
 
 } // namespace internal

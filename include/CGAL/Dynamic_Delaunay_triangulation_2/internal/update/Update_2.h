@@ -318,24 +318,28 @@ private:
   template <class Classifier>
   void classify(const Change& change, Classifier& classifier, bool was_certified)
   {
-    const std::size_t changes = change.gone.size() + change.coming.size();
+    typename Tools::Task task;
+    task.was_certified = was_certified;
+    task.changes = change.gone.size() + change.coming.size();
+    task.movers = m_state.number_of_vertices();
     if (change.is_frame) {
+      task.has_to_prove = Classifier::is_exact;
       classifier(Frame(m_state), m_tools.classification());
-      m_tools.take_classification(Classifier::is_exact, was_certified, changes);
     } else if (change.is_mending ||
                ((Classifier::is_exact || !State::can_locate_anywhere) && !was_certified)) {
+      task.has_to_prove = true;
       Circumcircle_classifier_2()(Frame(m_state), m_tools.classification());
-      m_tools.take_classification(true, was_certified, changes);
     } else {
-      const Index jumper = was_certified ? find_jumper(change.moved) : null_index;
-      if (jumper == null_index)
+      task.has_to_prove = was_certified;
+      task.movers = change.moved.size();
+      task.hull_stays = was_certified && !is_any_on_hull(change.moved);
+      task.jumper = was_certified ? find_jumper(change.moved) : Vertex_index(null_index);
+      if (task.jumper == null_index)
         classify_around(change.moved);
       else
-        m_tools.classification().add_vertex(jumper);
-      m_tools.take_classification(was_certified, was_certified, changes);
-      m_tools.set_movers(change.moved.size(), was_certified && !is_any_on_hull(change.moved),
-                         jumper);
+        m_tools.classification().add_vertex(task.jumper);
     }
+    m_tools.open(task);
   }
 
   // Classifies the edges that see one of these points and are not Delaunay.
@@ -352,7 +356,7 @@ private:
   }
 
   // The vertex of the only point that has moved, if it has jumped. Its edges need no look.
-  Index find_jumper(const std::vector<Index>& ids) const
+  Vertex_index find_jumper(const std::vector<Index>& ids) const
   {
     if (ids.size() != 1)
       return null_index;
