@@ -9,7 +9,8 @@
 //
 //   update             of points that take normal steps of a hundredth of the spacing
 //   plain_cells        area, perimeter and centroid of unbounded or whole cells
-//   radius, hexagon    Bounded_voronoi_cells_2, with radius 0.7, and in a convex domain
+//   radius, hexagon    Bounded_voronoi_cells_2, with radius 0.7, and in a convex domain: measures
+//                      alone, or with the pieces of all boundaries
 //   hall, forest       Voronoi_cells_in_domain_2, by its three rules, and with a radius
 //   cgal, boost        CGAL's triangulation, and its Boolean operations in exact numbers, or
 //                      Boost.Geometry in doubles, for every cell
@@ -148,13 +149,24 @@ void plain_cells(benchmark::State& state)
   run(state, false, [&](const Dynamic& dt) { cells.compute(dt); });
 }
 
-void radius(benchmark::State& state)
+void bounded(benchmark::State& state, CGAL::Bounded_voronoi_cells_2& cells, double radius,
+             bool lists_pieces)
 {
-  CGAL::Bounded_voronoi_cells_2 cells;
-  run(state, false, [&](const Dynamic& dt) { cells.compute(dt, 0.7); });
+  run(state, false, [&](const Dynamic& dt) {
+    if (lists_pieces)
+      cells.compute(dt, radius);
+    else
+      cells.compute_measures(dt, radius);
+  });
 }
 
-void hexagon(benchmark::State& state)
+void radius(benchmark::State& state, bool lists_pieces)
+{
+  CGAL::Bounded_voronoi_cells_2 cells;
+  bounded(state, cells, 0.7, lists_pieces);
+}
+
+void hexagon(benchmark::State& state, bool lists_pieces)
 {
   Points corners;
   for (int i = 0; i < 6; ++i) {
@@ -163,7 +175,7 @@ void hexagon(benchmark::State& state)
   }
   CGAL::Bounded_voronoi_cells_2 cells;
   cells.set_domain(corners.begin(), corners.end());
-  run(state, false, [&](const Dynamic& dt) { cells.compute(dt, infinity); });
+  bounded(state, cells, infinity, lists_pieces);
 }
 
 void in_domain(benchmark::State& state, bool is_forest, Rule rule, double radius)
@@ -216,8 +228,10 @@ void small_sizes(benchmark::internal::Benchmark* benchmark)
 
 BENCHMARK(update)->Apply(sizes);
 BENCHMARK(plain_cells)->Apply(sizes);
-BENCHMARK(radius)->Apply(sizes);
-BENCHMARK(hexagon)->Apply(sizes);
+BENCHMARK_CAPTURE(radius, measures, false)->Apply(sizes);
+BENCHMARK_CAPTURE(radius, pieces, true)->Apply(sizes);
+BENCHMARK_CAPTURE(hexagon, measures, false)->Apply(sizes);
+BENCHMARK_CAPTURE(hexagon, pieces, true)->Apply(sizes);
 BENCHMARK_CAPTURE(in_domain, hall_whole, false, Rule::WHOLE, infinity)->Apply(sizes);
 BENCHMARK_CAPTURE(in_domain, hall_connected, false, Rule::CONNECTED, infinity)->Apply(sizes);
 BENCHMARK_CAPTURE(in_domain, hall_visible, false, Rule::VISIBLE, infinity)->Apply(sizes);

@@ -571,6 +571,55 @@ TEST(Ids, that_are_removed_have_nothing_and_those_that_coincide_share)
   EXPECT_DOUBLE_EQ(3 * cells.areas()[7], of_one.areas()[7]);
 }
 
+// To the last bit.
+void expect_equal_measures(const Cells& cells, const Cells& others)
+{
+  EXPECT_EQ(cells.areas(), others.areas());
+  EXPECT_EQ(cells.perimeters(), others.perimeters());
+  EXPECT_EQ(cells.wall_lengths(), others.wall_lengths());
+  EXPECT_EQ(cells.free_lengths(), others.free_lengths());
+  EXPECT_EQ(cells.radii(), others.radii());
+  for (std::size_t id = 0; id < cells.centroids().size(); ++id) {
+    EXPECT_EQ(cells.centroids()[id].x, others.centroids()[id].x);
+    EXPECT_EQ(cells.centroids()[id].y, others.centroids()[id].y);
+  }
+}
+
+TEST(Measures, are_equal_without_pieces)
+{
+  Points points = Cloud<Epick>(11).uniform(300);
+  points[20] = points[40] = points[7];
+  Plane dt = triangulation(points);
+  const Torus torus(points, CGAL::Periodic_cell_2(20, 20));
+  dt.remove(3);
+  Numbers radii(points.size());
+  for (std::size_t id = 0; id < radii.size(); ++id)
+    radii[id] = 0.3 + double(id % 7) / 8;
+  Cells cells, measured;
+  const auto expect_equal = [&](const auto& dynamic, const auto& radius) {
+    cells.compute(dynamic, radius);
+    measured.compute_measures(dynamic, radius);
+    expect_equal_measures(cells, measured);
+    EXPECT_TRUE(cells.has_pieces());
+    EXPECT_FALSE(measured.has_pieces());
+    EXPECT_TRUE(measured.pieces().empty());
+    EXPECT_EQ(measured.first_pieces(), std::vector<std::size_t>(points.size() + 1, 0));
+  };
+  expect_equal(dt, 0.8);
+  expect_equal(dt, radii);
+  expect_equal(torus, 0.8);
+  expect_equal(torus, radii);
+  for (Cells* both : {&cells, &measured})
+    both->set_domain(triangle.begin(), triangle.end());
+  expect_equal(dt, infinity);
+  expect_equal(dt, radii);
+  EXPECT_THROW(measured.compute_measures(dt, -1.0), CGAL::Parameter_error_2);
+  EXPECT_THROW(measured.compute_measures(dt, Numbers(9, 1)), CGAL::Point_count_error_2);
+  expect_equal_measures(cells, measured); // nothing has changed
+  measured.compute(dt, radii);
+  EXPECT_EQ(measured.first_pieces(), cells.first_pieces());
+}
+
 TEST(Radii, must_be_positive_and_as_many_as_ids)
 {
   const Plane dt = triangulation(Cloud<Epick>(9).uniform(10));

@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
@@ -67,11 +68,12 @@ public:
   /// have 0.
   ///
   /// Cost: linear. \throws Point_count_error_2 if there are not as many weights as ids, or as
-  /// pieces; nothing changes.
+  /// pieces; nothing changes. \pre `cells.has_pieces()`
   template <class Dynamic>
   void compute(const Dynamic& dt, const Cells& cells, const std::vector<double>& area_weights,
                const std::vector<double>& length_weights)
   {
+    CGAL_precondition(cells.has_pieces());
     const size_type ids = cells.areas().size();
     if (area_weights.size() != ids)
       throw Point_count_error_2(ids, area_weights.size());

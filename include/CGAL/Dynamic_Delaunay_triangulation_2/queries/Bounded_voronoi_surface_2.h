@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
 #include <CGAL/Periodic_cell_2.h>
@@ -52,9 +53,10 @@ public:
   /// @{
 
   /// finds the lines. Cost: linear, but that the contacts of a point are searched for each of its
-  /// ends of lines.
+  /// ends of lines. \pre `cells.has_pieces()`
   void compute(const Cells& cells)
   {
+    CGAL_precondition(cells.has_pieces());
     clear();
     try {
       find_steps(cells);

@@ -272,7 +272,7 @@ private:
         m_clipped.take_all();
       else if (m_rule == Rule::VISIBLE)
         m_clipped.take_visible();
-      Boundary_2 boundary(p, id, radius, part.pieces);
+      Boundary_2 boundary(p, id, radius, &part.pieces);
       m_clipped.for_each_ring([&](double area, const std::vector<Clipped::Piece>& pieces) {
         part.rings.push_back({part.pieces.size(), area});
         for (const Clipped::Piece& piece : pieces)

@@ -70,7 +70,11 @@ public:
   // the hull.
   void add_side(const Position_2& normal, double distance, std::size_t label)
   {
-    m_sides.push_back({normal, distance, label});
+    // filled in place, as a copy would wait for each of its parts to be stored: so are chords
+    Side& side = m_sides.emplace_back();
+    side.normal = normal;
+    side.distance = distance;
+    side.label = label;
   }
   // Finds the corners between the sides. False where two sides may not meet: then the polygon has
   // to be cut out of a square.
@@ -251,12 +255,21 @@ private:
         leave_disc();
       const double first = (std::max)(from, -half), last = (std::min)(to, half);
       if (first < last)
-        m_chords.push_back({i, first, last, false});
+        add_chord(i, first, last);
       if (to > half)
         leave_disc();
     }
     if (is_arc_before_first && !m_chords.empty())
       m_chords.back().is_before_arc = true;
+  }
+
+  void add_chord(std::size_t side, double first, double last)
+  {
+    Chord& chord = m_chords.emplace_back();
+    chord.side = side;
+    chord.first = first;
+    chord.last = last;
+    chord.is_before_arc = false;
   }
 
   bool is_disc_inside() const
