@@ -62,8 +62,11 @@ public:
     m_cells.compute(m_population.triangulation(), 1);
     for (const auto& [number, p] : people)
       if (std::abs(p.x()) < 1 && p.y() > 0 && p.y() < 2) { // before the bottleneck
-        m_sum += 1 / m_cells.areas()[m_population.id(number)];
-        m_most = (std::max)(m_most, 1 / m_cells.areas()[m_population.id(number)]);
+        const double area = m_cells.areas()[m_population.id(number)];
+        if (area == 0)
+          continue; // in a wall
+        m_sum += 1 / area;
+        m_most = (std::max)(m_most, 1 / area);
         ++m_count;
       }
   }
@@ -139,7 +142,7 @@ int main(int argc, char** argv)
       follow_recording(file, densities);
     } else
       simulate(densities);
-  } catch (const std::exception& error) { // of somebody who is in a wall, it says who and where
+  } catch (const std::exception& error) { // of somebody who is nowhere, it says who
     std::cerr << error.what() << '\n';
     return 1;
   }

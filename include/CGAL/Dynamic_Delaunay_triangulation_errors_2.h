@@ -381,39 +381,6 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
-A point is outside of the domain in which its cell is asked for, or in one of its holes.
-*/
-class Point_outside_domain_error_2 : public Dynamic_Delaunay_triangulation_error_2
-{
-public:
-  /// \cond
-  Point_outside_domain_error_2(std::size_t id, double x, double y)
-    : Dynamic_Delaunay_triangulation_error_2(
-          Dynamic_Delaunay_triangulations_2::internal::message_text(
-              "point ", id, " at (", x, ", ", y,
-              ") is outside of the domain: points must be inside or on a wall"))
-    , m_id(id)
-    , m_x(x)
-    , m_y(y)
-  {
-  }
-  /// \endcond
-
-  /// the id of the point.
-  std::size_t id() const { return m_id; }
-  /// its first coordinate.
-  double x() const { return m_x; }
-  /// its second coordinate.
-  double y() const { return m_y; }
-
-private:
-  std::size_t m_id;
-  double m_x, m_y;
-};
-
-/*!
-\ingroup PkgDynamicDelaunayTriangulation2Errors
-
 A periodic cell has parallel vectors, a number that is not finite, or proportions that integers
 cannot count.
 */

@@ -244,7 +244,7 @@ private:
     if (curve.is_circular()) {
       const Real radius = std::hypot(from.x, from.y);
       const Real angle = std::atan2(doubled, dot(from, to)); // at most half a turn
-      const Real turn = angle < 0 ? angle + 2 * pi : angle;
+      const Real turn = angle < -1 ? angle + 2 * pi : angle; // a short one may round to below 0
       measured.area += radius * radius * turn / 2;
       measured.moment_x += radius * radius * (to.y - from.y) / 3;
       measured.moment_y -= radius * radius * (to.x - from.x) / 3;

@@ -154,6 +154,18 @@ public:
   }
   /// forgets the domain.
   void remove_domain() { m_domain.clear(); }
+  /// whether a place is in the domain or on a wall, exactly; true if there is no domain.
+  ///
+  /// Cost: linear in the number of walls. \pre Its coordinates are finite.
+  bool is_in_domain(const Position& p) const
+  {
+    using Point = Exact_predicates_inexact_constructions_kernel::Point_2;
+    const auto corner = [&](size_type i) { return Point(m_domain[i].x, m_domain[i].y); };
+    for (size_type i = 0; i < m_domain.size(); ++i)
+      if (orientation(corner(i), corner(next(i)), Point(p.x, p.y)) == RIGHT_TURN)
+        return false;
+    return true;
+  }
 
   /// @}
   /// \name Computation

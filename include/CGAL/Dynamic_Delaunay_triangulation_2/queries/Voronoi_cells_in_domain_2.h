@@ -47,7 +47,9 @@ the outer boundary on, then come those of the holes.
 Lengths and radii are in the unit of the coordinates, areas in the squared unit. Every measure has
 an entry for each id.
 
-- A point may be on a wall, but not outside of the domain.
+- A point may be on a wall, or outside of the domain. Of a point outside the cell is by `WHOLE` what
+  the domain has of it, and empty by the other rules: nothing is connected with the point, or seen.
+- An empty cell has area and lengths 0, its point for the centroid, and no rings.
 - By `CONNECTED` and `VISIBLE` a contact is what the cell has of the bisector; the neighbor's cell
   may have less of it, or nothing.
 - Components that touch in a point only are apart. Where an opening is narrower than 2^-48 of its
@@ -59,8 +61,8 @@ an entry for each id.
 
 Method: the domain is triangulated once, and each cell is cut by the triangles that it reaches from
 its point on. Accuracy: areas have a relative error of a few roundings for each piece, times the
-ratio of the squared extent of the cell to its area if walls cut it. Which walls hide what is found
-by exact predicates.
+ratio of the squared extent of the cell, from its point on, to its area if walls cut it. Which walls
+hide what is found by exact predicates.
 
 An object keeps its memory. Threads share the points if the triangulation has a `Parallel_tag`; the
 result is the same. Nothing of this is compiled unless its header is included.
@@ -145,6 +147,15 @@ public:
     m_domain = std::make_shared<const Domain>(rings);
   }
 
+  /// whether a place is in the domain or on a wall, exactly.
+  ///
+  /// Cost: on average \f$O(\sqrt{n})\f$ for n corners. \pre Its coordinates are finite.
+  bool is_in_domain(const Position& p) const
+  {
+    Face_handle last;
+    return m_domain->locate(Domain::Point(p.x, p.y), last)->info().is_inside;
+  }
+
   /// takes another rule, for cells that are computed from now on.
   void set_rule(Rule rule) { m_rule = rule; }
   /// the rule.
@@ -158,11 +169,11 @@ public:
   /// computes the cells of all points. If there is a radius, they end there.
   ///
   /// Cost: as for `Bounded_voronoi_cells_2`, and for cells that walls cut, proportional to the
-  /// number of the domain's triangles that the cell reaches, times the number of its corners.
+  /// number of the domain's triangles that the cell reaches, times the number of its corners; for
+  /// points outside of the domain's convex hull, also to the number of its corners.
   /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`.
   /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`.
-  /// \throws Parameter_error_2 if the radius is not a positive number, or infinity.
-  /// \throws Point_outside_domain_error_2 with the id of a point that is outside. Whatever is
+  /// \throws Parameter_error_2 if the radius is not a positive number, or infinity. Whatever is
   /// thrown but for want of memory, nothing changes.
   template <class Dynamic>
   void compute(const Dynamic& dt, double radius = std::numeric_limits<double>::infinity())
@@ -187,7 +198,7 @@ public:
   /// number of points that coincide with others.
   /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`.
   /// \throws Unknown_id_error_2 if no point has this id.
-  /// \throws Parameter_error_2, Point_outside_domain_error_2 as `compute()`.
+  /// \throws Parameter_error_2 as `compute()`.
   template <class Dynamic>
   Cell cell(const Dynamic& dt, size_type id,
             double radius = std::numeric_limits<double>::infinity()) const
@@ -253,8 +264,11 @@ private:
     Measures operator()(const Space& space, size_type id, const Radius& radius, Part& part)
     {
       const Position p = space.position(id);
-      const Face_handle face =
-          m_faces != nullptr ? (*m_faces)[id] : find_face(m_domain, p, id, m_last_face);
+      const Face_handle face = m_faces != nullptr
+                                   ? (*m_faces)[id]
+                                   : m_domain.locate(Domain::Point(p.x, p.y), m_last_face);
+      if (m_rule != Rule::WHOLE && !face->info().is_inside)
+        return {0, 0, p, 0, 0};
       cut_cell(
           space, id, radius, [&] { return m_domain.reach(p); }, part.polygon, part.labels);
       if (m_clipped.start(p, radius(id), face, part.polygon))
@@ -307,15 +321,6 @@ private:
     static_assert(!Dynamic::Frame::is_periodic, "domains with walls are in the plane");
   }
 
-  static Face_handle find_face(const Domain& domain, const Position& p, size_type id,
-                               Face_handle& last)
-  {
-    const Face_handle face = domain.locate(Domain::Point(p.x, p.y), last);
-    if (face == Face_handle())
-      throw Point_outside_domain_error_2(id, p.x, p.y);
-    return face;
-  }
-
   template <class Dynamic, class Radius>
   void compute_with(const Dynamic& dt, const Radius& radius)
   {
@@ -340,7 +345,8 @@ private:
       for (size_type c = first; c < beyond; ++c)
         if (space.is_cell(Index(c))) {
           const size_type id = space.id_of_cell(Index(c));
-          m_faces[id] = find_face(*m_domain, space.position(id), id, last);
+          const Position p = space.position(id);
+          m_faces[id] = m_domain->locate(Domain::Point(p.x, p.y), last);
         }
     });
   }

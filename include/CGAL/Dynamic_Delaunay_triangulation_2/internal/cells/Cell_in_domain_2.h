@@ -68,23 +68,30 @@ public:
   }
 
   // Begins with the cell of p, whose radius this is, where p is in the closed face. The cell must
-  // stay. Whether any wall crosses it.
+  // stay. False if all of it is in the domain.
   bool start(const Position_2& p, double radius, Face_handle face, const Bounded_cell_2& cell)
   {
     m_p = p;
     m_radius = radius;
     m_cell = &cell;
+    m_portions.clear();
+    if (m_domain.is_infinite(face))
+      face = reached_face(face);
+    if (face == Face_handle())
+      return true;
     bool meets_wall = false;
     flood(face, [&](Face_handle here, int i) {
       meets_wall = meets_wall || is_wall(here, i);
       return !is_wall(here, i);
     });
-    return meets_wall;
+    return meets_wall || !face->info().is_inside;
   }
-  // What is connected with p has been found. Then one of these may follow.
+  // What is connected with p has been found. Then one of these may follow, the second one only if p
+  // is in the domain.
   void take_all()
   {
-    flood(m_portions.front().face, [](Face_handle, int) { return true; });
+    if (!m_portions.empty())
+      flood(m_portions.front().face, [](Face_handle, int) { return true; });
   }
   void take_visible()
   {
@@ -177,6 +184,21 @@ private:
   }
 
   // FINDING PORTIONS ------------------------------------------------------------------------------
+
+  // One at the convex hull of the domain that the cell of a point outside of the hull reaches, or
+  // none. All others are reached from there.
+  Face_handle reached_face(Face_handle infinite) const
+  {
+    Face_handle around = infinite;
+    do {
+      const int i = around->index(m_domain.infinite_vertex());
+      const Face_handle face = around->neighbor(i);
+      if (crosses(face, face->index(around)))
+        return face;
+      around = around->neighbor(ccw(i));
+    } while (around != infinite);
+    return Face_handle();
+  }
 
   // Goes through all edges that cross the cell and that may be passed.
   template <class Predicate>

@@ -81,8 +81,10 @@ public:
 
   std::size_t number_of_faces() const { return m_number_of_faces; }
   bool is_infinite(Face_handle face) const { return m_triangulation.is_infinite(face); }
+  Vertex_handle infinite_vertex() const { return m_triangulation.infinite_vertex(); }
 
-  // A face inside that has p, perhaps on its boundary, or none. Begins with the last face.
+  // A face inside that has p, perhaps on its boundary; or else the one that has it, perhaps an
+  // infinite one. Begins with the last face.
   Face_handle locate(const Point& p, Face_handle& last) const
   {
     Triangulation::Locate_type type;
@@ -100,7 +102,7 @@ public:
           return face;
       while (++face != first);
     }
-    return Face_handle();
+    return last;
   }
 
   // The distance of edge i from p, negative if p is beyond. Both faces have the same up to the
