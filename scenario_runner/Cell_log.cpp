@@ -11,20 +11,20 @@ namespace run {
 
 namespace {
 
-CGAL::Bounded_voronoi_cells_2 cells_in(const std::optional<std::string>& domain)
+Cells_in_domains cells_in(const std::optional<std::string>& domain, Cell_rule rule)
 {
-  CGAL::Bounded_voronoi_cells_2 cells;
   if (domain) {
-    scenario::set_domain(cells, scenario::read_polygon_file(*domain), *domain);
+    return scenario::cells_in(scenario::read_polygon_file(*domain), rule, *domain);
   }
-  return cells;
+  return CGAL::Bounded_voronoi_cells_2();
 }
 
 } // namespace
 
 Cell_log::Cell_log(const std::string& path, const Frame_choice& choice,
-                   const std::optional<double>& radius, const std::optional<std::string>& domain)
-  : m_cells(cells_in(domain))
+                   const std::optional<double>& radius, const std::optional<std::string>& domain,
+                   Cell_rule rule)
+  : m_cells(cells_in(domain, rule))
   , m_radius(radius.value_or(std::numeric_limits<double>::infinity()))
   , m_choice(choice)
   , m_file(path, {"frame", "time", "id", "x", "y", "area", "density", "perimeter", "contacts",

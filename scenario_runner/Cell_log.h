@@ -9,8 +9,6 @@
 #include "scenario_runner/Frame_record.h"
 #include "scenario_runner/Pictures.h"
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
-
 #include <optional>
 #include <string>
 
@@ -20,15 +18,16 @@ namespace run {
 class Cell_log
 {
 public:
-  // Without a radius cells end at the walls of the domain, whose file is given.
+  // Without a radius cells end at the walls of the domain, whose file is given. What counts where
+  // walls divide them, the rule says.
   Cell_log(const std::string& path, const Frame_choice& choice, const std::optional<double>& radius,
-           const std::optional<std::string>& domain);
+           const std::optional<std::string>& domain, Cell_rule rule);
 
   void write(const Run_view& run);
   void finish() { m_file.finish(); }
 
 private:
-  CGAL::Bounded_voronoi_cells_2 m_cells;
+  Cells_in_domains m_cells;
   double m_radius;
   Frame_choice m_choice;
   Csv_writer m_file;

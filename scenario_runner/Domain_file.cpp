@@ -9,6 +9,8 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_2.h>
+#include <CGAL/Polygon_with_holes_2.h>
 
 #include <boost/geometry/algorithms/correct.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
@@ -157,27 +159,34 @@ Polygon read_polygon_file(const std::string& path)
   return polygon;
 }
 
-void set_domain(CGAL::Bounded_voronoi_cells_2& cells, const Polygon& polygon,
-                const std::string& file)
+CGAL::Voronoi_cells_in_domain_2 cells_in(const Polygon& polygon, run::Cell_rule rule,
+                                         const std::string& file)
 {
-  const std::string demand = "a domain is one convex polygon without holes";
-  if (!polygon.holes.empty()) {
-    throw Scenario_error(file, "has a polygon with a hole: " + demand);
-  }
-  std::vector<CGAL::Exact_predicates_inexact_constructions_kernel::Point_2> corners;
-  for (const Point& corner : polygon.boundary) {
-    corners.emplace_back(corner.x, corner.y);
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  std::vector<Point> corners; // by the numbers that errors have
+  const auto ring = [&](const std::vector<Point>& points) {
+    CGAL::Polygon_2<Kernel> result;
+    for (const Point& corner : points) {
+      result.push_back({corner.x, corner.y});
+      corners.push_back(corner);
+    }
+    return result;
+  };
+  CGAL::Polygon_with_holes_2<Kernel> domain(ring(polygon.boundary));
+  for (const std::vector<Point>& hole : polygon.holes) {
+    domain.add_hole(ring(hole));
   }
   try {
-    cells.set_domain(corners.begin(), corners.end());
+    return CGAL::Voronoi_cells_in_domain_2(domain, rule);
   } catch (const CGAL::Domain_error_2& error) {
     std::string place;
     if (error.corner() < corners.size()) {
-      const Point& corner = polygon.boundary[error.corner()];
+      const Point& corner = corners[error.corner()];
       place =
           ", and is at (" + run::number_text(corner.x) + ", " + run::number_text(corner.y) + ")";
     }
-    throw Scenario_error(file, std::string(error.what()) + place + "; " + demand);
+    throw Scenario_error(file, std::string(error.what()) + place +
+                                   "; a domain is one simple polygon with holes that do not touch");
   }
 }
 

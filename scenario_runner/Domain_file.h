@@ -5,8 +5,7 @@
 #define SCENARIO_RUNNER_DOMAIN_FILE_H
 
 #include "scenario_runner/Cell.h"
-
-#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
+#include "scenario_runner/Cells_in_domains.h"
 
 #include <string>
 #include <vector>
@@ -25,10 +24,9 @@ struct Polygon
 // \throws Scenario_error
 Polygon read_polygon_file(const std::string& path);
 
-// What polygons there may be is decided here.
-// \throws Scenario_error, which names the file, for others
-void set_domain(CGAL::Bounded_voronoi_cells_2& cells, const Polygon& polygon,
-                const std::string& file);
+// \throws Scenario_error, which names the file, for a polygon that is not simple
+CGAL::Voronoi_cells_in_domain_2 cells_in(const Polygon& polygon, run::Cell_rule rule,
+                                         const std::string& file);
 
 } // namespace scenario
 

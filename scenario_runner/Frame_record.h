@@ -4,10 +4,10 @@
 #ifndef SCENARIO_RUNNER_FRAME_RECORD_H
 #define SCENARIO_RUNNER_FRAME_RECORD_H
 
+#include "scenario_runner/Cells_in_domains.h"
 #include "scenario_runner/Motion.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
 
 #include <array>
 #include <cstddef>
@@ -79,8 +79,7 @@ public:
   virtual std::vector<Shown_edge> edges() const = 0;
   virtual std::vector<Shown_triangle> triangles() const = 0;
   // Of each point, in the domain that `bounded` has. The frame must be certified.
-  virtual std::vector<Shown_cell> cells(CGAL::Bounded_voronoi_cells_2& bounded,
-                                        double radius) const = 0;
+  virtual std::vector<Shown_cell> cells(Cells_in_domains& bounded, double radius) const = 0;
 };
 
 // Of each vertex of a run's frame. A rebuild gives vertices other numbers than those under which

@@ -4,6 +4,7 @@
 #ifndef SCENARIO_RUNNER_MOTION_RUN_H
 #define SCENARIO_RUNNER_MOTION_RUN_H
 
+#include "scenario_runner/Cells_in_domains.h"
 #include "scenario_runner/Frame_record.h"
 #include "scenario_runner/Measurement.h"
 #include "scenario_runner/Motion.h"
@@ -14,14 +15,15 @@
 #include <boost/iterator/counting_iterator.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace run {
@@ -176,18 +178,20 @@ public:
     }
     return sets;
   }
-  std::vector<Shown_cell> cells(CGAL::Bounded_voronoi_cells_2& bounded,
-                                double radius) const override
+  std::vector<Shown_cell> cells(Cells_in_domains& bounded, double radius) const override
   {
-    bounded.compute(triangulation(), radius);
-    std::vector<Shown_cell> cells;
-    for (std::size_t place = 0; place != m_motion.points().size(); ++place) {
-      const std::size_t id = m_kept->id(m_motion, place);
-      cells.push_back({bounded.areas()[id], bounded.perimeters()[id],
-                       number_of_contacts(bounded, triangulation().representative(id)),
-                       bounded.free_lengths()[id], bounded.wall_lengths()[id]});
-    }
-    return cells;
+    compute_cells(bounded, triangulation(), radius);
+    std::vector<Shown_cell> shown;
+    const auto show = [&](const auto& cells) {
+      for (std::size_t place = 0; place != m_motion.points().size(); ++place) {
+        const std::size_t id = m_kept->id(m_motion, place);
+        shown.push_back({cells.areas()[id], cells.perimeters()[id],
+                         number_of_contacts(cells, triangulation().representative(id)),
+                         cells.free_lengths()[id], cells.wall_lengths()[id]});
+      }
+    };
+    std::visit(show, bounded);
+    return shown;
   }
   const Frame_record& record() const override { return m_record; }
   const Dynamic& triangulation() const { return m_kept->triangulation(); }
@@ -210,16 +214,18 @@ protected:
   virtual double agreement() = 0;
 
 private:
-  // Each piece on a neighbor is a contact with another one, or with another image.
-  static std::size_t number_of_contacts(const CGAL::Bounded_voronoi_cells_2& bounded,
-                                        std::size_t id)
+  // Another image is another contact. Walls may divide what a cell has of one.
+  template <class Cells>
+  static std::size_t number_of_contacts(const Cells& cells, std::size_t id)
   {
-    using Cells = CGAL::Bounded_voronoi_cells_2;
-    const auto begin = bounded.pieces().begin();
-    return static_cast<std::size_t>(std::count_if(
-        begin + static_cast<std::ptrdiff_t>(bounded.first_pieces()[id]),
-        begin + static_cast<std::ptrdiff_t>(bounded.first_pieces()[id + 1]),
-        [](const Cells::Piece& piece) { return piece.side == Cells::Side::NEIGHBOR; }));
+    std::set<std::pair<std::size_t, CGAL::Periodic_shift_2>> neighbors;
+    for (std::size_t i = first_piece(cells, id); i != first_piece(cells, id + 1); ++i) {
+      const auto& piece = cells.pieces()[i];
+      if (piece.side == Cells::Side::NEIGHBOR) {
+        neighbors.emplace(piece.other, piece.shift);
+      }
+    }
+    return neighbors.size();
   }
 
   template <class Work>

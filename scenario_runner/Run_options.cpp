@@ -105,9 +105,13 @@ void add_output_options(CLI::App& app, Run_options& options)
       ->type_name("R")
       ->check(number(scenario::positive_up_to(1e150)));
   app.add_option("--domain", options.domain,
-                 "the convex polygon in which the cells of --cells are, as well-known text or "
-                 "GeoJSON")
+                 "the polygon, perhaps with holes, in which the cells of --cells are, as "
+                 "well-known text or GeoJSON")
       ->type_name("FILE.wkt|FILE.geojson");
+  add_option(app, "--cell-rule", "whole|connected|visible",
+             "what counts of a cell that walls of --domain divide: all of it, what is connected "
+             "with the point, or what is in line of sight from it; default whole",
+             [&](const std::string& name) { options.cell_rule = cell_rule(name); });
   app.add_option("--every", options.every,
                  "every N-th frame and the last one for --svg, --html, --vtk, --xyz, --lammps and "
                  "--cells")
@@ -163,6 +167,10 @@ void check_cells(const Run_options& options)
   if (!options.cells && (options.radius || options.domain)) {
     throw CLI::ValidationError(options.radius ? "--radius" : "--domain",
                                "says where the cells of --cells end, and it is not there");
+  }
+  if (options.cell_rule && !options.domain) {
+    throw CLI::ValidationError("--cell-rule", "says what counts of a cell that walls of --domain "
+                                              "divide, and it is not there");
   }
   if (options.cells && !options.radius && !options.domain) {
     throw CLI::ValidationError("--cells", "needs --radius, --domain or both, as cells may have no "

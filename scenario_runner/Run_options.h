@@ -4,6 +4,7 @@
 #ifndef SCENARIO_RUNNER_RUN_OPTIONS_H
 #define SCENARIO_RUNNER_RUN_OPTIONS_H
 
+#include "scenario_runner/Cells_in_domains.h"
 #include "scenario_runner/Method_choice.h"
 #include "scenario_runner/Scenario_file.h"
 
@@ -40,6 +41,7 @@ struct Run_options
   std::optional<std::string> cells{};
   std::optional<double> radius{};
   std::optional<std::string> domain{};
+  std::optional<Cell_rule> cell_rule{};
   std::optional<std::size_t> every{};
   bool quiet = false;
 

@@ -71,7 +71,8 @@ public:
                                                               *options.lammps, recorded, box));
     }
     if (options.cells) {
-      m_cells.emplace(*options.cells, recorded, options.radius, options.domain);
+      m_cells.emplace(*options.cells, recorded, options.radius, options.domain,
+                      options.cell_rule.value_or(run::Cell_rule::WHOLE));
     }
   }
 

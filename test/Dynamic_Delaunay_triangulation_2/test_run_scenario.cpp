@@ -324,7 +324,7 @@ TEST(Help, lists_scenarios_classifiers_repairs_policies_engines_and_formats)
   for (const char* word :
        {"dam_break", "point_distance", "flip_and_splice", "key_frames:K", "bowyer_watson",
         "--time-step", "--vtk", "ParaView", "--xyz", "--lammps", "--cells", "--radius", "--domain",
-        "--every", "doc/Dynamic_Delaunay_triangulation_2/Scenario_files.txt"}) {
+        "--cell-rule", "--every", "doc/Dynamic_Delaunay_triangulation_2/Scenario_files.txt"}) {
     EXPECT_TRUE(contains(outcome.output, word)) << word;
   }
   EXPECT_TRUE(run_program({"--version"}).succeeded);
@@ -589,19 +589,64 @@ void expect_refused_domain(const std::string& name, const std::string& text, Wor
   EXPECT_FALSE(std::filesystem::exists(cells + ".part"));
 }
 
-TEST(Domain, that_is_not_convex_or_has_a_hole_is_refused_by_its_file_and_corner)
+TEST(Domain, may_have_walls_that_divide_cells_by_a_rule)
 {
-  expect_refused_domain("bent.wkt", "POLYGON ((0 0, 4 0, 4 4, 2 1, 0 0))",
-                        {"corner 3", "(2, 1)", "left turn", "one convex polygon without holes"});
-  expect_refused_domain("crossed.wkt", "POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))", {"one convex"});
+  // three rooms over a corridor, a pillar in the corridor; one is in the middle room, one below,
+  // and one is outside
+  const std::string rooms =
+      write_file("rooms.wkt", "POLYGON ((0 0, 12 0, 12 10, 9 10, 9 2, 8 2, 8 10, 5 10, 5 2, 4 2, "
+                              "4 10, 0 10, 0 0), (1 1, 2 1, 2 1.5, 1 1.5, 1 1))");
+  const std::string tracks =
+      write_file("rooms.csv", "frame,id,x,y\n0,1,6.5,9\n0,2,6.5,1\n0,3,6.5,30\n");
+  const auto cells_by = [&](const Words& options) {
+    Words arguments{tracks, "--domain", rooms};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return cells_of(arguments);
+  };
+  const Rows whole = cells_by({});
+  ASSERT_EQ(whole.size(), 3u);
+  EXPECT_EQ(cells_by({"--cell-rule", "whole"}), whole);
+  EXPECT_NEAR(std::stod(whole[0].at("area")), 20 + 15 + 15, 1e-12);
+  EXPECT_NEAR(std::stod(whole[1].at("area")), 54 - 0.5, 1e-12);
+  EXPECT_EQ(whole[0].at("contacts"), "1"); // in three rooms
+  EXPECT_EQ(whole[2].at("area"), "0");
+  const Rows connected = cells_by({"--cell-rule", "connected"});
+  EXPECT_NEAR(std::stod(connected[0].at("area")), 15, 1e-12);
+  EXPECT_EQ(connected[1].at("area"), whole[1].at("area"));
+  const Rows visible = cells_by({"--cell-rule", "visible"});
+  EXPECT_LT(std::stod(visible[1].at("area")), 50);
+  EXPECT_GT(std::stod(visible[1].at("free_length")), 1);
+  EXPECT_EQ(visible[2].at("density"), "");
+  EXPECT_EQ(visible[2].at("contacts"), "0");
+  const Rows near = cells_by({"--cell-rule", "visible", "--radius", "0.5"});
+  EXPECT_NEAR(std::stod(near[1].at("area")), std::acos(-1) / 4, 1e-14);
+}
+
+TEST(Domain, keeps_its_area_whoever_leaves_it)
+{
+  const std::string left = write_file("left.csv", "frame,id,x,y\n0,1,1,1\n0,2,-2,5\n0,3,90,0\n");
+  for (const std::string& domain :
+       {pentagon(), write_file("bent.wkt", "POLYGON ((0 0, 8 0, 8 4, 4 1, 0 4, 0 0))")}) {
+    const Rows rows = cells_of({left, "--domain", domain});
+    EXPECT_NEAR(sum(rows, "area", "0"), domain == pentagon() ? area_of_pentagon : 20, 1e-12);
+    EXPECT_GT(std::stod(rows[1].at("area")), 0);
+    const Rows seen = cells_of({left, "--domain", domain, "--cell-rule", "visible"});
+    EXPECT_EQ(seen[1].at("area"), "0");
+  }
+}
+
+TEST(Domain, that_is_not_simple_is_refused_by_its_file_and_corner)
+{
+  expect_refused_domain("crossed.wkt", "POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))",
+                        {"crosses", "one simple polygon"});
   expect_refused_domain("hole.wkt",
-                        "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 2, 2 2, 2 1, 1 1))",
-                        {"hole", "one convex polygon without holes"});
+                        "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (7 7, 7 8, 8 8, 8 7, 7 7))",
+                        {"corner 4", "(7, 7)", "inside of the outer boundary"});
   expect_refused_domain("thin.wkt", "POLYGON ((0 0, 4 0, 0 0))", {"at least three"});
   expect_refused_domain("nan.wkt", "POLYGON ((0 0, nan 0, 4 4, 0 4, 0 0))", {"not finite"});
   expect_refused_domain("flat.geojson",
                         R"({"type": "Polygon", "coordinates": [[[0,0],[1,0],[2,0],[0,0]]]})",
-                        {"left turn"});
+                        {"corner 2", "(2, 0)", "touches"});
 }
 
 TEST(Domain, in_a_broken_file_is_refused_with_its_place)
@@ -634,6 +679,10 @@ TEST(Cells, are_refused_where_they_have_no_end_or_no_proof_or_no_file)
   for (const char* radius : {"0", "-1", "nan", "inf", "1e200", "wide"}) {
     expect_refusal({"--cells", cells, "--radius", radius}, {"--radius", radius, "1e+150"});
   }
+  expect_refusal({"--cells", cells, "--radius", "1", "--cell-rule", "visible"},
+                 {"--cell-rule", "--domain"});
+  expect_refusal({"--cells", cells, "--domain", pentagon(), "--cell-rule", "seen"},
+                 {"--cell-rule", "'seen'", "whole, connected and visible"});
   expect_refusal({"--cells", cells, "--radius", "1", "--classifier", "point_distance"},
                  {"--cells", "exact", "point_distance:0.7"});
   expect_refusal({"brownian_periodic", "--cells", cells, "--domain", pentagon()},
