@@ -16,7 +16,6 @@
 #include <vector>
 
 namespace CGAL {
-class Bounded_voronoi_cells_2;
 class Bounded_voronoi_gradients_2;
 } // namespace CGAL
 
@@ -126,9 +125,8 @@ public:
   virtual std::vector<Array> arrays(Group group) const = 0;
   virtual std::vector<Array> clipped_cells(const Box& box) const = 0;
   virtual Array cell_corners(std::int64_t id) const = 0;
-  // `cells` has the domain, if there is one.
-  virtual Bounded_cells bounded_cells(CGAL::Bounded_voronoi_cells_2 cells,
-                                      const Radii& radii) const = 0;
+  // `bounded` has the domain, if there is one.
+  virtual Bounded_cells bounded_cells(Bounded_cells bounded, const Radii& radii) const = 0;
   // Of an energy that depends so on areas, by rows, and on lengths, by pieces.
   virtual CGAL::Bounded_voronoi_gradients_2 bounded_gradients(const Bounded_cells& bounded,
                                                               const Rows& area_weights,

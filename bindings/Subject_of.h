@@ -199,17 +199,11 @@ public:
     }
   }
 
-  Bounded_cells bounded_cells(CGAL::Bounded_voronoi_cells_2 cells,
-                              const Radii& radii) const override
+  Bounded_cells bounded_cells(Bounded_cells bounded, const Radii& radii) const override
   {
-    if constexpr (Kinds::has_extras) {
-      Bounded_cells bounded =
-          compute_bounded_cells(dt(), Row_numbers(dt(), has_user_ids), std::move(cells), radii);
-      bounded.cell = cell();
-      return bounded;
-    } else {
-      return refuse_extra(), Bounded_cells();
-    }
+    bounded.cell = cell();
+    return compute_bounded_cells<Kinds::has_extras>(dt(), Row_numbers(dt(), has_user_ids),
+                                                    std::move(bounded), radii);
   }
 
   CGAL::Bounded_voronoi_gradients_2 bounded_gradients(const Bounded_cells& bounded,
@@ -253,7 +247,7 @@ public:
 private:
   [[noreturn]] static bool refuse_extra()
   {
-    throw std::logic_error("this binding has no checkpoints, checks of validity or bounded cells");
+    throw std::logic_error("this binding has no checkpoints, checks of validity or gradients");
   }
 
   const auto& owner() const

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._core import ClassifierFrame, Group, UpdateReport
-from .bounded import BoundedCells
+from .bounded import BoundedCells, Domain, rings_of
 from .errors import InputIndexError, InputTypeError, InputValueError, PeriodicCellError, UnknownIdError
 from .neighbors import NeighborList
 
@@ -224,17 +224,30 @@ class _Triangulation(_core.Triangulation):
             raise UnknownIdError(f"there is no point with id {integer}: ids have 64 bits")
         return self._cell_corners(integer)
 
-    def bounded_cells(self, radius: ArrayLike = np.inf, domain: Optional[ArrayLike] = None) -> BoundedCells:
+    def bounded_cells(
+        self, radius: ArrayLike = np.inf, domain: Optional[Domain] = None, rule: str = "whole"
+    ) -> BoundedCells:
         """Voronoi cells as far as they reach: each ends at a radius around its point, one for all or float (rows,), at
-        the walls of a domain, or at both. A domain is a convex polygon, float (k, 2), counterclockwise, the first
-        corner also at the end or not; there is none in periodic space. A point may be outside of it: its cell is what
-        the domain has of it. Cost: linear, times the number of walls.
+        the walls of a domain, or at both.
 
-        ParameterError if a radius is not positive, or infinite without a domain; DomainError if a corner is no left
-        turn. Those of removed ids mean nothing."""
+        A domain is any simple polygon with holes that do not touch, and there is none in periodic space: its corners,
+        float (k, 2); or a sequence of such rings, the outer boundary and then the holes; or what has a
+        ``__geo_interface__``, such as a polygon of shapely; or GeoJSON as a dictionary. Rings turn either way, and have
+        their first corner also at the end or not. What of a cell counts where walls divide it, the ``rule`` says:
+
+        - ``"whole"``: all that the domain has of it, also of a point that is outside of the domain;
+        - ``"connected"``: the component that has the point, as PedPy has it; nothing if the point is outside;
+        - ``"visible"``: what is in line of sight from the point; nothing if the point is outside.
+
+        ``are_inside`` of the result says which points are in the domain. Only cells by the rule ``"whole"`` without a
+        domain, or in one that is convex without straight corners, have ``rings()``, a surface and gradients; all have
+        ``polygons()``. Cost: linear; in a convex domain, times the number of walls.
+
+        ParameterError if a radius is not positive, or infinite without a domain, where those of removed ids mean
+        nothing; DomainError if a domain is no such polygon; InputValueError if there is no such rule."""
         radii = _floats("the radius", radius)
         one = float(radii) if radii.ndim == 0 else None
-        return BoundedCells(self, self._bounded_cells(one, radius, domain))
+        return BoundedCells(self, self._bounded_cells(one, radius, rings_of(domain), rule))
 
     def neighbor_list(self) -> NeighborList:
         """Pairs of neighbors with vectors and the lengths of Voronoi edges, as freud's. Of points that coincide, only

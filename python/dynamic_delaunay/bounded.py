@@ -5,15 +5,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from enum import IntEnum
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple, Optional
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Protocol, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from .errors import InputTypeError, InputValueError
+from .errors import InputTypeError, InputValueError, UseError
 from .neighbors import NeighborList
 
 if TYPE_CHECKING:
@@ -32,8 +33,8 @@ class Side(IntEnum):
 
 
 class CellPieces(NamedTuple):
-    """The boundaries of cells in pieces, those of each row one after the other, counterclockwise around its point. Each
-    is a segment, or an arc at the radius."""
+    """The boundaries of cells in pieces, those of each row one after the other, ring after ring: the outer boundary of a
+    component counterclockwise, and then those of its holes, clockwise. Each is a segment, or an arc at the radius."""
 
     indptr: NDArray[np.int32]
     """int32 (rows + 1,): where the pieces of each row begin"""
@@ -41,7 +42,7 @@ class CellPieces(NamedTuple):
     """int32 (pieces,): what is on the other side, a ``Side``"""
     others: NDArray[np.int32]
     """int32 (pieces,): the row of the neighbor whose bisector it is on; of a wall its number, from that after the first
-    corner; of an arc the row of the cell"""
+    corner on, where those of holes follow; of an arc and of a line of sight the row of the cell"""
     shifts: NDArray[np.int32]
     """int32 (pieces, 2): the shift of the neighbor; 0 in the plane"""
     starts: NDArray[np.float64]
@@ -81,6 +82,45 @@ class BoundedCellGradients(NamedTuple):
     """float64 (rows,): with each radius"""
 
 
+class HasGeoInterface(Protocol):
+    """What shows itself as GeoJSON, such as a polygon of shapely."""
+
+    @property
+    def __geo_interface__(self) -> Mapping[str, Any]: ...
+
+
+Domain = Union[ArrayLike, Sequence[ArrayLike], HasGeoInterface, Mapping[str, Any]]
+
+Polygon = tuple[NDArray[np.float64], list[NDArray[np.float64]]]
+"""An outer boundary, and holes."""
+
+
+def _first(sequence: Any) -> Any:
+    return sequence[0] if isinstance(sequence, (list, tuple, np.ndarray)) and len(sequence) else None
+
+
+def rings_of(domain: Optional[Domain]) -> list[Any]:
+    """The outer boundary of a domain and its holes, or nothing if there is no domain."""
+    if domain is None:
+        return []
+    geometry: Any = getattr(domain, "__geo_interface__", domain)
+    if not isinstance(geometry, Mapping):
+        is_of_rings = _first(_first(_first(geometry))) is not None
+        return list(geometry) if is_of_rings else [geometry]
+    if geometry.get("type") == "FeatureCollection" and len(geometry.get("features", ())) == 1:
+        geometry = geometry["features"][0]
+    if geometry.get("type") == "Feature":
+        geometry = geometry.get("geometry") or {}
+    rings = geometry.get("coordinates")
+    if geometry.get("type") != "Polygon" or _first(rings) is None:
+        raise InputValueError(
+            f"the domain is GeoJSON of the type {geometry.get('type')!r}: it must be a 'Polygon' with corners, a "
+            "'Feature' of one, or a 'FeatureCollection' of one 'Feature'"
+        )
+    # a place may have a height
+    return [[p if _first(p) is None else p[:2] for p in ring] if _first(ring) is not None else ring for ring in rings]
+
+
 _MOST_SEGMENTS = 1_000_000
 
 
@@ -107,7 +147,7 @@ def _largest_turn(radii: NDArray[np.float64], segments: int, tolerance: Optional
 
 
 class BoundedCells:
-    """Voronoi cells that end at a radius around their points, at the walls of a convex domain, or at both.
+    """Voronoi cells that end at a radius around their points, at the walls of a domain, or at both.
 
     ``bounded_cells()`` of a triangulation makes them. They are of that moment, and stay as they are. Arrays are
     read-only and have the rows of the triangulation at that moment; lengths and radii are in the unit of the
@@ -142,7 +182,7 @@ class BoundedCells:
 
     @property
     def centroids(self) -> NDArray[np.float64]:
-        """float64 (rows, 2): centroids."""
+        """float64 (rows, 2): centroids. Where walls divide a cell, it may be outside of the cell."""
         return self._measures[3]
 
     @property
@@ -161,13 +201,22 @@ class BoundedCells:
         return self._core._points()
 
     @cached_property
+    def are_inside(self) -> NDArray[np.bool_]:
+        """bool (rows,): whether each point is in the domain or on a wall, exactly. Without a domain all are; those of
+        removed ids are not."""
+        (numbers,) = self._core._are_inside()
+        are_inside: NDArray[np.bool_] = numbers == 1
+        are_inside.flags.writeable = False
+        return are_inside
+
+    @cached_property
     def pieces(self) -> CellPieces:
         """The boundaries of all cells, in pieces."""
         return CellPieces(*self._core._pieces())
 
     @cached_property
     def surface(self) -> CellSurface:
-        """The border of all cells together, as lines."""
+        """The border of all cells together, as lines. UseError where cells have none; see ``bounded_cells()``."""
         return CellSurface(*self._core._surface())
 
     @cached_property
@@ -190,7 +239,8 @@ class BoundedCells:
     def gradients(self, area_weights: ArrayLike, length_weights: ArrayLike) -> BoundedCellGradients:
         """How an energy changes with positions and radii: the forces on cells, with the opposite sign. The energy is
         given by its derivatives by the areas of cells, float (rows,), and by the lengths of ``pieces``, float
-        (pieces,). UseError if the triangulation has changed since the cells were made. Cost: linear.
+        (pieces,). UseError if the triangulation has changed since the cells were made, or where cells have none; see
+        ``bounded_cells()``. Cost: linear.
 
         For the energy ``((areas - 1)**2 + (perimeters - 3.8)**2).sum()`` these are ``2 * (areas - 1)`` and
         ``np.repeat(2 * (perimeters - 3.8), np.diff(pieces.indptr))``."""
@@ -222,9 +272,27 @@ class BoundedCells:
         cell. As polygons of shapely and collections of matplotlib take them.
 
         Corners of arcs are on the circle. A whole circle would have so many ``segments``, and every arc has at least
-        two; or no place of an arc is farther than the ``tolerance`` from its segments."""
+        two; or no place of an arc is farther than the ``tolerance`` from its segments.
+
+        UseError where cells may have several rings: ``polygons()`` has them."""
+        if not self._core._are_convex():
+            raise UseError("these cells may have several rings, as walls divide them: polygons() has all of them")
         corners, firsts = self._polyline(np.arange(len(self.pieces.sides)), segments, tolerance)
         return np.split(corners, firsts[self.pieces.indptr[1:-1]])[: len(self.areas)]
+
+    def polygons(self, *, segments: int = 64, tolerance: Optional[float] = None) -> list[list[Polygon]]:
+        """The components of each row's cell; none of an empty cell. A component is a pair: its outer boundary,
+        counterclockwise, and the list of its holes, clockwise, all float64 (k, 2) with corners as in ``rings()``. So
+        ``shapely.geometry.MultiPolygon(cells.polygons()[row])`` is a cell."""
+        corners, firsts = self._polyline(np.arange(len(self.pieces.sides)), segments, tolerance)
+        indptr, rows, are_holes = self._core._rings()
+        cells: list[list[Polygon]] = [[] for _ in self.areas]
+        for ring, row, is_hole in zip(np.split(corners, firsts[indptr[1:-1]]), rows, are_holes):
+            if is_hole:
+                cells[row][-1][1].append(ring)
+            else:
+                cells[row].append((ring, []))
+        return cells
 
     def surface_lines(self, *, segments: int = 64, tolerance: Optional[float] = None) -> list[NDArray[np.float64]]:
         """float64 (k, 2) for each line of ``surface``: its corners, as in ``rings()``. A closed line ends

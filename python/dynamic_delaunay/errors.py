@@ -78,8 +78,8 @@ class ParameterError(DynamicDelaunayError, ValueError):
 
 
 class DomainError(DynamicDelaunayError, ValueError):
-    """The corners of a domain are not those of a convex polygon, counterclockwise; or space is periodic, and has none.
-    ``corner``, its place."""
+    """The corners of a domain are not those of a simple polygon with holes; or space is periodic, and has none.
+    ``corner``, its place, where those of holes follow those of the outer boundary."""
 
     corner: int
 

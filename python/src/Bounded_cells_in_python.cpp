@@ -3,15 +3,20 @@
 
 #include "python/src/Bounded_cells_in_python.h"
 
+#include "python/src/Errors.h"
 #include "python/src/Numpy.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_surface_2.h>
 
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 namespace py = pybind11;
 
@@ -20,26 +25,6 @@ namespace python {
 namespace {
 
 using Cells = CGAL::Bounded_voronoi_cells_2;
-
-Array by_rows(const Bounded_cells& bounded, const Doubles& numbers)
-{
-  Doubles rows;
-  rows.reserve(bounded.ids.size());
-  for (const std::size_t id : bounded.ids) {
-    rows.push_back(numbers[id]);
-  }
-  return {std::move(rows)};
-}
-
-Array by_rows(const Bounded_cells& bounded, const std::vector<Cells::Position>& vectors)
-{
-  Doubles rows;
-  rows.reserve(2 * bounded.ids.size());
-  for (const std::size_t id : bounded.ids) {
-    rows.insert(rows.end(), {vectors[id].x, vectors[id].y});
-  }
-  return {std::move(rows), {2}};
-}
 
 Integers integers(const std::vector<std::size_t>& numbers)
 {
@@ -51,45 +36,52 @@ Integers integers(const std::vector<std::size_t>& numbers)
   return result;
 }
 
-// By rows: radii, areas, perimeters, centroids, lengths of what is free, and on walls.
-std::vector<Array> measure_arrays(const Bounded_cells& bounded)
+// Where the pieces of each ring begin, the rows of the rings, and 1 for holes.
+std::vector<Array> ring_arrays(const Bounded_cells& bounded)
 {
-  const Cells& cells = bounded.cells;
-  return {by_rows(bounded, cells.radii()),        by_rows(bounded, cells.areas()),
-          by_rows(bounded, cells.perimeters()),   by_rows(bounded, cells.centroids()),
-          by_rows(bounded, cells.free_lengths()), by_rows(bounded, cells.wall_lengths())};
+  Integers begins, rows, are_holes;
+  const auto read = [&](const auto& cells) {
+    for (const std::size_t id : bounded.ids) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(cells)>, Cells>) {
+        if (cells.first_pieces()[id] < cells.first_pieces()[id + 1]) {
+          begins.push_back(std::int32_t(cells.first_pieces()[id]));
+          rows.push_back(bounded.rows[id]);
+          are_holes.push_back(0);
+        }
+      } else {
+        for (std::size_t i = cells.first_rings()[id]; i < cells.first_rings()[id + 1]; ++i) {
+          begins.push_back(std::int32_t(cells.first_pieces()[i]));
+          rows.push_back(bounded.rows[id]);
+          are_holes.push_back(cells.ring_areas()[i] < 0);
+        }
+      }
+    }
+    begins.push_back(std::int32_t(cells.pieces().size()));
+  };
+  std::visit(read, bounded.cells);
+  return {{std::move(begins)}, {std::move(rows)}, {std::move(are_holes)}};
 }
 
-// Where those of each row begin; sides, others, shifts, both ends, lengths and angles.
-std::vector<Array> piece_arrays(const Bounded_cells& bounded)
+// By rows, 1 for points that are in the domain.
+std::vector<Array> inside_arrays(const Bounded_cells& bounded)
 {
-  const Cells& cells = bounded.cells;
-  Integers begins, sides, others, shifts;
-  Doubles starts, ends, lengths, angles;
-  for (const std::size_t id : bounded.ids) {
-    begins.push_back(std::int32_t(cells.first_pieces()[id]));
-  }
-  begins.push_back(std::int32_t(cells.pieces().size()));
-  for (const Cells::Piece& piece : cells.pieces()) {
-    const bool is_wall = piece.side == Cells::Side::WALL;
-    sides.push_back(std::int32_t(piece.side));
-    others.push_back(is_wall ? std::int32_t(piece.other) : bounded.rows[piece.other]);
-    append(shifts, piece.shift);
-    starts.insert(starts.end(), {piece.from.x, piece.from.y});
-    ends.insert(ends.end(), {piece.to.x, piece.to.y});
-    lengths.push_back(piece.length);
-    angles.push_back(piece.angle);
-  }
-  return {{std::move(begins)},      {std::move(sides)},       {std::move(others)},
-          {std::move(shifts), {2}}, {std::move(starts), {2}}, {std::move(ends), {2}},
-          {std::move(lengths)},     {std::move(angles)}};
+  const auto& points = std::get<Doubles>(bounded.points.numbers);
+  Integers are_inside;
+  const auto read = [&](const auto& cells) {
+    for (std::size_t i = 0; i < points.size(); i += 2) {
+      const bool is_there = !std::isnan(points[i]); // no removed id
+      are_inside.push_back(is_there && cells.is_in_domain({points[i], points[i + 1]}));
+    }
+  };
+  std::visit(read, bounded.cells);
+  return {{std::move(are_inside)}};
 }
 
 // Where the pieces of each line begin, pieces, their rows; areas, windings, and 1 for closed lines.
 std::vector<Array> surface_arrays(const Bounded_cells& bounded)
 {
   CGAL::Bounded_voronoi_surface_2 surface;
-  surface.compute(bounded.cells);
+  surface.compute(convex_cells(bounded, "surface"));
   Integers rows, windings, are_closed;
   for (const std::size_t id : surface.ids()) {
     rows.push_back(bounded.rows[id]);
@@ -122,6 +114,17 @@ auto arrays_by(const Make& make)
 
 } // namespace
 
+const Cells& convex_cells(const Bounded_cells& bounded, const char* what)
+{
+  const Cells* const cells = std::get_if<Cells>(&bounded.cells);
+  if (cells == nullptr) {
+    throw Use_error(std::string("these cells have no ") + what +
+                    ": only those of the rule 'whole' have, without a domain or in one that is "
+                    "convex and has no straight corner");
+  }
+  return *cells;
+}
+
 std::vector<Array> gradient_arrays(const Bounded_cells& bounded,
                                    const CGAL::Bounded_voronoi_gradients_2& gradients)
 {
@@ -132,8 +135,12 @@ void bind_bounded_cells(py::module_& module)
 {
   using Self = Bounded_cells_in_python;
   py::class_<Self>(module, "BoundedCells")
-      .def("_measures", arrays_by(measure_arrays))
-      .def("_pieces", arrays_by(piece_arrays))
+      .def("_measures", arrays_by(bounded_measure_arrays))
+      .def("_pieces", arrays_by(bounded_piece_arrays))
+      .def("_rings", arrays_by(ring_arrays))
+      .def("_are_inside", arrays_by(inside_arrays))
+      .def("_are_convex",
+           [](const Self& cells) { return std::holds_alternative<Cells>(cells.bounded.cells); })
       .def("_surface", arrays_by(surface_arrays))
       .def("_points", [](const Self& cells) { return to_numpy(cells.bounded.points); })
       .def("_cell", [](const Self& cells) { return cells.bounded.cell; });

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "bindings/Bounded_cells.h"
 #include "bindings/Report_fields.h"
 #include "bindings/Row_iterator.h"
 #include "python/src/Bounded_cells_in_python.h"
@@ -13,7 +14,6 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -40,7 +40,6 @@ namespace python {
 namespace {
 
 using Report = Subject::Report;
-using Corner = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
 
 // What Python holds. All work is done without the interpreter's lock, and by one thread at a time.
 class Triangulation
@@ -182,18 +181,24 @@ public:
     return to_numpy({std::move(found)});
   }
 
-  // One radius, or else one for each row.
+  // One radius, or else one for each row. A domain has rings; without them there is none.
   Bounded_cells_in_python bounded_cells(const std::optional<double>& radius,
-                                        const py::object& radii, const py::object& domain)
+                                        const py::object& radii,
+                                        const std::vector<py::object>& rings,
+                                        const std::string& rule)
   {
     const Input its_radii = radius ? Input{} : numbers_input(radii, "radii");
-    CGAL::Bounded_voronoi_cells_2 cells;
-    if (!domain.is_none()) {
-      set_domain(cells, points_input(domain, "the corners of a domain"));
+    const run::Cell_rule its_rule = run::cell_rule(rule);
+    std::vector<Corners> domain;
+    for (const py::object& ring : rings) {
+      domain.push_back(corners_of(points_input(ring, "the corners of a domain")));
     }
     return read([&](const Subject& subject) {
+      Bounded_cells bounded =
+          domain.empty() ? Bounded_cells() : cells_in_domain(std::move(domain), its_rule);
       return Bounded_cells_in_python{
-          subject.bounded_cells(std::move(cells), radius ? Radii(*radius) : Radii(its_radii.rows)),
+          subject.bounded_cells(std::move(bounded),
+                                radius ? Radii(*radius) : Radii(its_radii.rows)),
           m_version};
     });
   }
@@ -208,6 +213,7 @@ public:
         throw Use_error("the triangulation has changed since these cells were made: gradients "
                         "need those of now");
       }
+      convex_cells(cells.bounded, "gradients");
       return gradient_arrays(cells.bounded,
                              subject.bounded_gradients(cells.bounded, areas.rows, lengths.rows));
     }));
@@ -284,16 +290,16 @@ private:
     return m_report;
   }
 
-  static void set_domain(CGAL::Bounded_voronoi_cells_2& cells, const Input& corners)
+  static Corners corners_of(const Input& ring)
   {
-    std::vector<Corner> points;
-    for (const Corner& corner : row_range(corners.rows.size, Read_point<Corner>{corners.rows})) {
-      points.push_back(corner);
+    Corners corners;
+    for (const Corner& corner : row_range(ring.rows.size, Read_point<Corner>{ring.rows})) {
+      corners.push_back(corner);
     }
-    if (points.size() > 1 && points.front() == points.back()) {
-      points.pop_back(); // a ring that is closed
+    if (corners.size() > 1 && corners.front() == corners.back()) {
+      corners.pop_back(); // a ring that is closed
     }
-    cells.set_domain(points.begin(), points.end());
+    return corners;
   }
 
   Input input_of_ids(const py::object& ids, const Input& points) const

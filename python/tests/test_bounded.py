@@ -98,11 +98,168 @@ def test_a_domain_may_have_its_first_corner_again_at_its_end():
     assert np.array_equal(closed.areas, dt.bounded_cells(0.1, PENTAGON).areas)
 
 
-def test_a_point_outside_of_the_domain_has_what_is_left_of_its_cell():
-    cells = DynamicDelaunay([(1.5, 0.5), (9, 9)]).bounded_cells(0.7, SQUARE)
+NOTCHED = [(0, 0), (1, 0), (1, 1), (0.5, 0.999), (0, 1)]  # the square, almost, but not convex
+
+
+@pytest.mark.parametrize("domain", [SQUARE, NOTCHED])
+def test_a_point_outside_of_the_domain_has_what_is_left_of_its_cell_or_nothing_by_the_rule(domain):
+    dt = DynamicDelaunay([(1.5, 0.5), (9, 9), (1.0, 0.5), (0.1, 0.5)])
+    dt.remove([2])
     half_angle = np.arccos(0.5 / 0.7)
-    assert cells.areas == pytest.approx([0.49 * half_angle - 0.5 * np.sqrt(0.24), 0])
-    assert np.array_equal(cells.centroids[1], (9, 9)) and len(cells.rings()[1]) == 0
+    segment = 0.49 * half_angle - 0.5 * np.sqrt(0.24)
+    for rule, its_area in (("whole", segment), ("connected", 0), ("visible", 0)):
+        cells = dt.bounded_cells([0.7, 0.7, np.nan, 0.05], domain, rule)
+        assert cells.areas == pytest.approx([its_area, 0, 0, 0.0025 * np.pi])
+        assert np.array_equal(cells.centroids[1], (9, 9)) and cells.polygons()[1] == []
+        assert len(cells.polygons()[0]) == (rule == "whole")
+        assert np.array_equal(cells.are_inside, [False, False, False, True]) and not cells.are_inside.flags.writeable
+    assert DynamicDelaunay([(1, 0.5), (np.nextafter(1, 2), 0.5)]).bounded_cells(1, domain).are_inside.tolist() == [
+        True,
+        False,
+    ]
+
+
+def test_without_a_domain_all_points_are_inside():
+    for dt in (DynamicDelaunay(POINTS), PeriodicDelaunay(POINTS, (1, 1))):
+        assert dt.bounded_cells(0.1).are_inside.all()
+
+
+# Three rooms beside each other, over a corridor, and a pillar in the first one.
+ROOMS = np.array(
+    [(0, 0), (12, 0), (12, 10), (9, 10), (9, 2), (8, 2), (8, 10), (5, 10), (5, 2), (4, 2), (4, 10), (0, 10)]
+)
+PILLAR = np.array([(1, 6), (2, 6), (2, 7), (1, 7)])
+AREA = 12 * 10 - 2 * 8 - 1
+RULES = ("whole", "connected", "visible")
+
+
+def polygon_area(polygon):
+    boundary, holes = polygon
+    assert shoelace(boundary) > 0 and all(shoelace(hole) < 0 for hole in holes)
+    return shoelace(boundary) + sum(map(shoelace, holes))
+
+
+class Shown:
+    """Has GeoJSON, as polygons of shapely have."""
+
+    def __init__(self, geometry):
+        self.__geo_interface__ = geometry
+
+
+def geojson(*rings):
+    closed = tuple(tuple(map(tuple, np.concatenate([ring, ring[:1]]).tolist())) for ring in rings)
+    return {"type": "Polygon", "coordinates": closed}
+
+
+def in_rooms(count, seed=1):
+    random = np.random.default_rng(seed)
+    points = random.random((4 * count, 2)) * (12, 10)
+    x, y = points.T
+    is_in_wall = (y > 2) & (((x > 4) & (x < 5)) | ((x > 8) & (x < 9)))
+    is_in_pillar = (x > 1) & (x < 2) & (y > 6) & (y < 7)
+    return points[~is_in_wall & ~is_in_pillar][:count]
+
+
+@pytest.mark.parametrize(
+    "domain",
+    [
+        [ROOMS, PILLAR],
+        (ROOMS[::-1].tolist(), PILLAR[::-1].tolist()),
+        [np.concatenate([ROOMS, ROOMS[:1]]), PILLAR],
+        Shown(geojson(ROOMS, PILLAR)),
+        geojson(np.column_stack([ROOMS, np.ones(12)]), np.column_stack([PILLAR, np.ones(4)])),
+        geojson(ROOMS, PILLAR),
+        Shown({"type": "Feature", "properties": {}, "geometry": geojson(ROOMS, PILLAR)}),
+        {"type": "FeatureCollection", "features": [{"type": "Feature", "geometry": geojson(ROOMS, PILLAR)}]},
+    ],
+)
+def test_a_domain_is_any_simple_polygon_with_holes(domain):
+    points = in_rooms(100)
+    whole, connected, visible = (DynamicDelaunay(points).bounded_cells(domain=domain, rule=rule) for rule in RULES)
+    assert whole.areas.sum() == pytest.approx(AREA)
+    assert whole.wall_lengths.sum() == pytest.approx(4 + np.hypot(*(ROOMS - np.roll(ROOMS, 1, axis=0)).T).sum())
+    assert (connected.areas <= whole.areas * (1 + 1e-12)).all()
+    assert (visible.areas <= connected.areas * (1 + 1e-12)).all()
+    assert visible.areas.sum() < connected.areas.sum() < whole.areas.sum()
+    assert whole.are_inside.all()
+    for cells in (whole, connected, visible):
+        for row, polygons in enumerate(cells.polygons()):
+            assert sum(map(polygon_area, polygons)) == pytest.approx(cells.areas[row])
+            assert cells is whole or len(polygons) == 1
+
+
+def test_a_cell_has_the_rooms_that_its_rule_gives_it():
+    dt = DynamicDelaunay([(6.5, 9), (6.5, 1)])
+    whole, connected, visible = (dt.bounded_cells(domain=ROOMS, rule=rule) for rule in RULES)
+    assert whole.areas == pytest.approx([4 * 5 + 15 + 15, 12 * 5 - 2 * 3]) and len(whole.polygons()[0]) == 3
+    assert connected.areas == pytest.approx([15, 12 * 5 - 2 * 3]) and len(connected.polygons()[0]) == 1
+    assert visible.areas[0] == pytest.approx(15) and visible.areas[1] < connected.areas[1]
+    assert np.array_equal(whole.neighbor_list().point_indices, [1, 1, 1, 0, 0, 0])
+    assert visible.free_lengths[1] > 1 and visible.polygons()[1][0][1] == []
+
+
+def test_a_cell_goes_around_a_pillar():
+    cells = DynamicDelaunay([(1.5, 7.5)]).bounded_cells(domain=[ROOMS, PILLAR], rule="connected")
+    ((boundary, (hole,)),) = cells.polygons()[0]
+    assert shoelace(boundary) + shoelace(hole) == pytest.approx(AREA) == pytest.approx(cells.areas[0])
+    assert hole[np.lexsort(hole.round(6).T)] == pytest.approx(PILLAR[np.lexsort(PILLAR.T)])
+    walls = cells.pieces.others[cells.pieces.sides == Side.WALL]
+    assert sorted(walls.tolist()) == list(range(16))
+
+
+def test_points_in_rooms_have_radii_and_ids_and_share_cells():
+    points = in_rooms(60)
+    radii = np.random.default_rng(2).uniform(0.2, 3, 60)
+    twice = np.concatenate([points, points[:1]])
+    population = Population(np.arange(61) * 5, twice, threads=2)
+    cells = population.bounded_cells(np.append(radii, radii[0]), [ROOMS, PILLAR], "visible")
+    alone = DynamicDelaunay(points).bounded_cells(radii, [ROOMS, PILLAR], "visible")
+    areas = alone.areas.copy()
+    areas[0] /= 2
+    assert cells.areas == pytest.approx(np.append(areas, areas[0]))
+    assert (cells.areas <= np.pi * cells.radii**2 * (1 + 1e-12)).all() and cells.free_lengths.sum() > 1
+    for polygons, area in zip(alone.polygons(tolerance=1e-9), alone.areas):
+        assert sum(map(polygon_area, polygons)) == pytest.approx(area, rel=1e-6)
+
+
+def test_polygons_are_made_for_shapely():
+    geometry = pytest.importorskip("shapely.geometry")
+    room = geometry.Polygon(ROOMS, [PILLAR])
+    points = in_rooms(40)
+    cells = DynamicDelaunay(points).bounded_cells(2, room)
+    for row, polygons in enumerate(cells.polygons(tolerance=1e-9)):
+        cell = geometry.MultiPolygon(polygons)
+        assert cell.is_valid and cell.area == pytest.approx(cells.areas[row], rel=1e-6)
+        assert cell.difference(room).area < 1e-9
+    assert DynamicDelaunay(points).bounded_cells(domain=geometry.box(0, 0, 12, 10)).areas.sum() == pytest.approx(120)
+
+
+def test_walls_are_numbered_as_they_are_given_whichever_way_they_turn():
+    dt = DynamicDelaunay([(0.5, 0.5)])
+    for ring in (PENTAGON, PENTAGON[::-1], ROOMS, ROOMS[::-1]):
+        pieces = dt.bounded_cells(domain=ring).pieces
+        walls = pieces.sides == Side.WALL
+        assert walls.sum() == len(ring)
+        for wall, ends in zip(pieces.others[walls], np.stack([pieces.starts, pieces.ends], axis=1)[walls]):
+            its_ends = np.array([ring[wall], ring[(wall + 1) % len(ring)]])
+            assert ends == pytest.approx(its_ends) or ends == pytest.approx(its_ends[::-1])
+
+
+def test_only_cells_without_walls_that_divide_have_one_ring_each_and_a_surface_and_gradients():
+    dt = DynamicDelaunay(in_rooms(10))
+    square = SQUARE * 12
+    for cells in (dt.bounded_cells(1), dt.bounded_cells(1, square), dt.bounded_cells(1, square[::-1])):
+        assert [len(cell) for cell in cells.polygons()] == [1] * 10
+        assert all(np.array_equal(cell[0][0], ring) for cell, ring in zip(cells.polygons(), cells.rings()))
+        assert len(cells.surface.areas) and len(cells.gradients(np.ones(10), np.ones(len(cells.pieces.sides)))[0]) == 10
+    for domain, rule in ((ROOMS, "whole"), (square, "visible"), ([square, PILLAR], "whole")):
+        cells = dt.bounded_cells(1, domain, rule)
+        with pytest.raises(errors.UseError, match="polygons"):
+            cells.rings()
+        with pytest.raises(errors.UseError, match="no surface"):
+            cells.surface
+        with pytest.raises(errors.UseError, match="no gradients"):
+            cells.gradients(np.ones(10), np.ones(len(cells.pieces.sides)))
 
 
 def test_a_population_has_a_row_for_each_point():
@@ -143,6 +300,7 @@ def test_points_that_coincide_share_a_cell():
 
 
 def test_nothing_has_no_cells():
+    assert DynamicDelaunay().bounded_cells(1, ROOMS).polygons() == []
     for cells in (DynamicDelaunay().bounded_cells(1), Population().bounded_cells(1, SQUARE)):
         assert cells.areas.shape == (0,) and cells.centroids.shape == cells.points.shape == (0, 2)
         assert cells.rings() == [] and cells.surface_lines() == [] and len(cells.neighbor_list()) == 0
@@ -315,15 +473,18 @@ def test_cells_stay_as_they_are():
 @pytest.mark.parametrize(
     "corners, corner, match",
     [
-        (SQUARE[::-1], 0, "left turn"),
-        (SQUARE[[0, 1, 3, 2]], 2, "left turn"),
-        (np.insert(SQUARE, 1, (0.5, 0), axis=0), 1, "left turn"),
-        (SQUARE[:2], 2, "at least three"),
+        (SQUARE[[0, 1, 3, 2]], 3, "crosses"),
+        (SQUARE[[0, 1, 1, 2]], 2, "where corner 1 is"),
+        (SQUARE[:2], 0, "at least three"),
         (np.zeros((0, 2)), 0, "at least three"),
         (SQUARE + np.inf, 0, "not finite"),
+        ([SQUARE, SQUARE * np.nan], 4, "not finite"),
+        ([SQUARE, SQUARE * 0.5 + 0.7], 4, "crosses"),
+        ([SQUARE, SQUARE + 3], 4, "inside of the outer boundary"),
+        ([SQUARE, np.zeros((0, 2))], 4, "at least three"),
     ],
 )
-def test_a_domain_must_be_convex(corners, corner, match):
+def test_a_domain_must_be_a_simple_polygon_with_holes(corners, corner, match):
     with pytest.raises(errors.DomainError, match=match) as refused:
         DynamicDelaunay(POINTS).bounded_cells(1, corners)
     assert refused.value.corner == corner and isinstance(refused.value, ValueError)
@@ -350,8 +511,26 @@ def test_what_cannot_be_a_radius_or_a_domain_is_refused():
         dt.bounded_cells("large")
     with pytest.raises(errors.InputValueError, match=r"corners of a domain have the shape \(4,\)"):
         dt.bounded_cells(1, (0, 0, 1, 1))
-    with pytest.raises(errors.DomainError, match="periodic"):
-        PeriodicDelaunay(POINTS).bounded_cells(1, SQUARE)
+    for domain in (SQUARE, ROOMS):
+        with pytest.raises(errors.DomainError, match="periodic"):
+            PeriodicDelaunay(POINTS).bounded_cells(1, domain)
+    for domain in (
+        {"type": "MultiPolygon", "coordinates": [[SQUARE]]},
+        {"type": "Polygon", "coordinates": []},
+        {"type": "Polygon", "coordinates": 5},
+        {"type": "Feature", "geometry": None},
+        {"type": "Feature"},
+        {"type": "FeatureCollection", "features": []},
+        {"type": "FeatureCollection"},
+        {},
+    ):
+        with pytest.raises(errors.InputValueError, match="must be a 'Polygon'"):
+            dt.bounded_cells(1, Shown(domain))
+    for places in ([1, 2], [[1, 2]], [[[0, 0], [1, 0], 5]], [[[0, 0], [1, 0], [1]]]):
+        with pytest.raises((errors.InputTypeError, errors.InputValueError), match="corners of a domain"):
+            dt.bounded_cells(1, {"type": "Polygon", "coordinates": places})
+    with pytest.raises(errors.InputValueError, match="rule is 'seen', allowed are whole, connected and visible"):
+        dt.bounded_cells(1, SQUARE, "seen")
 
 
 def test_cells_need_an_exact_triangulation():
