@@ -29,6 +29,7 @@
 #include <CGAL/Indexed_triangulation_data_structure_2.h>
 #include <CGAL/tags.h>
 
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <string>
@@ -301,6 +302,23 @@ public:
     }
     for (const auto& edge : this->frame().edges())
       call_with_ids(f, edge.source, edge.target);
+  }
+
+  /// calls `f(ids)` once for each finite face, with an array of the ids of its three corners. They
+  /// are counterclockwise, unless the triangulation is not certified. Cost: one pass over the
+  /// faces; no allocation.
+  template <class Function>
+  void for_each_face(const Function& f) const
+  {
+    const auto& state = m_core->state;
+    if (!state.spans_plane())
+      return;
+    for (Index face = 0; face < state.arrays().number_of_faces(); ++face) {
+      const auto [u, v, w] = state.face(face);
+      if (!Frame::is_infinite(u) && !Frame::is_infinite(v) && !Frame::is_infinite(w))
+        f(std::array<size_type, 3>{state.ids().representative(u), state.ids().representative(v),
+                                   state.ids().representative(w)});
+    }
   }
 
   /// adds a property to the vertices, with `value` for all of them and all that come, as

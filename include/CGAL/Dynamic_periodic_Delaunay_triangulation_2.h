@@ -307,20 +307,6 @@ public:
     }
   }
 
-  /// calls `f(j, shift)` for each edge of the point with this id, or of its representative,
-  /// counterclockwise: for the neighbor j and its shift. An edge from a point to its own image is
-  /// met at both of its ends. \throws Unknown_id_error_2
-  template <class Function>
-  void for_each_neighbor(size_type id, const Function& f) const
-  {
-    const auto& state = m_core->state;
-    state.arrays().for_each_corner(this->vertex_of(id), [&](Index h) {
-      const Index to = Arrays::next(h);
-      if (!state.are_across(h, to))
-        f(size_type(state.id_at(to)), state.shift_between(h, to));
-    });
-  }
-
   /// calls `f(ids, shifts)` once for each face, with arrays of three ids and three shifts: the
   /// images of these points are the corners of a counterclockwise triangle. The first shift is (0,
   /// 0).

@@ -15,6 +15,7 @@
 #include <CGAL/Dynamic_population_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -197,7 +198,29 @@ TYPED_TEST(Simulation_helpers, lists_are_symmetric_and_stand_one_after_the_other
   });
 }
 
-TEST(Simulation_helpers, lists_are_there_without_a_certificate)
+TYPED_TEST(Simulation_helpers, neighbors_and_faces_are_those_of_cgals_triangulation)
+{
+  using Dynamic = typename TestFixture::Subject;
+  TestFixture::for_each_triangulation([](const Dynamic& dt) {
+    for (const std::size_t id : TestFixture::ids_of(dt)) {
+      Ids neighbors;
+      dt.for_each_neighbor(id, [&](std::size_t j) { neighbors.push_back(j); });
+      ASSERT_EQ(rotated(neighbors), rotated(finite_neighbors(dt, id))) << id;
+    }
+    std::multiset<Ids> faces, expected;
+    dt.for_each_face([&](const std::array<std::size_t, 3>& ids) {
+      faces.insert(rotated(Ids(ids.begin(), ids.end())));
+    });
+    const auto& cgal = dt.triangulation();
+    for (auto f = cgal.finite_faces_begin(); f != cgal.finite_faces_end(); ++f)
+      expected.insert(rotated({dt.id(f->vertex(0)), dt.id(f->vertex(1)), dt.id(f->vertex(2))}));
+    ASSERT_EQ(faces, expected);
+    ASSERT_THROW(dt.for_each_neighbor(dt.number_of_ids(), [](std::size_t) {}),
+                 CGAL::Unknown_id_error_2);
+  });
+}
+
+TEST(Simulation_helpers, lists_neighbors_and_faces_are_there_without_a_certificate)
 {
   Cloud<Epick> cloud(5);
   auto points = cloud.uniform(200);
@@ -207,15 +230,21 @@ TEST(Simulation_helpers, lists_are_there_without_a_certificate)
   ASSERT_FALSE(dt.is_certified());
   Lists lists;
   lists.compute(dt);
-  std::multiset<std::pair<std::size_t, std::size_t>> expected, pairs;
+  std::multiset<std::pair<std::size_t, std::size_t>> expected, listed, met;
   dt.for_each_edge([&](std::size_t i, std::size_t j) {
     expected.emplace(i, j);
     expected.emplace(j, i);
   });
-  for (std::size_t id = 0; id < points.size(); ++id)
+  for (std::size_t id = 0; id < points.size(); ++id) {
     for (const std::size_t neighbor : lists.neighbors(id))
-      pairs.emplace(id, neighbor);
-  EXPECT_EQ(pairs, expected);
+      listed.emplace(id, neighbor);
+    dt.for_each_neighbor(id, [&](std::size_t neighbor) { met.emplace(id, neighbor); });
+  }
+  EXPECT_EQ(listed, expected);
+  EXPECT_EQ(met, expected);
+  std::size_t faces = 0;
+  dt.for_each_face([&](const auto&) { ++faces; });
+  EXPECT_EQ(points.size() + faces, expected.size() / 2 + 1); // Euler
 }
 
 // -------------------------------------------------------------------------------------------------

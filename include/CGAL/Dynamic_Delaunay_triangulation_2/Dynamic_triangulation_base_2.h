@@ -420,6 +420,19 @@ public:
     return m_core->state.ids().representative(vertex_of(id));
   }
 
+  /// calls `f(j)` for each finite edge of the point with this id, or of its representative,
+  /// counterclockwise: for the neighbor j. In periodic space it calls `f(j, shift)`, and an edge
+  /// from a point to its own image is met at both of its ends. Cost: proportional to the number of
+  /// neighbors; no allocation. \throws Unknown_id_error_2 if no point has this id.
+  template <class Function>
+  void for_each_neighbor(size_type id, const Function& f) const
+  {
+    const State& state = m_core->state;
+    state.for_each_finite_neighbor(vertex_of(id), [&](Index w, const auto&... shift) {
+      f(size_type(state.ids().representative(w)), shift...);
+    });
+  }
+
   /// @}
   /// \name Views and Settings
   /// @{

@@ -7,7 +7,6 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Vertex_geometry_2.h>
 #include <CGAL/Iterator_range.h>
 
 #include <algorithm>
@@ -177,14 +176,14 @@ private:
   void write_neighbors(const Dynamic& dt)
   {
     const auto frame = dt.frame();
-    const Dynamic_Delaunay_triangulations_2::internal::Finite_neighbors_2<Dynamic> around(dt);
-    Dynamic::Frame::Parts::for_each(
-        frame.number_of_vertices(), [&](size_type, size_type first, size_type beyond) {
-          for (Id v = Id(first) + 1; v <= beyond; ++v) {
-            size_type place = m_offsets[frame.id(v)];
-            around.for_each(v, [&](Id w) { m_neighbors[place++] = frame.id(w); });
-          }
-        });
+    Dynamic::Frame::Parts::for_each(frame.number_of_vertices(),
+                                    [&](size_type, size_type first, size_type beyond) {
+                                      for (Id v = Id(first) + 1; v <= beyond; ++v) {
+                                        size_type place = m_offsets[frame.id(v)];
+                                        frame.state().for_each_finite_neighbor(
+                                            v, [&](Id w) { m_neighbors[place++] = frame.id(w); });
+                                      }
+                                    });
   }
 
   void write_duplicates()

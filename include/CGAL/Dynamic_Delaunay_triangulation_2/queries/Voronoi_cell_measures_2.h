@@ -100,8 +100,6 @@ class Voronoi_cell_measures_2
   using Space = Dynamic_Delaunay_triangulations_2::internal::Voronoi_space_2<Dynamic>;
   template <class Dynamic>
   using Differences = Dynamic_Delaunay_triangulations_2::internal::Vertex_differences_2<Dynamic>;
-  template <class Dynamic>
-  using Neighbors = Dynamic_Delaunay_triangulations_2::internal::Finite_neighbors_2<Dynamic>;
 
 public:
   /// \name Types
@@ -325,7 +323,6 @@ private:
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     const auto frame = dt.frame();
     const Differences<Dynamic> vector(dt);
-    const Neighbors<Dynamic> around(dt);
     // relative to its center the box is the same for all points
     const Position center{box.xmin() + (box.xmax() - box.xmin()) / 2,
                           box.ymin() + (box.ymax() - box.ymin()) / 2};
@@ -334,7 +331,7 @@ private:
     const auto clip_cell = [&](Index v, Polygon& polygon) {
       polygon.corners = {low, {high.x, low.y}, high, {low.x, high.y}};
       const Position p = frame.position(v) - center;
-      around.for_each(v, [&](Index w) {
+      frame.state().for_each_finite_neighbor(v, [&](Index w) {
         const Position q = frame.position(w) - center;
         const Position middle{p.x / 2 + q.x / 2, p.y / 2 + q.y / 2};
         const Position direction = vector(v, w);

@@ -59,7 +59,6 @@ public:
     : m_dimension(dt.triangulation().dimension())
     , m_frame(dt.frame())
     , m_vector(dt)
-    , m_neighbors(dt)
     , m_cells_of_part(number_of_cells() / number_of_face_parts() + 1)
   {
   }
@@ -131,7 +130,7 @@ public:
     if (m_dimension == 2)
       m_frame.for_each_neighbor(v, [&](Vertex_index w) { f(neighbor(v, w)); });
     else
-      m_neighbors.for_each(v, [&](Vertex_index w) { f(neighbor(v, w)); });
+      m_frame.state().for_each_finite_neighbor(v, [&](Vertex_index w) { f(neighbor(v, w)); });
   }
 
   // Of a point and two neighbors, the second one left of the first.
@@ -174,7 +173,6 @@ private:
   const int m_dimension;
   const typename Dynamic::Frame m_frame;
   const Vertex_differences_2<Dynamic> m_vector;
-  const Finite_neighbors_2<Dynamic> m_neighbors;
   const std::size_t m_cells_of_part;
 };
 

@@ -137,6 +137,22 @@ public:
     return {positions()[a], positions()[b], positions()[c]};
   }
 
+  // Calls f(w) for every finite neighbor w of the finite vertex v, counterclockwise. Where the
+  // points do not span the plane there are no flat arrays, and CGAL's data structure has the
+  // neighbors.
+  template <class Function>
+  void for_each_finite_neighbor(Vertex_index v, const Function& f) const
+  {
+    const auto call_if_finite = [&](Vertex_index w) {
+      if (w != infinite_index)
+        f(w);
+    };
+    if (!spans_plane())
+      for_each_neighbor_on_line(v, call_if_finite);
+    else if (!arrays().is_outside(v))
+      arrays().for_each_neighbor(v, call_if_finite);
+  }
+
   static constexpr std::size_t number_of_cell_changes() { return 0; }
 
   // Fewer vertices are triangulated from scratch.
@@ -203,6 +219,18 @@ public:
   }
 
 private:
+  template <class Function>
+  void for_each_neighbor_on_line(Vertex_index v, const Function& f) const
+  {
+    if (triangulation().dimension() < 1)
+      return;
+    auto neighbor = triangulation().tds().incident_vertices(vertex_handle(v));
+    const auto first = neighbor;
+    do
+      f(neighbor.base().index());
+    while (++neighbor != first);
+  }
+
   template <class State>
   friend class Input_frame_2;
   template <class State>

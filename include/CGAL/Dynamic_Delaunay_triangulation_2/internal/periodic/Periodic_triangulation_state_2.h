@@ -257,6 +257,18 @@ public:
     } while (i != first && k != other_first);
     return false;
   }
+  // Calls f(w, shift) for every neighbor w of vertex v, counterclockwise.
+  template <class Function>
+  void for_each_finite_neighbor(Vertex_index v, const Function& f) const
+  {
+    if (m_arrays.is_outside(v))
+      return;
+    m_arrays.for_each_corner(v, [&](Halfedge_index h) {
+      const Index end = Halfedge_arrays_2::next(h);
+      if (!are_across(h, end))
+        f(m_arrays.apex(end), shift_between(h, end));
+    });
+  }
   // Whether the next edge at this corner of a face goes to the image of v by `way`.
   bool leads(Halfedge_index h, Vertex_index v, const Periodic_shift_2& way) const
   {

@@ -49,7 +49,6 @@ public:
   Query_space_2(const Dynamic& dt, const typename Dynamic::Point& place, std::size_t number = 0)
     : m_distances(dt, place, number)
     , m_frame(dt.frame())
-    , m_neighbors(dt)
   {
   }
 
@@ -70,7 +69,7 @@ public:
   template <class Function>
   void for_each_neighbor(Site v, const Function& f) const
   {
-    m_neighbors.for_each(v, f);
+    m_frame.state().for_each_finite_neighbor(v, f);
   }
 
   // Calls f(answer) for all points at the sites, coincident ones included.
@@ -88,7 +87,6 @@ public:
 private:
   const Distances_2<Dynamic> m_distances;
   const typename Dynamic::Frame m_frame;
-  const Finite_neighbors_2<Dynamic> m_neighbors;
 };
 
 // PERIODIC SPACE ----------------------------------------------------------------------------------

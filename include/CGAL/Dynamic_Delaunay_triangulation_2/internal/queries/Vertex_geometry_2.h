@@ -21,49 +21,6 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// The neighbors of a vertex, counterclockwise. Also works where the points do not span the plane:
-// there are no flat arrays then, so it uses CGAL's data structure.
-template <class Dynamic>
-class Finite_neighbors_2
-{
-public:
-  explicit Finite_neighbors_2(const Dynamic& dt)
-    : m_dt(dt)
-    , m_frame(dt.frame())
-    , m_dimension(dt.tds().dimension())
-  {
-  }
-
-  // Calls f(w) for every finite neighbor w of the finite vertex v.
-  template <class Function>
-  void for_each(Vertex_index v, Function&& f) const
-  {
-    const auto call_if_finite = [&](Vertex_index w) {
-      if (!m_frame.is_infinite(w))
-        f(w);
-    };
-    if (m_dimension == 2)
-      m_frame.for_each_neighbor(v, call_if_finite);
-    else if (m_dimension == 1)
-      for_each_on_line(v, call_if_finite);
-  }
-
-private:
-  template <class Function>
-  void for_each_on_line(Vertex_index v, const Function& f) const
-  {
-    auto neighbor = m_dt.tds().incident_vertices(m_dt.vertex(m_frame.id(v)));
-    const auto first = neighbor;
-    do
-      f(neighbor.base().index());
-    while (++neighbor != first);
-  }
-
-  const Dynamic& m_dt;
-  const typename Dynamic::Frame m_frame;
-  const int m_dimension;
-};
-
 // The vector from one vertex to another, rounded once. It does not subtract rounded positions,
 // because points that an exact kernel distinguishes may have equal doubles as coordinates.
 template <class Dynamic>
