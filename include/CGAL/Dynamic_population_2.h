@@ -171,21 +171,87 @@ public:
 
   /// adds a point. \throws Repeated_id_error_2 if a point has this id already.
   /// \throws Non_finite_coordinate_error_2, Coordinate_range_error_2 or Periodic_range_error_2 if
-  /// it cannot be there; their `id()` is 0.
+  /// it cannot be there; their `id()` is 0. \throws Point_limit_error_2 as `update()`.
   Update_report_2 insert(UserId user_id, const Point& p)
   {
-    if (has(user_id))
-      throw Repeated_id_error_2(user_id);
-    m_triangulation.position_check()(p, 0);
+    const std::pair<UserId, Point> newcomer(user_id, p);
+    return insert(&newcomer, &newcomer + 1);
+  }
+
+  /// adds the points of a range, as `Dynamic_Delaunay_triangulation_2::insert()` does.
+  /// \tparam InputIterator its values are pairs of a `User_id` and a `Point`.
+  /// \throws Repeated_id_error_2 if a point has one of these ids already, or if an id is given more
+  /// than once. \throws Non_finite_coordinate_error_2, Coordinate_range_error_2,
+  /// Periodic_range_error_2 or Point_limit_error_2 as `update()`.
+  template <class InputIterator>
+  Update_report_2 insert(InputIterator first, InputIterator beyond)
+  {
+    using Value = typename std::iterator_traits<InputIterator>::value_type;
+    return insert(first, beyond, First_of_pair_property_map<Value>(),
+                  Second_of_pair_property_map<Value>());
+  }
+
+  /// the same, but takes the range as a whole.
+  template <class Range, class = If_range<Range>>
+  Update_report_2 insert(const Range& newcomers)
+  {
+    return insert(std::begin(newcomers), std::end(newcomers));
+  }
+
+  /// the same, but property maps read the ids and points from the values of the range.
+  template <class InputIterator, class IdMap, class PointMap>
+  Update_report_2 insert(InputIterator first, InputIterator beyond, IdMap id_map,
+                         PointMap point_map)
+  {
+    Dynamic_Delaunay_triangulations_2::internal::length_within_limit(first, beyond, size());
     forget_newcomers();
-    m_newcomers.push_back(user_id);
-    m_newcomers_follow.push_back(no_id);
-    m_new_points.push_back(p);
+    read_each(first, beyond, id_map, point_map, m_triangulation.position_check(),
+              [this](UserId user_id, const Point& p) {
+                if (has(user_id))
+                  throw Repeated_id_error_2(user_id);
+                note_newcomer(user_id, p, no_id);
+              });
+    Dynamic_Delaunay_triangulations_2::internal::check_distinct(m_newcomers);
     return insert_newcomers();
   }
 
   /// removes a point. \throws Unknown_user_id_error_2 if no point has this id.
-  Update_report_2 remove(UserId user_id) { return remove_all({id(user_id)}); }
+  Update_report_2 remove(UserId user_id) { return remove(&user_id, &user_id + 1); }
+
+  /// removes the points with these ids, as `Dynamic_Delaunay_triangulation_2::remove()` does.
+  /// \tparam InputIterator its values are of the type `User_id`.
+  /// \throws Unknown_user_id_error_2 if an id belongs to no point.
+  /// \throws Repeated_id_error_2 if an id is given more than once.
+  template <class InputIterator>
+  Update_report_2 remove(InputIterator first, InputIterator beyond)
+  {
+    std::vector<UserId> user_ids;
+    std::vector<size_type> gone;
+    for (; first != beyond; ++first) {
+      user_ids.push_back(UserId(*first));
+      gone.push_back(id(user_ids.back()));
+    }
+    Dynamic_Delaunay_triangulations_2::internal::check_distinct(user_ids);
+    m_new_ids.clear();
+    const At_exit settle{[&] { forget_gone(gone); }};
+    return m_triangulation.remove(gone.begin(), gone.end());
+  }
+
+  /// the same, but takes the range as a whole.
+  template <class Range, class = If_range<Range>>
+  Update_report_2 remove(const Range& user_ids)
+  {
+    return remove(std::begin(user_ids), std::end(user_ids));
+  }
+
+  /// moves a point. \throws Unknown_user_id_error_2 if no point has this id.
+  /// \throws Non_finite_coordinate_error_2, Coordinate_range_error_2 or Periodic_range_error_2 as
+  /// `insert()`.
+  Update_report_2 move(UserId user_id, const Point& p)
+  {
+    const std::pair<UserId, Point> mover(user_id, p);
+    return move(&mover, &mover + 1);
+  }
 
   /// moves some of the points, as `Dynamic_Delaunay_triangulation_2::move()` does.
   /// \tparam InputIterator its values are pairs of a `User_id` and a `Point`.
@@ -196,9 +262,9 @@ public:
   template <class InputIterator>
   Update_report_2 move(InputIterator first, InputIterator beyond)
   {
-    std::vector<std::pair<size_type, Point>> movers;
-    read_movers(first, beyond, movers);
-    return m_triangulation.move(movers.begin(), movers.end());
+    using Value = typename std::iterator_traits<InputIterator>::value_type;
+    return move(first, beyond, First_of_pair_property_map<Value>(),
+                Second_of_pair_property_map<Value>());
   }
 
   /// the same, but takes the range as a whole.
@@ -206,6 +272,21 @@ public:
   Update_report_2 move(const Range& movers)
   {
     return move(std::begin(movers), std::end(movers));
+  }
+
+  /// the same, but property maps read the ids and points from the values of the range.
+  template <class InputIterator, class IdMap, class PointMap>
+  Update_report_2 move(InputIterator first, InputIterator beyond, IdMap id_map, PointMap point_map)
+  {
+    std::vector<UserId> user_ids;
+    std::vector<std::pair<size_type, Point>> movers;
+    read_each(first, beyond, id_map, point_map, m_triangulation.position_check(),
+              [&](UserId user_id, const Point& p) {
+                movers.emplace_back(id(user_id), p);
+                user_ids.push_back(user_id);
+              });
+    Dynamic_Delaunay_triangulations_2::internal::check_distinct(user_ids);
+    return m_triangulation.move(movers.begin(), movers.end());
   }
 
   /// calls `Dynamic_Delaunay_triangulation_2::mend()`.
@@ -371,40 +452,31 @@ private:
     m_positions.resize(m_triangulation.number_of_ids());
     m_next_of.resize(m_triangulation.number_of_ids(), no_id);
     m_last = no_id;
-    for (size_type place = 0; first != beyond; ++first, ++place) {
-      auto&& value = *first;
-      const auto user_id = UserId(get(id_map, value));
-      const Point p = get(point_map, value);
-      check(p, place);
+    read_each(first, beyond, id_map, point_map, check, [this](UserId user_id, const Point& p) {
       const size_type id = find(user_id);
-      if (id == no_id) {
-        m_newcomers.push_back(user_id);
-        m_newcomers_follow.push_back(m_last);
-        m_new_points.push_back(p);
-        continue;
-      }
+      if (id == no_id)
+        return note_newcomer(user_id, p, m_last);
       if (m_is_there[id])
         throw Repeated_id_error_2(user_id);
       m_is_there[id] = true;
       m_positions[id] = p;
       note_order(id);
-    }
+    });
     Dynamic_Delaunay_triangulations_2::internal::check_distinct(m_newcomers);
   }
 
-  template <class InputIterator>
-  void read_movers(InputIterator first, InputIterator beyond,
-                   std::vector<std::pair<size_type, Point>>& movers) const
+  // Calls f(user_id, p) for each value of a range, after it was checked that a point can be at p.
+  template <class InputIterator, class IdMap, class PointMap, class Check, class Function>
+  static void read_each(InputIterator first, InputIterator beyond, const IdMap& id_map,
+                        const PointMap& point_map, const Check& check, const Function& f)
   {
-    const auto check = m_triangulation.position_check();
-    std::vector<UserId> user_ids;
-    for (; first != beyond; ++first) {
-      auto&& mover = *first;
-      user_ids.push_back(UserId(mover.first));
-      movers.emplace_back(id(user_ids.back()), mover.second);
-      check(movers.back().second, movers.size() - 1);
+    for (size_type place = 0; first != beyond; ++first, ++place) {
+      auto&& value = *first;
+      const auto user_id = UserId(get(id_map, value));
+      const Point p = get(point_map, value);
+      check(p, place);
+      f(user_id, p);
     }
-    Dynamic_Delaunay_triangulations_2::internal::check_distinct(user_ids);
   }
 
   // Most points directly follow the point that they followed in the last frame, or come soon after
@@ -438,13 +510,6 @@ private:
         m_missing.push_back(id);
         m_positions[id] = m_triangulation.point(id);
       }
-  }
-
-  Update_report_2 remove_all(const std::vector<size_type>& missing)
-  {
-    m_new_ids.clear();
-    const At_exit settle{[&] { forget_gone(missing); }};
-    return m_triangulation.remove(missing.begin(), missing.end());
   }
 
   // Removes the user ids of points that are gone. `missing` must be ascending if new points were
@@ -495,6 +560,13 @@ private:
       m_user_ids[id] = m_newcomers[i];
       m_next_of[id] = last == no_id ? no_id : std::exchange(m_next_of[last], id);
     }
+  }
+
+  void note_newcomer(UserId user_id, const Point& p, size_type last)
+  {
+    m_newcomers.push_back(user_id);
+    m_newcomers_follow.push_back(last);
+    m_new_points.push_back(p);
   }
 
   void forget_newcomers()

@@ -374,13 +374,14 @@ void expect_between(const People& people, const Frame& before, const Frame& afte
   ASSERT_EQ(known, people.size());
 }
 
-void expect_survival(const Frame& before, const Frame& after)
+template <class Call>
+void expect_survival(const Frame& before, const Frame& after, const Call& call)
 {
   for (long allocations = 0;; ++allocations) {
     SCOPED_TRACE(testing::Message() << allocations << " allocations");
     People people;
     people.update(before.begin(), before.end());
-    const bool is_done = succeeds([&] { people.update(after.begin(), after.end()); }, allocations);
+    const bool is_done = succeeds([&] { call(people); }, allocations);
     ASSERT_NO_FATAL_FAILURE(expect_between(people, before, after));
     const Frame& next = allocations % 2 == 0 ? before : after;
     ASSERT_TRUE(people.update(next.begin(), next.end()).certified);
@@ -389,6 +390,28 @@ void expect_survival(const Frame& before, const Frame& after)
     if (is_done)
       break;
   }
+}
+
+void expect_survival(const Frame& before, const Frame& after)
+{
+  expect_survival(before, after,
+                  [&](People& people) { people.update(after.begin(), after.end()); });
+}
+
+TEST(Memory_of_populations, may_run_out_while_a_range_comes_or_goes)
+{
+  const Points points = Cloud<Epick>(6).uniform(60);
+  Frame all, few, newcomers;
+  std::vector<int> names;
+  for (int i = 0; i < 60; ++i) {
+    all.emplace(i, points[std::size_t(i)]);
+    (i % 3 == 0 ? newcomers : few).emplace(i, points[std::size_t(i)]);
+    if (i % 3 == 0)
+      names.push_back(i);
+  }
+  ASSERT_NO_FATAL_FAILURE(
+      expect_survival(few, all, [&](People& people) { people.insert(newcomers); }));
+  ASSERT_NO_FATAL_FAILURE(expect_survival(all, few, [&](People& people) { people.remove(names); }));
 }
 
 TEST(Memory_of_populations, may_run_out_in_a_frame_in_which_some_come_and_go_and_the_others_move)
@@ -576,20 +599,28 @@ TEST_F(Ranges, of_ids_may_have_no_room_for_newcomers_and_none_comes)
 
 TEST_F(Ranges, of_populations_may_throw_at_any_element_and_nothing_changes)
 {
-  Frame before, after;
+  Frame before, after, newcomers;
+  std::vector<int> names;
   for (int i = 0; i < 30; ++i) {
     before.emplace(i, points[std::size_t(i)]);
     after.emplace(i + 5, others[std::size_t(i)]);
+    newcomers.emplace(i + 100, others[std::size_t(i)]);
+    names.push_back(i);
   }
   for (int k = 0; k < 30; ++k) { // each element is read once
     People people;
     people.update(before.begin(), before.end());
-    Fuse fuse;
-    fuse.set(k);
-    EXPECT_THROW(
-        people.update(Fused_iterator(after.begin(), fuse), Fused_iterator(after.end(), fuse)),
-        Failure);
-    ASSERT_NO_FATAL_FAILURE(expect_between(people, before, before));
+    const auto expect_nothing = [&](const auto& range, const auto& call) {
+      Fuse fuse;
+      fuse.set(k);
+      EXPECT_THROW(call(Fused_iterator(range.begin(), fuse), Fused_iterator(range.end(), fuse)),
+                   Failure);
+      ASSERT_NO_FATAL_FAILURE(expect_between(people, before, before));
+    };
+    expect_nothing(after, [&](auto first, auto beyond) { people.update(first, beyond); });
+    expect_nothing(newcomers, [&](auto first, auto beyond) { people.insert(first, beyond); });
+    expect_nothing(before, [&](auto first, auto beyond) { people.move(first, beyond); });
+    expect_nothing(names, [&](auto first, auto beyond) { people.remove(first, beyond); });
     people.update(after.begin(), after.end());
     ASSERT_NO_FATAL_FAILURE(expect_between(people, after, after));
   }

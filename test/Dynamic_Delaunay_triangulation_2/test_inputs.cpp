@@ -315,6 +315,70 @@ TEST(Ranges, of_pairs_that_are_made_are_read_by_moves_and_populations)
   ASSERT_EQ(people.point(1000), points[0]);
 }
 
+TEST(Ranges, of_users_ids_are_read_by_insertions_moves_and_removals)
+{
+  Cloud<Epick> cloud(6);
+  Points points = cloud.uniform(number);
+  const auto id_map = boost::make_function_property_map<std::size_t>(
+      [](std::size_t i) { return std::int64_t(i) + 1000; });
+  const auto point_map =
+      boost::make_function_property_map<std::size_t>([&](std::size_t i) { return points[i]; });
+  const boost::counting_iterator<std::size_t> first(0), beyond(number);
+  Population people;
+  EXPECT_TRUE(people.insert(first, beyond, id_map, point_map).certified);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(people.triangulation(), points));
+  cloud.shake(points, 0.1);
+  people.move(first, beyond, id_map, point_map);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(people.triangulation(), points));
+
+  people.insert(std::list<std::pair<int, Point>>{{3, {0.5, 0.25}}, {4, {0.125, 3}}});
+  people.insert(5, Point(1, 1));
+  people.move(5, Point(0.125, 3));
+  EXPECT_EQ(people.vertex(5), people.vertex(4));
+  people.remove(std::array<int, 3>{4, 1000, 3});
+  EXPECT_EQ(people.point(5), Point(0.125, 3));
+  EXPECT_EQ(people.size(), number);
+  points[0] = Point(0.125, 3);
+  for (std::size_t i = 0; i < number; ++i)
+    ASSERT_EQ(people.point(i == 0 ? 5 : 1000 + std::int64_t(i)), points[i]);
+  EXPECT_TRUE(people.triangulation().is_certified() && people.triangulation().is_valid(true));
+  const std::vector<std::pair<std::int64_t, Point>> frame{{1002, {0, 0}}, {5, {1, 0}}, {3, {0, 1}}};
+  people.update(frame);
+  for (const auto& [user_id, p] : frame)
+    ASSERT_EQ(people.point(user_id), p);
+  EXPECT_EQ(people.size(), 3u);
+}
+
+TEST(Ranges, of_users_ids_that_are_refused_change_nothing)
+{
+  using Named = std::vector<std::pair<std::int64_t, Point>>;
+  const Point near(2, 2), nowhere(std::numeric_limits<double>::quiet_NaN(), 0);
+  Population people;
+  people.insert(Named{{7, {0, 0}}, {-2, {1, 0}}, {9, {0, 1}}});
+  const auto refused = [&](const auto& call) {
+    try {
+      call();
+      return std::string("nothing");
+    } catch (const CGAL::Repeated_id_error_2& error) {
+      return "repeated " + error.id();
+    } catch (const CGAL::Unknown_user_id_error_2& error) {
+      return "unknown " + error.id();
+    } catch (const CGAL::Non_finite_coordinate_error_2& error) {
+      return "place " + std::to_string(error.id());
+    }
+  };
+  EXPECT_EQ(refused([&] { people.insert(Named{{1, near}, {-2, near}}); }), "repeated -2");
+  EXPECT_EQ(refused([&] { people.insert(Named{{1, near}, {2, near}, {1, near}}); }), "repeated 1");
+  EXPECT_EQ(refused([&] { people.insert(Named{{1, near}, {2, nowhere}}); }), "place 1");
+  EXPECT_EQ(refused([&] { people.move(Named{{9, near}, {1, near}}); }), "unknown 1");
+  EXPECT_EQ(refused([&] { people.move(9, nowhere); }), "place 0");
+  EXPECT_EQ(refused([&] { people.remove(std::vector<int>{9, 7, 1}); }), "unknown 1");
+  EXPECT_EQ(refused([&] { people.remove(std::vector<int>{9, 7, 9}); }), "repeated 9");
+  EXPECT_EQ(people.size(), 3u);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(people.triangulation(), Points{{0, 0}, {1, 0}, {0, 1}}));
+  EXPECT_TRUE(people.has(7) && people.has(-2) && people.has(9) && !people.has(1));
+}
+
 TEST(Ranges, are_taken_as_a_whole)
 {
   Cloud<Epick> cloud(5);
@@ -408,6 +472,9 @@ TEST(Too_many_points, are_refused_beside_those_that_are_there)
   population.update(std::vector<Named_point>{{9, {0, 0}}, {4, {1, 0}}, {7, {0, 1}}});
   expect_too_many(most_points + 1, [&] {
     population.update(unreadable<Named_point>(0), unreadable<Named_point>(most_points + 1));
+  });
+  expect_too_many(most_points + 1, [&] {
+    population.insert(unreadable<Named_point>(0), unreadable<Named_point>(most_points - 2));
   });
   EXPECT_EQ(population.triangulation().number_of_points(), 3u);
   EXPECT_EQ(population.point(4), Point(1, 0));
