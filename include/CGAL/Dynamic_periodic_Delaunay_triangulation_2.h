@@ -136,6 +136,8 @@ class Dynamic_periodic_Delaunay_triangulation_2
   using typename Base::Index;
   template <class Range>
   using If_range = typename Base::template If_range<Range>;
+  template <class Map>
+  using If_map = typename Base::template If_map<Map>;
   using Base::m_core;
 
 public:
@@ -181,9 +183,8 @@ public:
   Dynamic_periodic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
                                             const Periodic_cell_2& cell,
                                             const Settings& settings = Settings())
-    : Dynamic_periodic_Delaunay_triangulation_2(cell, settings)
+    : Dynamic_periodic_Delaunay_triangulation_2(first, beyond, Identity_map(), cell, settings)
   {
-    this->insert(first, beyond, Emptyset_iterator());
   }
 
   /// uses a classifier, and defaults for everything else.
@@ -212,6 +213,29 @@ public:
   {
   }
 
+  /// triangulates the points that `point_map` reads from the values of the range.
+  /// \tparam PointMap a model of `ReadablePropertyMap` from the range's values to `Point`.
+  /// \throws Non_finite_coordinate_error_2, Periodic_range_error_2, Point_limit_error_2 or
+  /// Periodic_cell_error_2 as without a map.
+  template <class InputIterator, class PointMap, class = If_map<PointMap>>
+  Dynamic_periodic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
+                                            PointMap point_map, const Periodic_cell_2& cell,
+                                            const Settings& settings = Settings())
+    : Dynamic_periodic_Delaunay_triangulation_2(cell, settings)
+  {
+    this->insert(first, beyond, point_map, Emptyset_iterator());
+  }
+
+  /// reads the points by a map, and uses a classifier.
+  template <class InputIterator, class PointMap, class = If_map<PointMap>>
+  Dynamic_periodic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
+                                            PointMap point_map, const Periodic_cell_2& cell,
+                                            const Delaunay_classifier& classifier)
+    : Dynamic_periodic_Delaunay_triangulation_2(first, beyond, point_map, cell,
+                                                Settings{classifier})
+  {
+  }
+
   /// @}
   /// \name Motion
   /// @{
@@ -226,9 +250,7 @@ public:
   template <class InputIterator>
   Update_report_2 update(InputIterator first, InputIterator beyond, const Periodic_cell_2& cell)
   {
-    const Floating_point floating_point;
-    m_core->input.stage(first, beyond, Identity_map(), cell);
-    return this->run_frame();
+    return update(first, beyond, Identity_map(), cell);
   }
 
   /// takes the range as a whole.
@@ -236,6 +258,23 @@ public:
   Update_report_2 update(const Range& points, const Periodic_cell_2& cell)
   {
     return update(std::begin(points), std::end(points), cell);
+  }
+
+  /// reads the positions from the values of the range by `point_map`.
+  template <class InputIterator, class PointMap, class = If_map<PointMap>>
+  Update_report_2 update(InputIterator first, InputIterator beyond, PointMap point_map,
+                         const Periodic_cell_2& cell)
+  {
+    const Floating_point floating_point;
+    m_core->input.stage(first, beyond, point_map, cell);
+    return this->run_frame();
+  }
+
+  /// takes the range as a whole, and reads the positions from its values by `point_map`.
+  template <class Range, class PointMap, class = If_range<Range>, class = If_map<PointMap>>
+  Update_report_2 update(const Range& range, PointMap point_map, const Periodic_cell_2& cell)
+  {
+    return update(std::begin(range), std::end(range), point_map, cell);
   }
 
   /// @}

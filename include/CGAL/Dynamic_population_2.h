@@ -160,13 +160,20 @@ public:
     return update_to(first, beyond, id_map, point_map, cell);
   }
 
+  /// the same for pairs of ids and points.
+  template <class InputIterator>
+  Update_report_2 update(InputIterator first, InputIterator beyond, const Periodic_cell_2& cell)
+  {
+    using Value = typename std::iterator_traits<InputIterator>::value_type;
+    return update(first, beyond, First_of_pair_property_map<Value>(),
+                  Second_of_pair_property_map<Value>(), cell);
+  }
+
   /// the same, but takes the range as a whole.
   template <class Range, class = If_range<Range>>
   Update_report_2 update(const Range& frame, const Periodic_cell_2& cell)
   {
-    using Value = typename std::iterator_traits<decltype(std::begin(frame))>::value_type;
-    return update(std::begin(frame), std::end(frame), First_of_pair_property_map<Value>(),
-                  Second_of_pair_property_map<Value>(), cell);
+    return update(std::begin(frame), std::end(frame), cell);
   }
 
   /// adds a point. \throws Repeated_id_error_2 if a point has this id already.

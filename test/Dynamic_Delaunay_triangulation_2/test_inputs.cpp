@@ -285,6 +285,30 @@ TEST(Ranges, of_any_kind_are_read_by_an_insertion)
   });
 }
 
+TEST(Ranges, of_any_kind_are_read_in_periodic_space_also_with_another_cell)
+{
+  using Periodic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick>;
+  Cloud<Epick> cloud(7);
+  const Points points = cloud.uniform(number);
+  Points others = points;
+  cloud.shake(others, 0.1);
+  const CGAL::Periodic_cell_2 cell(23, 23), wider(24, 1, 0, 23);
+  const auto expect_there = [](const Periodic& pt, const Points& places) {
+    ASSERT_TRUE(pt.is_certified() && pt.is_valid(true));
+    for (std::size_t id = 0; id < number; ++id)
+      ASSERT_EQ(pt.point(id), places[id]);
+  };
+  for_each_kind_of_range(points, [&](auto first, auto beyond, auto map) {
+    ASSERT_NO_FATAL_FAILURE(expect_there(Periodic(first, beyond, map, cell), points));
+  });
+  for_each_kind_of_range(others, [&](auto first, auto beyond, auto map) {
+    Periodic pt(points, cell);
+    pt.update(first, beyond, map, wider);
+    EXPECT_TRUE(pt.cell() == wider);
+    ASSERT_NO_FATAL_FAILURE(expect_there(pt, others));
+  });
+}
+
 TEST(Ranges, of_pairs_that_are_made_are_read_by_moves_and_populations)
 {
   Cloud<Epick> cloud(4);

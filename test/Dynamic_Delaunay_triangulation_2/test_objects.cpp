@@ -278,6 +278,27 @@ TEST(Objects, of_all_spaces_take_ranges_and_property_maps)
   expect_to_take_all_ranges(pt);
 }
 
+TEST(Objects, of_periodic_space_take_property_maps_with_a_cell)
+{
+  using Classifier = CGAL::Point_distance_classifier_2;
+  using Periodic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick, Classifier>;
+  const CGAL::Periodic_cell_2 cell(2, 2), wide(3, 2);
+  std::list<Particle> particles;
+  for (const Point& p : Cloud<Epick>(14).uniform(50))
+    particles.push_back({1, p});
+  Periodic pt(particles.begin(), particles.end(), Position_map(), cell, Classifier(0.5));
+  EXPECT_EQ(pt.number_of_points(), 50u);
+  EXPECT_EQ(pt.classifier().x(), 0.5);
+  particles.front().position = Point(0.5, 0.25);
+  pt.update(particles, Position_map(), wide);
+  EXPECT_TRUE(pt.cell() == wide && pt.point(0) == Point(0.5, 0.25) && pt.is_valid(true));
+  const Point array[] = {Point(0, 0), Point(1, 1)}; // a range, and the pointers are iterators
+  Periodic two(array, array + 2, wide);
+  two.update(array, array + 2, cell);
+  two.update(array, cell);
+  EXPECT_TRUE(two.number_of_points() == 2 && two.cell() == cell && two.is_valid(true));
+}
+
 TEST(Objects, of_periodic_space_keep_their_cell_when_they_are_moved_from)
 {
   using Periodic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick>;
