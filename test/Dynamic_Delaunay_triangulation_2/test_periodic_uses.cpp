@@ -1,13 +1,15 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What users do with a periodic triangulation: they convert it to CGAL's, ask which points are
-// where, and draw it.
+// What users do with a periodic triangulation: they convert it to CGAL's, list neighbors, ask which
+// points are where, and draw it.
 
 #define CGAL_TEST_SUITE 1 // the viewer then opens no window
 
 #include <CGAL/convert_to_periodic_2_delaunay_triangulation_2.h>
 #include <CGAL/draw_dynamic_periodic_delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_neighbor_lists_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_point_queries_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -29,6 +31,7 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -51,6 +54,82 @@ std::vector<Point> short_points(std::mt19937_64& random, std::size_t number)
     points.push_back(Point(x, coordinate()));
   }
   return points;
+}
+
+// NEIGHBOR LISTS ----------------------------------------------------------------------------------
+
+using Lists = CGAL::Delaunay_neighbor_lists_2;
+using Entry = std::pair<std::size_t, Shift>;
+using Entries = std::vector<Entry>;
+
+Entries list_of(const Lists& lists, std::size_t id)
+{
+  Entries entries;
+  for (std::size_t i = lists.offsets()[id]; i < lists.offsets()[id + 1]; ++i)
+    entries.emplace_back(lists.neighbors()[i], lists.shifts()[i]);
+  return entries;
+}
+
+// Those of each point, then those that coincide with it; and all of them symmetric.
+void expect_lists(const Lists& lists, const Triangulation& pt)
+{
+  ASSERT_EQ(lists.number_of_ids(), pt.number_of_ids());
+  ASSERT_EQ(lists.shifts().size(), lists.neighbors().size());
+  std::multiset<std::pair<std::size_t, Entry>> there, back;
+  for (std::size_t id = 0; id < pt.number_of_ids(); ++id) {
+    const Entries list = list_of(lists, id);
+    for (const auto& [j, shift] : list) {
+      there.insert({id, {j, shift}});
+      back.insert({j, {id, {-shift[0], -shift[1]}}});
+    }
+    Entries expected;
+    if (pt.has_id(id) && pt.representative(id) == id)
+      pt.for_each_neighbor(
+          id, [&](std::size_t j, const Shift& shift) { expected.emplace_back(j, shift); });
+    ASSERT_GE(list.size(), expected.size());
+    const auto duplicates = list.begin() + Entries::difference_type(expected.size());
+    ASSERT_EQ(Entries(list.begin(), duplicates), expected) << id;
+    for (auto entry = duplicates; entry != list.end(); ++entry) {
+      ASSERT_EQ(pt.representative(entry->first), pt.representative(id));
+      ASSERT_EQ(pt.vector(id, entry->first, entry->second), Vector(0, 0));
+    }
+  }
+  ASSERT_EQ(there, back);
+}
+
+TEST(Neighbor_lists, have_each_edge_at_both_ends_with_its_shifts_and_where_duplicates_are)
+{
+  std::mt19937_64 random(5);
+  Lists lists;
+  for (const Cell& cell : {Cell(1, 1), Cell(1, 0, 2.25, 1), Cell::slab(1, 0)})
+    for (const std::size_t number : {0u, 1u, 2u, 3u, 60u}) {
+      std::vector<Point> points = short_points(random, number);
+      for (std::size_t i = 0; i < number / 3; ++i)
+        points.push_back(points[i] + Vector(double(i % 5) - 2, 0));
+      Triangulation pt(points, cell);
+      lists.compute(pt);
+      ASSERT_NO_FATAL_FAILURE(expect_lists(lists, pt)) << number;
+      if (number == 60) {
+        pt.remove(std::vector<int>{0, 17, 61}); // 0 leaves a duplicate
+        lists.compute(pt);
+        ASSERT_NO_FATAL_FAILURE(expect_lists(lists, pt));
+        EXPECT_EQ(lists.degree(17), 0u);
+      }
+    }
+}
+
+TEST(Neighbor_lists, of_the_plane_have_no_shifts_also_after_those_of_a_cell)
+{
+  std::mt19937_64 random(6);
+  const std::vector<Point> points = short_points(random, 20);
+  Lists lists, of_plane;
+  lists.compute(Triangulation(points, Cell(1, 1)));
+  EXPECT_EQ(lists.shifts().size(), 120u);
+  const CGAL::Dynamic_Delaunay_triangulation_2<Kernel> dt(points);
+  lists.compute(dt);
+  of_plane.compute(dt);
+  EXPECT_TRUE(lists.shifts().empty());
+  EXPECT_EQ(lists.neighbors(), of_plane.neighbors());
 }
 
 // CONVERSION --------------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 
 #include <CGAL/assertions.h>
 #include <CGAL/Iterator_range.h>
+#include <CGAL/Periodic_cell_2.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -22,15 +23,16 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
 Neighbor lists of all points, as two plain arrays (compressed sparse rows): `neighbors()` holds the
-neighbors of all points, one list after the other, and `offsets()` tells where each list begins. A
-loop over all neighbors touches no triangulation, and the arrays can be passed to other programs as
-they are.
+neighbors of all points, one list after the other, and `offsets()` tells where each list begins. In
+periodic space a third one, `shifts()`, tells which image each neighbor is. A loop over all
+neighbors touches no triangulation, and the arrays can be passed to other programs as they are.
 
 - The list of a point holds the other ends of its finite edges, counterclockwise around it,
   beginning anywhere.
 - Points that coincide share the vertex of the one that was there first, the *representative*; the
   others are its *duplicates*. The list of a duplicate holds only its representative. The list of a
-  representative ends with its duplicates, smaller ids first.
+  representative ends with its duplicates, smaller ids first. In periodic space their shifts say
+  which images coincide.
 - The list of a removed id is empty.
 
 So the lists are symmetric, and there are at most six times as many entries as points. Their ids are
@@ -67,17 +69,18 @@ public:
   ///
   /// Cost: linear, one pass over the edges and one walk around every vertex; with g duplicates,
   /// O(g log g) more. If memory runs out, there are no lists.
-  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`.
+  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_2` or a
+  /// `Dynamic_periodic_Delaunay_triangulation_2`.
   /// \post `number_of_ids() == dt.number_of_ids()`
   template <class Dynamic>
   void compute(const Dynamic& dt)
   {
     reserve_extra(dt);
-    const auto frame = dt.frame();
-    note_duplicates(frame);
+    note_duplicates(dt.frame());
     find_offsets(dt);
     m_neighbors.resize(m_offsets.back());
-    write_neighbors(dt);
+    m_shifts.resize(Dynamic::Frame::is_periodic ? m_offsets.back() : 0);
+    write_neighbors(dt.frame());
     write_duplicates();
   }
 
@@ -94,6 +97,10 @@ public:
 
   /// all lists. The list of `id` is from `offsets()[id]` to before `offsets()[id + 1]`.
   const std::vector<Id>& neighbors() const { return m_neighbors; }
+
+  /// in periodic space, the shift of each of these neighbors: which image it is, as
+  /// `Dynamic_triangulation_base_2::for_each_neighbor()` says. Empty in the plane.
+  const std::vector<Periodic_shift_2>& shifts() const { return m_shifts; }
 
   /// the list of a point. It is valid until the next `compute()`. \pre `id < number_of_ids()`
   Neighbors neighbors(size_type id) const
@@ -118,19 +125,23 @@ private:
   struct Duplicate
   {
     Id representative, id;
+    Periodic_shift_2 shift; // of the duplicate, as its representative sees it
   };
 
-  // Reserves memory for all that will be appended: a triangulation with n vertices has fewer than
-  // 3n edges, however many of them are on its hull.
+  // Reserves memory for all that will be appended: a triangulation with n vertices has at most 3n
+  // edges, however many of them are on its hull.
   template <class Dynamic>
   void reserve_extra(const Dynamic& dt)
   {
     m_offsets.resize(1);
     m_neighbors.clear();
+    m_shifts.clear();
     m_duplicates.clear();
     const size_type vertices = dt.number_of_vertices();
     const size_type duplicates = dt.number_of_points() - vertices;
     reserve_extra(m_neighbors, 6 * vertices + 2 * duplicates);
+    if (Dynamic::Frame::is_periodic)
+      reserve_extra(m_shifts, 6 * vertices + 2 * duplicates);
     reserve_extra(m_duplicates, duplicates);
     reserve_extra(m_offsets, dt.number_of_ids() + 1);
   }
@@ -148,7 +159,7 @@ private:
   void note_duplicates(const Frame& frame)
   {
     frame.for_each_duplicate([&](Id id) {
-      m_duplicates.push_back({frame.id(frame.vertex(id)), id});
+      m_duplicates.push_back({frame.id(frame.vertex(id)), id, shift_of_duplicate(frame, id)});
     });
     std::sort(m_duplicates.begin(), m_duplicates.end(), [](const Duplicate& g, const Duplicate& h) {
       return g.representative != h.representative ? g.representative < h.representative
@@ -156,11 +167,21 @@ private:
     });
   }
 
+  template <class Frame>
+  static Periodic_shift_2 shift_of_duplicate(const Frame& frame, Id id)
+  {
+    if constexpr (Frame::is_periodic) {
+      const auto p = frame.state().point_of_id(id);
+      return frame.state().shift_of_step({p.x(), p.y()}, frame.position(frame.vertex(id)));
+    } else
+      return {0, 0};
+  }
+
   template <class Dynamic>
   void find_offsets(const Dynamic& dt)
   {
     m_offsets.resize(dt.number_of_ids() + 1, 0);
-    const auto count = [&](size_type i, size_type j) {
+    const auto count = [&](size_type i, size_type j, const auto&...) {
       ++m_offsets[i + 1];
       ++m_offsets[j + 1];
     };
@@ -172,18 +193,25 @@ private:
 
   // In the order of the vertices, since close vertices are close in memory, too; ids may be
   // anywhere.
-  template <class Dynamic>
-  void write_neighbors(const Dynamic& dt)
+  template <class Frame>
+  void write_neighbors(const Frame& frame)
   {
-    const auto frame = dt.frame();
-    Dynamic::Frame::Parts::for_each(frame.number_of_vertices(),
-                                    [&](size_type, size_type first, size_type beyond) {
-                                      for (Id v = Id(first) + 1; v <= beyond; ++v) {
-                                        size_type place = m_offsets[frame.id(v)];
-                                        frame.state().for_each_finite_neighbor(
-                                            v, [&](Id w) { m_neighbors[place++] = frame.id(w); });
-                                      }
-                                    });
+    Frame::Parts::for_each(
+        frame.number_of_vertices(), [&](size_type, size_type first, size_type beyond) {
+          for (Id v = Id(first) + 1; v <= beyond; ++v) {
+            size_type place = m_offsets[frame.id(v)];
+            frame.state().for_each_finite_neighbor(
+                v, [&](Id w, const auto&... shift) { write(place++, frame.id(w), shift...); });
+          }
+        });
+  }
+
+  // In the plane without a shift.
+  template <class... Shift>
+  void write(size_type place, Id neighbor, const Shift&... shift)
+  {
+    m_neighbors[place] = neighbor;
+    ((m_shifts[place] = shift), ...);
   }
 
   void write_duplicates()
@@ -193,13 +221,19 @@ private:
       if (duplicate == m_duplicates.rbegin() ||
           duplicate->representative != std::prev(duplicate)->representative)
         place = m_offsets[duplicate->representative + size_type(1)];
-      m_neighbors[--place] = duplicate->id;
-      m_neighbors[m_offsets[duplicate->id]] = duplicate->representative;
+      const size_type there = --place, back = m_offsets[duplicate->id];
+      m_neighbors[there] = duplicate->id;
+      m_neighbors[back] = duplicate->representative;
+      if (!m_shifts.empty()) {
+        m_shifts[there] = duplicate->shift;
+        m_shifts[back] = {-duplicate->shift[0], -duplicate->shift[1]};
+      }
     }
   }
 
   std::vector<size_type> m_offsets = {0};
   std::vector<Id> m_neighbors;
+  std::vector<Periodic_shift_2> m_shifts;
   std::vector<Duplicate> m_duplicates;
 };
 
