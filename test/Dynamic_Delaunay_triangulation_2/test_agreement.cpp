@@ -6,6 +6,19 @@
 #include "oracle.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
+#include <CGAL/iterator.h>
+#include <CGAL/Periodic_cell_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace test_agreement {
 
@@ -114,6 +127,159 @@ TEST(Delaunay_agreement, refuses_triangulations_of_different_points)
   const CGAL::Dynamic_Delaunay_triangulation_2<Epick> dt(points.begin(), points.end());
   EXPECT_THROW(CGAL::delaunay_agreement(dt, Fresh(others.begin(), others.end())),
                std::invalid_argument);
+}
+
+// PERIODIC SPACE ----------------------------------------------------------------------------------
+
+using Point = Epick::Point_2;
+using Cell = CGAL::Periodic_cell_2;
+using Shift = CGAL::Periodic_shift_2;
+using Periodic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick>;
+// finds nothing, ever
+using Frozen_periodic =
+    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick, CGAL::Random_classifier_2>;
+
+Frozen_periodic frozen(const Points& built, const Points& moved, const Cell& cell)
+{
+  Frozen_periodic pt(built, cell, CGAL::Random_classifier_2(0));
+  pt.update(moved);
+  return pt;
+}
+
+// With so few bits that translations are exact.
+Points short_points(std::size_t number, unsigned seed)
+{
+  Points points;
+  for (const Point& p : Cloud<Epick>(seed).uniform(number))
+    points.emplace_back(std::floor(p.x() * 0x1p20) * 0x1p-20, std::floor(p.y() * 0x1p20) * 0x1p-20);
+  return points;
+}
+
+using Undirected_edge = std::tuple<std::size_t, std::size_t, Shift>;
+
+template <class Triangulation>
+std::set<Undirected_edge> edges_of(const Triangulation& pt)
+{
+  std::set<Undirected_edge> edges;
+  pt.for_each_edge([&](std::size_t i, std::size_t j, const Shift& shift) {
+    edges.insert(
+        (std::min)(Undirected_edge(i, j, shift), Undirected_edge(j, i, {-shift[0], -shift[1]})));
+  });
+  return edges;
+}
+
+TEST(Periodic_agreement, is_perfect_for_the_same_points_by_other_ids_and_images)
+{
+  for (const Cell& cell : {Cell(7, 7), Cell(7, 0, 17, 7), Cell::slab(7, 0)})
+    for (const std::size_t number : {0u, 1u, 2u, 3u, 50u}) {
+      Points points = short_points(number, 3);
+      for (std::size_t i = 0; i < number / 5; ++i) // these coincide with others
+        points.emplace_back(points[i].x() - 7, points[i].y());
+      const Periodic reference(points, cell);
+      std::reverse(points.begin(), points.end());
+      for (std::size_t i = 0; i < points.size(); i += 3)
+        points[i] = Point(points[i].x() + 7 * double(i % 4), points[i].y());
+      Periodic pt(points, cell);
+      const auto agreement = CGAL::delaunay_agreement(pt, reference);
+      EXPECT_TRUE(agreement.is_perfect());
+      EXPECT_EQ(agreement.true_positives(), reference.number_of_edges());
+      EXPECT_EQ(agreement.matthews_correlation_coefficient(), 1);
+    }
+}
+
+TEST(Periodic_agreement, counts_the_edges_that_are_wrong_and_those_that_are_missing)
+{
+  const Cell cell(10, 0, 3, 10);
+  Cloud<Epick> cloud(4);
+  const Points built = cloud.uniform(100);
+  Points moved = built;
+  cloud.shake(moved, 0.1);
+  const auto pt = frozen(built, moved, cell);
+  ASSERT_FALSE(pt.is_certified());
+  const Periodic reference(moved, cell);
+  const auto maintained = edges_of(pt), right = edges_of(reference);
+  std::size_t common = 0;
+  for (const auto& edge : maintained)
+    common += right.count(edge);
+  ASSERT_LT(common, right.size());
+  const auto agreement = CGAL::delaunay_agreement(pt, reference);
+  EXPECT_EQ(agreement.true_positives(), common);
+  EXPECT_EQ(agreement.false_positives(), maintained.size() - common);
+  EXPECT_EQ(agreement.false_negatives(), right.size() - common);
+  EXPECT_EQ(agreement.true_negatives(), 100u * 99 / 2 - 300 - (300 - common));
+}
+
+// Of the edges of a lattice all sides are right, and one of the two diagonals of each square.
+TEST(Periodic_agreement, takes_either_diagonal_of_each_square_of_a_lattice_for_right)
+{
+  for (const std::size_t size : {1u, 2u, 12u})
+    for (const double step : {0.01, 0.3}) {
+      const Points lattice = Cloud<Epick>::grid(size, size);
+      Points built = lattice;
+      Cloud<Epick>(5).shake(built, step);
+      const double width = double(size);
+      const Cell cell(width, width);
+      const auto pt = frozen(built, lattice, cell);
+      std::set<std::tuple<std::size_t, std::size_t, Shift>> sides;
+      std::set<std::pair<int, int>> squares;
+      for (const auto& [i, j, shift] : edges_of(pt)) {
+        const auto v = pt.vector(i, j, shift);
+        const int n = int(size), x = int(lattice[i].x()), y = int(lattice[i].y());
+        if (v.squared_length() == 1)
+          sides.insert({i, j, shift});
+        else if (v.squared_length() == 2)
+          squares.insert({(x + n - (v.x() < 0)) % n, (y + n - (v.y() < 0)) % n});
+      }
+      const auto agreement = CGAL::delaunay_agreement(pt, Periodic(lattice, cell));
+      EXPECT_EQ(agreement.true_positives(), sides.size() + squares.size());
+      EXPECT_EQ(agreement.true_positives() + agreement.false_negatives(), 3 * size * size);
+      if (size == 12) {
+        EXPECT_EQ(agreement.is_perfect(), step == 0.01);
+      }
+    }
+}
+
+TEST(Periodic_agreement, takes_any_triangulation_of_a_cocircular_polygon_for_right)
+{
+  Cloud<Epick> cloud(6);
+  Points circle = cloud.on_circle(36);
+  for (Point& p : circle) // around a corner of the cell
+    p = Point(p.x() + (p.x() < 0 ? 200 : 0), p.y() + (p.y() < 0 ? 200 : 0));
+  std::size_t others = 0;
+  for (const Cell& cell : {Cell(200, 200), Cell::slab(200, 0)}) {
+    if (cell.is_slab())
+      circle = cloud.on_circle(36);
+    const Periodic reference(circle, cell);
+    for (int order = 0; order < 10; ++order) {
+      Periodic pt(cell);
+      std::vector<std::size_t> ids(circle.size());
+      for (std::size_t i = 0; i < ids.size(); ++i)
+        ids[i] = i;
+      std::shuffle(ids.begin(), ids.end(), cloud.random());
+      pt.insert(circle, CGAL::Emptyset_iterator());
+      for (const std::size_t id : ids) { // the next point gets this id
+        pt.remove(id);
+        pt.insert(circle[id]);
+      }
+      others += edges_of(pt) != edges_of(reference);
+      EXPECT_TRUE(CGAL::delaunay_agreement(pt, reference).is_perfect());
+    }
+  }
+  EXPECT_GT(others, 0u);
+}
+
+TEST(Periodic_agreement, is_refused_for_other_points_and_cells_and_without_a_certificate)
+{
+  const Points points = {{0, 0}, {1, 0}, {0, 1}}, others = {{0, 0}, {1, 0}, {0, 2}};
+  const Cell cell(3, 3);
+  const Periodic pt(points, cell);
+  EXPECT_THROW(CGAL::delaunay_agreement(pt, Periodic(others, cell)), std::invalid_argument);
+  EXPECT_THROW(CGAL::delaunay_agreement(pt, Periodic(cell)), std::invalid_argument);
+  EXPECT_THROW(CGAL::delaunay_agreement(pt, Periodic(points, Cell(3, 4))), std::invalid_argument);
+  const auto uncertified = frozen(points, {{0.1, 0}, {1, 0}, {0, 1}}, cell);
+  ASSERT_FALSE(uncertified.is_certified());
+  EXPECT_THROW(CGAL::delaunay_agreement(uncertified, uncertified),
+               CGAL::Uncertified_triangulation_error_2);
 }
 
 } // namespace test_agreement

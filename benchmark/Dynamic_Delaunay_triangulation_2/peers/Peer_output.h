@@ -9,7 +9,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/delaunay_agreement.h>
 #include <CGAL/Unique_hash_map.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -40,9 +39,10 @@ struct Grid_points
 class Frame_truth
 {
   using Reference = CGAL::Dynamic_Delaunay_triangulations_2::internal::Delaunay_reference_2<
-      run::Static_triangulation>;
+      run::Static_triangulation, false>;
 
 public:
+  using Place = Reference::Place;
   using Edge = Reference::Edge; // two places
 
   explicit Frame_truth(const Points& points)
@@ -56,13 +56,15 @@ public:
   Frame_truth(const Frame_truth&) = delete;
   Frame_truth& operator=(const Frame_truth&) = delete;
 
-  std::size_t place(std::size_t id) const { return m_place_of_id.at(id); }
-  std::size_t place(const Point& point) const { return m_reference.place(point); }
+  Place place(std::size_t id) const { return m_place_of_id.at(id); }
+  Place place(const Point& point) const { return m_reference.place(point); }
+  static Edge edge(const Place& p, const Place& q) { return Reference::edge(p, q); }
   std::size_t number_of_faces() const { return m_triangulation.number_of_faces(); }
 
   CGAL::Delaunay_agreement compare(std::vector<Edge> edges) const
   {
-    return m_reference.compare(std::move(edges));
+    const auto [right, wrong, missing, places] = m_reference.compare(std::move(edges));
+    return {right, wrong, missing, places};
   }
 
 private:
@@ -80,7 +82,7 @@ private:
 
   run::Static_triangulation m_triangulation;
   Reference m_reference;
-  std::vector<std::size_t> m_place_of_id;
+  std::vector<Place> m_place_of_id;
 };
 
 // Takes what a peer has made of a frame, in any form, and holds it against the truth.
@@ -117,7 +119,7 @@ public:
   template <class Triangulation>
   void add(const Triangulation& triangulation)
   {
-    CGAL::Unique_hash_map<typename Triangulation::Vertex_handle, std::size_t> place_of;
+    CGAL::Unique_hash_map<typename Triangulation::Vertex_handle, Frame_truth::Place> place_of;
     for (const auto v : triangulation.finite_vertex_handles()) {
       place_of[v] = m_truth.place(v->point());
     }
@@ -137,9 +139,9 @@ public:
   }
 
 private:
-  void add_places(std::size_t i, std::size_t j)
+  void add_places(const Frame_truth::Place& p, const Frame_truth::Place& q)
   {
-    m_edges.emplace_back((std::min)(i, j), (std::max)(i, j));
+    m_edges.push_back(Frame_truth::edge(p, q));
   }
 
   const Frame_truth& m_truth;
