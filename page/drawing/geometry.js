@@ -13,6 +13,9 @@
 //   changed, removed, wrong   Uint32Array: two points for each edge that is new, that is gone, that is not Delaunay
 //   marks         array of [x, y]: places that a ring shows
 //   outline       array of [x, y]: walls or another polygon to draw
+//   wall          array of two [x, y]: a wall of bounded cells, and where it is held
+//   cellContacts, cellBorders   Float64Array: x0, y0, x1, y1 of each segment of the boundaries of bounded cells, between
+//                 two cells and elsewhere; boundedSegments() makes them
 //   cell          { corner: [x, y], sides: [[x, y], [x, y]], isPeriodic: [bool, bool] }: space repeats along these sides
 //   edgeShifts, changedShifts, removedShifts, wrongShifts   only with a cell: Int32Array, two numbers for each edge: how
 //                 often its second point is shifted by each side
@@ -287,6 +290,33 @@ export function voronoiSegments(out, view, scene, circles) {
     }
   });
   return out;
+}
+
+const angleOfChord = Math.PI / 16; // that stands for an arc
+
+// Of cells as Triangulation.boundedCells() has them: { cellContacts, cellBorders }, with each cell around its point as
+// wrapped() has it.
+export function boundedSegments({ begins, sides, starts, ends, angles }, positions, cell) {
+  const contacts = [], borders = [];
+  const outside = cell && shiftsOutOfCell(positions, cell);
+  for (let i = 0; i + 1 < begins.length; ++i) {
+    const [dx, dy] = cell ? [0, 1].map(axis => -outside[2 * i] * cell.sides[0][axis] -
+                                               outside[2 * i + 1] * cell.sides[1][axis]) : [0, 0];
+    for (let k = begins[i]; k !== begins[i + 1]; ++k) {
+      const x = positions[2 * i], y = positions[2 * i + 1];
+      const fromX = starts[2 * k] - x, fromY = starts[2 * k + 1] - y;
+      const chords = Math.max(1, Math.ceil(angles[k] / angleOfChord));
+      let lastX = starts[2 * k] + dx, lastY = starts[2 * k + 1] + dy;
+      for (let c = 1; c <= chords; ++c) {
+        const turn = angles[k] * c / chords, cosine = Math.cos(turn), sine = Math.sin(turn);
+        const nextX = (c === chords ? ends[2 * k] : x + cosine * fromX - sine * fromY) + dx;
+        const nextY = (c === chords ? ends[2 * k + 1] : y + sine * fromX + cosine * fromY) + dy;
+        (sides[k] === 0 ? contacts : borders).push(lastX, lastY, nextX, nextY);
+        [lastX, lastY] = [nextX, nextY];
+      }
+    }
+  }
+  return { cellContacts: Float64Array.from(contacts), cellBorders: Float64Array.from(borders) };
 }
 
 // The point of the scene that is seen nearest to a pixel, within `reach` pixels; -1 if none is.

@@ -6,7 +6,7 @@
 //   const picture = new Picture(canvas);
 //   picture.scene = { positions, edges, ... };
 //   picture.fit();                            shows all of it; also after the canvas has another size
-//   picture.layers.voronoi = true;            what is drawn: see `layerNames`
+//   picture.layers.voronoi = true;            what is drawn: see `layerNames`; also `cells`, if the scene has bounded ones
 //   picture.palette = palettes.dark;
 //   picture.draw();                           at once; picture.requestDraw() before the next frame of the screen
 //   picture.svg("title"), await picture.png()
@@ -48,6 +48,9 @@ export function paint(pen, scene, view, { layers = usualLayers(), palette = pale
   pen.begin(view.width, view.height, palette.ground);
   paintOutline(pen, scene, view, palette);
   paintCircles(pen, shown, view, layers, palette, line);
+  if (layers.cells) {
+    paintCells(pen, scene, view, palette, line);
+  }
   const edges = (name, style) => {
     if (layers[name] && shown[name]) {
       const shifts = shown[name === "edges" ? "edgeShifts" : name + "Shifts"];
@@ -93,6 +96,28 @@ function paintCircles(pen, scene, view, layers, palette, line) {
   }
   if (layers.voronoi) {
     pen.segments(voronoiSegments(floats, view, scene, circles).values, { color: palette.voronoi, width: 1.2 * line });
+  }
+}
+
+const ringOfWall = 9; // pixels, where a wall is held
+
+function paintCells(pen, { cellContacts, cellBorders, wall }, view, palette, line) {
+  const segments = (values, style) => {
+    floats.clear();
+    for (let i = 0; i < values.length; i += 4) {
+      floats.push4(view.x(values[i]), view.y(values[i + 1]), view.x(values[i + 2]), view.y(values[i + 3]));
+    }
+    pen.segments(floats.values, style);
+  };
+  if (cellContacts) {
+    segments(cellContacts, { color: palette.voronoi, width: 1.2 * line });
+    segments(cellBorders, { color: palette.voronoi, width: 2 * line + 0.6 });
+  }
+  if (wall) {
+    segments(wall.flat(), { color: palette.outline, width: 4 });
+    floats.clear();
+    wall.forEach(([x, y]) => floats.push3(view.x(x), view.y(y), ringOfWall));
+    pen.rings(floats.values, { color: palette.outline, width: 2.5 });
   }
 }
 
@@ -220,6 +245,7 @@ export class Picture {
     add(layers.removed && scene.removed, "line", palette.removed, "gone edge");
     add(layers.wrong && scene.wrong?.length, "line", palette.wrong, "wrong edge");
     add(layers.voronoi && scene.triangles, "line", palette.voronoi, "Voronoi cell");
+    add(layers.cells && scene.cellContacts, "line", palette.voronoi, "cell with borders");
     add(layers.circumcircles && scene.triangles, "line", palette.circumcircle, "circumcircle");
     return entries;
   }

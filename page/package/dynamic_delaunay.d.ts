@@ -74,6 +74,31 @@ export interface Cells {
   shapeIndices: Float64Array;
 }
 
+/** Voronoi cells that end at a radius, in a convex domain, or at both, as in `CGAL::Bounded_voronoi_cells_2`. The pieces
+    of the boundary of cell i are begins[i] to before begins[i + 1], counterclockwise: segments, and arcs at the radius. */
+export interface BoundedCells {
+  /** By id. */
+  radii: Float64Array;
+  areas: Float64Array;
+  perimeters: Float64Array;
+  centroids: Float64Array;
+  /** Of what touches no other cell and no wall. */
+  freeLengths: Float64Array;
+  wallLengths: Float64Array;
+  begins: Int32Array;
+  /** What is beyond each piece: 0 a neighbor's cell, 1 the outside of the domain, 2 nothing. */
+  sides: Int32Array;
+  /** The neighbor; of a wall its number, from that after the first corner; else the id of the cell. */
+  others: Int32Array;
+  /** Two for each piece, of the neighbor; zero in the plane. */
+  shifts: Int32Array;
+  starts: Float64Array;
+  ends: Float64Array;
+  lengths: Float64Array;
+  /** Of arcs around their points, in radians; 0 of segments. */
+  angles: Float64Array;
+}
+
 export interface VoronoiEdges {
   /** The two points whose cells meet there. */
   pairs: Int32Array;
@@ -139,6 +164,9 @@ export class Triangulation {
   neighborLists(): NeighborLists;
   /** In the plane cells can be cut by a box: xmin, ymin, xmax, ymax. */
   cells(box?: [number, number, number, number]): Cells;
+  /** `domain`: two coordinates of each corner of a convex polygon, counterclockwise; only in the plane. A point may be
+      outside: its cell is what the domain has of it. Without a domain there must be a radius. */
+  boundedCells(bounds?: { radius?: number; domain?: Numbers }): BoundedCells;
   /** Counterclockwise; none if the cell is not bounded. */
   cellCorners(id: number): Float64Array;
   voronoiEdges(): VoronoiEdges;

@@ -324,6 +324,16 @@ export class Triangulation {
     const [areas, perimeters, centroids, shapeIndices] = [0, 1, 2, 3].map(i => this.#array(i));
     return { areas, perimeters, centroids, shapeIndices };
   }
+  boundedCells({ radius = Infinity, domain = [] } = {}) {
+    if (typeof radius !== "number") {
+      throw new TypeError("radius must be a number");
+    }
+    this.#give(domain);
+    this.#core.checked(this.#f.dd_read_bounded_cells(this.#address, radius, domain.length / 2));
+    const names = ["radii", "areas", "perimeters", "centroids", "freeLengths", "wallLengths", "begins", "sides", "others",
+                   "shifts", "starts", "ends", "lengths", "angles"];
+    return Object.fromEntries(names.map((name, i) => [name, this.#array(i)]));
+  }
   cellCorners(id) {
     checkIds([id]);
     this.#core.checked(this.#f.dd_read_cell_corners(this.#address, id));

@@ -3,7 +3,7 @@
 //
 // What mouse and fingers do to the points of a picture, by the tool that is chosen. What no tool takes moves the view.
 //
-//   const hand = new Hand(picture, tell);   tell({ name: "grab" | "drag" | "release" | "add" | "remove" | "move", ... })
+//   const hand = new Hand(picture, tell);   tell({ name: "grab" | "drag" | "release" | "add" | "remove" | "move" | "wall", ... })
 //   hand.tool = "drag";                     or "add", "remove", "view"
 //   hand.holdsPendulum = true;              then the pointer moves the hand that holds it instead of dragging points
 
@@ -18,7 +18,8 @@ export class Hand {
     this.tell = tell;
     this.tool = "drag";
     this.holdsPendulum = false;
-    this.pointer = null; // that does something to points
+    this.pointer = null; // that does something to points, or to the wall
+    this.wallEnd = -1;   // that it holds: 0 below, 1 above
     this.pressed = [0, 0];
     navigate(picture.canvas, picture.view, { onChange: () => picture.requestDraw(), mayPan: event => !this.takes(event) });
     const listen = (type, listener) => picture.canvas.addEventListener(type, listener);
@@ -28,7 +29,8 @@ export class Hand {
     listen("pointercancel", event => this.lift(event));
   }
 
-  get isHolding() { return this.pointer !== null && this.tool === "drag"; }
+  // A point.
+  get isHolding() { return this.pointer !== null && this.tool === "drag" && this.wallEnd < 0; }
 
   place(event) {
     const box = this.picture.canvas.getBoundingClientRect();
@@ -42,9 +44,17 @@ export class Hand {
 
   nearest(event) { return this.picture.nearestPoint(...this.place(event), reach); }
 
+  // The end of the wall that is there, or -1.
+  wallEndAt(event) {
+    const { layers, scene, view } = this.picture;
+    const [x, y] = this.place(event);
+    return layers.cells && scene.wall
+      ? scene.wall.findIndex(([endX, endY]) => Math.hypot(view.x(endX) - x, view.y(endY) - y) < reach) : -1;
+  }
+
   takes(event) {
     return this.pointer !== null || this.tool === "add" || this.tool === "remove" ||
-      (this.tool === "drag" && (this.holdsPendulum || this.nearest(event) >= 0));
+      (this.tool === "drag" && (this.holdsPendulum || this.wallEndAt(event) >= 0 || this.nearest(event) >= 0));
   }
 
   press(event) {
@@ -56,6 +66,10 @@ export class Hand {
       this.picture.canvas.setPointerCapture(event.pointerId);
     } catch { // a synthetic event has no pointer that could be captured
     }
+    this.wallEnd = this.tool === "drag" ? this.wallEndAt(event) : -1;
+    if (this.wallEnd >= 0) {
+      return;
+    }
     if (this.tool === "drag" && !this.holdsPendulum) {
       this.tell({ name: "grab", ...this.world(event), id: this.nearest(event) });
     } else {
@@ -64,7 +78,11 @@ export class Hand {
   }
 
   move(event) {
-    if (this.holdsPendulum && this.tool === "drag") {
+    if (this.wallEnd >= 0) {
+      if (event.pointerId === this.pointer) {
+        this.tell({ name: "wall", ...this.world(event), end: this.wallEnd });
+      }
+    } else if (this.holdsPendulum && this.tool === "drag") {
       this.tell({ name: "move", ...this.world(event) });
     } else if (event.pointerId !== this.pointer) {
       return;
@@ -95,6 +113,7 @@ export class Hand {
   lift(event) {
     if (event.pointerId === this.pointer) {
       this.pointer = null;
+      this.wallEnd = -1;
       this.tell({ name: "release" });
     }
   }

@@ -11,7 +11,7 @@ import { layerNames, Picture, showLegend } from "../drawing/picture.js";
 import { Hand } from "./hand.js";
 import { LiveCurves } from "./live_curves.js";
 import { loadScenario, scenarios, spaces, usualGravityOf } from "./scenarios.js";
-import { linkOf, settingsOfLink, stepsPerFrame, tools, usualSettings } from "./settings.js";
+import { leastWall, linkOf, settingsOfLink, stepsPerFrame, tools, usualSettings } from "./settings.js";
 
 const element = id => document.getElementById(id);
 const toolTexts = { drag: "Drag", add: "Add", remove: "Remove", view: "View" };
@@ -36,7 +36,7 @@ class Playground {
     this.theme = preferredTheme();
     this.picture = new Picture(element("picture"));
     this.curves = new LiveCurves(element("curves"));
-    this.hand = new Hand(this.picture, told => this.tell(told));
+    this.hand = new Hand(this.picture, told => told.name === "wall" ? this.moveWall(told) : this.tell(told));
     this.isPlaying = false;
     this.isWaiting = false; // for a frame
     this.stepsWanted = 0;
@@ -64,8 +64,10 @@ class Playground {
 
   tell(message) {
     this.worker.postMessage(message);
-    if (["add", "remove"].includes(message.name)) {
+    if (["add", "remove", "cells"].includes(message.name)) {
       this.isStale = true;
+    } else if (message.name === "release") {
+      this.settingsChanged(); // a wall may have been moved
     }
   }
 
@@ -91,8 +93,8 @@ class Playground {
         this.isWaiting = false;
         this.pause();
       } else if (of === "open" || of === "use") {
-        const { tool, layers } = this.settings;
-        this.settings = { ...this.accepted, tool, layers };
+        const { tool, layers, cells, cellRadius, wallBelow, wallAbove } = this.settings;
+        this.settings = { ...this.accepted, tool, layers, cells, cellRadius, wallBelow, wallAbove };
         this.settingsChanged();
         this.showSettings();
       }
@@ -151,6 +153,10 @@ class Playground {
     for (const name of ["gravity", "wind"]) {
       element(name).addEventListener("input", () => this.set(name, Number(element(name).value), () => this.useField()));
     }
+    changed("cells", ({ checked }) => this.set("cells", checked, () => {}));
+    element("cell-radius").addEventListener("input", () => {
+      this.set("cellRadius", Number(element("cell-radius").value), () => this.useCells());
+    });
     changed("classifier", ({ value }) => {
       this.settings.parameter = "";
       this.set("classifier", value, () => this.use());
@@ -198,7 +204,7 @@ class Playground {
     const sideways = by => isPendulum ? this.moveHand(by * strides.pendulum) : push("wind", by * strides.field);
     const actions = {
       " ": () => this.togglePlay(), n: () => this.step(), r: () => this.open(), c: () => this.copyLink(),
-      t: () => this.toggleTheme(),
+      t: () => this.toggleTheme(), b: () => element("cells").click(),
       ArrowLeft: () => sideways(-1), ArrowRight: () => sideways(1),
       ArrowUp: () => push("gravity", strides.field), ArrowDown: () => push("gravity", -strides.field),
     };
@@ -215,6 +221,14 @@ class Playground {
   moveHand(by) {
     const [x] = this.picture.scene.marks?.[0] ?? [0];
     this.tell({ name: "move", x: x + by });
+  }
+
+  // Not written to the link before it is let go: browsers limit how often that is done.
+  moveWall({ end, x }) {
+    const width = this.picture.scene.outline[1][0];
+    const share = Math.min(1, Math.max(leastWall, Math.round(1000 * x / width) / 1000));
+    this.settings = { ...this.settings, [end === 0 ? "wallBelow" : "wallAbove"]: share };
+    this.useCells();
   }
 
   // Settings.
@@ -271,6 +285,8 @@ class Playground {
     for (const name of Object.keys(layerNames)) {
       element("layer-" + name).checked = settings.layers[name];
     }
+    element("cells").checked = settings.cells;
+    element("cell-radius").value = element("cell-radius-value").textContent = settings.cellRadius;
     element("tool-" + settings.tool).checked = true;
     this.hand.tool = element("picture").dataset.tool = settings.tool;
     this.hand.holdsPendulum = settings.scenario === "pendulum";
@@ -278,7 +294,7 @@ class Playground {
   }
 
   useLayers() {
-    this.picture.layers = { ...this.settings.layers };
+    this.picture.layers = { ...this.settings.layers, cells: this.settings.cells };
     this.isStale = true;
     this.redraw();
   }
@@ -296,6 +312,8 @@ class Playground {
   useField() {
     this.tell({ name: "field", gravity: Number(element("gravity").value), wind: this.settings.wind });
   }
+
+  useCells() { this.tell({ name: "cells", ...this.settings }); }
 
   use() { this.tell({ name: "use", settings: this.settings }); }
 
@@ -346,8 +364,8 @@ class Playground {
     this.stepsWanted = Math.max(0, this.stepsWanted - 1);
     this.isStale = false;
     this.isWaiting = true;
-    const { voronoi, circumcircles } = this.settings.layers;
-    this.tell({ name: "frame", steps, wanted: { triangles: voronoi || circumcircles } });
+    const { cells, layers: { voronoi, circumcircles } } = this.settings;
+    this.tell({ name: "frame", steps, wanted: { triangles: voronoi || circumcircles, cells } });
   }
 
   show({ scene, state, isFirst }, now) {

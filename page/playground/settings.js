@@ -10,6 +10,7 @@ import { scenarios, spaces } from "./scenarios.js";
 export const largestNumberOfPoints = 50000;
 export const stepsPerFrame = [1, 2, 4, 8];
 export const tools = ["drag", "add", "remove", "view"];
+export const leastWall = 0.05; // of the width of the box
 
 const word = allowed => text => allowed.includes(text) ? text : undefined;
 const number = (low, high) => text => {
@@ -40,6 +41,10 @@ const readers = {
   policy: text => /^[a-z_]+(:\d+)?$/.test(text) ? text : undefined,
   gravity: number(-3, 3),
   wind: number(-3, 3),
+  cells: text => word(["true", "false"])(text) && text === "true",
+  cellRadius: number(0.25, 5),
+  wallBelow: number(leastWall, 1),
+  wallAbove: number(leastWall, 1),
   tool: word(tools),
   layers: layerList,
 };
@@ -49,7 +54,7 @@ const usualSteps = { brownian: 1, pendulum: 4 };
 export function usualSettings(scenario = "dam_break") {
   return { scenario, points: scenarios[scenario].points, space: "plane", seed: 1, steps: usualSteps[scenario] ?? 2,
            classifier: "circumcircle", parameter: "", padding: 1, repair: "", policy: "hybrid", gravity: "", wind: 0,
-           tool: "drag", layers: usualLayers() };
+           cells: false, cellRadius: 1, wallBelow: 0.9, wallAbove: 0.9, tool: "drag", layers: usualLayers() };
 }
 
 function textOf(value) {

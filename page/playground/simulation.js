@@ -9,10 +9,12 @@
 //   simulation.grab(x, y, id); simulation.drag(x, y); simulation.release();
 //   simulation.add(x, y); simulation.remove(id);
 //   simulation.moveTo(x);                                  the hand of the pendulum
+//   simulation.setCells({ cellRadius, wallBelow, wallAbove });   where bounded cells end: in spacings; the ends of the wall
 //   simulation.advance(2);                                 steps; the triangulation follows each of them
-//   simulation.frame({ triangles: true })                  { scene, state }: what is shown, and what is said of it
+//   simulation.frame({ triangles: true, cells: true })     { scene, state }: what is shown, and what is said of it
 //   await simulation.use(settings);                        another classifier, repair, ... from now on
 
+import { boundedSegments } from "../drawing/geometry.js";
 import { Motion } from "../motion/motion.mjs";
 import { Triangulation } from "../package/dynamic_delaunay.mjs";
 import { delaunator } from "./opponents.js";
@@ -67,6 +69,7 @@ export class Simulation {
       simulation.close();
       throw error;
     }
+    simulation.setCells(settings);
     simulation.setField(settings.gravity === "" ? usualGravityOf(scenario) : settings.gravity, settings.wind);
     return simulation;
   }
@@ -132,6 +135,13 @@ export class Simulation {
   setField(gravity, wind) {
     const unit = gravityOf(this.scenario) / this.motion.factor;
     this.motion.setField(unit * wind, -unit * gravity);
+  }
+
+  // In the plane with a box, the right side of its cells' domain is a wall, whose ends are so far to the right: in widths.
+  setCells({ cellRadius, wallBelow, wallAbove }) {
+    this.cellRadius = cellRadius * this.motion.spacing;
+    const [x, y] = this.box ?? [0, 0];
+    this.wall = this.cell || !this.box ? null : [[wallBelow * x, 0], [wallAbove * x, y]];
   }
 
   // From one place to the nearest image of another.
@@ -313,7 +323,7 @@ export class Simulation {
     }
   }
 
-  // wanted: { triangles, removed }, whether these are shown as well. Arrays are new, so they can be sent away.
+  // wanted: { triangles, cells }, whether these are shown as well. Arrays are new, so they can be sent away.
   frame(wanted) {
     const { triangulation, report } = this;
     this.neighbors();
@@ -337,6 +347,9 @@ export class Simulation {
     if (wanted.triangles) {
       put("triangles", triangulation.trianglesWithShifts());
     }
+    if (wanted.cells) {
+      this.putCells(scene, isCertified);
+    }
     if (report) {
       const { created, removed, createdShifts, removedShifts } = triangulation.changedEdges();
       put("changed", { ids: created, shifts: createdShifts });
@@ -347,6 +360,18 @@ export class Simulation {
       scene.marks = [this.rod.place];
     }
     return { scene, state: this.state(isCertified, scene) };
+  }
+
+  // A triangulation that is not Delaunay has no cells.
+  putCells(scene, isCertified) {
+    if (this.wall) {
+      scene.wall = this.wall;
+    }
+    if (isCertified) {
+      const domain = this.wall ? [0, 0, ...this.wall.flat(), 0, this.box[1]] : [];
+      const cells = this.triangulation.boundedCells({ radius: this.cellRadius, domain });
+      Object.assign(scene, boundedSegments(cells, scene.positions, scene.cell));
+    }
   }
 
   state(isCertified, scene) {

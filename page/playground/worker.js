@@ -25,6 +25,7 @@ const told = {
     await simulation?.use(settings);
     postMessage({ name: "accepted", settings });
   },
+  cells: settings => simulation?.setCells(settings),
   field: ({ gravity, wind }) => simulation?.setField(gravity, wind),
   grab: ({ x, y, id }) => simulation?.grab(x, y, id),
   drag: ({ x, y }) => simulation?.drag(x, y),

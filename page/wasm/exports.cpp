@@ -4,8 +4,10 @@
 // The functions that the JavaScript beside calls. Those that can fail return 0 if they have, and
 // then `dd_error_*` says why. Numbers cross the border in buffers in WebAssembly's memory.
 
+#include "bindings/Bounded_cells.h"
 #include "bindings/Error_description.h"
 #include "bindings/Report_fields.h"
+#include "bindings/Row_iterator.h"
 #include "page/wasm/Subjects.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Decimal_number_2.h>
@@ -277,6 +279,30 @@ EMSCRIPTEN_KEEPALIVE bool dd_read_clipped_cells(Triangulation* t, double xmin, d
 {
   return guarded([&] {
     t->arrays = t->subject->clipped_cells({xmin, ymin, xmax, ymax});
+    return true;
+  });
+}
+// Measures and pieces of cells that end at a radius and in a convex domain, whose corners are in
+// the buffer of points. Without corners there is none.
+EMSCRIPTEN_KEEPALIVE bool dd_read_bounded_cells(Triangulation* t, double radius,
+                                                std::size_t corners)
+{
+  return guarded([&] {
+    bindings::Bounded_cells bounded;
+    if (corners > 0) {
+      bindings::Corners domain;
+      const bindings::Read_point<bindings::Corner> corner{point_rows(*t, corners)};
+      for (std::size_t i = 0; i < corners; ++i) {
+        domain.push_back(corner(i));
+      }
+      std::get<CGAL::Bounded_voronoi_cells_2>(bounded.cells)
+          .set_domain(domain.begin(), domain.end());
+    }
+    bounded = t->subject->bounded_cells(std::move(bounded), radius);
+    t->arrays = bindings::bounded_measure_arrays(bounded);
+    for (Array& array : bindings::bounded_piece_arrays(bounded)) {
+      t->arrays.push_back(std::move(array));
+    }
     return true;
   });
 }

@@ -35,6 +35,8 @@ LINKS = {
     "periodic": "#scenario=brownian&points=500&space=periodic&layers=edges+points+sets+voronoi+circumcircles",
     "slab": "#space=channel&points=500&wind=1", "pendulum": "#scenario=pendulum",
     "periodic_explosion": "#scenario=explosion&space=periodic&points=400",
+    "cells": "#layers=points&cells=true&cellRadius=1.5&wallBelow=0.3&wallAbove=0.6",
+    "periodic_cells": "#scenario=brownian&points=300&space=periodic&layers=points&cells=true&cellRadius=0.75",
     "heuristic": "#classifier=random&parameter=0.01&steps=8", "splice": "#repair=splice&policy=always_dynamic&padding=2",
 }
 
@@ -270,6 +272,36 @@ def drags_a_point(page):
     page.console()
 
 
+def moves_the_wall_of_cells(page, width):
+    page.open("cells with borders", "#points=300&layers=points")
+    page.press("b")
+    page.until("playground.picture.scene.cellContacts?.length > 100", "b shows no cells with borders")
+    page.choose("cell-radius", "2")
+    page.press(" ")
+    page.until("!playground.isWaiting && playground.arrived === null", "it does not rest")
+    step = page.steps()
+    right = """(({ cellBorders, outline }) =>
+        Math.max(...cellBorders.filter((_, i) => i % 2 === 0)) / outline[1][0])(playground.picture.scene)"""
+    for end, name in enumerate(("wallBelow", "wallAbove")):
+        x, y, aim = page.run(PLACE + f"""
+            const [side] = scene.outline[1];
+            return [...at(scene.wall[{end}]), at([0.3 * side, 0])[0]];""")
+        page.press_at(x, y)
+        for share in (0.3, 0.6, 1):
+            page.move_to(x + share * (aim - x), y)
+        page.until(f"Math.abs(playground.settings.{name} - 0.3) < 0.02", f"the wall does not follow: {name}")
+        page.lift_at(aim, y)
+        page.check(f"{name}=0." in page.run("return location.hash"), "the link does not have the wall")
+    page.until(f"{right} < 0.33", "the cells do not end at the wall")
+    page.check(page.run("return playground.picture.scene.cellBorders.every(Number.isFinite)"), "a border is nowhere")
+    page.check(page.steps() == step, "it plays while a wall is moved")
+    page.check(page.run("return playground.state.held") == 0, "the wall's hand holds a point")
+    page.look(width)
+    page.press("b")
+    page.until("playground.picture.scene.cellContacts === undefined", "b hides no cells")
+    page.console()
+
+
 def adds_and_removes_points(page):
     for link in "#scenario=brownian&points=200&layers=edges+points+voronoi", "#scenario=brownian&points=200&space=periodic", \
             "#points=200&gravity=0":
@@ -490,6 +522,7 @@ def main(chromium, driver, site, directory=None):
                 plays_every_scenario(page, width)
                 proves_its_pictures(page)
                 drags_a_point(page)
+                moves_the_wall_of_cells(page, width)
                 adds_and_removes_points(page)
                 changes_the_method(page)
                 obeys_keys(page)

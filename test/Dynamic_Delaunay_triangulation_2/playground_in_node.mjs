@@ -82,6 +82,39 @@ for (const scenario of Object.keys(scenarios)) {
   }
 }
 
+test("cells have borders: a radius, the box and the wall", async () => {
+  const settings = { ...usualSettings("dam_break"), points: 200, cellRadius: 2, wallBelow: 0.5, wallAbove: 0.8 };
+  const simulation = await Simulation.open(settings);
+  const [width, height] = simulation.box;
+  for (const [below, above] of [[0.5, 0.8], [1, 0.05], [1, 1]]) {
+    simulation.setCells({ cellRadius: 2, wallBelow: below, wallAbove: above });
+    simulation.advance(20);
+    const { scene } = simulation.frame({ cells: true });
+    assert.deepEqual(scene.wall, [[below * width, 0], [above * width, height]]);
+    assert.ok(scene.cellContacts.length > 400 && scene.cellBorders.length > 100);
+    for (const segments of [scene.cellContacts, scene.cellBorders]) {
+      for (let i = 0; i !== segments.length; i += 2) {
+        const [x, y] = segments.subarray(i, i + 2), wall = width * (below + (above - below) * y / height);
+        assert.ok(x > -1e-9 && y > -1e-9 && y < height + 1e-9 && x < wall + 1e-9, `${x}, ${y} is in the domain`);
+      }
+    }
+  }
+  assert.equal(simulation.frame({}).scene.wall, undefined);
+  simulation.close();
+  for (const other of [{ space: "periodic" }, { space: "channel" }, { scenario: "explosion" }]) {
+    const without = await Simulation.open({ ...settings, ...other });
+    without.advance(2);
+    const { scene } = without.frame({ cells: true });
+    assert.ok(scene.wall === undefined && scene.cellBorders.length > 0, JSON.stringify(other));
+    without.close();
+  }
+  const heuristic = await Simulation.open({ ...settings, classifier: "random", parameter: 0.001 });
+  heuristic.advance(40);
+  const { scene, state } = heuristic.frame({ cells: true });
+  assert.ok(scene.wall && (state.isCertified || scene.cellContacts === undefined));
+  heuristic.close();
+});
+
 test("another method has the same points, also where some were removed", async () => {
   const simulation = await Simulation.open({ ...usualSettings("brownian"), points: 100 });
   simulation.remove(0);

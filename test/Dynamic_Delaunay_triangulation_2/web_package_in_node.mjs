@@ -100,6 +100,41 @@ for (const [name, width] of [["few ties", 1 << 20], ["many points on circles, an
   });
 }
 
+test("cells end at a radius and in a convex domain", async () => {
+  const alone = (await Triangulation.create([2, 3])).boundedCells({ radius: 0.5 });
+  assert.ok(Math.abs(alone.areas[0] - Math.PI / 4) < 1e-15 && Math.abs(alone.freeLengths[0] - Math.PI) < 1e-15);
+  assert.deepEqual([[...alone.begins], [...alone.sides], [...alone.angles]], [[0, 1], [2], [2 * Math.PI]]);
+
+  const random = randomIntegers(21);
+  const triangulation = await Triangulation.create(integerPoints(random, 100, 1000).flat());
+  triangulation.remove([3]);
+  const domain = [0, 0, 700, 0, 900, 1000, 0, 1000]; // some points are outside
+  const sum = numbers => numbers.reduce((total, number) => total + number, 0);
+  const cells = triangulation.boundedCells({ domain });
+  assert.ok(Math.abs(sum(cells.areas) - 800000) < 1e-6);
+  assert.ok(Math.abs(sum(cells.wallLengths) - 2600 - Math.hypot(200, 1000)) < 1e-9);
+  assert.equal(cells.areas[3] + cells.begins[4] - cells.begins[3], 0);
+  assert.equal(cells.begins[100], cells.sides.length);
+  for (let k = 0; k !== cells.sides.length; ++k) {
+    const length = Math.hypot(cells.ends[2 * k] - cells.starts[2 * k], cells.ends[2 * k + 1] - cells.starts[2 * k + 1]);
+    assert.ok(Math.abs(length - cells.lengths[k]) < 1e-9 && cells.angles[k] === 0);
+  }
+  const small = triangulation.boundedCells({ radius: 50, domain });
+  assert.ok(small.areas.every((area, id) => area <= Math.min(cells.areas[id] * (1 + 1e-9), 2500 * Math.PI)));
+  assert.ok(sum(small.freeLengths) > 0);
+
+  const cell = { a: [1000, 0], b: [0, 1000] };
+  const periodic = await Triangulation.create(integerPoints(random, 100, 1000).flat(), { cell });
+  assert.ok(Math.abs(sum(periodic.boundedCells({ radius: 1e4 }).areas) - 1e6) < 1e-6);
+  const refused = [[{}, "ParameterError"], [{ radius: -1 }, "ParameterError"], [{ radius: "1" }, "TypeError"],
+                   [{ domain: [0, 0, 0, 1, 1, 1] }, "DomainError"], [{ domain: [0, 0, 1] }, "TypeError"],
+                   [{ domain: [0, 0, 1, 0] }, "DomainError"], [{ domain: [0, 0, NaN, 0, 1, 1] }, "DomainError"]];
+  for (const [bounds, name] of refused) {
+    assert.throws(() => triangulation.boundedCells(bounds), { name });
+  }
+  assert.throws(() => periodic.boundedCells({ radius: 1, domain }), { name: "DomainError" });
+});
+
 test("points come and go, and ids stay", async () => {
   const random = randomIntegers(12);
   const points = integerPoints(random, 50, 1000);
