@@ -1,8 +1,8 @@
 # Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs the package, and builds and runs README's first program, in the project that README shows, with what was
-# installed. Then configures the same with the package as a subdirectory.
+# Builds and runs README's first program, in the project that README shows, with the package in each way that CMake has:
+# installed; fetched, from an archive as a release has it; and as a subdirectory.
 
 cmake_minimum_required(VERSION 3.20)
 
@@ -34,6 +34,13 @@ function(configure_consumer source directory)
       message(FATAL_ERROR "CGAL_LINKED_WITH_TBB: package ${TBB}, consumer ${has_tbb}")
     endif()
   endif()
+endfunction()
+
+function(build_and_run directory)
+  run("${CMAKE_COMMAND}" --build "${directory}" --config Debug)
+  find_program(program_file my_program PATHS "${directory}" "${directory}/Debug" NO_DEFAULT_PATH REQUIRED)
+  run("${program_file}")
+  unset(program_file CACHE)
 endfunction()
 
 set(project "${WORK}/project")
@@ -69,12 +76,24 @@ load_cache("${WORK}/installed" READ_WITH_PREFIX "" Dynamic_Delaunay_triangulatio
 if(NOT Dynamic_Delaunay_triangulation_2_DIR MATCHES "^${prefix}/")
   message(FATAL_ERROR "Found ${Dynamic_Delaunay_triangulation_2_DIR}, not what was installed")
 endif()
-run("${CMAKE_COMMAND}" --build "${WORK}/installed" --config Debug)
-find_program(program_file my_program PATHS "${WORK}/installed" "${WORK}/installed/Debug" NO_DEFAULT_PATH REQUIRED)
-run("${program_file}")
+build_and_run("${WORK}/installed")
 
-file(READ "${project}/CMakeLists.txt" lists)
-string(REGEX REPLACE "find_package\\([^\n]*" "add_subdirectory(\"${SOURCE}\" package)" lists "${lists}")
-file(WRITE "${WORK}/project_with_package/CMakeLists.txt" "${lists}")
-file(COPY "${project}/main.cpp" DESTINATION "${WORK}/project_with_package")
-configure_consumer("${WORK}/project_with_package" "${WORK}/subdirectory")
+# The two others replace the line find_package(). They need nothing but the headers and one CMakeLists.txt. Both take
+# the headers from one place, so that ccache has the program when it is compiled again.
+file(READ "${project}/CMakeLists.txt" shown_lists)
+function(write_lists lines)
+  string(REGEX REPLACE "find_package\\([^\n]*" "${lines}" lists "${shown_lists}")
+  file(WRITE "${project}/CMakeLists.txt" "${lists}")
+endfunction()
+set(archive "${WORK}/archive.tar.gz")
+execute_process(COMMAND "${CMAKE_COMMAND}" -E tar czf "${archive}" CMakeLists.txt include WORKING_DIRECTORY "${SOURCE}"
+  COMMAND_ERROR_IS_FATAL ANY)
+file(SHA256 "${archive}" hash)
+write_lists("include(FetchContent)
+FetchContent_Declare(Dynamic_Delaunay_triangulation_2 URL \"file://${archive}\" URL_HASH SHA256=${hash})
+FetchContent_MakeAvailable(Dynamic_Delaunay_triangulation_2)")
+configure_consumer("${project}" "${WORK}/fetched")
+build_and_run("${WORK}/fetched")
+write_lists("add_subdirectory(\"${WORK}/fetched/_deps/dynamic_delaunay_triangulation_2-src\" package)")
+configure_consumer("${project}" "${WORK}/subdirectory")
+build_and_run("${WORK}/subdirectory")

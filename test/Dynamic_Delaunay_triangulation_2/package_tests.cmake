@@ -64,7 +64,7 @@ if(NOT MSVC)
   add_refusal(gpl licensed_under_gpl "2D Dynamic Delaunay Triangulation would be used under the GPL" -DCGAL_LICENSE_ERROR)
 endif()
 
-# A program that finds the installed package, and one that has it as a subdirectory.
+# A program that finds the installed package, fetches it, or has it as a subdirectory.
 add_test(NAME consumer
   COMMAND "${CMAKE_COMMAND}" -D SOURCE=${PROJECT_SOURCE_DIR} -D BUILD=${PROJECT_BINARY_DIR} -D CONFIG=$<CONFIG>
     -D WORK=${CMAKE_CURRENT_BINARY_DIR}/consumer -D GENERATOR=${CMAKE_GENERATOR} -D COMPILER=${CMAKE_CXX_COMPILER}
