@@ -25,10 +25,10 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-What triangulations of moving points that are spread over the ranks of an MPI communicator can in
+What triangulations of moving points that are spread over the ranks of an MPI communicator can do in
 the plane and in periodic space: `Distributed_dynamic_Delaunay_triangulation_2` and
-`Distributed_dynamic_periodic_Delaunay_triangulation_2` derive from it. Functions that are called
-*collective* must be called by all ranks.
+`Distributed_dynamic_periodic_Delaunay_triangulation_2` derive from it. All ranks must call the
+functions that are called *collective*.
 
 Each rank owns some points, and holds copies of points of other ranks, its *ghosts*; in periodic
 space, other images of its own points as well. After construction and after each update every face
