@@ -70,7 +70,8 @@ public:
   // the hull.
   void add_side(const Position_2& normal, double distance, std::size_t label)
   {
-    // filled in place, as a copy would wait for each of its parts to be stored: so are chords
+    // Filled in place, like chords: a copy waits until each of its parts is stored, which took a
+    // quarter of the time of a cell.
     Side& side = m_sides.emplace_back();
     side.normal = normal;
     side.distance = distance;
