@@ -68,8 +68,6 @@ public:
   static constexpr bool has_hull = true;
   static constexpr bool can_splice = true; // a region can be triangulated apart
   static constexpr bool can_locate_anywhere = true;
-  // Inverted faces first, then the others without a search for doubled edges.
-  static constexpr bool flips_inverted_first = true;
   static constexpr bool jumpers_leave_before_motion = false;
 
   static constexpr bool coordinates_are_doubles = has_double_coordinates<Point>;

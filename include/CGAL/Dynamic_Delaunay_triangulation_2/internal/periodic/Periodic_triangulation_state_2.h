@@ -117,9 +117,8 @@ public:
   static constexpr bool is_periodic = true;
 
   static constexpr bool has_hull = false;
-  static constexpr bool can_splice = false;           // a region may meet images of itself
-  static constexpr bool can_locate_anywhere = false;  // but where all is Delaunay
-  static constexpr bool flips_inverted_first = false; // in the order of space fewer get stuck
+  static constexpr bool can_splice = false;          // a region may meet images of itself
+  static constexpr bool can_locate_anywhere = false; // but where all is Delaunay
   static constexpr bool jumpers_leave_before_motion = true;
 
   static constexpr std::size_t min_vertices = 1;

@@ -27,9 +27,10 @@ class Lawson_flips_2
 {
 public:
   // Flips from the edges of `open`, and leaves those in `open` that it could not prove. Returns the
-  // number of flips, at most `most`. If the faces tile the convex hull (`faces_tile_hull`), flips
-  // of illegal edges preserve that, and need no search for doubled edges, which takes a sixth of
-  // their time.
+  // number of flips, at most `most`. If the faces tile the convex hull, or the torus
+  // (`faces_tile_hull`), flips of illegal edges preserve that, and need no search for doubled
+  // edges: no edge crosses the inside of their quadrilateral. The search takes a sixth of the time
+  // of a flip, on a torus of 100,000 points that go 0.01 spacings a quarter of that of an update.
   template <class State, class Editor>
   std::size_t run(const State& state, Editor& editor, std::vector<Index>& open,
                   bool faces_tile_hull, std::size_t most)

@@ -35,7 +35,7 @@ public:
   std::vector<Index>& uncertain() { return m_uncertain; }
 
   // Whether the last tool has proved that the faces tile the convex hull. If no tool was used yet,
-  // whether the classifier has.
+  // whether the classifier has. On a torus they tile it as soon as none is inverted.
   bool faces_tile_hull() const { return m_faces_tile_hull; }
   void set_planar(bool faces_tile_hull) { m_faces_tile_hull = faces_tile_hull; }
 
@@ -116,18 +116,13 @@ public:
     m_illegal.clear();
   }
 
-  // Treats all edges alike, in the order of their numbers, which is about that of space and leaves
-  // fewer vertices to be relocated than another one. On a torus flips always look for doubled
-  // edges, so nothing is gained by flipping inverted ones first. Drops empty edges, which a
-  // classifier may name after vertices were taken out.
+  // Drops empty edges, which a classifier may name after vertices were taken out.
   template <class State>
-  void open_all_in_order(const State& state)
+  void drop_empty(const State& state)
   {
-    open_illegal();
-    make_distinct(m_uncertain);
     const auto is_empty = [&](Edge_index e) { return state.arrays().is_empty_edge(e); };
-    m_uncertain.erase(std::remove_if(m_uncertain.begin(), m_uncertain.end(), is_empty),
-                      m_uncertain.end());
+    for (std::vector<Index>* edges : {&m_uncertain, &m_illegal})
+      edges->erase(std::remove_if(edges->begin(), edges->end(), is_empty), edges->end());
   }
 
   // Opens the edges around open ones, because an illegal edge nearby may prevent their flips.

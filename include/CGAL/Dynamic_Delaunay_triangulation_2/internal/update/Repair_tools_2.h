@@ -103,8 +103,8 @@ public:
     m_task = task;
     m_report->classified = m_classification.size();
     m_open.take(m_classification, m_state);
-    if (!State::flips_inverted_first)
-      m_open.open_all_in_order(m_state);
+    if (State::jumpers_leave_before_motion)
+      m_open.drop_empty(m_state);
     m_classified_edges = m_open.size();
     if (task.jumper != null_index)
       open_edges_that_see(task.jumper);
@@ -290,7 +290,8 @@ public:
     if (has_rebuilt() || m_open.empty())
       return;
     flip_uncertain();
-    if (State::flips_inverted_first && !m_open.uncertain().empty() && !has_rebuilt()) {
+    // where no splice follows, taking one vertex out for each edge costs less
+    if (State::can_splice && !m_open.uncertain().empty() && !has_rebuilt()) {
       m_open.open_surroundings(m_state);
       flip_uncertain();
     }
@@ -487,8 +488,7 @@ private:
     if (!m_is_exact)
       m_editor.note_examined(edges);
     const std::size_t flips =
-        m_lawson.run(m_state, m_editor, edges,
-                     State::flips_inverted_first && m_open.faces_tile_hull(), most_flips());
+        m_lawson.run(m_state, m_editor, edges, m_open.faces_tile_hull(), most_flips());
     m_report->flips += flips;
     m_budget.spend(flips * Repair_budget_2::flip);
     if (m_budget.is_spent())
@@ -607,7 +607,7 @@ private:
   {
     const bool are_out = can_take_out() && take_out(m_jumpers.find_farthest(m_open.uncertain()));
     if (are_out)
-      flip();
+      flip_inverted();
     return are_out;
   }
 
