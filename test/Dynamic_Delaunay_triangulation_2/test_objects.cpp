@@ -263,9 +263,14 @@ void expect_to_take_all_ranges(Triangulation& dt)
   EXPECT_EQ(dt.number_of_vertices(), number - 3);
   dt.insert(cloud.uniform(3), std::back_inserter(ids));
   EXPECT_EQ(ids.back(), number + 2);
+  const std::array<Point, 2> more{cloud.uniform(1).front(), cloud.uniform(1).front()};
+  dt.insert(more);
+  EXPECT_EQ(dt.point(number + 4), more[1]);
+  const Point one[] = {cloud.uniform(1).front()};
+  EXPECT_EQ(dt.insert(one, one + 1).inserted, 1u);
   dt.remove(std::array<int, 2>{1, 5});
   EXPECT_FALSE(dt.has_id(5));
-  EXPECT_EQ(dt.number_of_points(), number + 1);
+  EXPECT_EQ(dt.number_of_points(), number + 4);
   EXPECT_THROW(dt.representative(5), CGAL::Unknown_id_error_2);
   EXPECT_TRUE(dt.is_certified() && dt.is_valid(true, 1));
 }

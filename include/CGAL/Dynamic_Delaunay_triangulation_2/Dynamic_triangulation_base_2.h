@@ -20,6 +20,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Dynamic_frame_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+#include <CGAL/iterator.h>
 #include <CGAL/property_map.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -312,6 +313,20 @@ public:
   Update_report_2 insert(const Range& points, OutputIterator ids)
   {
     return insert(std::begin(points), std::end(points), ids);
+  }
+
+  /// tells no ids. With no free ids between others, the points get the next ones in their order.
+  template <class InputIterator>
+  Update_report_2 insert(InputIterator first, InputIterator beyond)
+  {
+    return insert(first, beyond, Emptyset_iterator());
+  }
+
+  /// takes the range as a whole, and tells no ids.
+  template <class Range, class = If_range<Range>>
+  Update_report_2 insert(const Range& points)
+  {
+    return insert(std::begin(points), std::end(points));
   }
 
   /// reads the points from the values of the range by `point_map`.
