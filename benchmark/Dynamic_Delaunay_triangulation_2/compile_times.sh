@@ -2,9 +2,10 @@
 # Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# What first programs cost a compiler, in seconds of its own time: with CGAL's triangulation, with the package, with its
-# headers precompiled, and with the one file of an example that knows of CGAL. Headers alone tell how much of it is to read
-# them; the rest is to compile what the program uses. CXX is the compiler, g++ if it is not set.
+# What first programs cost a compiler, in seconds of its own time: with CGAL's triangulation, with the package, with the
+# code of updates in a library, with the headers precompiled, and with the one file of an example that knows of CGAL.
+# Headers alone tell how much of it is to read them; the rest is to compile what the program uses. CXX is the compiler,
+# g++ if it is not set.
 
 set -euo pipefail
 
@@ -37,6 +38,10 @@ cat >"$work/all.h" <<'TEXT'
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 TEXT
+cat >"$work/library.cpp" <<'TEXT'
+#include <CGAL/Dynamic_Delaunay_triangulation_2/compiled_updates.h>
+TEXT
+compiled=-DCGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED
 
 compile() {
   "${CXX:-g++}" -std=c++17 -DNDEBUG -frounding-math "-I$root/include" "$@"
@@ -53,6 +58,8 @@ for level in -O0 -O2; do
   seconds "CGAL's headers, read" "$level" -c "$work/cgal.cpp" -o "$work/object"
   seconds "the package's headers, read" "$level" -x c++ -c "$work/all.h" -o "$work/object"
   seconds hello_world "$level" -c "$examples/hello_world.cpp" -o "$work/object"
+  seconds "hello_world, compiled updates" "$level" "$compiled" -c "$examples/hello_world.cpp" -o "$work/object"
+  seconds "the library of these, once" "$level" "$compiled" -c "$work/library.cpp" -o "$work/object"
   seconds "the headers, precompiled" "$level" -x c++-header "$work/all.h" -o "$work/all.h.gch"
   seconds "hello_world with these" "$level" -include "$work/all.h" -c "$examples/hello_world.cpp" -o "$work/object"
   seconds growing_tissue "$level" -c "$examples/growing_tissue.cpp" -o "$work/object"

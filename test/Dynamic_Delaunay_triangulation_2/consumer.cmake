@@ -77,16 +77,24 @@ if(NOT Dynamic_Delaunay_triangulation_2_DIR MATCHES "^${prefix}/")
   message(FATAL_ERROR "Found ${Dynamic_Delaunay_triangulation_2_DIR}, not what was installed")
 endif()
 build_and_run("${WORK}/installed")
-
-# The two others replace the line find_package(). They need nothing but the headers and one CMakeLists.txt. Both take
-# the headers from one place, so that ccache has the program when it is compiled again.
 file(READ "${project}/CMakeLists.txt" shown_lists)
+function(link_library)
+  file(READ "${project}/CMakeLists.txt" lists)
+  string(REGEX REPLACE "::Dynamic_Delaunay_triangulation_2\\)" "::compiled)" lists "${lists}")
+  file(WRITE "${project}/CMakeLists.txt" "${lists}")
+endfunction()
+link_library()
+run("${CMAKE_COMMAND}" "${WORK}/installed")
+build_and_run("${WORK}/installed")
+
+# The two others replace the line find_package(). They need nothing but the headers, CMakeLists.txt and cmake/. Both take
+# the headers from one place. With the installed package and the subdirectory the program also links the library.
 function(write_lists lines)
   string(REGEX REPLACE "find_package\\([^\n]*" "${lines}" lists "${shown_lists}")
   file(WRITE "${project}/CMakeLists.txt" "${lists}")
 endfunction()
 set(archive "${WORK}/archive.tar.gz")
-execute_process(COMMAND "${CMAKE_COMMAND}" -E tar czf "${archive}" CMakeLists.txt include WORKING_DIRECTORY "${SOURCE}"
+execute_process(COMMAND "${CMAKE_COMMAND}" -E tar czf "${archive}" CMakeLists.txt cmake include WORKING_DIRECTORY "${SOURCE}"
   COMMAND_ERROR_IS_FATAL ANY)
 file(SHA256 "${archive}" hash)
 write_lists("include(FetchContent)
@@ -95,5 +103,6 @@ FetchContent_MakeAvailable(Dynamic_Delaunay_triangulation_2)")
 configure_consumer("${project}" "${WORK}/fetched")
 build_and_run("${WORK}/fetched")
 write_lists("add_subdirectory(\"${WORK}/fetched/_deps/dynamic_delaunay_triangulation_2-src\" package)")
+link_library()
 configure_consumer("${project}" "${WORK}/subdirectory")
 build_and_run("${WORK}/subdirectory")

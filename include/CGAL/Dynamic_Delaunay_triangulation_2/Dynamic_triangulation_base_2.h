@@ -58,6 +58,16 @@ struct Chosen_types_2
   static constexpr bool has_visitor = !std::is_same_v<Visitor, Default_visitor>;
 };
 
+// Compiles all that updates need of a class of triangulations; after `extern`, leaves that to
+// another source file.
+#define CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(...)                                                  \
+  template Update_report_2 Update_2<typename Triangulation_types_2<__VA_ARGS__>::State>::run(      \
+      Change_2<typename Triangulation_types_2<__VA_ARGS__>::State::Point>&,                        \
+      typename Triangulation_types_2<__VA_ARGS__>::Input&,                                         \
+      typename Triangulation_types_2<__VA_ARGS__>::Classifier&,                                    \
+      typename Triangulation_types_2<__VA_ARGS__>::Repair&,                                        \
+      typename Triangulation_types_2<__VA_ARGS__>::Policy&)
+
 } // namespace internal
 } // namespace Dynamic_Delaunay_triangulations_2
 

@@ -89,20 +89,7 @@ public:
   // of what is new.
   template <class Input, class Classifier, class Repair, class Policy>
   Update_report_2 run(Change& change, Input& input, Classifier& classifier, Repair& repair,
-                      Policy& policy)
-  {
-    Update_report_2 report;
-    try {
-      report = run_phases(change, input, classifier, repair, policy);
-    } catch (...) {
-      m_tools.relocation().give_up(); // puts all vertices into faces
-      throw;
-    }
-    m_tools.relocation().give_up();
-    inform_classifier(classifier, Frame(m_state));
-    m_is_classifier_informed = true;
-    return report;
-  }
+                      Policy& policy);
 
   // To be called at the beginning of a call, before anything changes.
   void enter()
@@ -449,6 +436,26 @@ private:
   bool m_is_classifier_informed = false; // of what is new since an update began
   Repair_experience_2 m_experience;      // learned from whole frames
 };
+
+// Not inline, unlike what is defined in the class: where it is declared extern, compilers leave out
+// all that it calls, which is most of the package (`compiled_updates.h`).
+template <class State>
+template <class Input, class Classifier, class Repair, class Policy>
+Update_report_2 Update_2<State>::run(Change& change, Input& input, Classifier& classifier,
+                                     Repair& repair, Policy& policy)
+{
+  Update_report_2 report;
+  try {
+    report = run_phases(change, input, classifier, repair, policy);
+  } catch (...) {
+    m_tools.relocation().give_up(); // puts all vertices into faces
+    throw;
+  }
+  m_tools.relocation().give_up();
+  inform_classifier(classifier, Frame(m_state));
+  m_is_classifier_informed = true;
+  return report;
+}
 
 } // namespace internal
 } // namespace Dynamic_Delaunay_triangulations_2
