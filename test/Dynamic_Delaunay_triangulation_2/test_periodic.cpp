@@ -697,6 +697,94 @@ TEST(Predicates_of_the_torus, are_the_same_for_four_edges_at_once)
 
 // SLABS -------------------------------------------------------------------------------------------
 
+using Exact_point = CGAL::Exact_predicates_exact_constructions_kernel::Point_2;
+
+// An image in a slab, as if it had a second vector that is finite, but longer than all that these
+// numbers can tell from infinity: some of them are subnormal.
+Exact_point far_image(const internal::Image_2& image, const Cell& slab)
+{
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+  const Exact::FT part = std::ldexp(1.0, 1000), long_enough = part * part * part;
+  const Exact::Vector_2 a(slab.ax(), slab.ay());
+  return Exact_point(image.position.x, image.position.y) + Exact::FT(image.shift[0]) * a +
+         Exact::FT(image.shift[1]) * long_enough * a.perpendicular(CGAL::COUNTERCLOCKWISE);
+}
+
+// Of points in rows along the slab, near such rows, on lines, on grids and anywhere.
+TEST(Predicates_of_a_slab, are_those_of_a_torus_whose_second_vector_is_long_enough)
+{
+  using namespace CGAL::Dynamic_Delaunay_triangulations_2::internal;
+  std::mt19937_64 random(25);
+  const auto coordinate = [&](bool is_on_grid) {
+    return is_on_grid ? double(random() % 4) / 2 : random_between(random, 0, 2);
+  };
+  std::map<int, std::size_t> counts;
+  const char* const more = std::getenv("PERIODIC_RUNS");
+  const std::uint64_t runs = more ? 1000 * std::strtoull(more, nullptr, 10) : 20000;
+  for (std::uint64_t i = 0; i < runs; ++i) {
+    const double length = (random() % 2 == 0 ? 1 : -1) * (random() % 2 == 0 ? 2 : 0.7);
+    const std::array<Cell, 3> slabs{Cell::slab(length, 0), Cell::slab(0, length),
+                                    Cell::slab(length, 0.3)};
+    const Cell& slab = slabs[random() % 3];
+    const bool is_on_grid = random() % 2 == 0, is_in_rows = random() % 2 == 0;
+    const std::array<double, 2> heights{coordinate(is_on_grid), coordinate(is_on_grid)};
+    std::array<Image_2, 4> images;
+    std::array<Exact_point, 4> points;
+    const int row = int(random() % 3) - 1;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const int above = random() % 4 == 0 ? 2 * int(random() % 2) : int(random() % 2);
+      const double along = coordinate(is_on_grid);
+      double across = is_in_rows ? heights[std::size_t(above % 2)] : coordinate(is_on_grid);
+      if (random() % 32 == 0)
+        across = std::nextafter(across, 9);
+      const Position_2 p = slab.ax() == 0 ? Position_2{across, along} : Position_2{along, across};
+      images[k] = {p, {int(random() % 5) - 2, row + above}};
+      points[k] = far_image(images[k], slab);
+    }
+    const auto& [a, b, c, d] = images;
+    const Torus_2 torus(slab);
+    const CGAL::Orientation turn = CGAL::orientation(points[0], points[1], points[2]);
+    ASSERT_EQ(torus.orientation(a, b, c), turn) << i;
+    if (turn != CGAL::LEFT_TURN)
+      continue;
+    const CGAL::Oriented_side side =
+        CGAL::side_of_oriented_circle(points[0], points[1], points[2], points[3]);
+    ASSERT_EQ(torus.side_of_circle(a, b, c, d), side) << i;
+    ++counts[side];
+  }
+  EXPECT_GT(counts[CGAL::ON_POSITIVE_SIDE], runs / 10);
+  EXPECT_GT(counts[CGAL::ON_NEGATIVE_SIDE], runs / 10);
+  EXPECT_GT(counts[CGAL::ON_ORIENTED_BOUNDARY], runs / 500);
+}
+
+// Two points in each of two rows, whose middles are in one place, or nearly.
+TEST(Predicates_of_a_slab, see_ties_between_rows_and_what_is_none_by_a_hair)
+{
+  using namespace CGAL::Dynamic_Delaunay_triangulations_2::internal;
+  std::mt19937_64 random(26);
+  const Cell slab = Cell::slab(0.7, 0);
+  const Torus_2 torus(slab);
+  std::map<int, std::size_t> counts;
+  while (counts[0] < 200 || counts[1] < 200 || counts[-1] < 200) {
+    std::array<Image_2, 4> images; // the first and the last one are in one row
+    for (std::size_t k = 0; k < 4; ++k)
+      images[k] = {{random_between(random, 0, 8), k % 3 == 0 ? 0.3 : 0.8},
+                   {int(random() % 9), k % 3 == 0 ? 0 : 1}};
+    auto& [a, b, c, d] = images;
+    if (random() % 2 == 0)
+      c.shift[0] = a.shift[0] + d.shift[0] - b.shift[0];
+    c.position.x = a.position.x + (d.position.x - b.position.x) +
+                   0.7 * (a.shift[0] + d.shift[0] - b.shift[0] - c.shift[0]);
+    if (torus.orientation(a, b, c) != CGAL::LEFT_TURN)
+      continue;
+    const Exact_point pa = far_image(a, slab), pb = far_image(b, slab), pc = far_image(c, slab),
+                      pd = far_image(d, slab);
+    const CGAL::Oriented_side side = CGAL::side_of_oriented_circle(pa, pb, pc, pd);
+    ASSERT_EQ(torus.side_of_circle(a, b, c, d), side);
+    ++counts[side];
+  }
+}
+
 TEST(A_point_in_a_slab, is_its_own_two_neighbors)
 {
   const Triangulation pt(std::vector<Point>{Point(0.3, 0.4)}, Cell(Vector(2, 1)));
@@ -759,6 +847,32 @@ TEST(Motion_in_a_slab, is_followed_at_every_step_size_without_an_end_at_the_wall
         ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt)) << number << ' ' << step;
       }
     }
+}
+
+// The walls are rows of points: level with each other at some times, and not at others.
+TEST(Walls_of_a_slab, may_slide_along_each_other)
+{
+  for (const bool is_upright : {false, true}) {
+    std::mt19937_64 random(24);
+    std::vector<Point> points = random_points(random, 30, 3);
+    for (int i = 0; i < 12; ++i)
+      points.push_back(Point(0.5 * (i % 6), i < 6 ? -1 : 4));
+    const auto turned = [&] {
+      std::vector<Point> result = points;
+      for (Point& p : result)
+        p = is_upright ? Point(p.y(), p.x()) : p;
+      return result;
+    };
+    Triangulation pt(turned(), is_upright ? Cell::slab(0, 3) : Cell::slab(3, 0));
+    for (int frame = 0; frame < 40; ++frame) {
+      for (std::size_t i = 0; i < 30; ++i)
+        points[i] = Point(points[i].x() + random_between(random, -0.05, 0.05), points[i].y());
+      for (std::size_t i = 36; i < 42; ++i)
+        points[i] = Point(points[i].x() + 0.125, 4);
+      EXPECT_FALSE(pt.update(turned()).rebuilt());
+      ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt)) << frame;
+    }
+  }
 }
 
 TEST(Calm_motion_in_a_channel, rebuilds_nothing_and_takes_no_vertex_out)

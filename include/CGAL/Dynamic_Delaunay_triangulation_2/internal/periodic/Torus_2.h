@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace CGAL {
@@ -190,7 +191,7 @@ public:
   Orientation orientation(const Image_2& a, const Image_2& b, const Image_2& c) const
   {
     if (are_across(a.shift, c.shift) || are_across(b.shift, c.shift))
-      return exact_orientation(a, b, c);
+      return orientation_across(a, b, c);
     double m = 0;
     const Position_2 p = vector(c, a, m), q = vector(c, b, m);
     const double left = product(p.x, q.y), right = product(q.x, p.y), e = error_factor * m;
@@ -213,7 +214,7 @@ public:
       return ON_POSITIVE_SIDE;
     if (filter.proves_outside())
       return ON_NEGATIVE_SIDE;
-    return exact_side_of_circle(a, b, c, d);
+    return unfiltered_side_of_circle(a, b, c, d);
   }
 
   // As `Edge_test_2` has it in the plane. No corner is at infinity.
@@ -227,7 +228,7 @@ public:
     const auto& [a, b, c, d] = corners;
     const bool is_twisted = orientation(a, b, c) != LEFT_TURN || orientation(d, c, b) != LEFT_TURN;
     if (filter.proves_inside() ||
-        (!filter.proves_outside() && exact_side_of_circle(a, b, c, d) == ON_POSITIVE_SIDE))
+        (!filter.proves_outside() && unfiltered_side_of_circle(a, b, c, d) == ON_POSITIVE_SIDE))
       return is_twisted ? Edge_state_2::INVERTED : Edge_state_2::ILLEGAL;
     return is_twisted ? Edge_state_2::NOT_FLIPPABLE : Edge_state_2::DELAUNAY;
   }
@@ -449,6 +450,129 @@ private:
     const Exact bx(-m_cell.ay()), by(m_cell.ax());
     return {p.x * p.x + p.y * p.y, Exact(2) * p.h * (p.x * bx + p.y * by),
             p.h * p.h * (bx * bx + by * by)};
+  }
+
+  // ACROSS THE GAP OF A SLAB --------------------------------------------------------------------
+
+  // The signs of polynomials in H by their leading coefficients. A row is what one number of the
+  // second vector translates. Computed without rounding each sign would take a microsecond, and a
+  // row of points at a wall has several edges for each point.
+
+  // With two corners p and q in one row, and r k rows away, the leading coefficient is k (q - p) a.
+  Orientation orientation_across(const Image_2& a, const Image_2& b, const Image_2& c) const
+  {
+    const auto turn = [this](const Image_2& p, const Image_2& q, const Image_2& r) {
+      return sign_along(p, q) * sign_of_rows(p, r);
+    };
+    Sign sign = ZERO;
+    if (a.shift[1] == b.shift[1])
+      sign = turn(a, b, c);
+    else if (b.shift[1] == c.shift[1])
+      sign = turn(b, c, a);
+    else if (c.shift[1] == a.shift[1])
+      sign = turn(c, a, b);
+    return sign != ZERO ? sign : exact_orientation(a, b, c);
+  }
+
+  Oriented_side unfiltered_side_of_circle(const Image_2& a, const Image_2& b, const Image_2& c,
+                                          const Image_2& d) const
+  {
+    std::optional<Sign> sign;
+    if (m_cell.is_slab())
+      sign = side_of_circle_across({a, b, c, d});
+    return sign ? *sign : exact_side_of_circle(a, b, c, d);
+  }
+
+  // The side of p[3] if three corners are in one row, or two in each of two; nothing where that
+  // does not decide it. To exchange two corners changes the sign.
+  std::optional<Sign> side_of_circle_across(std::array<Image_2, 4> p) const
+  {
+    const auto are_in_one_row = [&](int i, int k) { return p[i].shift[1] == p[k].shift[1]; };
+    for (int odd = 0; odd < 4; ++odd) {
+      const int i = (odd + 1) % 4, k = (odd + 2) % 4, l = (odd + 3) % 4;
+      if (are_in_one_row(i, k) && are_in_one_row(k, l) && !are_in_one_row(l, odd)) {
+        std::swap(p[odd], p[3]);
+        const std::optional<Sign> sign = side_of_far_point(p[0], p[1], p[2], p[3]);
+        return sign && odd != 3 ? -*sign : sign;
+      }
+    }
+    for (int with_first = 1; with_first < 4; ++with_first) {
+      const int i = with_first % 3 + 1, k = i % 3 + 1;
+      if (are_in_one_row(0, with_first) && are_in_one_row(i, k) && !are_in_one_row(0, i)) {
+        std::swap(p[with_first], p[3]);
+        const std::optional<Sign> sign = side_of_opposite_pair(p[0], p[1], p[2], p[3]);
+        return sign && with_first != 3 ? -*sign : sign;
+      }
+    }
+    return {};
+  }
+
+  // Of d, which is k rows away from the others. Let u and v go from c to a and b, and w be the
+  // slab's vector. The leading coefficient is -k^2 w^2 (u x v) or, if that is 0,
+  // -k (u^2 (v w) - v^2 (u w)). Where u and v go s and t along w, that is -k |w| s t (s - t).
+  std::optional<Sign> side_of_far_point(const Image_2& a, const Image_2& b, const Image_2& c,
+                                        const Image_2& d) const
+  {
+    if (are_in_line(a, b) && are_in_line(b, c)) {
+      const Sign sign = sign_of_rows(d, a) * sign_along(c, a) * sign_along(c, b) * sign_along(b, a);
+      return sign != ZERO ? std::optional<Sign>(sign) : std::nullopt;
+    }
+    const Orientation turn = orientation(a, b, c);
+    return turn != COLLINEAR ? std::optional<Sign>(-turn) : std::nullopt;
+  }
+
+  // Of d, where b and c are k rows away from a and d. If a and d are on a line along the slab, and
+  // b and c as well, the leading coefficient is 2k times the product of three steps along the slab:
+  // from d to a, from b to c, and from the middle of a and d to that of b and c. If it is 0, the
+  // four corners are on a circle.
+  std::optional<Sign> side_of_opposite_pair(const Image_2& a, const Image_2& b, const Image_2& c,
+                                            const Image_2& d) const
+  {
+    const Sign pairs = sign_along(d, a) * sign_along(b, c);
+    if (pairs == ZERO || !are_in_line(a, d) || !are_in_line(b, c))
+      return {};
+    return pairs * sign_of_rows(d, b) * sign_of_middles(a, b, c, d);
+  }
+
+  // Whether both are on a line along a slab that is along an axis.
+  bool are_in_line(const Image_2& p, const Image_2& q) const
+  {
+    return (m_cell.ay() == 0 && p.position.y == q.position.y) ||
+           (m_cell.ax() == 0 && p.position.x == q.position.x);
+  }
+
+  // The sign of the rows from p to q.
+  static Sign sign_of_rows(const Image_2& p, const Image_2& q)
+  {
+    return CGAL::sign(q.shift[1] - p.shift[1]);
+  }
+
+  // The sign of (q - p) a, if both are in one row. The rounding of products and sum adds less than
+  // the error of the vector does.
+  Sign sign_along(const Image_2& p, const Image_2& q) const
+  {
+    double m = 0;
+    const Position_2 v = vector(p, q, m);
+    const double along = product(v.x, m_cell.ax()) + product(v.y, m_cell.ay());
+    const double size = std::abs(m_cell.ax()) + std::abs(m_cell.ay());
+    const double bound = 2 * error_factor * m * size;
+    if (bound > smallest_products && std::abs(along) > bound)
+      return CGAL::sign(along);
+    const Exact_vector exact(*this, p, q);
+    return CGAL::sign(exact.x * Exact(m_cell.ax()) + exact.y * Exact(m_cell.ay()));
+  }
+
+  // The sign of (b + c - a - d) a for rows along an axis.
+  Sign sign_of_middles(const Image_2& a, const Image_2& b, const Image_2& c, const Image_2& d) const
+  {
+    const auto along = [&](const auto& v) { return m_cell.ay() == 0 ? v.x : v.y; };
+    const Sign of_vector = CGAL::sign(along(Position_2{m_cell.ax(), m_cell.ay()}));
+    double m = 0;
+    const double sum = along(vector(d, b, m)) + along(vector(a, c, m));
+    if (std::abs(sum) > 3 * error_factor * m)
+      return CGAL::sign(sum) * of_vector;
+    return CGAL::sign(along(Exact_vector(*this, d, b)) + along(Exact_vector(*this, a, c))) *
+           of_vector;
   }
 
   template <std::size_t size>
