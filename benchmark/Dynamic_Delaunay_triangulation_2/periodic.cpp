@@ -22,12 +22,16 @@
 //   flips, relocated, rebuilds  of the periodic update, means of a frame
 //   copies    points and ghosts a point, mean
 //
+// A second table is of slabs, where the points diffuse between two walls: alone, and with walls
+// that are rows of points, one of which slides.
+//
 // Time is that of the thread. Outside of the timing every update has to be certified; at the end of
 // a case the periodic triangulation has to be valid and to have three edges for each point, and the
 // one with ghosts has to have two faces for each point in the square. The first fault ends the
 // program.
 
 #include "common/Program.h"
+#include "periodic/Channel_run.h"
 #include "periodic/Periodic_cases.h"
 #include "periodic/Periodic_output.h"
 #include "periodic/Periodic_run.h"
@@ -93,6 +97,15 @@ bool run_periodic(const Periodic_options& options, const std::string& command)
                                  common::csv_cell(step) + ": " + error.what());
       }
       table.write_row(all.back());
+    }
+  }
+  std::cout << "\nBetween the walls of a slab\n";
+  Channel_table channels(std::cout);
+  for (const std::size_t points : options.points()) {
+    for (const double step : options.steps) {
+      const std::size_t frames = periodic_case(options, points, step, 1).frames;
+      channels.write_row(std::to_string(points) + ", " + common::csv_cell(step),
+                         Channel_run(points, step, 1).run(frames));
     }
   }
   std::cout << '\n' << command << std::endl;
