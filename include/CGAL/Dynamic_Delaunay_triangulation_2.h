@@ -93,32 +93,32 @@ Maintains the Delaunay triangulation of moving points. Every `update()` takes th
 all points, finds what the motion broke, repairs it, and reports what it did.
 
 Points have ids: 0, 1, 2, ... in the order in which they are given. An id keeps its vertex through
-all updates, unless its point coincides with another one: points that coincide share a vertex as
-long as they do. `insert()` adds points, and `remove()` removes them. The id of a removed point is
-free, and the next point that is inserted gets the smallest free id. `Dynamic_population_2` is for
-ids that the user chooses. Handles of vertices and faces are indices: they are valid until the next
+all updates, unless its point coincides with another one: points share a vertex as long as they
+coincide. `insert()` adds points, and `remove()` removes them. The id of a removed point is free,
+and the next point that is inserted gets the smallest free id. `Dynamic_population_2` is for ids
+that the user chooses. Handles of vertices and faces hold indices: they are valid until the next
 call that changes the triangulation.
 
 After construction, and after every update with an exact classifier, the triangulation is
 <em>certified</em>: exact predicates have proved that its faces are counterclockwise, that its hull
-is convex and turns around once, and that each of its edges is locally Delaunay. After an update
-with a heuristic classifier it is not certified, unless that update rebuilt it. It is then still a
-valid triangulated sphere with all its vertices.
+is convex and turns around once, and that each of its edges is locally Delaunay. An update with a
+heuristic classifier leaves it uncertified, unless that update rebuilds it. An uncertified
+triangulation is still a valid triangulated sphere with all its vertices.
 
 \tparam Traits a model of `DynamicDelaunayTraits_2`: a CGAL kernel with exact predicates, such as
   `Exact_predicates_inexact_constructions_kernel`, or `Projection_traits_xy_3` of one.
-\tparam Classifier a model of `DelaunayClassifier_2`, which finds what may be broken; `Default` for
-  `Circumcircle_classifier_2`.
-\tparam Repair a model of `DelaunayRepair_2`, which repairs it. `Default` stands for the
+\tparam Classifier a model of `DelaunayClassifier_2`, which finds the edges that may be broken;
+  `Default` for `Circumcircle_classifier_2`.
+\tparam Repair a model of `DelaunayRepair_2`, which repairs them. `Default` stands for the
   classifier's `Usual_repair` if it has one; else for `Flip_and_splice_repair_2` if the classifier
   is exact, and for `Border_splice_repair_2` if it is not.
 \tparam Tds an `Indexed_triangulation_data_structure_2` of these traits; `Default` for one without
   data of the user. Data that the user stores in a vertex stay in it. The vertices of a face change;
   a visitor is told when.
-\tparam UpdatePolicy a model of `DelaunayUpdatePolicy_2`, which decides which frames are rebuilt
+\tparam UpdatePolicy a model of `DelaunayUpdatePolicy_2`, which chooses the frames to rebuild
   instead; `Default` for `Always_dynamic_policy_2`.
 \tparam Visitor a model of `DelaunayUpdateVisitor_2`, which is told what changes; `Default` for
-  `Delaunay_update_visitor_base_2`, which ignores it.
+  `Delaunay_update_visitor_base_2`, which ignores all calls.
 \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag`, which needs TBB: with it, the threads of
   the TBB arena in which a function is called share its passes over many points, edges or faces
   (\ref DynamicDelaunaySubsection_Threads). They use the iterators of random-access ranges, and
@@ -159,7 +159,7 @@ public:
   using Triangulation_data_structure = typename State::Tds;
   /// a vertex of the CGAL triangulation; valid until the next call that changes it.
   using Vertex_handle = typename Triangulation::Vertex_handle;
-  /// a face, for as long.
+  /// a face of the CGAL triangulation; valid until the next call that changes it.
   using Face_handle = typename Triangulation::Face_handle;
   /// an edge as CGAL represents it: a face, and the index of the vertex opposite to the edge.
   using Edge = typename Triangulation::Edge;
@@ -186,13 +186,14 @@ public:
   {
   }
 
-  /// triangulates the points of the range; the i-th one has id i. Cost: O(n log n), about as much
-  /// as CGAL's insertion of a range of points. \tparam InputIterator its values are convertible to
-  /// `Point`.
+  /// triangulates the points of the range; the i-th one has id i. The visitor is copied, and the
+  /// copy is told of all vertices and faces.
+  ///
+  /// Cost: O(n log n), less than CGAL's insertion of a range of points.
+  /// \tparam InputIterator its values are convertible to `Point`.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
   /// \throws Coordinate_range_error_2 if a coordinate is too large for this program.
   /// \throws Point_limit_error_2 if there are more points than 32 bits allow.
-  /// The visitor is copied, and the copy is told of all vertices and faces.
   template <class InputIterator>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
                                    const Settings& settings = Settings())
@@ -200,7 +201,7 @@ public:
   {
   }
 
-  /// uses a classifier, and defaults for everything else.
+  /// triangulates the points of the range with a classifier, and defaults for everything else.
   template <class InputIterator>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
                                    const Delaunay_classifier& classifier)
@@ -208,7 +209,7 @@ public:
   {
   }
 
-  /// takes the range as a whole: anything with `begin()` and `end()`.
+  /// triangulates the points of a range with `begin()` and `end()`.
   template <class Range, class = If_range<Range>>
   explicit Dynamic_Delaunay_triangulation_2(const Range& points,
                                             const Settings& settings = Settings())
@@ -216,7 +217,7 @@ public:
   {
   }
 
-  /// takes the range as a whole, and uses a classifier.
+  /// triangulates the points of a range with `begin()` and `end()`, with a classifier.
   template <class Range, class = If_range<Range>>
   Dynamic_Delaunay_triangulation_2(const Range& points, const Delaunay_classifier& classifier)
     : Dynamic_Delaunay_triangulation_2(points, Settings{classifier})
@@ -235,7 +236,7 @@ public:
     this->insert(first, beyond, point_map, Emptyset_iterator());
   }
 
-  /// reads the points by a map, and uses a classifier.
+  /// triangulates the points that `point_map` reads, with a classifier.
   template <class InputIterator, class PointMap, class = If_map<PointMap>>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond, PointMap point_map,
                                    const Delaunay_classifier& classifier)
@@ -281,8 +282,8 @@ public:
                                             : ids.duplicate(Index(id)).point;
   }
 
-  /// the id of the point at a finite vertex. If several points share the vertex: the id of their
-  /// representative, which was there first.
+  /// the id of the point at a finite vertex. If several points share the vertex, this is the id of
+  /// their representative, the one that was there first.
   size_type id(Vertex_handle vertex) const
   {
     return m_core->state.ids().representative(vertex.index());
@@ -321,11 +322,11 @@ public:
     }
   }
 
-  /// adds a property to the vertices, with `value` for all of them and all that come, as
+  /// adds a property to the vertices, with `value` for all present and future vertices, as
   /// `Indexed_triangulation_data_structure_2::add_vertex_property()` does. A vertex keeps its
-  /// values as long as it lives. The map is valid until this object is destroyed or assigned to; if
-  /// it is moved or swapped, the map belongs to the other object. \return the map, and whether it
-  /// is new. Cost: linear.
+  /// values as long as it exists; `read_checkpoint()` makes all vertices new. The map is valid
+  /// until this object is destroyed or assigned to; if it is moved or swapped, the map belongs to
+  /// the other object. \return the map, and whether it is new. Cost: linear.
   template <class T>
   auto add_vertex_property(const std::string& name, const T& value = T())
   {

@@ -45,7 +45,8 @@ public:
   }
   /// \endcond
 
-  /// the id of the point; where a `Dynamic_population_2` throws it, its place in the range.
+  /// the id of the point; a place in the range, from 0 on, if a `Dynamic_population_2`, a
+  /// distributed triangulation or a query for places throws it.
   std::size_t id() const { return m_id; }
   /// its first coordinate, as a double.
   double x() const { return m_x; }
@@ -85,7 +86,8 @@ public:
   }
   /// \endcond
 
-  /// the id of the point; where a `Dynamic_population_2` throws it, its place in the range.
+  /// the id of the point; a place in the range, from 0 on, if a `Dynamic_population_2`, a
+  /// distributed triangulation or a query for places throws it.
   std::size_t id() const { return m_id; }
   /// its first coordinate, as a double.
   double x() const { return m_x; }
@@ -109,7 +111,8 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
-A frame has too few or too many points.
+A frame has too few or too many points, or a list, such as one of radii, weights or data, has too
+few or too many entries.
 */
 class Point_count_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
@@ -123,9 +126,9 @@ public:
   }
   /// \endcond
 
-  /// the number of ids.
+  /// the number that is due: of ids, of pieces of boundaries, or of points that the rank owns.
   std::size_t expected() const { return m_expected; }
-  /// the number of points in the frame; `expected() + 1` means that many or more.
+  /// the number that was given; `expected() + 1` means that many or more.
   std::size_t given() const { return m_given; }
 
 private:
@@ -301,8 +304,9 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
-The CGAL triangulation was asked for while it is not proved Delaunay. It is withheld then, because
-CGAL's point location and insertion may loop or abort on inverted faces.
+The CGAL triangulation, or anything computed from it such as cells and nearest points, was asked for
+while it is not proved Delaunay. It is withheld because CGAL's point location and insertion may loop
+or abort on inverted faces.
 */
 class Uncertified_triangulation_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
@@ -325,7 +329,8 @@ public:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
-A parameter of a classifier or a repair is out of range.
+A number is out of range: a parameter of a classifier or a policy, a radius, the size of a box, a
+number of weights, or a load factor.
 */
 class Parameter_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
@@ -355,8 +360,8 @@ private:
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
 The corners of a domain are not those of a convex polygon, counterclockwise, or not those of a
-simple polygon with holes where that is allowed. Corners of holes follow those of the outer
-boundary.
+simple polygon with holes where that is allowed; or the points are in periodic space, where no
+domain may be set.
 */
 class Domain_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
@@ -371,7 +376,7 @@ public:
   }
   /// \endcond
 
-  /// the number of the corner.
+  /// the number of the corner; corners of holes follow those of the outer boundary.
   std::size_t corner() const { return m_corner; }
 
 private:
@@ -382,7 +387,8 @@ private:
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
 A periodic cell has parallel vectors, a number that is not finite, or proportions that integers
-cannot count.
+cannot count; or it is not of the kind that is needed: a slab where there was none or the reverse,
+not a square for a conversion, or not the same on all ranks.
 */
 class Periodic_cell_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
@@ -405,7 +411,7 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
-A point of a periodic triangulation is so many cells away from the origin that the translations
+A point or a place in periodic space is so many cells away from the origin that the translations
 between neighbors could not be counted.
 */
 class Periodic_range_error_2 : public Dynamic_Delaunay_triangulation_error_2
@@ -419,7 +425,8 @@ public:
   }
   /// \endcond
 
-  /// the id of the point; where a `Dynamic_population_2` throws it, its place in the range.
+  /// the id of the point; a place in the range, from 0 on, if a `Dynamic_population_2`, a
+  /// distributed triangulation or a query for places throws it.
   std::size_t id() const { return m_id; }
 
 private:

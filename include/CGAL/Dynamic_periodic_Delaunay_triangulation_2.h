@@ -86,14 +86,14 @@ The Delaunay triangulation of points that move in a periodic space: a plane in w
 repeated by the vectors of a `Periodic_cell_2`, that is, a flat torus. The cell may be any
 parallelogram, and may change with every frame.
 
-The triangulation is of the points as they are given, anywhere in the plane, wrapped into the cell
-or not: of the real numbers p + i a + j b for all points p and integers i and j, never of rounded
-images. It is one sheet: n points in different places have 3n edges and 2n faces, however few they
-are. So a point can be a neighbor of its own images, and two points can have several edges.
+Points may be given anywhere in the plane, wrapped into the cell or not. The images p + i a + j b of
+a point p, for integers i and j, are triangulated as real numbers, and never rounded. There is one
+sheet: n points in different places have 3n edges and 2n faces, however few they are. So a point can
+be a neighbor of its own images, and two points can have several edges.
 
 In a slab, which is periodic in one direction and open in the other, the faces fill the strip
-between the outermost points. There are fewer of them, and none if all points are on one line along
-it.
+between the outermost points. It has fewer edges and faces, and no face if all points are on one
+line along the slab.
 
 Points have ids as in `Dynamic_Delaunay_triangulation_2`: the i-th point of the range has id i, and
 points that are inserted get the smallest free ids. Points that coincide, also by a translation of
@@ -102,11 +102,12 @@ the lattice, share a vertex.
 After construction, and after every call with an exact classifier, the triangulation is
 <em>certified</em>: exact predicates have proved that each face is counterclockwise, and that each
 edge is locally Delaunay. Flips, insertions and removals keep it a triangulation of the torus that
-covers it once (see the manual). By default all edges are tested but those that are proved safe, the
-broken ones are flipped, points that jump are inserted anew, and where that does not help everything
-is triangulated anew. After a frame with a heuristic classifier it is not certified, unless the
-repair had to examine everything. It is then still a torus of 3n edges and 2n faces, and the next
-call that inserts, removes or moves single points makes it Delaunay first.
+covers it once (see the manual). By default an update tests all edges but those that are proved
+safe, flips the broken ones, inserts points anew that jump, and triangulates everything anew if that
+does not help. A frame with a heuristic classifier leaves the triangulation uncertified, unless the
+repair had to examine everything or to rebuild. An uncertified triangulation is still a torus of 3n
+edges and 2n faces, and the next call that inserts, removes or moves single points makes it Delaunay
+first.
 
 Classifiers, repairs and policies are the same as in the plane; `Dynamic_frame_2` and
 `Dynamic_mender_2` say what differs for them.
@@ -187,7 +188,7 @@ public:
   {
   }
 
-  /// uses a classifier, and defaults for everything else.
+  /// triangulates the points of the range with a classifier, and defaults for everything else.
   template <class InputIterator>
   Dynamic_periodic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
                                             const Periodic_cell_2& cell,
@@ -196,7 +197,7 @@ public:
   {
   }
 
-  /// takes the range as a whole: anything with `begin()` and `end()`.
+  /// triangulates the points of a range with `begin()` and `end()`.
   template <class Range, class = If_range<Range>>
   Dynamic_periodic_Delaunay_triangulation_2(const Range& points, const Periodic_cell_2& cell,
                                             const Settings& settings = Settings())
@@ -205,7 +206,7 @@ public:
   {
   }
 
-  /// takes the range as a whole, and uses a classifier.
+  /// triangulates the points of a range with `begin()` and `end()`, with a classifier.
   template <class Range, class = If_range<Range>>
   Dynamic_periodic_Delaunay_triangulation_2(const Range& points, const Periodic_cell_2& cell,
                                             const Delaunay_classifier& classifier)
@@ -226,7 +227,7 @@ public:
     this->insert(first, beyond, point_map, Emptyset_iterator());
   }
 
-  /// reads the points by a map, and uses a classifier.
+  /// triangulates the points that `point_map` reads, with a classifier.
   template <class InputIterator, class PointMap, class = If_map<PointMap>>
   Dynamic_periodic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
                                             PointMap point_map, const Periodic_cell_2& cell,
@@ -242,18 +243,19 @@ public:
 
   using Base::update;
 
-  /// updates the triangulation, in a cell that has changed since the last call: by deformation, by
-  /// other vectors for the same lattice, as where a sheared cell is flipped, or by both.
+  /// moves the points as `update(first, beyond)` does, in a cell that has changed since the last
+  /// call: by deformation, by other vectors for the same lattice, as when a sheared cell is
+  /// flipped, or by both.
   /// \throws Periodic_cell_error_2 if the cell is so thin or extreme that doubles cannot tell how
   /// far points are apart in it, or if it is a slab and the cell so far was none, or the reverse;
-  /// nothing has changed.
+  /// else what `update(first, beyond)` throws. Nothing has changed then.
   template <class InputIterator>
   Update_report_2 update(InputIterator first, InputIterator beyond, const Periodic_cell_2& cell)
   {
     return update(first, beyond, Identity_map(), cell);
   }
 
-  /// takes the range as a whole.
+  /// takes the positions from a range with `begin()` and `end()`.
   template <class Range, class = If_range<Range>>
   Update_report_2 update(const Range& points, const Periodic_cell_2& cell)
   {
@@ -270,7 +272,7 @@ public:
     return this->run_frame();
   }
 
-  /// takes the range as a whole, and reads the positions from its values by `point_map`.
+  /// reads the positions by `point_map` from the values of a range with `begin()` and `end()`.
   template <class Range, class PointMap, class = If_range<Range>, class = If_map<PointMap>>
   Update_report_2 update(const Range& range, PointMap point_map, const Periodic_cell_2& cell)
   {
@@ -283,7 +285,7 @@ public:
 
   /// the cell of the last frame.
   const Periodic_cell_2& cell() const { return m_core->state.torus().cell(); }
-  /// three for each vertex; fewer in a slab, where counting them takes a pass.
+  /// the number of edges: three for each vertex; fewer in a slab, where counting them takes a pass.
   size_type number_of_edges() const
   {
     if (!cell().is_slab())
@@ -292,7 +294,7 @@ public:
     for_each_edge([&](size_type, size_type, const Periodic_shift_2&) { ++edges; });
     return edges;
   }
-  /// two for each vertex; fewer in a slab, where counting them takes a pass.
+  /// the number of faces: two for each vertex; fewer in a slab, where counting them takes a pass.
   size_type number_of_faces() const
   {
     if (!cell().is_slab())
@@ -309,7 +311,8 @@ public:
     return m_core->state.point_of_id(Index(id));
   }
 
-  /// the vector from the first point to the image of the second one by `shift`, rounded.
+  /// the vector from point i to the image of point j by `shift`, rounded.
+  /// \throws Unknown_id_error_2 if no point has one of these ids.
   Vector vector(size_type i, size_type j, const Periodic_shift_2& shift) const
   {
     const Point p = point(i), q = point(j);
@@ -332,9 +335,9 @@ public:
     }
   }
 
-  /// calls `f(i, j, shift)` once for each edge of the boundary of a slab, along which the points of
-  /// the strip are on the left: on one side all outermost points in turn, and on the other. If all
-  /// points are on one line, each edge is met from both sides. A torus has no boundary.
+  /// calls `f(i, j, shift)` once for each edge of the two sides of a slab's boundary; seen from
+  /// point i to point j, the strip is on the left. If all points are on one line, each edge is met
+  /// from both sides. A torus has no boundary.
   template <class Function>
   void for_each_boundary_edge(const Function& f) const
   {

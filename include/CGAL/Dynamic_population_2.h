@@ -91,14 +91,17 @@ public:
   /// \name Creation
   /// @{
 
-  /// creates a population without points, with a triangulation constructed by default.
+  /// creates a population without points, with a triangulation constructed by default. A periodic
+  /// triangulation has no default constructor.
   Dynamic_population_2()
     : Dynamic_population_2(Dynamic())
   {
   }
 
-  /// creates a population without points. \param triangulation has the classifier, repair, engines
-  /// and policy to be used. \pre it has no points.
+  /// creates a population without points.
+  /// \param triangulation has the classifier, repair, engines, policy and visitor to be used, and
+  ///   the cell of periodic space.
+  /// \pre `triangulation` has no points.
   explicit Dynamic_population_2(Dynamic triangulation)
     : m_triangulation(std::move(triangulation))
   {
@@ -109,8 +112,8 @@ public:
   /// \name Change
   /// If one of these functions throws an exception that its documentation names, or if the range
   /// throws, nothing changes. After any other exception each point is either inserted (or removed)
-  /// completely or not at all, and the triangulation may not be certified; the next update
-  /// certifies it again, if the classifier is exact.
+  /// completely or not at all, and the triangulation may be uncertified; `mend()` certifies it
+  /// again, and so does the next update if the classifier is exact.
   /// @{
 
   /// takes a whole frame: inserts the points whose ids are new, removes those whose ids are
@@ -136,14 +139,14 @@ public:
                   Second_of_pair_property_map<Value>());
   }
 
-  /// the same, but takes the range as a whole: anything with `begin()` and `end()`.
+  /// takes a whole frame from a range with `begin()` and `end()`.
   template <class Range, class = If_range<Range>>
   Update_report_2 update(const Range& frame)
   {
     return update(std::begin(frame), std::end(frame));
   }
 
-  /// the same, but property maps read the ids and points from the values of the range.
+  /// takes a whole frame; property maps read the ids and points from the values of the range.
   template <class InputIterator, class IdMap, class PointMap>
   Update_report_2 update(InputIterator first, InputIterator beyond, IdMap id_map,
                          PointMap point_map)
@@ -151,8 +154,9 @@ public:
     return update_to(first, beyond, id_map, point_map);
   }
 
-  /// the same for a `Dynamic_periodic_Delaunay_triangulation_2` in a cell that has changed.
-  /// \throws Periodic_cell_error_2 as `Dynamic_periodic_Delaunay_triangulation_2::update()` does.
+  /// takes a whole frame of a `Dynamic_periodic_Delaunay_triangulation_2`, in a cell that has
+  /// changed. \throws Periodic_cell_error_2 as
+  /// `Dynamic_periodic_Delaunay_triangulation_2::update()` does, before the range is read.
   template <class InputIterator, class IdMap, class PointMap>
   Update_report_2 update(InputIterator first, InputIterator beyond, IdMap id_map,
                          PointMap point_map, const Periodic_cell_2& cell)
@@ -160,7 +164,7 @@ public:
     return update_to(first, beyond, id_map, point_map, cell);
   }
 
-  /// the same for pairs of ids and points.
+  /// takes a whole frame of pairs of ids and points, in a cell that has changed.
   template <class InputIterator>
   Update_report_2 update(InputIterator first, InputIterator beyond, const Periodic_cell_2& cell)
   {
@@ -169,7 +173,7 @@ public:
                   Second_of_pair_property_map<Value>(), cell);
   }
 
-  /// the same, but takes the range as a whole.
+  /// takes a whole frame, in a cell that has changed, from a range with `begin()` and `end()`.
   template <class Range, class = If_range<Range>>
   Update_report_2 update(const Range& frame, const Periodic_cell_2& cell)
   {
@@ -198,14 +202,14 @@ public:
                   Second_of_pair_property_map<Value>());
   }
 
-  /// the same, but takes the range as a whole.
+  /// adds the points of a range with `begin()` and `end()`.
   template <class Range, class = If_range<Range>>
   Update_report_2 insert(const Range& newcomers)
   {
     return insert(std::begin(newcomers), std::end(newcomers));
   }
 
-  /// the same, but property maps read the ids and points from the values of the range.
+  /// adds points; property maps read their ids and positions from the values of the range.
   template <class InputIterator, class IdMap, class PointMap>
   Update_report_2 insert(InputIterator first, InputIterator beyond, IdMap id_map,
                          PointMap point_map)
@@ -244,7 +248,7 @@ public:
     return m_triangulation.remove(gone.begin(), gone.end());
   }
 
-  /// the same, but takes the range as a whole.
+  /// removes the points whose ids are in a range with `begin()` and `end()`.
   template <class Range, class = If_range<Range>>
   Update_report_2 remove(const Range& user_ids)
   {
@@ -274,14 +278,14 @@ public:
                 Second_of_pair_property_map<Value>());
   }
 
-  /// the same, but takes the range as a whole.
+  /// moves the points of a range with `begin()` and `end()`.
   template <class Range, class = If_range<Range>>
   Update_report_2 move(const Range& movers)
   {
     return move(std::begin(movers), std::end(movers));
   }
 
-  /// the same, but property maps read the ids and points from the values of the range.
+  /// moves points; property maps read their ids and positions from the values of the range.
   template <class InputIterator, class IdMap, class PointMap>
   Update_report_2 move(InputIterator first, InputIterator beyond, IdMap id_map, PointMap point_map)
   {
@@ -310,7 +314,7 @@ public:
   /// the visitor of the triangulation. An update of the population is one update of the
   /// triangulation.
   const auto& visitor() const { return m_triangulation.visitor(); }
-  /// the same, but in order to read and clear what it has recorded.
+  /// the visitor, in order to read and clear what it has recorded.
   auto& visitor() { return m_triangulation.visitor(); }
   /// the number of points.
   size_type size() const { return m_ids.size(); }
@@ -333,16 +337,16 @@ public:
   Vertex_handle vertex(UserId user_id) const { return m_triangulation.vertex(id(user_id)); }
   /// the position of a point. \throws Unknown_user_id_error_2 if no point has this id.
   decltype(auto) point(UserId user_id) const { return m_triangulation.point(id(user_id)); }
-  /// the user's id of the point at a finite vertex. If several points share the vertex: the id of
-  /// their representative, which was there first.
+  /// the user's id of the point at a finite vertex. If several points share the vertex, this is the
+  /// id of their representative, the one that was there first.
   UserId user_id(Vertex_handle vertex) const { return m_user_ids[m_triangulation.id(vertex)]; }
 
   /// @}
   /// \name Checkpoints
   /// @{
 
-  /// writes the triangulation, as its own `write_checkpoint()` does, and the user's ids. \throws
-  /// Checkpoint_error_2 as that function does.
+  /// writes the triangulation, as its own `write_checkpoint()` does, and the user's ids.
+  /// \throws Checkpoint_error_2 as that function does.
   void write_checkpoint(std::ostream& out) const
   {
     m_triangulation.write_checkpoint(out, Traits::checkpoint_subject, [this](auto& file) {
@@ -353,8 +357,7 @@ public:
     });
   }
 
-  /// replaces this population by one that it reads, as the triangulation's `read_checkpoint()`
-  /// does.
+  /// replaces this population by one from a file, as the triangulation's `read_checkpoint()` does.
   /// \throws Checkpoint_error_2 if the file is refused, also if a user's id does not fit into
   /// `User_id`. Whatever is thrown, nothing changes, unless the visitor throws it while it is told
   /// what changes.

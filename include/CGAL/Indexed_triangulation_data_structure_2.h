@@ -42,9 +42,9 @@ point for its edges.
 
 <b>Handles.</b> A handle is a pointer to the arrays, and an index, `h.index()`. It stays valid when
 elements are added, and when the structure is moved or swapped. Vertices and faces are not objects
-in memory: the `Vertex` that `*v` or `v->` gives lives in the handle `v`, and as long as that. So
-take handles by value, and do not store the address of a vertex or a face. A reference to a point is
-valid until the next vertex is added.
+in memory: the `Vertex` that `*v` or `v->` gives lives in the handle `v`, and only as long as `v`.
+So take handles by value, and do not store the address of a vertex or a face. A reference to a point
+is valid until the next vertex is added.
 
 <b>Your data.</b> Vertices and faces cannot be derived from. Choose `VertexInfo` and `FaceInfo` for
 what `info()` of a vertex or a face returns, as with `Triangulation_vertex_base_with_info_2`, or add
@@ -54,7 +54,7 @@ vertices and faces when indices change.
 \tparam Traits the geometric traits of the triangulation, which have `Point_2`.
 \tparam VertexInfo the type of `info()` of a vertex; default constructible and copyable, not `bool`.
   Without it, vertices have no `info()`.
-\tparam FaceInfo the same for faces.
+\tparam FaceInfo the type of `info()` of a face, with the same demands.
 
 \cgalModels{TriangulationDataStructure_2}
 
@@ -90,7 +90,8 @@ public:
   /// `LvaluePropertyMap`.
   template <class T>
   using Vertex_property_map = typename Storage::Vertex_properties::template Map<T>;
-  /// the same from face handles.
+  /// the type of a property map from face handles to values of type `T`, a model of
+  /// `LvaluePropertyMap`.
   template <class T>
   using Face_property_map = typename Storage::Face_properties::template Map<T>;
 
@@ -148,7 +149,7 @@ public:
     other.attach();
     other.set_dimension(-2);
   }
-  /// the same, but replaces this structure.
+  /// replaces this structure by the other one, as the move constructor takes it.
   Indexed_triangulation_data_structure_2&
   operator=(Indexed_triangulation_data_structure_2&& other) noexcept
   {
@@ -186,7 +187,9 @@ public:
     Base::clear();
   }
 
-  /// makes this structure a copy of the other one. \return the copy of vertex `v`.
+  /// makes this structure a copy of the other one. \return the copy of vertex `v`;
+  /// `Vertex_handle()` if there is no `v`, or if both structures are the same one, which then does
+  /// not change.
   Vertex_handle copy_tds(const Indexed_triangulation_data_structure_2& other,
                          Vertex_handle v = Vertex_handle())
   {
@@ -207,9 +210,10 @@ public:
         [](const auto&, auto&) {});
   }
 
-  /// the same, but with converters. `convert_vertex(from, to)` is called for each vertex `from` and
-  /// its copy `to`, which has no point before; `convert_face(from, to)` for each face. The
-  /// functions with one argument that CGAL's converters have as well are not called.
+  /// makes this structure a copy of one of another type, by converters. `convert_vertex(from, to)`
+  /// is called for each vertex `from` and its copy `to`, which has no point before;
+  /// `convert_face(from, to)` for each face. CGAL's converters have further functions with one
+  /// argument, which are not called.
   template <class OtherTds, class ConvertVertex, class ConvertFace>
   Vertex_handle copy_tds(const OtherTds& other, typename OtherTds::Vertex_handle v,
                          const ConvertVertex& convert_vertex, const ConvertFace& convert_face)
@@ -235,9 +239,9 @@ public:
   /// whether elements that were removed have left unused indices. New elements get these first.
   bool has_garbage() const { return m_storage && m_storage->has_holes(); }
 
-  /// gives the elements consecutive indices from 0 on, in the order of those before. All handles
-  /// are invalid then, so that a triangulation that has this structure can no longer be used: copy
-  /// the structure first. Cost: linear; none if `has_garbage()` is false.
+  /// gives the elements consecutive indices from 0 on, in their previous order. All handles become
+  /// invalid, so a triangulation that owns this structure can no longer be used: copy the structure
+  /// first. Cost: linear; none if `has_garbage()` is false.
   void collect_garbage()
   {
     if (m_storage)
@@ -248,17 +252,17 @@ public:
   /// \name Properties
   /// @{
 
-  /// adds a property to the vertices, with `value` for all of them and all that come. \return its
-  /// map, and true; if there is a property with this name and type, the map of that, and false. The
-  /// map is valid until this structure is destroyed or assigned to; if it is moved or swapped, the
-  /// map belongs to the other structure.
+  /// adds a property to the vertices, with `value` for all present and future vertices. \return its
+  /// map, and true; if a property with this name and type exists, its map, and false. The map is
+  /// valid until this structure is destroyed or assigned to; if it is moved or swapped, the map
+  /// belongs to the other structure.
   template <class T>
   std::pair<Vertex_property_map<T>, bool> add_vertex_property(const std::string& name,
                                                               const T& value = T())
   {
     return m_storage->vertex_properties().template add<T>(name, value);
   }
-  /// adds a property to the faces.
+  /// adds a property to the faces, as `add_vertex_property()` does to the vertices.
   template <class T>
   std::pair<Face_property_map<T>, bool> add_face_property(const std::string& name,
                                                           const T& value = T())

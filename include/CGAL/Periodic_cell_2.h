@@ -29,11 +29,12 @@ using Periodic_shift_2 = std::array<int, 2>;
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Periodic
 
-The cell of a periodic space, a parallelogram: two vectors that are not parallel, of any lengths, at
-any angle, in any order. Translations by their integer combinations change nothing in that space.
+The cell of a periodic space: a parallelogram, given by two vectors that are not parallel, of any
+lengths, at any angle, in any order. Translations by their integer combinations change nothing in
+that space.
 
-Or a slab, a strip without ends: one vector, along which everything is repeated. Across it space is
-open, as in a channel or between two walls.
+Or a slab, a strip without ends, given by one vector along which everything is repeated. Space is
+open across that vector, as in a channel or between two walls.
 */
 class Periodic_cell_2
 {
@@ -71,7 +72,8 @@ public:
   }
 
   /// the slab that is repeated by this vector, of any type with `x()` and `y()`, and open across
-  /// it. \throws Periodic_cell_error_2 if the vector is 0, or a number is not finite.
+  /// it.
+  /// \throws Periodic_cell_error_2 if the vector's length is 0 or not finite.
   template <class Vector, class = decltype(std::declval<const Vector&>().x())>
   explicit Periodic_cell_2(const Vector& a)
     : Periodic_cell_2(slab(a.x(), a.y()))
@@ -79,7 +81,7 @@ public:
   }
 
   /// the slab that is repeated by the vector (ax, ay).
-  /// \throws Periodic_cell_error_2 if the vector is 0, or a number is not finite.
+  /// \throws Periodic_cell_error_2 if the vector's length is 0 or not finite.
   static Periodic_cell_2 slab(double ax, double ay)
   {
     const double length = std::hypot(ax, ay);
@@ -94,13 +96,14 @@ public:
   /// whether space is open across the first vector.
   bool is_slab() const { return m_is_slab; }
 
-  /// the first vector.
+  /// the x-coordinate of the first vector.
   double ax() const { return m_ax; }
-  /// the first vector.
+  /// the y-coordinate of the first vector.
   double ay() const { return m_ay; }
-  /// the second vector; that of a slab is about a unit vector across it, to the left.
+  /// the x-coordinate of the second vector, which in a slab is about a unit vector to the left of
+  /// the first one.
   double bx() const { return m_bx; }
-  /// the second vector.
+  /// the y-coordinate of the second vector.
   double by() const { return m_by; }
 
   /// the area of the cell, rounded; that of a slab is infinite.
@@ -110,13 +113,13 @@ public:
                      : std::abs(m_ax * m_by - m_ay * m_bx);
   }
 
-  /// whether both cells have the same vectors, and both or none of them is a slab.
+  /// whether both cells have the same vectors, and both or neither of them is a slab.
   friend bool operator==(const Periodic_cell_2& c, const Periodic_cell_2& d)
   {
     return c.m_ax == d.m_ax && c.m_ay == d.m_ay && c.m_bx == d.m_bx && c.m_by == d.m_by &&
            c.m_is_slab == d.m_is_slab;
   }
-  /// whether they differ.
+  /// whether the cells differ.
   friend bool operator!=(const Periodic_cell_2& c, const Periodic_cell_2& d) { return !(c == d); }
 
 private:

@@ -18,21 +18,21 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Periodic
 
-makes `target` the triangulation `pt`, with the same edges and faces, in one sheet. The cell must be
-a square with sides along the axes, as CGAL's class has no others, its vectors in any order and
-direction. The domain of `target` is then the square of that size with the lower left corner
-`corner`.
+makes `target` a copy of the triangulation `pt`, with the same edges and faces, in one sheet. The
+cell must be a square with sides along the axes, since CGAL's class has no other cells; its vectors
+may have any order and direction. The domain of `target` is then the square of that size with the
+lower left corner `corner`.
 
-All points are wrapped into the domain, which must not need any rounding: it does not for points
-that were given there. Points that coincide share a vertex, at the image of the point that
-represents them; the others need not be wrapped.
+All points are wrapped into the domain. That must not need any rounding, and does not for points
+that were given in the domain. Points that coincide share a vertex, at the image of their
+representative; only that one is wrapped.
 
-One sheet must be enough by CGAL's criterion, so that it is enough for all points that are inserted
-later as well: the square of each edge's length is less than 0.166 times that of the side. A few
-points do not fulfill that.
+One sheet must be enough by CGAL's criterion, so that it stays enough whatever points are inserted
+later: the square of each edge's length must be less than 0.166 times the square of the side. Very
+few points do not fulfill that.
 
-The data structure is written as it is, with no predicate and no search. Cost: O(n log n), to match
-the edges of neighboring faces. If this throws, `target` has not changed.
+The data structure is copied without any predicate or search. Cost: O(n log n), to match the edges
+of neighboring faces. If this throws, `target` has not changed.
 
 \tparam Periodic a `Dynamic_periodic_Delaunay_triangulation_2`.
 \tparam Traits, Data_structure those of CGAL's class, whose points are made from two doubles.
@@ -40,7 +40,7 @@ the edges of neighboring faces. If this throws, `target` has not changed.
 \param target receives the result; what it had is lost.
 \param corner the lower left corner of the domain.
 
-\return the vertices by ids; `Vertex_handle()` for ids of no point.
+\return the vertices, indexed by ids; `Vertex_handle()` for the ids of removed points.
 
 \throws Uncertified_triangulation_error_2 unless `pt.is_certified()`.
 \throws Periodic_cell_error_2 if the cell is a slab, or no square with sides along the axes.

@@ -19,8 +19,8 @@ namespace CGAL {
 
 opens a window, draws the periodic triangulation in it, and waits until the window is closed. Each
 face is drawn once, by the image whose first corner is in the cell, so faces reach out of the cell
-on some sides; vertices are drawn in the cell, and the outline of the cell, or of a slab between its
-outermost points.
+on some sides. Vertices are drawn in the cell. The outline of the cell is drawn, too; that of a slab
+ends at its outermost points. If a slab has no faces, its edges are drawn.
 
 Like `draw()` of `Dynamic_Delaunay_triangulation_2`, this needs a program that is linked to CGAL's
 target `CGAL::CGAL_Basic_viewer`. Other programs print to `std::cerr` that they cannot draw. If the
@@ -40,7 +40,7 @@ void draw(const Dynamic_periodic_Delaunay_triangulation_2<Parameters...>& pt,
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Periodic
 
-adds the same to a graphics scene, which CGAL offers from version 6.0 on.
+adds what `draw()` shows to a graphics scene, which CGAL offers from version 6.0 on.
 
 \tparam Parameters those of the triangulation.
 \param pt the triangulation to add.

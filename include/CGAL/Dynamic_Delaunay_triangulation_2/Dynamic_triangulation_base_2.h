@@ -74,10 +74,10 @@ struct Chosen_types_2
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-What triangulations of moving points have in common in the plane and in periodic space: motion,
-insertion and removal of points, ids, certificates, checkpoints and settings. Programs use it as the
-base of `Dynamic_Delaunay_triangulation_2` and `Dynamic_periodic_Delaunay_triangulation_2`, which
-say what ids and certificates are.
+The members that triangulations of moving points share in the plane and in periodic space: motion,
+insertion and removal of points, ids, certificates, checkpoints and settings. It is the base class
+of `Dynamic_Delaunay_triangulation_2` and `Dynamic_periodic_Delaunay_triangulation_2`, which explain
+ids and certificates.
 
 \tparam Derived the triangulation that is derived from this class.
 */
@@ -135,9 +135,9 @@ public:
 
   /// copies everything: points, ids, topology, numbers, the user's data in vertices and faces, and
   /// whether it is certified. From then on the same calls have the same results for both.
-  /// Classifier, repair, engines, policy and visitor are copied too, but the visitor is not told of
-  /// anything. The copy has its own vertex and face handles, and its sets of the last update are
-  /// empty. Cost: linear.
+  /// Classifier, repair, engines, policy and visitor are copied too; the visitor is not called. The
+  /// copy has its own vertex and face handles, and its sets of the last update are empty. Cost:
+  /// linear.
   Dynamic_triangulation_base_2(const Dynamic_triangulation_base_2& other)
     : m_classifier(other.m_classifier)
     , m_repair(other.m_repair)
@@ -148,10 +148,10 @@ public:
     m_core->update.copy(other.m_core->state, other.m_core->update);
   }
 
-  /// takes everything from the other triangulation. That one is then empty, in the same space, with
-  /// the same classifier, repair, engines and policy, and with a visitor that was moved from.
-  /// Handles stay valid. Allocates memory for the empty triangulation and for copies of the
-  /// classifier, the repair and the policy.
+  /// takes everything from the other triangulation, and leaves it empty, in the same space, with
+  /// the same classifier, repair, engines and policy, and with a moved-from visitor. Handles stay
+  /// valid. Allocates memory for the empty triangulation and for copies of the classifier, the
+  /// repair and the policy.
   Dynamic_triangulation_base_2(Dynamic_triangulation_base_2&& other)
     : Dynamic_triangulation_base_2(other, other.empty_core())
   {
@@ -190,21 +190,23 @@ public:
   /// moves point i to the i-th position of the range, for all points, and repairs the
   /// triangulation. The range has one position for each id; positions for ids of removed points are
   /// ignored. In periodic space the cell stays the same, and a point that moves by more than half
-  /// the cell, as where it is wrapped, is taken to have gone to its nearest image.
+  /// the cell, as when it is wrapped, is taken to have moved to the nearest image of its new
+  /// position.
   ///
   /// Cost: one pass over all ids, free ones included; the classifier's pass; and the repair of what
   /// it classified, which for points that jump is proportional to their number. The total is never
-  /// much more than the cost of a rebuild. Where nothing breaks nothing is allocated, except in the
-  /// first frame, and when the circumcircle classifier skips edges for the first time (16 bytes a
-  /// vertex each).
+  /// much more than the cost of a rebuild. A frame that breaks nothing allocates nothing, except
+  /// the first frame, and the one in which the circumcircle classifier first skips edges (16 bytes
+  /// a vertex each); in periodic space also every frame that is not read, without a map, from an
+  /// array or a vector of points (16 bytes an id).
   /// \throws Point_count_error_2 if the number of positions is not `number_of_ids()`.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite.
   /// \throws Coordinate_range_error_2 if a coordinate is too large for this program.
   /// \throws Periodic_range_error_2 in periodic space, if a point is 2<sup>20</sup> cells or more
   /// from the origin.
   ///
-  /// Nothing changes if it throws one of these, or if the range throws, or if the policy or the
-  /// classifier throws when it is asked. If the policy or the classifier throws in
+  /// Nothing changes if `update()` throws one of these, if the range throws, or if the policy or
+  /// the classifier throws when it is asked. If the policy or the classifier throws in
   /// `after_update()`, the update itself is complete. After any other exception the points have
   /// their new positions and the triangulation is not certified; the next update, or `mend()`,
   /// certifies it again. \post `is_certified()`, if the classifier is exact.
@@ -214,7 +216,7 @@ public:
     return update(first, beyond, Identity_map());
   }
 
-  /// takes the range as a whole: anything with `begin()` and `end()`.
+  /// takes the positions from a range with `begin()` and `end()`.
   template <class Range, class = If_range<Range>>
   Update_report_2 update(const Range& points)
   {
@@ -231,18 +233,19 @@ public:
     return run_frame();
   }
 
-  /// takes the range as a whole, and reads the positions from its values by `point_map`.
+  /// reads the positions by `point_map` from the values of a range with `begin()` and `end()`.
   template <class Range, class PointMap, class = If_range<Range>, class = If_map<PointMap>>
   Update_report_2 update(const Range& range, PointMap point_map)
   {
     return update(std::begin(range), std::end(range), point_map);
   }
 
-  /// moves some points, and repairs what that breaks. All other points stay where they are. The
+  /// moves some points, and repairs what that breaks. All other points keep their positions. The
   /// repair uses exact predicates, whatever the classifier is; the policy is not asked.
   ///
   /// Cost: proportional to the number of points in the range and to what they break, plus a walk
-  /// around the hull if it changes; if points coincide, also proportional to the number of those.
+  /// around the hull if it changes; if points coincide, also proportional to the number of
+  /// duplicates.
   ///
   /// \tparam InputIterator its values are pairs of an id, which is an integer, and a `Point`.
   /// \throws Unknown_id_error_2 if an id belongs to no point.
@@ -250,9 +253,9 @@ public:
   /// \throws Non_finite_coordinate_error_2, Coordinate_range_error_2 or Periodic_range_error_2 as
   /// `update()`.
   ///
-  /// Nothing changes if it throws one of these, or if the range throws. After any other exception
-  /// the triangulation is not certified; `mend()` certifies it again. \post `is_certified()`, if it
-  /// was, or if the classifier is exact.
+  /// Nothing changes if `move()` throws one of these, or if the range throws. After any other
+  /// exception the triangulation is not certified; `mend()` certifies it again.
+  /// \post `is_certified()` if it was, if the classifier is exact, or in periodic space.
   template <class InputIterator>
   Update_report_2 move(InputIterator first, InputIterator beyond)
   {
@@ -294,14 +297,14 @@ public:
   /// @{
 
   /// adds a point, and returns its id: the smallest free one. If it coincides with another point,
-  /// it shares that one's vertex. Cost: O(n<sup>1/3</sup>) expected for evenly spread points to
-  /// find its place, plus the repair of what it breaks, plus a walk around the hull if it changes;
-  /// a rebuild while the points do not span the plane.
+  /// both share a vertex. Cost: O(n<sup>1/3</sup>) expected for evenly spread points to find its
+  /// place, plus the repair of what it breaks, plus a walk around the hull if it changes; a rebuild
+  /// while the points do not span the plane.
   ///
   /// \throws Non_finite_coordinate_error_2, Coordinate_range_error_2 or Periodic_range_error_2 as
-  /// `update()`, Point_limit_error_2 if there would be more points than 32 bits allow; nothing
-  /// changes.
-  /// \post `is_certified()`, if it was, or if the classifier is exact.
+  /// `update()`, with the id that the point would get; Point_limit_error_2 if there would be more
+  /// points than 32 bits allow; nothing changes.
+  /// \post `is_certified()` if it was, if the classifier is exact, or in periodic space.
   size_type insert(const Point& p)
   {
     size_type id = 0;
@@ -309,9 +312,9 @@ public:
     return id;
   }
 
-  /// adds the points of the range. Their ids are written to `ids` first. If there are more than
-  /// about one of them for nine vertices, in periodic space for three, everything is triangulated
-  /// anew.
+  /// adds the points of the range. Their ids are written to `ids` first. Everything is triangulated
+  /// anew if there are more than about one new point for nine or ten vertices, in periodic space
+  /// for three. Throws what `insert(p)` throws; then nothing changes, and no id is written.
   template <class InputIterator, class OutputIterator>
   Update_report_2 insert(InputIterator first, InputIterator beyond, OutputIterator ids)
   {
@@ -355,16 +358,16 @@ public:
 
   /// removes a point; its id is free from then on. Cost: proportional to the number of its
   /// neighbors and to what that breaks, plus a walk around the hull if it changes; if points
-  /// coincide, also proportional to the number of those; a rebuild if the points do not span the
-  /// plane before or after.
+  /// coincide, also proportional to the number of duplicates; a rebuild if the points do not span
+  /// the plane before or after.
   ///
   /// \throws Unknown_id_error_2 if no point has this id; nothing changes.
-  /// \post `is_certified()`, if it was, or if the classifier is exact.
+  /// \post `is_certified()` if it was, if the classifier is exact, or in periodic space.
   Update_report_2 remove(size_type id) { return remove(&id, &id + 1); }
 
-  /// removes the points with these ids. If they are more than about one in nine vertices, in
-  /// periodic space in three, everything is triangulated anew. \tparam InputIterator its values are
-  /// integers.
+  /// removes the points with these ids. Everything is triangulated anew if these are more than
+  /// about one in nine or ten vertices, in periodic space one in three.
+  /// \tparam InputIterator its values are integers.
   /// \throws Unknown_id_error_2 if an id belongs to no point; nothing changes.
   /// \throws Repeated_id_error_2 if an id is given more than once; nothing changes.
   template <class InputIterator>
@@ -387,13 +390,14 @@ public:
   /// \name Certainty
   /// @{
 
-  /// whether the triangulation is proved Delaunay. Cost: none.
+  /// whether the triangulation is proved Delaunay. Always false if its traits need
+  /// `accepts_inexact_predicates_2`, whatever postconditions say. Cost: none.
   bool is_certified() const { return Types::is_exact && m_core->update.is_certified(); }
 
   /// tests whether the triangulation is Delaunay, by exact predicates at every edge, and certifies
   /// it if so. Changes nothing else. The result is false as long as an exception has left points
-  /// without their own vertices, or a triangulation that does not span the plane. Cost: one pass
-  /// over all edges; none if it is certified already.
+  /// without their own vertices, or an uncertified triangulation that does not span the plane.
+  /// Cost: one pass over all edges; none if it is certified already.
   bool certify()
   {
     const Floating_point floating_point;
@@ -411,11 +415,11 @@ public:
     return is_certified() ? certified_report() : run(change);
   }
 
-  /// whether the object is valid: the data structure is, no point is lost, and the certificate
-  /// holds if `is_certified()`. In the plane it is false if a handle has set a point, a vertex or a
-  /// neighbor since everything was built last. In periodic space the areas of the faces have to sum
-  /// up, in exact arithmetic, to that of the cell. Cost: linear, in periodic space microseconds a
-  /// point.
+  /// whether the object is valid: its data structure is valid, no point is lost, and the
+  /// certificate holds if `is_certified()`. In the plane it is false if a handle has set a point, a
+  /// vertex or a neighbor since everything was built last. In periodic space the areas of the faces
+  /// must sum up, in exact arithmetic, to the area of the cell. Cost: linear, in periodic space
+  /// microseconds a point.
   /// \param verbose whether to print to `std::cerr` what is wrong.
   /// \param level is passed to the `is_valid()` of the data structure in the plane.
   bool is_valid(bool verbose = false, int level = 0) const
@@ -438,17 +442,19 @@ public:
   /// the number of finite vertices: less than the number of points if points coincide.
   size_type number_of_vertices() const { return m_core->state.number_of_vertices(); }
 
-  /// the id of the point that represents those that coincide with this one, and was there first.
+  /// the id of the representative of this point: of all points that coincide with it, the one that
+  /// was there first.
   /// \throws Unknown_id_error_2 if no point has this id.
   size_type representative(size_type id) const
   {
     return m_core->state.ids().representative(vertex_of(id));
   }
 
-  /// calls `f(j)` for each finite edge of the point with this id, or of its representative,
-  /// counterclockwise: for the neighbor j. In periodic space it calls `f(j, shift)`, and an edge
-  /// from a point to its own image is met at both of its ends. Cost: proportional to the number of
-  /// neighbors; no allocation. \throws Unknown_id_error_2 if no point has this id.
+  /// calls `f(j)` for each neighbor j of the point with this id, or of its representative,
+  /// counterclockwise. In periodic space it calls `f(j, shift)`, and meets an edge from a point to
+  /// its own image at both of its ends. Cost: proportional to the number of neighbors; no
+  /// allocation.
+  /// \throws Unknown_id_error_2 if no point has this id.
   template <class Function>
   void for_each_neighbor(size_type id, const Function& f) const
   {
@@ -477,14 +483,14 @@ public:
   Update_visitor& visitor() { return m_visitor; }
 
   /// the Classified set of the last update, as vertices of `frame()`. Empty after a rebuild that
-  /// preceded classification, and if vertices have got other numbers since.
+  /// preceded classification, and if vertices have changed their numbers since.
   const std::vector<Index>& classified_vertices() const
   {
     return tools().classification().vertices();
   }
   /// the Padded set of the last update that spliced around the Classified set.
   const std::vector<Index>& padded_vertices() const { return tools().padded(); }
-  /// the Border set of the same splice.
+  /// the Border set of the last update that spliced around the Classified set.
   const std::vector<Index>& border_vertices() const { return tools().border(); }
 
   /// @}
@@ -500,16 +506,17 @@ public:
   /// `frame()`, and whether it is certified. Not written are the state of the classifier, the
   /// repair and the policy, and the user's data in vertices and faces. Cost: linear, about 150
   /// bytes a point.
-  /// \throws Checkpoint_error_2 if the stream fails; what was written is then unusable. It is also
-  /// thrown, before anything is written, if an exception ended the last update before each point
-  /// had its vertex.
+  /// \throws Checkpoint_error_2 if the stream fails, after which the written part is unusable;
+  /// also, before anything is written, if an exception ended the last update before each point had
+  /// its vertex.
   void write_checkpoint(std::ostream& out) const
   {
     write_checkpoint(out, Types::checkpoint_subject, [](auto&) {});
   }
 
-  /// replaces everything but the settings, in periodic space also the cell, which may become a slab
-  /// or cease to be one. The classifier is told that everything is new.
+  /// replaces everything but the settings. In periodic space the cell is replaced, too, and may
+  /// become a slab or cease to be one. The user's data are as in new vertices and faces; property
+  /// maps stay valid. The classifier is told that everything is new.
   ///
   /// The file is validated: its faces must be a triangulated sphere with all points, in periodic
   /// space a torus that covers the cell once, each number and id must occur exactly once, and a
