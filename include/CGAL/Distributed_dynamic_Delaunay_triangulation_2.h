@@ -19,11 +19,11 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
 The Delaunay triangulation of moving points of the plane that are spread over the ranks of an MPI
-communicator: what `Dynamic_Delaunay_triangulation_2` is for one process. What it can beyond edges
-and faces stands with `Distributed_triangulation_base_2`.
+communicator: what `Dynamic_Delaunay_triangulation_2` is for one process.
+`Distributed_triangulation_base_2` documents all members but those for edges and faces.
 
 Where more than three points are on an empty circle, the diagonals go to the one with the smallest
-id, whatever rank asks.
+id, on whatever rank.
 
 \tparam Kernel a CGAL kernel with exact predicates whose points have coordinates of type `double`.
 
@@ -56,16 +56,18 @@ public:
   /// are distributed evenly, unless the load factor is infinite: then each rank owns the points
   /// that it was given, in their order, for as long as `distribute()` is not called.
   ///
-  /// The load factor says how many times as many points a rank may hold as the fullest rank did
-  /// when that was least since the last distribution, and may own as a rank does on average; with
-  /// more, and with 64 points more, all are distributed anew; for points that are held, only after
-  /// 32 calls without a distribution.
+  /// The load factor says when points are distributed anew: if a rank owns more than this many
+  /// times the average and 64 points more; or, from 32 calls after the last distribution on, if a
+  /// rank holds more than this many times what the fullest rank held when that was least since
+  /// then, and 64 points more.
   ///
-  /// Cost: sorting, sending and triangulating all points once, and some rounds of questions.
+  /// Cost: sorting, sending and triangulating all points once, and some rounds of questions. The
+  /// arguments are checked before anything is sent: a rank with bad ones throws its own error, and
+  /// all other ranks throw Distributed_input_error_2.
   /// \tparam InputIterator its values are pairs of an `Id` and a `Point`.
-  /// \throws Non_finite_coordinate_error_2 or Coordinate_range_error_2 (`id()` is the place in the
-  /// range), or Distributed_input_error_2 on the other ranks; Repeated_id_error_2 on all ranks;
-  /// Parameter_error_2 on all ranks if the load factor is less than 1.
+  /// \throws Parameter_error_2 if the load factor is less than 1 or NaN;
+  /// Non_finite_coordinate_error_2 or Coordinate_range_error_2 (`id()` is the place in the range);
+  /// Repeated_id_error_2, on all ranks.
   template <class InputIterator>
   Distributed_dynamic_Delaunay_triangulation_2(MPI_Comm communicator, InputIterator first,
                                                InputIterator beyond,

@@ -23,18 +23,18 @@ namespace CGAL {
 The Delaunay triangulation of points that move in a periodic space, and are spread over the ranks of
 an MPI communicator: what `Dynamic_periodic_Delaunay_triangulation_2` is for one process, and
 `Distributed_dynamic_Delaunay_triangulation_2` for the plane. The cell may be any parallelogram, and
-may change with every frame: all ranks must give the same one. What the class can beyond edges,
-faces and cells stands with `Distributed_triangulation_base_2`.
+may change with every frame: all ranks must give the same one. `Distributed_triangulation_base_2`
+documents all members but those for edges, faces and cells.
 
 Where more than three images are on an empty circle, the diagonals go to the one with the smallest
 id, and of images of that point to the leftmost, lowest one.
 
 <b>Rounding.</b> So that images are exact points of the plane, the coordinates of points and of the
-cell's vectors are rounded to multiples of a power of 2. That moves them by at most 2<sup>-45</sup>
-times the sum of the lengths of the lattice's two shortest vectors that span it. `owned_points()`,
-`point()` and `cell()` return what is triangulated: one process has the same edges for these, but
-where more than three images are on an empty circle. Given back as they are, they are not rounded
-again.
+cell's vectors are rounded to multiples of a power of 2. That moves each coordinate by at most
+2<sup>-45</sup> H, where H is the sum of the lengths of the two shortest vectors that span the
+lattice. `owned_points()`, `point()` and `cell()` return the rounded points and cell, which are
+triangulated; one process has the same edges for these, but where more than three images are on an
+empty circle. Rounded points and cells are not rounded again.
 
 There is one sheet, as in one process: `n` points in different places have `3n` edges and `2n`
 faces, however few they are. Slabs are not supported.
@@ -77,19 +77,21 @@ public:
   /// each rank owns the points that it was given, in their order, for as long as `distribute()` is
   /// not called.
   ///
-  /// The load factor says how many times as many points a rank may hold as the fullest rank did
-  /// when that was least since the last distribution, and may own as a rank does on average; with
-  /// more, and with 64 points more, all are distributed anew; for points that are held, only after
-  /// 32 calls without a distribution.
+  /// The load factor says when points are distributed anew: if a rank owns more than this many
+  /// times the average and 64 points more; or, from 32 calls after the last distribution on, if a
+  /// rank holds more than this many times what the fullest rank held when that was least since
+  /// then, and 64 points more.
   ///
-  /// Cost: sorting, sending and triangulating all points once, and some rounds of questions.
+  /// Cost: sorting, sending and triangulating all points once, and some rounds of questions. The
+  /// arguments are checked before anything is sent: a rank with bad ones throws its own error, and
+  /// all other ranks throw Distributed_input_error_2.
   /// \tparam InputIterator its values are pairs of an `Id` and a `Point`.
-  /// \throws Non_finite_coordinate_error_2 or Coordinate_range_error_2 (`id()` is the place in the
-  /// range), or Distributed_input_error_2 on the other ranks; Repeated_id_error_2 on all ranks;
-  /// Periodic_range_error_2 like the first ones, if a point is 2<sup>16</sup> cells or more from
-  /// the origin; Parameter_error_2 on all ranks if the load factor is less than 1;
-  /// Periodic_cell_error_2 on all ranks if the cell is a slab, if ranks give different cells, or if
-  /// it is so thin or extreme that doubles cannot tell how far points are apart in it.
+  /// \throws Parameter_error_2 if the load factor is less than 1 or NaN; Periodic_cell_error_2 if
+  /// the cell is a slab, or so thin or extreme that doubles cannot tell how far points are apart in
+  /// it, or on all ranks if they give different cells; Non_finite_coordinate_error_2 or
+  /// Coordinate_range_error_2 (`id()` is the place in the range); Periodic_range_error_2 likewise,
+  /// if a point is 2<sup>16</sup> cells or about 2<sup>16</sup> H from the origin or more;
+  /// Repeated_id_error_2, on all ranks.
   template <class InputIterator>
   Distributed_dynamic_periodic_Delaunay_triangulation_2(
       MPI_Comm communicator, InputIterator first, InputIterator beyond, const Periodic_cell_2& cell,
@@ -106,12 +108,12 @@ public:
 
   using Base::update;
   /// moves the points as `update(first, beyond)` does, in a cell that has changed since the last
-  /// call: by deformation, by other vectors for the same lattice, as where a sheared cell is
+  /// call: by deformation, by other vectors for the same lattice, as when a sheared cell is
   /// flipped, or by both.
   ///
-  /// Ghosts follow a deformation. Where the cell has been deformed by more than a factor of about
-  /// 1.4 in some direction, or sheared by that much, since points were distributed last, they are
-  /// distributed anew, as `number_of_distributions()` says; with an infinite load factor each rank
+  /// Ghosts follow a deformation. If the cell has been deformed by more than a factor of about 1.4
+  /// in some direction, or sheared by that much, since the last distribution, points are
+  /// distributed anew, as `number_of_distributions()` tells; with an infinite load factor each rank
   /// keeps its own points, and has to ask for all others.
   /// \throws Periodic_cell_error_2 as the constructor does, or what `update(first, beyond)` throws;
   /// nothing has changed then on any rank. \post `is_certified()`
@@ -134,8 +136,8 @@ public:
     const auto entry = points().entry(points().place(id));
     return Point(entry.x, entry.y);
   }
-  /// the vector from the first point to the image of the second one by `shift`, rounded. \pre
-  /// `holds(i)` and `holds(j)`
+  /// the vector from point i to the image of point j by `shift`, rounded. \pre `holds(i)` and
+  /// `holds(j)`
   Vector vector(Id i, Id j, const Periodic_shift_2& shift) const
   {
     const Point p = point(i), q = point(j);
@@ -147,7 +149,7 @@ public:
 
   /// calls `f(i, j, shift)` for each edge whose smaller id, `i`, this rank owns: over all ranks,
   /// once for each edge, also from a point to its own image. As in one process, the image of point
-  /// j by `shift`, a `Periodic_shift_2`, is a neighbor of point i: where they were given last. Of
+  /// j by `shift`, a `Periodic_shift_2`, is a neighbor of point i, both as they were given last. Of
   /// points that coincide, the one with the smallest id has the edges.
   template <class Function>
   void for_each_edge(const Function& f) const

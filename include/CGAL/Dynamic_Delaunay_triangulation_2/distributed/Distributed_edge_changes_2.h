@@ -18,9 +18,9 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-Lists the finite edges of a `Distributed_dynamic_Delaunay_triangulation_2` that have come and gone
-since the last `compute()`. Each of them is in the list of one rank; an edge that has only changed
-its owner is in none.
+Lists the finite edges of a `Distributed_dynamic_Delaunay_triangulation_2` that were created and
+removed since the last `compute()`. Each of them is in the list of one rank; an edge that has only
+changed its owner is in no list.
 
 Cost: the edges of each rank are sorted, and the changes are sent.
 
@@ -32,7 +32,8 @@ public:
   /// the ids of the two ends of an edge, the smaller one first.
   using Edge = std::pair<std::int64_t, std::int64_t>;
 
-  /// compares the edges with those at the last call. At the first call all are created. Collective.
+  /// compares the edges with those at the last call. At the first call all edges count as created.
+  /// Collective.
   /// \tparam Distributed a `Distributed_dynamic_Delaunay_triangulation_2`, always the same one.
   template <class Distributed>
   void compute(Distributed& dt)

@@ -23,12 +23,13 @@ namespace CGAL {
 
 The neighbors of the points that a rank of a `Distributed_dynamic_Delaunay_triangulation_2` or of a
 `Distributed_dynamic_periodic_Delaunay_triangulation_2` owns, as two arrays: what
-`Delaunay_neighbor_lists_2` is for one process. In periodic space a third one has their shifts.
+`Delaunay_neighbor_lists_2` is for one process. In periodic space a third array has their shifts.
 
-The list of a point holds the ids of the other ends of its edges, ascending, those of images of one
-point by their shifts. Of points that coincide the one with the smallest id has the edges, and its
-list ends with the ids of the others, ascending. The list of each of those holds that id alone. So
-over all ranks the lists are symmetric, and they do not depend on the number of ranks.
+The list of a point holds the ids of the other ends of its edges, ascending; images of one point are
+in the order of their shifts. Of points that coincide the one with the smallest id has the edges,
+and its list ends with the ids of the others, ascending. The list of each of the others holds that
+smallest id alone. So over all ranks the lists are symmetric, and they do not depend on the number
+of ranks.
 */
 class Distributed_neighbor_lists_2
 {
@@ -83,7 +84,7 @@ public:
   const std::vector<size_type>& offsets() const { return m_offsets; }
   /// all lists.
   const std::vector<Id>& neighbors() const { return m_neighbors; }
-  /// in periodic space, the shift of each of these neighbors: which image it is, as
+  /// in periodic space, the shift of each entry of `neighbors()`: which image it is, as
   /// `Distributed_dynamic_periodic_Delaunay_triangulation_2::for_each_neighbor()` says. Empty in
   /// the plane.
   const std::vector<Periodic_shift_2>& shifts() const { return m_shifts; }

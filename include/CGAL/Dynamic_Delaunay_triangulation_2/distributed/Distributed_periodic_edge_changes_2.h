@@ -23,14 +23,14 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Periodic
 
-Lists the edges of a `Distributed_dynamic_periodic_Delaunay_triangulation_2` that have come and gone
-since the last `compute()`: what `Periodic_edge_changes_visitor_2` is for one process. Each of them
-is in the list of one rank; an edge that has only changed its owner is in none.
+Lists the edges of a `Distributed_dynamic_periodic_Delaunay_triangulation_2` that were created and
+removed since the last `compute()`: what `Periodic_edge_changes_visitor_2` is for one process. Each
+of them is in the list of one rank; an edge that has only changed its owner is in no list.
 
-All shifts are those of now: a point that is wrapped, or a cell that is exchanged for another one of
-the same lattice, changes no edge. An edge that was removed is given as it would be called now.
+All shifts, also those of removed edges, are for the present positions and the present cell: a point
+that is wrapped, or a cell that is exchanged for another one of the same lattice, changes no edge.
 Points are taken to have gone the shortest way since the last call, in multiples of the cell's
-vectors, and the cell to have the vectors that are nearest to those that it had, as in one frame of
+vectors, and the cell's present vectors to be those nearest to the former ones, as in one frame of
 one process. So after each frame the lists are those of one process, but where more than three
 images are on an empty circle.
 
@@ -62,7 +62,8 @@ public:
     }
   };
 
-  /// compares the edges with those at the last call. At the first call all are created. Collective.
+  /// compares the edges with those at the last call. At the first call all edges count as created.
+  /// Collective.
   /// \tparam Distributed a `Distributed_dynamic_periodic_Delaunay_triangulation_2`, always the same
   /// one.
   template <class Distributed>

@@ -25,32 +25,32 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-What triangulations of moving points that are spread over the ranks of an MPI communicator can do in
-the plane and in periodic space: `Distributed_dynamic_Delaunay_triangulation_2` and
-`Distributed_dynamic_periodic_Delaunay_triangulation_2` derive from it. All ranks must call the
-functions that are called *collective*.
+The members that distributed triangulations, of moving points on the ranks of an MPI communicator,
+share in the plane and in periodic space: `Distributed_dynamic_Delaunay_triangulation_2` and
+`Distributed_dynamic_periodic_Delaunay_triangulation_2` derive from it. All ranks
+must call a *collective* function together.
 
 Each rank owns some points, and holds copies of points of other ranks, its *ghosts*; in periodic
 space, other images of its own points as well. After construction and after each update every face
-with a corner that the rank owns is proved to be one of the triangulation of all points: no point of
-any rank is strictly inside of its circumcircle, and all points on that circle are held. Edges and
-faces depend only on points and ids, and the cell of periodic space, not on how many ranks there are
-or what they own. The page \ref DynamicDelaunayTriangulation2Ranks describes the protocol, and
-proves this.
+with a corner that the rank owns is proved to be a face of the triangulation of all points: no point
+of any rank is strictly inside of its circumcircle, and the rank holds all points on that circle.
+Edges and faces depend only on points and ids, and the cell of periodic space, not on how many ranks
+there are or what they own. The page \ref DynamicDelaunayTriangulation2Ranks describes the protocol,
+and proves this.
 
 Each rank owns a stretch of a Hilbert curve through all points. When a rank holds too many points,
 compared with what ranks held after the last distribution, `update()`, `insert()` or `remove()`
-distributes all of them anew at its end: `number_of_distributions()` then is another one,
-`owned_ids()` has other points in another order, and `carry()` brings the user's data along.
+distributes all points anew at its end: `number_of_distributions()` then has grown, `owned_ids()`
+has other points in another order, and `carry()` brings the user's data along.
 
-Of MPI it uses its own copy of the communicator, `MPI_Allreduce`, `MPI_Allgather(v)`, and
-synchronous sends with a barrier that does not block; all calls are made by the thread that calls a
-function of this class, so `MPI_THREAD_FUNNELED` is enough. MPI must be initialized before, and
-finalized after the object is gone. An error of MPI ends the program, unless the user gave the
-communicator another error handler. So does an exception on one rank alone that is not caught:
-`mpirun` then ends the other ranks.
+Of MPI 3 it uses its own copy of the communicator, `MPI_Allreduce`, `MPI_Allgather(v)`, synchronous
+sends with a barrier that does not block, and for checkpoints `MPI_File`. The thread that calls a
+function of this class makes all calls of MPI, so `MPI_THREAD_FUNNELED` is enough if that is the
+main thread. MPI must be initialized before, and finalized after the object is gone. An error of MPI
+ends the program, unless the user gave the communicator another error handler. An exception that one
+rank alone throws and does not catch ends the program, too: `mpirun` then ends the other ranks.
 
-\tparam Space the plane or a torus: users need not name it.
+\tparam Space an internal type: the plane or a torus.
 */
 template <class Space>
 class Distributed_triangulation_base_2
@@ -80,7 +80,7 @@ public:
   /// \name Creation
   /// @{
 
-  /// the load factor of objects that are given none.
+  /// the default of the load factor.
   static constexpr double default_load_factor = 1.5;
 
   /// @}
@@ -88,17 +88,17 @@ public:
   /// @{
 
   /// moves the points that this rank owns to these positions, in the order of `owned_ids()`.
-  /// Collective. In periodic space points may be given wrapped into the cell or not: of a point
-  /// that moves by more than half the cell, the image nearest to where it was is taken to be where
-  /// it has gone.
+  /// Collective. In periodic space points may be given wrapped into the cell or not: a point that
+  /// moves by more than half the cell is taken to have moved to the nearest image of its new
+  /// position.
   ///
   /// Each rank sends the positions of points that others hold as ghosts, moves its other points
   /// while these are under way, and updates its own triangulation. If that does not prove all its
-  /// faces, it asks the ranks that may have points in their circumcircles; what they answer becomes
-  /// ghosts, until there are no questions. \throws Point_count_error_2, or
-  /// Non_finite_coordinate_error_2, Coordinate_range_error_2 or, in periodic space,
-  /// Periodic_range_error_2, or Distributed_input_error_2 on the other ranks; nothing has changed
-  /// then on any rank. \post `is_certified()`
+  /// faces, it asks the ranks that may have points in their circumcircles, and takes the answers as
+  /// ghosts, until no question is left. \throws Point_count_error_2, Non_finite_coordinate_error_2,
+  /// Coordinate_range_error_2 or, in periodic space, Periodic_range_error_2 (`id()` is the place in
+  /// the range), or Distributed_input_error_2 on the other ranks; nothing has changed then on any
+  /// rank. \post `is_certified()`
   template <class InputIterator>
   Update_report_2 update(InputIterator first, InputIterator beyond)
   {
@@ -110,11 +110,11 @@ public:
   /// \name Population
   /// @{
 
-  /// adds points, which the rank that is given them owns, after those that it owns already.
-  /// Collective; a rank may give none.
+  /// adds points. The rank that is given them owns them, after the points that it owns already,
+  /// unless all points are distributed anew. Collective; a rank may give none.
   ///
-  /// Cost: as an update in which the points jump to where they are, and every rank hears of all new
-  /// ids. \tparam InputIterator its values are pairs of an `Id` and a `Point`.
+  /// Cost: that of an update in which these points jump; every rank hears of all new ids.
+  /// \tparam InputIterator its values are pairs of an `Id` and a `Point`.
   /// \throws Non_finite_coordinate_error_2, Coordinate_range_error_2 or, in periodic space,
   /// Periodic_range_error_2 (`id()` is the place in the range), or Distributed_input_error_2 on the
   /// other ranks; Repeated_id_error_2 on all ranks. Nothing has changed then on any rank.
@@ -128,8 +128,8 @@ public:
 
   /// removes points, whatever ranks own them. Collective; a rank may give none.
   ///
-  /// Cost: as an update, and every rank hears of all these ids. \tparam InputIterator its values
-  /// are ids.
+  /// Cost: as an update, and every rank hears of all these ids.
+  /// \tparam InputIterator its values are ids.
   /// \throws Repeated_id_error_2 if two ranks, or one rank twice, give the same id,
   /// Unknown_user_id_error_2 if no point has it: on all ranks, and nothing has changed on any.
   /// \post `is_certified()`
@@ -152,14 +152,14 @@ public:
     m_core.distribute();
   }
 
-  /// how often points were distributed since construction. Where this has changed, owned points
-  /// are other ones, in another order.
+  /// how often points were distributed since construction, or replaced by `read_checkpoint()`. If
+  /// this has changed, the rank owns other points, in another order.
   size_type number_of_distributions() const { return m_core.number_of_distributions(); }
 
   /// data of the points that this rank owns, given data of those that it owned before the last
-  /// distribution, each in the order of `owned_ids()` at that time. Collective. To be called before
-  /// points are inserted or removed. After construction, "before" are the points that the rank was
-  /// given.
+  /// distribution, each in the order of `owned_ids()` at that time. Collective. Call it before
+  /// points are inserted or removed. After construction, the points before are those that the rank
+  /// was given.
   /// \tparam T trivially copyable.
   /// \throws Point_count_error_2 if there are not as many as points before, or
   /// Distributed_input_error_2 on the other ranks.
@@ -193,13 +193,13 @@ public:
   bool holds(Id id) const { return points().holds(id); }
 
   /// the triangulation of the points that this rank holds: of their images in periodic space, as
-  /// points of the plane. Its faces with the corner of a point that the rank owns, at `held_id()`,
-  /// are those of all points; the others may not be. So what it tells about these vertices, such as
-  /// `Voronoi_cell_measures_2`, is true for all points. Where four points or more are on a circle
-  /// its diagonals may be others than those of `for_each_edge()`.
+  /// points of the plane. Its faces at the points that the rank owns, whose ids there `held_id()`
+  /// tells, are those of all points; its other faces may not be. So properties of these vertices,
+  /// such as `Voronoi_cell_measures_2`, are true for all points. Where four points or more are on a
+  /// circle its diagonals may differ from those of `for_each_edge()`.
   const Held_triangulation& held_triangulation() const { return points().dt(); }
   /// the id of a held point in `held_triangulation()`, until the next call that changes points: in
-  /// periodic space of the image that this rank owns, or of a ghost, if it is not its own.
+  /// periodic space that of the image that this rank owns, or else of a ghost.
   /// \pre `holds(id)`
   size_type held_id(Id id) const { return points().place(id); }
 
@@ -216,17 +216,20 @@ public:
   /// So the last checkpoint stays readable, whenever a rank dies.
   /// @{
 
-  /// writes what is triangulated. Collective. Cost: 24 bytes a point. \throws Checkpoint_error_2 on
-  /// all ranks if that is impossible; what had the name before is still there.
+  /// writes the points and the cell as they are triangulated. Collective. Cost: 24 bytes a point.
+  /// \throws Checkpoint_error_2 on all ranks if writing fails; a file that had the name before is
+  /// still there.
   void write_checkpoint(const std::string& path)
   {
     const Floating_point floating_point;
     m_core.write_checkpoint(path);
   }
 
-  /// the same, with the user's data of each point that this rank owns, in the order of
-  /// `owned_ids()`. \tparam T trivially copyable. \throws Point_count_error_2 if there are not as
-  /// many as owned points, or Distributed_input_error_2 on the other ranks.
+  /// writes the points and the cell, with the user's data of each point that this rank owns, in the
+  /// order of `owned_ids()`.
+  /// \tparam T trivially copyable.
+  /// \throws Point_count_error_2 if there are not as many data as owned points, or
+  /// Distributed_input_error_2 on the other ranks; else as above.
   template <class T>
   void write_checkpoint(const std::string& path, const std::vector<T>& data)
   {
@@ -234,16 +237,19 @@ public:
     m_core.write_checkpoint(path, data);
   }
 
-  /// replaces what is triangulated by what is in a file, and distributes points as the constructor
-  /// does. Collective. \throws Checkpoint_error_2 on all ranks if there is no such file, or if it
-  /// is not as it was written; nothing has changed then on any rank. \post `is_certified()`
+  /// replaces points and cell by those in a file, and distributes points as the constructor does.
+  /// Collective. \throws Checkpoint_error_2 on all ranks if there is no such file, if it is not as
+  /// it was written, or if it has data of the user; nothing has changed then on any rank. \post
+  /// `is_certified()`
   void read_checkpoint(const std::string& path)
   {
     const Floating_point floating_point;
     m_core.read_checkpoint(path);
   }
 
-  /// the same, and replaces `data` by the user's data of the points that this rank owns.
+  /// replaces points, cell and `data`, by the points in a file and the user's data of those that
+  /// this rank owns then. Collective. \throws Checkpoint_error_2 as above, and if the data in the
+  /// file have not the size of T.
   template <class T>
   void read_checkpoint(const std::string& path, std::vector<T>& data)
   {
@@ -255,9 +261,9 @@ public:
   /// \name Checking
   /// @{
 
-  /// proves all faces with an owned corner anew, without trust in what ranks have agreed to send.
-  /// Collective, with the same result on all ranks. Cost: a pass over all faces, and questions as
-  /// after a distribution.
+  /// proves all faces with an owned corner anew, without relying on the zones that ranks have
+  /// agreed on. Collective, with the same result on all ranks. Cost: a pass over all faces, and
+  /// questions as after a distribution.
   bool certify()
   {
     const Floating_point floating_point;
@@ -285,15 +291,15 @@ public:
   size_type number_of_rounds() const { return m_core.proof().number_of_rounds(); }
   /// messages that this rank has sent, collective calls of MPI not counted.
   size_type number_of_messages() const { return m_core.ranks().exchange().sent_messages(); }
-  /// the same in bytes.
+  /// bytes that this rank has sent, collective calls of MPI not counted.
   size_type number_of_bytes() const { return m_core.ranks().exchange().sent_bytes(); }
   /// bytes that all ranks have told all others, in collective calls: zones, boxes and, in the
   /// plane, outlines.
   size_type number_of_gathered_bytes() const { return m_core.ranks().gathered_bytes(); }
   /// seconds in which this rank has sent, received or waited.
   double communication_seconds() const { return m_core.ranks().exchange().seconds(); }
-  /// seconds in which this rank has done other things while messages were under way that it had
-  /// sent, for all it knew.
+  /// seconds in which this rank has done other things while messages that it had sent were, for all
+  /// it knew, under way.
   double overlapped_seconds() const { return m_core.ranks().exchange().overlapped_seconds(); }
 
   /// @}
