@@ -31,8 +31,8 @@ class Dynamic_classification_2
 public:
   /// the type of all numbers, as in `Dynamic_frame_2`.
   using Index = Dynamic_Delaunay_triangulations_2::Index;
-  using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index; ///< likewise.
-  using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;     ///< likewise.
+  using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index; ///< the number of a vertex.
+  using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;     ///< the number of an edge.
 
   /// \cond
   void clear(const State& state)
@@ -97,7 +97,8 @@ public:
     m_whole_vertices.fill(1, bound);
   }
 
-  /// the same as `add_edge()`, but for an edge in the state `ILLEGAL`: flipping it costs less.
+  /// classifies the four vertices of edge `e`, which must be in the state `ILLEGAL`, as
+  /// `add_edge()` does. Flipping the edge costs less then.
   /// \throws Unknown_index_error_2 if there is no such edge.
   void add_illegal_edge(Edge_index e)
   {
@@ -119,7 +120,7 @@ public:
       add_edge(e);
   }
 
-  /// the same, but for all edges of a list, whose data it prefetches.
+  /// classifies those edges of a list that are not Delaunay. Prefetches their data.
   template <class Frame>
   void add_unless_delaunay(const Frame& frame, const std::vector<Index>& edges)
   {
@@ -129,8 +130,8 @@ public:
     }
   }
 
-  /// the same for several lists, in their order. Threads share it if there are many lists and the
-  /// triangulation has the `Parallel_tag`.
+  /// classifies those edges of several lists that are not Delaunay, in their order. Threads share
+  /// the work if there are many lists and the triangulation has the `Parallel_tag`.
   template <class Frame>
   void add_unless_delaunay(const Frame& frame, const std::vector<std::vector<Index>>& lists)
   {

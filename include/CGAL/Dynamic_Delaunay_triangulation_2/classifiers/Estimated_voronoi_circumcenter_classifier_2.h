@@ -15,9 +15,9 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Classifiers
 
-The same as `Voronoi_circumcenter_classifier_2`, but estimates the circumcenters (thesis 7.2.4): it
-computes that of a face when the face is triangulated, and then moves it along with the mean of the
-face's three vertices.
+Classifies as `Voronoi_circumcenter_classifier_2` does, but with estimated circumcenters (thesis
+7.2.4): the circumcenter of a face is computed when the face is triangulated, and then moves along
+with the mean of the face's three vertices.
 
 It is *heuristic*: it follows translations exactly, except for rounding. It notices turning,
 stretching and inverted faces only when a face is triangulated anew. At the hull it does the same as

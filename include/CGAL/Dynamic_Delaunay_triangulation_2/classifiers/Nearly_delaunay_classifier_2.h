@@ -34,7 +34,7 @@ every update ends with all finite faces counterclockwise, the hull turning left 
 at each vertex, and all edges between finite faces nearly Delaunay. The reason: flips and splices
 prove every edge Delaunay whose vertices they change, and that repair rebuilds where they cannot.
 Rounding is on the safe side. With other repairs the bound is not guaranteed: flips alone get stuck
-at inverted faces, and a border splice tests neither its own boundary nor what is beyond.
+at inverted faces, and a border splice tests neither its own boundary nor the edges beyond it.
 
 It is *heuristic*: the result is not a Delaunay triangulation, and not certified. With `eps = 0` it
 classifies the same as `Circumcircle_classifier_2`.

@@ -29,8 +29,8 @@ The thesis divides by the speed `S = pv / |p|` at which the edge is extending no
 stayed constant. But a length is a convex function of time: the real `T_min` is later than that, or
 never comes, and the real `T_max` is sooner.
 
-So that no time is too late, the range is narrowed by 1e-12 of the values compared. Rounding in the
-positions themselves, as they are added up frame by frame, is not accounted for.
+So that no time is too late, the range is narrowed by 1e-12 of the values compared. This does not
+cover the rounding of positions that are added up frame by frame.
 */
 class Point_distance_times_2
 {

@@ -22,7 +22,7 @@ which it tested edges, or in which something was triangulated anew. It classifie
 as `Point_distance_classifier_2` while velocities stay as they were at the last prediction. It is a
 <em>heuristic</em> classifier.
 
-Cost: none in the frames in between; in the others that of `Point_distance_classifier_2` and of
+Cost: none in frames without tests; in the others that of `Point_distance_classifier_2` and of
 `Point_distance_classifier_2::predict()`. So it pays if few frames classify any vertex.
 
 \tparam Velocity a function from ids to velocities with `x` and `y`, in lengths a frame.

@@ -18,8 +18,9 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Classifiers
 
-Reduces what a first classifier picks to what a second one picks, too (thesis 7.2.1). A classifier
-<em>picks</em> the vertices and edges that it names, and all edges of these vertices. The result has
+Reduces the picks of one classifier to those that a second classifier picks, too (thesis 7.2.1). A
+classifier <em>picks</em> the vertices and edges that it names, and all edges of these vertices. The
+result has
 - the vertices that both name,
 - the edges that one names and the other one picks,
 - if both are exact, also the edges that one picks for one end, and the other one for the other end.
@@ -28,8 +29,8 @@ It is *exact* if both are: then both pick each edge that is not Delaunay, and ev
 the above list.
 
 Cost: that of the first classifier, and that of the second one at the edges that the first one
-picks, if the second one has `names_edge()`; otherwise that of both in full. One or two sets of
-vertices are allocated in every frame.
+picks, if the second one has `names_edge()`; otherwise that of both in full. Allocates one or two
+classifications in every frame.
 
 \tparam First a model of `DelaunayClassifier_2`
 \tparam Second a model of `DelaunayClassifier_2`

@@ -25,17 +25,18 @@ Castro and Devillers, *Delaunay triangulations for moving points*, INRIA RR-6750
 `bc` with the opposite vertices `a` and `d`, let `o` be where the bisectors of `bc` and `ad` meet,
 `r` the larger one of `|ob|` and `|oc|`, and `R` the smaller one of `|oa|` and `|od|`. The radius of
 a vertex's disk is the minimum of `(R - r) / 2` over all edges that it is an end of or opposite to;
-at the hull about half of a distance takes the place of this. If vertices have left their disks,
-exact predicates test all these edges of theirs, and the vertices of the edges that are not Delaunay
-are classified: none, if nothing has broken.
+at the hull, about half of a distance is taken instead. If vertices have left their disks, exact
+predicates test all these edges of theirs, and the vertices of the edges that are not Delaunay are
+classified.
 
 It is *exact*: it misses no edge (\ref SafeEdgesVertices). So it classifies the same as
-`Circumcircle_classifier_2`. That one keeps its slack for edges instead of vertices, with one
-tolerance for all, and is faster: here one edge near a tie shrinks the disks of four vertices.
+`Circumcircle_classifier_2`. `Circumcircle_classifier_2` keeps slack for edges instead of vertices,
+with one tolerance for all, and is faster: here one edge near a tie shrinks the disks of four
+vertices.
 
-Cost: one pass over all vertices if few have left their disks; these take about half a microsecond
-each, as their disks are computed anew. Otherwise one pass over all edges, and now and then another
-one to compute all disks anew. Memory for three doubles a vertex and one an edge.
+Cost: one pass over all vertices if at most one in 64 has left its disk, plus computing the disks of
+these anew. Otherwise one pass over all edges, and now and then another one to compute all disks
+anew. Memory for three doubles a vertex and one an edge.
 
 \cgalModels{DelaunayClassifier_2}
 */

@@ -17,11 +17,11 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2Policies
 
 Chooses for every frame between mending and rebuilding, from an estimate of both costs (thesis
-7.2.1). It mends until a frame has cost more than a rebuild. From then on it first tests a sample of
-the edges: it rebuilds a frame in which more than a ninth of them are not Delaunay, and mends any
-other. Mending may cost more again, which happens with classifiers that name more than is broken.
-Then it tries again when half as many edges are broken, or after a pause. The pause grows by one
-frame with each failure, up to 63 frames.
+7.2.1). It mends until a frame has cost more than a rebuild, or was rebuilt by its repair. From then
+on it tests a sample of the edges first, and rebuilds a frame in which more than a ninth of the
+sample is not Delaunay. It tries to mend another frame if less than half as many edges are broken as
+at the last failure, or after a pause, which grows by one frame with each failure in a row, from
+none up to 63 frames. A success ends this.
 
 Costs are counted, not clocked: in flips, and in spliced and relocated vertices, each weighted with
 a time that was measured once. So equal input gives equal choices.

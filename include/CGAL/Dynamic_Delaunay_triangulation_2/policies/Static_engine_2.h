@@ -12,7 +12,7 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
 The algorithms that triangulate points from scratch (thesis chapter 3). Each yields a Delaunay
-triangulation, by exact predicates. Where points are cocircular, the results may differ.
+triangulation, by exact predicates. Where points are cocircular, their results may differ.
 */
 enum class Static_engine_2 {
   /// divide and conquer on flat arrays (thesis 3.2; Guibas and Stolfi 1985), with cuts across both
@@ -21,8 +21,8 @@ enum class Static_engine_2 {
   /// CGAL's insertion of one point after the other, in a spatial order, by flips. Expected cost in
   /// that order: O(n).
   INSERTION,
-  /// the same, but with CGAL's cavities: the faces in conflict with a point are replaced by a star
-  /// around it (thesis 3.1; Bowyer 1981, Watson 1981).
+  /// CGAL's insertion of one point after the other, in the same order, by cavities: the faces in
+  /// conflict with a point are replaced by a star around it (thesis 3.1; Bowyer 1981, Watson 1981).
   BOWYER_WATSON
 };
 

@@ -19,7 +19,7 @@ enum class Rebuild_reason_2 {
   NONE,            ///< the update did not rebuild
   REPAIR,          ///< the repair is `Rebuild_repair_2`, and something was classified
   TOO_MUCH_BROKEN, ///< so much was broken, or jumped, that mending would have cost more
-  STUCK,           ///< the repair left something broken
+  STUCK,           ///< the repair left something broken, or could not start from the last frame
   COINCIDENCE,     ///< many points came to coincide, or coincident points separated
   POPULATION,      ///< many points were inserted or removed
   DIMENSION,       ///< fewer than three points, or all points on a line, before or after the frame
@@ -44,12 +44,11 @@ struct Update_report_2
   std::size_t flips = 0;
   /// border splices: regions triangulated anew and put in place of the old ones.
   std::size_t splices = 0;
-  /// vertices of these regions, borders included; a vertex of several regions is counted in each.
+  /// vertices of spliced regions, borders included; a vertex of several regions is counted in each.
   std::size_t spliced = 0;
-  /// how often a region was enlarged because its boundary and that of its new triangulation
-  /// disagreed.
+  /// enlargements of regions whose boundary and that of their new triangulation disagreed.
   std::size_t enlargements = 0;
-  /// vertices that went far, were taken out of their faces and inserted elsewhere; with
+  /// vertices that moved far, and were taken out of their faces and inserted elsewhere; with
   /// `Relocation_repair_2` those that CGAL's `move_if_no_collision()` moved.
   std::size_t relocated = 0;
   /// points inserted.

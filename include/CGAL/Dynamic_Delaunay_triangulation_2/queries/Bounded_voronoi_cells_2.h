@@ -31,17 +31,17 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-The points' Voronoi cells as far as they reach: each cell ends at a *radius* around its point, at
-the walls of a convex *domain*, or at both. So no cell is unbounded. Cells that end at a radius are
-those of the finite Voronoi model of tissue (J. Huang, H. Levine, D. Bi: *Soft Matter* 19, 2023).
-They work in the plane and in periodic space, domains only in the plane.
+The points' Voronoi cells, bounded: each cell ends at a *radius* around its point, at the walls of a
+convex *domain*, or at both. Cells that end at a radius are those of the finite Voronoi model of
+tissue (J. Huang, H. Levine, D. Bi: *Soft Matter* 19, 2023). They work in the plane and in periodic
+space, domains only in the plane.
 
 The boundary of a cell consists of *pieces*, counterclockwise around it:
 
 - on a *neighbor*: a segment where the cell touches that of a neighbor, a contact. Both cells have
   it, with the same length but for rounding. Neighbors without such a segment have no contact, also
   where four points lie on a circle;
-- on a *wall*: a segment of an edge of the domain, numbered from that after its first corner;
+- on a *wall*: a segment of an edge of the domain. Wall 0 is the one after the first corner;
 - *free*: an arc at the radius. If radii differ, also a segment where the cell ends at the bisector
   with a neighbor that does not reach so far.
 
@@ -51,8 +51,9 @@ Every measure has an entry for each id.
 - Points that coincide share a cell, with the radius of their representative. Each gets an equal
   share of its area, and the whole of its lengths and its centroid. The pieces are those of the
   representative; the others have none.
-- A point may be outside of the domain. Then its cell is what the domain has of it, or nothing.
-- Where a wall lies on a bisector, rounding decides which of them a piece is on.
+- A point may be outside of the domain. Then its cell is the part of its Voronoi cell in the domain,
+  or empty.
+- If a wall lies on a bisector, rounding decides which of them a piece is on.
 - An empty cell has area and lengths 0, and its point for the centroid.
 - Removed ids have no pieces, and 0 for all measures.
 
@@ -62,8 +63,8 @@ positive, so the area has a relative error of a few roundings for each piece, ho
 is. Lengths have errors of a few roundings of the radius, but where curves are about tangent: two
 discs that touch may have a contact of 10^-8 radii, or none.
 
-An object keeps its memory. Threads share the points if the triangulation has a `Parallel_tag`; the
-result is the same.
+An object keeps its memory. In the plane, threads share the points if the triangulation has the
+`Parallel_tag`; the result is the same.
 
 \sa `Bounded_voronoi_gradients_2`
 \sa `Bounded_voronoi_surface_2`
@@ -89,7 +90,7 @@ public:
     FREE      ///< no cell.
   };
 
-  /// a piece of a boundary. In periodic space places are around the point as it was given.
+  /// a piece of a boundary. In periodic space places are around the representative as it was given.
   struct Piece
   {
     Side side;              ///< what is on the other side.
@@ -122,10 +123,10 @@ public:
   /// Without a domain cells end at their radius only.
   /// @{
 
-  /// takes a convex polygon, whose corners have `x()` and `y()`, counterclockwise.
+  /// sets the domain to a convex polygon, whose corners have `x()` and `y()`, counterclockwise.
   ///
-  /// \throws Domain_error_2 if there are fewer than three corners, or one of them is not finite or
-  /// no left turn; nothing changes.
+  /// \throws Domain_error_2 if there are fewer than three corners, if one of them is not finite or
+  /// no left turn, or if they turn around more than once; nothing changes.
   template <class InputIterator>
   void set_domain(InputIterator first, InputIterator beyond)
   {
@@ -141,7 +142,7 @@ public:
       m_normals.push_back({(q.y - p.y) / length, -(q.x - p.x) / length});
     }
   }
-  /// takes a box.
+  /// sets the domain to a box.
   ///
   /// \throws Domain_error_2 if it has no area, or is not finite; nothing changes.
   void set_domain(const Bbox_2& box)
@@ -152,7 +153,7 @@ public:
                                        Point(box.xmin(), box.ymax())};
     set_domain(corners.begin(), corners.end());
   }
-  /// forgets the domain.
+  /// removes the domain.
   void remove_domain() { m_domain.clear(); }
   /// whether a place is in the domain or on a wall, exactly; true if there is no domain.
   ///
@@ -175,18 +176,21 @@ public:
   /// computes the cells of all points, with one radius. It may be infinite if there is a domain.
   ///
   /// Cost: for each point, proportional to the number of its neighbors, and of the domain's walls,
-  /// times the number of its cell's corners. \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`
-  /// or `Dynamic_periodic_Delaunay_triangulation_2`.
+  /// times the number of its cell's corners.
+  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_2` or
+  /// `Dynamic_periodic_Delaunay_triangulation_2`.
+  /// \throws Parameter_error_2 unless the radius is from 2.2e-308, the smallest normal double, to
+  /// 1e150, or infinite with a domain; nothing changes.
+  /// \throws Domain_error_2 in periodic space if there is a domain; nothing changes.
   /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
-  /// \throws Parameter_error_2 if the radius is not a positive number, or infinite without a
-  /// domain; nothing changes. \pre In periodic space there is no domain.
   template <class Dynamic>
   void compute(const Dynamic& dt, double radius)
   {
     check_radius(radius);
     compute_with(dt, [=](size_type) { return radius; });
   }
-  /// takes a radius for each id. Those of removed ids mean nothing.
+  /// computes the cells of all points, with a radius for each id. The radii of removed ids are
+  /// ignored.
   ///
   /// \throws Point_count_error_2 if there are not as many radii as ids; nothing changes.
   template <class Dynamic>
@@ -205,7 +209,7 @@ public:
     compute_with(
         dt, [=](size_type) { return radius; }, false);
   }
-  /// takes a radius for each id.
+  /// computes the measures with a radius for each id.
   template <class Dynamic>
   void compute_measures(const Dynamic& dt, const std::vector<double>& radii)
   {
@@ -215,13 +219,12 @@ public:
   }
 
   /// returns the cell of one point, which `compute()` would give if all points had this radius. If
-  /// it coincides with others it has its share of the area, and their pieces. Nothing changes.
+  /// the point coincides with others, the cell has its share of the area, and the pieces of the
+  /// representative. Nothing changes.
   ///
-  /// Cost: as `compute()` has it for this point; also linear in the number of points that coincide
-  /// with others.
-  /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`.
+  /// Cost: that of `compute()` for this point; also linear in the number of duplicates.
+  /// \throws Parameter_error_2, Domain_error_2 or Uncertified_triangulation_error_2 as `compute()`.
   /// \throws Unknown_id_error_2 if no point has this id.
-  /// \throws Parameter_error_2 as `compute()`.
   template <class Dynamic>
   Cell cell(const Dynamic& dt, size_type id, double radius) const
   {
@@ -238,13 +241,13 @@ public:
 
   /// the area of each id's cell.
   const std::vector<double>& areas() const { return m_areas; }
-  /// the whole length of its boundary.
+  /// the length of the whole boundary of each id's cell.
   const std::vector<double>& perimeters() const { return m_perimeters; }
-  /// the centroid.
+  /// the centroid of each id's cell.
   const std::vector<Position>& centroids() const { return m_centroids; }
-  /// the length on walls.
+  /// the length on walls of each id's cell.
   const std::vector<double>& wall_lengths() const { return m_wall_lengths; }
-  /// the length of what is free. The cell is at the surface of the points if it is not 0.
+  /// the free length of each id's cell. A cell is at the surface of the points if it is not 0.
   const std::vector<double>& free_lengths() const { return m_free_lengths; }
 
   /// whether `compute()` has listed pieces, which `compute_measures()` does not.

@@ -37,9 +37,9 @@ a length by the integral of curvature times \f$v\f$, and by the motion of its en
 corner of two curves moves by \f$w\f$ with \f$w \cdot n = v\f$ for both of them.
 
 A length has no gradient where the curves at one of its ends are tangent: a contact that just begins
-grows infinitely fast. Such a corner adds nothing if the curves are tangent but for rounding.
-A contact between points with equal radii ends where the smaller of them does, so there is no
-gradient by one of these radii alone: the sum over all of them is that by a common radius.
+grows infinitely fast. Such a corner adds nothing if the curves are tangent but for rounding. A
+contact between points with equal radii would end at the smaller one if they differed, so there is
+no gradient by one of these radii alone; the sum over all radii is the gradient by a common radius.
 
 \sa `Bounded_voronoi_cells_2`
 */
@@ -60,8 +60,8 @@ public:
   /// \name Computation
   /// @{
 
-  /// computes both gradients. `cells` are those of `dt` as it is, `area_weights` has an entry for
-  /// each id, and `length_weights` one for each of `cells.pieces()`.
+  /// computes both gradients. `cells` must be those of `dt` in its present state; `area_weights`
+  /// has an entry for each id, and `length_weights` one for each of `cells.pieces()`.
   ///
   /// If memory runs out, there are no gradients. Points that coincide have one cell: their
   /// representative gets the gradient for all of them together, and the others get 0. Removed ids

@@ -25,14 +25,14 @@ The surface of all bounded Voronoi cells together, as lines: the border of a tis
 and of its holes. With one radius and no domain this is the boundary of the union of the discs, and
 the cells along it are those of the points on the boundary of the alpha shape.
 
-A line consists of free pieces, each beginning where the last one ends, with the cells on its left.
-It goes from wall to wall, or is *closed*. A closed line around a positive area surrounds a
+A line consists of free pieces, each of which begins where the last one ends, with the cells on its
+left. It goes from wall to wall, or is *closed*. A closed line around a positive area surrounds a
 component of the cells, and one around a negative area a hole. In periodic space a closed line may
 wind around the torus instead, and then has no area: a component that winds has such lines, or holes
 only. The pieces of a line may be those of different images there, as each piece is around its own
 point.
 
-Contacts of no more than rounding, which one of two cells may have and the other not, do not count.
+A contact that only one of two cells has, because of rounding, does not count.
 
 \sa `Bounded_voronoi_cells_2`
 */
@@ -52,8 +52,8 @@ public:
   /// If memory runs out, there are no lines.
   /// @{
 
-  /// finds the lines. Cost: linear, but that the contacts of a point are searched for each of its
-  /// ends of lines. \pre `cells.has_pieces()`
+  /// finds the lines. Cost: linear; for each end of a free piece, also a search through the pieces
+  /// of a neighbor. \pre `cells.has_pieces()`
   void compute(const Cells& cells)
   {
     CGAL_precondition(cells.has_pieces());

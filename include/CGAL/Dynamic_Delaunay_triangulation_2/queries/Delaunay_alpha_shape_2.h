@@ -19,9 +19,9 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
 The alpha shape of the points for one alpha, a squared radius: what is left of the triangulation
-where a disc of that radius that avoids the points erases all it can reach. The class is of each
-face, edge and point what `Alpha_shape_2` says in its general mode, in the plane, and in a periodic
-cell or slab:
+where a disc of that radius that avoids the points erases all it can reach. Each face, edge and
+point has the class that `Alpha_shape_2` gives it in its general mode. The points may be in the
+plane, in a periodic cell or in a slab:
 
 - `EXTERIOR`: not in the alpha complex.
 - `SINGULAR`: in it, and in the boundary of the shape, but at no face of the complex.
@@ -33,15 +33,15 @@ edge without such a face is `SINGULAR` if the circle on it as a diameter has no 
 larger squared radius than alpha. A point without such a face is `SINGULAR`. The shape in the
 regularized mode is what is not `SINGULAR`.
 
-All is decided exactly: in doubles with bounds on their errors, and without rounding where that is
-undecided. Which diagonals stand for cocircular points does not matter for the shape, but a diagonal
-is `INTERIOR` or `EXTERIOR` itself.
+All classes are exact: they are decided in doubles with bounds on the errors, and without rounding
+where these bounds do not suffice. Which diagonals stand for cocircular points does not matter for
+the shape, but a diagonal is `INTERIOR` or `EXTERIOR` itself.
 
 Edges and faces have the numbers that they have in `Dynamic_frame_2`, which change with the
 triangulation. The triangulation must be certified. An object keeps its memory.
 
-`Bounded_voronoi_surface_2` has the boundary of the union of the discs, as lines: its cells are
-those of the points that are not `INTERIOR`.
+`Bounded_voronoi_surface_2` has the boundary of the union of the discs as lines: the cells along
+them are those of the points that are not `INTERIOR`.
 
 \sa `Bounded_voronoi_surface_2`
 */
@@ -85,7 +85,7 @@ public:
   /// the classes of the faces: `INTERIOR` or `EXTERIOR`, also for those at the infinite vertex or
   /// beside a slab. Empty if the points do not span the plane.
   const Classes& faces() const { return m_faces; }
-  /// the classes of the edges, likewise.
+  /// the classes of the edges. Empty if the points do not span the plane.
   const Classes& edges() const { return m_edges; }
   /// the classes of the points, by their ids. Points that coincide have the same one; removed ids
   /// are `EXTERIOR`.

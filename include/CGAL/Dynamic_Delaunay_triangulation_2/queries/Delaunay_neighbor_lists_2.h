@@ -28,7 +28,7 @@ periodic space a third one, `shifts()`, tells which image each neighbor is. A lo
 neighbors touches no triangulation, and the arrays can be passed to other programs as they are.
 
 - The list of a point holds the other ends of its finite edges, counterclockwise around it,
-  beginning anywhere.
+  beginning with any of them.
 - Points that coincide share the vertex of the one that was there first, the *representative*; the
   others are its *duplicates*. The list of a duplicate holds only its representative. The list of a
   representative ends with its duplicates, smaller ids first. In periodic space their shifts say
@@ -98,7 +98,7 @@ public:
   /// all lists. The list of `id` is from `offsets()[id]` to before `offsets()[id + 1]`.
   const std::vector<Id>& neighbors() const { return m_neighbors; }
 
-  /// in periodic space, the shift of each of these neighbors: which image it is, as
+  /// in periodic space, the shift of each entry of `neighbors()`: which image it is, as
   /// `Dynamic_triangulation_base_2::for_each_neighbor()` says. Empty in the plane.
   const std::vector<Periodic_shift_2>& shifts() const { return m_shifts; }
 

@@ -89,18 +89,18 @@ public:
 
   /// @}
   /// \name Queries
-  /// All of them throw `Uncertified_triangulation_error_2` unless the triangulation is certified.
-  /// If points coincide, each query also takes time proportional to the number of those.
+  /// All queries throw `Uncertified_triangulation_error_2` unless the triangulation is certified;
+  /// only an empty range of places needs no certificate. If points coincide, each query also takes
+  /// time proportional to the number of duplicates.
   ///
-  /// A place must be one where a point could be. Queries for places throw
-  /// `Non_finite_coordinate_error_2` if a coordinate is NaN or infinite,
+  /// Queries for places throw `Non_finite_coordinate_error_2` if a coordinate is NaN or infinite,
   /// `Coordinate_range_error_2` if it is too large for this program, and in periodic space
   /// `Periodic_range_error_2` if the place is 2<sup>20</sup> cells or more from the origin. For a
-  /// range of places the errors say which of them that is.
+  /// range of places, `id()` of these errors is the number of the place.
   /// @{
 
-  /// the point that is nearest to `p`; of several, the smallest answer. No value if there are no
-  /// points.
+  /// the point that is nearest to `p`; if several are equally near, the smallest answer. No value
+  /// if there are no points.
   ///
   /// Cost: O(n<sup>1/3</sup>) expected for evenly spread points, in periodic space in a cell that
   /// is not thin; less if the answer is near the last one.
@@ -129,9 +129,9 @@ public:
     return std::copy(found.begin(), found.end(), answers);
   }
 
-  /// the point that is nearest to the point `id`, other than itself; of several, the smallest
-  /// answer. No value if there is no other point. In periodic space it can be another image of the
-  /// same point, so there is a value always.
+  /// the point other than `id` that is nearest to the point `id`; if several are equally near, the
+  /// smallest answer. No value if there is no other point. In periodic space the answer can be
+  /// another image of the same point, so there always is one.
   ///
   /// Cost: proportional to the number of its neighbors.
   /// \throws Unknown_id_error_2 if no point has this id.
@@ -196,8 +196,8 @@ public:
                          });
   }
 
-  /// writes all points within a radius of the point `id`, except itself, to `answers`, in no
-  /// particular order. In periodic space other images of it are written.
+  /// writes all points within a radius of the point `id`, except `id` itself, to `answers`, in no
+  /// particular order. In periodic space other images of that point are written.
   ///
   /// Cost: proportional to the number of points found and of their neighbors; in periodic space
   /// O(k log k) for k images found.

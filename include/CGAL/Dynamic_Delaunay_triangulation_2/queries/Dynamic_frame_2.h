@@ -19,14 +19,14 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-What a classifier sees: the points, edges and faces of the maintained triangulation as flat arrays,
-with the positions of the current frame and the topology of the last one. It is a view: it copies
+The view that a classifier gets: the points, edges and faces of the maintained triangulation as flat
+arrays, with the positions of the current frame and the topology of the last one. A view copies
 nothing, and is valid until the next update.
 
-It is the same for the plane and for periodic space. There is no infinite vertex in periodic space,
-and the corners of edges and faces are images of points: so take the lengths and directions of edges
-from `edge_vector()`, `corners()` and `face_corners()`, not from `position()`. Vertices that jump
-are outside of all faces while an exact classifier is asked there. They have no edges then; the
+The plane and periodic space have the same view. There is no infinite vertex in periodic space, and
+the corners of edges and faces are images of points: take the lengths and directions of edges from
+`edge_vector()`, `corners()` and `face_corners()`, not from `position()`. While an exact classifier
+is asked in periodic space, vertices that jump are outside of all faces, and have no edges; the
 numbers of their former edges and faces are those of edges and faces at the infinite vertex, which
 need no repair.
 
@@ -43,13 +43,13 @@ class Dynamic_frame_2
 public:
   /// the type of all numbers: an unsigned integer of 32 bits.
   using Index = Dynamic_Delaunay_triangulations_2::Index;
-  /// numbers of one kind of elements each. Any number converts to them, and they to `Index`, but
-  /// not to one of another kind.
+  /// the number of a vertex. Any number converts to it, and it converts to `Index`, but not to the
+  /// number of another kind of element. Likewise the following types.
   using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index;
-  using Halfedge_index = Dynamic_Delaunay_triangulations_2::Halfedge_index; ///< likewise.
-  using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;         ///< likewise.
-  using Face_index = Dynamic_Delaunay_triangulations_2::Face_index;         ///< likewise.
-  using Point_id = Dynamic_Delaunay_triangulations_2::Point_id;             ///< likewise.
+  using Halfedge_index = Dynamic_Delaunay_triangulations_2::Halfedge_index; ///< of a half-edge.
+  using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;         ///< of an edge.
+  using Face_index = Dynamic_Delaunay_triangulations_2::Face_index;         ///< of a face.
+  using Point_id = Dynamic_Delaunay_triangulations_2::Point_id;             ///< the id of a point.
   /// two doubles, `x` and `y`. If the kernel's coordinates are not doubles, these are the nearest
   /// ones.
   using Position = Dynamic_Delaunay_triangulations_2::Position_2;
@@ -90,8 +90,8 @@ public:
   bool has_id(std::size_t id) const { return m_state->ids().is_taken(id); }
   /// the vertex of the point `id`. \pre `has_id(id)`
   Vertex_index vertex(std::size_t id) const { return m_state->ids().vertex(Index(id)); }
-  /// the id of the point at the finite vertex `v`. If several points share it: the id of their
-  /// representative, which was there first.
+  /// the id of the point at the finite vertex `v`. If several points share it, this is the id of
+  /// their representative, the one that was there first.
   Point_id id(Vertex_index v) const { return m_state->ids().representative(v); }
   /// calls `f(i)` for the id `i` of every duplicate, that is, every point that shares the vertex of
   /// a representative, smaller ids first. Cost: proportional to their number.
@@ -113,8 +113,8 @@ public:
   /// the position of vertex `v` one frame ago, in periodic space the image of it that is nearest to
   /// the present position. Valid only while classifying.
   Position previous_position(Vertex_index v) const { return m_state->previous_position(v); }
-  /// whether all positions equal the coordinates of the points, with none of them rounded, and
-  /// circles are Euclidean. Otherwise nothing exact follows from positions.
+  /// whether all positions equal the coordinates of the points, none of them rounded, and circles
+  /// are Euclidean. Otherwise nothing exact follows from positions.
   bool positions_are_exact() const { return m_state->positions_are_exact(); }
 
   /// @}
@@ -196,7 +196,7 @@ public:
   /// the positions of the four vertices of edge `e`, as seen from the edge; NaNs for an infinite
   /// vertex.
   Corners corners(Edge_index e) const { return m_state->corners(e); }
-  /// the same, but with the given positions, indexed by vertex numbers.
+  /// the corners of edge `e` for other positions, indexed by vertex numbers.
   Corners corners(Edge_index e, const std::vector<Position>& positions) const
   {
     return m_state->corners(e, positions);
@@ -225,8 +225,8 @@ public:
   {
     return edge_state(e) == Dynamic_Delaunay_triangulations_2::Edge_state_2::DELAUNAY;
   }
-  /// what is wrong with edge `e`, if anything. Decided exactly, except that a twisted edge may be
-  /// reported as crossed.
+  /// what is wrong with edge `e`, if anything. Decided exactly, except that in the plane a
+  /// `NOT_FLIPPABLE` edge may be reported as `INVERTED`.
   Dynamic_Delaunay_triangulations_2::Edge_state_2 edge_state(Edge_index e) const
   {
     return Edge_test(*m_state).rough_state(e);
@@ -236,8 +236,8 @@ public:
   /// bounds alone: false if these do not suffice, or if positions are rounded.
   bool proves_delaunay(Edge_index e) const { return Edge_test(*m_state).proves_delaunay(e); }
 
-  /// appends to `unproved` all edges from `first` to before `beyond` that are not Delaunay, and a
-  /// few others: those for which `proves_delaunay()` is false. An exact classifier tests all edges
+  /// appends to `unproved` the edges from `first` to before `beyond` for which `proves_delaunay()`
+  /// is false: all that are not Delaunay, and a few others. An exact classifier tests all edges
   /// this way, and lets `Dynamic_classification_2::add_unless_delaunay()` decide about the appended
   /// ones. Cost: one pass, with AVX2 four edges at once.
   /// \pre `first <= beyond`, and `beyond <= number_of_edges()`
@@ -245,7 +245,7 @@ public:
   {
     Edge_test(*m_state).append_unproved(first, beyond, unproved);
   }
-  /// the same, but tests the edges in a list.
+  /// appends to `unproved` those of the edges in a list for which `proves_delaunay()` is false.
   void append_unproved(const std::vector<Index>& edges, std::vector<Index>& unproved) const
   {
     Edge_test(*m_state).append_unproved(edges, unproved);
@@ -267,8 +267,8 @@ public:
   /// \name What the last update triangulated anew
   /// @{
 
-  /// whether everything was triangulated anew: at the start, after a rebuild, and after CGAL's
-  /// relocations.
+  /// whether everything was triangulated anew: at the start, after a rebuild, after
+  /// `read_checkpoint()`, and after CGAL's relocations.
   bool everything_is_new() const { return m_state->changes().everything_is_new; }
   /// if not everything is new: the edges in the regions that were triangulated anew. After an
   /// update each of them is listed once.
@@ -279,7 +279,7 @@ public:
   /// need not be new, and a classifier is told of them already while it classifies. References of
   /// their positions have to be taken anew.
   const std::vector<Index>& relocated_vertices() const { return m_state->changes().relocated; }
-  /// whether vertices were inserted or removed while not everything is new. Then some vertices,
+  /// whether vertices were inserted or removed, but not everything is new. Then some vertices,
   /// edges and faces have taken the numbers of removed ones.
   bool has_other_numbers() const
   {
@@ -294,15 +294,16 @@ public:
     m_state->changes().renumberings.vertices.follow(data, number_of_vertices() + std::size_t(1),
                                                     make);
   }
-  /// the same, but for per-edge data, with `T()` for new edges; all of them are among
-  /// `new_edges()`.
+  /// updates per-edge data as `follow_vertices()` does per-vertex data, with `T()` for new edges,
+  /// which are all among `new_edges()`.
   template <class T>
   void follow_edges(std::vector<T>& data) const
   {
     m_state->changes().renumberings.edges.follow(data, number_of_edges(),
                                                  [](Index) { return T(); });
   }
-  /// the same, but for per-face data; `for_each_changed_face()` visits all new faces.
+  /// updates per-face data, with `T()` for new faces, all of which `for_each_changed_face()`
+  /// visits.
   template <class T>
   void follow_faces(std::vector<T>& data) const
   {
@@ -316,9 +317,9 @@ public:
     return everything_is_new() || !new_edges().empty() || has_other_numbers();
   }
 
-  /// calls `f(e)` for every edge `e` that was triangulated anew or whose opposite vertices may have
-  /// changed by that; for some of them more than once. Every changed face has a new edge, so these
-  /// are the new edges and the other edges of their faces.
+  /// calls `f(e)` for every edge `e` that was triangulated anew, or whose opposite vertices may
+  /// have changed; for some of them more than once. Every changed face has a new edge, so these are
+  /// the new edges and the other edges of their faces.
   template <class Function>
   void for_each_changed_edge(Function&& f) const
   {
@@ -333,8 +334,8 @@ public:
     }
   }
 
-  /// calls `f(g)` for every face `g` that may have changed by that, for some of them more than
-  /// once.
+  /// calls `f(g)` for every face `g` at a new edge, for some of them more than once. These are all
+  /// the faces that may have changed.
   template <class Function>
   void for_each_changed_face(Function&& f) const
   {

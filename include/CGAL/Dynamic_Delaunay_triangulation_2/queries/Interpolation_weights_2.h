@@ -38,8 +38,8 @@ after the other, and `offsets()` tells where each list begins (compressed sparse
 Both are positive or 0, add up to 1, and reproduce linear functions: the weighted sum of the points
 is the place.
 
-- A place on a point has the weight 1 for that point. Of points that coincide, their representative
-  stands for all: the one that was there first.
+- A place on a point has the weight 1 for that point. Of points that coincide, only the
+  representative, the one that was there first, has weights.
 - A place on an edge of the hull, or of a slab's border, and for linear weights on any edge, has
   weights for the two ends alone.
 - A place outside of the convex hull, or of a slab, has no weights. Nor has any place if the points
@@ -83,9 +83,9 @@ public:
   ///   `Dynamic_periodic_Delaunay_triangulation_2`.
   /// \tparam ForwardIterator has the value type `Dynamic::Point`.
   /// \throws Uncertified_triangulation_error_2 unless the triangulation is certified.
-  /// \throws Non_finite_coordinate_error_2 if a coordinate of a place is NaN or infinite; this and
-  ///   the following errors say which place that is.
-  /// \throws Coordinate_range_error_2 if one is too large for this program.
+  /// \throws Non_finite_coordinate_error_2 if a coordinate of a place is NaN or infinite; `id()` of
+  /// this and of the following errors is the number of the place.
+  /// \throws Coordinate_range_error_2 if a coordinate is too large for this program.
   /// \throws Periodic_range_error_2 if a place is 2<sup>20</sup> cells or more from the origin.
   /// @{
 
@@ -115,7 +115,8 @@ public:
 
   /// the number of places.
   size_type number_of_places() const { return m_offsets.size() - 1; }
-  /// whether a place has no weights, as it is outside of the hull.
+  /// whether a place has no weights, because it is outside of the hull or of the slab, or because
+  /// the points do not span the plane.
   /// \pre `place < number_of_places()`
   bool is_outside(size_type place) const { return m_offsets[place] == m_offsets[place + 1]; }
   /// where the list of each place begins in `ids()` and `weights()`, and where the last list ends:

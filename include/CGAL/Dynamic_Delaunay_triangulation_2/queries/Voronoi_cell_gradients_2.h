@@ -25,7 +25,7 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-How areas and perimeters of the points' Voronoi cells change where the points move: the forces of
+How areas and perimeters of the points' Voronoi cells change when the points move: the forces of
 models whose energy depends on these, such as that of Bi, Yang, Marchetti and Manning
 (*Motility-driven glass and jamming transitions in biological tissues*, Physical Review X 6, 021011,
 2016), whose appendix derives them from the derivatives of circumcenters.
@@ -81,11 +81,11 @@ the face adds
 \f[ \frac{g \cdot n}{D} (x_k - c) \mbox{ to } k, \f]
 and likewise to its other corners.
 
-These are continuous in the positions where an edge flips, but for perimeters of four points on a
-circle: there the length of the Voronoi edge that vanishes has a kink. No Voronoi edge is divided
-by, however short it is. A nearly flat face with circumradius \f$R\f$ and shortest edge \f$h\f$ adds
-parts of about \f$(R / h)^2\f$ to the vectors of its corners, which then have errors of about
-\f$10^{-16}\f$ times that.
+The derivatives of areas stay continuous where an edge flips. Those of perimeters jump when four
+points are on a circle, since the length of the vanishing Voronoi edge has a kink there. No Voronoi
+edge is a divisor, however short it is. A nearly flat face with circumradius \f$R\f$ and shortest
+edge \f$h\f$ adds parts of about \f$(R / h)^2\f$ to the vectors of its corners, which then have
+errors of about \f$10^{-16}\f$ times that.
 
 An object keeps its memory: `compute()` allocates nothing if the triangulation had as many ids and
 vertices before.
@@ -115,8 +115,10 @@ public:
 
   /// computes the vectors of all points. There is one weight for each id.
   ///
-  /// Cost: linear, two passes over the faces. \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`
-  /// or `Dynamic_periodic_Delaunay_triangulation_2`.
+  /// Cost: linear, one pass over the faces; in periodic space one more, and one over the edges; two
+  /// more if a face is so flat that rounding hides its orientation.
+  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_2` or
+  ///   `Dynamic_periodic_Delaunay_triangulation_2`.
   /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
   /// \throws Parameter_error_2 if the number of weights is not `dt.number_of_ids()`; nothing
   /// changes.

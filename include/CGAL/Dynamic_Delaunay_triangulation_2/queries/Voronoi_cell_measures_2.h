@@ -33,16 +33,15 @@ The areas, perimeters, centroids and shape indices of the points' Voronoi cells:
 or in periodic space, or clipped to a box in the plane. The area of a cell is the space that its
 point has for itself; its inverse is the local density. The shape index is the perimeter over the
 square root of the area: 3.54 of a circle, 3.72 of a regular hexagon, 3.81 of a regular pentagon.
-Lloyd's relaxation moves the points to the centroids, again and again, until all cells are about
-alike.
+Lloyd's relaxation moves the points to the centroids repeatedly, until all cells are about alike.
 
 Areas are in the squared unit of the coordinates, perimeters and centroids in that unit. Each of
 them has an entry for every id.
 
 - Points that coincide share a cell. Each gets an equal share of its area, so that the areas still
   add up, and the whole perimeter, the centroid and the shape index of the whole cell.
-- In periodic space a centroid is near its point as that was given, wrapped or not, and so are those
-  of points that coincide by a translation.
+- In periodic space the centroid of each point, also of one that coincides with another by a
+  translation, is near the point as it was given, wrapped or not.
 - An unbounded cell has infinite area, perimeter and shape index. The cells of all points on the
   hull are unbounded; so are all cells if the points do not span the plane. In a space that is
   periodic in two directions all cells are bounded.
@@ -117,8 +116,9 @@ public:
 
   /// measures the whole cells.
   ///
-  /// Cost: linear, one pass over the faces, and in periodic space one over the edges. \tparam
-  /// Dynamic a `Dynamic_Delaunay_triangulation_2` or `Dynamic_periodic_Delaunay_triangulation_2`.
+  /// Cost: linear, one pass over the faces; in periodic space one more, and one over the edges.
+  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_2` or
+  ///   `Dynamic_periodic_Delaunay_triangulation_2`.
   /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
   template <class Dynamic>
   void compute(const Dynamic& dt)
@@ -167,7 +167,7 @@ public:
     settle(space, [&](Index, Index c) { return m_cell_centroids[c]; });
   }
 
-  /// the same, but takes a box of the kernel, whose corners are rounded to doubles.
+  /// measures the parts of the cells in a box of the kernel, whose corners are rounded to doubles.
   template <class Dynamic>
   void compute(const Dynamic& dt, const typename Dynamic::Geom_traits::Iso_rectangle_2& box)
   {

@@ -52,14 +52,15 @@ void for_each_voronoi_edge_of(const Space& space, std::size_t id, const Function
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-calls `f(i, j, length)` once for each pair of neighbors: for two points and the length of the
-Voronoi edge between their cells. In periodic space it calls `f(i, j, shift, length)`, where the
-image of point j by `shift` is a neighbor of point i; a point can be a neighbor of its own image
-there, and two points can have several edges.
+calls `f(i, j, length)` once for each pair of neighbors i and j, with the length of the Voronoi edge
+between their cells. In periodic space it calls `f(i, j, shift, length)`, where the image of point j
+by `shift` is a neighbor of point i; a point can be a neighbor of its own image there, and two
+points can have several edges.
 
-The length is infinite where an edge has only one face, as on the hull. It is 0, but for rounding,
-where four points lie on a circle. Points that coincide with others have no edges but those of their
-representatives. `Voronoi_cell_measures_2` says how accurate lengths are.
+The length is infinite where an edge has only one face, as on the hull, and beside a face that is so
+flat that rounding hides its orientation. It is 0, but for rounding, where four points lie on a
+circle. Points that coincide with others have no edges but those of their representatives.
+`Voronoi_cell_measures_2` says how accurate lengths are.
 
 Cost: linear, and three times that of a pass over the faces. Nothing is allocated.
 
@@ -93,8 +94,8 @@ void for_each_voronoi_edge(const Dynamic& dt, const Function& f)
 writes the corners of the Voronoi cell of a point to `corners`, counterclockwise, and returns the
 iterator behind them: places with two doubles, `x` and `y`. There is one for each face at the point,
 so where four points lie on a circle some corners coincide, up to rounding. In periodic space the
-corners are around the point as it was given, wrapped or not. Of an unbounded cell nothing is
-written.
+corners are around the point as it was given, wrapped or not. Nothing is written for an unbounded
+cell.
 
 Cost: proportional to the number of neighbors. Nothing is allocated.
 

@@ -28,32 +28,33 @@ namespace CGAL {
 The points' Voronoi cells in a domain that is any simple polygon with holes, such as a hall with
 walls and pillars. Cells may also end at a radius, one or many. They work in the plane.
 
-A wall can divide what a cell has of the domain. Which of it counts, a *rule* says:
+A wall can divide the part of a cell that is in the domain. A *rule* says what counts:
 
-- `WHOLE`: all of it, perhaps in several components. So each place of the domain belongs to the
+- `WHOLE`: the whole part, perhaps in several components. So each place of the domain belongs to the
   nearest point, and without radii the areas add up to that of the domain;
 - `CONNECTED`: the component that has the point. So one does not own what is behind a wall, but may
   own what is around a corner. This is the rule of PedPy (`compute_individual_voronoi_polygons`,
   <https://github.com/PedestrianDynamics/PedPy>), which measures the density of crowds;
-- `VISIBLE`: what is in line of sight from the point. This is star-shaped, and has no holes.
+- `VISIBLE`: the places in line of sight from the point. They are star-shaped, and have no holes.
 
 The boundary of a cell consists of *rings*: of each component the outer boundary, counterclockwise,
-and then the boundaries of its holes, clockwise. A ring consists of the pieces that
-`Bounded_voronoi_cells_2` has; each begins where the last one ends, so the places where pieces begin
-are the corners. Also free are lines of sight, beyond which a wall hides what would belong to the
-cell; their `other` is the id of the cell. Walls are numbered from that after the first corner of
-the outer boundary on, then come those of the holes.
+and then the boundaries of its holes, clockwise. A ring consists of pieces as in
+`Bounded_voronoi_cells_2`; each begins where the last one ends, so the places where pieces begin are
+the corners. Lines of sight, beyond which a wall hides places that are nearest to the point, are
+free pieces, too; their `other` is the id of the cell. Wall 0 is the one after the first corner of
+the outer boundary; the walls of holes follow.
 
 Lengths and radii are in the unit of the coordinates, areas in the squared unit. Every measure has
 an entry for each id.
 
-- A point may be on a wall, or outside of the domain. Of a point outside the cell is by `WHOLE` what
-  the domain has of it, and empty by the other rules: nothing is connected with the point, or seen.
+- A point may be on a wall, or outside of the domain. The cell of a point outside is, by `WHOLE`,
+  the part of its Voronoi cell in the domain, and empty by the other rules: nothing is connected
+  with the point, or seen.
 - An empty cell has area and lengths 0, its point for the centroid, and no rings.
-- By `CONNECTED` and `VISIBLE` a contact is what the cell has of the bisector; the neighbor's cell
-  may have less of it, or nothing.
-- Components that touch in a point only are apart. Where an opening is narrower than 2^-48 of its
-  distance from the point, or where a wall is on a bisector, rounding decides.
+- By `CONNECTED` and `VISIBLE` a contact is the cell's part of the bisector; the neighbor's cell may
+  have less of it, or nothing.
+- Components that touch in a single place are two components. If an opening is narrower than 2^-48
+  of its distance from the point, or if a wall is on a bisector, rounding decides.
 - A wall that is seen edge-on is on the boundary of a visible cell.
 - Points that coincide share a cell: each gets an equal share of its area, and the whole of its
   lengths and its centroid. The pieces are those of the representative; the others have none.
@@ -61,11 +62,11 @@ an entry for each id.
 
 Method: the domain is triangulated once, and each cell is cut by the triangles that it reaches from
 its point on. Accuracy: areas have a relative error of a few roundings for each piece, times the
-ratio of the squared extent of the cell, from its point on, to its area if walls cut it. Which walls
-hide what is found by exact predicates.
+ratio of the squared extent of the cell, from its point on, to its area if walls cut it. Exact
+predicates find what walls hide.
 
-An object keeps its memory. Threads share the points if the triangulation has a `Parallel_tag`; the
-result is the same. Nothing of this is compiled unless its header is included.
+An object keeps its memory. Threads share the points if the triangulation has the `Parallel_tag`;
+the result is the same. Nothing of this is compiled unless its header is included.
 
 \cgalExample{Dynamic_Delaunay_triangulation_2/crowd_densities.cpp}
 
@@ -115,12 +116,12 @@ public:
   /// \name The Domain
   /// @{
 
-  /// takes a polygon with holes, of any kernel, whose coordinates are doubles or converted to them.
-  /// It does not matter which way its boundaries turn. Takes \f$O(n \log n)\f$ for n corners.
+  /// sets the domain to a polygon with holes, of any kernel, whose coordinates are doubles or
+  /// converted to them. Its boundaries may turn either way. Cost: \f$O(n \log n)\f$ for n corners.
   ///
-  /// \throws Domain_error_2 with the number of a corner unless it has an outer boundary, all
-  /// boundaries are simple, and holes are inside of the outer boundary, outside of each other, and
-  /// do not touch.
+  /// \throws Domain_error_2 with the number of a corner, unless it has an outer boundary, all
+  /// corners are finite, all boundaries are simple, and holes are inside of the outer boundary,
+  /// outside of each other, and do not touch.
   template <class Kernel, class Container>
   explicit Voronoi_cells_in_domain_2(const Polygon_with_holes_2<Kernel, Container>& domain,
                                      Rule rule = Rule::WHOLE)
@@ -129,7 +130,7 @@ public:
     set_domain(domain);
   }
 
-  /// takes another domain. The cells stay until they are computed again.
+  /// sets another domain. The cells stay until they are computed again.
   ///
   /// \throws Domain_error_2 as the constructor; nothing changes.
   template <class Kernel, class Container>
@@ -156,7 +157,7 @@ public:
     return m_domain->locate(Domain::Point(p.x, p.y), last)->info().is_inside;
   }
 
-  /// takes another rule, for cells that are computed from now on.
+  /// sets the rule for cells that are computed from now on.
   void set_rule(Rule rule) { m_rule = rule; }
   /// the rule.
   Rule rule() const { return m_rule; }
@@ -166,22 +167,24 @@ public:
   /// If memory runs out, there are no cells.
   /// @{
 
-  /// computes the cells of all points. If there is a radius, they end there.
+  /// computes the cells of all points, which end at the radius if one is given.
   ///
   /// Cost: as for `Bounded_voronoi_cells_2`, and for cells that walls cut, proportional to the
   /// number of the domain's triangles that the cell reaches, times the number of its corners; for
-  /// points outside of the domain's convex hull, also to the number of its corners.
+  /// points outside of the domain's convex hull, also to the number of the domain's corners.
   /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`.
-  /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`.
-  /// \throws Parameter_error_2 if the radius is not a positive number, or infinity. Whatever is
-  /// thrown but for want of memory, nothing changes.
+  /// \throws Parameter_error_2 unless the radius is from 2.2e-308, the smallest normal double, to
+  /// 1e150, or infinite.
+  /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`. Nothing changes if one
+  /// of these is thrown.
   template <class Dynamic>
   void compute(const Dynamic& dt, double radius = std::numeric_limits<double>::infinity())
   {
     check_radius(radius, true);
     compute_with(dt, [=](size_type) { return radius; });
   }
-  /// takes a radius for each id. Those of removed ids mean nothing.
+  /// computes the cells of all points, with a radius for each id. The radii of removed ids are
+  /// ignored.
   ///
   /// \throws Point_count_error_2 if there are not as many radii as ids; nothing changes.
   template <class Dynamic>
@@ -192,13 +195,13 @@ public:
   }
 
   /// returns the cell of one point, which `compute()` would give if all points had this radius. If
-  /// it coincides with others it has its share of the area, and their pieces. Nothing changes.
+  /// the point coincides with others, the cell has its share of the area, and the pieces of the
+  /// representative. Nothing changes.
   ///
-  /// Cost: as `compute()` has it for this point; also linear in the size of the domain, and in the
-  /// number of points that coincide with others.
-  /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`.
+  /// Cost: that of `compute()` for this point; also linear in the size of the domain, and in the
+  /// number of duplicates.
+  /// \throws Parameter_error_2 or Uncertified_triangulation_error_2 as `compute()`.
   /// \throws Unknown_id_error_2 if no point has this id.
-  /// \throws Parameter_error_2 as `compute()`.
   template <class Dynamic>
   Cell cell(const Dynamic& dt, size_type id,
             double radius = std::numeric_limits<double>::infinity()) const
@@ -222,13 +225,13 @@ public:
 
   /// the area of each id's cell.
   const std::vector<double>& areas() const { return Base::areas(); }
-  /// the whole length of its boundary, with that of holes.
+  /// the length of the whole boundary of each id's cell, holes included.
   const std::vector<double>& perimeters() const { return Base::perimeters(); }
-  /// the centroid. It may be outside of the cell.
+  /// the centroid of each id's cell. It may be outside of the cell.
   const std::vector<Position>& centroids() const { return Base::centroids(); }
-  /// the length on walls.
+  /// the length on walls of each id's cell.
   const std::vector<double>& wall_lengths() const { return Base::wall_lengths(); }
-  /// the length of what is free.
+  /// the free length of each id's cell.
   const std::vector<double>& free_lengths() const { return Base::free_lengths(); }
   /// the radius of each id with which the cells were computed.
   const std::vector<double>& radii() const { return Base::radii(); }

@@ -48,8 +48,8 @@ public:
   std::size_t false_positives() const { return m_false_positives; }
   /// Delaunay edges that are missing.
   std::size_t false_negatives() const { return m_false_negatives; }
-  /// pairs of points that are neighbors in neither triangulation: as many as there are pairs more
-  /// than edges above, in periodic space of few points none.
+  /// pairs of points that are neighbors in neither triangulation: the number of pairs minus the
+  /// numbers above, but not less than 0, as it would be for few points in periodic space.
   std::size_t true_negatives() const { return m_true_negatives; }
 
   /// whether the two triangulations agree in every edge.
@@ -77,13 +77,13 @@ private:
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
 compares the edges of a maintained triangulation with those of a Delaunay triangulation of the same
-points, which is assumed to be correct. Points are compared by where they are; ids do not matter.
+points, which is assumed to be correct. Points are identified by their positions; ids do not matter.
 
 Ties are not errors: where four or more points lie on one circle, any chord between them counts as a
 Delaunay edge, as long as there are not more of them than a triangulation has room for.
 
-Cost: O(n log n) for n points; in periodic space in addition a query for the nearest point at each
-of both.
+Cost: O(n log n) for n points; in periodic space also a query for the nearest point at each point of
+both triangulations.
 
 \tparam Maintained a `Dynamic_Delaunay_triangulation_2` or a
   `Dynamic_periodic_Delaunay_triangulation_2`, certified or not.
@@ -92,8 +92,7 @@ of both.
 \param maintained the maintained triangulation.
 \param reference the correct triangulation.
 \throws std::invalid_argument if a point of `maintained` is not in `reference`, or if their cells
-are not the same. \throws Uncertified_triangulation_error_2 if a periodic reference is not
-certified.
+differ. \throws Uncertified_triangulation_error_2 if a periodic reference is not certified.
 */
 template <class Maintained, class Reference>
 Delaunay_agreement delaunay_agreement(const Maintained& maintained, const Reference& reference)

@@ -16,22 +16,22 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-The tools of a repair, which calls them in any order. A mender knows what was classified and which
-edges are *open*, that is, not yet proved Delaunay. Each tool works on the open edges, and leaves
-open what it could not prove. The edges that are open at the start are those that the classifier
-named, and all edges of the vertices that it named. If the same update removes points, the edges
-that this changed are open, too. Points are inserted after the repair.
+The tools of a repair, which may call them in any order. A mender knows the classification, and
+which edges are *open*, that is, not yet proved Delaunay. Each tool works on the open edges, and
+leaves open what it could not prove. The edges that are open at the start are those that the
+classifier named, and all edges of the vertices that it named. If the same update removes points,
+the edges that this changed are open, too. Points are inserted after the repair.
 
-The total cost of all tools in an update is limited. When the limit is reached, the next tool
-rebuilds the triangulation, for the reason `Rebuild_reason_2::BUDGET_SPENT`. After a rebuild no edge
-is open, and tools do nothing.
+The total cost of all tools in an update is limited. A tool that reaches the limit rebuilds the
+triangulation, for the reason `Rebuild_reason_2::BUDGET_SPENT`. After a rebuild no edge is open, and
+tools do nothing.
 
-In periodic space a splice works otherwise. `splice_classified()` flips the edges around the
-classified and padded vertices. The other two, and `relocate()`, take the vertices of a region out,
-and insert them anew after the repair; without padding `splice_inverted()` takes out what
-`take_out_farthest()` would. With a heuristic classifier they examine all edges before, since points
-can be inserted only where all is proved. Vertices that jump are taken out before the classifier is
-asked, so `take_out_jumpers()` does nothing.
+In periodic space splices work otherwise. `splice_classified()` flips the edges around the
+classified and padded vertices. `splice_open()`, `splice_inverted()` and `relocate()` take the
+vertices of a region out, and insert them anew after the repair; without padding the first two take
+out the vertices that `take_out_farthest()` would. With a heuristic classifier these three examine
+all edges first, since points can be inserted only where all is proved. Vertices that jump are taken
+out before the classifier is asked, so `take_out_jumpers()` does nothing.
 
 \tparam Repair_tools an internal type.
 */
@@ -52,7 +52,7 @@ public:
   /// \name Remaining Work
   /// @{
 
-  /// what the classifier picked.
+  /// the classification.
   const typename Repair_tools::Classification& classification() const
   {
     return static_cast<const Repair_tools&>(m_tools).classification();
@@ -69,7 +69,8 @@ public:
   std::size_t number_of_edges() const { return m_tools.number_of_edges(); }
   /// whether no work is left: no edge is open, or the triangulation was rebuilt.
   bool is_done() const { return number_of_open_edges() == 0 || m_tools.has_rebuilt(); }
-  /// whether a rebuild is expected to cost less than mending all that was classified.
+  /// whether a rebuild is expected to cost less than mending all that was classified, and inserting
+  /// and removing the points of the same update.
   bool is_rebuild_cheaper() const { return m_tools.is_rebuild_cheaper(); }
 
   /// @}
@@ -77,19 +78,21 @@ public:
   /// @{
 
   /// limits what the tools may spend from now on: the expected cost of mending the open edges and a
-  /// quarter more, plus an eighth of the cost of a rebuild. Without this call the limit is the cost
-  /// of two rebuilds.
+  /// quarter more, plus an eighth of the cost of a rebuild, but at most that of one rebuild.
+  /// Without this call the limit is the cost of two rebuilds. Both have a constant added, which
+  /// matters for small triangulations.
   void limit_cost() { m_tools.limit_cost(); }
 
-  /// takes a vertex out of its faces if it is at an open edge that may have inverted faces, and
-  /// went farther than its neighborhood reaches. After the repair these vertices are inserted again
-  /// at their new positions. Cost: proportional to their number; rebuilds if they are so many that
-  /// this costs less. Does nothing if the classifier is heuristic, or if fewer than three vertices
-  /// would stay.
+  /// takes vertices out of their faces that are at an open edge that may have inverted faces, and
+  /// moved farther than their neighborhoods reach. After the repair these vertices are inserted
+  /// again at their new positions. Cost: proportional to their number; rebuilds if they are so many
+  /// that this costs less. Does nothing if the classifier is heuristic, or if fewer than three
+  /// vertices would stay.
   void take_out_jumpers() { m_tools.take_out_jumpers(); }
 
-  /// the same, but for what flips have left: for each open edge that may have inverted faces, takes
-  /// out the one of its four vertices that went farthest relative to the others.
+  /// takes vertices out as `take_out_jumpers()` does, but other ones: for each open edge that may
+  /// have inverted faces, the one of its four vertices that moved farthest relative to the others.
+  /// Use it after flips.
   void take_out_farthest() { m_tools.take_out_farthest(); }
 
   /// flips edges (Lawson), starting at the open ones, until no flippable edge violates the
@@ -97,9 +100,9 @@ public:
   /// repair stay open: flips can get stuck at inverted faces.
   void flip() { m_tools.flip(); }
 
-  /// the same, but works only on open edges that may have inverted faces, and on the edges around
-  /// them; the others stay open. If none of the former is left, the faces tile the convex hull.
-  /// Later flips are then cheaper: they cannot double an edge, so this is not tested.
+  /// flips as `flip()` does, but only open edges that may have inverted faces, and edges around
+  /// them; the others stay open. If no edge with inverted faces is left, the faces tile the convex
+  /// hull. Later flips are then cheaper: they cannot double an edge, so this is not tested.
   void flip_inverted() { m_tools.flip_inverted(); }
 
   /// splices around the classified vertices with `padding` layers. With a heuristic classifier all
@@ -115,13 +118,13 @@ public:
   /// the same cases as `splice_classified()`.
   void splice_open(unsigned padding) { m_tools.splice_open(padding); }
 
-  /// the same, but only around open edges that may have inverted faces.
+  /// splices as `splice_open()` does, but only around open edges that may have inverted faces.
   void splice_inverted(unsigned padding) { m_tools.splice_inverted(padding); }
 
   /// lets CGAL's `move_if_no_collision()` move one vertex after the other from its position one
   /// frame ago to the current one, in a copy, and takes over the result. Rebuilds if the
-  /// triangulation was not certified a frame ago, if it was rebuilt since, if points coincide, or
-  /// if the same update inserts or removes points.
+  /// triangulation was not certified a frame ago, if it was rebuilt since, if points coincide, if
+  /// the same update inserts or removes points, or if the result is not proved Delaunay.
   void relocate() { m_tools.relocate(); }
 
   /// triangulates everything anew, in the order of the last triangulation, and closes all edges.

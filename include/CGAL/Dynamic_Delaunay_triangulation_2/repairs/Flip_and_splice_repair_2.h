@@ -16,9 +16,9 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2Repairs
 
 The default for exact classifiers. If so much is classified that mending would cost more than a
-rebuild, it rebuilds at once. Otherwise it takes out the vertices that went far, flips edges, and
-splices around what flips cannot repair. If edges are still open after that, or if this has cost
-more than it should, it rebuilds. So no edge stays open, not even with a heuristic classifier.
+rebuild, it rebuilds at once. Otherwise it takes out the vertices that moved far, flips edges, and
+splices around the edges that flips cannot repair. It rebuilds if edges are still open after that,
+or if the limit of cost is reached. So no edge stays open, not even with a heuristic classifier.
 
 \cgalModels{DelaunayRepair_2}
 */

@@ -13,8 +13,9 @@ namespace CGAL {
 
 Whenever anything is classified, lets CGAL's `Delaunay_triangulation_2::move_if_no_collision()` move
 every vertex that has moved, one after the other. CGAL's function needs a Delaunay triangulation
-before and after each single move. So it works on a copy, with the vertices at their last positions,
-and moving only the classified ones is not enough.
+before and after each single move. So the repair works on a copy, with the vertices at their last
+positions, and moving only the classified vertices is not enough. In periodic space the classified
+vertices are taken out and inserted anew instead.
 
 If memory runs out, the triangulation keeps its edges, and is not certified.
 

@@ -21,7 +21,7 @@ namespace CGAL {
 
 Lists the finite edges that were created and removed since `clear()` was last called, or since the
 visitor was constructed. An edge that was removed and created again in between is in neither list.
-So the edges at that time, without `removed_edges()` and with `created_edges()`, are the current
+So the edges at that time, minus `removed_edges()` and plus `created_edges()`, are the current
 edges, as `Dynamic_Delaunay_triangulation_2::for_each_edge()` lists them.
 
 Cost: proportional to the number of flips and of created and removed faces; a rebuild counts as all

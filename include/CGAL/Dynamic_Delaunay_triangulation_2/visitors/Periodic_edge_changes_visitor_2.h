@@ -26,8 +26,8 @@ was constructed. An edge that was removed and created again in between is in nei
 tissue or a foam these are the neighbor exchanges (T1 events): one removed and one created edge for
 each.
 
-All shifts are those of now: a point that is wrapped, or a cell that is exchanged for another one of
-the same lattice, changes no edge. An edge that was removed is given as it would be called now.
+All shifts, also those of removed edges, are for the present positions and the present cell: a point
+that is wrapped, or a cell that is exchanged for another one of the same lattice, changes no edge.
 
 Cost: proportional to the number of changes; a call that triangulates everything anew counts as all
 edges. Asking for the lists costs that number times its logarithm.
