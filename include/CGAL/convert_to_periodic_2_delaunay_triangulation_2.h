@@ -37,7 +37,7 @@ of neighboring faces. If this throws, `target` has not changed.
 \tparam Periodic a `Dynamic_periodic_Delaunay_triangulation_2`.
 \tparam Traits, Data_structure those of CGAL's class, whose points are made from two doubles.
 \param pt the triangulation to convert.
-\param target receives the result; what it had is lost.
+\param target receives the result; its former contents are lost.
 \param corner the lower left corner of the domain.
 
 \return the vertices, indexed by ids; `Vertex_handle()` for the ids of removed points.

@@ -270,10 +270,10 @@ public:
     return m_core.certify();
   }
 
-  /// whether what all ranks hold is valid: their triangulations are, both sides of each link
-  /// between ranks hold the same points, no id is owned twice, and vertices, edges and faces of all
-  /// ranks satisfy Euler's formula. Collective, with the same result on all ranks. Cost: linear,
-  /// and as many bytes as ghosts and ids have.
+  /// whether the data of all ranks are valid: their triangulations are valid, both sides of each
+  /// link between ranks hold the same points, no id is owned twice, and vertices, edges and faces
+  /// of all ranks satisfy Euler's formula. Collective, with the same result on all ranks. Cost:
+  /// linear, and as many bytes as ghosts and ids have.
   bool is_valid()
   {
     const Floating_point floating_point;

@@ -103,14 +103,14 @@ public:
     double angle;           ///< of an arc around the point; 0 for a segment.
   };
 
-  /// what all pieces of a cell have together.
+  /// the measures of a cell.
   struct Measures
   {
     double area;        ///< the area.
     double perimeter;   ///< the whole length of the boundary.
     Position centroid;  ///< the centroid.
     double wall_length; ///< the length on walls.
-    double free_length; ///< the length of what is free.
+    double free_length; ///< the free length.
   };
   /// a cell by itself.
   struct Cell : Measures

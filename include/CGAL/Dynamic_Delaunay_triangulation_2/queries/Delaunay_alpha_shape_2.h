@@ -18,10 +18,10 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-The alpha shape of the points for one alpha, a squared radius: what is left of the triangulation
-where a disc of that radius that avoids the points erases all it can reach. Each face, edge and
-point has the class that `Alpha_shape_2` gives it in its general mode. The points may be in the
-plane, in a periodic cell or in a slab:
+The alpha shape of the points for one alpha, a squared radius: the part of the triangulation that
+remains when a disc of that radius erases everything it can reach without covering a point. Each
+face, edge and point has the class that `Alpha_shape_2` gives it in its general mode. The points may
+be in the plane, in a periodic cell or in a slab:
 
 - `EXTERIOR`: not in the alpha complex.
 - `SINGULAR`: in it, and in the boundary of the shape, but at no face of the complex.
@@ -31,7 +31,7 @@ plane, in a periodic cell or in a slab:
 A face is in the complex, and `INTERIOR`, if the square of its circumradius is alpha or less. An
 edge without such a face is `SINGULAR` if the circle on it as a diameter has no point inside, and no
 larger squared radius than alpha. A point without such a face is `SINGULAR`. The shape in the
-regularized mode is what is not `SINGULAR`.
+regularized mode consists of the elements that are `REGULAR` or `INTERIOR`.
 
 All classes are exact: they are decided in doubles with bounds on the errors, and without rounding
 where these bounds do not suffice. Which diagonals stand for cocircular points does not matter for

@@ -32,8 +32,8 @@ A wall can divide the part of a cell that is in the domain. A *rule* says what c
 
 - `WHOLE`: the whole part, perhaps in several components. So each place of the domain belongs to the
   nearest point, and without radii the areas add up to that of the domain;
-- `CONNECTED`: the component that has the point. So one does not own what is behind a wall, but may
-  own what is around a corner. This is the rule of PedPy (`compute_individual_voronoi_polygons`,
+- `CONNECTED`: the component that has the point. So a cell does not continue behind a wall, but may
+  reach around a corner. This is the rule of PedPy (`compute_individual_voronoi_polygons`,
   <https://github.com/PedestrianDynamics/PedPy>), which measures the density of crowds;
 - `VISIBLE`: the places in line of sight from the point. They are star-shaped, and have no holes.
 
@@ -93,14 +93,14 @@ public:
   using Side = Base::Side;
   /// a piece of a boundary.
   using Piece = Base::Piece;
-  /// area, perimeter, centroid, and the lengths on walls and of what is free.
+  /// area, perimeter, centroid, and the lengths on walls and of free pieces.
   using Measures = Base::Measures;
 
   /// what of a Voronoi cell counts.
   enum class Rule {
     WHOLE,     ///< all that is in the domain.
     CONNECTED, ///< the component that has the point.
-    VISIBLE    ///< what is in line of sight from the point.
+    VISIBLE    ///< the places in line of sight from the point.
   };
 
   /// a cell by itself.
