@@ -254,7 +254,7 @@ public:
   bool has_pieces() const { return m_has_pieces; }
   /// the pieces of all cells: those of each id are consecutive.
   const std::vector<Piece>& pieces() const { return m_pieces; }
-  /// the radius of each id with which the cells were computed.
+  /// the radius that was given for each id; 0 for removed ids.
   const std::vector<double>& radii() const { return m_radii; }
   /// the corners of the domain, or none.
   const std::vector<Position>& domain() const { return m_domain; }

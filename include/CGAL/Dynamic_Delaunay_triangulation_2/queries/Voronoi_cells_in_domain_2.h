@@ -58,7 +58,7 @@ an entry for each id.
 - A wall that is seen edge-on is on the boundary of a visible cell.
 - Points that coincide share a cell: each gets an equal share of its area, and the whole of its
   lengths and its centroid. The pieces are those of the representative; the others have none.
-- Removed ids have no pieces, and 0 for all measures. They may be anywhere.
+- Removed ids have no pieces, and 0 for all measures.
 
 Method: the domain is triangulated once, and each cell is cut by the triangles that it reaches from
 its point on. Accuracy: areas have a relative error of a few roundings for each piece, times the
@@ -233,7 +233,7 @@ public:
   const std::vector<double>& wall_lengths() const { return Base::wall_lengths(); }
   /// the free length of each id's cell.
   const std::vector<double>& free_lengths() const { return Base::free_lengths(); }
-  /// the radius of each id with which the cells were computed.
+  /// the radius that was given for each id; 0 for removed ids.
   const std::vector<double>& radii() const { return Base::radii(); }
 
   /// where the rings of each id begin; one more entry than there are ids.
