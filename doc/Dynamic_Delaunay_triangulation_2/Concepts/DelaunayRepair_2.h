@@ -29,8 +29,8 @@ class DelaunayRepair_2
 {
 public:
   /*!
-  repairs. It is called once in every frame in which something is classified or points are removed,
-  unless everything is rebuilt before.
+  repairs. It is called once in every frame in which something is classified, or in which removed
+  points leave edges open, unless everything is rebuilt before.
 
   If it throws, the positions are the new ones, the data structure is valid, and the triangulation
   is not certified; the exception is rethrown.

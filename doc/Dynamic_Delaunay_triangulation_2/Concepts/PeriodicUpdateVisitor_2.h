@@ -6,17 +6,17 @@
 \cgalConcept
 
 A visitor of a `CGAL::Dynamic_periodic_Delaunay_triangulation_2` is told of all edges that come and
-go, with their shifts, and of all shifts that are numbered anew. So it can follow the edges by
-hearsay alone. `CGAL::Delaunay_update_visitor_base_2` has all functions, and is a base for visitors
-that need only some of them.
+go, with their shifts, and of all shifts that are numbered anew. So it can keep a list of all edges
+without asking the triangulation. `CGAL::Delaunay_update_visitor_base_2` has all functions, and is
+a base for visitors that need only some of them.
 
-Every call that can change the triangulation begins with `before_update()`. When everything is done
-and certified, the visitor is told what has happened, in the order in which it happened, and at last
-`after_update()` is called. So the triangulation can be asked for anything in each of the functions:
-it is the old one in the first, and the new one in all others. In between an edge may come and go
-several times. Where everything is triangulated anew, or read from a checkpoint, all edges are
-removed and created; those that a checkpoint replaces are removed with the shifts that they had in
-the cell of before.
+Every call that can change the triangulation begins with `before_update()`. When everything is done,
+the visitor is told what has happened, in the order in which it happened, and at last
+`after_update()` is called. So each of the functions can ask the triangulation anything: it is the
+old one in the first, and the new one in all others, certified unless a heuristic classifier has
+left it uncertified. An edge may come and go several times in one call. Where everything is
+triangulated anew, or read from a checkpoint, all edges are removed and created; those that a
+checkpoint replaces are removed with the shifts that they had in the old cell.
 
 Edges are given as by `for_each_edge()`, in either direction: (i, j, shift) and (j, i, -shift) are
 the same edge. The ids may be those of points that are no longer there.
