@@ -31,8 +31,8 @@ direction. They say so by a member `static constexpr bool has_euclidean_circles 
 predicates below decide every sign, without a filter, and all guarantees hold with these circles:
 the edges are those of `Delaunay_triangulation_2` with these traits. Orientations are the usual
 ones, and the circles must define a triangulation for all points, as they do if a linear map makes
-them round. Queries for distances ask `Compare_distance_2`. Voronoi cells are computed for Euclidean
-circles only, and do not compile for such traits.
+them round. Queries for distances ask `Compare_distance_2`. Voronoi cells, interpolation weights and
+alpha shapes are computed for Euclidean circles only, and do not compile for such traits.
 
 \cgalRefines{DelaunayTriangulationTraits_2}
 
