@@ -135,10 +135,9 @@ private:
   static std::string message(std::size_t expected, std::size_t given)
   {
     return Dynamic_Delaunay_triangulations_2::internal::message_text(
-        "the frame has ", given, (given > expected ? " or more" : ""),
-        " points, and the triangulation has ", expected,
-        " ids: give one position for each id from 0 to the last, any one for those of removed "
-        "points");
+        "given are ", given, (given > expected ? " or more" : ""), " entries, and ", expected,
+        " are due: in a frame one position for each id from 0 to the last, any one for those of "
+        "removed points");
   }
 
   std::size_t m_expected, m_given;

@@ -6,6 +6,7 @@
 
 #include "domain_oracle.h"
 #include "oracle.h"
+#include "replaced_heap.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cells_in_domain_2.h>
@@ -669,6 +670,27 @@ TEST(Cells_in_domains, need_no_points)
   EXPECT_DOUBLE_EQ(cells.areas()[0], area(comb()));
   const Cells copy = cells;
   EXPECT_DOUBLE_EQ(copy.cell(triangulation({Point(2, 9)}), 0).area, area(comb()));
+}
+
+TEST(Memory, may_run_out_and_leaves_no_cells_of_the_last_call)
+{
+  const Plane dt = triangulation({Point(1, 1), Point(3, 1), Point(2, 3)});
+  bool has_run_out = true;
+  for (long allocations = 0; has_run_out; ++allocations) {
+    Cells cells(hall_with_pillars());
+    cells.compute(dt);
+    ASSERT_EQ(cells.first_rings().size(), 4u);
+    has_run_out = false;
+    try {
+      const replaced_heap::Scarcity scarcity(allocations);
+      cells.compute(dt, 0.8);
+    } catch (const std::bad_alloc&) {
+      has_run_out = true;
+      EXPECT_TRUE(cells.areas().empty() && cells.pieces().empty());
+      EXPECT_TRUE(cells.first_rings().empty() && cells.first_pieces().empty());
+      EXPECT_TRUE(cells.ring_areas().empty());
+    }
+  }
 }
 
 TEST(Cells_in_domains, are_the_same_by_threads)

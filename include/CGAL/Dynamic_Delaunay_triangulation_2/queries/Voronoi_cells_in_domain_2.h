@@ -329,12 +329,13 @@ private:
   {
     check_plane<Dynamic>();
     const Dynamic_Delaunay_triangulations_2::internal::Voronoi_space_2<Dynamic> space(dt);
-    find_faces(space);
-    compute_in(space, radius, Cutter_2(*m_domain, m_rule, &m_faces));
     try {
+      find_faces(space);
+      compute_in(space, radius, Cutter_2(*m_domain, m_rule, &m_faces));
       collect_rings();
     } catch (...) {
       clear();
+      clear_rings();
       throw;
     }
   }
@@ -357,9 +358,8 @@ private:
   // In the order of ids, as the pieces are.
   void collect_rings()
   {
-    m_first_rings.assign(1, 0);
-    m_first_pieces_of_rings.clear();
-    m_ring_areas.clear();
+    clear_rings();
+    m_first_rings.push_back(0);
     for (size_type id = 0; id < m_sources.size(); ++id) {
       const Source& source = m_sources[id];
       for (size_type i = 0; i < source.rings; ++i) {
@@ -371,6 +371,13 @@ private:
       m_first_rings.push_back(m_ring_areas.size());
     }
     m_first_pieces_of_rings.push_back(pieces().size());
+  }
+
+  void clear_rings()
+  {
+    m_first_rings.clear();
+    m_first_pieces_of_rings.clear();
+    m_ring_areas.clear();
   }
 
   std::shared_ptr<const Domain> m_domain; // copies share it
