@@ -593,7 +593,7 @@ TEST(Messages, have_the_same_numbers_in_every_locale)
       CGAL::Non_finite_coordinate_error_2(1234, 0.1, std::numeric_limits<double>::infinity())
           .what();
   std::locale::global(before);
-  EXPECT_EQ(count.find("the frame has 1009 points, and the triangulation has 10080 ids"), 0u)
+  EXPECT_EQ(count.find("given are 1009 entries, and 10080 are due"), 0u)
       << count;
   EXPECT_EQ(coordinates, "point 1234 has the coordinates (0.1, inf): both must be finite numbers");
 }
