@@ -125,6 +125,17 @@ public:
       edges->erase(std::remove_if(edges->begin(), edges->end(), is_empty), edges->end());
   }
 
+  // Whether so many edges may have inverted faces that it does not pay to flip these first.
+  bool are_many_uncertain() const { return 4 * m_uncertain.size() > m_illegal.size(); }
+
+  // From now on, treats all edges alike, in the order of their numbers. That is about the order of
+  // space: where faces overlap in many places, fewer flips get stuck than in another one.
+  void open_all_in_order()
+  {
+    open_illegal();
+    make_distinct(m_uncertain);
+  }
+
   // Opens the edges around open ones, because an illegal edge nearby may prevent their flips.
   template <class State>
   void open_surroundings(const State& state)

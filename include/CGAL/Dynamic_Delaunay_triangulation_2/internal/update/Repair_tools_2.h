@@ -105,6 +105,8 @@ public:
     m_open.take(m_classification, m_state);
     if (State::jumpers_leave_before_motion)
       m_open.drop_empty(m_state);
+    if (!State::can_splice && m_open.are_many_uncertain())
+      m_open.open_all_in_order();
     m_classified_edges = m_open.size();
     if (task.jumper != null_index)
       open_edges_that_see(task.jumper);
