@@ -84,7 +84,7 @@ if(DPKG_DEB)
 else()
   message(STATUS "No test of the Debian package: it needs dpkg-deb")
 endif()
-set_tests_properties(${package_tests} PROPERTIES LABELS test TIMEOUT 300 RESOURCE_LOCK installation)
+set_tests_properties(${package_tests} PROPERTIES LABELS test TIMEOUT 900 RESOURCE_LOCK installation)
 
 # Each folder of programs by itself, as CGAL's testsuite has it, and there some programs.
 set(standalone_flags "")
