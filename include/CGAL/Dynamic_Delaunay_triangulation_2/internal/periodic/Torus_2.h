@@ -487,17 +487,19 @@ private:
   // does not decide it. To exchange two corners changes the sign.
   std::optional<Sign> side_of_circle_across(std::array<Image_2, 4> p) const
   {
-    const auto are_in_one_row = [&](int i, int k) { return p[i].shift[1] == p[k].shift[1]; };
-    for (int odd = 0; odd < 4; ++odd) {
-      const int i = (odd + 1) % 4, k = (odd + 2) % 4, l = (odd + 3) % 4;
+    const auto are_in_one_row = [&](std::size_t i, std::size_t k) {
+      return p[i].shift[1] == p[k].shift[1];
+    };
+    for (std::size_t odd = 0; odd < 4; ++odd) {
+      const std::size_t i = (odd + 1) % 4, k = (odd + 2) % 4, l = (odd + 3) % 4;
       if (are_in_one_row(i, k) && are_in_one_row(k, l) && !are_in_one_row(l, odd)) {
         std::swap(p[odd], p[3]);
         const std::optional<Sign> sign = side_of_far_point(p[0], p[1], p[2], p[3]);
         return sign && odd != 3 ? -*sign : sign;
       }
     }
-    for (int with_first = 1; with_first < 4; ++with_first) {
-      const int i = with_first % 3 + 1, k = i % 3 + 1;
+    for (std::size_t with_first = 1; with_first < 4; ++with_first) {
+      const std::size_t i = with_first % 3 + 1, k = i % 3 + 1;
       if (are_in_one_row(0, with_first) && are_in_one_row(i, k) && !are_in_one_row(0, i)) {
         std::swap(p[with_first], p[3]);
         const std::optional<Sign> sign = side_of_opposite_pair(p[0], p[1], p[2], p[3]);
