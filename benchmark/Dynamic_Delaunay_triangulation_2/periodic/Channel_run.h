@@ -6,19 +6,15 @@
 
 #include "../common/Contest.h"
 #include "../common/Fastest_static.h"
-#include "../common/Table.h"
 #include "Wrapped_motion.h"
 
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Periodic_cell_2.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <ostream>
-#include <string>
 #include <vector>
 
 namespace periodic {
@@ -89,39 +85,6 @@ private:
   double m_slide; // in a frame
   std::size_t m_frame = 0;
   CGAL::Dynamic_periodic_Delaunay_triangulation_2<run::Kernel> m_open, m_walled;
-};
-
-// A line for each case: medians, and the slowest frames.
-class Channel_table
-{
-public:
-  explicit Channel_table(std::ostream& out)
-    : m_table(out, 15,
-              {{"frames", 7},
-               {"slab", 10, 1},
-               {"worst", 8, 1},
-               {"walls", 10, 1},
-               {"worst", 8, 1},
-               {"walls/slab", 12, 2}})
-  {
-    m_table.write_head("points, step");
-  }
-
-  void write_row(const std::string& name, const std::array<std::vector<double>, 2>& times)
-  {
-    std::vector<double> ratios;
-    for (std::size_t i = 0; i != times[0].size(); ++i) {
-      ratios.push_back(times[1][i] / times[0][i]);
-    }
-    const auto worst = [](const std::vector<double>& all) {
-      return *std::max_element(all.begin(), all.end());
-    };
-    m_table.write_row(name, times[0].size(), run::spread(times[0])->median, worst(times[0]),
-                      run::spread(times[1])->median, worst(times[1]), run::spread(ratios)->median);
-  }
-
-private:
-  common::Table m_table;
 };
 
 } // namespace periodic

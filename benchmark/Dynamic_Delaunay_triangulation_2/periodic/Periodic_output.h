@@ -13,6 +13,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <ostream>
 #include <string>
@@ -133,6 +134,39 @@ private:
 
   static constexpr int name_width = 15;
 
+  common::Table m_table;
+};
+
+// Slabs without and with walls: a line for each case, with medians and the slowest frames.
+class Channel_table
+{
+public:
+  explicit Channel_table(std::ostream& out)
+    : m_table(out, 15,
+              {{"frames", 7},
+               {"slab", 10, 1},
+               {"worst", 8, 1},
+               {"walls", 10, 1},
+               {"worst", 8, 1},
+               {"walls/slab", 12, 2}})
+  {
+    m_table.write_head("points, step");
+  }
+
+  void write_row(const std::string& name, const std::array<std::vector<double>, 2>& times)
+  {
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i != times[0].size(); ++i) {
+      ratios.push_back(times[1][i] / times[0][i]);
+    }
+    const auto worst = [](const std::vector<double>& all) {
+      return *std::max_element(all.begin(), all.end());
+    };
+    m_table.write_row(name, times[0].size(), run::spread(times[0])->median, worst(times[0]),
+                      run::spread(times[1])->median, worst(times[1]), run::spread(ratios)->median);
+  }
+
+private:
   common::Table m_table;
 };
 

@@ -484,29 +484,26 @@ private:
   }
 
   // The side of p[3] if three corners are in one row, or two in each of two; nothing where that
-  // does not decide it. To exchange two corners changes the sign.
+  // does not decide it. The corners are sorted by rows; to exchange two of them changes the sign.
   std::optional<Sign> side_of_circle_across(std::array<Image_2, 4> p) const
   {
-    const auto are_in_one_row = [&](std::size_t i, std::size_t k) {
-      return p[i].shift[1] == p[k].shift[1];
+    Sign sign = POSITIVE;
+    const auto exchange = [&](std::size_t i, std::size_t k) {
+      std::swap(p[i], p[k]);
+      sign = -sign;
     };
-    for (std::size_t odd = 0; odd < 4; ++odd) {
-      const std::size_t i = (odd + 1) % 4, k = (odd + 2) % 4, l = (odd + 3) % 4;
-      if (are_in_one_row(i, k) && are_in_one_row(k, l) && !are_in_one_row(l, odd)) {
-        std::swap(p[odd], p[3]);
-        const std::optional<Sign> sign = side_of_far_point(p[0], p[1], p[2], p[3]);
-        return sign && odd != 3 ? -*sign : sign;
-      }
-    }
-    for (std::size_t with_first = 1; with_first < 4; ++with_first) {
-      const std::size_t i = with_first % 3 + 1, k = i % 3 + 1;
-      if (are_in_one_row(0, with_first) && are_in_one_row(i, k) && !are_in_one_row(0, i)) {
-        std::swap(p[with_first], p[3]);
-        const std::optional<Sign> sign = side_of_opposite_pair(p[0], p[1], p[2], p[3]);
-        return sign && with_first != 3 ? -*sign : sign;
-      }
-    }
-    return {};
+    const auto row = [&](std::size_t i) { return p[i].shift[1]; };
+    for (std::size_t sorted = 1; sorted < 4; ++sorted)
+      for (std::size_t i = sorted; i > 0 && row(i) < row(i - 1); --i)
+        exchange(i, i - 1);
+    std::optional<Sign> side;
+    if (row(0) != row(1) && row(1) == row(3))
+      exchange(0, 3);
+    if (row(0) == row(2) && row(2) != row(3))
+      side = side_of_far_point(p[0], p[1], p[2], p[3]);
+    else if (row(0) == row(1) && row(1) != row(2) && row(2) == row(3))
+      side = side_of_opposite_pair(p[0], p[2], p[3], p[1]);
+    return side ? sign * *side : side;
   }
 
   // Of d, which is k rows away from the others. Let u and v go from c to a and b, and w be the

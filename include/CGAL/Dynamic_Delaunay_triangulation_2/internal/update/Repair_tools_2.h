@@ -105,6 +105,7 @@ public:
     m_open.take(m_classification, m_state);
     if (State::jumpers_leave_before_motion)
       m_open.drop_empty(m_state);
+    // without splices each edge whose flip gets stuck costs a vertex that is put in anew
     if (!State::can_splice && m_open.are_many_uncertain())
       m_open.open_all_in_order();
     m_classified_edges = m_open.size();
