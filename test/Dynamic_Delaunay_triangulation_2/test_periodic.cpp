@@ -849,6 +849,24 @@ TEST(Motion_in_a_slab, is_followed_at_every_step_size_without_an_end_at_the_wall
     }
 }
 
+// The outermost points have images of themselves for neighbors, and cannot be taken out.
+TEST(Rough_motion_in_a_slab, rebuilds_nothing_where_points_cross_its_open_sides)
+{
+  std::mt19937_64 random(27);
+  std::vector<Point> points = random_points(random, 600, 24);
+  Triangulation pt(points, Cell::slab(24, 0));
+  std::size_t taken_out = 0;
+  for (int frame = 0; frame < 40; ++frame) {
+    move_randomly(random, points, 0.1);
+    const CGAL::Update_report_2 report = pt.update(points);
+    EXPECT_FALSE(report.rebuilt()) << frame;
+    taken_out += report.relocated;
+    ASSERT_TRUE(pt.is_valid()) << frame;
+  }
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+  EXPECT_GT(taken_out, 0u);
+}
+
 // The walls are rows of points: level with each other at some times, and not at others.
 TEST(Walls_of_a_slab, may_slide_along_each_other)
 {

@@ -437,7 +437,8 @@ private:
     return m_may_take_out && m_task.has_to_prove && m_state.have_points_moved() && !has_rebuilt();
   }
 
-  // Takes these vertices out if the budget allows it and enough remain. Whether it did.
+  // Takes these vertices out if the budget allows it and enough remain, but for those whose faces
+  // meet images of themselves, as that of the lowest point of a slab. Whether any is out.
   bool take_out(const std::vector<Index>& vertices)
   {
     if (vertices.empty() || vertices.size() * Repair_budget_2::relocation > m_budget.left() ||
@@ -450,17 +451,15 @@ private:
     }
     const std::size_t first_new = m_state.changes().new_edges.size();
     constexpr std::size_t ahead = 4; // none of them is outside of all faces
+    bool is_any_out = false;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       if (i + ahead < vertices.size())
         m_editor.prefetch_around(vertices[i + ahead]);
-      if (!m_relocation.take_out(vertices[i])) {
-        rebuild(Rebuild_reason_2::STUCK);
-        return false;
-      }
+      is_any_out |= m_relocation.take_out(vertices[i]);
     }
     m_budget.spend(price);
     m_open.open_new_edges(m_state, first_new);
-    return true;
+    return is_any_out;
   }
 
   // The price of a vertex includes a few flips. A vertex of high degree takes more.

@@ -91,7 +91,8 @@ public:
   // OUT -----------------------------------------------------------------------------------------
 
   // Takes v out, to be put in again at its present position. False, with nothing done, if its faces
-  // cannot be replaced: in a torus of few vertices these meet images of themselves.
+  // cannot be replaced: in a torus of few vertices, and along the sides of a slab, these may meet
+  // images of themselves.
   bool take_out(Vertex_index v)
   {
     reserve_for_slot();
