@@ -24,6 +24,10 @@ endforeach()
 add_library(self_sufficient_headers OBJECT ${sources})
 target_link_libraries(self_sufficient_headers PRIVATE program_settings $<TARGET_NAME_IF_EXISTS:MPI::MPI_CXX>)
 set_target_properties(self_sufficient_headers PROPERTIES UNITY_BUILD OFF)
+# This one is for programs that declare in all files that it is in one of them.
+set_source_files_properties(
+  "${CMAKE_CURRENT_BINARY_DIR}/headers/CGAL/Dynamic_Delaunay_triangulation_2/compiled_updates.cpp"
+  PROPERTIES COMPILE_DEFINITIONS CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED)
 if(NOT MSVC)
   # Assertions need their includes as well. The result is not run.
   target_compile_options(self_sufficient_headers PRIVATE -UNDEBUG -O0)
@@ -55,6 +59,7 @@ if(NOT MSVC)
       add_refusal(x87 fast_math "more digits than they have" -mfpmath=387 -Wfatal-errors)
     endif()
   endif()
+  add_refusal(compiled_updates compiled_updates "is for programs that define" -Wfatal-errors)
   add_refusal(rounded_predicates rounded_predicates "nothing could be certified")
   # Each of them by name: the compiler goes on after the first.
   set(private_members m_topology m_triangulation m_storage m_ids m_changes Key flip set)
