@@ -376,14 +376,10 @@ using Dynamic_Delaunay_triangulation_with_visitor_2 =
 
 #ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 extern CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(
     Dynamic_Delaunay_triangulation_2<Exact_predicates_inexact_constructions_kernel>);
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 #endif
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_H

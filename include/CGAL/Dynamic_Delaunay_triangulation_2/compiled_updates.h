@@ -19,17 +19,13 @@
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(
     Dynamic_Delaunay_triangulation_2<Exact_predicates_inexact_constructions_kernel>);
 CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(
     Dynamic_periodic_Delaunay_triangulation_2<Exact_predicates_inexact_constructions_kernel>);
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED_UPDATES_H

@@ -21,9 +21,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // What a domain leaves of a bounded cell, which is convex.
 //
@@ -547,8 +545,6 @@ private:
   std::vector<Ring> m_rings;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CELLS_CELL_IN_DOMAIN_2_H

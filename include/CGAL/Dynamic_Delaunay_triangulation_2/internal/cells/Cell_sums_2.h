@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Sums over faces for each Voronoi cell. Threads share the parts of the faces. A part adds to its
 // own cells at once; what it has for the cells of other parts, which is little where faces and
@@ -64,8 +62,6 @@ private:
   std::vector<Summands> m_left_over; // of each part
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CELLS_CELL_SUMS_2_H

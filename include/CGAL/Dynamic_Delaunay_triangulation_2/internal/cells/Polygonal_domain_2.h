@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // A polygon with holes, in triangles: a constrained triangulation of its convex hull, whose faces
 // know whether they are inside. All corners are corners of the polygon. They are numbered, the
@@ -260,8 +258,6 @@ private:
   Position_2 m_least{0, 0}, m_most{0, 0};
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CELLS_POLYGONAL_DOMAIN_2_H

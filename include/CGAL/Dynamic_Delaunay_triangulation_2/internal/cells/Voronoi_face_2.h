@@ -14,9 +14,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // A Delaunay face, by its sides and cotangents. All that Voronoi cells have is a sum over faces of
 // expressions in these.
@@ -90,8 +88,6 @@ private:
   double m_doubled_area;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CELLS_VORONOI_FACE_2_H

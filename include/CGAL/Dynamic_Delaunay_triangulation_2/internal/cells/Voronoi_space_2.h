@@ -24,9 +24,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // A triangulation as Voronoi cells see it: the plane and periodic space look alike. Cells have
 // numbers; points that coincide share one. A cell is open if one of its edges has a single face:
@@ -332,8 +330,6 @@ void for_each_face_around(const Space& space, std::size_t id, const Function& f)
     f(*last, *first, space.face(id, *last, *first));
 }
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CELLS_VORONOI_SPACE_2_H

@@ -12,9 +12,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Plain floating-point geometry without error bounds. Heuristic classifiers use the rounded results
 // as they are; exact ones bound the error themselves.
@@ -68,8 +66,6 @@ inline bool breaks_hull(const Edge_2& edge, const std::vector<Position_2>& posit
       [&](Index p, Index q, Index r) { return !(orientation(p, q, r) >= 0); });
 }
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_COMPUTED_GEOMETRY_2_H

@@ -12,9 +12,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The numbers in which coordinates are added, multiplied and divided without rounding: their own
 // type if it can do that, and rational numbers elsewhere.
@@ -41,8 +39,6 @@ struct Exact_vector_2
   Number x, y;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_EXACT_NUMBER_2_H

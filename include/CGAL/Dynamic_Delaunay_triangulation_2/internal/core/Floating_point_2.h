@@ -29,9 +29,7 @@ static_assert(false,
               "(-msse2 -mfpmath=sse)");
 #endif
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // During its lifetime, floating-point arithmetic is in its default state, for which every bound of
 // a filter is proved: rounding to nearest, with subnormal numbers, without traps. Its destructor
@@ -77,8 +75,6 @@ private:
 #endif
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_FLOATING_POINT_2_H

@@ -46,9 +46,7 @@
 #define CGAL_DYNAMIC_DELAUNAY_KEEP(product) __asm__("" : "+m"(product))
 #endif
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // ONE LANE ----------------------------------------------------------------------------------------
 
@@ -371,8 +369,6 @@ auto call_with_lanes(const Pass& pass)
   return pass(std::integral_constant<int, usual_lanes>());
 }
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_LANES_2_H

@@ -22,9 +22,7 @@
 #include <new>
 #include <type_traits>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Divides a range into parts, which threads share if the tag is `Parallel_tag`. The parts depend on
 // the size of the range alone: what is added up or listed for each of them, and joined in their
@@ -215,8 +213,6 @@ private:
 #endif // CGAL_LINKED_WITH_TBB
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_PARALLEL_PARTS_2_H

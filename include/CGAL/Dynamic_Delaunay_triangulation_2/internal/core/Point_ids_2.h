@@ -15,9 +15,7 @@
 #include <functional>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The vertex of each id. Points that coincide share the vertex of one of them, its representative;
 // the others are duplicates there. Ids of removed points are free, and reused from the smallest on.
@@ -296,8 +294,6 @@ private:
   std::vector<Index> m_free_ids;       // a heap, the smallest on top
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_POINT_IDS_2_H

@@ -20,9 +20,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // What the triangulation needs to know of points of any type: their places in the plane, by their x
 // and y. Points may hold more data, such as a height, which are passed along.
@@ -183,8 +181,6 @@ Position_2 checked_position(const Point& p, std::size_t id, bool& are_exact)
   return position;
 }
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_POINTS_2_H

@@ -8,9 +8,7 @@
 
 #include <cstdint>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // With more vertices than this, and other work between the frames, the flat arrays are not in the
 // second-level cache, and passes over them prefetch. That saves a fifth of the pass over the edges
@@ -42,8 +40,6 @@ inline unsigned lowest_bit(std::uint64_t word)
 #endif
 }
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_PROCESSOR_2_H

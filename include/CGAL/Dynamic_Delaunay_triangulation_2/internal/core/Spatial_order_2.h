@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The Hilbert curve through 2^16 by 2^16 cells, from the largest quadrants to the smallest. In each
 // quadrant it is the whole curve with its axes exchanged, or rotated by 180 degrees, or both.
@@ -437,8 +435,6 @@ private:
   Spatial_order_2 m_order;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_SPATIAL_ORDER_2_H

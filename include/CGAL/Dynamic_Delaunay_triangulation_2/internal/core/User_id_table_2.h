@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Numbers that nobody can know who chooses ids. Without them somebody could choose such ids that
 // all belong into the same place of a table, where each look-up takes as long as there are ids.
@@ -212,8 +210,6 @@ private:
   User_id_secret_2 m_secret = User_id_secret_2::of_process();
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CORE_USER_ID_TABLE_2_H

@@ -22,9 +22,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The space, and ids, positions and the user's data of the points of all ranks, in one file that
 // they write and read together: a header, and a record of equal size for each point, as they are in
@@ -214,8 +212,6 @@ private:
   std::string m_path;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_CHECKPOINT_2_H

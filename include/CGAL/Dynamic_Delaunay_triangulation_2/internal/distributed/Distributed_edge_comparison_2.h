@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // What the edges of all ranks were, and which of them have come and gone since. `Traits::Edge` can
 // be compared, `Traits::end(edge)` is the id of one of its ends, and `Traits::write(edge, message)`
@@ -87,8 +85,6 @@ private:
   std::vector<Edge> m_edges, m_created, m_removed;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_EDGE_COMPARISON_2_H

@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The open plane, as a space of distributed points: each of them has one image, itself.
 template <class Kernel_>
@@ -85,8 +83,6 @@ public:
   bool continues(const Distributed_plane_2&) const { return true; }
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_PLANE_2_H

@@ -26,9 +26,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // A flat torus, as a space of distributed points. Ranks hold images of points as points of the
 // plane. `Lattice_grid_2` makes all of them exact; this class has the limits within which it does.
@@ -245,8 +243,6 @@ private:
   std::uint64_t m_number = 0; // of the basis, among those since the points were given
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_TORUS_2_H

@@ -31,9 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // What the triangulations of points on ranks do in the plane as in a periodic space: their public
 // classes say what that is. Points are proved after each change, and distributed anew where a rank
@@ -490,8 +488,6 @@ private:
   bool m_is_certified = false;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_TRIANGULATION_2_H

@@ -11,9 +11,7 @@
 #include <string>
 #include <type_traits>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 template <class Part>
 void append_part(std::string& text, const Part& part)
@@ -34,8 +32,6 @@ std::string message_text(const Parts&... parts)
   return text;
 }
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_MESSAGE_TEXT_2_H

@@ -28,9 +28,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The lines of a checkpoint, whatever their content: words separated by single spaces. The first
 // line names the kind of file, the last one holds the checksum of all bytes before it.
@@ -341,8 +339,6 @@ std::istream& read_from_stream(std::istream& in, Read& target)
   return in;
 }
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_IO_CHECKPOINT_FILE_2_H

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Reads a triangulation that Checkpoint_writer_2 has written. Every value is validated before it is
 // used, and memory is allocated only for what was read, whatever numbers the file announces.
@@ -231,8 +229,6 @@ private:
   std::vector<std::pair<Index, Point>> m_duplicates; // their vertices, and their points
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_IO_CHECKPOINT_READER_2_H

@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // What checkpoints of a torus or a slab have of their own: the cell, and the shifts of corners.
 // There is no infinite vertex. Two vertices can have several edges, so the twins do not follow from
@@ -200,8 +198,6 @@ private:
   std::vector<Periodic_shift_2> m_shifts; // of the apex of each half-edge
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_IO_CHECKPOINT_TORUS_2_H

@@ -13,9 +13,7 @@
 #include <ostream>
 #include <string_view>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Writes a maintained triangulation. The manual's page on checkpoints describes the file.
 template <class State>
@@ -94,8 +92,6 @@ private:
   Memory m_memory;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_IO_CHECKPOINT_WRITER_2_H

@@ -18,9 +18,7 @@
 #include <system_error>
 #include <type_traits>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 inline const char* after_digits(const char* first, const char* beyond)
 {
@@ -126,8 +124,6 @@ void append_number(std::string& text, Number number)
   }
 }
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_IO_DECIMAL_NUMBER_2_H

@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Draws a periodic triangulation into a scene, which has the functions of CGAL's viewers: each face
 // once, by its image whose first corner is in the cell, each vertex in the cell, and the cell.
@@ -114,8 +112,6 @@ void draw_periodic(const Dynamic& pt, Scene& scene, bool are_faces_filled)
   Periodic_picture_2<Dynamic, Scene>(pt, scene).draw(are_faces_filled);
 }
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_IO_PERIODIC_PICTURE_2_H

@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The limits of points and reduced bases in multiples of the cell's vectors, and of the multiples
 // by which one cell is exchanged for another. Then the shifts of a face are below 2^22: they are
@@ -126,8 +124,6 @@ inline std::array<Periodic_shift_2, 2> multiples_in_new_cell(const Torus_2& old_
   return determinant(rounded) == determinant(deformed) ? rounded : deformed;
 }
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_LATTICE_2_H

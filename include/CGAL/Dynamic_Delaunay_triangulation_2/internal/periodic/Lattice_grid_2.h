@@ -15,9 +15,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // A square grid on which a cell's vectors, points and their images near the origin are exact
 // doubles: the multiples of a unit u, a power of 2.
@@ -110,8 +108,6 @@ private:
   std::uint64_t m_ax, m_ay, m_bx, m_by;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_LATTICE_GRID_2_H

@@ -15,9 +15,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // What happened to a periodic triangulation: one entry of the editor's log, in the words of
 // `PeriodicUpdateVisitor_2`. Ids, since vertices get other numbers.
@@ -106,8 +104,6 @@ private:
   std::size_t m_kept = 0;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_PERIODIC_CHANGE_2_H

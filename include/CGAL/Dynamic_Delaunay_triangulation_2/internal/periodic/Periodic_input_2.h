@@ -30,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Reads and checks the input of a periodic triangulation before anything changes. Of a frame it
 // also finds which points cross the border of the cell; it can take the frame back.
@@ -466,8 +464,6 @@ private:
   std::array<Shift, 2> m_multiples = unit_multiples; // of the old cell's vectors
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_PERIODIC_INPUT_2_H

@@ -22,9 +22,7 @@
 #include <optional>
 #include <utility>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 inline Periodic_shift_2 operator+(const Periodic_shift_2& s, const Periodic_shift_2& t)
 {
@@ -610,8 +608,6 @@ private:
   double m_short_way;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_TORUS_2_H

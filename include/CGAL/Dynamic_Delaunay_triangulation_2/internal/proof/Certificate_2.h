@@ -12,9 +12,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The certificate: a triangulated sphere with one vertex at infinity is the Delaunay triangulation
 // of its points if and only if
@@ -82,8 +80,6 @@ private:
   const State& m_state;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PROOF_CERTIFICATE_2_H

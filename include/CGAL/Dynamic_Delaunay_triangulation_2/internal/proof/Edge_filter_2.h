@@ -14,9 +14,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The three signs that decide an edge, in floating point with proved error bounds.
 //
@@ -190,8 +188,6 @@ inline int filtered_in_circle(const Position_2& a, const Position_2& b, const Po
   return int((filter.in_circle > bound) & is_large) - int((filter.in_circle < -bound) & is_large);
 }
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PROOF_EDGE_FILTER_2_H

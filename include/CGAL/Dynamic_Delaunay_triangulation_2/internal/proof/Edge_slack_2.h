@@ -17,9 +17,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // A computed squared distance up to this bound proves that the distance is at most `tolerance`. The
 // computed one has a relative error of at most 4u, u = 2^-53. If the square of the tolerance
@@ -268,8 +266,6 @@ struct Plane_slacks_2
   }
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PROOF_EDGE_SLACK_2_H

@@ -17,9 +17,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The edges that can be skipped. All vertices have a reference position, and there is one
 // tolerance. An edge is *safe* if it is proved Delaunay for all positions of its four vertices
@@ -338,8 +336,6 @@ private:
   bool m_is_refined = false;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PROOF_SAFE_EDGES_2_H

@@ -14,9 +14,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Whether faces cover a torus once, in exact arithmetic: the manual's page on periodic space has
 // the proof. Shifts that agree along the edges map the faces to the torus; the map's degree is the
@@ -62,8 +60,6 @@ private:
   const State& m_state;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PROOF_TORUS_COVER_2_H

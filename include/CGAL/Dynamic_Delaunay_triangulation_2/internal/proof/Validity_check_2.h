@@ -17,9 +17,7 @@
 #include <iostream>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Checks everything that must hold for a maintained triangulation between two calls.
 template <class State>
@@ -191,8 +189,6 @@ private:
   bool m_verbose;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PROOF_VALIDITY_CHECK_2_H

@@ -8,9 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Throws unless the periodic triangulation is certified.
 template <class Dynamic>
@@ -22,8 +20,6 @@ void check_certified(const Dynamic& pt)
         "that was interrupted: call mend() to make it Delaunay");
 }
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PROOF_CHECK_CERTIFIED_2_H

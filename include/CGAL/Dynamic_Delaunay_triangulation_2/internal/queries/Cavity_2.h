@@ -13,9 +13,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The faces whose circles contain a place: those that would go if a point were inserted there, with
 // the border around them. The place must be inside of the hull, and at no vertex. Then the faces
@@ -115,8 +113,6 @@ private:
   Kept_list_2<Entry> m_entries;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_CAVITY_2_H

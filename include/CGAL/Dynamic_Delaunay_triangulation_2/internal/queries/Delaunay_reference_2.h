@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The number of a place with points, and in periodic space which image of it.
 using Reference_place_2 = std::pair<std::size_t, Periodic_shift_2>;
@@ -347,8 +345,6 @@ private:
   std::map<std::size_t, std::size_t> m_required_chords; // of each cluster
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_DELAUNAY_REFERENCE_2_H

@@ -17,9 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Compares the distances of images from one place exactly: in doubles, and without rounding where
 // that is undecided.
@@ -90,8 +88,6 @@ private:
   const Position_2 m_from;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_IMAGE_DISTANCES_2_H

@@ -11,9 +11,7 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Many queries at once, which threads share. Each part has queries of its own, copies of the
 // caller's, as queries remember where the last answer was.
@@ -60,8 +58,6 @@ void list_in_parts(const Queries& queries, std::size_t size, std::vector<Answer>
   begins.swap(ends);
 }
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_QUERY_PARTS_2_H

@@ -23,9 +23,7 @@
 #include <set>
 #include <utility>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // A triangulation as seen from the place of a query: the plane and periodic space look alike. A
 // search moves from *site* to site: vertices in the plane, images of vertices in periodic space. An
@@ -186,8 +184,6 @@ private:
   const Image_distances_2 m_distances;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_QUERY_SPACE_2_H

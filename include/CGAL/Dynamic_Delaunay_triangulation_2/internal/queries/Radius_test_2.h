@@ -21,9 +21,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Whether the smallest circles through faces and edges are of at most some radius, exactly.
 template <class Dynamic>
@@ -136,8 +134,6 @@ private:
   const bool m_is_rounded;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_RADIUS_TEST_2_H

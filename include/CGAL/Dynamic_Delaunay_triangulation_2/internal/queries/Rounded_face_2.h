@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // How far a dot or cross product is off, where coordinates are by up to e beside the rounding of
 // one subtraction, but for underflow. With u = 2^-53 each of two products of coordinates has three
@@ -99,8 +97,6 @@ private:
   double m_unit; // k
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_ROUNDED_FACE_2_H

@@ -25,9 +25,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // A certified triangulation with a place in it, if one is set. The place is one more corner, whose
 // vertex has the number `null_index`: so Point_location_2 takes this for a state, and the vectors
@@ -295,8 +293,6 @@ private:
   Position_2 m_position{0, 0};
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_STATE_WITH_PLACE_2_H

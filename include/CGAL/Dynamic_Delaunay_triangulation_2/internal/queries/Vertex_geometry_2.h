@@ -17,9 +17,7 @@
 
 #include <limits>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The vector from one vertex to another, rounded once. It does not subtract rounded positions,
 // because points that an exact kernel distinguishes may have equal doubles as coordinates.
@@ -130,8 +128,6 @@ private:
   const Position_2 m_position;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_VERTEX_GEOMETRY_2_H

@@ -19,9 +19,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Weights are parts of a whole. Those of a place on an edge are the ways to its ends, and those of
 // one in a face the areas of the triangles with its sides. Sibson's natural neighbors lose parts of
@@ -181,8 +179,6 @@ private:
   std::vector<Number> m_parts;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_QUERIES_WEIGHT_PARTS_2_H

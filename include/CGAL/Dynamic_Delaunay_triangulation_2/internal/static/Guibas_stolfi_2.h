@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The numbers of half-edges of so many vertices fit into Index, here and in `Halfedge_arrays_2`.
 constexpr Index max_vertices = null_index / 8;
@@ -508,8 +506,6 @@ private:
   bool m_has_finite_faces = false;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_STATIC_GUIBAS_STOLFI_2_H

@@ -20,9 +20,7 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Calls f(i) for all i below n, in rounds: every 8^k-th first, then every 8^(k-1)-th of the others,
 // and so on. If points are numbered along a space-filling curve, inserting them in rounds is faster
@@ -195,8 +193,6 @@ private:
   Static_triangulation m_triangulation;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_STATIC_STATIC_TRIANGULATOR_2_H

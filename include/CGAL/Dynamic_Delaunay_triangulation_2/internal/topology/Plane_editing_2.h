@@ -13,9 +13,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // What `Topology_editor_2` does in the plane alone: what users have stored follows the numbers of
 // vertices and faces, and the user's visitor is told of each change at once. Nothing is remembered
@@ -136,8 +134,6 @@ private:
   Log m_log;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_PLANE_EDITING_2_H

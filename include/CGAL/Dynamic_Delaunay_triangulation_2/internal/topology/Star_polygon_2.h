@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The polygon of the neighbors of a vertex, its center. When the center is taken out, faces of a
 // triangulation of the polygon replace those around it. The triangulation is a sequence of *ears*,
@@ -367,8 +365,6 @@ private:
   std::vector<Index> m_numbers; // sorted
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_STAR_POLYGON_2_H

@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Puts points into a spatial order, distinguishes representatives from duplicates, and numbers the
 // vertices in that order. Where points coincide, one that keeps its vertex is preferred.
@@ -668,8 +666,6 @@ private:
   Static_triangulator_2<State> m_triangulator;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_TOPOLOGY_BUILDER_2_H

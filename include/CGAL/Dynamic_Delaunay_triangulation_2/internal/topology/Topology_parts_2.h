@@ -14,9 +14,7 @@
 #include <initializer_list>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Parts of a triangulation in which threads can flip edges at the same time: each vertex belongs to
 // one part. An edge is *inside* of a part if the vertices of its two faces belong to the part.
@@ -80,8 +78,6 @@ private:
   const std::size_t m_vertices; // of a part
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_TOPOLOGY_PARTS_2_H

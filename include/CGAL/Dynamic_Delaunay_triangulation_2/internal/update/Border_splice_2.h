@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The border splice (thesis 4.1.3 and 4.1.4). The Triangulation set is the Classified set, its
 // padding and one layer of border around both. It is triangulated alone, and the faces of that
@@ -152,8 +150,6 @@ private:
   std::vector<Index> m_outside; // half-edges beyond the boundary of a cluster
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_BORDER_SPLICE_2_H

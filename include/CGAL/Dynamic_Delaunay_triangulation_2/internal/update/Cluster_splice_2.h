@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 enum class Splice_result_2 { DONE, TOO_LARGE, TOO_DEAR, COINCIDENCE };
 
@@ -308,8 +306,6 @@ private:
   std::vector<Index> m_looked_at; // faces around vertices of the border
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_CLUSTER_SPLICE_2_H

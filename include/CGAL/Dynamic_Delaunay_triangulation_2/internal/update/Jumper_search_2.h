@@ -18,9 +18,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Finds the vertices that jumped: relative to their neighbors, they moved farther than the extent
 // of their neighborhood. A vertex that leaves its neighborhood inverts a face, so only vertices at
@@ -274,8 +272,6 @@ private:
   std::vector<Work> m_works = std::vector<Work>(1);
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_JUMPER_SEARCH_2_H

@@ -17,9 +17,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Lawson's flips, started from some edges. Every edge that a flip touches is examined again. So an
 // edge that is not returned as open was examined after the last change around it, and is proved.
@@ -234,8 +232,6 @@ private:
   std::vector<std::uint8_t> m_part_of_seed;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_LAWSON_FLIPS_2_H

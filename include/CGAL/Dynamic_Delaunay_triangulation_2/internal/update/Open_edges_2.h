@@ -16,9 +16,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // How far the proof of an update has come: which edges are *open*, that is, not proved Delaunay
 // yet, and whether the faces are known to tile the hull. The proof is complete when no edge is open
@@ -184,8 +182,6 @@ private:
   bool m_faces_tile_hull = false;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_OPEN_EDGES_2_H

@@ -11,9 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // A region of a torus: some vertices, their padding, and one layer of border around both. Nothing
 // is triangulated apart: the repair flips edges in the region, or puts its vertices in anew.
@@ -65,8 +63,6 @@ private:
   std::size_t m_number_of_classified = 0, m_number_of_inner = 0;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_PADDED_REGION_2_H

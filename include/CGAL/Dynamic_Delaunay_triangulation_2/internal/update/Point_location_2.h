@@ -14,9 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The place of a point: a vertex, or a face that contains it, boundary included. The face is
 // infinite if the point is outside of the hull.
@@ -192,8 +190,6 @@ private:
   typename State::Predicates m_predicates;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_POINT_LOCATION_2_H

@@ -9,9 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // What an update may spend on mending before a rebuild is cheaper. Costs are counted, not measured
 // as time, so equal input gives equal results. The unit is a sixteenth of the cost of a rebuild per
@@ -138,8 +136,6 @@ private:
   std::size_t m_hopeless_share = all;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_REPAIR_COSTS_2_H

@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // An update: everything that one call does to the triangulation of any space, whether all points
 // move or a few, and whether points are inserted or removed. run() shows its phases in their order.
@@ -457,8 +455,6 @@ Update_report_2 Update_2<State>::run(Change& change, Input& input, Classifier& c
   return report;
 }
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_UPDATE_2_H

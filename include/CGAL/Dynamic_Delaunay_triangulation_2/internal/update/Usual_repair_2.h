@@ -11,9 +11,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The repair that is used with a classifier if the user chooses none.
 template <class Classifier, class = void>
@@ -28,8 +26,6 @@ struct Usual_repair_2<Classifier, std::void_t<typename Classifier::Usual_repair>
   using type = typename Classifier::Usual_repair;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_USUAL_REPAIR_2_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Vertices that jump, merge and part, and points that come and go, in one update. First vertices
 // are taken out of their faces: jumpers wait, vertices without points leave an empty slot. Then the
@@ -443,8 +441,6 @@ private:
   std::vector<Point> m_coming_points;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_VERTEX_RELOCATION_2_H

@@ -12,9 +12,7 @@
 #include <algorithm>
 #include <array>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Whether a zone covers disks, as far as there can be points: within the hull of all points. Disks
 // of flat faces at the hull are large, but most of them lies beyond it. They are cut into boxes
@@ -106,8 +104,6 @@ private:
   const Outline& m_outline;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_ZONES_DISTRIBUTED_COVER_2_H

@@ -13,9 +13,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Two vectors that are deformed with a periodic space. In the plane always the same.
 using Basis_2 = std::array<Position_2, 2>;
@@ -114,8 +112,6 @@ private:
   Position_2 m_x{1, 0}, m_y{0, 1}; // by what x and y are multiplied for x', and for y'
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_ZONES_DISTRIBUTED_DEFORMATION_2_H

@@ -14,9 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Where points are so dense, deep in a zone, that no face can reach out of it. Own points are added
 // while the positions of ghosts are still under way.
@@ -100,8 +98,6 @@ private:
   std::vector<std::uint8_t> m_are_surrounded; // the same, while it is computed
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_ZONES_DISTRIBUTED_DENSITY_2_H

@@ -10,9 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 using Distributed_id_2 = std::int64_t;
 
@@ -46,8 +44,6 @@ struct Distributed_image_2 : Shift
   double x, y;
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_ZONES_DISTRIBUTED_IMAGE_2_H

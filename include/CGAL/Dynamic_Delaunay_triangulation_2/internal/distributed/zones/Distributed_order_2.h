@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Spreads points evenly over ranks, each a stretch of the Hilbert curve through the box of all
 // points: sorting by regular samples (H. Shi, J. Schaeffer, Parallel sorting by regular sampling,
@@ -167,8 +165,6 @@ private:
   std::vector<std::size_t> m_origins;      // of the points since: their numbers in order of arrival
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_ZONES_DISTRIBUTED_ORDER_2_H

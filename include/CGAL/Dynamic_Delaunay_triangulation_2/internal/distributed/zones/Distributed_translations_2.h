@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Between two frames of a periodic space: by which shifts points were wrapped, and which other
 // vectors of the lattice the cell has, so that what has a shift can be called as it is now.
@@ -147,8 +145,6 @@ private:
   std::map<Id, Periodic_shift_2> m_translations; // of all ranks' points, those that were wrapped
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-} // namespace CGAL
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_ZONES_DISTRIBUTED_TRANSLATIONS_2_H
