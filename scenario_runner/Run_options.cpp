@@ -6,6 +6,8 @@
 #include "scenario_runner/Command_line.h"
 #include "scenario_runner/Open_motion.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -197,7 +199,7 @@ Run_options parse_options(CLI::App& app, int argc, const char* const* argv)
   add_method_options(app, options);
   add_motion_options(app, options);
   add_output_options(app, options);
-  app.set_version_flag("--version", "run_scenario 1.0");
+  app.set_version_flag("--version", "run_scenario " CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VERSION);
   app.footer("Scenarios: " + scenario::joined(scenario::known_scenarios()) +
              "\nHow to write one, and which recordings are read: "
              "doc/Dynamic_Delaunay_triangulation_2/Scenario_files.txt");

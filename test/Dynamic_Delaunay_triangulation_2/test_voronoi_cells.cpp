@@ -626,8 +626,8 @@ TEST(Gradients, need_a_weight_for_each_id)
   const Torus torus(Points{Point(0, 0), Point(0.5, 0.25)}, Periodic_cell(1, 1));
   Gradients gradients;
   gradients.compute(torus, {1, 2}, {1, 2});
-  EXPECT_THROW(gradients.compute(torus, {1}, {1, 2}), CGAL::Parameter_error_2);
-  EXPECT_THROW(gradients.compute(torus, {1, 2}, {1, 2, 3}), CGAL::Parameter_error_2);
+  EXPECT_THROW(gradients.compute(torus, {1}, {1, 2}), CGAL::Point_count_error_2);
+  EXPECT_THROW(gradients.compute(torus, {1, 2}, {1, 2, 3}), CGAL::Point_count_error_2);
   EXPECT_EQ(gradients.gradients().size(), 2u);
 }
 

@@ -120,15 +120,15 @@ public:
   /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_2` or
   ///   `Dynamic_periodic_Delaunay_triangulation_2`.
   /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
-  /// \throws Parameter_error_2 if the number of weights is not `dt.number_of_ids()`; nothing
-  /// changes.
+  /// \throws Point_count_error_2 if there are not as many weights as ids; nothing changes.
   template <class Dynamic>
   void compute(const Dynamic& dt, const std::vector<double>& area_weights,
                const std::vector<double>& perimeter_weights)
   {
     const Dynamic_Delaunay_triangulations_2::internal::Voronoi_space_2<Dynamic> space(dt);
-    check_number("the number of weights of areas", area_weights, space.number_of_ids());
-    check_number("the number of weights of perimeters", perimeter_weights, space.number_of_ids());
+    for (const std::vector<double>* weights : {&area_weights, &perimeter_weights})
+      if (weights->size() != space.number_of_ids())
+        throw Point_count_error_2(space.number_of_ids(), weights->size());
     m_gradients.clear();
     m_gradients.reserve(space.number_of_ids());
     m_cells.assign(space.number_of_cells(), Cell());
@@ -159,12 +159,6 @@ private:
 
     bool has_weight() const { return area_weight != 0 || perimeter_weight != 0; }
   };
-
-  static void check_number(const char* name, const std::vector<double>& weights, Index ids)
-  {
-    if (weights.size() != ids)
-      throw Parameter_error_2(name, double(weights.size()), ids, ids);
-  }
 
   // Adds up the faces. False if one is flat: then its cells are unbounded, and their weights, which
   // others have used, count for nothing.
