@@ -27,14 +27,14 @@ struct Cell
   std::array<bool, 2> is_periodic;
 
   bool is_slab() const { return is_periodic[0] != is_periodic[1]; }
-  // Of a slab.
+  // The only vector of a slab by which space repeats itself.
   const Point& period() const { return sides[is_periodic[0] ? 0 : 1]; }
 
   bool has_kind_of(const Cell& other) const { return is_slab() == other.is_slab(); }
 
   double area() const { return sides[0].x * sides[1].y - sides[0].y * sides[1].x; }
 
-  // By which translation a point gets there.
+  // The vector by which a shift translates points.
   Point translation(const Shift& shift) const
   {
     return {shift[0] * sides[0].x + shift[1] * sides[1].x,

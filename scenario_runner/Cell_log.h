@@ -18,8 +18,8 @@ namespace run {
 class Cell_log
 {
 public:
-  // Without a radius cells end at the walls of the domain, whose file is given. What counts where
-  // walls divide them, the rule says.
+  // Without a radius cells end only at the walls of the domain, which is read from the given file.
+  // The rule says which part of a cell counts where walls divide it.
   Cell_log(const std::string& path, const Frame_choice& choice, const std::optional<double>& radius,
            const std::optional<std::string>& domain, Cell_rule rule);
 

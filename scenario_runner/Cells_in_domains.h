@@ -22,7 +22,7 @@ using Cells_in_domains =
 
 using Cell_rule = CGAL::Voronoi_cells_in_domain_2::Rule;
 
-// By the name that people use.
+// The rule of a name on the command line.
 // \throws std::invalid_argument
 inline Cell_rule cell_rule(const std::string& name)
 {
@@ -55,7 +55,7 @@ void compute_cells(Cells_in_domains& cells, const Dynamic& dt, const Radii& radi
   std::visit(compute, cells);
 }
 
-// The place in `pieces()` where those of an id begin. Behind the last id all of them end.
+// The place in `pieces()` where the pieces of an id begin; behind the last id, where all end.
 inline std::size_t first_piece(const CGAL::Bounded_voronoi_cells_2& cells, std::size_t id)
 {
   return cells.first_pieces()[id];

@@ -42,7 +42,7 @@ struct Named_classifier
   double (Classifier::*parameter)() const = nullptr;
 };
 
-// All that can be chosen. Whether they are exact, and the usual parameters, they know themselves.
+// All classifiers that can be chosen. Their classes know whether they are exact, and the defaults.
 inline constexpr std::tuple named_classifiers = {
     Named_classifier<CGAL::Circumcircle_classifier_2>{"circumcircle"},
     Named_classifier<CGAL::Safe_region_classifier_2>{"safe_region"},
@@ -131,7 +131,7 @@ Classifier make_classifier(const Classifier_choice& choice, const Classifier_set
   }
 }
 
-// Calls `use(classifier)` with the one that was chosen, which is no refined one.
+// Calls `use(classifier)` with the chosen classifier, which must not be a refined one.
 template <std::size_t i = 0, class Use>
 auto with_classifier(const Classifier_choice& choice, const Classifier_settings& settings, Use use)
 {

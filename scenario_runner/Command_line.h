@@ -14,8 +14,8 @@
 
 namespace run {
 
-// For CLI11's options of whole numbers, as CLI::Range is, which says no "from" and takes "010" for
-// 8.
+// A validator for options of whole numbers. Unlike CLI::Range its message says "from", and "010" is
+// not taken for 8.
 inline CLI::Validator whole_number(std::uint64_t lowest, std::uint64_t highest)
 {
   const auto check = [lowest, highest](std::string& text) {
@@ -29,7 +29,7 @@ inline CLI::Validator whole_number(std::uint64_t lowest, std::uint64_t highest)
   return {check, ""};
 }
 
-// Numbers that need not be whole.
+// A validator for numbers that need not be whole.
 inline CLI::Validator number(const scenario::Range& range)
 {
   const auto check = [range](std::string& text) {
@@ -43,8 +43,8 @@ inline CLI::Validator number(const scenario::Range& range)
   return {check, ""};
 }
 
-// An option with a syntax of its own: `take` gets the text after it and throws
-// std::invalid_argument if it dislikes it.
+// An option with a syntax of its own: `take` gets the text after it, and throws
+// std::invalid_argument if the text is wrong.
 template <class Take>
 void add_option(CLI::App& app, const std::string& name, const std::string& value,
                 const std::string& description, Take take)

@@ -37,10 +37,10 @@ private:
   std::vector<const std::string*> m_names;
 };
 
-// Of the fields of a line. Blanks are spaces and tabs, any number of them.
+// What separates the fields of a line. Blanks are spaces and tabs, any number of them.
 enum class Separator : char { comma = ',', semicolon = ';', tab = '\t', blanks = ' ' };
 
-// As a message says where a line is split.
+// How messages call the separators of a line.
 std::string place_of(Separator separator)
 {
   switch (separator) {
@@ -55,9 +55,9 @@ std::string place_of(Separator separator)
   }
 }
 
-// Splits a line into fields. One that begins with a double quote ends with the next single one, and
-// may hold separators; two of them stand for one. Blanks around the content of fields are no part
-// of it, quoted or not.
+// Splits a line into fields. A field that begins with a double quote ends with the next single
+// one, and may contain separators; two double quotes in it stand for one. Blanks around the content
+// of fields are not part of it, quoted or not.
 class Field_splitter
 {
 public:
@@ -68,8 +68,8 @@ public:
 
   Separator separator() const { return m_separator; }
 
-  // Says what is wrong with the field that follows those in `fields`, or nothing if all is well.
-  // The fields live as long as the line, those with two quotes in them until the next call.
+  // Returns what is wrong with the field that follows those in `fields`, or an empty text if all is
+  // well. Fields refer to the line; those with doubled quotes are valid until the next call.
   std::string_view split(std::string_view line, std::vector<std::string_view>& fields)
   {
     fields.clear();
@@ -109,7 +109,7 @@ private:
     return {};
   }
 
-  // Both leave the line from the next separator on.
+  // Both functions remove the field from the line, which then begins with the next separator.
   void take_unquoted(std::string_view& line, std::vector<std::string_view>& fields) const
   {
     const std::size_t end = separator_in(line);
@@ -150,7 +150,7 @@ private:
     return text;
   }
 
-  // The end of the line stands for one, too.
+  // The place of the next separator, or the end of the line.
   std::size_t separator_in(std::string_view line) const
   {
     const std::size_t place = m_separator == Separator::blanks
@@ -159,7 +159,7 @@ private:
     return (std::min)(place, line.size());
   }
 
-  // Whether there is one, and a field behind it.
+  // Removes a separator. True if there was one and a field follows it.
   bool take_separator(std::string_view& line) const
   {
     if (line.empty()) {
@@ -172,7 +172,7 @@ private:
     return m_separator != Separator::blanks || !line.empty();
   }
 
-  // A tab that separates is none.
+  // Where tabs separate fields they are not blanks.
   void skip_blanks(std::string_view& line) const
   {
     while (!line.empty() && is_blank(line.front()) &&
@@ -188,8 +188,8 @@ private:
 enum Csv_column : std::size_t { frame, time, id, x, y };
 constexpr std::array<std::string_view, 5> csv_column_names = {"frame", "time", "id", "x", "y"};
 
-// What a column is called: `x`, or `X/m`, `x [m]`, `x (m)`. A name with something else behind it,
-// as in the quotient `x/y`, is the name of something else.
+// The title of a column: `x`, or `X/m`, `x [m]`, `x (m)`. A title that goes on in another way, as
+// the quotient `x/y`, does not name the column `x`.
 class Csv_title
 {
 public:
@@ -209,7 +209,7 @@ public:
   const std::string& unit() const { return m_unit; }
 
 private:
-  // Those of PeTrack and JuPedSim.
+  // Names of columns in files of PeTrack and JuPedSim.
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 2> aliases = {
       {{"persid", "id"}, {"fr", "frame"}}};
   static constexpr std::array<std::string_view, 24> units = {
@@ -234,8 +234,8 @@ private:
 class Csv_header
 {
 public:
-  // `separators`: those that may be, the preferred ones first. Blanks, at which anything can be
-  // split, are taken where no other one finds two columns.
+  // `separators`: the possible ones, the preferred ones first. Blanks, at which any text can be
+  // split, are chosen only if no other separator finds two columns.
   Csv_header(const std::string& file, std::string_view line, std::size_t line_number,
              std::initializer_list<Separator> separators)
     : m_file(file)
@@ -252,7 +252,7 @@ public:
   Separator separator() const { return m_split.separator; }
   std::size_t number_of_fields() const { return m_split.titles.size(); }
 
-  // Whether it can be one.
+  // Whether the line can be a header.
   bool names_any_column() const { return m_split.known != 0; }
   bool has_numbers() const
   {
@@ -261,7 +261,7 @@ public:
                        [&](const std::string& title) { return is_number(title, ignored); });
   }
 
-  // Where the fields of the columns are; that of `time` is none if it is not there.
+  // The position of each column in a row; `none` for `time` if there is no such column.
   static constexpr std::size_t none = std::string::npos;
   std::array<std::size_t, csv_column_names.size()> positions() const
   {
@@ -349,7 +349,7 @@ private:
          " missing, needed are frame, id, x and y; the header has " + what_it_has());
   }
 
-  // As much of it as a message can hold.
+  // A description of the header, short enough for a message.
   std::string what_it_has() const
   {
     constexpr std::size_t max_characters = 80;
@@ -435,7 +435,7 @@ private:
     return first;
   }
 
-  // Its words stand at blanks of any kind, however the rows are aligned.
+  // The header in the last comment. Tabs between its words count as blanks, however rows are split.
   Csv_header header_in_comment() const
   {
     const Csv_header header(
@@ -457,7 +457,7 @@ private:
     m_splitter = Field_splitter(header.separator());
   }
 
-  // R writes the names of rows in quotes before them, and nothing above these.
+  // Skips the column of row names that R writes, in quotes and without a title.
   void skip_row_names(std::string_view row)
   {
     if (row.empty() || row.front() != '"') {
@@ -538,7 +538,7 @@ private:
     return m_names->id(text);
   }
 
-  // Where one id is text, all of them are names.
+  // To be called at the first id that is text: all ids, also numbers, are then names.
   void name_all()
   {
     m_names.emplace();

@@ -15,7 +15,7 @@
 
 namespace run {
 
-// Comma separated values, in a file that is there as a whole or not at all.
+// Writes comma separated values to a file that exists as a whole or not at all.
 class Csv_writer
 {
 public:
@@ -23,8 +23,8 @@ public:
   Csv_writer(const std::string& path, const std::vector<std::string>& columns,
              const std::vector<std::string>& remarks = {});
 
-  // A cell for each column: texts, whole numbers, bools as 0 and 1, other numbers with all their
-  // digits, and optional ones, empty for none.
+  // Writes a cell for each column: texts, whole numbers, bools as 0 and 1, other numbers with all
+  // their digits, and optional numbers, empty for none.
   // \throws std::logic_error if their number is another one
   template <class... Cells>
   void write(const Cells&... cells)

@@ -129,7 +129,7 @@ private:
   std::string m_file;
 };
 
-// Without the last one, which closes the ring.
+// The corners of a ring without the last one, which repeats the first one.
 std::vector<Point> points_of(const Read_ring& ring)
 {
   std::vector<Point> points;

@@ -26,7 +26,7 @@ public:
 
   std::size_t size() const { return m_rows.size(); }
 
-  // Moves them into the frame. `frame_name` is what a message calls it.
+  // Moves the points into the frame, by ascending ids. `frame_name` is its name in messages.
   // \throws Scenario_error if an id is there twice.
   void sort_into(Recorded_frame& frame, const Text_scanner& scanner, const std::string& frame_name);
 
@@ -48,8 +48,8 @@ double finite_number(const Text_scanner& scanner, std::string_view text, std::st
 // \throws Scenario_error, with the scanner's line, if space cannot be repeated by it.
 std::optional<Cell> cell_of_box(const Text_scanner& scanner, const Cell& box);
 
-// \throws Scenario_error, with the scanner's line, if it is of another kind than the frame before:
-// the whole recording is periodic in both directions, or in one, or in none.
+// \throws Scenario_error, with the scanner's line, if the cell is of another kind than that of the
+// frame before: the whole recording is periodic in both directions, or in one, or in none.
 void check_kind(const Text_scanner& scanner, const std::optional<Cell>& cell,
                 const Recording& frames_before);
 

@@ -39,8 +39,8 @@ struct Frame_record
 // The sets of thesis 4.1.3, by the numbers that files have for them.
 enum class Vertex_set : std::uint8_t { none, border, padded, classified };
 
-// In periodic space it ends at an image of `to`, and a triangle has corners at images: at the
-// points shifted by the sides of the motion's cell.
+// An edge. In periodic space it ends at an image of `to`, as triangles have corners at images: at
+// the points shifted by the sides of the motion's cell.
 struct Shown_edge
 {
   std::size_t from;
@@ -56,7 +56,7 @@ struct Shown_triangle
   std::array<scenario::Shift, 3> shifts{};
 };
 
-// The part of a point's Voronoi cell that bounds of some kind leave.
+// The measures of the part of a point's Voronoi cell that is within a radius or a domain.
 struct Shown_cell
 {
   double area;
@@ -66,8 +66,8 @@ struct Shown_cell
   double wall_length;
 };
 
-// A run as pictures and files show its frame. Points are known by their places in the motion;
-// those that coincide share the edges and triangles of the first of them.
+// The current frame of a run, for pictures and files. Points are known by their places in the
+// motion; coincident points share the edges and triangles of the first of them.
 class Run_view
 {
 public:
@@ -78,12 +78,12 @@ public:
   virtual std::vector<Vertex_set> sets() const = 0; // of each point
   virtual std::vector<Shown_edge> edges() const = 0;
   virtual std::vector<Shown_triangle> triangles() const = 0;
-  // Of each point, in the domain that `bounded` has. The frame must be certified.
+  // The cell of each point, in the domain of `bounded`. The frame must be certified.
   virtual std::vector<Shown_cell> cells(Cells_in_domains& bounded, double radius) const = 0;
 };
 
-// Of each vertex of a run's frame. A rebuild gives vertices other numbers than those under which
-// they were classified; then all are in none.
+// The set of each vertex of a run's frame. A rebuild numbers vertices anew after they have been
+// classified: then no vertex is in a set.
 template <class Run>
 std::vector<Vertex_set> sets_of_vertices(const Run& run)
 {

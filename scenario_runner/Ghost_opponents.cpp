@@ -17,7 +17,7 @@ using scenario::Cell;
 using scenario::Point;
 using scenario::Shift;
 
-// Finds an image by where it is.
+// Finds an image by its position.
 class Image_finder
 {
 public:
@@ -41,7 +41,7 @@ private:
   std::vector<Image> m_images;
 };
 
-// The image of which point stands for an image, where points coincide.
+// Replaces images of coincident points by images of the one that represents them.
 class Representation
 {
 public:
@@ -64,7 +64,7 @@ public:
   }
 
 private:
-  // Of two points that coincide but for a translation.
+  // The shift between two points that coincide up to a translation.
   Shift shift_between(const Point& p, const Point& q) const
   {
     const double x = q.x - p.x, y = q.y - p.y;
@@ -84,7 +84,7 @@ private:
   const std::vector<std::uint32_t>& m_representatives;
 };
 
-// Where a slab has points, across it.
+// The range of coordinates across a slab that its points have.
 struct Height_range
 {
   double low;
@@ -98,7 +98,7 @@ struct Height_range
   }
 };
 
-// A torus has them everywhere.
+// The height range of the points; infinite for a torus.
 Height_range height_range(const Lattice_window& window, const std::vector<Point>& points)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -131,7 +131,7 @@ void Ghost_opponents::prepare(const std::vector<Point>& points, const Cell& cell
   m_static.prepare(images, true);
 }
 
-// Enough for random points; and anything is better than all that a thin cell would need.
+// Enough for random points. For thin cells the safe margin would be much wider.
 double Ghost_opponents::first_margin() const
 {
   const double safe = m_window->safe_margin();
@@ -161,7 +161,7 @@ double Ghost_opponents::agreement(std::vector<Periodic_face> faces,
   return agreement;
 }
 
-// Whether these are all faces, where that can be told by their number.
+// True if the number of faces proves that none is missing, which it never does for slabs.
 bool Ghost_opponents::is_complete(const std::vector<Periodic_face>& faces,
                                   const std::vector<std::uint32_t>& representatives) const
 {
@@ -172,7 +172,7 @@ bool Ghost_opponents::is_complete(const std::vector<Periodic_face>& faces,
   return !m_window->is_slab() && faces.size() == 2 * places;
 }
 
-// The images of one point of a slab are on a line, and on none where they are rounded.
+// True for a face of three images of one point of a slab: they are on a line but for rounding.
 bool Ghost_opponents::is_rounded_line(const Periodic_face& face) const
 {
   const auto& [a, b, c] = face.places;
@@ -195,10 +195,10 @@ Ghost_opponents::faces_with(double margin, const std::vector<std::uint32_t>& rep
   return proved_faces(triangulation, std::move(images), margin, representatives);
 }
 
-// A face is one of the periodic triangulation if there are images of all points around its circle.
-// Of each periodic face one image has the center in the window: it is here if the margin is as wide
-// as the circle. See Lattice_window for the margin that needs no circles, which may be too large
-// for doubles.
+// A face belongs to the periodic triangulation if its circle is in the window with its margin,
+// where all images are. One image of each periodic face has its center in the window: it is found
+// if the margin is as wide as the radius. With the safe margin of Lattice_window, circles need not
+// be examined, which may be too large for doubles.
 std::vector<Periodic_face>
 Ghost_opponents::proved_faces(const Static_triangulation& triangulation, std::vector<Image> images,
                               double margin, const std::vector<std::uint32_t>& representatives)

@@ -17,8 +17,8 @@ namespace run {
 
 // The opponents in periodic space: CGAL's triangulations of the plane, of the points and ghosts,
 // their images in a margin around the cell. They find all faces if the margin is as wide as the
-// radius of the largest empty circle of the frame. It is that of the frame before and a quarter
-// more; agreement() finds out whether this was enough.
+// radius of the largest empty circle of the frame. The margin is that radius of the frame before
+// plus a quarter; agreement() finds out whether it was enough.
 //
 // Besides what Static_opponents leave out, the ghosts and their order are found outside of the
 // timing. The images are rounded, so where points are nearly on a circle the result need not be the

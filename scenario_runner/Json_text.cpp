@@ -16,8 +16,8 @@ namespace scenario {
 
 namespace {
 
-// The parser alone would silently take the last of several members with the same key, and values in
-// values without end, which overflow the stack of whoever walks through them.
+// The parser alone would silently take the last of several members with the same key, and would
+// accept any depth of nesting, which overflows the stack of functions that walk through values.
 class Structure_check
 {
 public:

@@ -21,12 +21,12 @@ struct Lammps_bounds
   std::array<double, 3> tilt{};
 };
 
-// What a plane z = constant has of it.
+// The section of the box with a plane z = constant.
 Cell cell_of_bounds(const Lammps_bounds& bounds, const std::array<bool, 2>& is_periodic);
 
-// The header and the three lines. What they hold is read as the same cell again: where rounding
-// would change it, or if its first side is not along x, vectors and origin take the place of
-// bounds.
+// Writes the header and the three lines, which are read as the same cell again: where rounding of
+// bounds would change it, or if its first side is not along x, vectors and the origin are written
+// instead.
 void write_lammps_box(std::ostream& out, const Cell& cell);
 
 } // namespace scenario

@@ -56,7 +56,7 @@ Lattice_window::Lattice_window(const scenario::Cell& cell)
   m_heights = {whole / length(m_vectors[1]), whole / length(m_vectors[0])};
 }
 
-// Lagrange's: the rest of the longer one, divided by the shorter one, until that is no shorter.
+// Lagrange's: the longer vector becomes its rest modulo the shorter one, until that is no shorter.
 void Lattice_window::shorten_vectors()
 {
   m_vectors = m_cell.sides;

@@ -33,7 +33,7 @@ public:
   // \throws std::runtime_error if a point is too far from the cell.
   std::vector<Image> images(const std::vector<scenario::Point>& points, double margin) const;
 
-  // Whether it is in the window, not in the margin.
+  // Whether p is in the window, and not only in a margin.
   bool contains(const scenario::Point& p) const;
 
   // How far a disk goes beyond the window, or less than 0.
@@ -57,7 +57,7 @@ public:
   double across(const scenario::Point& p) const;
 
 private:
-  // In multiples of the vectors, from the corner.
+  // Coordinates of p as multiples of the vectors, from the corner.
   scenario::Point coordinates(const scenario::Point& p) const;
   void shorten_vectors();
 

@@ -19,13 +19,13 @@ double nanoseconds_of(Work work)
   return std::chrono::duration<double, std::nano>(end - start).count();
 }
 
-// Lets freed memory stay in the process, where the C library can. Otherwise the opponents' large blocks
-// go back to the system between frames, and the next frame of the dynamic triangulation pays for the
-// page tables that a virtual machine then makes again: at 100,000 points it took up to five times as
-// long. Call before what is timed.
+// Lets freed memory stay in the process, where the C library can. Otherwise the opponents' large
+// blocks go back to the system between frames, and the next frame of the dynamic triangulation pays
+// for page tables that a virtual machine makes again, and takes up to five times as long at 100,000
+// points. Call before anything is timed.
 void keep_freed_memory();
 
-// Of a set of measurements.
+// The median and the quartiles of measurements.
 struct Spread
 {
   double low_quartile;
@@ -35,7 +35,7 @@ struct Spread
 
 double quantile(const std::vector<double>& sorted, double share);
 
-// Nothing has no spread.
+// The spread of values; nothing if there are none.
 std::optional<Spread> spread(std::vector<double> values);
 
 } // namespace run

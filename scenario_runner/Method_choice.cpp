@@ -22,7 +22,7 @@ Classifier_kind kind_of(const Named_classifier<Classifier>& named)
   if (named.parameter == nullptr) {
     return {named.name, Classifier::is_exact, std::nullopt};
   }
-  constexpr scenario::Range range{0.0, 1.0}; // of all of them
+  constexpr scenario::Range range{0.0, 1.0}; // of all parameters
   const double usual = (Classifier().*named.parameter)();
   return {named.name, Classifier::is_exact, Classifier_parameter{named.letter, usual, range}};
 }

@@ -37,8 +37,8 @@ public:
   virtual const std::vector<Point>& points() const = 0;
   virtual double time() const = 0;
 
-  // Of the frame; none where space is not periodic. All frames have a cell of one kind, or none.
-  // Points need not lie in it: each stands for all its images.
+  // The cell of the frame; none where space is not periodic. Either all frames have a cell of one
+  // kind, or none has one. Points need not lie in it: each stands for all its images.
   virtual std::optional<Cell> cell() const { return std::nullopt; }
 
   // Goes to the next frame. False, and nothing changes, when there is none.
@@ -57,7 +57,7 @@ public:
   // Whether advance() looks at the edges; if not, it may be given none.
   virtual bool uses_neighbors() const { return false; }
 
-  // In the unit in which a scenario file states it. A recording has none.
+  // Time steps, in the unit of scenario files. A recording has none.
   virtual std::optional<double> time_step() const { return std::nullopt; }
   virtual std::optional<double> largest_stable_time_step() const { return std::nullopt; }
 

@@ -28,11 +28,11 @@
 
 namespace run {
 
-// Who is whose neighbor in a triangulation, as a motion's physics asks for it. Keeps its memory.
+// Reads the pairs of neighbors that a motion's physics needs. Keeps its memory.
 class Neighbor_reader
 {
 public:
-  // Ids are places in the motion. A motion that does not ask gets none.
+  // Returns pairs of ids, which are places in the motion; none if the motion uses no neighbors.
   template <class Dynamic>
   const scenario::Neighbor_edges& operator()(const scenario::Motion& motion, const Dynamic& dt)
   {
@@ -52,9 +52,9 @@ private:
   scenario::Neighbor_edges m_edges;
 };
 
-// The triangulation of a motion, from its first frame on. Where points come and go it knows them by
-// the motion's ids; elsewhere their places are ids enough. `Space` knows how a triangulation of its
-// kind takes a frame.
+// The triangulation of a motion, from its first frame on. If points come and go, it knows them by
+// the motion's ids, otherwise by their places. `Space` has functions that give a frame to a
+// triangulation of its kind.
 template <class Dynamic, class Space>
 class Kept_motion
 {
@@ -102,7 +102,7 @@ private:
                          boost::make_function_property_map<std::size_t>(point));
   }
 
-  // one of them
+  // exactly one of them exists
   std::optional<Dynamic> m_triangulation;
   std::optional<Population> m_population;
 };
@@ -146,7 +146,7 @@ public:
     return is_there;
   }
 
-  // A step without checks, where they would take longer than all else.
+  // Makes a step without checks, which can take longer than all else.
   bool measure()
   {
     return go_on([this] {
@@ -155,8 +155,8 @@ public:
     });
   }
 
-  // A step without checks and opponents, on the way to the frames that count. Their order
-  // for the opponents comes from the frame before the next one that is measured, if `is_last`.
+  // Makes a step without checks and opponents, on the way to frames that are measured. If `is_last`
+  // the next one is measured, and opponents find the order for it in this frame.
   bool follow(bool is_last)
   {
     return go_on([this, is_last] {
@@ -210,11 +210,11 @@ protected:
     return triangulation().frame().vertex(m_kept->id(m_motion, place));
   }
 
-  // Against an opponent's triangulation of the frame.
+  // The Matthews correlation coefficient as against an opponent's triangulation of the frame.
   virtual double agreement() = 0;
 
 private:
-  // Another image is another contact. Walls may divide what a cell has of one.
+  // The number of images of points that a cell touches. Walls may divide a contact into pieces.
   template <class Cells>
   static std::size_t number_of_contacts(const Cells& cells, std::size_t id)
   {

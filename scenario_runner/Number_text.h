@@ -12,24 +12,24 @@
 
 namespace run {
 
-// The shortest text that is read as the same number again; or with so many significant digits, of
-// which the last zeros are left out. In no locale, with an exponent where that is shorter.
+// The shortest text that is read as the same number again; or with `digits` significant digits,
+// without trailing zeros. In no locale, with an exponent where that is shorter.
 std::string number_text(double value);
 std::string number_text(double value, int digits);
 
-// With so many digits behind the point, never an exponent.
+// A text with `digits` digits behind the point, and never an exponent.
 std::string fixed_text(double value, int digits);
 
 // For people: three significant digits, never an exponent; a dash for none.
 std::string readable(double value);
 std::string readable(const std::optional<double>& value);
 
-// Never rounded up: what is shown as 1 is 1.
+// A validity, never rounded up: only 1 is shown as 1.
 std::string readable_validity(const std::optional<double>& value);
 
 using scenario::is_number;
 
-// The number that a text is, in the range.
+// Reads a number in the range.
 // \throws std::invalid_argument, with the range in the message
 std::uint64_t count_argument(const std::string& text, std::uint64_t lowest, std::uint64_t highest);
 double number_argument(const std::string& text, const scenario::Range& range);

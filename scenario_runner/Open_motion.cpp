@@ -25,7 +25,7 @@ std::filesystem::path without_gz(const std::filesystem::path& file)
   return lower_case(file.extension().string()) == ".gz" ? file.parent_path() / file.stem() : file;
 }
 
-// What a file has to hold, by its name alone; nothing if the name does not say it.
+// The format of a file by its name alone; nothing if the name does not tell.
 std::optional<Motion_format> motion_format(const std::filesystem::path& file)
 {
   const std::string extension = lower_case(without_gz(file).extension().string());
@@ -44,13 +44,13 @@ std::optional<Motion_format> motion_format(const std::filesystem::path& file)
   return std::nullopt;
 }
 
-// What a recording is called after its file.
+// The name of a recording, after its file.
 std::string recording_name(const std::string& path)
 {
   return is_standard_input(path) ? "standard_input" : without_gz(path).stem().string();
 }
 
-// A .txt beside recordings more often tells of them.
+// A .txt file in a directory of recordings is more likely a description than a recording.
 bool is_recording(const std::filesystem::path& file)
 {
   const auto format = motion_format(file);

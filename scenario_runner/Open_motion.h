@@ -32,7 +32,7 @@ std::unique_ptr<Brownian_motion> make_motion(const Scenario_description& descrip
                                              Brownian_description brownian,
                                              const Overrides& overrides);
 
-// What a scenario file says and its motion does not; a recording says nothing of it.
+// Facts that a scenario file states but its motion does not. A recording has none of them.
 struct Scenario_facts
 {
   std::optional<std::uint64_t> seed{};
@@ -45,7 +45,7 @@ Scenario_facts scenario_facts(const std::string& path, const std::optional<std::
 std::vector<std::string> known_scenarios();
 std::string scenario_file(const std::string& name);
 
-// The file that a person means who names a scenario or a file.
+// The file of a scenario that is given by its name or by a file name.
 std::string scenario_path(const std::string& name);
 
 // Where recorded motion is, which is no part of the package: in the directory that the environment

@@ -14,7 +14,7 @@ namespace run {
 
 namespace {
 
-// If the system has said it since the last check.
+// The reason of a failure, if the system has given one since the last check.
 std::string reason()
 {
   return errno != 0 ? std::string(": ") + std::strerror(errno) : "";

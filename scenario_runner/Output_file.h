@@ -11,8 +11,8 @@
 
 namespace run {
 
-// A file that is there as a whole or not at all: it gets its name when it is finished. A device or
-// a pipe is written directly.
+// A file that exists as a whole or not at all: it gets its name when it is finished. A device or a
+// pipe is written directly.
 class Output_file
 {
 public:
@@ -23,7 +23,7 @@ public:
 
   std::ostream& stream() { return m_stream; }
 
-  // After each frame: a full disk is told when it is full, not after the last frame.
+  // To be called after each frame: throws when the disk is full, not only after the last frame.
   void check();
 
   void finish();

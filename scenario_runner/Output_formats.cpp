@@ -18,8 +18,8 @@ namespace {
 
 constexpr const char* const grid_ending = ".vtu";
 
-// Programs that look at a cell divide by its sides. One without a length reaches from the origin
-// then, and at the origin it is 1.
+// Programs that show a cell divide by the lengths of its sides. A side without a length is made to
+// reach from the origin, or to have length 1 at the origin.
 void widen(double& low, double& high)
 {
   if (low == high) {
@@ -75,7 +75,7 @@ void write_lammps_head(std::ostream& out, const Run_view& run, const Bounds& bou
   out << "ITEM: ATOMS id type x y z set\n";
 }
 
-// `text(i)` is what the array has for the i-th of `size` things.
+// Writes an array of `size` elements; `text(i)` is the text of the i-th one.
 template <class Text>
 void write_array(std::ostream& out, const char* attributes, std::size_t size, const Text& text)
 {
@@ -86,8 +86,8 @@ void write_array(std::ostream& out, const char* attributes, std::size_t size, co
   out << "</DataArray>\n";
 }
 
-// The points of a grid and its triangles, by their places among these points. At first the points
-// of the motion, then the images that only triangles across the sides of the cell need.
+// The points of a grid, and its triangles by their places among these points: first the points of
+// the motion, then the images that only triangles across the sides of the cell need.
 class Grid_points
 {
 public:
@@ -141,7 +141,7 @@ std::string space_text(const scenario::Point& p)
   return number_text(p.x) + ' ' + number_text(p.y) + " 0";
 }
 
-// Where its sides begin, and its sides.
+// Writes the corner of a cell, where its sides begin, and its sides.
 void write_grid_cell(std::ostream& out, const scenario::Cell& cell)
 {
   write_array(out, R"(type="Float64" Name="CellCorner" NumberOfComponents="3" NumberOfTuples="1")",
@@ -283,8 +283,8 @@ void Vtk_series::finish()
   m_collection.finish();
 }
 
-// A collection takes files of one time for parts of one picture, and a recording may have any
-// times: where they do not ascend, the numbers of the frames stand for them.
+// In a collection files of equal times are parts of one picture, and a recording may have any
+// times: if they do not ascend, the numbers of the frames take their place.
 std::vector<double> Vtk_series::distinct_times() const
 {
   const bool ascend =

@@ -23,7 +23,7 @@ Shift difference(const Shift& s, const Shift& t)
   return {s[0] - t[0], s[1] - t[1]};
 }
 
-// Of faces, each with the corners opposite to it.
+// The edges of faces, each with the corners opposite to it.
 class Periodic_edges
 {
 public:
@@ -50,7 +50,7 @@ public:
     }
   }
 
-  // Those of these edges that the others have not; ties are no errors.
+  // The number of these edges that the others lack, without those that are ties.
   std::size_t number_beyond(const Periodic_edges& others) const
   {
     return static_cast<std::size_t>(

@@ -35,8 +35,8 @@ Periodic_face normal(const Periodic_face& face);
 void sort_once(std::vector<Periodic_face>& faces);
 
 // The Matthews correlation coefficient of the edges of these faces, as against those of a
-// reference: 1 if they agree, where it is no error to choose otherwise among what doubles cannot
-// tell apart, as diagonals of four points on a circle. Both are normal, and sorted.
+// reference: 1 if they agree. Another choice among edges that doubles cannot tell apart, such as
+// the diagonals of four points on a circle, is no error. Both are normal, and sorted.
 double agreement_of(const std::vector<Periodic_face>& faces,
                     const std::vector<Periodic_face>& reference,
                     const std::vector<scenario::Point>& points, const scenario::Cell& cell);

@@ -81,7 +81,7 @@ using Dynamic_periodic =
     CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Classifier, Any_repair, Any_policy,
                                                     CGAL::Default, Concurrency_tag>;
 
-// Of a motion that has a cell.
+// The run of a motion that has a cell.
 template <class Classifier>
 class Periodic_run : public Motion_run<Dynamic_periodic<Classifier>, Periodic_space>
 {
@@ -176,7 +176,7 @@ private:
     return places;
   }
 
-  // The only vector of a slab is the first one to the triangulation.
+  // Converts a shift of the triangulation, to which the only vector of a slab is the first one.
   scenario::Shift along_sides(const CGAL::Periodic_shift_2& shift) const
   {
     const scenario::Cell cell = *motion().cell();

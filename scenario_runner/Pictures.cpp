@@ -12,7 +12,7 @@ namespace run {
 
 namespace {
 
-// Without the last digits, in which a product like 154 * 0.3 is not 46.2.
+// Omits the last digits, in which a product like 154 * 0.3 differs from 46.2.
 std::string readable_time(double time)
 {
   return number_text(time, 12);
@@ -71,7 +71,7 @@ element("frames").open = false;
 show(0);
 )";
 
-// Of the colors.
+// Writes the legend of the colors.
 void write_picture_legend(std::ostream& out)
 {
   for (auto entry = set_legends.rbegin(); entry != set_legends.rend(); ++entry) {
@@ -201,7 +201,7 @@ private:
     return {m_view.x(point), m_view.y(point)};
   }
 
-  // As large as room between the points allows.
+  // A radius as large as the room between points allows.
   double radius() const
   {
     const double room = std::sqrt(m_view.width() * m_view.height() /
@@ -215,7 +215,7 @@ private:
   const Picture_view& m_view;
 };
 
-// Of all that is drawn in periodic space; else as of a file.
+// The bounds of all that is drawn in periodic space; elsewhere those that files have.
 Bounds picture_bounds(const Picture_geometry& geometry, const std::optional<scenario::Box>& box)
 {
   if (geometry.outline.empty()) {

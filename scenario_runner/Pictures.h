@@ -37,7 +37,7 @@ private:
   }
 };
 
-// Of all points; the origin if there are none.
+// The bounds of all points; the origin if there are none.
 Bounds bounds_of(const std::vector<scenario::Point>& points);
 
 // The box of the scenario, if it has one, or else of all points of the frame.
@@ -106,7 +106,7 @@ private:
   std::size_t m_every;
 };
 
-// As many as a person looks at.
+// A choice of about as many frames as a person looks at.
 inline Frame_choice about_thirty(std::size_t frames)
 {
   return {frames, frames / 30 + 1};

@@ -128,7 +128,7 @@ bool is_one_file(const std::filesystem::path& a, const std::filesystem::path& b)
   return a.lexically_normal() == b.lexically_normal() || std::filesystem::equivalent(a, b, ignored);
 }
 
-// A file that two outputs write would hold one of them; one that is the recording would replace it.
+// Two outputs must not write the same file, and none may replace the recording.
 void check_files(const Run_options& options)
 {
   std::vector<std::pair<std::string, std::string>> files;

@@ -29,7 +29,7 @@ Point translated(const Point& point, const Cell& cell, const Shift& shift)
   return {point.x + by.x, point.y + by.y};
 }
 
-// By how many sides the image that is nearest to a place is away from a point.
+// The shift from a point to its image that is nearest to a place.
 Shift nearest_shift(const Point& point, const Point& place, const Cell& cell)
 {
   const Point at = along_sides({place.x - point.x, place.y - point.y}, cell);
@@ -48,9 +48,9 @@ void append_ascending(Packed_bytes& bytes, const std::vector<std::size_t>& numbe
   }
 }
 
-// What was removed from an ascending list, by its places there, and what was added. Of each tuple
-// so many numbers: the first one as difference to that of the tuple before, further corners as
-// differences to the first one, shifts as they are.
+// Appends the places in an ascending list at which tuples were removed, and the tuples that were
+// added, `numbers` numbers of each: the first one as difference to that of the tuple before,
+// further corners as differences to the first one, shifts as they are.
 template <class Tuple>
 void append_changes(Packed_bytes& bytes, const std::vector<Tuple>& before,
                     const std::vector<Tuple>& after, std::size_t corners, std::size_t numbers)
@@ -97,7 +97,7 @@ Json of_cells(const std::vector<std::optional<Cell>>& cells)
   return list;
 }
 
-// Four digits are more than a clock has.
+// Rounds a time to four digits, more than clocks have.
 double rounded(double value)
 {
   const double scale = value > 0.0 ? std::pow(10.0, 3.0 - std::floor(std::log10(value))) : 1.0;
@@ -223,7 +223,7 @@ void Run_recording::remove_gone(const std::vector<std::int64_t>& ids)
   append_ascending(m_changes, gone);
 }
 
-// Into the cell, or to where the point was.
+// The shift of a new point into the cell, or of a known one to the image nearest to its last place.
 Run_recording::Shift Run_recording::shift_of(const scenario::Motion& motion, std::size_t place,
                                              const Followed_point* before)
 {
@@ -280,8 +280,8 @@ void Run_recording::add_positions(const scenario::Motion& motion, const Places& 
   m_positions.push_back(std::move(frame));
 }
 
-// The fastest of all frames, but for a twentieth of the points of each: a single one that is much
-// faster would leave one color to all others.
+// The largest speed in all frames, without the fastest twentieth of the points of each: a single
+// point that is much faster would leave one color to all others.
 void Run_recording::add_speed(const std::vector<double>& squared_distances, double time)
 {
   if (squared_distances.empty()) {
@@ -387,8 +387,8 @@ double Run_recording::quantum() const
   return (std::max)(side / steps_of_longer_side, (std::numeric_limits<double>::min)());
 }
 
-// Of each point of each frame, as multiples of the quantum: where a new one is, and how far the
-// others have moved.
+// For each point of each frame, as multiples of the quantum: the position of a new one, and the
+// displacement of the others.
 std::string Run_recording::packed_positions() const
 {
   Packed_bytes bytes;

@@ -59,7 +59,7 @@ private:
     std::vector<scenario::Point> points;
   };
 
-  // What a frame has by the places of its points.
+  // The numbers and shifts of the points of a frame, by their places.
   struct Places
   {
     std::vector<Number> numbers;

@@ -19,7 +19,7 @@
 
 namespace run {
 
-// What ran, with all defaults filled in.
+// The settings of a run, with all defaults filled in.
 struct Run_subject
 {
   std::string scenario;
@@ -35,7 +35,7 @@ struct Run_subject
   std::optional<std::string> cell{}; // "torus" or "slab" where space is periodic
 };
 
-// What keeps the triangulation, in a line.
+// The classifier, repair and policy of a run, in one line.
 std::string method_text(const Run_subject& subject);
 
 // Nanoseconds a point, over frames.
@@ -46,7 +46,7 @@ struct Time_summary
   std::optional<Spread> static_fastest;
 };
 
-// All frames after the first one in a few numbers. What no frame tells is not there.
+// All frames after the first one in a few numbers. Numbers that no frame yields are missing.
 struct Run_summary
 {
   std::size_t points = 0; // the most in a frame

@@ -65,7 +65,7 @@ public:
     return value.get<std::uint64_t>();
   }
 
-  // Of things, at least one.
+  // A number of things, at least one.
   std::size_t count(const std::string& key, std::size_t high) const
   {
     return static_cast<std::size_t>(integer(key, 1, high));
@@ -200,7 +200,7 @@ void check_bonded(const Json_object_reader& reader, const Body_description& body
   }
 }
 
-// Of lengths, masses and stiffnesses. Beyond it their quotients could leave the range of numbers.
+// The range of lengths, masses and stiffnesses. Beyond it quotients could overflow.
 constexpr Range magnitude{1e-6, 1e6};
 
 Body_description read_body(const Json_object_reader& reader)

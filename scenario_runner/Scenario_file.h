@@ -21,15 +21,15 @@ constexpr double largest_time_step = 10.0;
 
 enum class Packing { square, hexagonal };
 
-// From the origin to this corner.
+// A box from the origin to (width, height).
 struct Box
 {
   double width;
   double height;
 };
 
-// What the sides of a box do: all keep the points inside; or a point that leaves through the left
-// or the right one comes in through the other; or through any of them.
+// The sides of a box keep points inside (closed), or a point that leaves through the left or right
+// side comes in through the other one (channel), or so through any side (periodic).
 enum class Cell_kind { closed, channel, periodic };
 
 // The cell of such a box; none if it is closed.
@@ -52,7 +52,7 @@ struct Body_description
   std::size_t number_of_points() const { return rows * columns; }
 };
 
-// In diameters.
+// The distance between rows, in diameters.
 double row_distance(Packing packing);
 
 struct Particle_description

@@ -59,7 +59,7 @@ using Open_dynamic =
     CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, Any_repair, CGAL::Default,
                                            Any_policy, CGAL::Default, Concurrency_tag>;
 
-// Of a motion in the plane.
+// The run of a motion in the plane.
 template <class Classifier>
 class Scenario_run : public Motion_run<Open_dynamic<Classifier>, Open_space>
 {
@@ -121,7 +121,7 @@ private:
         .matthews_correlation_coefficient();
   }
 
-  // Of the first of the points that coincide there.
+  // The place of each vertex: that of the first of the points that coincide there.
   std::vector<std::uint32_t> places_of_vertices() const
   {
     std::vector<std::uint32_t> places(triangulation().number_of_vertices() + 1);

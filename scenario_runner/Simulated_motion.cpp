@@ -71,7 +71,7 @@ public:
 private:
   double reach() const { return 1.6 * m_diameter; }
 
-  // Those that are near across a side of a periodic box, and not inside of it.
+  // Finds the pairs that are near across a side of a periodic box, and not inside of it.
   void find_pairs_across()
   {
     std::vector<std::size_t> outer;
@@ -212,7 +212,7 @@ double Periods::nearest(double offset, double period)
   return period == 0.0 ? offset : offset - period * std::round(offset / period);
 }
 
-// Rounding may lead out of the box again, by less than doubles tell.
+// Rounding may lead out of the box again: such a coordinate becomes 0.
 double Periods::wrapped(double coordinate, double period)
 {
   const double rest = coordinate - period * std::floor(coordinate / period);

@@ -46,10 +46,10 @@ struct Periods
   double x = 0.0;
   double y = 0.0;
 
-  // To the nearest image.
+  // The offset to the nearest image.
   Point nearest(const Point& offset) const { return {nearest(offset.x, x), nearest(offset.y, y)}; }
 
-  // Between 0 and the period, if there is one.
+  // The coordinate between 0 and the period, if there is one.
   static double wrapped(double coordinate, double period);
 
 private:
@@ -142,23 +142,23 @@ public:
   // kinetic energy is taken with velocities brought to the time of the positions.
   Energy energy(const Neighbor_edges& neighbors, double time_step);
 
-  // What pulls all particles; at first the parameters' gravity, downwards.
+  // The acceleration of all particles; at first the parameters' gravity, downwards.
   void set_gravity(const Point& acceleration) { m_gravity = acceleration; }
 
   // A force of the next step alone.
   void push(std::uint32_t particle, const Point& force) { m_pushes.emplace_back(particle, force); }
 
-  // At rest, without bonds, and with the next number.
+  // Adds a particle at rest, without bonds, and with the next number.
   void add(const Point& position);
 
-  // Its bonds break, and it is nowhere: its position and velocity are NaN, and so is energy() as
-  // long as it is not put somewhere. The others keep their numbers; edges must not name it.
+  // Breaks the particle's bonds, and makes its position and velocity NaN; so is energy() until
+  // put() is called. The others keep their numbers; edges must not name it.
   void remove(std::uint32_t particle);
 
-  // At rest, with the bonds that it has.
+  // Puts a particle to a position, at rest, with the bonds that it has.
   void put(std::uint32_t particle, const Point& position);
 
-  // Of the box; none if it is closed.
+  // The cell of the box; none if it is closed.
   std::optional<Cell> cell() const;
 
   const std::vector<Point>& positions() const { return m_positions; }
@@ -274,10 +274,10 @@ public:
 
   double mean_spacing() const;
 
-  // As a step that leads there would leave it.
+  // Puts a point to a place, reflected or wrapped as by a step that leads there.
   void put(std::size_t i, const Point& place);
 
-  // With the next id.
+  // Adds a point with the next id.
   void add(const Point& place);
 
 private:

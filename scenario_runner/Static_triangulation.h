@@ -61,14 +61,14 @@ public:
 
   void prepare(const std::vector<scenario::Point>& points, bool population_changed);
 
-  // CGAL's own insertion of a range, what a user writes.
+  // CGAL's own insertion of a range, as a user would write it.
   double time_insert();
 
   // Insertion in the spatial order of the frame before, each point located from the last one: the
   // fastest way that we know with CGAL's own means.
   double time_fastest();
 
-  // Of time_insert().
+  // The triangulation of time_insert().
   const Static_triangulation& reference() const { return *m_insert; }
 
 private:

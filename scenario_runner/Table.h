@@ -20,7 +20,7 @@ class Table
 public:
   enum class Align { LEFT, RIGHT };
 
-  // Without headings there is no line of them. `others`: the columns after the first one.
+  // Without headings there is no line of them. `others`: alignment of columns after the first one.
   explicit Table(std::vector<std::string> headings = {}, Align others = Align::RIGHT);
 
   // Texts, whole numbers, and other numbers as readable() has them. Rows may differ in length.

@@ -124,7 +124,7 @@ private:
     }
   }
 
-  // In the line of the text up to which it could be unzipped.
+  // Throws an error in the line of the text up to which it could be unzipped.
   [[noreturn]] void fail(const std::string& message) const
   {
     const auto ends = std::count(m_text.begin(), m_text.end(), '\n');
@@ -194,7 +194,7 @@ std::string Range::text() const
          run::number_text(high, digits);
 }
 
-// What is compressed by gzip, whatever its name, is unzipped.
+// Reads a file. If it is compressed by gzip, whatever its name, it is unzipped.
 std::string read_text_file(const std::string& path)
 {
   std::error_code ignored;

@@ -19,11 +19,11 @@ namespace run {
 // The triangulations of run_scenario use threads where TBB is there, as many as they are given.
 using Concurrency_tag = CGAL::Parallel_if_available_tag;
 
-// So many threads, the caller's among them, for whatever is executed here.
+// Executes functions with a number of threads, the caller's among them.
 class Threads
 {
 public:
-  // 0 for all that the machine has. It gets no more than these.
+  // 0 for all threads that the machine has; never more than these.
   explicit Threads(unsigned number)
 #ifdef CGAL_LINKED_WITH_TBB
     : m_arena(number == 0 ? tbb::task_arena::automatic

@@ -20,8 +20,8 @@ namespace scenario {
 
 namespace {
 
-// What the second line of a frame says, by its keys in lower case. What is no key=value is a
-// comment.
+// The values in the second line of a frame, by their keys in lower case. Text that is no key=value
+// is a comment.
 class Xyz_comment
 {
 public:
@@ -45,7 +45,7 @@ public:
     return found == m_values.end() ? std::nullopt : std::optional(found->second);
   }
 
-  // The numbers that a key has.
+  // The numbers in the value of a key.
   std::vector<double> numbers(const std::string& key, std::size_t size) const
   {
     std::vector<std::string_view> fields;
@@ -68,7 +68,7 @@ private:
     return static_cast<std::size_t>(std::find_if(line.begin(), line.end(), ends) - line.begin());
   }
 
-  // Up to the next blank, or between quotes, braces or brackets.
+  // Takes a value up to the next blank, or between quotes, braces or brackets.
   std::string_view take_value(std::string_view& line) const
   {
     constexpr std::string_view openings = "\"'{[", closings = "\"'}]";
@@ -202,7 +202,7 @@ private:
     m_scanner.fail("pbc has " + in_quotes(word) + ", expected T or F");
   }
 
-  // Of name:type:number and so on.
+  // The columns by a text of the form name:type:number:name:type:number...
   Columns read_columns(std::string_view properties) const
   {
     std::vector<std::string_view> words;

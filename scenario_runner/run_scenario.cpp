@@ -35,8 +35,8 @@
 
 namespace {
 
-// Where the frames go while they pass. Everything is opened before the first one, so that a wrong
-// path is no surprise at the end.
+// All outputs of frames, which are written while they pass. Files are opened before the first
+// frame, so that a wrong path is reported at once.
 class Outputs
 {
 public:
@@ -176,7 +176,7 @@ run::Run_summary run_all(Run& run, std::size_t frames, Outputs& outputs)
   return run::summarize(points_of_first_frame, records);
 }
 
-// Of a motion in the plane or in periodic space.
+// Runs the frames of a motion in the plane or in periodic space.
 template <template <class> class Run, class Classifier>
 run::Run_summary run_frames_of(scenario::Motion& motion, const Classifier& classifier,
                                const run::Run_subject& subject, std::size_t frames,
@@ -213,12 +213,12 @@ std::unique_ptr<scenario::Motion> open(const std::string& path, const run::Run_o
 {
   scenario::Overrides overrides = options.overrides;
   if (is_recording) {
-    overrides.seed.reset(); // it is the random classifier's alone
+    overrides.seed.reset(); // only the random classifier needs it
   }
   return scenario::open_motion(path, overrides);
 }
 
-// What it prints, and whether that arrives.
+// Prints the table, and throws if the output cannot be written.
 void print(const run::Run_subject& subject, const run::Run_summary& summary)
 {
   errno = 0;

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Is an update ever slower than triangulating anew? For motions of all kinds, calm ones and the
-// worst that we could think of, every frame is updated, and triangulated anew in three ways:
-// CGAL's insertion of the range, its insertion in the spatial order of the frame before, and in
-// that of this frame, found while the clock runs; common/Fastest_static.h. The ratio of a
-// frame is the time of the update over that of the fastest of these three. Time is that of the
-// thread.
+// Is an update ever slower than triangulating anew? For motions of all kinds, from calm ones to the
+// worst that we could think of, every frame is updated, and triangulated anew in three ways: by
+// CGAL's insertion of the range, by its insertion in the spatial order of the frame before, and by
+// its insertion in the spatial order of this frame, which is found while the clock runs; see
+// common/Fastest_static.h. The ratio of a frame is the time of the update over that of the fastest
+// of these three. Time is that of the thread.
 //
 // A sequence that seems slow, by its median or by a single frame, is repeated up to twice, and the
 // smallest ratio of each frame counts. A frame of more than two seconds is the last one of its
@@ -21,9 +21,9 @@
 // Outside of the timing every frame has to be certified. Up to 10000 points each also has to be
 // valid, and to have the edges of a fresh triangulation. The first fault ends the program.
 //
-// A kind of frames is a program of one line, random_operations/Program.h, of a base cloud and
-// motions.
-// --program runs one, and --adversary puts them together by chance and goes on from the slowest.
+// A kind of frames is a program of one line, made of a base cloud and motions; see
+// random_operations/Program.h. --program runs one program. --adversary draws programs at random and
+// searches for slower ones among variations of the slowest.
 
 #include "any_motion/Adversary.h"
 #include "any_motion/Kinds.h"

@@ -54,7 +54,7 @@ double side(const benchmark::State& state)
   return std::sqrt(double(state.range(0)));
 }
 
-// In each row and column.
+// The number of pillars in each row and column.
 std::size_t pillars(const benchmark::State& state, bool is_forest)
 {
   return is_forest ? std::size_t(side(state) / 4) : 4;
@@ -78,7 +78,7 @@ Domain hall(const benchmark::State& state, std::size_t pillars)
   return hall;
 }
 
-// None of them in a pillar.
+// Random points, none of them in a pillar.
 Points cloud(const benchmark::State& state, std::size_t pillars)
 {
   std::mt19937_64 random(1);

@@ -101,7 +101,7 @@ const Case_table padding_table = {"A fast point through a cloud at rest, border 
                                    {"enlargements", 13, 2},
                                    {"rebuilt", 8, 3}}};
 
-// Made when a row wants it, and kept for the next one: rows of one scenario follow each other.
+// A recording that is made for the first row of a scenario and kept for those that follow.
 class Kept_recording
 {
 public:
@@ -121,7 +121,7 @@ private:
   Recorded_frames m_recording;
 };
 
-// The rows, and where they go.
+// The rows of all tables, with the recordings that they need.
 class Rows
 {
 public:
@@ -146,7 +146,7 @@ public:
     });
   }
 
-  // Those that were run, with all digits, and nothing where there is no figure.
+  // Writes the rows that were run, with all digits; cells without a figure are empty.
   void write_csv(const Case_table& table, const std::string& path) const
   {
     if (m_rows.count(&table) == 0) {

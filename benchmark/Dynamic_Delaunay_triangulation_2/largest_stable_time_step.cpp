@@ -7,13 +7,12 @@
 // and its own seed, neighbors taken from a fresh Delaunay triangulation of every frame,
 //  - every coordinate stays finite, and no center of a particle passes a wall;
 //  - the total energy, averaged over windows of 20 frames, never rises above its lowest value so
-//  far by
-//    more than a twentieth of its first value: springs and dampers may only store and take energy;
+//    far by more than a twentieth of its first value: springs and dampers may only store and take
+//    energy;
 //  - no bond that cannot break is ever strained by a tenth: hard bodies hold together;
 //  - the kinetic energy of the last 100 frames is at most twice that at the end of a run with half
-//  the time
-//    step and twice the frames, give or take a ten-thousandth of the first energy: what should be
-//    at rest does not boil.
+//    the time step and twice the frames, give or take a ten-thousandth of the first energy: points
+//    that should be at rest do not boil.
 // Near its bound stability is a matter of chance, so the printed value, in sqrt(mass / stiffness)
 // and rounded down to hundredths, is the largest one below which the bisection met no unstable one.
 

@@ -69,7 +69,7 @@ struct Iteration
 
 using Iterations = std::vector<Iteration>;
 
-// One point to a unit of area.
+// A relaxation of a cloud with one point to a unit of area.
 class Relaxation
 {
 public:
@@ -78,7 +78,7 @@ public:
     , m_points(random_cloud<scenario::Point>(points, random))
   {
     m_dynamic = Dynamic(m_points.begin(), m_points.end(), run::Point_map());
-    m_opponents.prepare(m_points, true); // for the order
+    m_opponents.prepare(m_points, true); // for the spatial order
   }
 
   Iterations run()
@@ -98,7 +98,7 @@ public:
   }
 
 private:
-  // Returns the mean way of a point.
+  // Moves points to centroids, and returns their mean way.
   double move()
   {
     m_cells.compute(m_dynamic, CGAL::Bbox_2(0.0, 0.0, m_side, m_side));
@@ -140,7 +140,7 @@ std::size_t relaxations_of(std::size_t points)
   return std::clamp(all_points / points, fewest, most);
 }
 
-// All cases of a size share its relaxations, and the first one that is run has them computed.
+// The relaxations of each size, which all its cases share, and which are computed for the first.
 class Relaxations
 {
 public:

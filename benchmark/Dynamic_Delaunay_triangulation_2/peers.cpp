@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// This package next to others who triangulate, on the same frames of the same motions, in one run
-// and in turn, the order rotating. Who is there, and what of each is timed and why, stands in
-// peers/..._peer.h; what is common to all in peers/Peer.h. All points are on a grid of integers,
-// peers/Grid_motion.h.
+// Compares this package with other programs that triangulate, on the same frames of the same
+// motions, in one run and in turn, the order rotating. The peers, and what of each is timed and
+// why, are described in peers/..._peer.h; what is common to all in peers/Peer.h. All points are on
+// a grid of integers, see peers/Grid_motion.h.
 //
 // Columns of the table:
 //   ns/point, q1, q3   median over the frames, and quartiles
@@ -14,8 +14,8 @@
 //                faces is right, by exact predicates, ties counting as equal
 //   validity     mean of the Matthews correlation coefficient of the edges
 //
-// A difference of those who promise to be exact, CGAL and this package, ends the program with an
-// error. All others' are counted.
+// CGAL and this package promise to be exact: a difference in one of their results ends the program
+// with an error. Differences of all others are counted.
 
 #include "common/Program.h"
 #include "peers/Delaunator_peer.h"

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What ranks hold, send and wait for: points that are spread over MPI processes, all of them on
+// How much ranks hold, send and wait, for points that are spread over MPI processes, all of them on
 // this machine. `./dev bench ranks` runs it with 1, 2, 4 and 8 processes.
 //
 // Columns, means over ranks and frames unless it says otherwise:
@@ -12,15 +12,15 @@
 //   depth       ghosts over 4 sqrt(own): how many layers around a square of unit spacing they are
 //   messages    messages between two ranks, of a frame
 //   bytes       in these messages; `ideal` is 16 bytes for each ghost, in a periodic cell 24
-//   gathered    bytes of a frame that all ranks hear of, from all of them
+//   gathered    bytes of a frame that each rank receives from all ranks by collective calls
 //   asking      the share of frames in which any rank had to ask, in percent
 //   ms          milliseconds of a frame, until the last rank has ended it: median over the frames,
 //               `q1` and `q3` its quartiles, and `worst` the slowest frame
 //   comm        the share of all frames in which a rank sends, receives or waits, in percent
-//   over        the share in which it does other things while messages are under way that it has
-//               sent, for all it knows, in percent
+//   over        the share in which it does other things while messages that it has sent may be
+//               under way, in percent
 //
-// With more processes than cores the last six say nothing but that.
+// With more processes than cores the last six columns are meaningless.
 
 #include <CGAL/Distributed_dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Distributed_dynamic_periodic_Delaunay_triangulation_2.h>
@@ -117,7 +117,7 @@ Figures measure(Triangulation& dt, int frames, double bytes_of_ghost, const Move
     }
     return seconds;
   };
-  run_frames(12); // what construction has asked for too much is dropped
+  run_frames(12); // drops the superfluous ghosts of construction
   const Frame_mean messages(double(dt.number_of_messages()), frames);
   const Frame_mean bytes(double(dt.number_of_bytes()), frames);
   const Frame_mean gathered(double(dt.number_of_gathered_bytes()), frames);
@@ -160,12 +160,12 @@ void print(const std::string& name, const Figures& f)
 // Weak scaling, from the figures of this run. Assumed: a square of evenly spread points, cut into
 // squares, one process to a core; a message takes 2 microseconds and 10 GB/s; a collective call
 // takes 2 microseconds for each doubling of the number of ranks, and 10 GB/s for what it gathers; a
-// frame has 6 of them. Held points take the time that they do here. Of its boundary a rank has as
-// many ghosts and questions as here, in proportion; where no frame asked here, one of them is taken
-// to have done so. An asking frame has 2 exchanges and 4 collective calls more for each round, of
-// which there is one, and tells all ranks 16 boxes of each, and one zone of 6 bytes for each
-// spacing of its boundary. The efficiency is that next to ranks that need no others, but do prove
-// all faces.
+// frame has 6 of them. Each held point takes as much time as in this run. Ghosts and questions are
+// in proportion to the boundary of a rank, as many as in this run; if no frame of this run asked,
+// one of them counts as if it had. An asking frame has 2 exchanges and 4 collective calls more for
+// each round, of which there is one. It gathers 16 boxes of each rank, and a zone of 6 bytes for
+// each spacing of its boundary. The efficiency is relative to ranks that need no others, but do
+// prove all faces.
 void print_model(const Figures& f, int frames, double points_per_rank)
 {
   const double latency = 2e-6, bandwidth = 1e10;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Does millions of random things to triangulations, and looks at each of them after each of these:
+// Makes millions of random calls of triangulations, and checks the triangulation after each call:
 // is it valid, is every point where it has to be, is it certified if its classifier is exact, and
 // is it equal to a fresh triangulation of CGAL's if it says that it is certified?
 //
@@ -22,8 +22,8 @@
 //   wrong        not Delaunay, not valid, or not what it says to be
 //   lost         a point, an id or a vertex is not where it has to be
 //   crashed      an exception that was not asked for
-// A trial ends with its first fault. What kills the program, or takes it too long, is named with
-// the trial. The program ends with success only if there are no faults.
+// A trial ends with its first fault. If an operation crashes the program or takes too long, it is
+// reported with its trial. The program ends with success only if there are no faults.
 
 #ifndef ROBUSTNESS_PROGRAM
 #define ROBUSTNESS_PROGRAM "robustness"

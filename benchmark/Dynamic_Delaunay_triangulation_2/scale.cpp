@@ -28,8 +28,8 @@
 // copying would have moved so much. Where all fits into the caches, it may exceed 1.
 //
 // Memory is what operator new gave, without the caller's points: after the construction, after
-// calm and rough frames, and after a rebuild; beyond is that after rough frames less CGAL's own
-// triangulation of the same points. The peaks are the most at any time. GB is the largest of them.
+// calm and rough frames, and after a rebuild; beyond is that after rough frames minus that of
+// CGAL's own triangulation of the points. Peaks are maxima over time; GB is the largest of them.
 //
 // Outside of the timing every frame has to be certified, all numbers of threads have to lead to the
 // same edges with the same numbers, and up to 200,000 points the last frame has to agree with a

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What simulations get from a triangulation that is there, and what that costs a point, or a query:
+// What simulations get from an existing triangulation, and what that costs a point, or a query:
 // neighbor lists, Voronoi cells and forces, nearest points and those within a radius, and weights
 // by which to interpolate. The points are a uniform cloud, one to a unit of area, whose ids say
 // nothing about where they are; places that are asked for are anywhere among them, or those of a
@@ -93,7 +93,7 @@ void neighbor_lists(benchmark::State& state)
   });
 }
 
-// Into arrays of the same form.
+// Writes the neighbor lists into arrays of the same form.
 void neighbor_lists_cgal(benchmark::State& state)
 {
   Ids offsets, neighbors;
@@ -243,7 +243,7 @@ void nearest_to_places_cgal(benchmark::State& state)
   });
 }
 
-// Those of a grid, each row from the other end than the last one: one to a point.
+// The places of a grid, as many as points. Rows alternate in their direction.
 std::vector<Point> grid(const benchmark::State& state)
 {
   const auto columns = std::int64_t(side(state));
@@ -265,7 +265,7 @@ void natural_neighbors(benchmark::State& state, const std::vector<Point>& places
   });
 }
 
-// Into arrays of the same form.
+// Writes the weights into arrays of the same form.
 void natural_neighbors_cgal(benchmark::State& state, const std::vector<Point>& places)
 {
   using Triangulation = Dynamic::Triangulation;
@@ -334,7 +334,7 @@ void natural_neighbors_in_a_grid_periodic(benchmark::State& state)
   });
 }
 
-// Cells that end where discs do that hardly leave a gap.
+// The radius of bounded cells: discs of this radius hardly leave a gap.
 constexpr double radius = 0.7;
 
 void bounded_cells(benchmark::State& state)
@@ -383,7 +383,7 @@ void bounded_forces(benchmark::State& state)
   });
 }
 
-// Each a little further on, as one asks who walks through the cloud.
+// Queries of a walker through the cloud: each place is a little further on than the last one.
 void nearest_to_places_in_a_row(benchmark::State& state)
 {
   run(state, [&](const Dynamic& dt) {

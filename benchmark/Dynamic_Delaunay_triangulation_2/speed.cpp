@@ -9,8 +9,7 @@
 //   classify  the circumcircle classifier
 //   repair    flips, splices and rebuilds
 //   certify   all the rest: the end of the proof, writing the points into CGAL's vertices, and
-//   telling
-//             the classifier, which looks for safe edges then
+//             after_update() of the classifier, which looks for safe edges
 //   insert    CGAL's insertion of the range
 //   fastest   CGAL's insertion one by one in rounds along the last frame's Hilbert curve; of fresh
 //             clouds the better of insert and of sorting along that curve before
@@ -123,7 +122,7 @@ std::string joined(const std::string& prefix, const std::string& name, std::size
 
 constexpr std::size_t many_frames = 1000;
 
-// At its own size, and the first frames at a large one.
+// Adds a scenario at its own size, and the first frames of it at a large size.
 void add_moving(Case_list& cases, const Case_table& table, const std::string& prefix,
                 const std::string& name, scenario::Overrides overrides)
 {
@@ -134,7 +133,7 @@ void add_moving(Case_list& cases, const Case_table& table, const std::string& pr
                {0, 60});
 }
 
-// Settled in the last half of its frames.
+// Adds the scenario `static`, in its first frames and settled, in the last half of its frames.
 void add_static(Case_list& cases, const Case_table& table, const std::string& prefix,
                 scenario::Overrides overrides)
 {
@@ -149,8 +148,8 @@ void add_static(Case_list& cases, const Case_table& table, const std::string& pr
                {motion->frames() - half, 60});
 }
 
-// Some of many frames. At their largest stable time step, which was found at their own sizes, not
-// all scenarios of so many points last so long.
+// Adds scenarios of many points; one in several frames is measured. With the largest stable time
+// steps, which were found at their own sizes, not all of them last so long.
 template <class Concurrency_tag>
 void add_large(Case_list& cases, const Case_table& table, const std::string& prefix)
 {

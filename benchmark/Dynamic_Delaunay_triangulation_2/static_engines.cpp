@@ -13,10 +13,10 @@
 //   grid    a square grid whose points are displaced by up to a tenth of its spacing in every frame
 //
 // A splice is what Border_splice_repair_2 does: it finds the sets, triangulates, compares the
-// boundaries, and writes. Single points of a random cloud, scattered, and others in every frame,
-// are named, with more and more padding around them. No point moves, so every region has to come
-// out as it was. `points` is the mean size of a region, its border in it: its points are what the
-// times are divided by.
+// boundaries, and writes. In every frame other scattered points of a random cloud are named, with
+// more and more padding around them. No point moves, so every region has to come out as it was.
+// `points` is the mean size of a region, including its border; times are divided by the number of
+// points in regions.
 //
 // Times are medians over the frames, with their quartiles. After the last frame every triangulation
 // has to be valid and to be proved Delaunay by exact predicates, edge by edge. A case that fails
@@ -48,7 +48,7 @@ using Ids = std::vector<std::size_t>;
 
 // TRIANGULATIONS ----------------------------------------------------------------------------------
 
-// What the classifiers and repairs of a contest share with it.
+// Data that the classifiers and repairs of a contest share with it.
 struct Frame_notes
 {
   Ids named;
@@ -116,8 +116,8 @@ public:
   Contest(const Contest&) = delete;
   Contest& operator=(const Contest&) = delete;
 
-  // Lets all of them repair a frame at these points. `divisor(report)` is what a time is divided
-  // by.
+  // Lets all triangulations repair a frame at these points. Times are divided by
+  // `divisor(report)`.
   template <class Divisor>
   void measure(const Points& points, const Ids& named, Divisor divisor)
   {
@@ -153,7 +153,7 @@ public:
   }
 
 private:
-  // Frame by frame, so that what disturbs a whole frame does not count.
+  // The median of the ratios in single frames: a disturbance of a whole frame hardly counts.
   double ratio_to_first(std::size_t engine) const
   {
     std::vector<double> ratios;
@@ -196,7 +196,7 @@ Points stepped(const Points& points, scenario::Random_source& random)
   return result;
 }
 
-// More of small ones, whose times scatter.
+// More frames of few points, whose times scatter.
 std::size_t frames_for(std::size_t points)
 {
   constexpr std::size_t fewest = 5, most = 1000, all_points = 3'000'000;
@@ -239,13 +239,13 @@ Case_result grid_case(std::size_t number)
 
 // SPLICES -----------------------------------------------------------------------------------------
 
-// Points near the places of a lattice that lies anywhere, so far from each other.
+// Points near the places of a lattice with a random origin, `distance` apart from each other.
 Ids scattered_ids(const Points& points, double distance, scenario::Random_source& random)
 {
   const double side = std::sqrt(static_cast<double>(points.size()));
   const auto rows = static_cast<std::size_t>(side / distance);
   const double x0 = random.uniform(0.0, distance), y0 = random.uniform(0.0, distance);
-  std::vector<double> nearest(rows * rows, 1.0); // farther ones are not near
+  std::vector<double> nearest(rows * rows, 1.0); // squared distances; farther points are not near
   Ids ids(rows * rows, points.size());
   for (std::size_t id = 0; id != points.size(); ++id) {
     const double x = (points[id].x() - x0) / distance, y = (points[id].y() - y0) / distance;

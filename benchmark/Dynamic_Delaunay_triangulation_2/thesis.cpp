@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The experiments of the thesis (chapter 5, and 6.2.5), and those that it lacks: every classifier
-// beside the exact default, against both static opponents, and the simulation as judge (6.2.3).
+// The experiments of the thesis (chapter 5, and 6.2.5), and others that it lacks: every classifier
+// next to the exact default, both static opponents, and the simulation as judge (6.2.3).
 //
 // As in the thesis each trial is a simulation of its own, with a jitter of its own, driven by the
 // triangulation that is tried; trials are repeated with seeds 1, 2, ... Where samples are taken,
@@ -10,9 +10,9 @@
 // compared with a fresh triangulation, ties counting as right. The time is the triangulation's
 // alone. Results are CSV files, one or more for each experiment:
 //
-//   scenario, method    who is tried, with /REPAIR or /POLICY where it is not the usual one
+//   scenario, method    the classifier, with /REPAIR or /POLICY where it is not the usual one
 //   points, time_step   of the scenario
-//   trials, frames      so many, with so many frames each after the first one
+//   trials, frames      number of trials, and frames of each after the first one
 //   frame, time         of the last sample of a part of the frames
 //   samples             frames that were timed against the opponents
 //   validity            Matthews correlation coefficient: mean, smallest, largest
@@ -22,9 +22,9 @@
 //   dynamic_mean        ns a point: mean over all frames, of which the samples are a part
 //   classified, flips, rebuilt   a frame: means over all frames
 //   kinetic, energy, center_x, center_y, front    of the particles: mean, smallest, largest
-// What the columns of classification.csv mean stands at the top of classifiers.cpp. In
-// most_points.csv three of four timed frames took up to upper_quartile_ms; the last of them is
-// number `frames`.
+// The columns of classification.csv are explained at the top of classifiers.cpp. In
+// most_points.csv three of four timed frames took up to upper_quartile_ms; the last timed frame has
+// the number `frames`.
 
 #include "common/Program.h"
 #include "scenario_runner/Progress.h"

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Which edges have come and gone in a frame: a network of springs between neighbors, which each
-// have the length that they were made with, follows the triangulation.
+// Which edges have come and gone in a frame: a network of springs between neighbors follows the
+// triangulation. The rest length of each spring is the length with which it was made.
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Edge_changes_visitor_2.h>

@@ -17,7 +17,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
 using Triangulation = CGAL::Dynamic_Delaunay_triangulation_2<Kernel>;
 
-// A step of every point, the same for the same random numbers.
+// Moves every point by a step, the same for the same random numbers. Returns the number of flips.
 std::size_t step(Triangulation& dt, std::mt19937& random)
 {
   std::normal_distribution<double> length(0, 0.01);

@@ -41,8 +41,8 @@ std::vector<Point> wounded_tissue()
   return points;
 }
 
-// Of all holes in the tissue: lines around them have negative areas. Between cells that pull at
-// each other gaps open and close again, so it need not be 0 in the end.
+// The area of all holes in the tissue: lines around them have negative areas. Between cells that
+// pull at each other gaps open and close again, so the area need not be 0 in the end.
 double area_of_wound(const Cells& cells)
 {
   CGAL::Bounded_voronoi_surface_2 surface;

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// People leave through a bottleneck between two walls. How dense it is where somebody stands is one
+// People leave through a bottleneck between two walls. The density where a person stands is one
 // over the area of the Voronoi cell (Steffen, Seyfried: Methods for measuring pedestrian density,
-// flow, speed and direction with minimal scatter, Physica A 389, 2010): of that part that one can
-// walk to without leaving the cell, and that is no farther away than a meter.
+// flow, speed and direction with minimal scatter, Physica A 389, 2010), or more precisely of the
+// part that the person can walk to without leaving the cell, and that is within a meter.
 //
 // crowd_densities [FILE.csv], a recording with the columns frame,time,id,x,y. Without it people are
 // simulated. The walls are those of the experiment of the bottleneck in the data of PedPy
@@ -142,7 +142,7 @@ int main(int argc, char** argv)
       follow_recording(file, densities);
     } else
       simulate(densities);
-  } catch (const std::exception& error) { // of somebody who is nowhere, it says who
+  } catch (const std::exception& error) { // for a person without a position, it says which
     std::cerr << error.what() << '\n';
     return 1;
   }

@@ -16,7 +16,7 @@
 
 namespace {
 
-// By their ids. The radius of a cell that is no more is 0.
+// The cells, by their ids. The radius of a removed cell is 0.
 struct Tissue
 {
   std::vector<double> x, y, radius;
@@ -62,7 +62,7 @@ void relax(Tissue& tissue)
   tissue.neighbors.update(x, y);
 }
 
-// Both halves have half of its area. Returns how many have divided.
+// Divides each large cell into two of half its area. Returns the number of divided cells.
 std::size_t divide(Tissue& tissue, std::mt19937& random)
 {
   constexpr double largest = 0.6;

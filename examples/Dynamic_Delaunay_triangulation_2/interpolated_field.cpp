@@ -19,7 +19,7 @@
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
 
-// Where the whirl takes a point of the beginning in some time.
+// Where the whirl has taken a point after some time.
 Point moved(const Point& p, double time)
 {
   const double angle = time * std::exp(-(p.x() * p.x() + p.y() * p.y()) / 8);

@@ -21,7 +21,7 @@
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
 
-// 0 if it is none from 1 to 10,000,000.
+// The number in a text; 0 if it is no whole number from 1 to 10,000,000.
 int whole_number(const char* text)
 {
   char* end = nullptr;

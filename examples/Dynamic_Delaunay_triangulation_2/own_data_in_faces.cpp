@@ -18,8 +18,8 @@ using Point = Kernel::Point_2;
 using Tds = CGAL::Indexed_triangulation_data_structure_2<Kernel, void, long>; // drops in faces
 
 //! [visitor]
-// Shares the drops of the two faces of a flip. Those of faces that go are spare, until other faces
-// come.
+// A flip shares the drops of its two faces out between them. The drops of removed faces are spare,
+// until faces are created.
 class Paint_visitor : public CGAL::Delaunay_update_visitor_base_2
 {
 public:

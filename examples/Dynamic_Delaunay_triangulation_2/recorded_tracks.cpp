@@ -59,7 +59,7 @@ std::vector<Frame> read_frames(const std::string& file)
   return frames;
 }
 
-// Of any two: the nearest ones are neighbors in the triangulation.
+// The least distance of any two points: the nearest ones are neighbors in the triangulation.
 double least_distance(const Dynamic& dt)
 {
   double least = std::numeric_limits<double>::infinity();

@@ -19,7 +19,7 @@
 
 namespace {
 
-// 0 if it is none between these.
+// The number in a text; 0 if it is none from `low` to `high`.
 double number(const char* text, double low, double high)
 {
   char* end = nullptr;

@@ -20,10 +20,10 @@ namespace CGAL {
 
 The Delaunay triangulation of moving points of the plane that are spread over the ranks of an MPI
 communicator: what `Dynamic_Delaunay_triangulation_2` is for one process.
-`Distributed_triangulation_base_2` documents all members but those for edges and faces.
+`Distributed_triangulation_base_2` documents all members other than those for edges and faces.
 
 Where more than three points are on an empty circle, the diagonals go to the one with the smallest
-id, on whatever rank.
+id, on all ranks.
 
 \tparam Kernel a CGAL kernel with exact predicates whose points have coordinates of type `double`.
 
@@ -56,10 +56,10 @@ public:
   /// are distributed evenly, unless the load factor is infinite: then each rank owns the points
   /// that it was given, in their order, for as long as `distribute()` is not called.
   ///
-  /// The load factor says when points are distributed anew: if a rank owns more than this many
-  /// times the average and 64 points more; or, from 32 calls after the last distribution on, if a
-  /// rank holds more than this many times what the fullest rank held when that was least since
-  /// then, and 64 points more.
+  /// Points are distributed anew if a rank owns more points than the load factor times the average,
+  /// plus 64; or, from 32 calls after the last distribution on, if a rank holds more points than
+  /// the load factor times m, plus 64, where m is the least number of points that the fullest rank
+  /// has held since then.
   ///
   /// Cost: sorting, sending and triangulating all points once, and some rounds of questions. The
   /// arguments are checked before anything is sent: a rank with bad ones throws its own error, and
@@ -116,8 +116,8 @@ public:
   }
 
   /// calls `f(k, j)` for each point that this rank owns, the `k`-th of `owned_ids()`, that
-  /// coincides with one of a smaller id, `j` being the smallest; and for the one with the smallest
-  /// id, if this rank owns it, with the ids `j` of each of the others.
+  /// coincides with other points. `j` is the smallest id of these points; but if the `k`-th point
+  /// has that id itself, `f` is called for the id `j` of each of the others.
   template <class Function>
   void for_each_duplicate(const Function& f) const
   {

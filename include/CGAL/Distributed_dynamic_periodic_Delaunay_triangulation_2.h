@@ -24,7 +24,7 @@ The Delaunay triangulation of points that move in a periodic space, and are spre
 an MPI communicator: what `Dynamic_periodic_Delaunay_triangulation_2` is for one process, and
 `Distributed_dynamic_Delaunay_triangulation_2` for the plane. The cell may be any parallelogram, and
 may change with every frame: all ranks must give the same one. `Distributed_triangulation_base_2`
-documents all members but those for edges, faces and cells.
+documents all members other than those for edges, faces and cells.
 
 Where more than three images are on an empty circle, the diagonals go to the one with the smallest
 id, and of images of that point to the leftmost, lowest one.
@@ -33,8 +33,8 @@ id, and of images of that point to the leftmost, lowest one.
 cell's vectors are rounded to multiples of a power of 2. That moves each coordinate by at most
 2<sup>-45</sup> H, where H is the sum of the lengths of the two shortest vectors that span the
 lattice. `owned_points()`, `point()` and `cell()` return the rounded points and cell, which are
-triangulated; one process has the same edges for these, but where more than three images are on an
-empty circle. Rounded points and cells are not rounded again.
+triangulated. One process has the same edges for these, except where more than three images are on
+an empty circle. Rounded points and cells are not rounded again.
 
 There is one sheet, as in one process: `n` points in different places have `3n` edges and `2n`
 faces, however few they are. Slabs are not supported.
@@ -77,10 +77,10 @@ public:
   /// each rank owns the points that it was given, in their order, for as long as `distribute()` is
   /// not called.
   ///
-  /// The load factor says when points are distributed anew: if a rank owns more than this many
-  /// times the average and 64 points more; or, from 32 calls after the last distribution on, if a
-  /// rank holds more than this many times what the fullest rank held when that was least since
-  /// then, and 64 points more.
+  /// Points are distributed anew if a rank owns more points than the load factor times the average,
+  /// plus 64; or, from 32 calls after the last distribution on, if a rank holds more points than
+  /// the load factor times m, plus 64, where m is the least number of points that the fullest rank
+  /// has held since then.
   ///
   /// Cost: sorting, sending and triangulating all points once, and some rounds of questions. The
   /// arguments are checked before anything is sent: a rank with bad ones throws its own error, and
@@ -185,8 +185,8 @@ public:
   }
 
   /// calls `f(k, j, shift)` for each point that this rank owns, the `k`-th of `owned_ids()`, that
-  /// coincides with the image by `shift` of one of a smaller id, `j` being the smallest; and for
-  /// the one with the smallest id, if this rank owns it, with each of the others.
+  /// coincides with the image by `shift` of another. `j` is the smallest id of these points; but if
+  /// the `k`-th point has that id itself, `f` is called for the id `j` of each of the others.
   template <class Function>
   void for_each_duplicate(const Function& f) const
   {
@@ -198,7 +198,7 @@ public:
   /// @}
 
 private:
-  // From what was given for the point at the first place to the image of the second one.
+  // The shift of the image at place j after both are moved to have that at i where it was given.
   Periodic_shift_2 shift_between(Index i, Index j) const
   {
     const Periodic_shift_2 &s = points().shift(i), &t = points().shift(j);

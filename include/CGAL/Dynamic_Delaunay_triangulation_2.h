@@ -78,7 +78,7 @@ struct Triangulation_types_2<Dynamic_Delaunay_triangulation_2<
   using Checkpoint_reader = Checkpoint_reader_2<State>;
   static constexpr std::string_view checkpoint_subject = "Dynamic_Delaunay_triangulation_2";
 
-  // What an empty state is made of.
+  // The argument from which an empty state is constructed.
   using Space = Traits;
   static const Space& space(const State& state) { return state.traits(); }
 };
@@ -109,9 +109,9 @@ triangulation is still a valid triangulated sphere with all its vertices.
   `Exact_predicates_inexact_constructions_kernel`, or `Projection_traits_xy_3` of one.
 \tparam Classifier a model of `DelaunayClassifier_2`, which finds the edges that may be broken;
   `Default` for `Circumcircle_classifier_2`.
-\tparam Repair a model of `DelaunayRepair_2`, which repairs them. `Default` stands for the
-  classifier's `Usual_repair` if it has one; else for `Flip_and_splice_repair_2` if the classifier
-  is exact, and for `Border_splice_repair_2` if it is not.
+\tparam Repair a model of `DelaunayRepair_2`, which repairs what the classifier found. `Default`
+  stands for the classifier's `Usual_repair` if it has one; else for `Flip_and_splice_repair_2` if
+  the classifier is exact, and for `Border_splice_repair_2` if it is not.
 \tparam Tds an `Indexed_triangulation_data_structure_2` of these traits; `Default` for one without
   data of the user. Data that the user stores in a vertex stay in it. The vertices of a face change;
   a visitor is told when.
@@ -121,8 +121,8 @@ triangulation is still a valid triangulated sphere with all its vertices.
   `Delaunay_update_visitor_base_2`, which ignores all calls.
 \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag`, which needs TBB: with it, the threads of
   the TBB arena in which a function is called share its passes over many points, edges or faces
-  (\ref DynamicDelaunaySubsection_Threads). They use the iterators of random-access ranges, and
-  property maps of points, at the same time. No result depends on it.
+  (\ref DynamicDelaunaySubsection_Threads). The threads use iterators of random-access ranges, and
+  property maps of points, at the same time. No result depends on the tag.
 */
 template <class Traits, class Classifier = Circumcircle_classifier_2, class Repair = Default,
           class Tds = Default, class UpdatePolicy = Always_dynamic_policy_2,
@@ -342,8 +342,8 @@ public:
   /// @}
   /// \cond
 
-  // For `Dynamic_population_2`: a function of a point and its place in a frame, which throws if no
-  // point can be there.
+  // For `Dynamic_population_2`: returns a function of a point and its place in a frame, which
+  // throws if the position is not allowed.
   static auto position_check()
   {
     return [](const Point& p, size_type place) {

@@ -126,7 +126,7 @@ public:
   }
   /// \endcond
 
-  /// the number that is due: of ids, of pieces of boundaries, or of points that the rank owns.
+  /// the required number: of ids, of pieces of boundaries, or of points that the rank owns.
   std::size_t expected() const { return m_expected; }
   /// the number that was given; `expected() + 1` means that many or more.
   std::size_t given() const { return m_given; }
@@ -304,8 +304,8 @@ private:
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
 The CGAL triangulation, or anything computed from it such as cells and nearest points, was asked for
-while it is not proved Delaunay. It is withheld because CGAL's point location and insertion may loop
-or abort on inverted faces.
+while the triangulation is not proved Delaunay. Access is refused because CGAL's point location and
+insertion may loop or abort on inverted faces.
 */
 class Uncertified_triangulation_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
@@ -385,9 +385,10 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
-A periodic cell has parallel vectors, a number that is not finite, or proportions that integers
-cannot count; or it is not of the kind that is needed: a slab where there was none or the reverse,
-not a square for a conversion, or not the same on all ranks.
+A periodic cell has parallel vectors, a number that is not finite, or proportions so extreme that
+distances or translations cannot be computed; or it is not of the kind that is needed: a slab in
+place of a cell with two vectors or the reverse, not a square for a conversion, or not the same on
+all ranks.
 */
 class Periodic_cell_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {

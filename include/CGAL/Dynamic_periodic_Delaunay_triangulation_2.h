@@ -101,10 +101,10 @@ the lattice, share a vertex.
 
 After construction, and after every call with an exact classifier, the triangulation is
 <em>certified</em>: exact predicates have proved that each face is counterclockwise, and that each
-edge is locally Delaunay. Flips, insertions and removals keep it a triangulation of the torus that
-covers it once (see the manual). By default an update tests all edges but those that are proved
-safe, flips the broken ones, inserts points anew that jump, and triangulates everything anew if that
-does not help. A frame with a heuristic classifier leaves the triangulation uncertified, unless the
+edge is locally Delaunay. Under flips, insertions and removals the faces go on covering the torus
+exactly once (see the manual). By default an update tests all edges except those that are proved
+safe, flips the broken ones, takes out points that jump and inserts them again, and rebuilds if that
+is not enough. A frame with a heuristic classifier leaves the triangulation uncertified, unless the
 repair had to examine everything or to rebuild. An uncertified triangulation is still a torus of 3n
 edges and 2n faces, and the next call that inserts, removes or moves single points makes it Delaunay
 first.
@@ -247,8 +247,8 @@ public:
   /// call: by deformation, by other vectors for the same lattice, as when a sheared cell is
   /// flipped, or by both.
   /// \throws Periodic_cell_error_2 if the cell is so thin or extreme that doubles cannot tell how
-  /// far points are apart in it, or if it is a slab and the cell so far was none, or the reverse;
-  /// else what `update(first, beyond)` throws. Nothing has changed then.
+  /// far points are apart in it, or if only one of this cell and the last one is a slab; else what
+  /// `update(first, beyond)` throws. Nothing has changed then.
   template <class InputIterator>
   Update_report_2 update(InputIterator first, InputIterator beyond, const Periodic_cell_2& cell)
   {
@@ -307,7 +307,7 @@ public:
   /// the point with this id, as it was given last. \throws Unknown_id_error_2
   Point point(size_type id) const
   {
-    this->vertex_of(id); // throws if there is none
+    this->vertex_of(id); // throws if no point has this id
     return m_core->state.point_of_id(Index(id));
   }
 
@@ -322,7 +322,7 @@ public:
 
   /// calls `f(i, j, shift)` once for each edge: the image of point j by `shift`, at `point(j)` plus
   /// `shift[0]` times the cell's first vector plus `shift[1]` times its second one, is a neighbor
-  /// of point i. Points that coincide with others have no edges but those of their representatives.
+  /// of point i. Where points share a vertex, only their representative has edges.
   template <class Function>
   void for_each_edge(const Function& f) const
   {
@@ -335,9 +335,9 @@ public:
     }
   }
 
-  /// calls `f(i, j, shift)` once for each edge of the two sides of a slab's boundary; seen from
-  /// point i to point j, the strip is on the left. If all points are on one line, each edge is met
-  /// from both sides. A torus has no boundary.
+  /// calls `f(i, j, shift)` once for each edge of the two sides of a slab's boundary; on the way
+  /// from point i to point j, the strip is on the left. If all points are on one line, each edge is
+  /// visited in both directions. A torus has no boundary.
   template <class Function>
   void for_each_boundary_edge(const Function& f) const
   {
@@ -366,8 +366,8 @@ public:
   /// @}
   /// \cond
 
-  // For `Dynamic_population_2`: a function of a point and its place in a frame, which throws if no
-  // point can be there. The floating-point state is the default one as long as it lives.
+  // For `Dynamic_population_2`: a function of a point and its place in a frame, which throws if the
+  // position is not allowed. While it lives, floating-point arithmetic is in its default state.
   class Position_check
   {
   public:

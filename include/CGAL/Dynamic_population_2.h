@@ -34,7 +34,7 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// What a population takes from its triangulation. Periodic ones have no vertex handles.
+// What a population takes from its triangulation. A periodic one has no vertex handles.
 template <class Dynamic, class = void>
 struct Population_traits_2
 {
@@ -182,7 +182,7 @@ public:
 
   /// adds a point. \throws Repeated_id_error_2 if a point has this id already.
   /// \throws Non_finite_coordinate_error_2, Coordinate_range_error_2 or Periodic_range_error_2 if
-  /// it cannot be there; their `id()` is 0. \throws Point_limit_error_2 as `update()`.
+  /// `p` is not allowed; their `id()` is 0. \throws Point_limit_error_2 as `update()`.
   Update_report_2 insert(UserId user_id, const Point& p)
   {
     const std::pair<UserId, Point> newcomer(user_id, p);
@@ -269,7 +269,7 @@ public:
   /// \throws Unknown_user_id_error_2 if an id belongs to no point.
   /// \throws Repeated_id_error_2 if an id is given more than once.
   /// \throws Non_finite_coordinate_error_2, Coordinate_range_error_2 or Periodic_range_error_2 if a
-  /// point cannot be there; their `id()` is the place in the range, counted from 0.
+  /// position is not allowed; the `id()` of these errors is the place in the range, counted from 0.
   template <class InputIterator>
   Update_report_2 move(InputIterator first, InputIterator beyond)
   {
@@ -411,9 +411,9 @@ private:
   using Table = Dynamic_Delaunay_triangulations_2::internal::User_id_table_2<UserId>;
 
   static constexpr size_type no_id = Table::no_id;
-  static constexpr size_type ahead = 8; // ids: how early the table is prefetched
+  static constexpr size_type ahead = 8; // how many ids earlier the table is prefetched
 
-  // For files: user ids may be of a character type or bool.
+  // The type as which files hold user ids, since a `User_id` may be of a character type or bool.
   using Widest = std::conditional_t<std::is_signed_v<UserId>, long long, unsigned long long>;
 
   // Runs `work` at the end of the scope, even after an exception.
@@ -475,7 +475,7 @@ private:
     Dynamic_Delaunay_triangulations_2::internal::check_distinct(m_newcomers);
   }
 
-  // Calls f(user_id, p) for each value of a range, after it was checked that a point can be at p.
+  // Calls f(user_id, p) for each value of a range, unless `check` throws because p is not allowed.
   template <class InputIterator, class IdMap, class PointMap, class Check, class Function>
   static void read_each(InputIterator first, InputIterator beyond, const IdMap& id_map,
                         const PointMap& point_map, const Check& check, const Function& f)
@@ -489,8 +489,8 @@ private:
     }
   }
 
-  // Most points directly follow the point that they followed in the last frame, or come soon after
-  // it. For those no look-up in the table is needed.
+  // Returns the id of the point with a user id, or no_id. Most points follow the same point as in
+  // the last frame, directly or almost: these are found without a look-up in the table.
   size_type find(UserId user_id) const
   {
     constexpr int soon = 3;
@@ -511,7 +511,7 @@ private:
     m_last = id;
   }
 
-  // Missing points get their last positions, since every id needs one; the values do not matter.
+  // Lists the missing points. Every id needs some position: these get their last ones.
   void find_missing()
   {
     m_missing.clear();
@@ -556,8 +556,8 @@ private:
                                   std::back_inserter(m_new_ids));
   }
 
-  // Records the new points that were inserted: all, unless memory ran out. The last one comes
-  // first, as several may follow the same point.
+  // Records the new points that were inserted: all, unless memory ran out. Goes from the last to
+  // the first, so that m_next_of links points that follow the same one in the order of the frame.
   void settle_newcomers()
   {
     for (size_type i = m_new_ids.size(); i-- > 0;) {
@@ -596,7 +596,7 @@ private:
   std::vector<bool> m_is_there;   // by id: whether the frame has it
   std::vector<Point> m_positions; // of each id
   std::vector<UserId> m_newcomers;
-  std::vector<size_type> m_newcomers_follow; // the last existing point before each
+  std::vector<size_type> m_newcomers_follow; // the last existing point before each newcomer
   std::vector<Point> m_new_points;
   std::vector<size_type> m_new_ids; // ascending
   std::vector<size_type> m_missing; // ascending

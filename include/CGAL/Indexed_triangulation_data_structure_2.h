@@ -149,7 +149,7 @@ public:
     other.attach();
     other.set_dimension(-2);
   }
-  /// replaces this structure by the other one, as the move constructor takes it.
+  /// replaces this structure by the other one, which is left as by the move constructor.
   Indexed_triangulation_data_structure_2&
   operator=(Indexed_triangulation_data_structure_2&& other) noexcept
   {
@@ -159,7 +159,7 @@ public:
   }
 
   /// \cond
-  // The base class clears what is there afterwards.
+  // The destructor of the base class clears its containers, so they must have no storage by then.
   ~Indexed_triangulation_data_structure_2()
   {
     m_storage.reset();

@@ -30,11 +30,11 @@ using Periodic_shift_2 = std::array<int, 2>;
 \ingroup PkgDynamicDelaunayTriangulation2Periodic
 
 The cell of a periodic space: a parallelogram, given by two vectors that are not parallel, of any
-lengths, at any angle, in any order. Translations by their integer combinations change nothing in
-that space.
+lengths, at any angle, in any order. Translations by integer combinations of these vectors map that
+space to itself.
 
-Or a slab, a strip without ends, given by one vector along which everything is repeated. Space is
-open across that vector, as in a channel or between two walls.
+A cell can also be a slab: a strip without ends, given by one vector along which everything is
+repeated. Space is open across that vector, as in a channel or between two walls.
 */
 class Periodic_cell_2
 {

@@ -25,11 +25,11 @@ lower left corner `corner`.
 
 All points are wrapped into the domain. That must not need any rounding, and does not for points
 that were given in the domain. Points that coincide share a vertex, at the image of their
-representative; only that one is wrapped.
+representative; only the representative is wrapped.
 
 One sheet must be enough by CGAL's criterion, so that it stays enough whatever points are inserted
-later: the square of each edge's length must be less than 0.166 times the square of the side. Very
-few points do not fulfill that.
+later: the square of each edge's length must be less than 0.166 times the square of the side. A
+triangulation of very few points does not fulfill that.
 
 The data structure is copied without any predicate or search. Cost: O(n log n), to match the edges
 of neighboring faces. If this throws, `target` has not changed.

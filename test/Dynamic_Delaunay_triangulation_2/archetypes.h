@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Models of the concepts that offer what the pages of these demand, and nothing else.
+// Models of the concepts that offer only what the reference pages of the concepts demand.
 
 #ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_ARCHETYPES_H
 #define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_ARCHETYPES_H
@@ -15,7 +15,7 @@
 #include <cstddef>
 #include <ostream>
 
-// A point with a name, which cannot be made of coordinates alone, or compare.
+// A point with a name. Coordinates alone do not make one, and there are no comparison operators.
 class Named_point_archetype
 {
 public:
@@ -78,7 +78,7 @@ public:
       return CGAL::compare(p.y(), q.y());
     }
   };
-#if CGAL_VERSION_NR >= 1060000000 // the concept that is refined has got one more
+#if CGAL_VERSION_NR >= 1060000000 // demanded by the refined concept from CGAL 6.0 on
   struct Compare_xy_2
   {
     CGAL::Comparison_result operator()(const Point_2& p, const Point_2& q) const

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A classifier that writes down whose each vertex, edge and face is, and compares after every
-// update: what is not new must still belong to the same vertices.
+// A classifier that records the stamps of the vertices of each vertex, edge and face index, and
+// compares after every update: indices that are not reported as changed must keep their stamps.
 
 #ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_CHANGE_LEDGER_H
 #define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_CHANGE_LEDGER_H
@@ -22,7 +22,7 @@
 #include <set>
 #include <vector>
 
-// Classifies as the other one does.
+// Classifies as `Classifier` does.
 template <class Classifier>
 class Change_ledger : public Classifier
 {
@@ -34,7 +34,7 @@ public:
   {
   }
 
-  // Before the first point comes.
+  // To be called before the first point is inserted.
   template <class Dynamic>
   void watch(const Dynamic& dt) const
   {
@@ -152,7 +152,7 @@ private:
   std::vector<Stamps_of_face> m_faces;
 };
 
-// A triangulation that is watched so.
+// A triangulation whose classifier is a change ledger.
 template <class Kernel, class Classifier, class Repair = CGAL::Default>
 using Watched_triangulation =
     CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Change_ledger<Classifier>, Repair,

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What tests of checkpoints do with files of any kind: read, edit and forge them, and run out of
-// disk and memory. One file of a program includes it, because of its heap.
+// disk and memory. Only one file of a program may include this header: it replaces the heap.
 
 #ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_CHECKPOINT_FILES_H
 #define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_CHECKPOINT_FILES_H
@@ -41,7 +41,7 @@ inline std::string replaced(std::string text, const std::string& what, const std
   return resealed(text.replace(place, what.size(), by));
 }
 
-// The error with which it is refused; line 0 if it is not.
+// The error with which the text is refused; an error of line 0 if it is accepted.
 template <class Read>
 CGAL::Checkpoint_error_2 refusal(Read& target, const std::string& text)
 {
@@ -122,7 +122,7 @@ private:
   std::vector<std::string> m_lines;
 };
 
-// A disk that is full after so many bytes.
+// A disk that is full after the given number of bytes.
 class Full_disk : public std::streambuf
 {
 public:
@@ -140,7 +140,7 @@ private:
   std::size_t m_left;
 };
 
-// The stream's, of which the target must not have noticed anything.
+// The state of the stream after a failing read, which must leave the target unchanged.
 template <class Read>
 std::ios_base::iostate state_after_reading(Read& target, const std::string& text)
 {
@@ -163,7 +163,7 @@ void expect_nothing_to_change_without_memory(Read& target, const std::string& te
       target.read_checkpoint(in);
       is_read = true;
     } catch (const std::bad_alloc&) {
-    } catch (const CGAL::Checkpoint_error_2&) { // the stream has caught it
+    } catch (const CGAL::Checkpoint_error_2&) { // the stream has caught the std::bad_alloc
     }
     ASSERT_EQ(checkpoint_of(target), is_read ? text : before);
   }

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What a Voronoi cell has of a domain, found without a Delaunay triangulation and without
-// triangles: by CGAL's Boolean operations on polygons with arcs, in exact numbers, and what is
-// visible by a sweep around the point in long double.
+// The parts of a domain in a Voronoi cell, found without a Delaunay triangulation and without
+// triangles: by CGAL's Boolean operations on polygons with arcs, in exact numbers; and, for the
+// part that is visible from the point, by a sweep around the point in long double.
 
 #ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_DOMAIN_ORACLE_H
 #define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_DOMAIN_ORACLE_H
@@ -54,7 +54,7 @@ inline Vector vector(const Epick::Point_2& p)
   return {p.x(), p.y()};
 }
 
-// A wall, with its number, or the bisector with a point, with its id.
+// A wall, or the bisector with another point; `other` is the wall's number or that point's id.
 struct Line
 {
   Vector from, to; // of a bisector: two places of it
@@ -80,7 +80,7 @@ inline std::vector<Line> walls(const Domain& domain)
   return lines;
 }
 
-// Those of the domain, and the bisectors of a point with all others.
+// The walls of the domain, and the bisectors of a point with all others.
 inline std::vector<Line> lines_around(const Points& points, std::size_t id, const Domain& domain)
 {
   std::vector<Line> lines = walls(domain);
@@ -126,7 +126,7 @@ public:
       m_set.intersection(disc(radius));
   }
 
-  // All of it, or the component that has the point in its interior.
+  // Measures the whole cell, or only the component that has the point in its interior.
   Measured measure(bool is_connected) const
   {
     std::vector<Traits::Polygon_with_holes_2> components;
@@ -244,7 +244,7 @@ private:
     if (curve.is_circular()) {
       const Real radius = std::hypot(from.x, from.y);
       const Real angle = std::atan2(doubled, dot(from, to)); // at most half a turn
-      const Real turn = angle < -1 ? angle + 2 * pi : angle; // a short one may round to below 0
+      const Real turn = angle < -1 ? angle + 2 * pi : angle; // a short arc may round to below 0
       measured.area += radius * radius * turn / 2;
       measured.moment_x += radius * radius * (to.y - from.y) / 3;
       measured.moment_y -= radius * radius * (to.x - from.x) / 3;
@@ -261,7 +261,7 @@ private:
     (line.is_wall ? measured.wall : measured.contacts[line.other]) += length;
   }
 
-  // That on which a segment is.
+  // The line on which a segment lies.
   const Line& nearest_line(const Vector& from, const Vector& to) const
   {
     const Vector p = vector(m_p);
@@ -283,8 +283,8 @@ private:
 
 // BY A SWEEP --------------------------------------------------------------------------------------
 
-// What is visible, between two directions in which something else may become the nearest. Walls
-// that are seen edge-on are left out.
+// The visible part of a cell, summed over sectors: only at their borders may another line become
+// the nearest one. Walls that are seen edge-on are left out.
 class Visible_cell
 {
 public:
@@ -303,9 +303,9 @@ public:
   {
     Measured measured;
     const std::vector<Real> turns = directions();
-    std::vector<Real> reaches; // at the beginning and at the end of each
+    std::vector<Real> reaches; // at the beginning and at the end of each sector
     for (std::size_t i = 0; i + 1 < turns.size(); ++i)
-      if (turns[i + 1] - turns[i] > 1e-17L) // or else they are one
+      if (turns[i + 1] - turns[i] > 1e-17L) // or else both are one direction
         add(turns[i], turns[i + 1], measured, reaches);
     measured.components = 1;
     for (std::size_t i = 1; i < reaches.size(); i += 2) // lines of sight, and walls seen edge-on
@@ -349,7 +349,7 @@ private:
 
   static Real line_distance(const Line& line) { return line.distance({0, 0}); }
 
-  // How far a line is in a direction, or infinity.
+  // The distance to a line along a direction; infinity if the ray misses the line.
   static Real reach(const Line& line, Real turn)
   {
     const Vector ray{std::cos(turn), std::sin(turn)}, way = line.to - line.from;
@@ -359,7 +359,7 @@ private:
     return is_met ? t : std::numeric_limits<Real>::infinity();
   }
 
-  // How far the line through it is.
+  // Where the ray in a direction meets the line, a wall being extended beyond its ends.
   static Vector place(const Line& line, Real turn)
   {
     const Vector ray{std::cos(turn), std::sin(turn)}, way = line.to - line.from;

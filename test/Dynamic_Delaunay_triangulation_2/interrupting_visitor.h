@@ -10,7 +10,7 @@
 
 #include <stdexcept>
 
-// What it throws who has had enough.
+// The exception that tests throw from a visitor or a classifier.
 struct Refusal : std::runtime_error
 {
   Refusal()
@@ -19,7 +19,7 @@ struct Refusal : std::runtime_error
   }
 };
 
-// Throws at the n-th thing that it is told between the beginning and the end of a call.
+// Throws at the n-th change that it is notified of between the beginning and the end of a call.
 class Interrupting_visitor : public CGAL::Delaunay_update_visitor_base_2
 {
 public:

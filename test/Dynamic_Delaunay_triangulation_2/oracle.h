@@ -24,7 +24,7 @@
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 
-// No point is lost, and the structure is sound, whatever else is true.
+// Expects that no point is lost and that the structure is sound; it may be uncertified.
 template <class Dynamic>
 void expect_valid(const Dynamic& dt, const std::vector<typename Dynamic::Point>& points)
 {
@@ -34,7 +34,7 @@ void expect_valid(const Dynamic& dt, const std::vector<typename Dynamic::Point>&
     ASSERT_EQ(dt.point(id), points[id]) << "id " << id;
 }
 
-// It is certified, and agrees with a fresh CGAL triangulation of the points edge for edge.
+// Expects a certified triangulation that agrees with a fresh one of CGAL edge for edge.
 template <class Dynamic>
 void expect_delaunay(const Dynamic& dt, const std::vector<typename Dynamic::Point>& points)
 {
@@ -48,7 +48,7 @@ void expect_delaunay(const Dynamic& dt, const std::vector<typename Dynamic::Poin
   ASSERT_EQ(agreement.false_negatives(), 0u);
 }
 
-// Both.
+// Expects validity and the Delaunay triangulation of the points.
 template <class Dynamic>
 void expect_exact(const Dynamic& dt, const std::vector<typename Dynamic::Point>& points)
 {
@@ -56,7 +56,7 @@ void expect_exact(const Dynamic& dt, const std::vector<typename Dynamic::Point>&
   ASSERT_NO_FATAL_FAILURE(expect_delaunay(dt, points));
 }
 
-// Where points come and go: who is there, and where.
+// The points that a triangulation should have after insertions and removals, by their ids.
 template <class Dynamic>
 using Model = std::map<std::size_t, typename Dynamic::Point>;
 

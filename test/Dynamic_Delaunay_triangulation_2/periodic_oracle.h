@@ -65,7 +65,7 @@ public:
     return m_points.at(id) + Exact::FT(shift[0]) * m_a + Exact::FT(shift[1]) * m_b;
   }
 
-  // Of the cell, or of the part of a slab between its outermost points.
+  // Twice the area of the cell, or of the part of a slab between its outermost points.
   Exact::FT double_area() const
   {
     if (!m_is_slab)
@@ -89,7 +89,7 @@ public:
     const Point start = wrapped(t[0]);
     const Vector to_start = start - t[0];
     const Triangle moved{start, t[1] + to_start, t[2] + to_start};
-    // what is far outside by doubles needs no exact look
+    // copies that are far outside by doubles need no exact predicate
     const Point center = CGAL::circumcenter(moved[0], moved[1], moved[2]);
     const double x = CGAL::to_double(center.x()), y = CGAL::to_double(center.y());
     const double reach = 1.001 * std::sqrt(CGAL::to_double(CGAL::squared_distance(center, start)));
@@ -112,7 +112,7 @@ public:
   }
 
 private:
-  // The images that are nearest to the center along the slab are the deepest in the circle.
+  // Of the images of a point those nearest to the center along the slab are deepest in the circle.
   bool is_delaunay_in_slab(const Triangle& t) const
   {
     const Point center = CGAL::circumcenter(t[0], t[1], t[2]);

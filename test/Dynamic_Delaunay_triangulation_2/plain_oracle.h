@@ -24,7 +24,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
 using Points_by_id = std::map<std::size_t, Point>;
 
-// It is certified, and has the edges of a fresh triangulation of the points that it should have.
+// Asserts that `dt` is certified, and has the points and the edges of a fresh triangulation.
 template <class Dynamic>
 void assert_exact(const Dynamic& dt, const Points_by_id& points)
 {

@@ -60,7 +60,7 @@ public:
 
   Dynamic& triangulation() { return m_subject.triangulation(); }
 
-  // Both throw what they find.
+  // Both throw if the triangulation is not what it should be.
   void start() { m_trial.start(); }
   void play() { m_trial.step(); }
 

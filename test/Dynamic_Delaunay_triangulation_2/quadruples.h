@@ -63,7 +63,7 @@ public:
     return q;
   }
 
-  // All bits by chance.
+  // A finite double of random bits.
   double any_double()
   {
     for (;;) {
@@ -75,7 +75,7 @@ public:
     }
   }
 
-  // Half of them where some square, or product of squares, begins to underflow or overflow.
+  // Half of them are close to where a square, or a product of squares, underflows or overflows.
   int any_exponent()
   {
     static constexpr int thresholds[] = {-1074, -1022, -700, -540, -485, -400, -333, -268,

@@ -64,9 +64,9 @@ inline void* or_throw(void* memory)
 
 } // namespace replaced_heap
 
-// All forms, because the address sanitizer has its own of those that are left out, and takes it for
-// a mistake if memory of one of its own comes back to one of these. (Inlined, they would draw a
-// false warning about mismatched allocation from g++.)
+// All forms are replaced, because the address sanitizer provides the others, and reports memory
+// that one of its forms allocates and one of these frees. (Inlined, they would draw a false warning
+// about mismatched allocation from g++.)
 
 [[gnu::noinline]] void* operator new(std::size_t size)
 {

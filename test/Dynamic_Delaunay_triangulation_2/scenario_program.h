@@ -74,7 +74,7 @@ inline void expect_exact_report(const Json& report, std::size_t frames)
   EXPECT_EQ(report["mcc_mean"], 1.0);
 }
 
-// One message, no report, not even a part of one.
+// Expects one message on one line, no output, and neither a report nor a part of one.
 inline void expect_refusal(Words arguments, const Words& parts_of_message)
 {
   const std::string path = temporary_path("refused.json");
@@ -108,7 +108,7 @@ inline void expect_equal_recordings(const scenario::Recording& frames,
   }
 }
 
-// No point, one, two, three points on a line, four, the same four a little further.
+// Frames of no point, one, two, three points on a line, four, and the four with one of them moved.
 inline std::string small_dump()
 {
   const std::vector<Words> frames = {{},

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Checkpoints that somebody has changed, with the right checksum: else nothing would get past that.
+// Changed checkpoints with the right checksum: otherwise readers would refuse all for the checksum.
 
 #ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_SEALED_CHECKPOINT_H
 #define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_SEALED_CHECKPOINT_H
@@ -20,7 +20,7 @@ std::string checkpoint_of(const Subject& subject)
   return out.str();
 }
 
-// These lines, and that of their checksum.
+// The lines, followed by the line of their checksum.
 inline std::string sealed(const std::string& lines)
 {
   CGAL::Dynamic_Delaunay_triangulations_2::internal::Checkpoint_sum_2 sum;
@@ -28,7 +28,7 @@ inline std::string sealed(const std::string& lines)
   return lines + "checksum " + sum.text() + '\n';
 }
 
-// What the file would be if its lines were meant.
+// A changed file with the checksum of its lines in place of the old one.
 inline std::string resealed(const std::string& text)
 {
   return sealed(text.substr(0, text.rfind("checksum ")));

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Vertices and faces that carry a stamp, which no other of the program has: handles change, and the
-// stamp shows whether a point still has the vertex that it had.
+// Vertices and faces that carry a stamp, unique in the program: handles change, and the stamp shows
+// whether a point still has the vertex that it had.
 
 #ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_STAMPS_H
 #define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_STAMPS_H
@@ -42,7 +42,7 @@ std::size_t stamp_of([[maybe_unused]] const Dynamic& dt, [[maybe_unused]] std::s
   return 0;
 }
 
-// Of the points that share their vertices with no other, by their ids.
+// The stamps of the vertices that only one point has, by the ids of these points.
 template <class Dynamic>
 std::map<std::size_t, std::size_t> stamps_of(const Dynamic& dt)
 {

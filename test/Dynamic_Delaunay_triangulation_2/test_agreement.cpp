@@ -24,7 +24,7 @@ namespace test_agreement {
 
 using Points = Cloud<Epick>::Points;
 using Fresh = CGAL::Delaunay_triangulation_2<Epick>;
-// keeps its edges whatever happens
+// keeps its edges however points move
 using Frozen = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Point_distance_classifier_2>;
 
 Frozen frozen(const Points& built, const Points& moved)
@@ -135,7 +135,7 @@ using Point = Epick::Point_2;
 using Cell = CGAL::Periodic_cell_2;
 using Shift = CGAL::Periodic_shift_2;
 using Periodic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick>;
-// finds nothing, ever
+// classifies no vertex, and so keeps its edges
 using Frozen_periodic =
     CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick, CGAL::Random_classifier_2>;
 
@@ -146,7 +146,7 @@ Frozen_periodic frozen(const Points& built, const Points& moved, const Cell& cel
   return pt;
 }
 
-// With so few bits that translations are exact.
+// Points with so few bits that adding vectors of the lattice is exact.
 Points short_points(std::size_t number, unsigned seed)
 {
   Points points;

@@ -53,8 +53,7 @@ Class class_of(Cgal_shape::Classification_type c)
                                      : Class::INTERIOR;
 }
 
-// All classes by places, so that they can be compared. What differs where diagonals do is left out:
-// an edge with cocircular corners on both sides, and the faces there.
+// All classes by places, so that they can be compared.
 struct Classes
 {
   std::map<Ends, Class> points, edges, faces;
@@ -112,7 +111,7 @@ Classes classes_of(const Dynamic& dt, const Shape& shape)
   return classes;
 }
 
-// As many of each class: where triangulations differ by diagonals, shapes differ by no more.
+// The number of edges and of faces of each class, which does not depend on the choice of diagonals.
 std::array<std::size_t, 8> sizes(const Classes& classes)
 {
   std::array<std::size_t, 8> sizes{};
@@ -152,7 +151,7 @@ protected:
     return clouds;
   }
 
-  // Among them the very radii of some faces and edges.
+  // Some values of alpha, among them the squared circumradii of some faces and edges.
   static std::vector<Number> alphas_of(const Points& points)
   {
     std::vector<Number> alphas{0, 0.25, 0.5, 1, 4, 1000};

@@ -48,7 +48,7 @@ Edge_set edges_of(const Dynamic& dt)
   return edges;
 }
 
-// Keeps the edges and the faces in step with what it is told, and writes down who is relocated.
+// Keeps sets of edges and faces up to date by its notifications, and records relocated ids.
 class Diary : public CGAL::Edge_changes_visitor_2
 {
   using Base = CGAL::Edge_changes_visitor_2;
@@ -56,7 +56,7 @@ class Diary : public CGAL::Edge_changes_visitor_2
 public:
   int begun() const { return m_begun; }
   int finished() const { return m_finished; }
-  // The ids, in the order in which they were told, of the last call.
+  // The ids that the last call relocated, in the order of its notifications.
   const Ids& relocated() const { return m_relocated; }
   std::size_t merges() const { return m_merges; }
   void refuse() { m_refuses = true; }
@@ -200,7 +200,7 @@ std::map<typename Dynamic::Vertex_handle, std::size_t> shares_of(const Dynamic& 
   return shares;
 }
 
-// Points that are moved about; after each call all is as it should be.
+// Moves points, and checks the triangulation after each call.
 template <class Kernel>
 class Stage
 {
@@ -232,7 +232,7 @@ public:
     check([this] { return m_dt.update(points.begin(), points.end()); });
   }
 
-  // Those whose places have changed, and no others.
+  // Moves only the points whose places have changed.
   void move()
   {
     std::vector<std::pair<std::size_t, Point>> movers;
@@ -244,7 +244,7 @@ public:
 
   void trade(std::size_t i, std::size_t j) { std::swap(points[i], points[j]); }
 
-  // Each takes the place of the next one.
+  // Each point takes the place of the next one, the last one that of the first.
   void shift(const Ids& ids)
   {
     const Point first = points[ids.front()];
@@ -509,7 +509,7 @@ TYPED_TEST(
     EXPECT_FALSE(stage.report().rebuilt());
     EXPECT_EQ(stage.dt().vertex(11), stage.dt().vertex(13));
     EXPECT_EQ(stage.dt().number_of_vertices(), 299u);
-    // representative and duplicate trade: one comes to where the other one is, which is leaving
+    // representative and duplicate trade places
     stage.trade(11, 10);
     ASSERT_NO_FATAL_FAILURE(go());
     EXPECT_FALSE(stage.report().rebuilt());
@@ -542,7 +542,7 @@ TYPED_TEST(Jumps, may_be_trades_of_pairs_and_cycles)
       EXPECT_FALSE(stage.report().rebuilt()) << "cycle of " << length;
       EXPECT_EQ(stage.report().merged, 0u);
     }
-    // so many that no update would be worth it
+    // so many that a rebuild is cheaper
     Ids all(600);
     std::iota(all.begin(), all.end(), std::size_t(0));
     stage.shift(all);
@@ -686,7 +686,7 @@ TYPED_TEST(Jumps, may_be_those_of_all_but_three)
   }
 }
 
-// The budget for mending may be spent; then there is a rebuild, and not earlier, and never a loss.
+// However many points jump, by mending or, past the budget for that, by a rebuild.
 TEST(Jumps_of_many, end_exact_whatever_they_cost)
 {
   std::vector<Epick::Point_2> parabola;
@@ -745,7 +745,7 @@ TEST(Jumps_of_a_few_of_thousands, cost_little_and_move_no_other_point)
     EXPECT_EQ(stage.relocated(), jumpers);
     EXPECT_EQ(stage.report().relocated, 5u);
   }
-  // meetings cost what meets, not everything
+  // points that meet cost about as many flips as they have edges, in a cloud of any size
   const Ids ids = some_ids(3000, 20, random);
   for (std::size_t k = 0; k < ids.size(); k += 2)
     stage.points[ids[k]] = stage.points[ids[k + 1]];
@@ -817,7 +817,7 @@ public:
 
   const CGAL::Update_report_2& report() const { return m_report; }
 
-  // In the order of the frame, or any other.
+  // Updates in the order of the frame, or in a random one.
   void update(std::mt19937* random = nullptr)
   {
     std::vector<std::pair<int, Point>> range(frame.begin(), frame.end());
@@ -845,7 +845,7 @@ public:
     ASSERT_NO_FATAL_FAILURE(check());
   }
 
-  // Those whose places have changed; all are there already.
+  // Moves only the points whose places have changed; none may be new.
   void move()
   {
     std::vector<std::pair<int, Point>> movers;
@@ -856,7 +856,7 @@ public:
     ASSERT_NO_FATAL_FAILURE(check());
   }
 
-  // All is as the frame says.
+  // Expects the points of the frame, at their places, with their ids.
   void check()
   {
     const auto& dt = people.triangulation();
@@ -887,7 +887,7 @@ public:
   std::size_t most() const { return m_most; }
 
 private:
-  // Who stays keeps the id, who comes gets the smallest one that is free after all that go went.
+  // Points that stay keep their ids; new ones get the smallest that are free after all removals.
   std::map<int, std::size_t> expected_ids(const std::vector<std::pair<int, Point>>& range) const
   {
     std::map<int, std::size_t> ids;
@@ -1029,7 +1029,7 @@ TYPED_TEST(Populations, are_replaced_and_dwindle_to_no_point_and_grow_again)
        {30u, 30u, 3u, 2u, 2u, 1u, 1u, 0u, 0u, 1u, 2u, 3u, 4u, 60u, 5u, 3u, 60u, 0u, 10u}) {
     SCOPED_TRACE(testing::Message() << "to " << number);
     const auto points = cloud.uniform(number);
-    // all are others
+    // all points are replaced
     crowd.frame.clear();
     for (const auto& p : points)
       crowd.frame.emplace(next++, p);
@@ -1038,7 +1038,7 @@ TYPED_TEST(Populations, are_replaced_and_dwindle_to_no_point_and_grow_again)
     for (auto& person : crowd.frame)
       person.second = typename TestFixture::Point(person.first, 2 * person.first);
     ASSERT_NO_FATAL_FAILURE(crowd.update());
-    // some are others, and all leave the line
+    // one point leaves, one comes, and all others leave the line
     if (number > 1)
       crowd.frame.erase(crowd.frame.begin());
     for (auto& person : crowd.frame)
@@ -1073,7 +1073,7 @@ TYPED_TEST(Populations, lose_the_last_point_beside_a_line_while_another_one_come
 // -------------------------------------------------------------------------------------------------
 // A random program.
 
-// Where the points of a crowd go next, if they may do anything.
+// Decides at random where the points of a crowd go next.
 template <class Dynamic>
 class Program
 {
@@ -1112,7 +1112,7 @@ public:
         person() = p;
         break;
       }
-      case 3: // who shares parts
+      case 3: // one parts from those with which it coincides
         person() = near(person());
         break;
       case 4: { // all at a place go elsewhere
@@ -1151,7 +1151,7 @@ private:
 
   Point& person() { return any()->second; }
 
-  // The ids of those who went are used again, now and then.
+  // Adds a point. User ids of points that have left are sometimes used again.
   void come()
   {
     m_crowd.frame.emplace(int(random(3 * m_most)) - 20,
@@ -1356,7 +1356,7 @@ TEST(Equal_calls, have_equal_results_on_jumps_among_many)
 // -------------------------------------------------------------------------------------------------
 // What goes wrong.
 
-// Refuses to be asked, once it is told so.
+// Throws at its next call, once refuse() has been called.
 class Refusing_classifier : public CGAL::Circumcircle_classifier_2
 {
 public:
@@ -1394,7 +1394,7 @@ protected:
     ASSERT_NO_FATAL_FAILURE(m_crowd.update());
   }
 
-  // Some go, whose ids those get that come; a few jump, a representative goes, some meet.
+  // Some points leave, one of them a representative, new ones get their ids, one jumps, two meet.
   Frame next_frame()
   {
     Frame next = m_crowd.frame;
@@ -1510,7 +1510,7 @@ TEST_F(Wrong_frames, of_jumps_that_the_classifier_refuses_change_nothing)
   ASSERT_NO_FATAL_FAILURE(expect_next_frame_is_right());
 }
 
-// Mends first, or not at all, when it is told to throw.
+// Throws, when it is told to, before it mends, halfway, or after it has mended.
 class Failing_repair : public CGAL::Flip_and_splice_repair_2
 {
 public:
@@ -1549,8 +1549,8 @@ Frame frame_of(const Cloud<Epick>::Points& points)
   return frame;
 }
 
-// Some go, among them a representative; others come, one of them onto another one; some jump and
-// meet.
+// Some points leave, among them a representative; new ones come, one of them onto another point;
+// some jump, and two meet.
 Frame next_of(Frame frame, Cloud<Epick>& cloud)
 {
   for (auto& person : frame)
@@ -1625,7 +1625,7 @@ TEST(Repair_that_throws_in_a_frame, leaves_what_the_next_frame_mends)
       people.triangulation().repair().go(way);
       EXPECT_THROW(update(people, next), Refusal);
       EXPECT_TRUE(people.triangulation().is_valid(true));
-      // what has gone has gone, and no point has come
+      // the points that leave are removed, and no new point is inserted
       Frame between = next;
       for (const int user_id : {900, 901, 902})
         between.erase(user_id);

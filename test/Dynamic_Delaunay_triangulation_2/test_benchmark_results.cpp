@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What benchmarks say is only as good as what counts, searches and writes it down.
+// The parts of benchmarks that count, search and write their results.
 
 #include "../../benchmark/Dynamic_Delaunay_triangulation_2/common/Csv_file.h"
 #include "../../benchmark/Dynamic_Delaunay_triangulation_2/peers/Peer_output.h"
@@ -27,7 +27,7 @@ using thesis::Most_points_search;
 
 constexpr std::size_t many = 10'000'000;
 
-// Of frames that all take equally long.
+// The times of frames that all take equally long.
 Frame_milliseconds frames_of(std::size_t points, double milliseconds)
 {
   return {points, 1, milliseconds, milliseconds};

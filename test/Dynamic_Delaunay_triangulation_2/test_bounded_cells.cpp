@@ -56,8 +56,8 @@ Real between(std::mt19937& random, double low, double high)
 }
 
 // -------------------------------------------------------------------------------------------------
-// The oracle: what is seen from a point, direction by direction. A line is at a distance h in a
-// direction; in between only the nearest one counts, or the radius.
+// The oracle: what is seen from a point, direction by direction. A line has distance h, and its
+// normal has a direction. Each direction is bounded by the nearest line, or by the radius.
 
 struct Line
 {
@@ -83,7 +83,7 @@ public:
     m_lines.erase(std::remove_if(m_lines.begin(), m_lines.end(), is_far), m_lines.end());
   }
 
-  // With the radii of all others.
+  // Sweeps around the point. `radii` are those of all points.
   Swept run(const Numbers& radii) const
   {
     Swept swept;
@@ -94,7 +94,7 @@ public:
   }
 
 private:
-  // In which something else may become the nearest.
+  // The directions in which another line, or the radius, may become the nearest bound.
   std::vector<Real> directions() const
   {
     std::vector<Real> result{0, 2 * pi};
@@ -205,7 +205,7 @@ std::map<std::size_t, Real> contacts_of(const Cells& cells, std::size_t id)
   return contacts;
 }
 
-// Lengths within rounding of the size of the whole, areas within 1e-12 of themselves.
+// Expects lengths within rounding of the size of the whole, and areas within a relative 1e-12.
 void expect_swept(const Cells& cells, std::size_t id, const Swept& swept, double unit)
 {
   SCOPED_TRACE(testing::Message() << "id " << id);
@@ -221,7 +221,7 @@ void expect_swept(const Cells& cells, std::size_t id, const Swept& swept, double
     ASSERT_TRUE(length < error || swept.contacts.count(other) == 1) << "with " << other;
 }
 
-// Around each cell, one piece begins where the last one ends.
+// Expects that each piece of the boundary of a cell begins where the one before it ends.
 void expect_closed(const Cells& cells, std::size_t id, double unit)
 {
   const std::size_t first = cells.first_pieces()[id], beyond = cells.first_pieces()[id + 1];
@@ -452,7 +452,7 @@ TEST(Domains, must_be_convex_and_counterclockwise)
     star.push_back(Point(std::cos(i * 4 * double(pi) / 5), std::sin(i * 4 * double(pi) / 5)));
   EXPECT_EQ(refused_corner(star), 0);
   EXPECT_THROW(cells.set_domain(CGAL::Bbox_2(0, 0, 0, 1)), CGAL::Domain_error_2);
-  // the last one that was taken stays, and is none of periodic space
+  // the last valid domain stays, and is refused in periodic space
   EXPECT_EQ(refused_corner(trapezium), -1);
   EXPECT_EQ(refused_corner(star), 0);
   cells.compute(triangulation({Point(1, 1)}), infinity);
@@ -571,7 +571,7 @@ TEST(Ids, that_are_removed_have_nothing_and_those_that_coincide_share)
   EXPECT_DOUBLE_EQ(3 * cells.areas()[7], of_one.areas()[7]);
 }
 
-// To the last bit.
+// Expects measures that are equal to the last bit.
 void expect_equal_measures(const Cells& cells, const Cells& others)
 {
   EXPECT_EQ(cells.areas(), others.areas());
@@ -639,7 +639,7 @@ TEST(Radii, must_be_positive_and_as_many_as_ids)
 // -------------------------------------------------------------------------------------------------
 // Gradients, against differences of an energy that has another weight for every area and length.
 
-// Depends on nothing but what is on both sides of the piece.
+// A weight that depends only on what is on both sides of the piece.
 double length_weight(const Cells::Piece& piece, std::size_t id)
 {
   const double other = piece.angle > 0 ? 99 : double(piece.other);
@@ -685,7 +685,7 @@ void expect_gradients(Triangulation& dt, const Points& points, const Numbers& ra
   CGAL::Bounded_voronoi_gradients_2 gradients;
   gradients.compute(dt, cells, here.area_weights, here.length_weights);
   const double step = 1e-6;
-  // Of a point that moves, and of radii that grow.
+  // The change of energy as a point moves by (x, y) and radii grow by `growth`, per unit of time.
   const auto difference = [&](std::size_t id, double x, double y, const Numbers& growth) {
     const auto at = [&](double t) {
       Points moved = points;
@@ -768,7 +768,7 @@ TEST(Gradients, by_radius_of_a_whole_disc_are_its_circumference)
 // -------------------------------------------------------------------------------------------------
 // Surfaces.
 
-// The number of components that contacts make of all points.
+// The number of connected components of points that are joined by contacts.
 std::size_t components(const Cells& cells)
 {
   std::vector<std::size_t> root(cells.areas().size());
@@ -844,7 +844,7 @@ TEST(Surfaces, go_from_wall_to_wall_where_a_domain_cuts_them)
   cells.compute(triangulation({Point(0.5, 0.5), Point(1.5, 0.5), Point(3.5, 0.5)}), 0.7);
   CGAL::Bounded_voronoi_surface_2 surface;
   surface.compute(cells);
-  // in four corners, in the gap, and above and below the contact
+  // one in each of four corners, two in the gap, and one each above and below the contact
   EXPECT_EQ(surface.number_of_lines(), 8u);
   for (std::size_t line = 0; line < surface.number_of_lines(); ++line)
     EXPECT_FALSE(surface.is_closed(line));

@@ -109,7 +109,7 @@ Domain hall_with_pillars()
   return domain;
 }
 
-// A star with random rays, and some of the smaller ones in it that do not touch.
+// A star with random rays, and as its holes smaller stars that touch neither it nor one another.
 class Random_domain
 {
 public:
@@ -140,7 +140,7 @@ public:
     const double x = rounded(between(low, high));
     return Point(x, rounded(between(low, high)));
   }
-  // Different ones.
+  // At most `number` points, all different.
   Points inside(const Domain& domain, std::size_t number)
   {
     std::set<Point> points;
@@ -195,7 +195,7 @@ struct Shape
   std::map<std::size_t, double> contacts{};
 };
 
-// Rings are closed, outer ones come first, and all add up.
+// Expects closed rings, outer ones first, that add up to the measures of the cell.
 Shape checked_shape(const Cells& cells, std::size_t id)
 {
   Shape shape;
@@ -258,7 +258,7 @@ void expect_right(const Points& points, const Domain& domain, double radius, boo
       const Cells& these = cells.at(is_connected ? Rule::CONNECTED : Rule::WHOLE);
       const Measured measured = boolean.measure(is_connected);
       if (is_connected && (measured.components == 0 || measured.is_pinched))
-        continue; // the oracle knows no component of a point on a wall, or too much
+        continue; // the oracle finds no component of a point on a wall, or too large a one
       ASSERT_NO_FATAL_FAILURE(expect_area(these, id, points[id], measured));
       ASSERT_NEAR(these.perimeters()[id], double(measured.perimeter), length_error);
       if (is_general) {
@@ -269,7 +269,7 @@ void expect_right(const Points& points, const Domain& domain, double radius, boo
       }
     }
     if (is_on_wall(domain, points[id]))
-      continue; // the sweep would look through it
+      continue; // the sweep would look through the wall
     SCOPED_TRACE("visible");
     const Cells& visible = cells.at(Rule::VISIBLE);
     const Measured measured = Visible_cell(points, id, domain, radius).measure();
@@ -310,7 +310,7 @@ TEST(Cells_in_domains, are_right_where_everything_is_on_a_grid)
   }
 }
 
-// A grid that was turned, so that what was degenerate is so but for rounding.
+// A grid that is rotated, so that its degeneracies are so up to rounding.
 TEST(Cells_in_domains, have_right_areas_where_rounding_decides_what_meets)
 {
   const auto turned = [](const auto& places) {
@@ -368,7 +368,7 @@ TEST(Cells_in_domains, add_up_to_the_domain)
     }
 }
 
-// Of a point outside, measures cancel.
+// Points outside of the domain, whose measures are differences: errors are larger.
 void expect_right_outside(const Points& points, const Domain& domain, double radius)
 {
   const Plane dt = triangulation(points);
@@ -490,7 +490,7 @@ TEST(Cells_in_domains, have_a_ring_around_each_hole)
     EXPECT_NEAR(cells.centroids()[0].x, 5, 1e-14);
     EXPECT_NEAR(cells.centroids()[0].y, 5, 1e-14);
   }
-  // and two in a disc that encloses two pillars, whose boundary is one arc
+  // two holes in a disc around two pillars, whose outer boundary is one arc
   Cells cells(domain);
   cells.compute(triangulation({Point(5, 3.5)}), 2.4);
   EXPECT_EQ(checked_shape(cells, 0).holes, 2u);
@@ -509,7 +509,7 @@ TEST(Cells_in_domains, end_where_a_wall_is_on_a_bisector)
   cells.set_rule(Rule::CONNECTED);
   cells.compute(halls);
   EXPECT_DOUBLE_EQ(cells.areas()[0], 3 * 8);
-  // and one of a hole, in one cell only
+  // a wall of a hole is on the bisector, and in one cell only
   Domain domain(box(0, 0, 4, 4));
   domain.add_hole(box(2, 1, 1, 1));
   for (const Rule rule : rules) {
@@ -566,7 +566,7 @@ TEST(Cells_in_domains, have_errors_that_say_what_is_wrong_and_change_nothing)
   EXPECT_THROW(cells.cell(dt, 2), CGAL::Unknown_id_error_2);
   EXPECT_EQ(cells.areas(), areas);
 
-  // the corner, and the domain
+  // the error names the corner, and the old domain stays
   const auto with_hole = [](const Polygon& hole) {
     Domain result(box(0, 0, 10, 10));
     result.add_hole(box(1, 1, 4, 4));

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A triangulation that was written and read goes on as the original does, and what is no checkpoint
-// is refused and changes nothing.
+// A triangulation that was written and read goes on as the original does; a file that is no
+// checkpoint is refused and changes nothing.
 
 #include "checkpoint_files.h"
 #include "oracle.h"
@@ -151,7 +151,7 @@ private:
   double m_step;
 };
 
-// Writing is no part of the story: it is compared at the end only.
+// Checkpoints are compared at the end only, so that writing them cannot influence the calls.
 template <class Dynamic>
 void expect_common_future(Dynamic& dt, Dynamic& other, unsigned seed, double step = 0.05,
                           int frames = 50)
@@ -337,7 +337,7 @@ TEST(Checkpoints, what_an_exact_classifier_remembers_makes_no_difference)
   expect_to_go_on(by_regions, 11, 1e-4, 100);
 }
 
-// Motion between mending and rebuilding: what was in vain decides whether it is tried again.
+// Motion that is mended in some frames and rebuilt in others, depending on repairs that failed.
 TEST(Checkpoints, what_was_in_vain_is_remembered)
 {
   Cloud<Epick> cloud(11);
@@ -381,7 +381,7 @@ TEST(Checkpoints, uncertified_triangulations_are_kept_as_they_are)
   }
 }
 
-// Says what it is told.
+// Records after each update whether it is told that everything is new.
 struct Told_classifier
 {
   static constexpr bool is_exact = true;
@@ -557,7 +557,7 @@ TEST(Checkpoints, ids_of_users_that_repeat_are_refused)
 
 // REFUSALS ----------------------------------------------------------------------------------------
 
-// Small, and with everything that a file can have.
+// A small triangulation whose checkpoint has everything that a file can have.
 Exact specimen()
 {
   Points points = Cloud<Epick>(17).uniform(9);

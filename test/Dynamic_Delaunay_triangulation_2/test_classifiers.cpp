@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the classifiers pick, and that a user's own plugs in.
+// What the classifiers pick, and that a user can plug in another one.
 
 #include "oracle.h"
 
@@ -18,7 +18,7 @@ namespace test_classifiers {
 using Points = Cloud<Epick>::Points;
 using Distance = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Point_distance_classifier_2>;
 
-// A user's own classifier, heuristic: whoever has moved far since it was last looked at.
+// A user's own heuristic classifier: the points that have moved far since the previous frame.
 struct Fast_mover_classifier
 {
   static constexpr bool is_exact = false;
@@ -86,6 +86,36 @@ TEST(Edge_filter, proves_the_same_edges_in_one_lane_and_in_all)
   EXPECT_EQ(plain, chosen);
   EXPECT_GT(edges.size() - plain.size(), 1000u); // both answers occur
   EXPECT_GT(plain.size(), 1000u);
+}
+
+// The classifier picks nothing, so the hull stays as it was.
+TEST(Frames, know_where_a_straight_hull_turns_back_and_where_a_face_at_the_hull_is_flat)
+{
+  const Points points = {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 3}, {0, 3}, {0.5, 0.2}, {1.5, 1.6}};
+  using Ids = std::set<std::set<std::size_t>>;
+  const auto broken_at_hull = [&](std::size_t id, const Epick::Point_2& p) {
+    CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Random_classifier_2> dt(
+        points.begin(), points.end(), CGAL::Random_classifier_2(0));
+    Points moved = points;
+    moved[id] = p;
+    dt.update(moved.begin(), moved.end());
+    const auto frame = dt.frame();
+    Ids broken;
+    for (CGAL::Dynamic_Delaunay_triangulations_2::Index e = 0; e < frame.number_of_edges(); ++e)
+      if (frame.is_at_infinity(e) && !frame.is_delaunay(e)) {
+        std::set<std::size_t> ids;
+        for (const auto v : {frame.edge(e).source, frame.edge(e).target})
+          if (!frame.is_infinite(v))
+            ids.insert(frame.id(v));
+        broken.insert(ids);
+      }
+    EXPECT_TRUE(dt.mend().certified && dt.is_valid());
+    return broken;
+  };
+  EXPECT_EQ(broken_at_hull(1, {1.2, 0}), Ids());
+  EXPECT_EQ(broken_at_hull(1, {2.5, 0}), (Ids{{1}, {2}, {1, 2}})); // beyond the next corner
+  EXPECT_EQ(broken_at_hull(6, {0.5, 0}), (Ids{{0, 1}}));
+  EXPECT_EQ(broken_at_hull(6, {-0.5, 0}), (Ids{{0, 1}, {0, 5}})); // on the line, outside
 }
 
 TEST(Point_distance_classifier, picks_the_ends_of_edges_that_left_their_range)
@@ -172,7 +202,7 @@ struct All_edges_classifier
   std::vector<CGAL::Dynamic_Delaunay_triangulations_2::Index> unproved{};
 };
 
-// Both in turn, where so much moves that no edge can be skipped.
+// The median ratio over frames, taken in alternating order. Too much moves for edges to be skipped.
 double time_over_that_of_the_built_in_classifier(unsigned seed)
 {
   using Clock = std::chrono::steady_clock;

@@ -23,7 +23,7 @@ using Heuristic = CGAL::Dynamic_Delaunay_triangulation_2<Kernel, CGAL::Point_dis
 
 const Points points = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}};
 
-// What it says on std::cerr.
+// What `draw` writes to std::cerr.
 template <class Draw>
 std::string said_by(const Draw& draw)
 {

@@ -232,7 +232,7 @@ TEST(Exact_coordinates, that_are_no_doubles_leave_the_signs_to_the_kernel)
   }
 }
 
-// Their rounded positions are another cloud, on a lattice, of which every filter is sure.
+// Their rounded positions are another cloud, on a lattice, for which every filter is certain.
 TEST(Exact_coordinates, that_differ_by_less_than_doubles_do_are_told_apart)
 {
   std::mt19937 random(5);
@@ -287,7 +287,7 @@ TEST(Exact_coordinates, that_move_by_less_than_doubles_tell_are_followed)
   }
 }
 
-// On each of them: faces, numbers of edges, tolerances, and how far edges are from being illegal.
+// Faces, numbers of edges, tolerances, and how far edges are from being illegal, on all processors.
 TEST(Every_processor, leads_to_the_same_bits)
 {
   using CGAL::Dynamic_Delaunay_triangulations_2::internal::Plane_slacks_2;

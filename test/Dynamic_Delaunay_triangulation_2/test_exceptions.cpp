@@ -49,7 +49,7 @@ bool is_at(const Places& places, std::size_t id, const Point& p)
   return found != places.end() && found->second == p;
 }
 
-// Each point has changed, or it has not.
+// Expects each point where it was before the call or where it should be after it.
 template <class Dynamic>
 void expect_between(const Dynamic& dt, const Places& before, const Places& after)
 {
@@ -80,7 +80,7 @@ void update_to(Dynamic& dt, const Places& places)
   dt.update(points.begin(), points.end());
 }
 
-// Any call, and what comes of it.
+// Makes the next call, and returns the places that points must have after it.
 template <class Dynamic>
 Places go_on(Dynamic& dt, Next next)
 {
@@ -111,7 +111,7 @@ Places go_on(Dynamic& dt, Next next)
   return places;
 }
 
-// One call later, and two calls later.
+// Expects an exact triangulation after one more call, and after another update.
 template <class Dynamic>
 void expect_recovery(Dynamic& dt, Next next)
 {
@@ -133,7 +133,7 @@ void expect_recovery(Dynamic& dt, Next next)
 // -------------------------------------------------------------------------------------------------
 // Memory.
 
-// False if it ran out.
+// False if `work` ran out of memory after the given number of allocations.
 bool succeeds(const std::function<void()>& work, long allocations)
 {
   try {
@@ -145,7 +145,7 @@ bool succeeds(const std::function<void()>& work, long allocations)
   }
 }
 
-// A triangulation that has come to a state, and a call that changes it.
+// Makes a triangulation, and makes a call that changes it.
 template <class Dynamic>
 struct Scene
 {
@@ -175,7 +175,7 @@ Places outcome(const Scene<Dynamic>& scene)
   return model_of(*dt);
 }
 
-// Memory runs out at each of the allocations of the call.
+// Makes the call once for each of its allocations, at which memory then runs out.
 template <class Dynamic>
 void expect_survival(const Scene<Dynamic>& scene)
 {
@@ -201,7 +201,7 @@ class Memory : public testing::Test
 protected:
   using Change = std::function<void(Dynamic&)>;
 
-  // Of each of the changes, from the same points.
+  // Expects survival of each of the changes, from the same points.
   static void expect_survival_of(const Points& points, const std::vector<Change>& changes)
   {
     for (const Change& change : changes)
@@ -440,7 +440,7 @@ struct Failure
 {
 };
 
-// Throws when it is asked for the k-th time.
+// Throws when it is burned for the k-th time, counted from 0.
 class Fuse
 {
 public:
@@ -455,7 +455,7 @@ private:
   std::shared_ptr<int> m_left = std::make_shared<int>(-1);
 };
 
-// Reads what it is given, and burns a fuse at it.
+// A property map that returns the value itself, and burns a fuse.
 template <class Value>
 struct Fused_map
 {
@@ -526,7 +526,7 @@ struct Fused_output
   }
 };
 
-// How often a call burns a fuse; each time is made to fail once, which must not change anything.
+// Repeats the call, and makes another one of its burns throw each time: nothing may change.
 template <class Call>
 void expect_nothing_changes(Exact& dt, const Call& call)
 {
@@ -550,7 +550,7 @@ class Ranges : public testing::Test
 protected:
   Ranges()
   {
-    points[3] = points[4]; // a duplicate: all that reads a frame goes another way
+    points[3] = points[4]; // a duplicate: frames are then read by other code
     dt.update(points.begin(), points.end());
     for (std::size_t id = 5; id < 20; ++id)
       movers.emplace_back(id, others[id]);
@@ -708,7 +708,7 @@ protected:
     EXPECT_THROW(dt.update(moved.begin(), moved.end()), Failure);
   }
 
-  // After the same failure again and again, with another call after each.
+  // Causes the same failure repeatedly, with another kind of call after each.
   void expect_recovery_from(const Fuse& fuse, int k, bool changes)
   {
     for (const Next next : all_next) {
@@ -730,7 +730,7 @@ protected:
     }
   }
 
-  // Where all who are there now were at first.
+  // The places at which all points that still exist began.
   Places before_meeting() const
   {
     Places places = model_of(dt);

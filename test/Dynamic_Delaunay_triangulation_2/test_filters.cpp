@@ -29,8 +29,8 @@ using internal::Edge_slack_2;
 
 constexpr double tiniest = std::numeric_limits<double>::denorm_min();
 
-// Vertices 1 to 4 are the quadruple, and the edge is the one from 2 to 3; a classifier that asks
-// whether it is Delaunay is told that it is not.
+// A frame with one edge, from vertex 2 to vertex 3; vertices 1 to 4 are the quadruple. A classifier
+// that asks whether the edge is Delaunay is told that it is not.
 struct One_edge
 {
   using Index = ::Index;
@@ -138,7 +138,7 @@ void expect_no_contradiction(const Quadruple& q, const Signs& signs)
   ASSERT_TRUE(side == 0 || side == signs.side) << text(q);
 }
 
-// Of three terms one overflowed, and the bound did not: the tie counted as an empty circle.
+// One of three terms overflows and the bound does not: a tie must not count as an empty circle.
 TEST_F(Predicates, of_the_filters_see_a_tie_in_a_huge_square)
 {
   const Position_2 a{-1e77, 0}, b{-1e77, -1e77}, c{0, -1e77}, d{0, 0};
@@ -149,7 +149,7 @@ TEST_F(Predicates, of_the_filters_see_a_tie_in_a_huge_square)
 
 using Angles = std::array<double, 4>;
 
-// In the order of the corners of an edge, so that its faces are counterclockwise.
+// Angles in the order of the corners of an edge, so that its faces are counterclockwise.
 Angles any_angles(Random& random)
 {
   Angles angles;
@@ -240,7 +240,7 @@ TEST_F(Predicates, of_four_edges_at_once_claim_nothing_wrong_for_any_finite_doub
   EXPECT_GT(proved, 1000u);
 }
 
-// Of one edge in each lane.
+// Expects of each lane, with an edge of its own, what a filter of one lane says of that edge.
 template <int lanes>
 BOOST_FORCEINLINE void expect_what_one_lane_proves(const std::vector<Edge_2>& edges,
                                                    const std::vector<Position_2>& positions)
@@ -282,7 +282,7 @@ TEST_F(Predicates, of_an_edge_are_the_same_in_any_number_of_lanes)
   });
 }
 
-// Else 1 + e times 1 - e less 1 is -e^2, where a processor has an instruction for it.
+// With fused multiply-add instructions (1 + e) (1 - e) - 1 would be -e^2 instead of 0.
 TEST_F(Predicates, of_products_round_them_before_sums)
 {
   using internal::product;
@@ -297,7 +297,7 @@ TEST_F(Predicates, of_products_round_them_before_sums)
 
 #ifdef __aarch64__
 
-// As a game may have set it, or a library linked with -ffast-math.
+// With the processor in the state that a game or a library linked with -ffast-math may have set.
 TEST_F(Predicates, compute_with_subnormal_numbers_where_a_program_flushes_them)
 {
   constexpr std::uint64_t flushes = 1 << 24;

@@ -176,7 +176,7 @@ TEST(Guarantees, an_unknown_id_from_the_classifier_is_refused_and_nothing_change
   Cloud<Epick> cloud(8);
   const auto points = cloud.uniform(50);
   auto moved = points;
-  cloud.shake(moved, 0.05); // or it is not asked
+  cloud.shake(moved, 0.05); // without motion the classifier is not asked
   Faulty_classifier classifier;
   CGAL::Dynamic_Delaunay_triangulation_2<Epick, Faulty_classifier> dt(points, classifier);
   *classifier.is_faulty = true;
@@ -217,7 +217,7 @@ TEST(Guarantees, the_classified_set_names_no_vertex_that_a_rebuild_did_away_with
 {
   Cloud<Epick> cloud(15);
   const auto points = cloud.uniform(200);
-  auto elsewhere = points; // were it more than a quarter, a sample would decide
+  auto elsewhere = points; // if more than a quarter jumped, a sample would decide
   std::copy(elsewhere.begin(), elsewhere.begin() + 50, elsewhere.begin() + 150);
   Exact dt(points.begin(), points.end());
   const auto report = dt.update(elsewhere.begin(), elsewhere.end());

@@ -65,7 +65,7 @@ Points random_points(std::size_t number, unsigned seed)
   return points;
 }
 
-// With all cocircular ones that a lattice has.
+// A square lattice, with all its cocircular points.
 Points lattice(int size)
 {
   Points points;
@@ -137,12 +137,12 @@ TEST(Indexed_data_structure, takes_points_with_infos)
 
 struct Convert_vertex
 {
-  // CGAL's structure creates a vertex of this one,
+  // CGAL's structure creates a vertex by this operator,
   Usual_with_info_tds::Vertex operator()(const Indexed_with_info::Vertex& from) const
   {
     return Usual_with_info_tds::Vertex(from.point());
   }
-  // and then, as the indexed structure does, calls this one.
+  // and then calls this one. The indexed structure calls this one only.
   template <class From, class To>
   void operator()(const From& from, To& to) const
   {
@@ -457,7 +457,7 @@ TEST(Indexed_data_structure, moves_vertices_as_cgals_structure_does)
     for (std::size_t i = 0; i < points.size(); ++i)
       EXPECT_TRUE(of_indexed[i]->point() == of_usual[i]->point());
   }
-  // A place that is taken stays with who is there.
+  // A vertex that is moved onto another one does not replace it.
   EXPECT_TRUE(indexed.move_if_no_collision(of_indexed[0], of_indexed[1]->point()) == of_indexed[1]);
   EXPECT_TRUE(indexed.number_of_vertices() == points.size());
   EXPECT_TRUE(indexed.move(of_indexed[0], Point(of_indexed[1]->point())) == of_indexed[1]);
@@ -611,7 +611,7 @@ TEST(Indexed_data_structure, can_be_destroyed_while_elements_have_no_neighbors)
 }
 
 // -------------------------------------------------------------------------------------------------
-// The triangulation of moving points is one of CGAL's, on this structure.
+// The triangulation of moving points is a triangulation of CGAL on this structure.
 
 TEST(Triangulation_state, works_with_cgals_queries_and_adaptors_after_every_frame)
 {
@@ -634,7 +634,7 @@ TEST(Triangulation_state, works_with_cgals_queries_and_adaptors_after_every_fram
   }
 }
 
-// As CGAL's structure wants to have them.
+// Converters of vertices and faces, as CGAL's structure demands them.
 struct Copied_vertex
 {
   Usual::Vertex operator()(const Indexed::Vertex& v) const { return Usual::Vertex(v.point()); }

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Points come from anything that C++ calls a range, whatever its iterators keep, make or refer to;
-// wrong uses are refused.
+// Points may come from any C++ range, even if its iterators store or create their values; wrong
+// uses are refused.
 
 #include "../../benchmark/Dynamic_Delaunay_triangulation_2/random_operations/Arithmetic.h"
 #include "oracle.h"
@@ -58,8 +58,8 @@ constexpr std::size_t number = 500; // enough to overwrite what a dangling refer
 
 // RANGES ------------------------------------------------------------------------------------------
 
-// An iterator that keeps its value in itself, as one that reads a file does: it is gone when the
-// iterator is.
+// An iterator that stores its value, as iterators that read files do: the value is destroyed with
+// the iterator.
 class Stashing_iterator
 {
 public:
@@ -205,7 +205,7 @@ void for_each_kind_of_range(const Points& points, const Function& f)
   call("a property map of structures", particles.begin(), particles.end(),
        boost::make_function_property_map<Particle, const Point&>(Where()));
 
-  // the map refers into a pair that the iterator has made
+  // the property map returns a reference into a temporary pair of the iterator
   const Pair_of pair_of;
   call("references into values that are made",
        boost::make_transform_iterator(points.begin(), pair_of),
@@ -448,7 +448,7 @@ struct Unreadable
   const Value& operator()(std::ptrdiff_t) const { throw std::logic_error("a point was read"); }
 };
 
-// Of a range that may be longer than any memory, and must not be read.
+// An iterator of a range that may be longer than any memory, and must not be read.
 template <class Value>
 auto unreadable(std::size_t i)
 {
@@ -506,7 +506,7 @@ TEST(Too_many_points, are_refused_beside_those_that_are_there)
 
 // WRONG USES --------------------------------------------------------------------------------------
 
-// Names what is not there.
+// Classifies an edge or a vertex that does not exist.
 struct Wrong_classifier
 {
   static constexpr bool is_exact = false;
@@ -546,7 +546,7 @@ TEST(Wrong_uses, of_indices_by_classifiers_are_refused_and_change_nothing)
     }
 }
 
-// The triangulation cannot know any more whether all is as it was, before it is rebuilt.
+// Until it is rebuilt, the triangulation cannot know whether such a handle has changed it.
 TEST(Wrong_uses, of_handles_that_change_a_vertex_or_a_face_are_seen)
 {
   const Points points = Cloud<Epick>(9).uniform(50);
@@ -593,8 +593,7 @@ TEST(Messages, have_the_same_numbers_in_every_locale)
       CGAL::Non_finite_coordinate_error_2(1234, 0.1, std::numeric_limits<double>::infinity())
           .what();
   std::locale::global(before);
-  EXPECT_EQ(count.find("given are 1009 entries, and 10080 are due"), 0u)
-      << count;
+  EXPECT_EQ(count.find("given are 1009 entries, and 10080 are due"), 0u) << count;
   EXPECT_EQ(coordinates, "point 1234 has the coordinates (0.1, inf): both must be finite numbers");
 }
 
@@ -643,7 +642,7 @@ TEST(Default, stands_for_every_parameter)
 
 // FLOATING POINT ----------------------------------------------------------------------------------
 
-// The test has the caller's arithmetic, and gives it back; the oracle has what CGAL asks for.
+// Tests run in the caller's floating-point mode, which must be kept; the oracle in CGAL's mode.
 class Floating_point : public testing::TestWithParam<random_operations::Arithmetic>
 {
 protected:
@@ -717,7 +716,7 @@ TEST_P(Floating_point, of_the_caller_changes_nothing)
 }
 
 // Nine points with an extent for which a rounded scale is the largest double, not infinity: the
-// search for a finer grid never ended.
+// search for a finer grid must end.
 TEST_P(Floating_point, lets_points_at_the_smallest_extents_be_sorted)
 {
   Points points;
@@ -728,8 +727,8 @@ TEST_P(Floating_point, lets_points_at_the_smallest_extents_be_sorted)
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
-// So many points that both threads get some. A thread starts with the mode of whoever made it, or
-// with the usual one.
+// So many points that both threads get some. A thread starts with the mode of the thread that has
+// created it, or with the default mode.
 TEST_P(Floating_point, of_the_caller_changes_nothing_on_two_threads)
 {
   std::vector<Points> frames;

@@ -46,10 +46,10 @@ Exact_point exact(const Point& p)
   return Exact_point(p.x(), p.y());
 }
 
-// What is not 0, by the points.
+// The weights that are not 0, by their points.
 using Weight_of = std::map<Exact_point, double>;
 
-// By CGAL, without rounding; empty outside of the hull.
+// Natural neighbor weights by CGAL, without rounding; empty outside of the hull.
 Weight_of oracle(const Exact_triangulation& dt, const Exact_point& place)
 {
   if (dt.dimension() < 2)
@@ -77,7 +77,7 @@ void expect_near(const Weight_of& weights, const Weight_of& expected)
   }
 }
 
-// What holds for weights of either kind at one place: `where(i)` is the point of entry i.
+// Expects what holds for both kinds of weights at one place: `where(i)` is the point of entry i.
 template <class Where>
 void expect_sound(const Weights& weights, std::size_t place, const Exact_point& p,
                   const Where& where)
@@ -164,7 +164,7 @@ protected:
     return places;
   }
 
-  // Of a list, by points.
+  // The weights that are not 0 at one of the places, by their points.
   static Weight_of weights_at(const Weights& weights, const Subject& dt, std::size_t place)
   {
     Weight_of result;
@@ -397,8 +397,8 @@ TEST(Interpolation, any_number_of_points_can_be_natural_neighbors)
 
 // PERIODIC SPACE ----------------------------------------------------------------------------------
 
-// As seen from a place: all images around it, triangulated without rounding. The points may be
-// given many cells away along the first vector.
+// All images around a place, triangulated without rounding. The points may be given many cells away
+// along the first vector.
 class Image_oracle
 {
 public:

@@ -41,7 +41,7 @@ using CGAL::Dynamic_Delaunay_triangulations_2::Index;
 
 constexpr double tiniest = std::numeric_limits<double>::denorm_min();
 
-// Nobody waits for any of these numbers.
+// No number may make an algorithm slow: each test must end within a minute.
 class Numbers : public testing::Test
 {
 protected:
@@ -113,7 +113,7 @@ Positions mirrored(Positions points)
   return points;
 }
 
-// The first ones in the place of the last one.
+// Moves the first points to the last one.
 Positions with_coincidences(Positions points)
 {
   for (std::size_t i = 0; i < 5; ++i)
@@ -162,7 +162,7 @@ std::vector<std::vector<Positions>> stories(std::size_t n)
 
 // PLACES ------------------------------------------------------------------------------------------
 
-// What becomes of the whole numbers.
+// How the whole numbers of a story are mapped to coordinates.
 struct Place
 {
   std::string name;
@@ -395,7 +395,7 @@ TEST_F(Motion, is_followed_exactly_at_any_numbers_with_exact_constructions)
   expect_exact_everywhere<Epeck>(16);
 }
 
-// Long enough for edges and vertices to be skipped.
+// So many frames that edges and vertices are skipped.
 template <class Classifier>
 void expect_exact_in_calm(const Place& place, double step)
 {
@@ -504,7 +504,7 @@ struct Absurd_velocity
 class Heuristics : public Numbers
 {
 protected:
-  // No point is lost, the structure is sound, and what is said to be certified is so.
+  // Expects that no point is lost, that the structure is sound, and that certificates are true.
   template <class Classifier, class Repair = CGAL::Default>
   static void expect_honest(const Classifier& classifier = Classifier())
   {

@@ -113,7 +113,7 @@ TEST(Objects, that_are_populations_can_be_moved)
 
 // COPIES ------------------------------------------------------------------------------------------
 
-// Both go on from the same state, alike if they are asked the same, and apart if not.
+// Expects equal results of equal calls of an object and its copy, and no effect on each other.
 template <class Classifier>
 void expect_copies_to_go_on(const Classifier& classifier)
 {

@@ -57,7 +57,7 @@ Point image(const Point& p, const Cell& cell, int i, int j)
   return Point(p.x() + i * cell.ax() + j * cell.bx(), p.y() + i * cell.ay() + j * cell.by());
 }
 
-// What a visitor knows of the edges by hearsay alone.
+// A visitor that keeps a set of edges only by the changes of which it is notified.
 class Ledger : public CGAL::Delaunay_update_visitor_base_2
 {
   using Shift = CGAL::Periodic_shift_2;
@@ -341,8 +341,8 @@ TEST(A_cell, expands_and_shrinks_with_its_points)
   }
 }
 
-// A shear to a strain of ten. With `flips`, the cell is exchanged for one of the same lattice that
-// is less skew, as Lees and Edwards have it.
+// A shear to a strain of ten. With `flips`, the cell is exchanged for a less skew one of the same
+// lattice, as with the boundary conditions of Lees and Edwards.
 void shear(bool flips)
 {
   std::mt19937_64 random(8);
@@ -592,11 +592,11 @@ TEST(Predicates_of_the_torus, are_those_of_exact_arithmetic)
                 torus.filter_proves_delaunay({corners, corners, corners, corners}) == 0);
     undecided += !is_inside && !torus.filter_proves_delaunay(corners);
   }
-  EXPECT_GT(undecided, 100u); // or the test had nothing hard
+  EXPECT_GT(undecided, 100u); // otherwise no case was hard
 }
 
-// A corner is nearly on the line through the edge, beyond it: its face is counterclockwise or not
-// by a hair, and its circle far from the corner on the other side.
+// A corner is nearly on the line through the edge, beyond its end: the face of this corner is
+// nearly flat, counterclockwise or not, and its circle is far from the corner on the other side.
 TEST(Predicates_of_the_torus, see_flat_faces_of_edges_with_empty_circles)
 {
   using namespace CGAL::Dynamic_Delaunay_triangulations_2;
@@ -633,8 +633,8 @@ TEST(Predicates_of_the_torus, see_flat_faces_of_edges_with_empty_circles)
   EXPECT_GT(flat, 500u);
 }
 
-// In the second point's abscissa, minus that of the first, three times one vector and the other one
-// are rounded once; as a sum of multiples they are rounded more than once, and another number.
+// The points differ by 3 a + b, as their coordinates are -a and c = 2 a + b. This difference is
+// rounded once; the sum of the multiples of vectors is rounded more than once, to another number.
 TEST(Coincident_points, are_seen_where_their_translations_are_rounded)
 {
   std::mt19937_64 random(14);
@@ -649,7 +649,7 @@ TEST(Coincident_points, are_seen_where_their_translations_are_rounded)
   }
 }
 
-// Four points of a circle of a lattice, which roundings would tell apart.
+// Four cocircular images whose rounded positions are not cocircular.
 TEST(Predicates_of_the_torus, see_ties_that_roundings_hide)
 {
   using namespace CGAL::Dynamic_Delaunay_triangulations_2;
@@ -699,8 +699,8 @@ TEST(Predicates_of_the_torus, are_the_same_for_four_edges_at_once)
 
 using Exact_point = CGAL::Exact_predicates_exact_constructions_kernel::Point_2;
 
-// An image in a slab, as if it had a second vector that is finite, but longer than all that these
-// numbers can tell from infinity: some of them are subnormal.
+// An image in a slab, as if its second vector were finite, but so long that predicates of these
+// numbers, some of which are subnormal, cannot tell it from an infinite one.
 Exact_point far_image(const internal::Image_2& image, const Cell& slab)
 {
   using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -710,7 +710,7 @@ Exact_point far_image(const internal::Image_2& image, const Cell& slab)
          Exact::FT(image.shift[1]) * long_enough * a.perpendicular(CGAL::COUNTERCLOCKWISE);
 }
 
-// Of points in rows along the slab, near such rows, on lines, on grids and anywhere.
+// For points in rows along the slab, near such rows, on lines, on grids and anywhere.
 TEST(Predicates_of_a_slab, are_those_of_a_torus_whose_second_vector_is_long_enough)
 {
   using namespace CGAL::Dynamic_Delaunay_triangulations_2::internal;
@@ -757,7 +757,7 @@ TEST(Predicates_of_a_slab, are_those_of_a_torus_whose_second_vector_is_long_enou
   EXPECT_GT(counts[CGAL::ON_ORIENTED_BOUNDARY], runs / 500);
 }
 
-// Two points in each of two rows, whose middles are in one place, or nearly.
+// Two points in each of two rows; the midpoints of both pairs coincide, or nearly.
 TEST(Predicates_of_a_slab, see_ties_between_rows_and_what_is_none_by_a_hair)
 {
   using namespace CGAL::Dynamic_Delaunay_triangulations_2::internal;
@@ -1026,7 +1026,7 @@ TEST(A_stream, in_which_all_go_far_together_is_followed_by_flips)
 
 // SAFE EDGES --------------------------------------------------------------------------------------
 
-// Skips edges as the default classifier does, and tells how often.
+// Skips edges as the default classifier does, and counts the frames in which it does.
 class Skipping_classifier
 {
 public:
@@ -1130,7 +1130,7 @@ TEST(Safe_edges_of_a_torus, are_found_anew_around_points_that_jump_in_calm_motio
   }
 }
 
-// Its reference follows it with each image: the edges around must not stay what they were.
+// The reference of the point follows it to each image, so edges around it must be proved anew.
 TEST(Safe_edges_of_a_torus, are_found_anew_around_a_point_that_walks_from_image_to_image)
 {
   std::mt19937_64 random(35);
@@ -1192,7 +1192,7 @@ TEST(An_edge_that_is_safe, stays_delaunay_wherever_its_corners_go_within_the_tol
         image->position = {image->position.x + tolerance * 0.999999 * std::cos(angle),
                            image->position.y + tolerance * 0.999999 * std::sin(angle)};
       }
-      // which side the circle leaves the corners on is what is promised; faces depend on all edges
+      // only the side of the circle is promised; orientations of faces depend on all edges
       const Edge_state_2 state = torus.edge_state(moved);
       EXPECT_TRUE(state == Edge_state_2::DELAUNAY || state == Edge_state_2::NOT_FLIPPABLE);
     }
@@ -1404,7 +1404,7 @@ TEST(A_population, that_is_refused_stays_as_it_is)
   EXPECT_EQ(population.size(), 2u);
 }
 
-// In multiples of the small cell the point that leaves is out of range.
+// The point that leaves is too many of the small cells away from the origin to be in range.
 TEST(A_population, takes_a_frame_in_whose_cell_a_point_that_has_left_could_not_be)
 {
   CGAL::Dynamic_population_2<Triangulation> population(Triangulation(Cell(1000, 1000)));
@@ -1427,7 +1427,7 @@ std::size_t place_in_refusal(const Call& call)
   return 0;
 }
 
-// Removing a point of so few can triangulate all of them anew, before the others move.
+// With so few points a removal may triangulate all the others anew, before they move.
 TEST(A_population, of_a_few_points_that_coincide_leave_and_come_is_right_in_every_frame)
 {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
@@ -1447,7 +1447,7 @@ TEST(A_population, of_a_few_points_that_coincide_leave_and_come_is_right_in_ever
   }
 }
 
-// A point that goes stays where it was until then, and seems to jump where all others flow.
+// A point that leaves keeps its old position until its removal, and so seems to jump in the flow.
 TEST(A_population, loses_points_while_all_others_flow_in_cells_and_slabs_that_change)
 {
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
@@ -1628,7 +1628,7 @@ TEST(Random_operations, end_exactly_delaunay)
     ASSERT_NO_FATAL_FAILURE(Random_operations(seed).run(200)) << "seed " << seed;
 }
 
-// Also where edges cross the border of an oblique cell.
+// The digest of a motion with edges across the border of an oblique cell.
 TEST(Every_processor, leads_to_the_same_bits)
 {
   Exact_steps steps;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A periodic triangulation that was written and read goes on as the original does, and what is no
-// checkpoint of one is refused and changes nothing.
+// A periodic triangulation that was written and read goes on as the original does; a file that is
+// no checkpoint of one is refused and changes nothing.
 
 #include "checkpoint_files.h"
 #include "periodic_oracle.h"
@@ -40,7 +40,7 @@ Triangulation restored(const Triangulation& original)
   return copy;
 }
 
-// In the order in which they are listed.
+// The edges in the order in which `for_each` lists them.
 template <class For_each>
 auto edges_in_order(const For_each& for_each)
 {
@@ -97,7 +97,7 @@ void expect_equal(const Triangulation& pt, const Triangulation& other)
 class Interrupted_run
 {
 public:
-  // Up to about this number of points.
+  // A run with up to about `points` points.
   Interrupted_run(std::uint64_t seed, std::size_t points)
     : m_random(seed)
     , m_points(points)
@@ -336,8 +336,8 @@ TEST(Periodic_checkpoints, the_example_in_the_manual_is_a_checkpoint)
                                "checksum a3eee32e\n");
 }
 
-// A run in which memory ran out is to be mended by the next change, here as there.
-// Returns how many checkpoints were kept, and how many not written.
+// After memory runs out, the next update must mend the original and the one read from a checkpoint
+// alike. Returns how many checkpoints were written, and how many were refused.
 std::pair<int, int> run_out_of_memory(bool first_two_part)
 {
   std::mt19937_64 random(5);
@@ -449,7 +449,7 @@ TEST(Periodic_checkpoints, a_population_has_the_ids_of_its_file_also_if_the_visi
 
 // REFUSALS ----------------------------------------------------------------------------------------
 
-// Small, and with everything that a file can have.
+// A small triangulation whose checkpoint has everything that a file can have.
 Triangulation specimen(const Cell& cell = Cell(3, 0, 1, 3))
 {
   std::mt19937_64 random(7);
@@ -461,7 +461,7 @@ Triangulation specimen(const Cell& cell = Cell(3, 0, 1, 3))
   return pt;
 }
 
-// That of point 0, which is the only one at its vertex.
+// The line of the vertex of point 0, which is the only point there.
 std::string vertex_line(const std::string& text)
 {
   const std::size_t begin = text.find("\n0 ", text.find("\nvertices"));
@@ -618,7 +618,7 @@ TEST(Periodic_checkpoints, what_is_announced_costs_no_memory)
 
 // SURFACES ----------------------------------------------------------------------------------------
 
-// A file about as many points, in a cell of 4 times 4.
+// A checkpoint with these points, in a cell of 4 times 4.
 std::string file_of(const std::vector<std::string>& points, const std::vector<std::string>& faces,
                     const std::vector<std::string>& corners, const std::vector<std::string>& edges,
                     const std::string& certified = "no")
@@ -655,7 +655,7 @@ TEST(Periodic_checkpoints, one_point_has_two_faces_over_a_basis_of_the_lattice)
   };
   EXPECT_EQ(reason(of_faces("1 0 1 1", "1 1 0 1")), "checkpoint: accepted");
   const std::string not_once = "checkpoint, line 19: the faces above do not cover the space once";
-  EXPECT_EQ(reason(of_faces("2 0 2 1", "2 1 0 1")), not_once); // twice, and else all is right
+  EXPECT_EQ(reason(of_faces("2 0 2 1", "2 1 0 1")), not_once); // a face twice, else all is right
   EXPECT_EQ(reason(of_faces("0 1 1 1", "1 1 1 0")), not_once); // turned over
   EXPECT_EQ(reason(of_faces("1 0 2 0", "2 0 1 0")), not_once);
   EXPECT_EQ(reason(of_faces("1 0 1 0", "1 0 0 0")),

@@ -55,7 +55,7 @@ template <class Classifier, class Repair = CGAL::Default, class Policy = CGAL::D
 using Triangulation =
     CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Classifier, Repair, Policy>;
 
-// Points in a square of this side, with a motion of their own.
+// Points in a square, which move at random.
 class Cloud
 {
 public:
@@ -82,7 +82,7 @@ public:
     }
   }
 
-  // Some points are given by other images of theirs from now on.
+  // Replaces some points by other images of them.
   void wrap(const Cell& cell)
   {
     for (Point& p : points)
@@ -211,7 +211,7 @@ TYPED_TEST(A_heuristic_classifier, leaves_a_torus_and_says_what_it_does_not_know
   EXPECT_GT(uncertified, 30u);
 }
 
-// A program may go on from it: the checkpoint is written, and read again.
+// Expects a valid torus from which a program can go on, also by a checkpoint of it.
 template <class Dynamic>
 void expect_torus(const Dynamic& pt)
 {
@@ -233,8 +233,8 @@ TYPED_TEST(A_heuristic_classifier, leaves_a_torus_where_the_cell_changes_its_ori
   }
 }
 
-// Multiples of (1, 2) and (0, 1), of the other orientation, are nearest to the vectors of the first
-// cell.
+// The vectors of the new lattice that are nearest to those of the first cell are multiples of
+// (1, 2) and (0, 1), which have the other orientation.
 TYPED_TEST(A_heuristic_classifier,
            leaves_a_torus_where_the_nearest_vectors_have_another_orientation)
 {
@@ -304,8 +304,8 @@ TYPED_TEST(A_heuristic_classifier, works_for_few_points_and_for_points_that_coin
   }
 }
 
-// Each second cell is exchanged for the first one as if it had been sheared farther than back.
-// Edges that nobody repairs have more cells between their ends with each frame.
+// Going back to the first cell counts as shear beyond it, not as the inverse of the shear before.
+// So edges that are never repaired have more cells between their ends with each frame.
 TEST(A_random_classifier, that_names_nobody_leaves_a_torus_while_cells_are_exchanged_in_turn)
 {
   Cloud cloud(10, 20, 1);
@@ -448,7 +448,7 @@ TEST(A_classifier_of_ones_own, sees_edges_across_the_border_as_short_as_they_are
   EXPECT_GT(across, 50u);
 }
 
-// Looks at all that a frame shows, also where vertices that jump are outside of all faces.
+// Reads all that a frame offers, also where vertices that jump are outside of all faces.
 struct Curious
 {
   static constexpr bool is_exact = true;

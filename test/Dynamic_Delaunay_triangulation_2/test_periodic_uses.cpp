@@ -43,7 +43,7 @@ using Cell = CGAL::Periodic_cell_2;
 using Shift = CGAL::Periodic_shift_2;
 using Triangulation = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel>;
 
-// In the unit square, with so few bits that they can be wrapped without rounding.
+// Points in the unit square, with so few bits that wrapping them needs no rounding.
 std::vector<Point> short_points(std::mt19937_64& random, std::size_t number)
 {
   std::uniform_real_distribution<double> between(0, 1);
@@ -70,7 +70,7 @@ Entries list_of(const Lists& lists, std::size_t id)
   return entries;
 }
 
-// Those of each point, then those that coincide with it; and all of them symmetric.
+// Expects the neighbors of each point, then the points that coincide with it; and symmetric lists.
 void expect_lists(const Lists& lists, const Triangulation& pt)
 {
   ASSERT_EQ(lists.number_of_ids(), pt.number_of_ids());
@@ -136,7 +136,7 @@ TEST(Neighbor_lists, of_the_plane_have_no_shifts_also_after_those_of_a_cell)
 
 using Cgal_triangulation = CGAL::Periodic_2_Delaunay_triangulation_2<
     CGAL::Periodic_2_Delaunay_triangulation_traits_2<Kernel>>;
-// From an id to another, by a vector, rounded to what differences of the points may be.
+// From an id to another, by a vector in units of 2^-30.
 using Edge = std::tuple<std::size_t, std::size_t, long, long>;
 
 Edge edge(std::size_t i, std::size_t j, const Vector& v)
@@ -297,7 +297,7 @@ TEST(Conversion, refuses_what_CGAL_cannot_represent_and_leaves_the_target_as_it_
 using Queries = CGAL::Delaunay_point_queries_2<Triangulation>;
 using Image = Queries::Answer;
 
-// Looks at all images, with CGAL's exact numbers.
+// Answers queries by a search among all images, with CGAL's exact numbers.
 class Images
 {
   using Exact = CGAL::Exact_predicates_exact_constructions_kernel::FT;
@@ -333,7 +333,7 @@ public:
   }
 
 private:
-  // The first vector away from any point is an image, also of the one that asks.
+  // Far enough to find the nearest image, and another one should the nearest be the one asking.
   double reach(const Point& p) const
   {
     const Cell& cell = m_pt.cell();
@@ -349,7 +349,7 @@ private:
     return least + std::hypot(cell.ax(), cell.ay());
   }
 
-  // From the point to p, in the cell's vectors.
+  // The vector from the point `id` to p, as multiples of the cell's vectors.
   std::array<double, 2> multiples(const Point& p, std::size_t id) const
   {
     const Cell& cell = m_pt.cell();
@@ -414,7 +414,7 @@ void expect_right_answers(const Triangulation& pt, const std::vector<Point>& pla
   }
 }
 
-// In the cell and around it; on a grid there are circles with many points, and coincident ones.
+// Places in the cell and around it; on a grid many of them coincide or are on one circle.
 std::vector<Point> places_around(std::mt19937_64& random, std::size_t number, double extent,
                                  double grid)
 {
@@ -538,7 +538,7 @@ TEST(Queries, refuse_what_is_no_place_no_radius_and_no_id)
 
 // PICTURES ----------------------------------------------------------------------------------------
 
-// What CGAL's viewers are told.
+// What CGAL's viewers are given to draw.
 struct Scene
 {
   void add_point(const Point& p) { points.push_back(p); }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Motion with hands in it, as the page has it.
+// Motion that a user interferes with, as on the page that plays it.
 
 #include "page/motion/Played_motion.h"
 

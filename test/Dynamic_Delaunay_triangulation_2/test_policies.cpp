@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Update policies: which frames are rebuilt without asking the classifier, and that none loses
-// anything by it.
+// Update policies: which frames are rebuilt without asking the classifier, and that no point or
+// certificate is lost by that.
 
 #include "oracle.h"
 
@@ -52,7 +52,7 @@ CGAL::Update_report_2 update(Dynamic& dt, const Points& points)
   return dt.update(points.begin(), points.end());
 }
 
-// What a classifier was asked, and whom it has picked last.
+// How often a classifier was asked, and the ids that it picked last.
 struct Answers
 {
   int asked = 0;
@@ -85,7 +85,7 @@ struct Observed
   }
 };
 
-// Names no vertex, so that whatever is right is the policy's work.
+// Picks no vertex, so that only the rebuilds of the policy can make a frame right.
 using Blind = Observed<CGAL::Random_classifier_2>;
 
 Blind blind()
@@ -166,7 +166,7 @@ TEST(Key_frame_policy, counts_the_frames_that_are_rebuilt_for_other_reasons)
     reasons.push_back(update(dt, points).rebuild_reason);
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
   }
-  // from the line back to the plane there is no way but a rebuild, key frame or not
+  // from the line back to the plane only a rebuild leads, key frame or not
   EXPECT_EQ(reasons[1], Reason::TOO_MUCH_BROKEN);
   EXPECT_EQ(reasons[3], Reason::DIMENSION);
   EXPECT_EQ(std::vector<Reason>(reasons.begin() + 4, reasons.end()),
@@ -249,7 +249,7 @@ TEST(Hybrid_policy, mends_calm_motion_rebuilds_teleports_and_goes_back_at_once)
     }
     for (int frame = 0; frame < 10; ++frame) {
       points = cloud.uniform(1000);
-      // it has to be taken by surprise once
+      // the policy learns from the first failure
       ASSERT_EQ(update(dt, points).rebuild_reason,
                 frame == 0 ? Reason::TOO_MUCH_BROKEN : Reason::POLICY);
       ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
@@ -286,7 +286,7 @@ struct Calm_frame
   bool is_delaunay(Index) const { return true; }
 };
 
-// After how many rebuilds the policy tries again, and is told what came of it.
+// The number of rebuilds before the policy tries again; it is then told the outcome of the try.
 int rest(CGAL::Hybrid_policy_2& policy, Reason outcome)
 {
   int frames = 0;
@@ -390,7 +390,7 @@ using All_classifiers =
                    CGAL::Voronoi_edge_length_classifier_2, CGAL::Nearly_delaunay_classifier_2>;
 TYPED_TEST_SUITE(Classifiers_under_policies, All_classifiers);
 
-// After each key frame whoever is there picks what a fresh one would.
+// After each key frame a classifier picks what a fresh one would pick.
 TYPED_TEST(Classifiers_under_policies, start_anew_at_every_key_frame)
 {
   using Classifier = Observed<TypeParam>;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Points come, go, move without the others, meet and part; whoever stays keeps id and vertex.
+// Points come, go, move without the others, meet and part; points that stay keep id and vertex.
 
 #include "change_ledger.h"
 #include "oracle.h"
@@ -68,8 +68,8 @@ protected:
   using Points = std::vector<Point>;
   using Stamps = std::map<std::size_t, std::size_t>;
 
-  // By those that still share with no other, whose own they are, and by the representatives of the
-  // others.
+  // Expects that points that were alone at their vertices have kept them, if they still represent
+  // them.
   static void expect_kept(const Dynamic& dt, const Stamps& stamps)
   {
     for (const auto& [id, stamp] : stamps)
@@ -85,7 +85,7 @@ protected:
     return ids;
   }
 
-  // In the order given, and exact all along; then away in any order, and exact all along.
+  // Inserts points in the given order, then removes them in a random one; exact after each call.
   static void expect_exact_one_by_one(const Points& points, unsigned seed)
   {
     Dynamic dt;
@@ -387,7 +387,7 @@ Points around(const Epick::Point_2& center, std::size_t number)
   return points;
 }
 
-// The time in which a hub among so many neighbors comes, moves away and back, and goes.
+// The time to insert a vertex with so many neighbors, move it away and back, and remove it.
 double seconds_for_hub(std::size_t neighbors)
 {
   const Points points = around({0, 0}, neighbors);
@@ -432,7 +432,7 @@ TEST(Cost, of_single_points_does_not_grow_with_the_others)
         }
       }
     };
-    // what is touched first comes from memory, where the others are many
+    // the fastest of three runs: in the first one, many points are not in the cache yet
     seconds[run] = (std::min)({seconds_of(change), seconds_of(change), seconds_of(change)});
     EXPECT_LT(flips[run++], 3 * 100u * 60);
     expect_exact(dt, points);
@@ -812,7 +812,7 @@ TYPED_TEST(User_ids, that_are_repeated_and_bad_coordinates_change_nothing)
   ASSERT_NO_FATAL_FAILURE(this->expect_right(people, frame));
 }
 
-// Tables: a std::map is told the same.
+// Expects that a table finds the same as a std::map after the same calls.
 template <class UserId>
 void expect_a_table_like_a_map(const std::vector<UserId>& user_ids, unsigned seed)
 {
@@ -864,9 +864,9 @@ std::uint64_t inverse(std::uint64_t factor)
   return inverse;
 }
 
-// Ids whose products with a factor are 0, 1, 2, ... belong together where the first bits of such a
-// product tell the place; ids of the other kinds where single bits do. Half of the slots are empty,
-// so some two slots are read for each id, where all ids together would read 20,000 for each.
+// Ids whose products with a factor are 0, 1, 2, ... collide in a table that takes places from the
+// first bits of such a product; ids of the other kinds where single bits decide. Half of the slots
+// are empty, so some two are read for each id; with all ids in one place it would be 20,000.
 TEST(User_id_table, reads_few_slots_for_ids_that_an_enemy_has_chosen)
 {
   constexpr std::uint64_t number = 40000;
@@ -900,8 +900,8 @@ TEST(User_id_table, is_empty_after_it_was_moved)
   EXPECT_EQ(table.find(4), 2u);
 }
 
-// Whoever comes is found without the table in the frame after, at the place where it came: order,
-// gaps and newcomers in any places change nothing.
+// A new point is found without the table in the next frame, at the place that it had in the range:
+// order, gaps and new points in any places change nothing.
 TEST(User_id_report, does_not_depend_on_the_order_of_frames)
 {
   using Frame = std::vector<std::pair<std::int64_t, Epick::Point_2>>;
@@ -974,7 +974,7 @@ TYPED_TEST(News, tell_a_classifier_everything_that_has_changed_and_whose_the_num
     }
 }
 
-// A lattice that is no lattice quite.
+// A slightly perturbed lattice.
 Points uneven_lattice()
 {
   Points points;
@@ -984,7 +984,7 @@ Points uneven_lattice()
   return points;
 }
 
-// Who far from the corner at the origin is classified by the next update.
+// How many vertices far from the corner at the origin the next update classifies.
 template <class Dynamic>
 std::size_t classified_far_away(Dynamic& dt, const Points& points)
 {
@@ -1044,8 +1044,8 @@ void expect_valid_whatever_happens(const Playground& ground, unsigned seed,
   }
 }
 
-// The classifier sees a vertex where its representative was. The duplicate that takes its place is
-// elsewhere.
+// The classifier sees the vertex where its representative was. The duplicate that becomes its
+// representative is elsewhere.
 TEST(A_duplicate, that_moves_while_its_representative_is_removed_is_proved_anew)
 {
   using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;

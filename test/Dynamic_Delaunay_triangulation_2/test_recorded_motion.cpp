@@ -30,8 +30,8 @@ using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
 using Population = CGAL::Dynamic_population_2<Dynamic>;
 using Tracks = std::vector<std::pair<std::int64_t, Epick::Point_2>>;
 
-// That of the examples, and those of others where they are at hand. An empty name stands for these
-// where they are not, so that a test can say so.
+// The recording of the examples, and those of others if they are installed. If they are not, an
+// empty name stands for them, so that a test can say so.
 std::vector<std::string> recordings()
 {
   std::vector<std::string> paths = scenario::recordings();
@@ -91,7 +91,7 @@ protected:
 
 TEST_P(Recorded_motion, is_followed_exactly_on_every_frame_with_its_whole_population)
 {
-  // A comparison with a fresh triangulation is dear: so many frames of each recording get one.
+  // Comparing with a fresh triangulation is expensive: only so many frames of a recording are.
   constexpr std::size_t comparisons = 40;
   const auto motion = scenario::open_motion(GetParam());
   const std::size_t stride = motion->frames() / comparisons + 1;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Every repair with every classifier: what it promises, and what it reports.
+// What every repair promises and reports, with every classifier.
 
 #include "oracle.h"
 
@@ -78,8 +78,8 @@ TYPED_TEST(Repairs, keep_the_structure_valid_with_heuristic_classifiers)
   }
 }
 
-// A point goes into the circle that all others are on. Few edges are broken then, but one flip
-// leads to the next, hundreds of them, and flips end before that.
+// A point moves into the circle on which all others are. Few edges are broken then, but each flip
+// leads to the next: a repair by flips would take hundreds and gives up before.
 TYPED_TEST(Repairs, lose_no_edge_where_flips_end_in_a_long_series)
 {
   constexpr int n = 300;
@@ -99,7 +99,7 @@ TYPED_TEST(Repairs, lose_no_edge_where_flips_end_in_a_long_series)
 }
 
 // Where faces overlap, a flip between two counterclockwise ones could make an edge that exists
-// already: then an edge's vertices would not name it any more, and the flat arrays came apart.
+// already: its vertices would then be those of two edges, and the flat arrays inconsistent.
 TEST(Flips, never_double_an_edge_however_rough_the_motion)
 {
   for (unsigned seed = 0; seed < 12; ++seed) {
@@ -135,8 +135,8 @@ TEST(Flip_and_splice, needs_no_rebuild_on_brownian_motion)
   }
 }
 
-// One point of a lattice jumps over several others: far out of any region padded with one layer.
-// What is hopeless costs a rebuild and no more: a sample sees it before anything is classified.
+// A hopeless frame costs a rebuild and no more: a sample of edges finds it before the classifier
+// is asked.
 TEST(Flip_and_splice, classifies_nothing_where_all_points_are_elsewhere)
 {
   Cloud<Epick> cloud(2);
@@ -154,7 +154,7 @@ TEST(Flip_and_splice, classifies_nothing_where_all_points_are_elsewhere)
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
 }
 
-// Of a hundred frames that look as if they could be mended, and cannot.
+// A hundred frames that look as if they could be mended, and cannot be.
 TEST(Flip_and_splice, tries_what_was_in_vain_less_and_less_often)
 {
   Cloud<Epick> cloud(5);
@@ -272,7 +272,7 @@ TEST(Border_splice, catches_a_fast_point_by_growing)
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
 }
 
-// Names the point with id 0 and no other, which is all that moves.
+// Classifies only the point with id 0, the only one that moves.
 struct Flier_classifier
 {
   static constexpr bool is_exact = false;
@@ -290,7 +290,7 @@ struct Flight
   std::size_t enlargements = 0;
 };
 
-// Through a cloud at rest, by two spacings a frame. `check` sees every frame.
+// Moves a point through a cloud at rest, by two spacings a frame. `check` is called in each frame.
 template <class Classifier, class Check>
 Flight flight(unsigned padding, const Check& check)
 {
@@ -374,7 +374,7 @@ CGAL::Update_report_2 splice_around(const Points& points, const Points& moved,
   return report;
 }
 
-// Far from what happens, so that a region is not too large.
+// Adds points far from all others, so that the share of a region is small enough for a splice.
 void add_ring(Points& points)
 {
   for (int i = 0; i < 24; ++i)
@@ -414,7 +414,7 @@ TEST(Border_splice, loses_no_point_in_a_cluster_that_is_turned_inside_out)
 }
 
 // Alone, the region has a triangulation whose faces around the points 3 and 5 have the old
-// boundary, but are not as many. A search for such a case has found it.
+// boundary, but another number. Found by a search for such a case.
 TEST(Border_splice, loses_no_point_where_the_old_boundary_has_another_number_of_faces)
 {
   Points points = {{8, -8}, {-6, 1}, {-7, 9}, {-8, -6}, {8, 9}, {-3, -5}, {-6, 0}};
@@ -525,7 +525,7 @@ TEST(Relocation, lets_points_take_the_places_of_others_in_turn)
     points[id] = id == 9 ? Epick::Point_2(4.5, 4.5) : points[id + 1];
   EXPECT_FALSE(dt.update(points.begin(), points.end()).rebuilt());
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
-  std::swap(points[20], points[21]); // a ring with none
+  std::swap(points[20], points[21]); // a ring without a free place
   EXPECT_TRUE(dt.update(points.begin(), points.end()).rebuilt());
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
 }
@@ -547,8 +547,8 @@ struct Emptying_repair
 using Emptied_triangulation =
     CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2, Emptying_repair>;
 
-// Of clouds of so many points, all of which go elsewhere; `meet` may bring some together. True if
-// `look(report, n)` is so of one of the frames.
+// Moves all points of clouds of at least `fewest` points; `meet` may let some of them coincide.
+// True if `look(report, n)` is true of one of the frames.
 template <class Meet, class Look>
 bool is_seen_of_emptied_clouds(std::size_t fewest, const Meet& meet, const Look& look)
 {
@@ -578,8 +578,8 @@ TEST(Taking_out, leaves_three_vertices_however_often_a_repair_asks)
       }));
 }
 
-// Most points come together in one place while others are taken out: those that are left in faces
-// are too few to become one vertex.
+// Most points come to one place while others are taken out: too few vertices remain in faces for
+// them to be merged.
 TEST(Merging, leaves_three_vertices_where_others_are_taken_out)
 {
   EXPECT_TRUE(is_seen_of_emptied_clouds(

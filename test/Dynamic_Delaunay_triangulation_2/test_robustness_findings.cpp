@@ -70,7 +70,7 @@ TEST(Robustness_findings, lets_points_that_take_hull_places_in_one_move_keep_the
   expect_to_keep_vertices({{0, {7, 7}}, {63, {7, 0}}, {7, {0, 0}}});
 }
 
-// Relocation takes the edges away, and who parts has to get a vertex all the same.
+// Relocation leaves no edges, and still points that part must get their own vertices.
 TEST(Robustness_findings, lets_points_part_while_relocation_brings_all_onto_a_line)
 {
   using Random = CGAL::Random_classifier_2;
@@ -110,8 +110,8 @@ TEST(A_splice_that_merges, names_only_vertices_that_there_are)
   EXPECT_GT(merged_for_good, 0u);
 }
 
-// One cluster had been spliced when two points of another one were found to coincide, and what lay
-// around the first was taken for proved: certified, and not Delaunay
+// One cluster has been spliced when two points of another one are found to coincide: what is around
+// the first one must not count as proved, or the result would be certified and not Delaunay
 // (--family cocircular --trial 12519586882401566296, and 282966 of a search for smaller ones).
 TEST(A_splice_that_merges, proves_what_it_has_spliced_before)
 {

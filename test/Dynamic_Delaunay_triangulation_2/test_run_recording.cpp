@@ -35,7 +35,7 @@ using scenario::Cell;
 using scenario::Point;
 using Integers = std::vector<std::int64_t>;
 
-// By ids; of an edge or a triangle the shifts follow the corners.
+// What is shown, by ids. Edges and triangles are lists of ids, followed by shifts.
 struct Shown_frame
 {
   std::map<std::int64_t, Point> positions;
@@ -57,7 +57,7 @@ struct Corner
   std::int64_t t;
 };
 
-// Counterclockwise, whichever comes first.
+// The normal form of a counterclockwise triangle, whichever corner comes first.
 Integers triangle(const std::array<Corner, 3>& corners)
 {
   Integers least;
@@ -167,7 +167,7 @@ public:
   {
   }
 
-  // By numbers; steps are the positions as multiples of the quantum.
+  // Reads the next frame. Points have numbers; steps are positions as multiples of the quantum.
   void advance()
   {
     for (const std::int64_t number : m_changes.next_list()) {

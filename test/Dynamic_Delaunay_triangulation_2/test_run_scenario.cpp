@@ -594,8 +594,8 @@ void expect_refused_domain(const std::string& name, const std::string& text, Wor
 
 TEST(Domain, may_have_walls_that_divide_cells_by_a_rule)
 {
-  // three rooms over a corridor, a pillar in the corridor; one is in the middle room, one below,
-  // and one is outside
+  // three rooms above a corridor with a pillar; one point is in the middle room, one in the
+  // corridor, and one is outside
   const std::string rooms =
       write_file("rooms.wkt", "POLYGON ((0 0, 12 0, 12 10, 9 10, 9 2, 8 2, 8 10, 5 10, 5 2, 4 2, "
                               "4 10, 0 10, 0 0), (1 1, 2 1, 2 1.5, 1 1.5, 1 1))");

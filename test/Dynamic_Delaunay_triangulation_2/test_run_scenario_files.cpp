@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The page of the manual on scenario files and recordings, held against what the program does.
+// Compares the page of the manual on scenario files and recordings with what the program does.
 
 #include "scenario_program.h"
 #include "scenario_runner/Open_motion.h"
@@ -56,7 +56,7 @@ std::vector<std::string> cells_of(const std::string& line)
   return cells;
 }
 
-// Those of keys: of both kinds, of particles, of a body, and of Brownian motion.
+// The tables of keys: of both kinds, of particles, of a body, and of Brownian motion.
 std::vector<Table> tables()
 {
   std::vector<Table> tables;
@@ -96,7 +96,7 @@ Keys keys_of(const Table& table)
   return keys;
 }
 
-// The blocks that show files.
+// The blocks of the page that show files.
 std::vector<std::string> shown_files()
 {
   std::vector<std::string> files;
@@ -136,7 +136,7 @@ Json shown_scenario(const std::string& kind)
   return {};
 }
 
-// What the program says of it, or nothing if it takes it.
+// The message with which the program refuses the file; empty if it accepts it.
 std::string refusal_of(const Json& json)
 {
   try {
@@ -234,7 +234,7 @@ TEST(Tables_on_the_page, say_which_keys_are_needed)
   }
 }
 
-// What is told of a value that cannot be: what can be.
+// The part of the message for a wrong value that says which values are allowed.
 std::string allowed_instead_of(const Described& thing, const std::string& key, const Json& value)
 {
   Json json = thing.example;

@@ -45,7 +45,7 @@ using Xml = boost::property_tree::ptree;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Delaunay = CGAL::Delaunay_triangulation_2<Kernel>;
 
-// Three ids that stand counterclockwise where the triangle does, the smallest first.
+// Three ids in the counterclockwise order of the triangle's corners, the smallest first.
 using Triangle = std::array<std::int64_t, 3>;
 using Triangles = std::multiset<Triangle>;
 
@@ -56,7 +56,7 @@ Triangle triangle(std::int64_t a, std::int64_t b, std::int64_t c)
   return ids;
 }
 
-// Strict, and exact: as the readers of recordings.
+// The numbers in a text, read strictly and exactly, as readers of recordings do.
 template <class Number>
 std::vector<Number> numbers(const std::string& text)
 {
@@ -173,7 +173,7 @@ Collection read_collection(const std::filesystem::path& directory)
   return collection;
 }
 
-// What is said on the second line of a frame, by its keys.
+// The values on the second line of a frame, by their keys.
 std::map<std::string, std::string> keys_of(const std::string& line)
 {
   std::map<std::string, std::string> values;
@@ -239,7 +239,7 @@ scenario::Recording recording_of(const Collection& collection)
   return frames;
 }
 
-// All that CGAL itself makes of the points.
+// The Delaunay triangles of the points, by CGAL alone.
 Triangles delaunay_triangles(const Grid& grid)
 {
   std::map<Kernel::Point_2, std::int64_t> ids;
@@ -257,7 +257,7 @@ Triangles delaunay_triangles(const Grid& grid)
   return triangles;
 }
 
-// Without ties, of which either diagonal is right.
+// For points without ties, which would leave two diagonals right.
 void expect_delaunay(const Collection& collection)
 {
   for (const Grid& grid : collection.grids) {
@@ -268,7 +268,7 @@ void expect_delaunay(const Collection& collection)
   }
 }
 
-// Of all formats, in one run.
+// The files of all formats that one run writes.
 struct Written
 {
   std::filesystem::path directory;
@@ -288,7 +288,7 @@ Written write_all(const std::string& name, Words arguments)
   return written;
 }
 
-// All formats hold that. Returns the grids.
+// Expects that files of all formats contain the recording. Returns the grids.
 Collection expect_all_formats(const Written& written, const scenario::Recording& recording)
 {
   Collection collection = read_collection(written.directory);
@@ -583,7 +583,7 @@ TEST(Files, of_a_run_that_fails_are_as_they_were)
   }
 }
 
-// Not after the last one of many frames.
+// An error is reported at once, not after the last one of many frames.
 TEST(A_full_disk, is_told_when_it_is_full)
 {
   if (!std::filesystem::exists("/dev/full")) {
@@ -611,7 +611,7 @@ TEST(Standard_output, that_is_full_is_a_failure)
 }
 
 #ifndef _WIN32
-// What was done until then is there as a whole, and a summary of it.
+// The frames until then are written completely, and summarized.
 TEST(An_interrupted_run, finishes_what_it_has_written)
 {
   const std::string log = temporary_path("interrupted.csv"),

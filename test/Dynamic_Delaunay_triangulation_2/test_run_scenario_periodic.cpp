@@ -32,7 +32,7 @@ using scenario::Cell;
 using scenario::Point;
 using scenario::Recording;
 
-// All digits, so that reading gives the same number.
+// A number with so many digits that reading gives the same number.
 std::string text_of(double number)
 {
   std::ostringstream out;
@@ -64,8 +64,7 @@ public:
     }
   }
 
-  // Where the cell is exchanged for one whose second side is longer by so many times the first one:
-  // no point moves.
+  // Adds a multiple of the first side of the cell to the second one. No point moves.
   void shear_back(int times)
   {
     for (Point& p : m_fractions) {
@@ -140,7 +139,7 @@ void expect_whole(const Json& report, std::size_t frames, const std::string& cel
 
 constexpr std::size_t frames = 40;
 
-// Of a cloud in the cells that a function has for the frames.
+// A dump of a cloud, in the cells that `cell` returns for the frames.
 std::string cloud_dump(Wrapped_cloud& cloud, double step,
                        const std::function<Cell(std::size_t)>& cell)
 {

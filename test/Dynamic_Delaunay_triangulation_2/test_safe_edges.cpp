@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// An edge that is not looked at is a proved edge, however its vertices move, and however numbers
+// Only edges that are proved Delaunay are skipped, however their vertices move, and however numbers
 // are rounded.
 
 #include "oracle.h"
@@ -65,8 +65,8 @@ CGAL::Comparison_result compare_distance(const Position_2& p, const Position_2& 
   return CGAL::compare(Exact(dx * dx + dy * dy), Exact(exact_t * exact_t));
 }
 
-// The largest double below `above` for which `is_proved` holds, if it holds for all smaller ones; 0
-// if there is none that may be asked for.
+// The largest double below `above` for which `is_proved` holds, provided that it holds for all
+// smaller ones; 0 if it holds for no tolerance that is large enough to be used.
 template <class Proof>
 double largest_tolerance(double above, const Proof& is_proved)
 {
@@ -81,7 +81,7 @@ double largest_tolerance(double above, const Proof& is_proved)
   }
 }
 
-// That, a few doubles less, or much less.
+// The largest tolerance, one that is a few doubles less, or one that is much less.
 double tolerance_below(double largest, Generator& random)
 {
   switch (random() % 4) {
@@ -128,7 +128,7 @@ Position_2 step_along(const Position_2& p, const Position_2& direction, double l
   return {p.x + direction.x / norm * length, p.y + direction.y / norm * length};
 }
 
-// To a distance from p that is t, as nearly as is obvious, and no more.
+// Moves p by at most t, and by nearly t unless rounding forbids it.
 Position_2 moved(const Position_2& p, const Position_2& direction, double t)
 {
   for (const double share : {1 - 0x1p-46, 1 - 0x1p-30, 0.99, 0.7, 0.5}) {
@@ -139,7 +139,7 @@ Position_2 moved(const Position_2& p, const Position_2& direction, double t)
   return p;
 }
 
-// To the double that is farthest along among those around the target that are not too far.
+// Moves p by at most t, to the farthest along `direction` of the doubles around the target.
 Position_2 moved_to_the_last_bit(const Position_2& p, const Position_2& direction, double t)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -234,7 +234,7 @@ Quadrilateral nearly_collinear(Generator& random)
   return {at(-between(random, 0.1, 1), 0), at(0, -1), at(0, 1), at(between(random, 0.1, 1), 0)};
 }
 
-// Where and how large things are.
+// A random scale and offset of a configuration.
 struct Placement
 {
   double scale = 1, offset = 0;
@@ -272,7 +272,7 @@ Quadrilateral any_quadrilateral(Generator& random)
   return q;
 }
 
-// Of the annulus that parts b and c from a and d: where the bisectors of bc and of ad meet.
+// The center of the annulus between b, c and a, d: where the bisectors of bc and of ad meet.
 Position_2 center_of(const Quadrilateral& q)
 {
   const Position_2 bc = q.c - q.b, ad = q.d - q.a;
@@ -307,7 +307,7 @@ Quadrilateral moved_to_corners(Quadrilateral q, double t, Generator& random)
   return q;
 }
 
-// What the proof promises: Delaunay, and no tie, unless a face is not counterclockwise.
+// True if the edge is strictly Delaunay, or a face is not counterclockwise: the proof's promise.
 bool promise_is_kept(const Quadrilateral& q)
 {
   return !is_left_turn(q.a, q.b, q.c) || !is_left_turn(q.d, q.c, q.b) ||
@@ -456,7 +456,7 @@ private:
   std::vector<Position_2> m_positions;
 };
 
-// One corner goes towards the opposite edge, whose ends come to meet it.
+// Moves one corner towards the opposite edge, and the ends of this edge towards the corner.
 std::array<Position_2, 3> flattened(std::array<Position_2, 3> face, std::size_t corner, double t)
 {
   Position_2 &p = face[corner], &q = face[(corner + 1) % 3], &r = face[(corner + 2) % 3];
@@ -508,7 +508,7 @@ struct Turn
   double length() const { return internal::distance(p, q) + internal::distance(q, w); }
 
   bool is_left() const { return is_left_turn(p, q, w); }
-  // By less than a right angle, to either side.
+  // True if the turn is by less than a right angle, to either side.
   bool is_slight() const { return CGAL::angle(point(p), point(q), point(w)) == CGAL::OBTUSE; }
 };
 
@@ -520,7 +520,7 @@ std::ostream& operator<<(std::ostream& out, const Turn& turn)
   return out << Quadrilateral{turn.p, turn.q, turn.w, {0, 0}};
 }
 
-// Whose sign may be any.
+// A turn that may be to the left, to the right, or straight.
 Turn nearly_straight_turn(Generator& random)
 {
   const auto p = any_direction(random);
@@ -624,7 +624,7 @@ TEST(Edge_slack, keeps_the_hull_from_turning_back_on_itself_where_it_says_so)
 }
 
 // -------------------------------------------------------------------------------------------------
-// Who has moved.
+// Which vertices have moved.
 
 std::vector<Index> moved_vertices(const std::vector<Position_2>& positions,
                                   const std::vector<Position_2>& references, double tolerance)
@@ -634,7 +634,7 @@ std::vector<Index> moved_vertices(const std::vector<Position_2>& positions,
   return vertices;
 }
 
-// Exactly those beyond the tolerance, but for what is within a few roundings of it.
+// Expects exactly the vertices beyond the tolerance, except within a few roundings of it.
 void expect_who_has_moved(const std::vector<Position_2>& positions,
                           const std::vector<Position_2>& references, double tolerance)
 {
@@ -785,8 +785,8 @@ TEST(Edge_proofs, of_a_list_are_those_of_the_whole)
 // -------------------------------------------------------------------------------------------------
 // Classifiers that are watched.
 
-// What Circumcircle_classifier_2 does, but it looks for safe edges whenever it has none, and tells
-// how often it skipped.
+// Does what Circumcircle_classifier_2 does, but looks for safe edges whenever it has none, and
+// counts the frames in which it skips edges.
 struct Eager_classifier
 {
   static constexpr bool is_exact = true;
@@ -830,7 +830,7 @@ struct Eager_classifier
   }
 };
 
-// Looks at every edge in every frame.
+// Examines every edge in every frame.
 struct Tireless_classifier
 {
   static constexpr bool is_exact = true;
@@ -863,8 +863,8 @@ struct Failure
 {
 };
 
-// Checks what another classifier names and claims; after that it fails, or names a vertex without
-// need, if it is told to.
+// Checks the edges that `Classifier` names and what it claims of the hull. If it is told to, it
+// then names a vertex without need, or throws.
 template <class Classifier>
 struct Audited
 {
@@ -929,7 +929,7 @@ std::size_t frames_known_to_skip(const Audited<Eager_classifier>& audited)
   return audited.classifier.frames_skipping;
 }
 
-// This one does not tell, but makes no claim where it does not skip.
+// This classifier does not count frames, but claims that the hull turns once only if it skips.
 std::size_t frames_known_to_skip(const Audited<CGAL::Circumcircle_classifier_2>& audited)
 {
   return audited.hull_claims;
@@ -1023,7 +1023,7 @@ std::vector<Mean_positions<Kernel>> all_means()
           clusters<Kernel>()};
 }
 
-// So many that a jump leaves most edges as they are.
+// So many points that a jump leaves most edges as they are.
 template <class Kernel>
 Mean_positions<Kernel> many()
 {
@@ -1077,7 +1077,7 @@ private:
   double m_drift;
 };
 
-// On top of that, now and then one or two jump elsewhere, and come back some frames later.
+// Sometimes moves one or two points elsewhere; some frames later they are at their own places.
 template <class Kernel>
 class Jumps
 {
@@ -1105,7 +1105,7 @@ private:
   static constexpr std::size_t no_vertex = (std::numeric_limits<std::size_t>::max)();
   using Point = typename Kernel::Point_2;
 
-  // Beyond the next ones, far away among the others, or beyond them all.
+  // A place beyond the neighbors, far away among the other points, or beyond all of them.
   Point elsewhere(const Points& points, const Point& p)
   {
     const Point& q = points[m_random() % points.size()];
@@ -1152,7 +1152,7 @@ protected:
     return Dynamic(points.begin(), points.end(), Audited<Classifier>());
   }
 
-  // From where `points_at(0)` says. Returns what has become of it.
+  // Follows points from `points_at(0)` on. Returns the triangulation after the last frame.
   template <class Motion>
   static Dynamic followed(int frames, const Motion& points_at)
   {
@@ -1179,7 +1179,7 @@ TYPED_TEST(Skipping, follows_clouds_that_tremble_at_any_amplitude)
     }
 }
 
-// So that the other tests are about something.
+// If nothing were skipped, the other tests would prove nothing.
 TYPED_TEST(Skipping, happens_in_max_frames_of_calm_clouds)
 {
   for (const auto& means : all_means<Epick>()) {
@@ -1193,7 +1193,7 @@ TYPED_TEST(Skipping, happens_in_max_frames_of_calm_clouds)
   }
 }
 
-// What one edge in twenty has less of.
+// The slack that one edge in twenty is below.
 template <class Dynamic>
 double tight_slack(const Dynamic& dt)
 {
@@ -1220,7 +1220,7 @@ TYPED_TEST(Skipping, follows_clouds_whose_points_are_all_at_the_edge_of_the_tole
       ASSERT_NO_FATAL_FAILURE(expect_followed(dt, 60, [&](int frame) {
         auto others = points;
         for (std::size_t i = 0; i < points.size(); ++i)
-          if (share <= 1 || int(i) % 60 == frame) // few of those who go too far
+          if (share <= 1 || int(i) % 60 == frame) // few of the points that move too far
             others[i] =
                 point(moved({points[i].x(), points[i].y()}, any_direction(cloud.random()), reach));
         return others;
@@ -1315,8 +1315,8 @@ TYPED_TEST(Skipping, follows_points_that_meet_and_part_in_a_calm_cloud)
   });
 }
 
-// A point comes out of the hull next to a corner of that, and makes it a dent. The hull's edges to
-// infinity at its neighbors have changed what they see, though they do not meet the new one there.
+// A point leaves the hull next to a corner, which becomes a dent. The infinite edges at the
+// neighbors of the corner then have other opposite vertices, though they are not at the new point.
 TYPED_TEST(Skipping, follows_a_point_that_comes_to_the_hull_next_to_a_corner_and_passes_it)
 {
   auto points = Cloud<Epick>(44).uniform(300);
@@ -1385,7 +1385,7 @@ void expect_deception_is_found_out(Dynamic& dt, const Cloud<Epick>::Points& poin
 {
   const std::size_t claims = dt.classifier().hull_claims;
   const auto report = dt.update(points.begin(), points.end());
-  EXPECT_EQ(report.classified, 0u); // a deception indeed
+  EXPECT_EQ(report.classified, 0u); // the exact predicates of edges do not see the loop
   EXPECT_EQ(report.rebuild_reason, CGAL::Rebuild_reason_2::STUCK);
   EXPECT_EQ(dt.classifier().hull_claims, claims);
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
@@ -1397,7 +1397,7 @@ void stay(Dynamic& dt, const Cloud<Epick>::Points& points, int frames = 12)
   expect_followed(dt, frames, [&](int) { return points; });
 }
 
-// The references are taken with the points on the loop's places, but no loop; they leave.
+// Takes references with points at the loop's places but without a loop; then the points leave.
 template <class Dynamic>
 void walk_outside(Dynamic& dt, const Corner_with_a_loop& corner)
 {
@@ -1441,7 +1441,7 @@ TYPED_TEST(Skipping, is_not_deceived_by_a_loop_seen_in_a_frame_that_was_given_up
 // -------------------------------------------------------------------------------------------------
 // Exceptions, and all that a classifier may be combined with.
 
-// Reads points, all but one.
+// A property map that throws for one of the points.
 template <class Point>
 struct Faulty_map
 {
@@ -1459,7 +1459,7 @@ struct Faulty_map
   }
 };
 
-// Gives up before it has begun, or in the middle.
+// Throws before it has begun, or after flips.
 struct Faulty_repair
 {
   std::shared_ptr<int> fault = std::make_shared<int>(0);
@@ -1605,7 +1605,7 @@ TYPED_TEST(Skipping, goes_on_when_memory_has_run_out_for_the_references)
   }
 }
 
-// A point jumps, and at any one of the allocations for that there is no memory; then it jumps on,
+// A point jumps, and memory runs out at each of the allocations in turn; then the point jumps on,
 // or comes back.
 TYPED_TEST(Skipping, goes_on_when_memory_has_run_out_for_a_repair)
 {
@@ -1731,7 +1731,7 @@ TYPED_TEST(Skipping, changes_nothing_about_any_frame)
       }
 }
 
-// The edge between the two is safe, while both of its faces are turned over.
+// The edge between the two points is safe, while both of its faces are inverted.
 TYPED_TEST(Skipping, names_each_broken_edge_of_two_close_points_that_change_places)
 {
   auto points = Cloud<Epick>(71).uniform(300);
@@ -1742,7 +1742,7 @@ TYPED_TEST(Skipping, names_each_broken_edge_of_two_close_points_that_change_plac
   expect_followed(dt, points, true);
 }
 
-// References that hold for long are taken anew.
+// References that have held for long are taken anew.
 TYPED_TEST(Skipping, follows_what_is_calm_for_a_thousand_frames)
 {
   const Trembling<Epick> trembling({"uniform", Cloud<Epick>(73).uniform(300), 0}, 1e-4);

@@ -38,7 +38,7 @@ const std::vector<std::string>& scenario_names()
   return names;
 }
 
-// Both in JSON, with other quotation marks.
+// Replaces a part of a JSON text. `what` and `by` have single quotation marks for double ones.
 std::string with_replaced(std::string text, std::string what, std::string by)
 {
   for (std::string* json : {&what, &by}) {
@@ -544,7 +544,7 @@ TEST(Shiver, is_measured_in_diameters_and_the_time_that_stiffness_and_mass_give)
   EXPECT_EQ(velocity("'shiver': 0.01", "'shiver': 0"), 0.0);
 }
 
-// Of particles without bonds.
+// A system of particles without bonds.
 Particle_system system_of(const std::vector<Point>& positions, const std::vector<Point>& velocities,
                           const std::optional<Box>& box = {})
 {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Neighbor lists, measures of Voronoi cells, and queries for points, against what is found without
-// a triangulation of ours: by CGAL's circulators, by exact polygons, and by looking at everybody.
+// Neighbor lists, measures of Voronoi cells, and queries for points, compared with results that do
+// not depend on them: of CGAL's circulators, of exact polygons, and of searches among all points.
 
 #include "oracle.h"
 #include "replaced_heap.h"
@@ -71,7 +71,7 @@ protected:
     return clouds;
   }
 
-  // Of a triangulation that was updated, and of which points have come and gone.
+  // A triangulation after an update, removals and insertions.
   static Subject veteran()
   {
     Cloud<Kernel> cloud(4);
@@ -141,7 +141,7 @@ Ids list_of(const Lists& lists, std::size_t id)
   return Ids(list.begin(), list.end());
 }
 
-// Begins with the smallest one.
+// The ids in their cyclic order, the smallest one first.
 Ids rotated(Ids ids)
 {
   std::rotate(ids.begin(), std::min_element(ids.begin(), ids.end()), ids.end());
@@ -283,7 +283,7 @@ Exact_point exact(const Point& p)
   return Exact_point(p.x(), p.y());
 }
 
-// What is no nearer to w than to v.
+// The part of the polygon that is no nearer to w than to v.
 Polygon clipped(const Polygon& polygon, const Exact_point& v, const Exact_point& w)
 {
   const auto bisector = CGAL::bisector(v, w); // v is on its positive side
@@ -306,7 +306,7 @@ Polygon polygon_of(const CGAL::Bbox_2& box)
           Exact_point(box.xmax(), box.ymax()), Exact_point(box.xmin(), box.ymax())};
 }
 
-// Of a place in a box, with the bisectors of all points.
+// The cell of a place in a box, cut by the bisectors with all points.
 template <class Point>
 Cell clipped_cell(const std::vector<Point>& places, const Point& place, const CGAL::Bbox_2& box)
 {
@@ -317,7 +317,7 @@ Cell clipped_cell(const std::vector<Point>& places, const Point& place, const CG
   return measured(polygon);
 }
 
-// Of a vertex, by the circumcenters of its faces.
+// The cell of a vertex, by the circumcenters of its faces.
 template <class Dynamic>
 Cell whole_cell(const Dynamic& dt, std::size_t id)
 {
@@ -354,13 +354,13 @@ void expect_close(double value, double expected, double tolerance, std::size_t i
     ASSERT_NEAR(value, expected, tolerance * (std::max)(1.0, expected)) << "id " << id;
 }
 
-// To the last digit, which CGAL::to_double() does not promise for numbers that it has not computed.
+// Rounded to the last digit: CGAL::to_double() is exact only for numbers that have been computed.
 double rounded(const Epeck::FT& number)
 {
   return CGAL::to_double(CGAL::exact(number));
 }
 
-// A cell without a centroid has its point there.
+// Expects the centroid of a cell, or its point for a cell that has none.
 template <class Dynamic>
 void expect_centroid(const Measures& measures, const Dynamic& dt, std::size_t id, const Cell& cell,
                      double tolerance)
@@ -377,7 +377,7 @@ void expect_centroid(const Measures& measures, const Dynamic& dt, std::size_t id
   ASSERT_NEAR(centroid.y, rounded(expected.y()), error) << "id " << id;
 }
 
-// Of a cell that is not too thin.
+// Expects the shape index of a cell, unless it is too thin.
 void expect_shape(const Measures& measures, std::size_t id, const Cell& cell)
 {
   const double index = measures.shape_indices()[id];
@@ -388,8 +388,8 @@ void expect_shape(const Measures& measures, std::size_t id, const Cell& cell)
   }
 }
 
-// All measures of a cell, which is shared by those at its point; an id that is free has none.
-// `cell_of()` finds it.
+// Expects all measures of a cell, whose area coincident points share; those of a free id are 0.
+// `cell_of()` finds the cell.
 template <class Dynamic, class Cell_of>
 void expect_cell(const Measures& measures, const Dynamic& dt, std::size_t id,
                  double tolerance_of_centroid, const Cell_of& cell_of)
@@ -669,7 +669,7 @@ Ids within_by_looking(const Dynamic& dt, const typename Dynamic::Point& p,
   return ids;
 }
 
-// `search(ids)` writes them.
+// The ids that `search(ids)` writes, ascending.
 template <class Search>
 Ids found(const Search& search)
 {
@@ -679,7 +679,7 @@ Ids found(const Search& search)
   return ids;
 }
 
-// Places among points, and some far away; those of points, and between them, for ties.
+// Places among points and far away, and for ties the places of points and midpoints of them.
 template <class Kernel, class Dynamic>
 std::vector<typename Kernel::Point_2> locations(const Dynamic& dt)
 {

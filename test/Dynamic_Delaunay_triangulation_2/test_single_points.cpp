@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Single points are removed, moved and inserted. Where everything is Delaunay all stays so without
-// a further look; where nothing is certified, no shortcut may take it for Delaunay.
+// Single points are removed, moved and inserted. A certified triangulation stays certified without
+// a look at all edges; an uncertified one must not become certified by a shortcut.
 
 #include "oracle.h"
 
@@ -34,7 +34,7 @@ bool is_on_hull(const Dynamic& dt, std::size_t id)
   return dt.triangulation().is_edge(dt.vertex(id), dt.infinite_vertex());
 }
 
-// Others far away from the origin, enough that one change is worth no rebuild.
+// Adds points far away from the origin, so many that one change is not worth a rebuild.
 void add_surroundings(Points& points)
 {
   std::mt19937 random(1);
@@ -75,7 +75,7 @@ Points exact_wheel(std::size_t spokes)
   return points;
 }
 
-// How many flips follow.
+// How many flips are expected after a removal.
 enum class Flips { NONE, ANY };
 
 void expect_exact_without_first(const Points& points, Flips flips)
@@ -270,8 +270,8 @@ TEST(Single_changes, are_exact_whatever_comes_goes_and_moves_near_or_far)
   }
 }
 
-// A few points go anywhere, and a classifier that names no vertex leaves the faces as they are:
-// some overlap, and are turned over. Then single points change.
+// A few points jump, and a classifier that names no vertex leaves the faces as they are: some
+// overlap, and some are inverted. Then single points change.
 class Single_changes_of_overlapping_faces
 {
 public:
@@ -290,7 +290,7 @@ public:
     m_dt.update(moved.begin(), moved.end());
   }
 
-  // Until a change has triangulated everything anew.
+  // Changes points until a change has triangulated everything anew.
   void run(std::size_t steps)
   {
     ASSERT_FALSE(m_dt.is_certified());
@@ -343,7 +343,7 @@ private:
   std::mt19937 m_random;
   Blind m_dt;
   Model<Blind> m_model;
-  std::size_t m_changes = 0; // where faces overlapped
+  std::size_t m_changes = 0; // made while faces overlap
 };
 
 TEST(Single_changes, keep_a_valid_structure_where_faces_overlap)

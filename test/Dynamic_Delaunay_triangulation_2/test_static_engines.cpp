@@ -92,7 +92,7 @@ Points on_line(std::size_t n, double dx, double dy)
   });
 }
 
-// Distances from the center of which each is as likely as its e-th part.
+// Points whose distances from the center are equally likely on a logarithmic scale.
 Points towards_center(std::size_t n, std::mt19937& random)
 {
   return made(n, [&](std::size_t) {
@@ -135,7 +135,7 @@ Points on_lattice(std::size_t n, int bound, double unit, std::mt19937& random)
 
 using Named_points = std::map<std::string, Points>;
 
-// One, in the order in which it is likely to be given, is as good as any other.
+// Regular point sets, in the orders in which programs are likely to give them.
 Named_points regular_points()
 {
   const auto circle = Cloud<Epick>::on_circle(36);
@@ -229,7 +229,7 @@ void expect_exact_as_a_whole(Static_engine_2 engine,
   expect_exact(triangulated<Kernel>(points, {engine, engine}), points);
 }
 
-// Triangulates regions anew where no point moves: each has to come out as it was, up to ties.
+// Triangulates regions anew while no point moves: the result must be exact after each frame.
 // Returns the number of splices.
 template <class Kernel>
 std::size_t expect_exact_by_regions(Static_engine_2 engine,
@@ -342,7 +342,7 @@ TEST_P(Static_engines, work_with_exact_constructions)
   ASSERT_NO_FATAL_FAILURE(expect_exact_as_a_whole<Epeck>(GetParam(), Cloud<Epeck>(1).on_line(30)));
 }
 
-// Then the order is by comparisons, not by cells.
+// Such points are ordered by comparisons instead of cells of the curve.
 TEST_P(Static_engines, work_where_coordinates_are_no_doubles)
 {
   using Number = Epeck::FT;
@@ -369,7 +369,7 @@ TEST_P(Static_engines, work_where_coordinates_are_no_doubles)
   }
 }
 
-// Two of them differ by less than any double tells.
+// Different points that are rounded to the same doubles.
 TEST_P(Static_engines, tell_points_apart_that_no_double_does)
 {
   std::vector<Epeck::Point_2> points;
@@ -407,7 +407,7 @@ TEST_P(Static_engines, give_the_same_edges_in_whatever_order_the_points_come)
 
 // COINCIDENCE -------------------------------------------------------------------------------------
 
-// Whose place each point is at, by the representatives' ids.
+// The id of the representative of each point.
 template <class Dynamic>
 std::vector<std::size_t> representatives_of(const Dynamic& dt)
 {
@@ -426,8 +426,8 @@ std::vector<std::size_t> stamps_of_all(const Dynamic& dt)
   return stamps;
 }
 
-// Whoever is a representative was one, unless no point at its place was; and then it has its vertex
-// still.
+// Expects that each representative was one before and has kept its vertex, unless none of the
+// points at its place was one.
 template <class Dynamic>
 void expect_representatives_stay(const Dynamic& dt,
                                  const std::vector<std::size_t>& old_representatives,
@@ -473,7 +473,7 @@ TEST_P(Static_engines, keep_the_representatives_of_coincident_points_through_reb
   }
 }
 
-// The stretch that is left of an order without its duplicates has cuts of equal rank side by side.
+// An order from which duplicates have been removed has adjacent cuts of equal rank.
 TEST_P(Static_engines, triangulate_points_most_of_which_coincide)
 {
   std::mt19937 random(8);
@@ -613,7 +613,7 @@ TEST(Filtered_predicates, certify_nothing_false_where_a_term_overflows)
   }
 }
 
-// Its bound is a product of six lengths; where that is out of range it picks whatever is broken.
+// The bound is a product of six lengths; where it is out of range, all broken edges are picked.
 TEST(Filtered_predicates, let_nearly_delaunay_pick_edges_of_any_length)
 {
   const Points points = Cloud<Epick>(13).uniform(300);
@@ -634,7 +634,7 @@ TEST(Filtered_predicates, let_nearly_delaunay_pick_edges_of_any_length)
 
 using Positions = std::vector<Position_2>;
 
-// By the indices of vertices: none has index 0.
+// Positions by the indices of vertices; index 0 is not used.
 Positions positions_of(const Points& points)
 {
   Positions positions(1, Position_2{0, 0});
@@ -668,7 +668,7 @@ bool coincide(const Position_2& p, const Position_2& q)
   return p.x == q.x && p.y == q.y;
 }
 
-// The i-th cut with the stretches that it parts.
+// The i-th cut with the two stretches of the order on its sides.
 struct Parted_stretches
 {
   Parted_stretches(const internal::Spatial_order_2& order, const Positions& positions,
@@ -810,7 +810,7 @@ std::map<std::uint32_t, Cell> cells_along_curve(Cell corner, std::uint32_t width
   return cells;
 }
 
-// Of a square whose corner is a multiple of its width.
+// The corner of a square, a multiple of its width.
 Cell random_corner(std::uint32_t width, std::mt19937& random)
 {
   const auto coordinate = [&] { return std::uint32_t(random() % (65536 / width)) * width; };
@@ -841,7 +841,7 @@ TEST(Hilbert_curve, ends_where_it_says)
 
 using Cells = std::vector<Cell>;
 
-// The only line between both sets, of those that go along an axis.
+// The cut along the only axis-parallel line between both sets.
 internal::Cut_2 cut_between(const Cells& before, const Cells& after)
 {
   const auto ends_below = [](const Cells& low, const Cells& high, std::uint32_t Cell::*coordinate) {
@@ -858,7 +858,7 @@ internal::Cut_2 cut_between(const Cells& before, const Cells& after)
   return internal::Cut_2{0, is_horizontal, ends_below(after, before, coordinate)};
 }
 
-// Between places that points have in two squares of 2^log_unit x 2^log_unit cells each.
+// The cut between random places in two squares of 2^log_unit x 2^log_unit cells each.
 internal::Cut_2 cut_inside(const Cell& before, const Cell& after, int log_unit,
                            std::mt19937& random)
 {
@@ -989,7 +989,7 @@ public:
 private:
   using Flat_faces = internal::Flat_faces_2;
 
-  // Its vertices, counterclockwise, infinity first if it is among them.
+  // The vertices of a face, counterclockwise, the infinite one first if it is among them.
   std::array<Index, 3> from_infinity(Index f) const
   {
     Index h = Flat_faces::first_halfedge(f);

@@ -44,8 +44,8 @@ TEST(Numbers, are_read_as_the_same_again)
   EXPECT_EQ(run::number_text(0.1), "0.1");
 }
 
-// Those of standard libraries that have no std::from_chars() for doubles, which others do not use.
-// Reads it, and compares the result with that of the standard library.
+// Reads a number as with standard libraries that have no std::from_chars() for doubles, and
+// compares the result with that of this standard library.
 double read_as_standard(const std::string& text)
 {
   const char* const beyond = text.data() + text.size();

@@ -54,7 +54,7 @@ Points turned(const Points& points, double angle, const Epick::Point_2& center =
   return result;
 }
 
-// All points straight on.
+// Moves all points along straight lines.
 class Drift
 {
 public:
@@ -85,8 +85,8 @@ struct Audit
   std::size_t edges = 0, broken = 0, missed = 0, false_alarms = 0;
 };
 
-// Counts, before anything is repaired, what an exact classifier has missed, and which edges it has
-// named for nothing.
+// Counts, before anything is repaired, the broken edges that an exact classifier has missed, and
+// the edges that it has named in vain.
 template <class Classifier>
 struct Audited
 {
@@ -185,7 +185,7 @@ TYPED_TEST(Exact_classifiers, miss_nothing_in_a_million_edges)
     if (frame % 50 == 49)
       cloud.shake(points, 0.01);
   }));
-  // all points slowly straight on, so that what was found out once is used for long
+  // all points slowly straight on, so that results of one frame are used in many
   for (const double speed : {1e-5, 1e-4}) {
     const Drift drift(cloud, 1000, speed);
     ASSERT_NO_FATAL_FAILURE(this->follow(drift.points(0), 400, [&](Points& points, int frame) {
@@ -414,8 +414,8 @@ TEST(Safe_region_classifier, looks_at_a_few_edges_where_a_few_vertices_move)
   EXPECT_LT((*classifier.counts)[1], 100u * 60u) << "edges";
 }
 
-// One vertex leaps and breaks edges; then one not far from it takes a step, for which the disks
-// have to know what has become of the edges around.
+// A vertex leaps and breaks edges; then a neighbor of its neighbor takes a step, which is safe only
+// by disks that follow the changed edges.
 template <class Repair>
 void leap_and_step(const Repair& repair)
 {
@@ -492,7 +492,7 @@ TEST(Edge_slack, gives_the_largest_tolerance_that_is_safe)
 // -------------------------------------------------------------------------------------------------
 // Refinement.
 
-// Names what it is told to.
+// Names the vertices and edges that it is given.
 template <bool exact>
 struct Scripted_classifier
 {
@@ -509,7 +509,7 @@ struct Scripted_classifier
   }
 };
 
-// What stays, as a copy of the classification's vertices and edges.
+// Records the vertices and edges that a classifier has named.
 template <class Classifier>
 struct Noting_classifier
 {
@@ -614,7 +614,7 @@ TEST(Refined_classifier, leaves_only_broken_edges_of_what_a_heuristic_picks)
   EXPECT_LE(some, broken);
 }
 
-// Does not say that it decides edge by edge.
+// Lacks the members by which a classifier declares that it decides edge by edge.
 template <class Classifier>
 struct Reserved_classifier
 {
@@ -634,7 +634,7 @@ struct Reserved_classifier
   }
 };
 
-// Refines in both ways, and compares.
+// Refines a classification edge by edge and as a whole, and compares the results.
 template <class First, class Second>
 struct Twofold_classifier
 {
@@ -752,7 +752,7 @@ TEST(Point_distance_classifier, picks_the_ends_of_every_edge_that_changed_at_all
       std::set<std::size_t> classified;
       for (const Index v : dt.classified_vertices())
         classified.insert(dt.frame().id(v));
-      if (step == 0.3) // it may have been rebuilt
+      if (step == 0.3) // everything may have been rebuilt
         ASSERT_GE(around.size(), classified.size());
       else
         ASSERT_EQ(classified, around) << "id " << id << ", step " << step;
@@ -926,7 +926,7 @@ TEST(Predictive_point_distance_classifier, looks_only_when_point_distance_would_
 // -------------------------------------------------------------------------------------------------
 // Circumcenters.
 
-// Any number of edges that have nothing to do with each other.
+// Any number of edges that share no vertices.
 struct Loose_edges
 {
   using Index = CGAL::Dynamic_Delaunay_triangulations_2::Index;
@@ -1015,7 +1015,7 @@ TEST(Circumcenters, are_the_same_from_each_vertex_in_each_order)
   }
 }
 
-// Notes which edges the circumcenter classifier takes otherwise than the exact predicates.
+// Expects that the circumcenter classifier names the edges that exact predicates find broken.
 struct Circumcenter_audit
 {
   static constexpr bool is_exact = false;
@@ -1083,7 +1083,7 @@ Key key(const Frame& frame, const Edge_2& edge)
   return std::minmax({key(frame, edge.source), key(frame, edge.target)});
 }
 
-// Of each edge number its ends and opposite vertices, of each face number its vertices: by ids.
+// The ends and opposite vertices of each edge index, and the vertices of each face index, by ids.
 struct Snapshot
 {
   std::vector<std::array<Key, 2>> edges{};
@@ -1110,7 +1110,7 @@ struct News
   Snapshot before{}, now{};
   std::size_t changed_edges = 0, changed_sides = 0, changed_faces = 0;
 
-  // Every difference between two snapshots has to be announced.
+  // Expects that every difference between two snapshots is announced.
   template <class Frame>
   void check(const Frame& frame)
   {
@@ -1190,8 +1190,8 @@ bool is_left_turn(const Frame& frame, Index a, Index b, Index c)
                            point(frame.position(c))) == CGAL::LEFT_TURN;
 }
 
-// Positive if c1, to the right of the edge, and c2, to its left, have not passed each other: the
-// distance between them.
+// The signed distance between c1, to the right of the edge, and c2, to its left: negative once they
+// have passed each other.
 template <class Frame>
 double gap(const Frame& frame, const Edge_2& edge, const Epick::Point_2& c1,
            const Epick::Point_2& c2)
@@ -1200,8 +1200,8 @@ double gap(const Frame& frame, const Edge_2& edge, const Epick::Point_2& c1,
   return ((c1.x() - c2.x()) * (q.y - p.y) - (c1.y() - c2.y()) * (q.x - p.x)) / length(p, q);
 }
 
-// Each model says of an edge how far it is inside of its bound, in its own way and by what it
-// remembers by ids. Positive: the edge is left alone. Infinite: it has no opinion.
+// Each model computes by how much an edge is inside of its bound, from references that it keeps by
+// ids. Positive: the edge must not be picked. Infinite: either is right.
 struct Point_distance_model
 {
   using Classifier = CGAL::Point_distance_classifier_2;
@@ -1241,7 +1241,7 @@ struct Point_distance_model
   }
 };
 
-// The product of the relative growths frame by frame, from the positions of each two frames.
+// The product of relative growths from frame to frame.
 struct Inflation_aware_model
 {
   using Classifier = CGAL::Inflation_aware_classifier_2;
@@ -1437,7 +1437,7 @@ struct Modelled
     expect_vertices_of(frame, classified);
   }
 
-  // No vertex is named for nothing.
+  // Expects that no vertex is named in vain.
   template <class Frame, class Classification>
   void expect_vertices_of(const Frame& frame, const Classification& classified) const
   {
@@ -1586,7 +1586,7 @@ struct Nearness
   std::size_t edges = 0, not_delaunay = 0, violations = 0, inverted = 0;
 };
 
-// By exact constructions, from CGAL's faces alone.
+// Computed by exact constructions, from CGAL's faces alone.
 template <class Dynamic>
 Nearness nearness(const Dynamic& dt, double eps)
 {
@@ -1655,7 +1655,7 @@ TEST(Nearly_delaunay_classifier, keeps_its_bound_at_every_edge_of_every_frame)
   }
 }
 
-// What a splice leaves at its boundary has to be looked at, too.
+// The edges at the boundary of a splice have to be examined, too.
 TEST(Nearly_delaunay_classifier, keeps_its_bound_where_flips_get_stuck_and_regions_are_spliced)
 {
   std::size_t splices = 0;
@@ -1693,8 +1693,8 @@ TEST(Nearly_delaunay_classifier, leaves_a_delaunay_triangulation_at_zero)
 // -------------------------------------------------------------------------------------------------
 // All of them.
 
-// Whatever it is set to, it keeps a sound triangulation, loses no point, and does not claim too
-// much.
+// Expects that a classifier, at any setting, keeps a sound triangulation, loses no point, and leads
+// to no false certificate.
 template <class Classifier>
 void expect_sound_under(const Classifier& classifier)
 {
@@ -1742,7 +1742,7 @@ TEST(All_classifiers, keep_a_sound_triangulation_and_all_points_at_absurd_settin
   expect_sound_under(Safe_and_circumcircle());
 }
 
-// There are no edges then, and no flat arrays to be read.
+// On a line there are no edges and no flat arrays to be read.
 template <class Classifier>
 void expect_sound_from_a_line_on(const Classifier& classifier)
 {

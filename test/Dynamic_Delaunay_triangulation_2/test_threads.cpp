@@ -57,8 +57,8 @@ using Points = std::vector<Point>;
 // still has some parts.
 constexpr std::size_t many = 2000, fewer = 400;
 
-// How often each comparison is made: DYNAMIC_DELAUNAY_THREAD_RUNS=1000 for a longer look. So many
-// of them are of many points.
+// How often each comparison is made: DYNAMIC_DELAUNAY_THREAD_RUNS=1000 for a longer look. At most
+// `long_runs` of them are of many points.
 constexpr int long_runs = 20;
 int number_of_runs()
 {
@@ -66,7 +66,7 @@ int number_of_runs()
   return text == nullptr ? 1 : std::atoi(text);
 }
 
-// Also more than the machine has.
+// Calls `f` with a number of threads, which may be more than the machine has.
 template <class Function>
 void with_threads(int number, const Function& f)
 {
@@ -80,8 +80,8 @@ template <class Dynamic>
 constexpr bool is_planar<Dynamic, std::void_t<decltype(std::declval<const Dynamic&>().tds())>> =
     true;
 
-// All that was seen, and its order, in one number: after Fowler, Noll and Vo, but for words of 64
-// bits, whose upper bits are folded into the lower ones.
+// A hash of all that is noted, in its order: after Fowler, Noll and Vo, but for words of 64 bits,
+// whose upper bits are folded into the lower ones.
 class Diary
 {
 public:
@@ -114,7 +114,7 @@ public:
           std::size_t(report.certified)})
       note_number(count);
   }
-  // With all numbers of vertices, edges and faces, and all bits of the coordinates.
+  // Notes all indices of vertices, edges and faces, and all bits of the coordinates.
   template <class Dynamic>
   void note_state(const Dynamic& dt)
   {
@@ -122,8 +122,8 @@ public:
     dt.write_checkpoint(state);
     note(state.str());
   }
-  // What a frame may change: the edges by vertices, and CGAL's structure with all points. It takes
-  // a quarter of the time. In periodic space everything.
+  // Notes what a frame may change: the edges by vertices, and CGAL's structure with all points. It
+  // takes a quarter of the time of note_state(), which is called in periodic space.
   template <class Dynamic>
   void note_frame(const Dynamic& dt)
   {
@@ -174,7 +174,7 @@ private:
   std::uint64_t m_hash = 0xcbf29ce484222325u;
 };
 
-// Notes what it is told.
+// Notes all its notifications.
 class Noting_visitor : public CGAL::Delaunay_update_visitor_base_2
 {
 public:
@@ -274,8 +274,8 @@ using Periodic =
                                                     CGAL::Default, Visitor, Tag>;
 using Parallel = Planar<CGAL::Parallel_tag>;
 
-// Without threads, frames are compared with the oracle. Equal diaries prove all others: they have
-// all of a triangulation.
+// Only frames without threads are compared with the oracle. Equal diaries prove all others right,
+// since they contain everything of a triangulation.
 template <class Tag>
 constexpr bool is_reference = std::is_same_v<Tag, CGAL::Sequential_tag>;
 
@@ -430,7 +430,7 @@ TEST(Threads, change_nothing_where_points_are_dense_in_some_places)
   expect_equal_diaries([&](std::size_t n) { return Motion{dense(n), 0.01, 1}; });
 }
 
-// All that breaks is spliced. Where some points jump, regions grow, and may take in others.
+// All broken edges are repaired by splices. Where points jump, regions grow, and may merge.
 struct Spliced_motion
 {
   std::size_t size;
@@ -497,7 +497,7 @@ TEST(Threads, change_nothing_where_regions_are_triangulated_by_insertion)
   });
 }
 
-// Nothing is rebuilt after a heuristic classifier, whatever flips have left.
+// After a heuristic classifier nothing is rebuilt, even if flips leave overlapping faces.
 TEST(Threads, double_no_edge_where_flips_alone_mend_faces_that_overlap)
 {
   using Flipping = CGAL::Dynamic_Delaunay_triangulation_2<
@@ -515,7 +515,7 @@ TEST(Threads, double_no_edge_where_flips_alone_mend_faces_that_overlap)
   }
 }
 
-// Whole cells are sums over faces, which have parts; clipped cells are not.
+// Measures of whole cells are sums over faces, divided into parts; those of clipped cells are not.
 TEST(Threads, leave_out_no_face_of_a_cell)
 {
   const Points points = Cloud<Epick>(11).uniform(many);
@@ -580,7 +580,7 @@ TEST(Threads, change_nothing_where_points_jump)
   expect_equal_diaries([](std::size_t n) { return Jumps{n, 0.01, 0.03}; });
 }
 
-// Points come and go with every frame: so many of them.
+// A share of the points leaves in every frame, and new ones come.
 struct Population_motion
 {
   std::size_t size;
@@ -668,7 +668,7 @@ TEST(Threads, change_nothing_where_all_points_of_a_cell_are_triangulated_anew)
   expect_equal_diaries([](std::size_t n) { return Periodic_motion{n, 10, 2, false}; });
 }
 
-// Without it all points would be inserted one by one.
+// If the triangulation of all points at once failed, they would be inserted one by one.
 TEST(Threads, triangulate_all_points_of_a_cell_at_once)
 {
   std::vector<Position_2> positions;
@@ -689,7 +689,7 @@ TEST(Threads, triangulate_all_points_of_a_cell_at_once)
     });
 }
 
-// Nothing is examined in a frame, and all edges where it is mended.
+// A frame examines no edge, and mend() then examines all.
 struct Mended_cell
 {
   std::size_t size;
@@ -718,8 +718,8 @@ TEST(Threads, change_nothing_where_a_cell_is_mended)
   expect_equal_diaries([](std::size_t n) { return Mended_cell{n}; });
 }
 
-// The points of a grid are triangulated at once, but ties then are broken differently in different
-// images, and they are inserted one by one.
+// The points of a grid are triangulated at once, but ties are broken differently in different
+// images, so the points are then inserted one by one.
 struct Periodic_grid
 {
   std::size_t columns;
@@ -742,7 +742,7 @@ TEST(Threads, change_nothing_where_points_of_a_cell_form_a_grid)
 
 // QUERIES -----------------------------------------------------------------------------------------
 
-// Places among the points and outside of them; points coincide, and several are nearest to a place.
+// Queries for places among the points and outside of them, also with coincidences and ties.
 struct Queries
 {
   std::size_t size;

@@ -32,7 +32,7 @@ namespace test_traits {
 using Terrain = CGAL::Projection_traits_xy_3<Epick>;
 
 namespace internal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
-// The others go from frame to frame, and never into checkpoints, with all that they hold.
+// Points of the other types go from frame to frame with all their data, and not into checkpoints.
 static_assert(internal::is_two_doubles<Epick::Point_2>);
 static_assert(!internal::is_two_doubles<Epeck::Point_2>);
 static_assert(internal::is_made_of_x_and_y<Epeck::Point_2>);
@@ -96,7 +96,7 @@ struct Ellipses : Exact<Anisotropic_traits, With_info<Anisotropic_traits>>
   static int mark(const Epick::Point_2&) { return 0; }
 };
 
-// Plays what happens to points, and knows where they all have to be.
+// Changes points, and knows where all of them have to be.
 template <class Kind>
 class Play
 {
@@ -104,7 +104,7 @@ public:
   using Dynamic = typename Kind::Dynamic;
   using Point = typename Dynamic::Point;
 
-  // In a square lattice, full of ties.
+  // Begins with a square lattice, full of ties.
   explicit Play(const CGAL::Static_engines_2& engines = {})
     : dt(Kind::triangulation(first_points(), engines))
   {
@@ -112,7 +112,7 @@ public:
       points.emplace(points.size(), p);
   }
 
-  // The next point there, with the next mark.
+  // A point at (x, y), with a new mark.
   Point at(double x, double y) { return Kind::at(x, y, ++m_mark); }
   Point anywhere(double deviation = 3)
   {
@@ -120,7 +120,7 @@ public:
     const double x = coordinate(m_random);
     return at(x, coordinate(m_random));
   }
-  // About where it was at first.
+  // A new point near the first place of a point.
   Point near_home(std::size_t id)
   {
     std::normal_distribution<double> step(0, 0.3);
@@ -152,7 +152,7 @@ public:
     points[id] = p;
   }
 
-  // No point is lost, nor what its point holds, and the triangulation is right.
+  // Expects that no point and no mark is lost, and that the triangulation is right.
   void expect_right() const
   {
     ASSERT_NO_FATAL_FAILURE(expect_all_points());
@@ -239,7 +239,7 @@ TYPED_TEST(Traits, points_in_one_place_share_a_vertex_and_part_with_all_that_the
   play.update();
   EXPECT_EQ(play.dt.number_of_vertices(), play.points.size() - 2);
   ASSERT_NO_FATAL_FAILURE(play.expect_right());
-  play.points[60] = play.at(4.25, 4.5); // in the same place, and not the same
+  play.points[60] = play.at(4.25, 4.5); // the same place, but another mark
   play.update();
   ASSERT_NO_FATAL_FAILURE(play.expect_right());
   play.move(40, play.at(4.25, 4.5));

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Visitors: what they are told is what happens, all of it, in every kind of call.
+// Visitors are notified of everything that happens, in every kind of call.
 
 #include "interrupting_visitor.h"
 #include "oracle.h"
@@ -31,7 +31,7 @@ namespace test_visitors {
 using Points = Cloud<Epick>::Points;
 using Edges = std::vector<CGAL::Edge_changes_visitor_2::Edge>;
 
-// What is known from what a visitor is told alone.
+// What is known only from the notifications of a visitor.
 struct Hearsay
 {
   static constexpr std::size_t infinity = std::size_t(-1);
@@ -44,7 +44,7 @@ struct Hearsay
   int flips = 0, created_faces = 0, created_vertices = 0, removals = 0, merges = 0, id_changes = 0;
 };
 
-// Hears all, and checks that it fits what it has heard before.
+// Checks that each notification fits the ones before.
 class Listener : public CGAL::Delaunay_update_visitor_base_2
 {
 public:
@@ -215,7 +215,7 @@ CGAL::Update_report_2 update(Dynamic& dt, const std::vector<typename Dynamic::Po
 }
 
 // -------------------------------------------------------------------------------------------------
-// Whatever mends
+// All repairs
 
 template <class Dynamic>
 class Listening : public testing::Test
@@ -321,7 +321,7 @@ TEST(Visitor, is_told_that_a_checkpoint_replaces_everything)
   EXPECT_EQ(dt.visitor().hearsay().finished_updates, 2);
 }
 
-// Before an update all is as it was, so CGAL's triangulation is safe to use there.
+// In before_update() nothing has changed yet, so CGAL's triangulation is safe to use.
 struct Looks_before : CGAL::Delaunay_update_visitor_base_2
 {
   template <class Dynamic>
@@ -385,7 +385,7 @@ TEST(Visitor, works_with_exact_coordinates_and_from_a_population)
 // -------------------------------------------------------------------------------------------------
 // Visitors that throw
 
-// Hears the beginning and the end of a call as well, and what comes after a flip.
+// May also throw at the beginning and the end of a call, and after a flip.
 struct Throwing : Interrupting_visitor
 {
   template <class... Arguments>
@@ -472,7 +472,7 @@ std::set<std::pair<std::size_t, std::size_t>> edges_of(const Dynamic& dt)
   return edges;
 }
 
-// The edges from before with the listed changes are those of now.
+// Expects that the listed changes lead from the edges before to the edges now.
 class Edge_changes : public testing::Test
 {
 protected:

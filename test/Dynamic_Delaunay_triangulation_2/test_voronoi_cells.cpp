@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Voronoi cells in periodic space and in the plane, against polygons that bisectors with all images
-// leave, and gradients against finite differences.
+// Voronoi cells in periodic space and in the plane, compared with polygons that are cut by
+// bisectors with all images, and gradients, compared with finite differences.
 
 #include "oracle.h"
 #include "replaced_heap.h"
@@ -62,7 +62,7 @@ Point image(const Point& p, const Periodic_cell& cell, int i, int j)
   return Point(p.x() + i * cell.ax() + j * cell.bx(), p.y() + i * cell.ay() + j * cell.by());
 }
 
-// All over the cell.
+// Points all over the cell.
 Points random_points(std::mt19937& random, std::size_t number, const Periodic_cell& cell)
 {
   Points points;
@@ -100,7 +100,7 @@ double sum(const Numbers& numbers)
 // -------------------------------------------------------------------------------------------------
 // The oracle: polygons around a point, relative to it.
 
-// What is no nearer to q than to the origin.
+// The part of the polygon that is no nearer to q than to the origin.
 Polygon clipped(const Polygon& polygon, const Position& q)
 {
   const auto excess = [&](const Position& p) {
@@ -128,8 +128,8 @@ double radius_of(const Polygon& polygon)
   return radius;
 }
 
-// By the bisectors with all images within so many cells, those of the point itself first: then most
-// of the others are too far away to matter.
+// Cut by the bisectors with all images within `reach` cells. The images of the point itself come
+// first: most of the others are then too far away to matter.
 Polygon clipped_cell(const Points& points, std::size_t id, const Periodic_cell& cell)
 {
   constexpr int reach = 16;
@@ -171,7 +171,7 @@ Measured measured(const Polygon& polygon)
   return result;
 }
 
-// Of the sides of a polygon around the origin that are as near to q.
+// The length of the sides of a polygon that are equally far from the origin and from q.
 double length_towards(const Polygon& polygon, const Epick::Vector_2& q)
 {
   const auto is_between = [&](const Position& p) {
@@ -189,7 +189,7 @@ double length_towards(const Polygon& polygon, const Epick::Vector_2& q)
 // -------------------------------------------------------------------------------------------------
 // Cells of periodic space.
 
-// Against polygons of the points in the cell, wherever they were given.
+// Compares measures with polygons of the points, wrapped into the cell.
 void expect_measures(const Measures& measures, const Torus& torus, const Points& wrapped)
 {
   ASSERT_EQ(measures.areas().size(), wrapped.size());
@@ -261,7 +261,7 @@ TEST(Periodic_cells, are_shared_by_points_that_coincide_and_removed_ids_have_non
   }
   EXPECT_NEAR(sum(measures.areas()), cell.area(), 1e-12);
 
-  torus.remove(7); // the other one has the whole cell
+  torus.remove(7); // the point with which it coincides then has the whole cell
   torus.remove(2);
   measures.compute(torus);
   EXPECT_GT(measures.areas()[4], whole.area / 2);
@@ -476,7 +476,7 @@ double energy(const Measures& measures, const Numbers& area_weights,
   return energy;
 }
 
-// Central differences along x and y, where these points move together.
+// Central differences of the energy along x and y, as the points `moving` move together.
 template <class Make>
 Position differences(const Make& make, const Points& points, const std::vector<std::size_t>& moving,
                      double step, const Numbers& area_weights, const Numbers& perimeter_weights)
@@ -634,7 +634,7 @@ TEST(Gradients, need_a_weight_for_each_id)
 // -------------------------------------------------------------------------------------------------
 // Space with an open side.
 
-// A strip of a torus: without the edges and faces that leave it upwards or downwards.
+// A torus without the edges and faces that leave the cell upwards or downwards.
 class Strip
 {
 public:
@@ -829,7 +829,7 @@ TEST(Without_a_certificate, there_are_no_cells_in_periodic_space)
   EXPECT_TRUE(was_interrupted);
 }
 
-// Everything that cells have, and how often that allocates.
+// Computes everything about cells, and returns the number of allocations.
 template <class Dynamic>
 std::size_t allocations_of(const Dynamic& dt, Measures& measures, Gradients& gradients,
                            const Numbers& weights, Polygon& corners)

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the proof over ranks trusts without looking at faces: zones and how dense points are there.
-// Needs no MPI.
+// Zones, and the density of points in them, on which the proof over ranks relies instead of looking
+// at faces. Needs no MPI.
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/zones/Distributed_density_2.h>
@@ -39,13 +39,13 @@ protected:
     const double x = uniform(-5, side + 5), y = uniform(-5, side + 5);
     return {x, y, x + uniform(0, longest), y + uniform(0, longest)};
   }
-  // As any cell may be deformed while a zone lasts; half of the times not at all.
+  // A deformation of the cell that a zone may follow; the identity half of the time.
   Basis_2 any_basis()
   {
     const auto part = [&] { return uniform(-0.2, 0.2); };
     return random() % 2 == 0 ? unit_basis : Basis_2{{{1 + part(), part()}, {part(), 1 + part()}}};
   }
-  // Where a place is when the space has been deformed.
+  // The image of a place after a deformation of space.
   static Point deformed(const Point& p, const Basis_2& basis)
   {
     return Point(p.x() * basis[0].x + p.y() * basis[1].x, p.x() * basis[0].y + p.y() * basis[1].y);

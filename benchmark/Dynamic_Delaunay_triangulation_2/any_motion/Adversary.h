@@ -23,7 +23,7 @@ struct Slow_program
   std::size_t points = 0;
   Sequence_figures figures{};
 
-  // Not of frames before which nearly all points have gone: ids stay, and are passed over.
+  // The worst ratio of frames, except where nearly all points have left: their free ids cost time.
   double ratio() const
   {
     double worst = 0.0;
@@ -33,7 +33,7 @@ struct Slow_program
     return worst;
   }
 
-  // What it is made of, whatever its numbers are.
+  // The names of the base cloud and of the motions, without any numbers.
   std::string parts() const
   {
     std::vector<std::string> names;
@@ -76,7 +76,7 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  // More of them than are shown, each made of something else.
+  // More programs are kept than shown. No two of them are made of the same parts.
   static constexpr std::size_t max_kept = 20, max_shown = 10;
 
   void try_one()
@@ -94,7 +94,7 @@ private:
     }
   }
 
-  // At first, and now and then, one by chance.
+  // A random program at the beginning and now and then, otherwise a changed one of the slowest.
   Slow_program next()
   {
     constexpr std::size_t beginning = 20, rarely = 4;
@@ -106,7 +106,7 @@ private:
     return {m_programs.changed(parent.program), any_number_of_points()};
   }
 
-  // Mostly few, as more programs can be tried then.
+  // Mostly few points, so that more programs can be tried.
   std::size_t any_number_of_points()
   {
     constexpr std::size_t many = 10'000, rarely = 20;
@@ -124,7 +124,7 @@ private:
                              settings);
   }
 
-  // Leaves out what it does not need.
+  // Removes the steps, the base cloud and the scales without which it is nearly as slow.
   void simplify(Slow_program& found) const
   {
     for (std::size_t i = found.program.steps.size(); i-- > 0 && found.program.steps.size() > 1;) {
@@ -154,7 +154,7 @@ private:
     return m_slowest.size() < max_kept || found.ratio() > m_slowest.back().ratio();
   }
 
-  // The slowest of those that are made of the same.
+  // Keeps the program, unless a slower one is made of the same parts.
   void keep(const Slow_program& found)
   {
     const bool is_record = m_slowest.empty() || found.ratio() > m_slowest.front().ratio();

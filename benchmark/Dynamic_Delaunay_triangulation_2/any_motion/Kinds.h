@@ -44,7 +44,7 @@ inline std::string text_of_share(double percent)
   return text(0.01 * percent);
 }
 
-// Of whom so many percent are at least one.
+// The least number of points of which `percent` percent are at least one.
 inline std::size_t min_for(double percent)
 {
   return static_cast<std::size_t>(std::ceil(100.0 / percent));

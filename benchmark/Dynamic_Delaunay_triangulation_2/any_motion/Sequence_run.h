@@ -36,7 +36,7 @@ struct Frame_figures
   double ratio() const { return dynamic / fastest_static(); }
 };
 
-// Of all measured frames of a sequence, at least one.
+// The figures of all measured frames of a sequence, at least one.
 struct Sequence_figures
 {
   std::string kind;
@@ -54,7 +54,7 @@ struct Sequence_figures
     return run::spread(values)->median;
   }
 
-  // Of a changing population, what is usual.
+  // The number of points; of a changing population the median over the frames.
   std::size_t points() const
   {
     return static_cast<std::size_t>(
@@ -75,7 +75,7 @@ struct Sequence_figures
     return worst;
   }
 
-  // A count from the reports.
+  // The mean over frames of a count in the reports.
   double mean(std::size_t CGAL::Update_report_2::*count) const
   {
     double sum = 0.0;
@@ -93,7 +93,7 @@ struct Sequence_figures
   }
 };
 
-// From where on a median, or a single frame, is slower than it should be.
+// The ratios above which a median, or a single frame, is slower than it should be.
 constexpr double slow_median = 1.05, slow_frame = 1.3;
 
 inline bool is_slow(const Sequence_figures& figures)
@@ -104,7 +104,7 @@ inline bool is_slow(const Sequence_figures& figures)
 struct Sequence_settings
 {
   std::size_t warm_up = 2;                 // updates before the first one that is measured
-  std::size_t repetitions = 2;             // at most, of what seems slow
+  std::size_t repetitions = 2;             // at most, of a sequence that seems slow
   std::size_t max_checked_points = 10'000; // whose frames are compared with fresh ones
   double time_limit = 2.0;                 // seconds: a longer frame is the last one
 };
@@ -155,7 +155,7 @@ private:
     return true;
   }
 
-  // Whether it was so slow that it is measured nevertheless.
+  // Updates in a frame of the warm-up. True if it was so slow that it is measured nevertheless.
   bool follow()
   {
     time_dynamic();
@@ -204,7 +204,7 @@ private:
   Frame_figures m_figures;
 };
 
-// Of each frame the repetition with the smallest ratio.
+// Keeps the repetition with the smallest ratio of each frame.
 inline void keep_the_best(Sequence_figures& best, const Sequence_figures& repeated)
 {
   const std::size_t frames = (std::min)(best.frames.size(), repeated.frames.size());
@@ -216,8 +216,8 @@ inline void keep_the_best(Sequence_figures& best, const Sequence_figures& repeat
   }
 }
 
-// What seems slow may have been disturbed: it is repeated, from the same start and with the same
-// frames. What was cut short is slow beyond doubt.
+// A sequence that seems slow may have been disturbed: it is repeated, from the same start and with
+// the same frames, unless it was cut short, and so is slow beyond doubt.
 inline Sequence_figures measured(const scenario::Recording& recording,
                                  const Sequence_settings& settings)
 {

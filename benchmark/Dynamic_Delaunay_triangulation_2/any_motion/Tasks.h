@@ -26,7 +26,7 @@ namespace any_motion {
 
 using namespace random_operations;
 
-// What a person asks for.
+// The options of the command line.
 struct Any_motion_options
 {
   std::vector<std::size_t> chosen_points{};
@@ -64,7 +64,7 @@ struct Any_motion_options
   }
 };
 
-// What is going on, for whoever waits at a terminal; gone when it is destroyed.
+// A line of progress on a terminal, which is erased when this is destroyed.
 class Status_line
 {
 public:
@@ -133,7 +133,7 @@ inline std::vector<Task> kind_tasks(const Any_motion_options& options)
   return tasks;
 }
 
-// So many from the middle, where most points are there; all if there are not so many.
+// `frames` frames from the middle, where most points exist; all if there are fewer frames.
 inline scenario::Recording middle_frames(const std::string& path, std::size_t frames)
 {
   const auto motion = scenario::open_motion(path);

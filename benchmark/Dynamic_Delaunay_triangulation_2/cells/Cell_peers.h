@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Voronoi cells in a domain by what is there without this package, from points that are new in each
-// frame. Each returns the sum of the areas.
+// Voronoi cells in a domain by other libraries, which triangulate the points anew in each call.
+// Each function returns the sum of the areas.
 
 #ifndef CELLS_CELL_PEERS_H
 #define CELLS_CELL_PEERS_H

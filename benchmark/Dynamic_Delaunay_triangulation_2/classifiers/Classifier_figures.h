@@ -17,7 +17,7 @@ namespace classifiers {
 
 using common::Figures;
 
-// What there is none of, as the precision of a classifier that names no vertex, is left out.
+// Leaves out undefined figures, such as the precision of a classifier that names no vertex.
 inline void add(const std::string& name, double value, Figures& figures)
 {
   if (std::isfinite(value)) {

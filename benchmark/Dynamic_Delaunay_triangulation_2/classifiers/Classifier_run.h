@@ -26,7 +26,7 @@
 
 namespace classifiers {
 
-// Who is tried.
+// A combination of classifier, repair and policy that is tried.
 struct Method
 {
   run::Classifier_choice classifier;
@@ -36,7 +36,7 @@ struct Method
   std::uint64_t seed = 1; // of the random classifier
 };
 
-// With what an update would use if it was told nothing else.
+// A classifier with its default repair and padding.
 inline Method method(const std::string& classifier)
 {
   const run::Classifier_choice choice = run::classifier_choice(classifier);
@@ -67,7 +67,7 @@ public:
   Observed_subject(const Observed_subject&) = delete;
   Observed_subject& operator=(const Observed_subject&) = delete;
 
-  // Whether the classified sets are kept, for whom they are of use.
+  // Whether the classified sets are kept, which only a confusion matrix needs.
   void set_keeps_sets(bool keeps) { m_observation.keeps_sets = keeps; }
 
   void update(const Points& points)
@@ -91,7 +91,7 @@ public:
                     common::in_frame(frame) + "the triangulation is not certified");
   }
 
-  // By everything that tells a wrong triangulation from what the method promises.
+  // Throws unless the triangulation is valid, and certified if the method promises that.
   void check(std::size_t frame) const
   {
     check_certificate(frame);
@@ -140,8 +140,8 @@ inline void count(const CGAL::Update_report_2& report, Classifier_record& record
   record.rebuilds += report.rebuilt() ? 1.0 : 0.0;
 }
 
-// Looks at every update from all sides; the truth is found before the clock starts. Every
-// `stride`-th frame is compared with a fresh triangulation.
+// Observes every update; the truth is found before the clock starts. Every `stride`-th frame is
+// compared with a fresh triangulation.
 template <class Classifier>
 Classifier_record observe(const Recorded_frames& recording, const Classifier& classifier,
                           const Method& method, std::size_t stride)
@@ -169,7 +169,7 @@ Classifier_record observe(const Recorded_frames& recording, const Classifier& cl
   return record;
 }
 
-// Another pass for the times alone. All passes do the same, so of each frame the fastest one
+// Another pass, for the times alone. All passes make the same updates, so the fastest of each frame
 // counts.
 template <class Classifier>
 void time_again(const Recorded_frames& recording, const Classifier& classifier,
@@ -216,8 +216,8 @@ struct Policy_record
   double rebuilds = 0.0;
 };
 
-// All policies on the same frames, in an order that changes at random: whoever comes after a
-// rebuild finds the caches full of it. Every frame has to be certified.
+// Runs all policies on the same frames, in an order that changes at random: the one after a rebuild
+// finds the caches full of the data of that. Every frame has to be certified.
 inline void run_pass(const Recorded_frames& recording, const std::vector<std::string>& policies,
                      std::mt19937& random, std::vector<Policy_record>& records)
 {

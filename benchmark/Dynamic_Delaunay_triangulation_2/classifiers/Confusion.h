@@ -25,8 +25,8 @@ namespace classifiers {
 class Classification_truth
 {
 public:
-  // Between two updates. The vertices and edges have the numbers that the next update's classifier
-  // knows them by.
+  // To be called between two updates. Vertices and edges have the indices that the classifier sees
+  // in the next update.
   template <class Frame>
   void find(const Frame& frame, const std::vector<scenario::Point>& points)
   {
@@ -79,7 +79,7 @@ private:
                m_places[edge.right]) == CGAL::ON_POSITIVE_SIDE;
   }
 
-  // The hull's way through v.
+  // True if the hull is not convex at v, between its neighbors on the hull.
   bool breaks_hull(std::size_t before, std::size_t v, std::size_t after) const
   {
     const CGAL::Orientation orientation = turn(before, v, after);
@@ -190,7 +190,7 @@ struct Confusion
   double false_negatives = 0.0;
   double true_negatives = 0.0;
   double broken_edges = 0.0;
-  double found_edges = 0.0; // of these, handed to the repair: named, or at a vertex that was
+  double found_edges = 0.0; // of these, handed to the repair: named, or at a named vertex
 
   double precision() const { return ratio(true_positives, true_positives + false_positives); }
   double recall() const { return ratio(true_positives, true_positives + false_negatives); }

@@ -23,7 +23,7 @@ using Points = std::vector<scenario::Point>;
 // The points of all frames, so that all classifiers follow the same motion.
 using Recorded_frames = std::vector<Points>;
 
-// Its neighbors come from an exact triangulation.
+// Records a motion whose neighbors come from an exact triangulation.
 inline Recorded_frames record(scenario::Motion& motion, std::size_t frames)
 {
   using Exact = CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel>;
@@ -40,7 +40,7 @@ inline Recorded_frames record(scenario::Motion& motion, std::size_t frames)
   return recording;
 }
 
-// So many frames of hardly any motion, then as many of which each is a new cloud, and so on.
+// Alternates between `turn` frames of hardly any motion and `turn` frames of new random clouds.
 inline Recorded_frames record_turns(std::size_t number, std::size_t frames, std::size_t turn)
 {
   constexpr double step = 0.001;

@@ -21,7 +21,7 @@
 
 namespace common {
 
-// What is measured of a case, by name. What no frame tells is not there.
+// The figures of a case, by name. Figures that no frame yields are missing.
 using Figures = std::map<std::string, double>;
 
 // Median and quartiles.
@@ -34,14 +34,14 @@ inline void add_spread(Figures& figures, const std::string& name, const std::str
   figures[quartile + "q3"] = spread.high_quartile;
 }
 
-// What a case hands over.
+// The results of a case.
 struct Case_result
 {
   Figures figures{};
   double seconds = 0.0; // that were timed
 };
 
-// Of a group of cases; its columns are figures.
+// The table of a group of cases; its columns are figures.
 struct Case_table
 {
   std::string title;
@@ -50,8 +50,8 @@ struct Case_table
 
 using Case_tables = std::map<std::string, const Case_table*>; // by the names of the cases
 
-// Registers cases as benchmarks, each of a single iteration, and remembers whether one has failed.
-// It has to outlive them.
+// Registers cases as benchmarks of a single iteration each, and remembers whether one has failed.
+// The list has to outlive their run.
 class Case_list
 {
 public:

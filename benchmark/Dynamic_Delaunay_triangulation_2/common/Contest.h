@@ -28,7 +28,7 @@ void in_turn(std::size_t frame, std::size_t contestants, const Compete& compete)
   }
 }
 
-// One point to a unit of area.
+// A uniform cloud in a square, one point to a unit of area.
 template <class Point>
 std::vector<Point> random_cloud(std::size_t number, scenario::Random_source& random)
 {
@@ -57,7 +57,7 @@ inline void require(bool is_right, const std::string& what)
   }
 }
 
-// By everything that tells a right triangulation from a wrong one. `where` begins the message.
+// Throws unless the triangulation is valid and equal to a fresh one. `where` begins the message.
 template <class Dynamic>
 void require_equal(const Dynamic& dynamic, const run::Static_triangulation& fresh,
                    const std::string& where = "")

@@ -8,14 +8,14 @@
 
 namespace common {
 
-// What this program has allocated by `operator new` and not given back, as large as the blocks
-// really are.
+// The bytes that this program has allocated by `operator new` and not freed, by the real sizes of
+// blocks.
 std::size_t live_heap_bytes();
 
-// How often it has allocated so far.
+// The number of allocations so far.
 std::size_t number_of_allocations();
 
-// The most that it has had at a time since the last call of start_peak(), or of its start.
+// The maximum of live_heap_bytes() since the last call of start_peak(), or since the start.
 std::size_t peak_heap_bytes();
 void start_peak();
 

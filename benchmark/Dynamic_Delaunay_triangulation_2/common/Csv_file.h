@@ -44,7 +44,7 @@ public:
     write_line({csv_cell(values)...});
   }
 
-  // Cells that would need quotation marks are refused: not everything that plots reads them.
+  // Cells that would need quotation marks are refused: not all plotting programs read them.
   void write_line(const std::vector<std::string>& cells)
   {
     for (const std::string& cell : cells) {

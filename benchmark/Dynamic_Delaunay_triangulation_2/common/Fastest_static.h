@@ -30,7 +30,7 @@ inline void sort_along_curve(Points& points)
   }
 }
 
-// Each located from the last one.
+// Inserts points, each located from the last one.
 inline run::Static_triangulation::Face_handle
 insert_one_by_one(const Points& points, run::Static_triangulation& triangulation,
                   run::Static_triangulation::Face_handle hint = {})
@@ -50,8 +50,8 @@ inline void insert_in_rounds(const Points& points, run::Static_triangulation& tr
                      [&](std::size_t i) { hint = triangulation.insert(points[i], hint)->face(); });
 }
 
-// What this thread has worked: other work on the machine is not in it. Where that is not counted,
-// what the clock on the wall says.
+// The processor time of this thread, which excludes other work on the machine; wall-clock time on
+// systems that do not count it.
 #ifdef CLOCK_THREAD_CPUTIME_ID
 inline double thread_nanoseconds()
 {
@@ -83,14 +83,14 @@ class Fastest_static
 public:
   Fastest_static() { run::keep_freed_memory(); }
 
-  // Before the first frame that is timed, and for each that is not.
+  // To be called for the first frame, and for each one that is not timed.
   void follow(const scenario::Recorded_frame& frame)
   {
     read(frame);
     learn(frame);
   }
 
-  // Before a frame is timed.
+  // To be called before a frame is timed.
   void prepare(const scenario::Recorded_frame& frame)
   {
     read(frame);
@@ -98,15 +98,15 @@ public:
     learn(frame);
   }
 
-  // The range, what a user writes.
+  // Inserts the range, as a user would write it.
   double time_insert()
   {
     return thread_nanoseconds_of(
         [this] { m_insert.emplace().insert(m_points.begin(), m_points.end()); });
   }
 
-  // In rounds along the curve through the points of the frame before, each located from the last
-  // one. Newcomers are not on that curve: they come last, and are sorted while the clock runs.
+  // Inserts in rounds along the curve through the points of the frame before, each located from the
+  // last one. New points are not on that curve: they are last, and are sorted while the clock runs.
   double time_ordered()
   {
     return thread_nanoseconds_of([this] {
@@ -116,7 +116,7 @@ public:
     });
   }
 
-  // In rounds along a curve through the points where they are now.
+  // Inserts in rounds along a curve through the points of this frame.
   double time_sorted()
   {
     return thread_nanoseconds_of([this] {
@@ -125,9 +125,9 @@ public:
     });
   }
 
-  // Of time_insert().
+  // The triangulation of time_insert().
   const run::Static_triangulation& reference() const { return *m_insert; }
-  // Of time_ordered().
+  // The triangulation of time_ordered().
   const run::Static_triangulation& ordered() const { return *m_ordered; }
 
 private:
@@ -155,7 +155,7 @@ private:
     find_places(frame);
     std::vector<std::size_t> survivors;
     for (const std::size_t known : m_order) {
-      if (m_places[known] != nan_point) {
+      if (m_places[known] != no_place) {
         survivors.push_back(m_places[known]);
       }
     }
@@ -164,10 +164,10 @@ private:
                        [&](std::size_t i) { m_in_rounds.push_back(m_points[survivors[i]]); });
   }
 
-  // Where those of the frame before are in this one, and who is new. Both have ascending ids.
+  // Finds the last frame's points in this one, and the new points. Both frames have ascending ids.
   void find_places(const scenario::Recorded_frame& frame)
   {
-    m_places.assign(m_known_ids.size(), nan_point);
+    m_places.assign(m_known_ids.size(), no_place);
     m_newcomers.clear();
     std::size_t known = 0;
     for (std::size_t place = 0; place != frame.ids.size(); ++place) {
@@ -182,7 +182,7 @@ private:
     }
   }
 
-  static constexpr std::size_t nan_point = static_cast<std::size_t>(-1);
+  static constexpr std::size_t no_place = static_cast<std::size_t>(-1);
 
   Points m_points;
   Points m_unsorted;

@@ -13,7 +13,7 @@
 
 namespace common {
 
-// What makes these results again: "./dev bench NAME ...". Where they are written does not matter.
+// The command that reproduces these results: "./dev bench NAME ...", without the output files.
 inline std::string command_of(const std::string& name, int argc, const char* const* argv)
 {
   std::string command = "./dev bench " + name;

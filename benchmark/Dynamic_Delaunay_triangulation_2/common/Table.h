@@ -62,7 +62,7 @@ public:
     write_cells(name, {cell(values, (column++)->decimals)...});
   }
 
-  // As far as there are any; `note` stands at the end.
+  // Writes cells, which may be fewer than the columns; `note` follows them.
   void write_cells(const std::string& name, const std::vector<std::string>& cells,
                    const std::string& note = "")
   {

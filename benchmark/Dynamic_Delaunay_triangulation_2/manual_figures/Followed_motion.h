@@ -31,14 +31,14 @@ inline Id_pair in_order(std::size_t i, std::size_t j)
   return {(std::min)(i, j), (std::max)(i, j)};
 }
 
-// A scenario, and the triangulation that follows it and that it takes its neighbors from.
+// A scenario, and the triangulation that follows it and gives it its neighbors.
 template <class Classifier, class Repair = CGAL::Default>
 class Followed_motion
 {
 public:
   using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, Classifier, Repair>;
 
-  // As much of run::Frame_record as sets_of_vertices() asks for.
+  // The part of run::Frame_record that sets_of_vertices() reads.
   struct Record
   {
     CGAL::Update_report_2 update;
@@ -68,7 +68,7 @@ public:
   const Record& record() const { return m_record; }
   std::size_t frame() const { return m_frame; }
 
-  // Those of one frame ago, and those of now, as pairs of ids.
+  // The edges of the frame before, and those of this one, as pairs of ids.
   const Edges& previous_edges() const { return m_previous_edges; }
   Edges edges() const
   {
@@ -78,7 +78,7 @@ public:
     return edges;
   }
 
-  // Of each point.
+  // The set to which each point belongs, by ids.
   std::vector<run::Vertex_set> sets() const
   {
     const std::vector<run::Vertex_set> of_vertices = run::sets_of_vertices(*this);

@@ -80,7 +80,7 @@ private:
     return out.str();
   }
 
-  // The edges that were there before, or those that were not. Whole numbers are fine enough.
+  // The lines of the old edges, or of the new ones. Whole numbers are fine enough.
   static std::string lines(const Picture& picture, const Edges& before, bool were_there,
                            const run::Picture_view& view)
   {

@@ -33,7 +33,7 @@ public:
     m_svg << std::fixed << std::setprecision(1);
   }
 
-  // What is out of sight is left out.
+  // Lines out of sight are left out.
   void line(const Point& p, const Point& q, const std::string& color, double width,
             const std::string& dashes = "")
   {
@@ -48,7 +48,7 @@ public:
     m_svg << "/>\n";
   }
 
-  // Between polygons, one in another.
+  // Fills the area between polygons, one of which is in another.
   void area(const std::vector<std::vector<Point>>& rings, const std::string& color)
   {
     m_svg << "<path fill-rule=\"evenodd\" fill=\"" << color << "\" d=\"";
@@ -88,7 +88,7 @@ public:
     circle_on_paper(center, on_paper(radius), style.str());
   }
 
-  // Beside p, away from another point.
+  // Writes a letter beside p, away from another point.
   void letter(const Point& p, const Point& other, const std::string& text)
   {
     constexpr double room = 62.0;
@@ -103,7 +103,7 @@ public:
   double height() const { return m_view.height() + (m_caption.empty() ? 0.0 : caption_height); }
   double width() const { return m_view.width(); }
 
-  // As a group of an SVG picture, so far down in it.
+  // The panel as a part of an SVG picture, `down` below its upper side.
   std::string text(double down) const
   {
     std::ostringstream out;

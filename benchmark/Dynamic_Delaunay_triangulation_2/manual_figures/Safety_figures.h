@@ -23,7 +23,7 @@
 
 namespace manual_figures {
 
-// Of one frame of the dam break in hexagonal packing.
+// Draws the edges of one frame of the dam break in hexagonal packing, and their tolerances.
 class Safety_figures
 {
 public:
@@ -36,7 +36,7 @@ public:
     measure();
   }
 
-  // One edge, and the annulus that keeps it.
+  // Draws one edge, and the annulus of which the edge is safe.
   std::string draw_edge() const
   {
     const Frame frame = m_motion.triangulation().frame();
@@ -68,8 +68,8 @@ public:
     return svg_of({&panel});
   }
 
-  // Where the vertices of a part may go: each by a tolerance of its own, or all by one, which one
-  // inner edge in `share` falls short of.
+  // Draws how far the vertices of a part may go: each by its own tolerance, or all by the same one,
+  // below which is the tolerance of one inner edge in `share`.
   std::string draw_tolerances(std::size_t share) const
   {
     const Frame frame = m_motion.triangulation().frame();
@@ -129,7 +129,7 @@ private:
     }
   }
 
-  // As the circumcircle classifier chooses it, but from all edges instead of a sample.
+  // A tolerance chosen as by the circumcircle classifier, but from all edges instead of a sample.
   double tolerance_of_all(std::size_t share) const
   {
     const Frame frame = m_motion.triangulation().frame();
@@ -149,7 +149,7 @@ private:
            !Frame::is_infinite(edge.right);
   }
 
-  // The smallest one of the edges that it is an end of, or opposite to.
+  // The smallest tolerance of the edges of which v is an end, or to which it is opposite.
   double tolerance_of(Index v) const
   {
     const Frame frame = m_motion.triangulation().frame();
@@ -166,8 +166,7 @@ private:
     return smallest;
   }
 
-  // An inner one whose annulus is neither too thin nor too thick to be seen: the middle one of
-  // them.
+  // An inner edge with an annulus neither too thin nor too thick to be seen: the middle one of all.
   Index choose_edge() const
   {
     const Frame frame = m_motion.triangulation().frame();

@@ -91,7 +91,7 @@ inline Panel draw_sets(std::size_t first)
   }
 }
 
-// Who hangs together with a classified point: one cluster, that is spliced by itself.
+// The points that are connected with a classified point: a cluster, which is spliced by itself.
 class Cluster
 {
 public:
@@ -133,7 +133,7 @@ public:
   }
 
 private:
-  // True if `next` is new.
+  // Adds `next` to the cluster if it belongs to it. True if it is new there.
   bool join(std::size_t inside, std::size_t next, const Sets& sets)
   {
     if (!m_is_inside[inside] || has(next)) {
@@ -200,7 +200,7 @@ public:
 private:
   using Classifier = CGAL::Circumcircle_classifier_2;
 
-  // Few and close together, and away from the hull.
+  // True if the cluster is small, compact, and away from the hull.
   static bool is_fit(const Cluster& cluster, const std::vector<Point>& points, const Sets& sets)
   {
     const run::Bounds part = around(cluster.ids(), points, 0.0);
@@ -243,7 +243,7 @@ private:
     return svg_of({&broken, &set, &mended});
   }
 
-  // Those that are not among the others are in color.
+  // Draws `edges`, in color those that are not among `others`.
   static void draw_edges(Panel& panel, const Edges& edges, const Edges& others,
                          const std::vector<Point>& points, const std::string& color)
   {

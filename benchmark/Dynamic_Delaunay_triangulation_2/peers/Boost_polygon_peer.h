@@ -44,9 +44,9 @@ public:
     });
   }
 
-  // Where more than three cells meet in a vertex there is a polygon of Delaunay edges, any of whose
-  // triangulations will do if its corners are cocircular: here all diagonals from one corner. It
-  // takes vertices for one that are nearer to each other than rounding, so they need not be.
+  // Where more than three cells meet in a vertex there is a polygon of Delaunay edges. If its
+  // corners are cocircular, any triangulation will do: here all diagonals from one corner. They
+  // need not be, as Boost.Polygon merges vertices that are nearer to each other than rounding.
   void write(Peer_output& output) const override
   {
     for (const auto& edge : m_diagram.edges()) {

@@ -48,8 +48,8 @@ private:
 
 // CGAL's insertion one by one, each point located from the last one: in rounds along a Hilbert
 // curve (every 8^k-th point first), the fastest that we know with CGAL's own means. The order is
-// the last frame's, so sorting is outside of the clock. Of fresh clouds the last order is worth
-// nothing: `sorts` has it sort, by halving boxes, while the clock runs.
+// that of the last frame, so sorting is outside of the clock. For fresh clouds the last order is
+// useless: with `sorts` points are sorted, by halving boxes, while the clock runs.
 class Cgal_ordered_peer : public Peer
 {
 public:

@@ -62,7 +62,7 @@ private:
 // The default: the circumcircle classifier with flips and splices.
 using Exact_peer = Dynamic_peer<CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel>>;
 
-// The thesis's: point distance, 0.7, with the border splice.
+// The heuristic of the thesis: point distance, 0.7, with the border splice.
 using Heuristic_peer = Dynamic_peer<
     CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, CGAL::Point_distance_classifier_2>>;
 

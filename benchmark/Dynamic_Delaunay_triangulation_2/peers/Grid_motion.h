@@ -22,13 +22,13 @@
 
 namespace peers {
 
-// Brings points to integer coordinates: Boost.Polygon takes 32-bit integers and nothing else, so
-// that all peers get these. The first frame's longer side is 2^26 steps long.
+// Rounds points to integer coordinates: Boost.Polygon takes nothing but 32-bit integers, so all
+// peers get the same. The longer side of the first frame is 2^26 steps long.
 //
-// Finer would help none. Of 26 bits, differences are exact in doubles, and their products lose
-// but a bit or two, which is kind to those who compute with rounding; still, a step of a ten
+// A finer grid would help no peer. With 26 bits, differences are exact in doubles, and their
+// products lose only a bit or two, which favors peers that compute with rounding; still, a ten
 // thousandth of the spacing is 21 steps of the grid at 100,000 points, two random points of them
-// share a place once in a million frames, and what flies apart may go 31 sides far.
+// coincide once in a million frames, and points that fly apart may go 31 sides far.
 class Grid
 {
 public:
@@ -70,8 +70,8 @@ private:
   double m_scale;
 };
 
-// A motion as its peers see it, on a grid. Where its physics asks who is whose neighbor, an exact
-// triangulation of its own answers, so no peer has a say in where the points go.
+// A motion on a grid, as the peers see it. If its physics needs neighbors, they come from an exact
+// triangulation of its own, so no peer influences where the points go.
 class Grid_motion
 {
 public:
@@ -108,7 +108,7 @@ private:
   std::unique_ptr<scenario::Motion> m_motion;
   Grid m_grid;
   Grid_points m_snapped;
-  Driver m_driver; // empty where it is not asked
+  Driver m_driver; // empty if the motion needs no neighbors
   run::Neighbor_reader m_neighbors;
 };
 

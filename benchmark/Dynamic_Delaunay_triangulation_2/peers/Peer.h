@@ -11,16 +11,16 @@
 
 namespace peers {
 
-// What a peer says of its result. A difference is an error if it is EXACT; it is counted if it
-// rounds; it is expected if it is HEURISTIC.
+// What a peer promises of its result. A difference is an error if the peer is EXACT, counted if it
+// rounds, and expected if it is HEURISTIC.
 enum class Promise { EXACT, ROUNDED, HEURISTIC };
 
-// What makes a Delaunay triangulation of every frame: from points in the form in which it
-// takes them, to all edges or faces with their adjacency. Only that is timed, by triangulate().
+// Makes a Delaunay triangulation of every frame. triangulate() times the way from points, in the
+// form in which the peer takes them, to all edges or faces with their adjacency.
 //
-// Outside of the clock are: writing the points into arrays of the peer's own, just before, so that
-// all find them equally warm; destroying what the frame before has left; whatever a peer
-// may know of the last frame; and reading the result.
+// Not timed are: writing the points into arrays of the peer, which happens just before, so that
+// all peers find them equally warm in caches; destroying what the frame before has left;
+// preparations from the last frame; and reading the result.
 class Peer
 {
 public:
@@ -36,12 +36,12 @@ public:
   const std::string& name() const { return m_name; }
   Promise promise() const { return m_promise; }
 
-  // A new motion, at its first frame, which is not timed.
+  // Begins a new motion at its first frame, which is not timed.
   virtual void start(const Grid_points&) {}
 
   virtual void prepare(const Grid_points& frame) = 0;
 
-  // Returns nanoseconds.
+  // Triangulates the prepared points, and returns the nanoseconds that it took.
   virtual double triangulate() = 0;
 
   virtual void write(Peer_output& output) const = 0;

@@ -42,21 +42,21 @@ struct Peers_options
   }
 };
 
-// One motion of so many points, and which of its frames are timed: so many, one after the other,
-// behind those that are passed over without the peers and those that warm them up.
+// One motion of `points` points. First `passed_over` frames are skipped, then peers warm up for
+// `warm_up` frames, then `frames` successive frames are timed.
 struct Peer_case
 {
   std::string motion;
   std::size_t points;
   std::function<std::unique_ptr<scenario::Motion>()> open;
-  bool has_lasting_order; // whether the last frame's order in space tells anything of this one's
+  bool has_lasting_order; // whether the last frame's order in space is of use in this one
   std::size_t passed_over;
   std::size_t warm_up;
   std::size_t frames;
 
   std::string name() const { return motion + '/' + std::to_string(points); }
 
-  // In updates of a point, roughly, those of all peers being one.
+  // The work of a case, roughly, in updates of one point by all peers.
   std::size_t work() const { return points * (warm_up + frames) + passed_over_work(passed_over); }
   std::size_t passed_over_work(std::size_t number) const { return points * number / 64; }
 };
@@ -70,9 +70,9 @@ inline std::unique_ptr<scenario::Motion> open_scenario(const std::string& name, 
   return scenario::open_motion(scenario::scenario_file(name), overrides);
 }
 
-// How many frames of how many points can be waited for, as multiples of the number of peers where
-// that is possible: the order rotates. Of fresh clouds, one is like the other, and CGAL's moves
-// take long: half as many will do.
+// The number of timed frames, where possible a multiple of the number of peers, whose order
+// rotates. For fresh clouds half as many are enough: each is like the others, and CGAL's moves take
+// long.
 inline std::size_t usual_frames(std::size_t points, bool has_lasting_order, bool is_quick)
 {
   const std::size_t frames = points <= 1'000     ? 96
@@ -108,8 +108,8 @@ private:
       add(std::string("brownian_") + step, points, 0, true,
           [=] { return open_scenario("brownian", points, std::stod(step)); });
     }
-    // By then the water falls and the bodies have met, at every size: lengths and the time that
-    // things take grow with the root of the number of points.
+    // After these frames the water falls and the bodies have met, at every size: lengths and
+    // durations grow with the root of the number of points.
     const auto passed_over =
         static_cast<std::size_t>(60.0 * std::sqrt(static_cast<double>(points) / 1000.0));
     for (const char* const name : {"dam_break", "explosion"}) {

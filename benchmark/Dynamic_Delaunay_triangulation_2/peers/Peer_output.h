@@ -27,7 +27,7 @@ struct Grid_point
   std::int32_t y;
 };
 
-// The points of a frame, twice the same.
+// The points of a frame, as integers and as doubles.
 struct Grid_points
 {
   std::vector<Grid_point> integers;
@@ -85,7 +85,7 @@ private:
   std::vector<Place> m_place_of_id;
 };
 
-// Takes what a peer has made of a frame, in any form, and holds it against the truth.
+// Takes the result of a peer for a frame, in any form, and compares it with the truth.
 class Peer_output
 {
 public:
@@ -113,7 +113,7 @@ public:
     add_faces(1);
   }
 
-  // Of those who have faces, their number has to be right too.
+  // Peers that have faces must have the right number of them.
   void add_faces(std::size_t number) { m_faces = m_faces.value_or(0) + number; }
 
   template <class Triangulation>

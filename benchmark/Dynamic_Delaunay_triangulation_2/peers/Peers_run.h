@@ -75,7 +75,7 @@ struct Case_record
     return peer.spread().median / peers.front().spread().median;
   }
 
-  // Where the middle halves of both overlap none wins.
+  // None wins where the ranges between the quartiles overlap.
   const char* result(const Peer_record& peer) const
   {
     const run::Spread ours = peers.front().spread(), theirs = peer.spread();

@@ -20,7 +20,7 @@
 namespace periodic {
 
 // Points that diffuse in a slab between two walls, which turn them back. In one triangulation the
-// walls are rows of points, of which the upper one slides; in the other they are not there.
+// walls are rows of points, of which the upper one slides; the other one has no points for them.
 class Channel_run
 {
 public:
@@ -54,7 +54,7 @@ public:
 private:
   CGAL::Periodic_cell_2 slab() const { return CGAL::Periodic_cell_2::slab(m_motion.side(), 0.0); }
 
-  // Between heights 0 and that of the square.
+  // The points of the motion, folded into the slab between height 0 and that of the square.
   Points places() const
   {
     const double side = m_motion.side();

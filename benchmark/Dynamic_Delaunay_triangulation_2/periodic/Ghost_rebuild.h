@@ -47,13 +47,12 @@ inline double largest_empty_circle(const Dynamic_periodic& triangulation)
 // A margin of R is enough if no circle of a radius above R is empty of points and images:
 //
 // - A periodic face has one image whose circumcenter is in the square. Its corners are at a
-//   distance of at most R from there, so they are there, and nothing is in its circle: it is a face
-//   here.
-// - Let a face here have its circumcenter in the square. A radius above R would mean that some
-// image
-//   is within R of the center, so it is in the margin, and in the circle: a contradiction. The
-//   circle of a radius of at most R reaches no farther than the margin, so it is empty of all
-//   images too.
+//   distance of at most R from there, so they are points or ghosts, and its circle is empty: it is
+//   a face of the plane.
+// - Let a face of the plane have its circumcenter in the square. With a radius above R some image
+//   would be within R of the center, so it would be in the margin, and in the circle: a
+//   contradiction. A circle of a radius of at most R reaches no farther than the margin, so it is
+//   empty of all images too.
 //
 // R is known before the frame is triangulated. A circle that is empty now was empty in the last
 // frame but for an outer ring as wide as the longest move, so R is at most the radius of the last
@@ -65,14 +64,14 @@ inline double largest_empty_circle(const Dynamic_periodic& triangulation)
 class Ghost_rebuild
 {
 public:
-  // Before the first frame that is timed.
+  // To be called for the first frame, which is not timed.
   void follow(const Wrapped_motion& motion, double largest_empty_circle)
   {
     copy(motion, largest_empty_circle);
     m_static.follow(m_frame);
   }
 
-  // Before a frame is timed. `largest_empty_circle`: the radius in the frame before.
+  // To be called before a frame is timed. `largest_empty_circle`: the radius in the frame before.
   void prepare(const Wrapped_motion& motion, double largest_empty_circle)
   {
     copy(motion, largest_empty_circle);
@@ -81,7 +80,7 @@ public:
 
   double time() { return m_static.time_ordered(); }
 
-  // With the ghosts.
+  // The number of points and ghosts.
   std::size_t number_of_points() const { return m_frame.points.size(); }
 
   // The faces whose circumcenters are in the square.
@@ -107,7 +106,7 @@ private:
 
   void copy(const Wrapped_motion& motion, double largest_empty_circle)
   {
-    constexpr double rounding = 1e-9; // far above that of the radius, and of no weight
+    constexpr double rounding = 1e-9; // far above the rounding of the radius, and negligible
     m_side = motion.side();
     const double margin = (1.0 + rounding) * (largest_empty_circle + motion.longest_move());
     common::require(margin < m_side, "ghosts would be needed from beyond the next images");
@@ -143,8 +142,8 @@ private:
     }
   }
 
-  // Of an image from its point that is never wrapped. So images keep their ids, and their places in
-  // the order, where points are wrapped.
+  // How many cells away an image is from its point that is never wrapped. So images keep their ids,
+  // and their places in the order, where points are wrapped.
   std::int64_t cells(double distance) const
   {
     const std::int64_t cells = std::llround(distance / m_side) + most_cells / 2;

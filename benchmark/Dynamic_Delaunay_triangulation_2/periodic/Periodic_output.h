@@ -40,7 +40,7 @@ struct Case_figures
     return times;
   }
 
-  // Of the ratios in a frame.
+  // The median of the ratios in single frames.
   double median_ratio(Contestant above, Contestant below) const
   {
     std::vector<double> ratios;
@@ -52,7 +52,7 @@ struct Case_figures
     return run::spread(ratios)->median;
   }
 
-  // Of a frame.
+  // The mean count of a frame.
   template <class Count>
   double mean(const Count& count) const
   {

@@ -98,7 +98,7 @@ private:
     check();
   }
 
-  // One in so many frames, from the first one that counts.
+  // True in one of `stride` frames, from the first one that counts on.
   bool has_cgal() const
   {
     if (m_figures.frame <= m_case.warm_up || m_case.cgal_frames == 0) {

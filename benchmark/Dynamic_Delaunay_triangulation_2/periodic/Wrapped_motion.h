@@ -61,7 +61,7 @@ private:
     }
   }
 
-  // Rounding may lead out of the square again, by less than doubles tell.
+  // Rounding may lead out of the square again: such a coordinate becomes 0.
   double wrapped(double coordinate) const
   {
     const double rest = coordinate - m_side * std::floor(coordinate / m_side);

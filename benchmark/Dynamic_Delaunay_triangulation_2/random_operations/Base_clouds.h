@@ -16,8 +16,8 @@
 
 namespace random_operations {
 
-// Where points are in the beginning. `make` gives an empty cloud its box, its spacing, its fresh
-// places, and so many points.
+// Where points are in the beginning. `make` gives an empty cloud its box, its spacing, a source of
+// fresh places, and `points` points.
 struct Base_cloud
 {
   std::string name;

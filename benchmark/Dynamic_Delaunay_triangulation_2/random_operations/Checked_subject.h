@@ -95,7 +95,7 @@ private:
   std::vector<std::size_t> m_vertex_of_id; // numbers of the fresh one
 };
 
-// The oracle. A Maker makes empty triangulations and those of a range, and the points of places.
+// The oracle. A Maker makes empty triangulations, triangulations of ranges, and points at places.
 template <class Maker>
 class Checked_subject : public Subject
 {
@@ -165,7 +165,7 @@ protected:
     }
   }
 
-  // Vertices may be others from here on.
+  // To be called where points may get other vertices.
   void forget_vertices() { m_stamps.clear(); }
 
   // Kernels with exact constructions cannot even represent such points.

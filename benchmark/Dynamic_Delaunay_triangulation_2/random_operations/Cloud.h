@@ -16,7 +16,7 @@
 
 namespace random_operations {
 
-// Kernels make their points of these.
+// A place, of which kernels make their points.
 struct Place
 {
   double x, y;
@@ -26,7 +26,7 @@ using Places = std::vector<Place>;
 using Id = std::int64_t;
 using Indices = std::vector<std::size_t>; // of points in a cloud
 
-// The coordinates that points are thought of in: a unit, and where they begin.
+// The coordinates in which motions are described: their unit and their origin.
 struct Field
 {
   double unit = 1.0;
@@ -34,7 +34,7 @@ struct Field
   int extent = 10; // in units
   double limit = 1e150;
 
-  // What is too far away stays at the limit.
+  // The place with these coordinates, no farther away than the limit.
   Place place(double x, double y) const { return kept({offset_x + unit * x, offset_y + unit * y}); }
 
   double x(const Place& place) const { return (place.x - offset_x) / unit; }
@@ -68,10 +68,10 @@ public:
   Place low{0.0, 0.0}, high{1.0, 1.0}; // corners of their box, in the field
   double spacing = 1.0;                // usual distance between neighbors, in units
 
-  // A new place like those of the others.
+  // Returns a new place that is distributed like those of the points.
   std::function<Place(Decisions&)> fresh{};
 
-  // Further on the curve that the points are on, if they are on one.
+  // Returns the place further on the curve of the points, if they are on one.
   std::function<Place(const Place&, double)> along = [](const Place& place, double distance) {
     return Place{place.x + distance, place.y};
   };
@@ -82,7 +82,7 @@ public:
   Place middle() const { return {0.5 * (low.x + high.x), 0.5 * (low.y + high.y)}; }
   const std::vector<Id>& ids() const { return m_ids; }
 
-  // Of an id that may have gone.
+  // The index of the point with an id; nothing if the point has been removed.
   std::optional<std::size_t> index(Id id) const
   {
     const auto found = std::lower_bound(m_ids.begin(), m_ids.end(), id);

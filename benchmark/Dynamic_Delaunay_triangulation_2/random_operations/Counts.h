@@ -18,13 +18,13 @@ namespace random_operations {
 inline constexpr std::size_t number_of_reasons =
     static_cast<std::size_t>(CGAL::Rebuild_reason_2::BUDGET_SPENT) + 1;
 
-// What was done, and what came of it.
+// The numbers of operations, and of their results.
 struct Counts
 {
   std::array<std::uint64_t, operation_names.size()> operations{};
   std::uint64_t trials = 0, points = 0;
   std::uint64_t flips = 0, splices = 0, relocated = 0, merged = 0, parted = 0;
-  std::array<std::uint64_t, number_of_reasons> rebuilds{}; // not to rebuild among them
+  std::array<std::uint64_t, number_of_reasons> rebuilds{}; // also of operations without a rebuild
   std::uint64_t certified = 0;                             // operations after which it was
   std::array<std::uint64_t, 3> faults{};
 

@@ -15,8 +15,8 @@
 
 namespace random_operations {
 
-// Whatever has to be chosen is asked here. The distributions of the standard library differ between
-// its implementations; these do not.
+// All choices are made by this class. The distributions of the standard library differ between its
+// implementations; these do not.
 class Decisions
 {
 public:
@@ -33,7 +33,7 @@ public:
 
   virtual bool has_more() const { return true; }
 
-  // Around 0: mostly small, and as here seldom up to 2, or normally distributed.
+  // A number around 0, mostly small: here at most 2; derived classes may use a normal distribution.
   virtual double deviation()
   {
     double sum = 0.0;

@@ -18,13 +18,13 @@ namespace random_operations {
 
 enum class Numbers { ORDINARY, ANY_UNIT, HUGE_OFFSET };
 
-// How often what is done, relative to each other.
+// The relative frequencies of operations.
 struct Shares
 {
   unsigned insert, insert_range, remove, remove_range, move, update;
 };
 
-// A motion of a family: of all points, of those it is given, or of one in so many of them.
+// A motion of a family, of one in `rarity` of the points that it is given.
 struct Family_motion
 {
   std::string name;

@@ -68,7 +68,7 @@ struct Maker
   }
 };
 
-// Mostly wrong about where points go.
+// Velocities that are mostly wrong about where points go.
 struct Steady_velocity
 {
   struct Vector

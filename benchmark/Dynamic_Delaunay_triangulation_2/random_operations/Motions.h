@@ -32,29 +32,29 @@ struct Moving
 {
   Cloud& cloud;
   const Indices& chosen;
-  const Places& others; // who is there: all of the cloud, or more
+  const Places& others; // all places of points: those of the cloud, or more
   double size;
   Decisions& decisions;
   Memory& memory;
   std::size_t rarity = 1;      // one in so many of the chosen ones really moves
-  bool keeps_together = false; // those who share a place go on sharing it
+  bool keeps_together = false; // points that coincide go on coinciding
 
   Place& point(std::size_t index) const { return cloud.points[index]; }
   double distance() const { return cloud.field.unit * size * cloud.spacing; }
 };
 
-// What becomes of the chosen points from one frame to the next.
+// How the chosen points change from one frame to the next.
 struct Motion
 {
   const char* name;
   const char* does;
   void (*move)(const Moving& moving);
-  bool is_own = false; // each point has its own way, which those at one place may share
+  bool is_own = false; // each point moves on its own, and coincident points may do so together
 };
 
 namespace motions {
 
-// Each chosen point goes to what `f` makes of it.
+// Moves each chosen point from p to f(p).
 template <class Function>
 void for_chosen(const Moving& moving, const Function& f)
 {
@@ -108,7 +108,7 @@ inline void bring_back(const Moving& moving)
   }
 }
 
-// They go in one frame, and are where they were in the next.
+// Moves the chosen points in one frame, and brings them back in the next.
 template <class Go>
 void there_and_back(const Moving& moving, const Go& go)
 {
@@ -254,7 +254,7 @@ inline void shuffle(const Moving& moving)
   }
 }
 
-// Two groups, each in one place, which they exchange.
+// Two groups of coincident points exchange their places in each frame.
 inline void swap_groups(const Moving& moving)
 {
   Memory& memory = moving.memory;
@@ -329,7 +329,7 @@ inline void meet_far(const Moving& moving)
   });
 }
 
-// Those who were out come back, and others go.
+// The points that are away come back, and others go away.
 inline void stray(const Moving& moving)
 {
   bring_back(moving);
@@ -499,7 +499,7 @@ inline void gather(const Moving& moving)
   }
 }
 
-// As many come as have gone.
+// Removes the chosen points, and adds as many new ones.
 inline void replace(const Moving& moving)
 {
   const std::size_t number = moving.chosen.size();
@@ -539,7 +539,7 @@ inline void come_and_leave(const Moving& moving)
   leave({moving.cloud, oldest, moving.others, moving.size, moving.decisions, memory});
 }
 
-// All drift; who leaves on the right is gone, and another one enters on the left.
+// All points drift to the right; those that leave the box are removed, and as many enter it.
 inline void stream(const Moving& moving)
 {
   Cloud& cloud = moving.cloud;

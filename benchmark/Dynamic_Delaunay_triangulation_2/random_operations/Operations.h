@@ -14,15 +14,15 @@
 
 namespace random_operations {
 
-// How calls are made: in the caller's arithmetic, which has to be given back, and whether somebody
-// is told of each before it is done.
+// How calls are made: with a floating-point mode, which they must restore, and with a stream to
+// which each call is written before it is made, if there is one.
 struct Circumstances
 {
   Arithmetic arithmetic{};
   std::ostream* told = nullptr;
 };
 
-// With all numbers to the last digit.
+// Writes a call, with all numbers to the last digit.
 inline void tell(const Call& call, bool has_names, std::ostream& out)
 {
   out.precision(std::numeric_limits<double>::max_digits10);
@@ -42,8 +42,7 @@ inline void tell(const Call& call, bool has_names, std::ostream& out)
   out << std::endl;
 }
 
-// Does what is asked for to the triangulation and to the model, and holds the one against the other
-// after each operation.
+// Performs operations on the triangulation and on the model, and compares both after each.
 class Operations
 {
 public:

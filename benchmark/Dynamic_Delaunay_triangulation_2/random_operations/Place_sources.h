@@ -14,7 +14,7 @@
 
 namespace random_operations {
 
-// Where new points are put; `others` are those who are there.
+// Where new points are put; `others` are the places of the existing ones.
 struct Source
 {
   const char* name;

@@ -32,7 +32,7 @@ public:
   {
   }
 
-  // Large ones wrap around where names have no sign.
+  // Negative names wrap around to large ones where names are unsigned.
   Key_range names() const override
   {
     using Limits = std::numeric_limits<Name>;

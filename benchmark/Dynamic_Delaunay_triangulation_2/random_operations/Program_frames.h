@@ -27,7 +27,7 @@ public:
   {
   }
 
-  // Those of this frame.
+  // Chooses the points of this frame.
   const Indices& choose(const Cloud& cloud, Decisions& decisions)
   {
     const std::size_t wanted = m_amount.of(cloud.size());
@@ -156,7 +156,7 @@ private:
     return result;
   }
 
-  // What is too far away for the package, or nowhere, is put to where it can be.
+  // Replaces coordinates that are too large for the package by the limit, and NaN by 0.
   static double kept(double value)
   {
     constexpr double limit = 1e153;

@@ -105,7 +105,7 @@ inline Field any_field(Numbers numbers, Decisions& decisions)
   return field;
 }
 
-// Often few: there the degenerate cases are. In small triangulations much is rebuilt, though.
+// Often few points, which lead to degenerate cases; but small triangulations are often rebuilt.
 inline std::size_t any_size(std::size_t max_points, Decisions& decisions)
 {
   const std::vector<std::size_t> parts = {15, 6, 3, 2, 1, 1};

@@ -22,7 +22,7 @@ namespace random_operations {
 // The name of a point: its id, or what the user of a population calls it.
 using Key = Id;
 using Keys = std::vector<Key>;
-using Model = std::map<Key, Place>; // who has to be where
+using Model = std::map<Key, Place>; // where each point has to be
 using Entries = std::vector<std::pair<Key, Place>>;
 
 enum class Operation {
@@ -59,8 +59,8 @@ enum class Misuse { NAN_COORDINATE, INFINITE_COORDINATE, WRONG_COUNT, UNKNOWN_ID
 // One public call that changes something, or has to be refused.
 struct Call
 {
-  // The places of those who go mean nothing. START, UPDATE and MISUSE name all points; the keys of
-  // an insertion mean nothing where the subject names the points itself.
+  // Places of points to be removed are ignored. START, UPDATE and MISUSE name all points; the keys
+  // of an insertion are ignored where the subject names the points itself.
   Operation operation;
   Entries points{};
   Misuse misuse{};
@@ -91,7 +91,7 @@ public:
   Subject& operator=(const Subject&) = delete;
   virtual ~Subject() = default;
 
-  // Empty where it names the points itself.
+  // The allowed names; empty where the subject names the points itself.
   virtual Key_range names() const = 0;
 
   // START puts a fresh triangulation in place of the old one, HAND_OVER moves it to another object.
@@ -100,7 +100,7 @@ public:
 
   virtual bool is_certified() const = 0;
 
-  // Of the point's vertex, the infinite one among them; 0 if there are no faces.
+  // The degree of the point's vertex, the infinite neighbor included; 0 if there are no faces.
   virtual std::size_t number_of_neighbors(Key key) const = 0;
   virtual bool is_at_hull(Key key) const = 0;
 

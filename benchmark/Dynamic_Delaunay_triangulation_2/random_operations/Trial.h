@@ -19,14 +19,14 @@
 
 namespace random_operations {
 
-// Where a trial takes place.
+// The conditions of a trial.
 struct Surroundings
 {
   Field field{};
   std::size_t max_points = 0;
   bool constructs_exactly = false; // the kernel is EPECK
-  // Who watches the subject's triangulation may not lose it: it starts with an insertion, and is
-  // never handed over.
+  // A test watches the subject's triangulation, so the object is kept: it starts with an insertion,
+  // and is never handed over.
   bool is_watched = false;
 };
 
@@ -49,8 +49,8 @@ public:
   std::size_t operations_done() const { return m_operations.number_done(); }
   const Model& model() const { return m_operations.model(); }
 
-  // Stops before that if there is nothing left to decide. Calls `before()` before each operation.
-  // Throws a Finding.
+  // Makes up to `operations` operations, fewer if there is nothing left to decide. Calls `before()`
+  // before each. Throws a Finding if something is wrong.
   template <class Before>
   void run(std::size_t operations, const Before& before)
   {
@@ -103,8 +103,8 @@ public:
   }
 
 private:
-  // With new names, or numbered where the subject names the points itself. `model` are those who
-  // are there.
+  // Entries for places, with new names, or numbered where the subject names the points itself.
+  // `model` has the existing points.
   Entries with_keys(const Places& places, Model model)
   {
     Entries entries;
@@ -116,7 +116,7 @@ private:
     return entries;
   }
 
-  // One that is free in `model`.
+  // A random name that is free in `model`.
   Key new_name(const Model& model)
   {
     const Key_range names = m_subject.names();
@@ -224,7 +224,7 @@ private:
     m_operations.perform({Operation::UPDATE, moved});
   }
 
-  // Some go and some come in the same frame.
+  // The population, half of the time after some points have left and others have come.
   Entries changed_population(Model next)
   {
     if (m_decisions.one_in(2)) {
@@ -301,7 +301,7 @@ private:
     return entries;
   }
 
-  // Any point, or one that is at the hull, has few neighbors, or came last.
+  // A random point, one with a preference for the hull or for few neighbors, or the last one.
   Key some_key()
   {
     const Keys all = keys();
@@ -320,7 +320,7 @@ private:
     return chosen;
   }
 
-  // Up to `most`, in any order.
+  // Up to `most` random points, in random order.
   Keys somebodies(std::size_t most)
   {
     Keys all = keys();

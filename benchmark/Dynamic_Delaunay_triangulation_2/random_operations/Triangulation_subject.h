@@ -130,7 +130,7 @@ private:
     }
   };
 
-  // Nothing looks at the positions of free ids, so there is none.
+  // Positions by ids. Those of free ids must not be read, so they are NaN where kernels have that.
   std::vector<Point> positions_of(const Entries& points) const
   {
     Point nan_point(0, 0);

@@ -60,7 +60,7 @@ public:
     return std::move(m_results);
   }
 
-  // A single one, which tells what it does.
+  // Repeats a single trial, which writes what it does.
   Results repeat(std::uint64_t seed)
   {
     Results results;

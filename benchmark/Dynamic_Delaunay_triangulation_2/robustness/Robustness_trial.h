@@ -22,7 +22,7 @@ using namespace random_operations;
 
 inline constexpr std::size_t operations_of_trial = 200;
 
-// What one seed decides.
+// The parts of a trial that its seed decides before the first operation.
 struct Trial_start
 {
   Random_decisions decisions;
@@ -77,7 +77,7 @@ struct Results
   }
 };
 
-// Seeds that have nothing to do with each other (SplitMix64).
+// A seed that is independent of those of other trials (SplitMix64).
 inline std::uint64_t seed_of_trial(std::uint64_t seed, std::uint64_t trial)
 {
   std::uint64_t x = (seed + 1) * 0x9E3779B97F4A7C15u + trial * 0xD1B54A32D192ED03u;
@@ -86,7 +86,7 @@ inline std::uint64_t seed_of_trial(std::uint64_t seed, std::uint64_t trial)
   return x ^ (x >> 31);
 }
 
-// What one seed decides, on a triangulation of its own.
+// A trial whose every decision comes from one seed, on a triangulation of its own.
 class Robustness_trial
 {
 public:
@@ -101,7 +101,7 @@ public:
   const Family& family() const { return *m_start.family; }
   const Setup& setup() const { return m_start.setup; }
 
-  // Ends with the first fault. Tells a stream what it does, if there is one. Calls
+  // Runs the trial up to its first fault. Writes what it does to `told`, if that is not null. Calls
   // `before(operations_done)` before each operation.
   template <class Before>
   void run(std::uint64_t number, std::size_t operations, std::ostream* told, Results& results,
@@ -125,8 +125,8 @@ public:
   }
 
 private:
-  // Numbers of exact kernels are intervals first, which are wrong where subnormals are zero, before
-  // any triangulation sees them.
+  // Exact kernels run in the default mode where subnormals would count as zero: their numbers are
+  // intervals at first, and would be wrong before any triangulation gets them.
   Arithmetic arithmetic_in_use() const
   {
     return setup().constructs_exactly && m_arithmetic.flushes_subnormals ? Arithmetic()

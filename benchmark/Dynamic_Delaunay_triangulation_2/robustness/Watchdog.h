@@ -23,13 +23,13 @@
 
 namespace robustness {
 
-// What a thread is at, for whoever has to say so when the program cannot go on.
+// The operation that a thread performs, to be reported if the program has to end.
 struct Watched_thread
 {
   std::atomic<std::uint64_t> seed{0};
   std::atomic<const char*> family{""};
   std::atomic<std::uint64_t> operation{0};
-  std::atomic<std::int64_t> since{0}; // milliseconds; 0 if it is at nothing
+  std::atomic<std::int64_t> since{0}; // milliseconds; 0 if the thread is idle
 
   static std::int64_t now()
   {
@@ -38,7 +38,7 @@ struct Watched_thread
   }
 };
 
-// A line of text made without allocation: a signal may have come in the middle of one.
+// A line of text made without allocation: a signal may have interrupted an allocation.
 class Last_words
 {
 public:
@@ -128,7 +128,7 @@ public:
     m_thread.join();
   }
 
-  // It stays where it is.
+  // Adds a thread. The reference stays valid.
   Watched_thread& add_thread()
   {
     const std::lock_guard<std::mutex> lock(m_mutex);

@@ -62,10 +62,10 @@ inline Figures figures_of(const Series& series, std::size_t points)
 // The bytes a point that a frame has to move, by the sizes of the arrays, each of them once: the
 // caller's point (16) and the number of its vertex (4) are read, its position (16) is written, and
 // in the end a vertex handle (8) is read and the point in CGAL's vertex (16) written. In between
-// lies a proof of every edge. The shortest that is known reads the reference (16) of each vertex,
-// the position where its edges were examined last, to find those that may be skipped; the other one
-// reads every edge, three to a point (48). Whatever is read twice, whole cache lines around eight
-// or sixteen bytes, and all repairs come on top and are not counted, as they need not be.
+// lies a proof of every edge. The cheapest one known, skipping, reads the reference (16) of each
+// vertex, the position where its edges were examined last, to find edges that may be skipped; the
+// other one, passing, reads every edge, three to a point (48). Repeated reads, whole cache lines
+// around eight or sixteen bytes, and repairs are not counted, as they are not necessary.
 constexpr double bytes_of_skipping = 16 + 4 + 16 + 8 + 16 + 16;
 constexpr double bytes_of_passing = 16 + 4 + 16 + 8 + 16 + 48;
 

@@ -43,7 +43,7 @@ public:
   {
   }
 
-  // After so many frames of each kind.
+  // Measures memory after a construction, after `frames` frames of each kind, and after a rebuild.
   Memory_record measure(const Motion_kind& calm, const Motion_kind& rough, std::size_t frames) const
   {
     Memory_record record;
@@ -77,7 +77,7 @@ public:
   }
 
 private:
-  // What has come to the heap since it was made.
+  // The bytes that the heap has grown by since the construction of the meter.
   class Meter
   {
   public:
@@ -88,7 +88,8 @@ private:
     std::size_t m_before = common::live_heap_bytes();
   };
 
-  // What is at rest, and 64 bytes a point of faces under construction, need not be there twice.
+  // Requires peaks so low that neither the memory at rest, nor the 64 bytes a point of faces under
+  // construction, can have been there twice.
   static void require_little(const Memory_record& record)
   {
     constexpr std::size_t many_points = 10'000; // of fewer, what is constant counts as well

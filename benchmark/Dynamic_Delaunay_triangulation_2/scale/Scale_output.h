@@ -64,7 +64,7 @@ public:
   }
 
 private:
-  // A phase of less than a tenth of a nanosecond has none worth to be shown.
+  // Speedups of phases of less than a tenth of a nanosecond a point are not shown.
   void write_speedups(const Figures& first, const Figures& figures)
   {
     std::vector<std::string> cells{"", "times"};

@@ -32,7 +32,7 @@ struct Case_record
   std::vector<Series> series; // of each number of threads
 };
 
-// How many frames of so many points are followed before those that are timed, and how many are.
+// How many frames are followed before the first timed one, and how many are timed.
 struct Frame_numbers
 {
   std::size_t warm_up;
@@ -116,7 +116,7 @@ private:
     return record;
   }
 
-  // That all are equal, bit by bit, and right.
+  // Requires triangulations that are equal, bit by bit, and right.
   static void check(const Group& group, const Points& points)
   {
     const auto& first = group.front()->dynamic();

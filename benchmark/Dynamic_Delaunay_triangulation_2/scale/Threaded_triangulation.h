@@ -57,7 +57,7 @@ private:
   const bool* m_is_demanded;
 };
 
-// Where the points are, and what their triangulation is.
+// The spaces in which points may be, each with its type of triangulation.
 struct In_the_plane
 {
   using Dynamic =
@@ -92,14 +92,14 @@ struct In_a_cell
     dynamic.emplace(points.begin(), points.end(), CGAL::Periodic_cell_2(side, side), settings);
   }
 
-  // By all conditions of a triangulation, evaluated from scratch in exact arithmetic.
+  // Checks all conditions of a triangulation from scratch in exact arithmetic.
   static void require_right(const Dynamic& dynamic, const Points&)
   {
     common::require(dynamic.is_valid(), "the triangulation is not valid");
   }
 };
 
-// An exact triangulation that may use so many threads, whatever it does.
+// An exact triangulation all of whose work may use `threads` threads.
 template <class Space>
 class Threaded_triangulation
 {

@@ -81,7 +81,7 @@ private:
     return {p.x() + dx, p.y() + step(m_random)};
   }
 
-  // What changes in this round.
+  // Draws the points that change in this round, and their new places.
   void draw(std::size_t changes)
   {
     m_ids.clear();
@@ -138,7 +138,7 @@ private:
     }
   }
 
-  // As many points as before, untimed.
+  // Undoes insertions and removals, untimed, so that there are as many points as before.
   void restore()
   {
     m_dynamic.remove(m_new_ids.begin(), m_new_ids.end());

@@ -19,7 +19,7 @@ namespace speed {
 
 using Exact_triangulation = CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel>;
 
-// What lives on the heap after `make` has made something, and only as long as that lives.
+// The bytes on the heap that belong to the object that `make` returns.
 template <class Make>
 double heap_bytes_of(Make make)
 {

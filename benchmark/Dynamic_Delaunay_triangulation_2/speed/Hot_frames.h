@@ -16,8 +16,8 @@
 
 namespace speed {
 
-// Times the same frames in bursts, one update right after the other: what they cost a program that
-// keeps caches and vector units busy with nothing else.
+// Times the same frames in bursts, one update right after the other: their cost in a program that
+// does nothing else with caches and vector units.
 template <class Concurrency_tag>
 class Hot_frames
 {
@@ -35,7 +35,7 @@ public:
     }
   }
 
-  // Of the hot ones.
+  // The times of hot frames.
   const std::vector<double>& nanoseconds_per_point() const { return m_times; }
 
 private:

@@ -22,8 +22,8 @@
 
 namespace speed {
 
-// The opponents where the last frame's order is worth nothing: whoever wants a spatial order has to
-// sort while the clock runs.
+// The opponents where the last frame's order is useless: a spatial order has to be found while the
+// clock runs.
 class Unprepared_opponents
 {
 public:
@@ -56,8 +56,8 @@ private:
   std::optional<run::Static_triangulation> m_sorted;
 };
 
-// Which frames of a motion are measured, after the first one: one in `stride`, up to so many,
-// behind those that are passed over. All others are followed without the opponents.
+// Which frames of a motion are measured, after the first one: one in `stride`, up to `measured`
+// frames, behind `passed_over` others. All others are followed without the opponents.
 struct Frame_choice
 {
   std::size_t passed_over;
@@ -122,7 +122,7 @@ common::Case_result motion_case(scenario::Motion& motion, const Frame_choice& fr
   return result_of(run_frames<run::Static_opponents, Concurrency_tag>(motion, frames));
 }
 
-// The fastest of a fresh cloud is whichever of both is faster.
+// The fastest way for a fresh cloud is the faster one of `insert` and `sorted`.
 inline common::Case_result teleport_case(std::size_t points)
 {
   common::Teleport_motion motion(points);

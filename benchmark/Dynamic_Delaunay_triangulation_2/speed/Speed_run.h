@@ -36,7 +36,7 @@ struct Speed_record
 
 using Speed_records = std::vector<Speed_record>;
 
-// Frames that can be compared: without points there is no time a point.
+// The records of frames that have points: others have no time a point.
 inline Speed_records counted(const Speed_records& records)
 {
   Speed_records counted;
@@ -152,7 +152,7 @@ public:
     return true;
   }
 
-  // Times all three. False at the end of the motion.
+  // Times the update and both opponents. False at the end of the motion.
   bool measure()
   {
     if (!go_on()) {
@@ -166,14 +166,14 @@ public:
 
   const Speed_record& record() const { return m_record; }
 
-  // Nanoseconds a point of all frames, measured or followed, that are hot; none where the
-  // population changes.
+  // Nanoseconds a point of all frames, measured or followed, repeated as hot frames; none where
+  // the population changes.
   std::vector<double> hot() const
   {
     return m_hot_frames ? m_hot_frames->nanoseconds_per_point() : std::vector<double>();
   }
 
-  // Of a measured frame.
+  // To be called after a measured frame only.
   void check_thoroughly() const
   {
     common::require_equal(m_kept->triangulation(), m_opponents.reference(),

@@ -21,7 +21,7 @@
 
 namespace thesis {
 
-// What of the columns of `./dev bench classifiers` is kept; its source explains them.
+// The columns of `./dev bench classifiers` that are kept; its source explains them.
 inline const std::vector<std::string>& classification_columns()
 {
   static const std::vector<std::string> names = {"TP",    "FP", "FN", "precision", "recall", "FDR",
@@ -43,8 +43,8 @@ struct Scenario_rows
   std::vector<Row> rows;
 };
 
-// How well classifiers find what the motion broke, held against the truth by exact predicates: all
-// follow the same motion, which an exact triangulation drives.
+// How well classifiers find the edges that the motion broke, compared with exact predicates. All
+// classifiers follow the same motion, which an exact triangulation drives.
 class Classification_experiment : public Repeated_experiment<Scenario_rows>
 {
 public:

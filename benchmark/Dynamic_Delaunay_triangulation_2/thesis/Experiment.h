@@ -15,7 +15,7 @@
 
 namespace thesis {
 
-// What a person asks for.
+// The options of the command line.
 struct Settings
 {
   bool is_quick = false;
@@ -48,10 +48,10 @@ public:
 
   const std::string& name() const { return m_name; }
 
-  // They refer to the experiment.
+  // The jobs, which refer to the experiment.
   virtual std::vector<Job> jobs() = 0;
 
-  // After all jobs. `remarks` go to the top of each file.
+  // Writes the results, after all jobs. `remarks` go to the top of each file.
   virtual void write(const std::filesystem::path& directory,
                      const std::vector<std::string>& remarks) const = 0;
 
@@ -71,7 +71,7 @@ public:
   {
   }
 
-  // Trial by trial, not case by case: what the machine does beside falls on all cases.
+  // Trial by trial, not case by case: other work on the machine then disturbs all cases.
   std::vector<Job> jobs() final
   {
     std::vector<Job> jobs;
@@ -90,10 +90,10 @@ protected:
   std::size_t number_of_trials() const { return m_trials; }
 
 private:
-  // About what a trial takes.
+  // The approximate duration of a trial.
   virtual double seconds_of(const Case& one) const = 0;
 
-  // One trial.
+  // Runs one trial.
   virtual void run(Case& one, std::uint64_t seed) const = 0;
 
   std::size_t m_trials;

@@ -24,11 +24,11 @@ namespace thesis {
 
 using Experiments = std::vector<std::unique_ptr<Experiment>>;
 
-// The thesis's trials of everything (5.1.2).
+// The number of trials in the thesis (5.1.2).
 constexpr std::size_t usual_trials = 10;
 
-// Where a million points take long to simulate, which the thesis had to see, too (6.2.1): of the
-// largest number of points, and of the cost by their number.
+// The number of trials where a million points take long to simulate, also in the thesis (6.2.1):
+// for the largest number of points, and for the cost by number of points.
 constexpr std::size_t few_trials = 2;
 
 inline std::size_t trials_of(const Settings& settings, std::size_t quick_trials = 1)
@@ -236,7 +236,7 @@ inline std::unique_ptr<Experiment> points(const Settings& settings)
   return experiment;
 }
 
-// Cost from hardly any motion to none left of the old triangulation.
+// Cost by motion, from hardly any to so much that nothing of the old triangulation is left.
 inline std::unique_ptr<Experiment> motion(const Settings& settings)
 {
   auto experiment = std::make_unique<Frame_experiment>("motion", settings, trials_of(settings));

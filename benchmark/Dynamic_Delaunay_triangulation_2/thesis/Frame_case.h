@@ -23,8 +23,8 @@
 
 namespace thesis {
 
-// What tells whether a simulation went as it should: numbers that belong to all particles, not to
-// one of them.
+// Quantities of all particles together, not of single ones, by which the course of a simulation can
+// be judged.
 struct Physics
 {
   static constexpr std::size_t size = 5;
@@ -57,7 +57,7 @@ inline Physics physics_of(scenario::Particle_motion& motion)
   return {{energy.kinetic, energy.total(), x / number, y / number, front}};
 }
 
-// Of frames of several trials that belong together, all of them timed against the static opponents.
+// Statistics of frames of several trials, all of them timed against the static opponents.
 class Frame_statistics
 {
 public:
@@ -119,7 +119,7 @@ struct Frame_plan
   bool compares_all = true; // all samples with fresh triangulations, or the last one alone
 };
 
-// What the samples of a part of the frames came to.
+// The results of the samples in one bin of frames.
 struct Frame_bin
 {
   Frame_statistics statistics{};
@@ -166,7 +166,7 @@ public:
   double time_step() const { return m_time_step; }
   std::size_t number_of_trials() const { return m_number_of_trials; }
 
-  // Of all frames of all trials, also those that were followed alone.
+  // Means over all frames of all trials, also those that were followed alone.
   const Mean_and_extremes& dynamic() const { return m_dynamic; }
   const Mean_and_extremes& classified() const { return m_classified; }
   const Mean_and_extremes& flips() const { return m_flips; }

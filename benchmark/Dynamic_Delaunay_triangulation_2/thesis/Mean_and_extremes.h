@@ -14,7 +14,7 @@
 
 namespace thesis {
 
-// Of numbers that are not worth to be kept.
+// The mean, minimum and maximum of numbers, which are not stored.
 class Mean_and_extremes
 {
 public:

@@ -22,10 +22,10 @@
 
 namespace thesis {
 
-// Whose frames have to fit into the time.
+// The triangulation whose frames have to fit into the time.
 enum class Contestant { dynamic, static_insert, static_fastest };
 
-// Who is searched for, and what was found in each trial.
+// A trial and a contestant, and the largest number of points found in each repetition.
 struct Most_points_case
 {
   Trial trial;
@@ -85,7 +85,7 @@ private:
     return 12.0 + 5.0e-7 * static_cast<double>(m_work);
   }
 
-  // Trials after the first one begin where it ended.
+  // Trials after the first one begin their search at its result.
   void run(Most_points_case& one, std::uint64_t seed) const override
   {
     constexpr std::size_t first_try = 150'000, least_first_try = 1000;

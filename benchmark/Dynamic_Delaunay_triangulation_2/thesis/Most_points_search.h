@@ -25,7 +25,7 @@ struct Frame_milliseconds
 class Most_points_search
 {
 public:
-  // `most`: no more are tried.
+  // At most `most` points are tried.
   Most_points_search(std::size_t first_try, std::size_t most)
     : m_next(first_try)
     , m_too_many(most + 1)
@@ -46,7 +46,7 @@ public:
 private:
   static constexpr double limit = 40.0; // milliseconds
 
-  // Timing is no more precise than that.
+  // True if the search has come as near to the limit as timing is precise.
   bool is_near() const
   {
     constexpr double near = 0.93;
@@ -62,14 +62,14 @@ private:
       m_too_many = times.points;
     }
     const double next = std::ceil(prediction(times));
-    m_next = m_best.points + (m_too_many - m_best.points) / 2; // where noise has led astray
+    m_next = m_best.points + (m_too_many - m_best.points) / 2; // unless the prediction is possible
     if (next > static_cast<double>(m_best.points) && next < static_cast<double>(m_too_many)) {
       m_next = static_cast<std::size_t>(next);
     }
   }
 
-  // Where a try should come close to the limit: the time is a power of the number of points, by the
-  // tries on both sides of the limit; or in proportion to it, where there are none on one.
+  // A number of points close to the limit. The time is taken for a power of the number of points,
+  // by the tries on both sides of the limit; without tries on one side, for proportional to it.
   double prediction(const Frame_milliseconds& times) const
   {
     constexpr double aim = 0.97 * limit, most_growth = 20.0;

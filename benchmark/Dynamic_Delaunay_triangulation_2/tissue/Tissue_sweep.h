@@ -101,11 +101,11 @@ inline Shape_record observe_shape(const Sweep_options& options, double shape)
 // The effective diffusivity from which on a tissue counts as a fluid.
 constexpr double fluid_diffusivity = 1e-3;
 
-// The preferred shape at which the diffusivity passes that, between two neighbors in the sweep, by
-// its logarithm.
+// The preferred shape at which the diffusivity passes this limit, interpolated between two
+// neighbors in the sweep by its logarithm.
 inline std::optional<double> transition(const std::vector<Shape_record>& records)
 {
-  constexpr double least = 1e-6; // of a glass, where rounding or rattling can make it negative
+  constexpr double least = 1e-6; // of a glass, which rounding or rattling can make negative
   const auto height = [&](const Shape_record& record) {
     return std::log((std::max)(record.diffusivity(), least) / fluid_diffusivity);
   };

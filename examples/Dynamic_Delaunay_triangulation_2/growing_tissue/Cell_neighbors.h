@@ -23,7 +23,7 @@ public:
   std::size_t insert(double x, double y);
   void remove(std::size_t id);
 
-  // Moves cell i to (x[i], y[i]). Nobody looks at the places of ids that are free.
+  // Moves cell i to (x[i], y[i]). The places of free ids are ignored.
   void update(const std::vector<double>& x, const std::vector<double>& y);
 
   // All pairs of neighbors, by their ids.

@@ -67,7 +67,7 @@ Options read_options(int argc, char** argv)
   return options;
 }
 
-// What a rank knows of each of its own discs, but for the position.
+// The data of each disc that a rank owns, except for the position.
 struct Disc
 {
   double vx, vy;
@@ -112,7 +112,7 @@ void move(Distributed& dt, std::vector<Disc>& discs, double side)
     discs = dt.carry(discs);
 }
 
-// Depends on the points alone, whatever ranks own them.
+// A hash of the points, which does not depend on the ranks that own them.
 std::uint64_t fingerprint(const Distributed& dt)
 {
   std::uint64_t sum = 0, all = 0;

@@ -65,7 +65,7 @@ std::vector<Point> next_positions(const Distributed& dt)
   return next;
 }
 
-// Depends on the points alone, whatever ranks own them.
+// A hash of the points, which does not depend on the ranks that own them.
 std::uint64_t fingerprint(const Distributed& dt)
 {
   std::uint64_t sum = 0, all = 0;

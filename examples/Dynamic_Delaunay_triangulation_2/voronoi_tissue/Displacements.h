@@ -38,7 +38,7 @@ public:
     return sum / double(m_start.size());
   }
 
-  // Relative to the mean of those that were neighbors at the start.
+  // The mean squared displacement relative to that of the cells that were neighbors at the start.
   double cage_relative_mean_square(const std::vector<Point>& positions) const
   {
     double sum = 0;

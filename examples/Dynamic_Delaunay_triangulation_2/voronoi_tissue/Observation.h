@@ -13,7 +13,7 @@
 
 namespace tissue {
 
-// At a time since the observation began.
+// Measurements at a time since the observation began.
 struct Sample
 {
   double time;

@@ -63,7 +63,7 @@ public:
     relax();
   }
 
-  // An Euler step.
+  // Makes an Euler step.
   CGAL::Update_report_2 step()
   {
     const double time_step = m_parameters.time_step;
@@ -88,7 +88,7 @@ public:
   // Never wrapped, so differences to earlier ones are displacements.
   const std::vector<Point>& positions() const { return m_positions; }
   const Dynamic& triangulation() const { return m_triangulation; }
-  // Before the last step.
+  // The measures of cells before the last step.
   const CGAL::Voronoi_cell_measures_2& cells() const { return m_cells; }
 
 private:

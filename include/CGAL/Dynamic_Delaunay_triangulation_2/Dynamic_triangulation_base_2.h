@@ -58,8 +58,8 @@ struct Chosen_types_2
   static constexpr bool has_visitor = !std::is_same_v<Visitor, Default_visitor>;
 };
 
-// Compiles all that updates need of a class of triangulations; after `extern`, leaves that to
-// another source file.
+// Instantiates all that updates of a class of triangulations need; after `extern`, leaves the
+// instantiation to another source file.
 #define CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(...)                                                  \
   template Update_report_2 Update_2<typename Triangulation_types_2<__VA_ARGS__>::State>::run(      \
       Change_2<typename Triangulation_types_2<__VA_ARGS__>::State::Point>&,                        \
@@ -264,7 +264,7 @@ public:
                 Second_of_pair_property_map<Value>());
   }
 
-  /// takes the range as a whole.
+  /// moves the points of a range with `begin()` and `end()`.
   template <class Range, class = If_range<Range>>
   Update_report_2 move(const Range& movers)
   {
@@ -291,7 +291,7 @@ public:
 
   /// @}
   /// \name Population
-  /// Inserts and removes points. What that breaks is repaired by exact predicates, whatever the
+  /// Inserts and removes points, and repairs what that breaks by exact predicates, whatever the
   /// classifier is. If memory runs out, each point is either inserted (or removed) completely or
   /// not at all, and the triangulation is not certified; `mend()` certifies it again.
   /// @{
@@ -312,30 +312,30 @@ public:
     return id;
   }
 
-  /// adds the points of the range. Their ids are written to `ids` first. Everything is triangulated
-  /// anew if there are more than about one new point for nine or ten vertices, in periodic space
-  /// for three. Throws what `insert(p)` throws; then nothing changes, and no id is written.
+  /// adds the points of the range. Their ids are written to `ids` first. Rebuilds if there is more
+  /// than about one new point for every nine or ten vertices, in periodic space for every three.
+  /// Throws what `insert(p)` throws; then nothing changes, and no id is written.
   template <class InputIterator, class OutputIterator>
   Update_report_2 insert(InputIterator first, InputIterator beyond, OutputIterator ids)
   {
     return insert(first, beyond, Identity_map(), ids);
   }
 
-  /// takes the range as a whole.
+  /// adds the points of a range with `begin()` and `end()`.
   template <class Range, class OutputIterator, class = If_range<Range>>
   Update_report_2 insert(const Range& points, OutputIterator ids)
   {
     return insert(std::begin(points), std::end(points), ids);
   }
 
-  /// tells no ids. With no free ids between others, the points get the next ones in their order.
+  /// adds points, and does not report ids. If no id is free, they get the next ones in their order.
   template <class InputIterator>
   Update_report_2 insert(InputIterator first, InputIterator beyond)
   {
     return insert(first, beyond, Emptyset_iterator());
   }
 
-  /// takes the range as a whole, and tells no ids.
+  /// adds the points of a range with `begin()` and `end()`, and does not report their ids.
   template <class Range, class = If_range<Range>>
   Update_report_2 insert(const Range& points)
   {
@@ -365,8 +365,8 @@ public:
   /// \post `is_certified()` if it was, if the classifier is exact, or in periodic space.
   Update_report_2 remove(size_type id) { return remove(&id, &id + 1); }
 
-  /// removes the points with these ids. Everything is triangulated anew if these are more than
-  /// about one in nine or ten vertices, in periodic space one in three.
+  /// removes the points with these ids. Rebuilds if these are more than about one in nine or ten
+  /// vertices, in periodic space one in three.
   /// \tparam InputIterator its values are integers.
   /// \throws Unknown_id_error_2 if an id belongs to no point; nothing changes.
   /// \throws Repeated_id_error_2 if an id is given more than once; nothing changes.
@@ -379,7 +379,7 @@ public:
     return run(change);
   }
 
-  /// takes the range as a whole.
+  /// removes the points whose ids are in a range with `begin()` and `end()`.
   template <class Range, class = If_range<Range>>
   Update_report_2 remove(const Range& ids)
   {
@@ -395,8 +395,8 @@ public:
   bool is_certified() const { return Types::is_exact && m_core->update.is_certified(); }
 
   /// tests whether the triangulation is Delaunay, by exact predicates at every edge, and certifies
-  /// it if so. Changes nothing else. The result is false as long as an exception has left points
-  /// without their own vertices, or an uncertified triangulation that does not span the plane.
+  /// it if so. Changes nothing else. The result is false if an exception has left points without
+  /// their own vertices, or has left an uncertified triangulation that does not span the plane.
   /// Cost: one pass over all edges; none if it is certified already.
   bool certify()
   {
@@ -416,10 +416,10 @@ public:
   }
 
   /// whether the object is valid: its data structure is valid, no point is lost, and the
-  /// certificate holds if `is_certified()`. In the plane it is false if a handle has set a point, a
-  /// vertex or a neighbor since everything was built last. In periodic space the areas of the faces
-  /// must sum up, in exact arithmetic, to the area of the cell. Cost: linear, in periodic space
-  /// microseconds a point.
+  /// certificate holds if `is_certified()`. In the plane the result is false if a point, a vertex
+  /// or a neighbor was set through a handle since everything was built last. In periodic space the
+  /// areas of the faces must sum up, in exact arithmetic, to the area of the cell. Cost: linear, in
+  /// periodic space microseconds a point.
   /// \param verbose whether to print to `std::cerr` what is wrong.
   /// \param level is passed to the `is_valid()` of the data structure in the plane.
   bool is_valid(bool verbose = false, int level = 0) const
@@ -557,8 +557,8 @@ public:
         .write(out, subject, append);
   }
 
-  // For `Dynamic_population_2`: `read_more` reads these lines. When nothing can be refused any
-  // more, `exchange_more` takes what they say, and throws nothing.
+  // For `Dynamic_population_2`: `read_more` reads the lines that `append` wrote. When the whole
+  // file was accepted, `exchange_more` takes over what was read; it must not throw.
   template <class ReadAppendix, class Exchange>
   void read_checkpoint(std::istream& in, std::string_view subject, const ReadAppendix& read_more,
                        const Exchange& exchange_more)
@@ -574,16 +574,16 @@ public:
     inform_classifier(classifier, Frame(state));
     m_core->update.reserve_for_exchange(state);
     start_visit();
-    m_classifier = std::move(classifier); // nothing throws from here on
+    m_classifier = std::move(classifier); // from here on only the visitor may throw
     m_core->update.exchange(state, reader.is_certified(), reader.memory());
     exchange_more();
     finish_visit(is_certified() ? certified_report() : Update_report_2());
   }
 
-  // A whole frame of `Dynamic_population_2`, in periodic space perhaps with another cell. The range
-  // has a position for every id, also for those that are removed; `gone` has the ids to remove, all
-  // of which exist; `coming` has the points to insert. Their ids are written to `coming_ids`,
-  // ascending; nothing is written if an exception ends this before all removals are done.
+  // Runs a whole frame of `Dynamic_population_2`, in periodic space perhaps with another cell. The
+  // range has a position for every id, also for those that are removed; `gone` has the ids to
+  // remove, all of which exist; `coming` has the points to insert. The ids of these points are
+  // written to `coming_ids`, ascending, unless an exception ends this before all removals are done.
   template <class InputIterator, class... Cell>
   Update_report_2 update_population(InputIterator first, InputIterator beyond,
                                     const std::vector<size_type>& gone,
@@ -637,14 +637,14 @@ protected:
   }
   ~Dynamic_triangulation_base_2() = default;
 
-  // An empty one.
+  // Returns the change of this call, which is still empty.
   Change& begin_change()
   {
     m_core->change.clear();
     return m_core->change;
   }
 
-  // Updates to the frame that was staged.
+  // Runs the frame that was staged.
   Update_report_2 run_frame()
   {
     Change& change = begin_change();
@@ -652,11 +652,11 @@ protected:
     return run(change);
   }
 
-  // Every change of the triangulation runs through here, after its input was read and checked.
+  // Runs a change whose input was read and checked.
   Update_report_2 run(Change& change)
   {
     m_core->update.enter();
-    start_visit(); // an exception leaves a frame that was read unused
+    start_visit(); // if this throws, a frame that was read is not used
     try {
       const Update_report_2 report = run_phases(change);
       finish_visit(report);
@@ -681,8 +681,8 @@ protected:
   std::unique_ptr<Core> m_core;
 
 private:
-  // Takes everything from the other one, which gets an empty core. Classifier, repair and policy
-  // are copied, not moved, since both objects go on using them.
+  // Takes everything from the other triangulation, which gets an empty core. Classifier, repair and
+  // policy are copied, not moved, since both objects go on using them.
   Dynamic_triangulation_base_2(Dynamic_triangulation_base_2& other, std::unique_ptr<Core> empty)
     : m_classifier(other.m_classifier)
     , m_repair(other.m_repair)
@@ -704,7 +704,8 @@ private:
     m_core->update.tools().editor().start_visit(m_visitor, &derived());
   }
 
-  // Ends the visit when everything is done. Rethrows now what the visitor has thrown in between.
+  // Ends the visit after a change. In periodic space the visitor is told of all changes here; in
+  // the plane what it threw in between is rethrown.
   void finish_visit(const Update_report_2& report)
   {
     m_core->update.tools().editor().finish_visit();

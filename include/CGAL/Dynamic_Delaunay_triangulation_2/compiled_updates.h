@@ -6,10 +6,10 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-// For one source file of a program in which CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED is
-// defined everywhere: compiles for all its files what updates need in the plane and in periodic
-// space, with the usual kernel and no other choices. CMake's target
-// `Dynamic_Delaunay_triangulation_2::compiled` is such a file.
+// Include this header in exactly one source file of a program that defines
+// CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED in all its files. It compiles for all of them what
+// updates need in the plane and in periodic space, with the usual kernel and no other choices.
+// CMake's target `Dynamic_Delaunay_triangulation_2::compiled` does that.
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED
 #error                                                                                             \
     "compiled_updates.h is for programs that define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED in all files"

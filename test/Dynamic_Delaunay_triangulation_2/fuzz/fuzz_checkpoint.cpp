@@ -28,7 +28,7 @@ using Heuristic =
 using Rational = CGAL::Dynamic_Delaunay_triangulation_2<CGAL::Epeck>;
 using Periodic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<CGAL::Epick>;
 
-// Without points. A periodic triangulation cannot do without a cell.
+// A triangulation without points. A periodic one needs a cell all the same.
 template <class Dynamic>
 Dynamic empty()
 {
@@ -40,7 +40,7 @@ Periodic empty<Periodic>()
   return Periodic(CGAL::Periodic_cell_2(1, 1));
 }
 
-// The lines before the first checksum. What comes after it would always be refused.
+// The lines before the first checksum. A file with more lines after it would always be refused.
 std::string lines_of(const std::string& input)
 {
   std::string lines = input.substr(0, input.find("\nchecksum "));
@@ -49,7 +49,7 @@ std::string lines_of(const std::string& input)
   return lines;
 }
 
-// A person reads it in a terminal.
+// Requires a message that a person can read in a terminal.
 void require_readable(const CGAL::Checkpoint_error_2& error, const std::string& text)
 {
   const std::string message = error.what();
@@ -77,7 +77,7 @@ bool is_read(Subject& subject, const std::string& text)
   }
 }
 
-// All points where they are, but one, which goes to where another one is.
+// The positions of all points, the first one moved onto the last one.
 template <class Dynamic>
 auto next_frame(const Dynamic& dt)
 {
@@ -97,7 +97,7 @@ bool is_sound(const Dynamic& dt)
   return dt.is_valid(true);
 }
 
-// What is not certified need not be Delaunay.
+// An uncertified triangulation need not be Delaunay.
 bool is_sound(const Periodic& pt)
 {
   return !pt.is_certified() || pt.is_valid();
@@ -109,7 +109,7 @@ void insert_anywhere(Dynamic& dt)
   dt.insert(typename Dynamic::Point(1, 2));
 }
 
-// In the cell, since too many cells away is not allowed.
+// Inserts a point inside the cell: one that is too many cells away is refused.
 void insert_anywhere(Periodic& pt)
 {
   pt.insert(Periodic::Point(0.7 * pt.cell().ax(), 0.7 * pt.cell().ay()));

@@ -83,7 +83,7 @@ scenario::Neighbor_edges all_edges(std::size_t number_of_points)
   return edges;
 }
 
-// With few points, whatever the file asks for.
+// Runs the scenario with at most 20 points, whatever number the file asks for.
 template <class Description>
 void run(const scenario::Scenario_description& scenario, const Description& kind,
          std::size_t number_of_points)

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What makes a fuzz target of a fuzz_*.cpp, which includes this and defines fuzz::examine(). Built
-// with libFuzzer (FUZZ_WITH_LIBFUZZER) the program searches for findings; else its main() replays
-// files and a fixed share of mutations.
+// Turns a fuzz_*.cpp, which includes this header and defines fuzz::examine(), into a fuzz target.
+// Built with libFuzzer (FUZZ_WITH_LIBFUZZER) the program searches for findings; else its main()
+// replays files and a fixed number of mutations of them.
 
 #ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_FUZZ_TARGET_H
 #define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_FUZZ_TARGET_H

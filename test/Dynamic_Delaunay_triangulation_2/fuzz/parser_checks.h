@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What every parser of files owes to whoever gave it one.
+// What fuzz targets require of every parser: readable errors, and sound results.
 
 #ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_FUZZ_PARSER_CHECKS_H
 #define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_FUZZ_PARSER_CHECKS_H
@@ -30,7 +30,7 @@ inline bool is_control_character(char byte)
   return static_cast<unsigned char>(byte) < 0x20 || byte == 0x7F;
 }
 
-// A person reads it in a terminal.
+// Requires a message that a person can read in a terminal.
 inline void require_readable(const scenario::Scenario_error& error, const std::string& input)
 {
   const std::string message = error.what();
@@ -44,7 +44,7 @@ inline void require_readable(const scenario::Scenario_error& error, const std::s
           "an error is in a line that is not there");
 }
 
-// Nothing, if the input is refused properly.
+// What `parse` returns; nothing if it refuses the input with a readable error.
 template <class Parse>
 auto parsed_or_refused(const std::string& input, Parse parse)
     -> std::optional<decltype(parse(file_name, input))>

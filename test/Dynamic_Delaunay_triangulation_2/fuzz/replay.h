@@ -31,7 +31,7 @@ inline std::string content_of(const std::filesystem::path& file)
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// In an order that does not depend on the file system.
+// The contents of all files below `place`, in an order that does not depend on the file system.
 inline std::vector<std::string> contents_below(const std::filesystem::path& place)
 {
   std::vector<std::filesystem::path> files;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Many runs whose ways random numbers decide.
+// Many runs in which random numbers make every decision.
 
 #ifndef DISTRIBUTED_ANY_RUNS_H
 #define DISTRIBUTED_ANY_RUNS_H

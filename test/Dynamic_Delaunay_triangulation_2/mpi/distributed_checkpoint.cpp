@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Run by several ranks: what they have written, some of them read again, with the same edges; files
-// that are not as they were written are refused.
+// Run by several ranks: all of them write a checkpoint, and any number of them read it back with
+// the same edges; files that have been altered are refused.
 
 #include "distributed_theme.h"
 #include "distributed_uses.h"
@@ -101,7 +101,7 @@ void run_theme()
     expect(is_refused<CGAL::Checkpoint_error_2>(
                [&] { dt.write_checkpoint("/no such directory/checkpoint"); }),
            "what cannot be written is told on all ranks");
-    dt.write_checkpoint(path); // which the next one replaces
+    dt.write_checkpoint(path); // replaced by the next one
     dt.write_checkpoint(path, data_of(dt));
   }
   for (int readers = 1; readers <= number_of_ranks; ++readers)

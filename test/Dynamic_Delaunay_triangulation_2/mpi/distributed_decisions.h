@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Points over ranks whose ways a generator of random numbers decides, or a fuzzer. All ranks have
-// to decide alike.
+// Runs of points over ranks in which a generator of random numbers, or a fuzzer, makes every
+// decision. All ranks have to decide alike.
 
 #ifndef DISTRIBUTED_DECISIONS_H
 #define DISTRIBUTED_DECISIONS_H
@@ -55,8 +55,8 @@ protected:
 
   Id next_id() { return m_next += 1 + Id(m_decisions.below(5)); }
 
-  // Each of the new points is given by exactly one rank. `add()` adds one to the population, and
-  // returns where.
+  // Each of the new points is given by exactly one rank. `add()` adds a point to the population and
+  // returns its iterator.
   template <class Triangulation, class Add>
   void insert(Triangulation& dt, const Add& add)
   {

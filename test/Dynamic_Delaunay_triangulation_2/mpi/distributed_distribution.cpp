@@ -65,7 +65,7 @@ void ghosts_that_went_away_are_dropped()
   std::mt19937 random(7);
   Population population = random_points(1000, random);
   auto dt = distributed(population, in_turn, no_balance);
-  // In turn: every rank holds nearly all points. Then each rank's points are by themselves.
+  // Owned in turn, so every rank holds nearly all points. Frame 0 moves each rank's points apart.
   for (int frame = 0; frame < 30; ++frame) {
     if (frame == 0)
       for (auto& [id, p] : population)

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What several ranks say together, compared with CGAL's triangulation of all points on one of them.
+// Compares the triangulation of several ranks with CGAL's triangulation of all points on one rank.
 
 #ifndef DISTRIBUTED_ORACLE_H
 #define DISTRIBUTED_ORACLE_H
@@ -72,7 +72,7 @@ inline std::uint64_t largest(std::uint64_t count)
   return most;
 }
 
-// What all ranks have given, on rank 0; nothing elsewhere.
+// On rank 0 the data of all ranks, in the order of ranks; empty on the others.
 template <class T>
 std::vector<T> gathered_data(const std::vector<T>& own)
 {
@@ -87,7 +87,7 @@ std::vector<T> gathered_data(const std::vector<T>& own)
   return all;
 }
 
-// That, ascending.
+// On rank 0 the data of all ranks, ascending; empty on the others.
 template <class T>
 std::vector<T> gathered(const std::vector<T>& own)
 {
@@ -96,8 +96,8 @@ std::vector<T> gathered(const std::vector<T>& own)
   return all;
 }
 
-// By CGAL alone. A diagonal of four or more points on one circle is replaced by those that go to
-// the smallest id; of points that coincide the smallest id has the edges.
+// Found by CGAL alone. Four or more points on one circle get the diagonals from their smallest id,
+// in place of CGAL's; of points that coincide the smallest id has the edges.
 inline Edges expected_edges(const Population& population)
 {
   using Base = CGAL::Triangulation_vertex_base_with_info_2<Id, Kernel>;
@@ -204,8 +204,8 @@ std::vector<Value> given_here(const std::vector<Value>& all, std::size_t salt = 
   return given;
 }
 
-// Arguments that a triangulation takes after its points: its cell, if it has one, and a load
-// factor.
+// Constructs a triangulation over all ranks. `arguments` follow the points: the cell of a periodic
+// triangulation, and a load factor.
 template <class Triangulation = Distributed, class... Arguments>
 Triangulation distributed(const Population& population, Owner owner, const Arguments&... arguments)
 {
@@ -222,7 +222,7 @@ Points own_positions(const Triangulation& dt, const Population& population)
   return positions;
 }
 
-// Moves points to where the population has them, in another cell, if there is one.
+// Moves points to where the population has them, in another cell, if one is given.
 template <class Triangulation, class... Cell>
 void update(Triangulation& dt, const Population& population, const Cell&... cell)
 {
@@ -230,7 +230,7 @@ void update(Triangulation& dt, const Population& population, const Cell&... cell
   dt.update(next.begin(), next.end(), cell...);
 }
 
-// With an error that is right.
+// True if `call` throws an `Error` for which `is_right` holds.
 template <class Error, class Call>
 bool is_refused(
     const Call& call,

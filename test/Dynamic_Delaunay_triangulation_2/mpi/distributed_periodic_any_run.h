@@ -69,7 +69,7 @@ private:
     update(dt, m_population);
   }
 
-  // Points follow, or stay where they are.
+  // Changes the cell; points follow it, or stay where they are.
   void deform(Distributed_periodic& dt, int kind)
   {
     const Vectors before = m_vectors;

@@ -30,7 +30,7 @@ using Watched =
 
 constexpr double length = 20;
 
-// On rank 0, ascending.
+// On rank 0 the edges that all ranks list, ascending.
 Periodic_edges told(const std::vector<Changes::Edge>& own)
 {
   Periodic_edges edges;
@@ -101,7 +101,7 @@ void expect_those_of_one_process(const std::string& what, const Points& points, 
   expect(sum(renewed) > 0, what + ": edges come");
 }
 
-// Points go where the lattice is the same, or leave and come back on another rank.
+// Moves points to other images of themselves, or removes them and inserts them on another rank.
 void no_edge_changes_where_images_do_not(const Points& points)
 {
   Population population = numbered(points);
@@ -136,7 +136,7 @@ void no_edge_changes_where_images_do_not(const Points& points)
   expect_none("points have gone, and come back by other images");
 }
 
-// Of points on a grid, many of them twice, by the difference of all edges.
+// Points on a grid, many of them twice. The expected changes are differences of sets of all edges.
 void changes_of_a_population(const Points& points)
 {
   Population population = numbered(points);

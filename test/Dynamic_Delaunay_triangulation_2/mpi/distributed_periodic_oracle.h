@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What several ranks say together of a periodic space, compared with the periodic triangulation of
-// one process. That one cuts cells of more than three corners as it likes: here they are put
-// together by exact arithmetic, and cut as ranks have to cut them.
+// Compares the periodic triangulation of several ranks with that of one process. One process may
+// cut Delaunay cells of more than three corners in any way: here exact arithmetic finds these
+// cells, and they are cut again as ranks have to cut them.
 
 #ifndef DISTRIBUTED_PERIODIC_ORACLE_H
 #define DISTRIBUTED_PERIODIC_ORACLE_H
@@ -77,7 +77,7 @@ private:
   using Face = std::array<Image, 3>;
   using Side = std::tuple<std::size_t, std::size_t, Shift>;
 
-  // Of points that coincide one process takes any, ranks take the smallest id.
+  // Of points that coincide one process labels the vertex by any, ranks by the smallest id.
   template <class Triangulation>
   void read_labels(const Triangulation& dt)
   {
@@ -131,7 +131,7 @@ private:
                        Exact::FT(p.y()) + i * m_cell.ay() + j * m_cell.by());
   }
 
-  // The face on the other side of an edge, moved to where the edge is.
+  // The face on the other side of an edge, translated so that it shares the edge.
   std::pair<std::size_t, Face> beyond(const Face& face, std::size_t k) const
   {
     const Image &p = face[k], &q = face[(k + 1) % 3];
@@ -150,7 +150,7 @@ private:
                                          place(other)) == CGAL::ON_ORIENTED_BOUNDARY;
   }
 
-  // The cell around a face.
+  // Cuts the Delaunay cell that contains a face: all its corners are joined with one of them.
   void cut(std::size_t first)
   {
     std::vector<std::pair<std::size_t, Face>> waiting{{first, m_faces[first]}};
@@ -264,13 +264,13 @@ inline void expect_exact(const Distributed_periodic& dt, const Population& popul
     expect(std::binary_search(all.begin(), all.end(), side), what + ": sides of faces are edges");
 }
 
-// Of a cell that stays as it is.
+// A deformation that keeps the cell.
 inline auto always(const Cell& cell)
 {
   return [=](int) { return cell; };
 }
 
-// As run(), in the cell that `deform(frame)` returns.
+// As run(), in the cell that `deform(frame)` returns. The result must be valid and certified.
 template <class Deform, class Move>
 void run_periodic(const std::string& what, const Points& points, int frames,
                   const Ownership& ownership, const Deform& deform, const Move& move)

@@ -35,7 +35,7 @@ Points random_points(std::size_t n, std::mt19937& random)
   return points;
 }
 
-// By images of vertices at their labels; the lists of coincident points end with each other.
+// Expects edges between the smallest ids at their places; coincident points list each other last.
 void expect_neighbors(const Distributed_periodic& dt, const Population& population,
                       const std::string& what)
 {
@@ -114,7 +114,7 @@ void duplicates_and_measures()
   std::mt19937 random(17);
   Population population = numbered(random_points(100, random));
   population[200] = Point(1, 2);
-  for (Id k = 1; k <= 5; ++k) // by vectors of the lattice, which are integers
+  for (Id k = 1; k <= 5; ++k) // translated by vectors of the lattice, which are integers
     population[200 + k] = Point(1 + 12 * double(k) - 4, 2 + double(k) - 11);
   auto dt = distributed<Distributed_periodic>(population, in_turn, skew_cell);
   expect_exact(dt, population, "duplicates");
@@ -152,8 +152,8 @@ void calm_frames_need_no_questions()
   expect(dt.number_of_rounds() == rounds, "calm frames of shear need no questions");
 }
 
-// In each frame points go as far as some are apart, more than a zone's margin in a few frames; but
-// they go with the cell.
+// Points move with the sheared cell. In each frame they move as far as some are apart, and in a few
+// frames by more than a zone's margin.
 void zones_follow_shear()
 {
   constexpr double length = 40, shear = 0.02;
@@ -184,7 +184,7 @@ void other_ranks_read_checkpoints()
   Population population = numbered(random_points(150, random));
   {
     auto dt = distributed<Distributed_periodic>(population, in_turn, Cell(12.1, 1, 4, 10.9));
-    dt.write_checkpoint(path); // which the next one replaces
+    dt.write_checkpoint(path); // replaced by the next one
     dt.write_checkpoint(path, dt.owned_points());
   }
   const auto data_of = [](const Distributed_periodic& dt) { return dt.owned_points(); };
@@ -208,8 +208,8 @@ void other_ranks_read_checkpoints()
     std::remove(path.c_str());
 }
 
-// Short vectors of the lattice are found anew, and points distributed for that, past a strain of
-// the square root of 2.
+// Past a strain of the square root of 2 the short vectors of the lattice are found anew, and points
+// are distributed anew for them.
 void sheared_cells_are_followed_for_long()
 {
   std::mt19937 random(31);
@@ -234,12 +234,12 @@ void sheared_cells_are_followed_for_long()
   expect(dt.number_of_distributions() > 1, "and again");
 }
 
-// What has been rounded once is not rounded again.
+// Positions and cells that have been rounded once are not rounded again.
 void points_can_be_given_back()
 {
   std::mt19937 random(29);
   const Population population = numbered(random_points(60, random));
-  // Rounding the last one brings it to where the grid is twice as coarse.
+  // Rounding the last cell brings it to where the grid is twice as coarse.
   const Cell next_to_a_power_of_2(1 - 0x1p-44 - 0x1p-46, 1 + 0x1p-44);
   for (const Cell& cell : {Cell(0.1, 0.7), Cell(1 / 3.0, 0.1, 7e-3, 3), Cell(1e10 / 3, 1e9 / 7),
                            next_to_a_power_of_2}) {

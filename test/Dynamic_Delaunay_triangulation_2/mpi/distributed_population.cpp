@@ -29,7 +29,7 @@ void any_points_come_and_go(double load_factor)
       [&](const Population&, const std::string& what) { expect(dt.is_valid(), what + ": valid"); });
 }
 
-// With an error that names the id.
+// True if all ranks throw an error that names the id.
 template <class Error, class Call>
 bool is_refused_everywhere(const Call& call, const std::string& id)
 {

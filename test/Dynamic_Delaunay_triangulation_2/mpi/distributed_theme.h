@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What several ranks run by its name. All themes are one program, as all of them have the same
-// triangulations, which take a compiler most of its time.
+// A test that several ranks run, chosen by its name. All themes are in one program, since compiling
+// the triangulations that they share takes most of the time.
 
 #ifndef DISTRIBUTED_THEME_H
 #define DISTRIBUTED_THEME_H

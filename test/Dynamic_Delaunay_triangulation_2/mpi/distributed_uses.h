@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What programs do with points over ranks in any space: they let them come and go, distribute them
-// anew, and read what other ranks have written.
+// What programs do with points over ranks in any space: they insert and remove them, distribute
+// them anew, and read checkpoints that other ranks have written.
 
 #ifndef DISTRIBUTED_USES_H
 #define DISTRIBUTED_USES_H
@@ -39,8 +39,8 @@ void remove(Triangulation& dt, Population& population, const std::vector<Id>& al
     population.erase(id);
 }
 
-// Of a triangulation without points. `coming(frame, random)` returns those that come, without ids;
-// then `look(population, what)` does.
+// Inserts, removes and moves points of a triangulation that begins empty. `coming(frame, random)`
+// returns the new points, without ids; `look(population, what)` is called after their insertion.
 template <class Triangulation, class Coming, class Look>
 void points_come_and_go(Triangulation& dt, std::size_t frames, const Coming& coming,
                         const Look& look)
@@ -84,11 +84,11 @@ inline std::uint64_t about_equally_many(std::size_t points)
 struct Mixing
 {
   int calm;         // frames before the first one in which a fifth of all points jump
-  int looked_at;    // each so many frames
+  int looked_at;    // compared each so many frames
   int enough_ranks; // for points to be distributed anew
 };
 
-// Points jump to `place(random)`.
+// Points jump to `place(random)`, which makes ranks distribute all points anew.
 template <class Triangulation, class Place>
 void mixed_points_are_distributed_anew(Triangulation& dt, Population population,
                                        const Mixing& mixing, const Place& place)
@@ -119,7 +119,7 @@ void mixed_points_are_distributed_anew(Triangulation& dt, Population population,
          "all ranks own about equally many points");
 }
 
-// One for all tests of a program, whatever the number of ranks.
+// The same name on all ranks, and another one for each run of the program.
 inline std::string file_name(const std::string& program)
 {
   long process = getpid();
@@ -128,7 +128,7 @@ inline std::string file_name(const std::string& program)
   return (std::filesystem::temp_directory_path() / name).string();
 }
 
-// Ranks from 0 to `readers` read the file by themselves, and the others own nothing. `data_of(dt)`
+// The first `readers` ranks read the file by themselves, and the others own nothing. `data_of(dt)`
 // has been written with the points.
 template <class Triangulation, class Data_of, class... Arguments>
 void some_ranks_read(const std::string& path, const Population& population, int readers,

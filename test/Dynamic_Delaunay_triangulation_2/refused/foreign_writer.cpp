@@ -18,7 +18,7 @@ using State = internal::Triangulation_state_2<Kernel, Tds, Silent_calls, CGAL::S
 using Positions = State::Positions;
 using Topology = State::Topology;
 
-// Even with objects that it may change.
+// Refused even though all these objects are non-const.
 void write(State& state, Topology& topology, Positions& positions,
            internal::Halfedge_arrays_2& arrays)
 {

@@ -47,8 +47,8 @@ public:
     m_was_asked = true;
     if (m_schedule.is_near() && !m_safe_edges.holds())
       m_safe_edges.measure_step(frame);
-    m_safe_edges.take_changes(frame); // no change, unless an exception ended the last update
-    // after a frame in which nearly everything broke, the next one may do so, too
+    m_safe_edges.take_changes(frame); // none, unless an exception ended the last update
+    // if nearly all edges broke in the last frame, they may do so in this one
     m_nearly_all_broken = m_nearly_all_broken && is_most_of_all_edges_broken(frame);
     if (m_nearly_all_broken) {
       classified.add_everything();
@@ -79,7 +79,7 @@ public:
   void after_update(const Frame& frame)
   {
     m_safe_edges.learn(frame);
-    // callers that ask edge by edge do not use them
+    // safe edges are of no use to callers that only ask edge by edge
     if (!std::exchange(m_was_asked, false))
       return;
     if (m_schedule.is_due(m_safe_edges.holds()) && frame.positions_are_exact() &&
@@ -92,7 +92,8 @@ private:
 
   static constexpr std::size_t sample_size = 64;
 
-  // Each part of the edges has a list of its own.
+  // Lists unproved edges: one list for each part of the edges, or one in all if safe edges are
+  // known.
   template <class Frame>
   void find_unproved(const Frame& frame)
   {
@@ -110,7 +111,7 @@ private:
                            });
   }
 
-  // Estimated from a sample.
+  // Whether more than three quarters of all edges are broken, estimated from a sample.
   template <class Frame>
   static bool is_most_of_all_edges_broken(const Frame& frame)
   {
@@ -122,7 +123,7 @@ private:
   }
 
   // Whether more than two thirds of the edges are unproved, and most edges of a sample of these are
-  // broken. Then naming each of them, which costs three times as much as the pass, is useless.
+  // broken. Then naming each broken edge, which costs three times as much as the pass, is useless.
   template <class Frame>
   bool is_most_of_unproved_broken(const Frame& frame) const
   {

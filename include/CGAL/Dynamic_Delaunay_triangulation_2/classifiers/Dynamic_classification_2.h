@@ -146,7 +146,7 @@ public:
                [&](std::size_t part) { find_broken(frame, lists[part], m_broken[part]); });
     for (std::size_t part = 0; part < lists.size(); ++part)
       add_broken(m_broken[part]);
-    if (m_edges.size() > m_state->positions().size()) // what follows needs the memory
+    if (m_edges.size() > m_state->positions().size()) // the repair needs the memory
       std::vector<std::vector<Broken_edge>>().swap(m_broken);
   }
 
@@ -176,7 +176,7 @@ public:
   const std::vector<Index>& edges() const { return m_edges; }
 
 private:
-  // An edge that is not Delaunay, with its vertices: they are in the cache of who finds it.
+  // An edge that is not Delaunay, with its vertices, which the finding thread has in its cache.
   struct Broken_edge
   {
     Edge_index edge;
@@ -211,7 +211,7 @@ private:
     });
   }
 
-  // For a pass over a list of edges that tests them.
+  // Prefetches the data of the edges that a pass over `edges` will test soon after edge i.
   void prefetch_some(const std::vector<Index>& edges, std::size_t i) const
   {
     constexpr std::size_t ahead = 8;

@@ -70,8 +70,8 @@ public:
     }
   }
 
-  /// starts anew with the edges that were triangulated anew. The growth of the edges around them
-  /// continues from its current value.
+  /// resets the growth of the edges that were triangulated anew. The growth of the edges around
+  /// them continues from its current value.
   template <class Frame>
   void after_update(const Frame& frame)
   {
@@ -134,7 +134,7 @@ private:
         v, [&](Edge_index e) { m_sums[v] += finite_squared_length(frame, e); });
   }
 
-  // 0 for an edge that has no length.
+  // Returns 0 for an edge to the infinite vertex, whose length is NaN.
   template <class Frame>
   static double finite_squared_length(const Frame& frame, Edge_index e)
   {

@@ -107,7 +107,7 @@ private:
 
   bool is_bounded(double product, const Position& p, const Position& q, const Position& r) const
   {
-    constexpr double smallest_lengths = 1e-250; // smaller ones may have underflowed on the way
+    constexpr double smallest_lengths = 1e-250; // smaller products may have underflowed
     const double lengths = squared_length(p, q) * squared_length(q, r) * squared_length(r, p);
     return lengths > smallest_lengths && std::isfinite(lengths) &&
            4 * product <= (1 - 1e-14) * m_eps * (2 - m_eps) * lengths;

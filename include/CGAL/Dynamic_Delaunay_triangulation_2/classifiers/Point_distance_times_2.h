@@ -94,8 +94,8 @@ public:
 private:
   static double frame_after(double time) { return std::floor(time * (1 - 1e-14)) + 1; }
 
-  // A NaN if the length stays above. Does not square the products, which could overflow or
-  // underflow.
+  // Returns the square root in `T_min`; NaN if the edge never gets too short. Does not square the
+  // products, which could overflow or underflow.
   double root_of_lowest() const
   {
     const double product = std::abs(m_product);

@@ -47,7 +47,7 @@ public:
 
   /// the parameter.
   double x() const { return m_classifier.x(); }
-  /// the number of next frames in which it will test no edge.
+  /// the number of frames to come in which it will test no edge, as last predicted.
   std::size_t number_of_quiet_frames() const { return m_quiet_frames; }
 
   /// classifies.

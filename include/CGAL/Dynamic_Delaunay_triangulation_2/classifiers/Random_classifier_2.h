@@ -17,8 +17,8 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2Classifiers
 
 Classifies each point with probability `p`, regardless of its motion (thesis 4.2.3). It is
-<em>heuristic</em>. Points are drawn in the order of their ids, so equal seeds classify equal points
-on every machine.
+<em>heuristic</em>. Points are drawn in the order of their ids, so equal seeds classify the same
+points on every machine.
 
 Cost: one random number a point.
 

@@ -44,17 +44,17 @@ public:
   /// it misses no edge if neither does.
   static constexpr bool is_exact = First::is_exact && Second::is_exact;
 
-  /// \param first the classifier that picks.
-  /// \param second the classifier that reduces this.
+  /// \param first the classifier whose picks are reduced.
+  /// \param second the classifier that has to pick them, too.
   explicit Refined_classifier_2(const First& first = First(), const Second& second = Second())
     : m_first(first)
     , m_second(second)
   {
   }
 
-  /// the classifier that picks.
+  /// the classifier whose picks are reduced.
   const First& first() const { return m_first; }
-  /// the classifier that reduces this.
+  /// the classifier that has to pick them, too.
   const Second& second() const { return m_second; }
 
   /// classifies.
@@ -95,7 +95,7 @@ private:
   {
   };
 
-  // A second classifier that decides edge by edge names no vertices.
+  // Asks a second classifier that has names_edge(), and so names edges only.
   template <class Frame, class Classification>
   void ask_edge_by_edge(const Frame& frame, const Classification& first, Classification& classified)
   {
@@ -131,14 +131,14 @@ private:
         frame, first, second, [this](Edge_index e) { return m_named.contains(e); }, classified);
     keep_named(
         frame, second, first, [](Index) { return false; },
-        classified); // those that it names are in already
+        classified); // edges that both name are in already
     if constexpr (is_exact)
       keep_of_opposite_ends(frame, first, second, classified);
     if (second.hull_turns_once())
       classified.set_hull_turns_once();
   }
 
-  // Keeps the edges that `namer` names, if the other one names them too, or names an end of them.
+  // Adds the edges that `namer` names, if `other` names them, too, or names one of their ends.
   template <class Frame, class Classification, class Is_named>
   void keep_named(const Frame& frame, const Classification& namer, const Classification& other,
                   Is_named is_named, Classification& classified)

@@ -26,8 +26,8 @@ Castro and Devillers, *Delaunay triangulations for moving points*, INRIA RR-6750
 `r` the larger one of `|ob|` and `|oc|`, and `R` the smaller one of `|oa|` and `|od|`. The radius of
 a vertex's disk is the minimum of `(R - r) / 2` over all edges that it is an end of or opposite to;
 at the hull, about half of a distance is taken instead. If vertices have left their disks, exact
-predicates test all these edges of theirs, and the vertices of the edges that are not Delaunay are
-classified.
+predicates test all edges that these vertices are ends of or opposite to, and the vertices of the
+edges that are not Delaunay are classified.
 
 It is *exact*: it misses no edge (\ref SafeEdgesVertices). So it classifies the same as
 `Circumcircle_classifier_2`. `Circumcircle_classifier_2` keeps slack for edges instead of vertices,
@@ -65,7 +65,7 @@ public:
   template <class Frame>
   void after_update(const Frame& frame)
   {
-    // m_moved holds numbers of vertices
+    // vertex numbers in m_moved are of no use after vertices were renumbered
     if (m_holds && !frame.everything_is_new() && frame.positions_are_exact() &&
         !(frame.has_other_numbers() && !m_moved.empty())) {
       ++m_held;
@@ -88,7 +88,7 @@ private:
 
   static constexpr unsigned frames_worth_it = 16, max_rest = 64;
 
-  // False if too many vertices moved: then testing all edges costs less.
+  // Lists vertices outside of their disks. False if too many: testing all edges then costs less.
   template <class Frame>
   bool find_moved(const Frame& frame)
   {
@@ -101,7 +101,7 @@ private:
     return 64 * m_moved.size() <= frame.number_of_vertices();
   }
 
-  // A reference of a point's other image says nothing, however near it is.
+  // Adds vertices that jumped or are given by another image: their references prove nothing.
   template <class Frame>
   void add_relocated(const Frame& frame)
   {
@@ -200,7 +200,7 @@ private:
 
   bool m_holds = false;
   std::vector<Position> m_references;   // the centers of the disks
-  std::size_t m_cell_changes = 0;       // before these
+  std::size_t m_cell_changes = 0;       // when these were taken
   std::vector<double> m_squared_bounds; // of the disks' radii; negative where there is no disk
   std::vector<double> m_tolerances;     // of each edge
   std::vector<Index> m_moved;           // vertices that left their disks

@@ -21,15 +21,15 @@ namespace CGAL {
 Uses Voronoi edges to bound how far vertices may move (thesis 7.2.3). The Voronoi edge of an edge
 `bc` with the opposite vertices `a` and `d` gets shorter when `b` and `c` move apart, away from it,
 and when `a` and `d` approach each other, towards its ends. So each Voronoi edge bounds the motion
-of four vertices, and that of a vertex with six neighbors is bounded in twelve directions. With `Vt`
-the length of the Voronoi edge when the neighborhood was last triangulated, and `bct` and `adt` the
+of four vertices, and a vertex with six neighbors is bounded in twelve directions. With `Vt` the
+length of the Voronoi edge when the neighborhood was last triangulated, and `bct` and `adt` the
 distances at that time, the four are classified when
 
 \f[ (|bc| - bc_t) + (ad_t - |ad|) > x\, V_t . \f]
 
-Between equilateral faces the Voronoi edge loses 0.6 of the length by which `b` and `c` move apart
-and 0.7 of that by which `a` and `d` approach each other. So `x = 1` is cautious there; at flat
-faces it is not. At the hull, where Voronoi edges do not end, edges are classified as by
+Between equilateral faces the Voronoi edge loses 0.6 of the length by which `b` and `c` move apart,
+and 0.7 of the length by which `a` and `d` approach each other. So `x = 1` is cautious there; at
+flat faces it is not. At the hull, where Voronoi edges do not end, edges are classified as by
 `Voronoi_circumcenter_classifier_2`. It is *heuristic*: motion along the edge goes unnoticed.
 
 Cost: one pass over all edges with two distances each; memory for one double an edge.

@@ -19,7 +19,7 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
 Lists the finite edges of a `Distributed_dynamic_Delaunay_triangulation_2` that were created and
-removed since the last `compute()`. Each of them is in the list of one rank; an edge that has only
+removed since the last `compute()`. Each such edge is in the list of one rank; an edge that has only
 changed its owner is in no list.
 
 Cost: the edges of each rank are sorted, and the changes are sent.
@@ -43,9 +43,9 @@ public:
     m_edges.compare(dt.ranks(), std::move(edges));
   }
 
-  /// the created edges that this rank tells, in ascending order.
+  /// the created edges that are listed on this rank, in ascending order.
   const std::vector<Edge>& created_edges() const { return m_edges.created(); }
-  /// the removed edges that this rank tells, in ascending order.
+  /// the removed edges that are listed on this rank, in ascending order.
   const std::vector<Edge>& removed_edges() const { return m_edges.removed(); }
 
 private:

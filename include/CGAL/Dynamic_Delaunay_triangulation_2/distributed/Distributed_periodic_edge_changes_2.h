@@ -25,14 +25,14 @@ namespace CGAL {
 
 Lists the edges of a `Distributed_dynamic_periodic_Delaunay_triangulation_2` that were created and
 removed since the last `compute()`: what `Periodic_edge_changes_visitor_2` is for one process. Each
-of them is in the list of one rank; an edge that has only changed its owner is in no list.
+such edge is in the list of one rank; an edge that has only changed its owner is in no list.
 
 All shifts, also those of removed edges, are for the present positions and the present cell: a point
 that is wrapped, or a cell that is exchanged for another one of the same lattice, changes no edge.
 Points are taken to have gone the shortest way since the last call, in multiples of the cell's
 vectors, and the cell's present vectors to be those nearest to the former ones, as in one frame of
-one process. So after each frame the lists are those of one process, but where more than three
-images are on an empty circle.
+one process. So if `compute()` is called after each frame, the lists are those of one process,
+except where more than three images are on an empty circle.
 
 Cost: points and edges of each rank are sorted; the changes are sent, and every rank hears of all
 points that were wrapped.
@@ -86,9 +86,9 @@ public:
     m_edges.compare(dt.ranks(), std::move(edges));
   }
 
-  /// the created edges that this rank tells, in ascending order.
+  /// the created edges that are listed on this rank, in ascending order.
   const std::vector<Edge>& created_edges() const { return m_edges.created(); }
-  /// the removed edges that this rank tells, in ascending order.
+  /// the removed edges that are listed on this rank, in ascending order.
   const std::vector<Edge>& removed_edges() const { return m_edges.removed(); }
 
 private:
@@ -105,7 +105,7 @@ private:
     static Edge read(Message& message) { return message.read<Edge>(); }
   };
 
-  // From a point to its own image there are two ways to call an edge.
+  // Returns the edge as it is listed: its reverse, for some edges from a point to its own image.
   static Edge in_order(const Edge& edge)
   {
     const Edge reverse{edge.j, edge.i, {-edge.shift[0], -edge.shift[1]}};

@@ -25,30 +25,31 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-The members that distributed triangulations, of moving points on the ranks of an MPI communicator,
-share in the plane and in periodic space: `Distributed_dynamic_Delaunay_triangulation_2` and
-`Distributed_dynamic_periodic_Delaunay_triangulation_2` derive from it. All ranks
-must call a *collective* function together.
+The common members of distributed triangulations of moving points on the ranks of an MPI
+communicator. `Distributed_dynamic_Delaunay_triangulation_2` and
+`Distributed_dynamic_periodic_Delaunay_triangulation_2` derive from this class. All ranks must call
+a *collective* function together.
 
 Each rank owns some points, and holds copies of points of other ranks, its *ghosts*; in periodic
-space, other images of its own points as well. After construction and after each update every face
-with a corner that the rank owns is proved to be a face of the triangulation of all points: no point
-of any rank is strictly inside of its circumcircle, and the rank holds all points on that circle.
-Edges and faces depend only on points and ids, and the cell of periodic space, not on how many ranks
-there are or what they own. The page \ref DynamicDelaunayTriangulation2Ranks describes the protocol,
-and proves this.
+space, ghosts are also other images of its own points. After construction and after each update
+every face with a corner that the rank owns is proved to be a face of the triangulation of all
+points: no point of any rank is strictly inside of its circumcircle, and the rank holds all points
+on that circle. Edges and faces depend only on points and ids, and the cell of periodic space, not
+on how many ranks there are or which points they own. The protocol is described, and this is proved,
+on the page \ref DynamicDelaunayTriangulation2Ranks.
 
 Each rank owns a stretch of a Hilbert curve through all points. When a rank holds too many points,
 compared with what ranks held after the last distribution, `update()`, `insert()` or `remove()`
 distributes all points anew at its end: `number_of_distributions()` then has grown, `owned_ids()`
-has other points in another order, and `carry()` brings the user's data along.
+returns other ids in another order, and `carry()` brings the user's data along.
 
-Of MPI 3 it uses its own copy of the communicator, `MPI_Allreduce`, `MPI_Allgather(v)`, synchronous
-sends with a barrier that does not block, and for checkpoints `MPI_File`. The thread that calls a
-function of this class makes all calls of MPI, so `MPI_THREAD_FUNNELED` is enough if that is the
-main thread. MPI must be initialized before, and finalized after the object is gone. An error of MPI
-ends the program, unless the user gave the communicator another error handler. An exception that one
-rank alone throws and does not catch ends the program, too: `mpirun` then ends the other ranks.
+This class uses MPI 3: its own copy of the communicator, `MPI_Allreduce`, `MPI_Allgather(v)`,
+synchronous sends with a barrier that does not block, and, for checkpoints, `MPI_File`. The thread
+that calls a function of this class makes all calls of MPI, so `MPI_THREAD_FUNNELED` is enough if
+that is the main thread. MPI must be initialized before, and finalized after the object is gone. An
+error of MPI ends the program, unless the user gave the communicator another error handler. An
+exception that one rank alone throws and does not catch ends the program, too: `mpirun` then ends
+the other ranks.
 
 \tparam Space an internal type: the plane or a torus.
 */
@@ -110,8 +111,8 @@ public:
   /// \name Population
   /// @{
 
-  /// adds points. The rank that is given them owns them, after the points that it owns already,
-  /// unless all points are distributed anew. Collective; a rank may give none.
+  /// adds points. The rank that is given them owns them, after its other points in the order of
+  /// updates, unless all points are distributed anew. Collective; a rank may give none.
   ///
   /// Cost: that of an update in which these points jump; every rank hears of all new ids.
   /// \tparam InputIterator its values are pairs of an `Id` and a `Point`.
@@ -126,12 +127,12 @@ public:
     return m_core.insert(first, beyond);
   }
 
-  /// removes points, whatever ranks own them. Collective; a rank may give none.
+  /// removes points, whichever ranks own them. Collective; a rank may give none.
   ///
-  /// Cost: as an update, and every rank hears of all these ids.
+  /// Cost: that of an update; every rank hears of all these ids.
   /// \tparam InputIterator its values are ids.
   /// \throws Repeated_id_error_2 if two ranks, or one rank twice, give the same id,
-  /// Unknown_user_id_error_2 if no point has it: on all ranks, and nothing has changed on any.
+  /// Unknown_user_id_error_2 if no point has a given id: on all ranks; nothing has changed then.
   /// \post `is_certified()`
   template <class InputIterator>
   Update_report_2 remove(InputIterator first, InputIterator beyond)
@@ -144,8 +145,8 @@ public:
   /// \name Distribution
   /// @{
 
-  /// makes each rank own a stretch of a Hilbert curve, with about equally many points.
-  /// Collective. Cost: as construction.
+  /// makes each rank own a stretch of a Hilbert curve, with about equally many points. Collective.
+  /// Cost: that of construction.
   void distribute()
   {
     const Floating_point floating_point;
@@ -161,7 +162,7 @@ public:
   /// points are inserted or removed. After construction, the points before are those that the rank
   /// was given.
   /// \tparam T trivially copyable.
-  /// \throws Point_count_error_2 if there are not as many as points before, or
+  /// \throws Point_count_error_2 if there are not as many data as points before, or
   /// Distributed_input_error_2 on the other ranks.
   template <class T>
   std::vector<T> carry(const std::vector<T>& data)
@@ -194,12 +195,13 @@ public:
 
   /// the triangulation of the points that this rank holds: of their images in periodic space, as
   /// points of the plane. Its faces at the points that the rank owns, whose ids there `held_id()`
-  /// tells, are those of all points; its other faces may not be. So properties of these vertices,
-  /// such as `Voronoi_cell_measures_2`, are true for all points. Where four points or more are on a
-  /// circle its diagonals may differ from those of `for_each_edge()`.
+  /// returns, are faces of the triangulation of all points; its other faces may not be. So
+  /// properties of these points, such as `Voronoi_cell_measures_2`, are those in the triangulation
+  /// of all points. Where four points or more are on a circle its diagonals may differ from those
+  /// of `for_each_edge()`.
   const Held_triangulation& held_triangulation() const { return points().dt(); }
-  /// the id of a held point in `held_triangulation()`, until the next call that changes points: in
-  /// periodic space that of the image that this rank owns, or else of a ghost.
+  /// the id of a held point in `held_triangulation()`, until the next call that changes points. In
+  /// periodic space it is that of the image that this rank owns, or else of a ghost.
   /// \pre `holds(id)`
   size_type held_id(Id id) const { return points().place(id); }
 
@@ -210,14 +212,14 @@ public:
   /// \name Checkpoints
   /// Positions and ids of all points, and the cell of periodic space, in one file, which all ranks
   /// write and read together, by `MPI_File`. Edges and faces depend on nothing else, so a run
-  /// continues with the same ones, on any number of ranks.
+  /// continues with the same edges and faces, on any number of ranks.
   ///
   /// A file is written under its name with `.unfinished` appended, and renamed when it is complete.
   /// So the last checkpoint stays readable, whenever a rank dies.
   /// @{
 
   /// writes the points and the cell as they are triangulated. Collective. Cost: 24 bytes a point.
-  /// \throws Checkpoint_error_2 on all ranks if writing fails; a file that had the name before is
+  /// \throws Checkpoint_error_2 on all ranks if writing fails; a file that had this name before is
   /// still there.
   void write_checkpoint(const std::string& path)
   {
@@ -238,16 +240,16 @@ public:
   }
 
   /// replaces points and cell by those in a file, and distributes points as the constructor does.
-  /// Collective. \throws Checkpoint_error_2 on all ranks if there is no such file, if it is not as
-  /// it was written, or if it has data of the user; nothing has changed then on any rank. \post
-  /// `is_certified()`
+  /// Collective. \throws Checkpoint_error_2 on all ranks if there is no such file, if it is no
+  /// intact checkpoint of this class, or if it has data of the user; nothing has changed then on
+  /// any rank. \post `is_certified()`
   void read_checkpoint(const std::string& path)
   {
     const Floating_point floating_point;
     m_core.read_checkpoint(path);
   }
 
-  /// replaces points, cell and `data`, by the points in a file and the user's data of those that
+  /// replaces points and cell by those in a file, and `data` by the user's data of the points that
   /// this rank owns then. Collective. \throws Checkpoint_error_2 as above, and if the data in the
   /// file have not the size of T.
   template <class T>
@@ -285,16 +287,16 @@ public:
   /// Of this rank, since construction.
   /// @{
 
-  /// how many calls needed questions of any rank.
+  /// the number of calls in which any rank had questions.
   size_type number_of_asking_frames() const { return m_core.proof().number_of_asking_frames(); }
-  /// how often ranks have asked each other.
+  /// the number of rounds in which ranks have asked each other.
   size_type number_of_rounds() const { return m_core.proof().number_of_rounds(); }
   /// messages that this rank has sent, collective calls of MPI not counted.
   size_type number_of_messages() const { return m_core.ranks().exchange().sent_messages(); }
   /// bytes that this rank has sent, collective calls of MPI not counted.
   size_type number_of_bytes() const { return m_core.ranks().exchange().sent_bytes(); }
-  /// bytes that all ranks have told all others, in collective calls: zones, boxes and, in the
-  /// plane, outlines.
+  /// bytes that all ranks have told all others, in collective calls: such as zones, boxes, inserted
+  /// and removed ids and, in the plane, outlines.
   size_type number_of_gathered_bytes() const { return m_core.ranks().gathered_bytes(); }
   /// seconds in which this rank has sent, received or waited.
   double communication_seconds() const { return m_core.ranks().exchange().seconds(); }

@@ -21,7 +21,7 @@ Chooses for every frame between mending and rebuilding, from an estimate of both
 on it tests a sample of the edges first, and rebuilds a frame in which more than a ninth of the
 sample is not Delaunay. It tries to mend another frame if less than half as many edges are broken as
 at the last failure, or after a pause, which grows by one frame with each failure in a row, from
-none up to 63 frames. A success ends this.
+none up to 63 frames. After a success it tests no samples, until it fails again.
 
 Costs are counted, not clocked: in flips, and in spliced and relocated vertices, each weighted with
 a time that was measured once. So equal input gives equal choices.

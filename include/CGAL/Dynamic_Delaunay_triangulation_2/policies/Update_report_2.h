@@ -36,7 +36,7 @@ struct Update_report_2
 {
   /// vertices that the classifier picked.
   std::size_t classified = 0;
-  /// vertices in the layers of padding around them (border splice only).
+  /// vertices in the layers of padding around the classified ones (border splice only).
   std::size_t padded = 0;
   /// vertices in the layer beyond the padding (border splice only).
   std::size_t border = 0;
@@ -46,7 +46,7 @@ struct Update_report_2
   std::size_t splices = 0;
   /// vertices of spliced regions, borders included; a vertex of several regions is counted in each.
   std::size_t spliced = 0;
-  /// enlargements of regions whose boundary and that of their new triangulation disagreed.
+  /// enlargements of regions, because the boundaries of old and new faces disagreed.
   std::size_t enlargements = 0;
   /// vertices that moved far, and were taken out of their faces and inserted elsewhere; with
   /// `Relocation_repair_2` those that CGAL's `move_if_no_collision()` moved.

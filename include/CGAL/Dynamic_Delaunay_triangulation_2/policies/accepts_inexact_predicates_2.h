@@ -25,7 +25,7 @@ struct Rounds_predicates_2<Kernel, std::void_t<decltype(Kernel::Has_filtered_pre
 {
 };
 
-// Of traits: asks their kernel, if they name one as CGAL's projection traits do.
+// Whether traits, or the kernel that they name as CGAL's projection traits do, round predicates.
 template <class Traits, class = void>
 struct Are_known_to_be_inexact_2 : Rounds_predicates_2<Traits>
 {
@@ -45,7 +45,7 @@ struct Are_known_to_be_inexact_2<Traits, std::void_t<typename Traits::Rp>>
 Whether a `Dynamic_Delaunay_triangulation_2` may have traits whose predicates are known to be
 inexact, such as `Simple_cartesian<double>`. By default it may not, and does not compile. To allow
 such traits, specialize this variable template as `true` for them. The triangulation is then *never*
-certified, and every function that needs that, such as
+certified, and every function that needs a certificate, such as
 `Dynamic_Delaunay_triangulation_2::triangulation()`, throws `Uncertified_triangulation_error_2`.
 */
 template <class Traits>

@@ -60,8 +60,8 @@ Every measure has an entry for each id.
 Accuracy: a chord at the distance h from the point, from u to u', adds h (u' - u) / 2 to the area,
 and an arc with the angle w adds r^2 w / 2. If the point is inside of the domain all of these are
 positive, so the area has a relative error of a few roundings for each piece, however thin the cell
-is. Lengths have errors of a few roundings of the radius, but where curves are about tangent: two
-discs that touch may have a contact of 10^-8 radii, or none.
+is. Lengths have errors of a few roundings of the radius, except where curves are nearly tangent:
+two discs that touch may have a contact of 10^-8 radii, or none.
 
 An object keeps its memory. In the plane, threads share the points if the triangulation has the
 `Parallel_tag`; the result is the same.
@@ -95,12 +95,12 @@ public:
   {
     Side side;              ///< what is on the other side.
     size_type other;        ///< the id of the neighbor whose bisector it is on, the number of the
-                            ///< wall, or of an arc the id of the cell.
+                            ///< wall, or for an arc the id of the cell.
     Periodic_shift_2 shift; ///< by which the neighbor is translated; 0 in the plane.
     Position from;          ///< where it begins.
     Position to;            ///< where it ends.
-    double length;          ///< that of the segment or of the arc.
-    double angle;           ///< of an arc around the point; 0 for a segment.
+    double length;          ///< the length of the segment or of the arc.
+    double angle;           ///< the angle of an arc, at the point; 0 for a segment.
   };
 
   /// the measures of a cell.
@@ -268,7 +268,7 @@ public:
 protected:
   using Polygon = Dynamic_Delaunay_triangulations_2::internal::Bounded_cell_2;
 
-  // What a side of a cell is to be named.
+  // What the pieces on a side of a cell record.
   struct Label
   {
     Side side;
@@ -277,14 +277,14 @@ protected:
     double radius; // of the neighbor
   };
 
-  // A closed line of pieces, by the number of the first one.
+  // A closed line of pieces; `first` is the number of the first one.
   struct Ring
   {
     size_type first;
     double area; // negative around a hole
   };
 
-  // Some cells, and memory for one after the other.
+  // The pieces and rings of some cells, and memory that one cell after the other uses.
   struct Part
   {
     bool has_pieces = true;
@@ -294,13 +294,13 @@ protected:
     std::vector<Label> labels{};
   };
 
-  // Where the pieces and rings of a cell are at first, in the order of space.
+  // Where the pieces and rings of a cell are in a part, until they are in the order of ids.
   struct Source
   {
     size_type part, first_piece, first_ring, pieces, rings;
   };
 
-  // Adds up the pieces of a boundary around p, and lists them.
+  // Adds up the measures of a cell around p, piece by piece, and lists the pieces.
   class Boundary_2
   {
   public:
@@ -384,7 +384,7 @@ protected:
     Position m_moment{0, 0}; // three times the area times the vector to the centroid
   };
 
-  // Of what belongs to no neighbor and to no wall.
+  // The label of pieces that are on no neighbor and no wall.
   static Label free_label(size_type id) { return {Side::FREE, id, {0, 0}, 0}; }
 
   static void check_radius(double radius, bool may_be_infinite)
@@ -460,8 +460,8 @@ protected:
     compute_in(space, radius, Walls_2{*this});
   }
 
-  // A cutter is called with a space, an id, the radius of each id and a part, adds the pieces of
-  // the cell and returns its measures. Each range of cells has a copy of it.
+  // Computes all cells. `cutter(space, id, radius, part)` appends the pieces of a cell to the part,
+  // and returns the measures of the cell. Each range of cells has its own copy of the cutter.
   template <class Space, class Radius, class Cutter>
   void compute_in(const Space& space, const Radius& radius, const Cutter& cutter)
   {
@@ -540,7 +540,7 @@ protected:
     m_free_lengths[id] = measures.free_length;
   }
 
-  // Parts keep their memory, and their places while others are added.
+  // Returns the number of an unused part. Parts keep their memory, and adding one moves no other.
   size_type take_part(size_type& used, std::mutex& taking)
   {
     const std::lock_guard<std::mutex> lock(taking);
@@ -560,9 +560,9 @@ protected:
     m_sources.assign(m_has_pieces ? ids : 0, {0, 0, 0, 0, 0});
   }
 
-  // The sides of a cell are the bisectors with its neighbors, in their order. Those beyond the
-  // radius do not matter, unless they are needed to close the polygon. If the radius is infinite no
-  // more matters than what is within reach().
+  // Makes `cell` the polygon of the bisectors with all neighbors, in their order. If these do not
+  // close, cuts it out of a square by the bisectors within the radius. The square is larger than
+  // the disc, or if the radius is infinite, than the disc with the radius reach().
   template <class Space, class Radius, class Reach>
   static void cut_cell(const Space& space, size_type id, const Radius& radius, const Reach& reach,
                        Polygon& cell, std::vector<Label>& labels)
@@ -627,7 +627,7 @@ protected:
 
   size_type next(size_type corner) const { return corner + 1 < m_domain.size() ? corner + 1 : 0; }
 
-  // The distance of the farthest corner of the domain.
+  // Returns the distance from p to the farthest corner of the domain.
   double reach(const Position& p) const
   {
     double farthest = 0;
@@ -636,7 +636,7 @@ protected:
     return farthest;
   }
 
-  // Adds up the pieces of the polygon around p, and appends them.
+  // Returns the measures of the polygon around p, and appends its pieces.
   static Measures measure(const Position& p, size_type id, double radius, Part& part)
   {
     Boundary_2 boundary(p, id, radius, part.has_pieces ? &part.pieces : nullptr);
@@ -665,7 +665,7 @@ protected:
     }
   }
 
-  // Gives points that coincide what their representative has.
+  // Divides areas among points that coincide, and copies all measures to duplicates.
   template <class Space>
   void share_areas(const Space& space)
   {
@@ -691,7 +691,7 @@ private:
   std::vector<Piece> m_pieces;
   std::vector<size_type> m_first_pieces;
   bool m_has_pieces = true;
-  std::vector<double> m_sharers; // of the cell of each representative
+  std::vector<double> m_sharers; // the number of points that share the cell, by representative
 
 protected:
   std::vector<Source> m_sources; // of each id

@@ -38,8 +38,8 @@ corner of two curves moves by \f$w\f$ with \f$w \cdot n = v\f$ for both of them.
 
 A length has no gradient where the curves at one of its ends are tangent: a contact that just begins
 grows infinitely fast. Such a corner adds nothing if the curves are tangent but for rounding. A
-contact between points with equal radii would end at the smaller one if they differed, so there is
-no gradient by one of these radii alone; the sum over all radii is the gradient by a common radius.
+contact between points with equal radii would end at the smaller circle if these differed, so there
+is no gradient by one of them alone; the sum over all radii is the gradient by a common radius.
 
 \sa `Bounded_voronoi_cells_2`
 */
@@ -104,8 +104,8 @@ private:
   using Piece = Cells::Piece;
   using Side = Cells::Side;
 
-  // A curve that bounds a cell: a bisector with the vector `way` to a point, the circle around a
-  // point at `way` from the cell's, or a wall.
+  // A curve that bounds a cell: the bisector with a neighbor at `way` from the cell's point, the
+  // circle around a point at `way` from it, or a wall.
   struct Curve
   {
     enum Kind { BISECTOR, CIRCLE, WALL } kind;
@@ -114,7 +114,7 @@ private:
     Vector wall_normal;
   };
 
-  // Each of several points in one place has an equal part of the area.
+  // Points that coincide share the area equally, so the weight of their cell is the mean of theirs.
   template <class Dynamic>
   void find_weights_of_cells(const Dynamic& dt, const std::vector<double>& weights)
   {
@@ -166,7 +166,7 @@ private:
     return {Curve::WALL, id, {0, 0}, {(q.y - p.y) / length, -(q.x - p.x) / length}};
   }
 
-  // Where x is relative to the cell's point.
+  // Returns the unit normal of a curve at the place x, relative to the cell's point.
   static Vector normal(const Curve& curve, const Vector& x)
   {
     const auto unit = [](const Vector& v) {
@@ -215,7 +215,7 @@ private:
     }
   }
 
-  // Adds how a corner moves along a direction, where two curves meet.
+  // Adds the gradient of the motion of a corner, where two curves meet, along `direction`.
   void add_corner(size_type id, const Curve& first, const Curve& second, const Vector& x,
                   const Vector& direction)
   {
@@ -249,7 +249,7 @@ private:
       Curve there = curve(dt, cells, id, next);
       const Vector along = turned_left(normal(here, to)),
                    along_next = turned_left(normal(there, to));
-      // where a neighbor's reach ends, both pieces are on one line
+      // if the neighbor's circle ends a contact here, both pieces are on one bisector
       if (here.kind == Curve::BISECTOR && there.kind == Curve::BISECTOR &&
           piece.side != next.side && here.other == there.other && piece.shift == next.shift)
         there = {Curve::CIRCLE, here.other, here.way, {0, 0}};

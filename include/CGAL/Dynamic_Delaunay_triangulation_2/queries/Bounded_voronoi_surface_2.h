@@ -106,8 +106,8 @@ private:
   using Side = Cells::Side;
   static constexpr size_type none = std::size_t(-1);
 
-  // To the free piece after another one, and by which vectors its cell is translated against that
-  // of the other.
+  // The free piece that follows another one, and the shift of its cell relative to the cell of the
+  // other one.
   struct Step
   {
     size_type piece;
@@ -135,7 +135,7 @@ private:
     return piece + 1 < cells.first_pieces()[id + 1] ? piece + 1 : cells.first_pieces()[id];
   }
 
-  // A contact as a piece of the neighbor.
+  // Returns the piece of the neighbor on the same contact, or `none`.
   size_type twin(const Cells& cells, size_type piece) const
   {
     const Piece& contact = cells.pieces()[piece];
@@ -149,7 +149,7 @@ private:
     return none;
   }
 
-  // Turns around the end of a free piece, through all cells that meet there.
+  // Finds the next free piece: turns around the end of this one, through all cells that meet there.
   Step step_from(const Cells& cells, size_type piece) const
   {
     Periodic_shift_2 shift{0, 0};
@@ -191,8 +191,8 @@ private:
       }
   }
 
-  // The area is that of the polygon of chords, and what arcs have beyond them. Chords follow each
-  // other from the line's beginning, whichever images their pieces are.
+  // The area is that of the polygon of chords, plus what is between arcs and their chords. Chords
+  // are put end to end, since the pieces may be of different images.
   void add_line(const Cells& cells, size_type first)
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
@@ -226,7 +226,7 @@ private:
   std::vector<size_type> m_pieces, m_first_pieces, m_ids;
   std::vector<double> m_areas;
   std::vector<Periodic_shift_2> m_windings;
-  std::vector<size_type> m_owners; // of each piece of a cell
+  std::vector<size_type> m_owners; // the ids of the cells of all pieces
   std::vector<Step> m_steps;
   std::vector<bool> m_has_predecessor, m_is_taken;
 };

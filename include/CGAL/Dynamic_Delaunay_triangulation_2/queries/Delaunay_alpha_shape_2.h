@@ -24,7 +24,7 @@ face, edge and point has the class that `Alpha_shape_2` gives it in its general 
 be in the plane, in a periodic cell or in a slab:
 
 - `EXTERIOR`: not in the alpha complex.
-- `SINGULAR`: in it, and in the boundary of the shape, but at no face of the complex.
+- `SINGULAR`: in the complex, and in the boundary of the shape, but at no face of the complex.
 - `REGULAR`: in the boundary of the shape, and at a face of the complex.
 - `INTERIOR`: in the complex, and not in the boundary.
 
@@ -34,8 +34,8 @@ larger squared radius than alpha. A point without such a face is `SINGULAR`. The
 regularized mode consists of the elements that are `REGULAR` or `INTERIOR`.
 
 All classes are exact: they are decided in doubles with bounds on the errors, and without rounding
-where these bounds do not suffice. Which diagonals stand for cocircular points does not matter for
-the shape, but a diagonal is `INTERIOR` or `EXTERIOR` itself.
+where these bounds do not suffice. The shape does not depend on which diagonals the triangulation
+has between cocircular points, but such a diagonal itself is `INTERIOR` or `EXTERIOR`.
 
 Edges and faces have the numbers that they have in `Dynamic_frame_2`, which change with the
 triangulation. The triangulation must be certified. An object keeps its memory.
@@ -100,7 +100,8 @@ private:
   static constexpr auto REGULAR = Classification_type::REGULAR;
   static constexpr auto INTERIOR = Classification_type::INTERIOR;
 
-  // The class of what has faces, by whether some of them are in the complex, and some are not.
+  // Returns the class of an edge or a point, by whether some of its faces are in the complex, some
+  // are not, and whether it is in the complex without them.
   static Classification_type at_faces(bool some_are_in, bool some_are_out, bool is_alone)
   {
     return some_are_in ? some_are_out ? REGULAR : INTERIOR : is_alone ? SINGULAR : EXTERIOR;

@@ -125,7 +125,7 @@ private:
   struct Duplicate
   {
     Id representative, id;
-    Periodic_shift_2 shift; // of the duplicate, as its representative sees it
+    Periodic_shift_2 shift; // of the image of `id` that coincides with the representative
   };
 
   // Reserves memory for all that will be appended: a triangulation with n vertices has at most 3n
@@ -191,7 +191,7 @@ private:
     std::partial_sum(m_offsets.begin(), m_offsets.end(), m_offsets.begin());
   }
 
-  // In the order of the vertices, since close vertices are close in memory, too; ids may be
+  // Takes the vertices in their order, in which close ones are close in memory, too; ids may be
   // anywhere.
   template <class Frame>
   void write_neighbors(const Frame& frame)
@@ -206,7 +206,7 @@ private:
         });
   }
 
-  // In the plane without a shift.
+  // Writes a neighbor, and in periodic space its shift.
   template <class... Shift>
   void write(size_type place, Id neighbor, const Shift&... shift)
   {

@@ -161,7 +161,7 @@ public:
   /// Cost: that of `nearest()`, plus time proportional to the number of points found and of their
   /// neighbors; in periodic space O(k log k) for k images found.
   /// \param p the center of the circle.
-  /// \param squared_radius the square of its radius, which makes it an exact number.
+  /// \param squared_radius the square of its radius, which can be exact where the radius is not.
   /// \param answers where to write.
   /// \tparam OutputIterator takes values of `Answer`.
   /// \return where the next answer would be written.
@@ -178,9 +178,9 @@ public:
   /// Cost: that of the queries, which threads share, and O(k log k) for k points found.
   /// \param first, beyond the range of places.
   /// \param squared_radius the square of the radius.
-  /// \param answers those for all places; replaced, and not changed if this throws.
-  /// \param begins where those of each place begin, and in the end the number of all of them;
-  /// replaced, and not changed if this throws.
+  /// \param answers receives the answers for all places; does not change if this throws.
+  /// \param begins receives where the answers for each place begin, and at its end the number of
+  /// all answers; does not change if this throws.
   /// \tparam ForwardIterator has the value type `Point`.
   /// \throws Parameter_error_2 if the squared radius is negative or not a finite number.
   template <class ForwardIterator>
@@ -231,7 +231,7 @@ private:
       throw Parameter_error_2("the squared radius", value, 0, largest);
   }
 
-  // `number` is that of the place in its range, for errors.
+  // `number` is the number of the place in its range, for errors.
   std::optional<Answer> find_nearest(const Point& p, size_type number) const
   {
     const Space space(*m_dt, p, number);
@@ -315,7 +315,7 @@ private:
     }
   }
 
-  // Calls f(answer) for every point at the sites that were found, except the one that asks.
+  // Calls f(answer) for every point at the sites that were found, except for `asking`.
   template <class Function>
   void for_each_found(const Space& space, const std::optional<Answer>& asking,
                       const Function& f) const
@@ -350,7 +350,7 @@ private:
   const Dynamic* m_dt;
   mutable Index m_last = 1; // the vertex found by the last walk
   mutable typename Space::Sites m_found;
-  mutable std::vector<Site> m_open; // whose neighbors are still to be seen
+  mutable std::vector<Site> m_open; // sites whose neighbors flood() has still to visit
 };
 
 } // namespace CGAL

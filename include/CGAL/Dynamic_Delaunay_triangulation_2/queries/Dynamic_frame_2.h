@@ -213,10 +213,10 @@ public:
   std::array<Position, 3> face_corners(Face_index f) const { return m_state->face_corners(f); }
 
   /// whether one of the four vertices of edge `e` is the infinite one; in a slab, whether they are
-  /// on both sides of the gap beside it.
+  /// not all on one side of the gap beside the slab.
   bool is_at_infinity(Edge_index e) const { return m_state->is_at_infinity(e); }
   /// for an edge at infinity: whether its finite face is not counterclockwise, or the hull turns
-  /// right at the edge's end, as computed in floating point. False for all other edges.
+  /// right at the edge's end, in floating point (in a slab exactly). False for other edges.
   bool breaks_hull(Edge_index e) const { return m_state->breaks_hull(e); }
 
   /// whether edge `e` needs no repair: it is locally Delaunay, its faces are counterclockwise, and
@@ -253,7 +253,7 @@ public:
 
   /// whether the hull turns around once, given that it is convex at each of its vertices. Otherwise
   /// a triangulation could overlap itself although all its edges are Delaunay. Cost: a walk around
-  /// the hull. In periodic space there is none to walk around: true.
+  /// the hull. Always true in periodic space.
   bool hull_turns_once() const
   {
     if constexpr (State::is_periodic)
@@ -276,8 +276,8 @@ public:
   /// the vertices that jumped and were moved to other faces, if not everything is new and no
   /// numbers changed. All their edges are among `new_edges()`. In periodic space also the vertices
   /// of points that are given by another image than before, as where they were wrapped: their edges
-  /// need not be new, and a classifier is told of them already while it classifies. References of
-  /// their positions have to be taken anew.
+  /// need not be new, and a classifier is told of them already while it classifies. A classifier
+  /// that remembers positions has to replace those of these vertices.
   const std::vector<Index>& relocated_vertices() const { return m_state->changes().relocated; }
   /// whether vertices were inserted or removed, but not everything is new. Then some vertices,
   /// edges and faces have taken the numbers of removed ones.
@@ -287,7 +287,7 @@ public:
   }
   /// updates per-vertex data, indexed by vertex numbers from 0 on, after vertices were inserted or
   /// removed, if not everything is new. Moves the data of vertices whose numbers changed, and
-  /// appends `make(v)` for every inserted vertex `v`. Cost: proportional to the number of those.
+  /// appends `make(v)` for every inserted vertex `v`. Cost: proportional to the number of both.
   template <class T, class Make>
   void follow_vertices(std::vector<T>& data, const Make& make) const
   {

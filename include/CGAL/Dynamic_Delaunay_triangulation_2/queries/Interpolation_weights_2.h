@@ -101,7 +101,7 @@ public:
     });
   }
 
-  /// computes linear weights. Cost: the same walks.
+  /// computes linear weights. Cost for each place: the walk.
   template <class Dynamic, class ForwardIterator>
   void compute_linear(const Dynamic& dt, ForwardIterator first, ForwardIterator beyond)
   {
@@ -124,17 +124,17 @@ public:
   const std::vector<size_type>& offsets() const { return m_offsets; }
   /// the ids of all lists, ascending in each.
   const std::vector<Id>& ids() const { return m_ids; }
-  /// the weights of these points, from 0 to 1. Those of a list with k entries add up to 1, but for
-  /// k 2<sup>-53</sup>.
+  /// the weights of these points, from 0 to 1. Those of a list with k entries add up to 1, up to an
+  /// error of k 2<sup>-53</sup>.
   const std::vector<double>& weights() const { return m_weights; }
-  /// in periodic space, which images they are, as in `Delaunay_point_queries_2`: the image is at
-  /// `point(id)` plus `shift[0]` times the cell's first vector plus `shift[1]` times its second
-  /// one. Empty in the plane.
+  /// in periodic space, which images have these weights, as in `Delaunay_point_queries_2`: the
+  /// image is at `point(id)` plus `shift[0]` times the cell's first vector plus `shift[1]` times
+  /// its second one. Empty in the plane.
   const std::vector<Periodic_shift_2>& shifts() const { return m_shifts; }
 
   /// writes the interpolated value at each place, in their order: the weighted sum of the points'
   /// values.
-  /// \param values begin with that of id 0, and have one for each id in `ids()`.
+  /// \param values the points' values, by ids from 0 on; read only for the ids in `ids()`.
   /// \param results where to write.
   /// \param outside what is written for places without weights.
   /// \tparam RandomAccessIterator has a value type V with `V + double * V`: numbers, vectors.

@@ -153,15 +153,15 @@ private:
   struct Cell
   {
     double area_weight = 0, perimeter_weight = 0;
-    double points = 0; // that share it
+    double points = 0; // the number of points that share it
     Vector gradient{0, 0};
     bool is_unbounded = false;
 
     bool has_weight() const { return area_weight != 0 || perimeter_weight != 0; }
   };
 
-  // Adds up the faces. False if one is flat: then its cells are unbounded, and their weights, which
-  // others have used, count for nothing.
+  // Adds what all faces contribute. False if a flat face makes a cell unbounded: its weights must
+  // count for nothing then, but other faces have used them.
   template <class Space>
   bool add_faces(const Space& space, const std::vector<double>& area_weights,
                  const std::vector<double>& perimeter_weights)
@@ -242,8 +242,8 @@ private:
     }
   }
 
-  // What the face adds for its side k, from i to j, whose weights have this difference; h is the
-  // cotangent of the angle opposite to it.
+  // Adds what the face contributes for its side k, from i to j. `difference` is that of their area
+  // weights, and h the cotangent of the angle opposite to the side.
   static void add_areas(double difference, double h, const Face& face, std::size_t k, Vector& i,
                         Vector& j)
   {

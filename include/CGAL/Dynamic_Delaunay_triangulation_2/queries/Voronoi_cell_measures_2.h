@@ -49,7 +49,7 @@ them has an entry for every id.
   takes its place: a relaxation leaves the point where it is.
 - A clipped cell that does not reach into the box has the shape index 0. Without area, but with a
   perimeter, the shape index is infinite.
-- Removed ids have 0 for all of them.
+- Removed ids have 0 for all measures.
 
 For a `Dynamic_population_2`, the index of a cell is `population.id(user_id)`.
 
@@ -196,8 +196,8 @@ private:
   struct Cell
   {
     double area = 0, perimeter = 0;
-    Position moment{0, 0}; // if it is whole: three times the area times the vector to the centroid
-    double points = 1;     // that share it
+    Position moment{0, 0}; // of a whole cell: three times the area times the vector to the centroid
+    double points = 1;     // the number of points that share it
 
     // Later additions leave infinity infinite.
     static Cell unbounded() { return {infinity, infinity}; }
@@ -278,14 +278,14 @@ private:
 
   // CLIPPED CELLS -------------------------------------------------------------------------------
 
-  // What is left of the box, around it, and memory for the next cut.
+  // The corners of what is left of the box, counterclockwise, and memory for the next cut.
   struct Polygon
   {
     std::vector<Position> corners{}, clipped{};
 
-    // Cuts off the part where the scalar product with `direction` is larger than `bound`. For the
-    // neighbor both numbers have the opposite sign, whatever their rounding errors: it is the same
-    // line.
+    // Cuts off the part where the scalar product with `direction` is larger than `bound`. The
+    // neighbor's cell is clipped with the opposite signs of both, and the same rounding errors:
+    // along the same line.
     void clip(const Position& direction, double bound)
     {
       using Dynamic_Delaunay_triangulations_2::internal::dot;
@@ -350,8 +350,8 @@ private:
     });
   }
 
-  // Adds up triangles at one corner, which are as small as the cell is, wherever it may be. Returns
-  // the centroid, if it exists.
+  // Adds up the triangles at one corner, which are as small as the cell, however far it is from the
+  // origin. Returns the centroid, if it exists.
   static std::optional<Position> measure(const std::vector<Position>& corners, Cell& cell)
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;

@@ -36,7 +36,7 @@ void for_each_voronoi_edge_of(const Space& space, std::size_t id, const Function
                          if (first)
                            f(right, in_face_before + in_face);
                          else {
-                           first = right; // its face before comes last
+                           first = right; // the face before it comes last
                            in_first_face = in_face;
                          }
                          in_face_before =
@@ -59,8 +59,8 @@ points can have several edges.
 
 The length is infinite where an edge has only one face, as on the hull, and beside a face that is so
 flat that rounding hides its orientation. It is 0, but for rounding, where four points lie on a
-circle. Points that coincide with others have no edges but those of their representatives.
-`Voronoi_cell_measures_2` says how accurate lengths are.
+circle. Where points share a cell, only their representative has edges. `Voronoi_cell_measures_2`
+says how accurate lengths are.
 
 Cost: linear, and three times that of a pass over the faces. Nothing is allocated.
 
@@ -91,11 +91,11 @@ void for_each_voronoi_edge(const Dynamic& dt, const Function& f)
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-writes the corners of the Voronoi cell of a point to `corners`, counterclockwise, and returns the
-iterator behind them: places with two doubles, `x` and `y`. There is one for each face at the point,
-so where four points lie on a circle some corners coincide, up to rounding. In periodic space the
-corners are around the point as it was given, wrapped or not. Nothing is written for an unbounded
-cell.
+writes the corners of the Voronoi cell of a point to `corners`, counterclockwise, as places with two
+doubles, `x` and `y`, and returns the iterator behind them. There is one corner for each face at the
+point, so where four points lie on a circle some corners coincide, up to rounding. In periodic space
+the corners are around the point as it was given, wrapped or not. Nothing is written for an
+unbounded cell.
 
 Cost: proportional to the number of neighbors. Nothing is allocated.
 

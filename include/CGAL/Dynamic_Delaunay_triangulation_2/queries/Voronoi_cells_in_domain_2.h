@@ -26,7 +26,7 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
 The points' Voronoi cells in a domain that is any simple polygon with holes, such as a hall with
-walls and pillars. Cells may also end at a radius, one or many. They work in the plane.
+walls and pillars; only in the plane. Cells may also end at a radius, one for all or one per id.
 
 A wall can divide the part of a cell that is in the domain. A *rule* says what counts:
 
@@ -35,7 +35,7 @@ A wall can divide the part of a cell that is in the domain. A *rule* says what c
 - `CONNECTED`: the component that has the point. So a cell does not continue behind a wall, but may
   reach around a corner. This is the rule of PedPy (`compute_individual_voronoi_polygons`,
   <https://github.com/PedestrianDynamics/PedPy>), which measures the density of crowds;
-- `VISIBLE`: the places in line of sight from the point. They are star-shaped, and have no holes.
+- `VISIBLE`: the places in line of sight from the point. Such cells are star-shaped, without holes.
 
 The boundary of a cell consists of *rings*: of each component the outer boundary, counterclockwise,
 and then the boundaries of its holes, clockwise. A ring consists of pieces as in
@@ -60,10 +60,10 @@ an entry for each id.
   lengths and its centroid. The pieces are those of the representative; the others have none.
 - Removed ids have no pieces, and 0 for all measures.
 
-Method: the domain is triangulated once, and each cell is cut by the triangles that it reaches from
-its point on. Accuracy: areas have a relative error of a few roundings for each piece, times the
-ratio of the squared extent of the cell, from its point on, to its area if walls cut it. Exact
-predicates find what walls hide.
+Method: the domain is triangulated once, and each cell is cut by the triangles that it reaches,
+starting at its point. Accuracy: areas have a relative error of a few roundings for each piece. If
+walls cut the cell, the error is larger by the ratio of the squared extent of the cell, measured
+from its point, to its area. Exact predicates find what walls hide.
 
 An object keeps its memory. Threads share the points if the triangulation has the `Parallel_tag`;
 the result is the same. Nothing of this is compiled unless its header is included.
@@ -251,7 +251,8 @@ private:
   using Face_handle = Domain::Face_handle;
   using Clipped = Dynamic_Delaunay_triangulations_2::internal::Cell_in_domain_2;
 
-  // Cuts a cell, and adds its pieces and rings to a part. Faces where points are may be known.
+  // Cuts a cell, and adds its pieces and rings to a part. `faces`, if given, has the domain's face
+  // at the point of each id.
   class Cutter_2
   {
   public:
@@ -355,7 +356,7 @@ private:
     });
   }
 
-  // In the order of ids, as the pieces are.
+  // Lists the rings of all parts in the order of ids, as the pieces are.
   void collect_rings()
   {
     clear_rings();
@@ -382,7 +383,7 @@ private:
 
   std::shared_ptr<const Domain> m_domain; // copies share it
   Rule m_rule;
-  std::vector<Face_handle> m_faces; // that have the points, by id
+  std::vector<Face_handle> m_faces; // the domain's face at the point of each id
   std::vector<size_type> m_first_rings, m_first_pieces_of_rings;
   std::vector<double> m_ring_areas;
 };

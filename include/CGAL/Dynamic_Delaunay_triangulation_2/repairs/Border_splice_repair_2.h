@@ -14,7 +14,7 @@ namespace CGAL {
 The border splice of the thesis (4.1.3 and 4.1.4): it triangulates only the classified vertices,
 `padding` layers of neighbors around them and one layer of border. The new faces around the
 classified and padded vertices replace the old ones. Where the boundaries of old and new faces
-disagree, the region is enlarged until they agree, if necessary up to a rebuild: no edge can be
+disagree, the region is enlarged until they agree, or everything is rebuilt. So no edge can be
 missing.
 
 With an exact classifier the splice is repeated around the edges that are still open, with more

@@ -30,8 +30,8 @@ In periodic space splices work otherwise. `splice_classified()` flips the edges 
 classified and padded vertices. `splice_open()`, `splice_inverted()` and `relocate()` take the
 vertices of a region out, and insert them anew after the repair; without padding the first two take
 out the vertices that `take_out_farthest()` would. With a heuristic classifier these three examine
-all edges first, since points can be inserted only where all is proved. Vertices that jump are taken
-out before the classifier is asked, so `take_out_jumpers()` does nothing.
+all edges first, since points can be inserted only if all edges are proved. Vertices that jump are
+taken out before the classifier is asked, so `take_out_jumpers()` does nothing.
 
 \tparam Repair_tools an internal type.
 */
@@ -79,20 +79,19 @@ public:
 
   /// limits what the tools may spend from now on: the expected cost of mending the open edges and a
   /// quarter more, plus an eighth of the cost of a rebuild, but at most that of one rebuild.
-  /// Without this call the limit is the cost of two rebuilds. Both have a constant added, which
-  /// matters for small triangulations.
+  /// Without this call the limit is the cost of two rebuilds. A constant is added to both limits;
+  /// it matters for small triangulations.
   void limit_cost() { m_tools.limit_cost(); }
 
-  /// takes vertices out of their faces that are at an open edge that may have inverted faces, and
-  /// moved farther than their neighborhoods reach. After the repair these vertices are inserted
-  /// again at their new positions. Cost: proportional to their number; rebuilds if they are so many
-  /// that this costs less. Does nothing if the classifier is heuristic, or if fewer than three
-  /// vertices would stay.
+  /// takes out of their faces the vertices of open edges that may have inverted faces, if these
+  /// vertices moved farther than their neighborhoods reach. After the repair they are inserted
+  /// again at their new positions. Cost: proportional to their number; rebuilds if that costs less.
+  /// Does nothing if the classifier is heuristic, or if fewer than three vertices would stay.
   void take_out_jumpers() { m_tools.take_out_jumpers(); }
 
   /// takes vertices out as `take_out_jumpers()` does, but other ones: for each open edge that may
-  /// have inverted faces, the one of its four vertices that moved farthest relative to the others.
-  /// Use it after flips.
+  /// have inverted faces, the one of its four vertices that moved farthest relative to the others,
+  /// unless one of the four is taken out already. Use it after flips.
   void take_out_farthest() { m_tools.take_out_farthest(); }
 
   /// flips edges (Lawson), starting at the open ones, until no flippable edge violates the

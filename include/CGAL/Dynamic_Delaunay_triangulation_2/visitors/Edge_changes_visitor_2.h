@@ -64,7 +64,7 @@ public:
   template <class Dynamic>
   void before_update(const Dynamic& dt)
   {
-    if (!std::exchange(m_is_in_update, true)) // else an exception ended the last one
+    if (!std::exchange(m_is_in_update, true)) // false after an exception
       note_line(dt, -whole);
   }
 
@@ -129,7 +129,7 @@ protected:
   /// \endcond
 
 private:
-  // While there are no faces, all edges are removed before an update and created after it.
+  // While there are no faces, notes all edges as removed before an update, and as created after it.
   template <class Dynamic>
   void note_line(const Dynamic& dt, int sign)
   {

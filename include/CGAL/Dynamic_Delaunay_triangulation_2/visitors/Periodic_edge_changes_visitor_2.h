@@ -125,7 +125,7 @@ private:
     return i < m_ways.size() ? m_ways[i] : Periodic_shift_2{0, 0};
   }
 
-  // This edge, with the images of its points translated by these shifts.
+  // Returns an edge as it is named after its points were translated by `of_i` and `of_j`.
   static Edge translated(Edge edge, const Periodic_shift_2& of_i, const Periodic_shift_2& of_j)
   {
     for (std::size_t k = 0; k < 2; ++k)
@@ -162,9 +162,9 @@ private:
     m_is_summed_up = true;
   }
 
-  // Edges as they would be called if no point had been translated since clear().
+  // The edges have the shifts that they would have if no point had been translated since clear().
   mutable Dynamic_Delaunay_triangulations_2::internal::Edge_balance_2<Edge> m_changes;
-  std::vector<Periodic_shift_2> m_ways; // of each id since clear(), if it was translated
+  std::vector<Periodic_shift_2> m_ways; // by which each id was translated since clear()
   mutable std::vector<Edge> m_created, m_removed;
   mutable bool m_is_summed_up = true;
 };

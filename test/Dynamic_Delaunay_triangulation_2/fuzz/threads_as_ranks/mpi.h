@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// As much of MPI as points over ranks need, with threads of one process as ranks: so a fuzzer sees
-// what all of them do, and a run takes milliseconds. `run_ranks(n, f)` calls f() on n of them. What
-// an implementation of MPI may do, this does in the same order whenever the threads run alike;
-// names are those of the standard, and each function does what the standard says, for the arguments
-// that occur; whoever asks for what is not there waits a little for news. Files are declared alone.
+// The part of MPI that distributed triangulations use, with threads of one process as ranks: so a
+// fuzzer sees what all ranks do, and a run takes milliseconds. `run_ranks(n, f)` calls f() on n
+// ranks. Names are those of the standard, and each function does what the standard says, for the
+// arguments that occur. An order that the standard leaves open depends only on how threads run.
+// MPI_Test() and MPI_Testall() wait up to 1 ms for news. Functions for files are declared only.
 
 #ifndef THREADS_AS_RANKS_MPI_H
 #define THREADS_AS_RANKS_MPI_H
@@ -108,7 +108,7 @@ public:
     return request.sent ? request.sent->is_taken : m_entered[request.barrier] == m_size;
   }
 
-  // Since it has waited last. Not for long: it may have other things to do.
+  // Waits for news since the rank's last wait, at most 1 ms: it may have other things to do.
   void wait_for_news(int rank)
   {
     std::unique_lock<std::mutex> lock(m_mutex);
@@ -118,7 +118,7 @@ public:
   }
 
 private:
-  // For one rank: a message, one of its own that has been taken, or a barrier that is over.
+  // News for one rank: a message to it, a message from it that has been taken, or a barrier's end.
   struct News
   {
     std::condition_variable is_there;
@@ -153,7 +153,7 @@ private:
   std::map<std::pair<int, int>, int> m_entered; // by barriers
 };
 
-// Of the rank that this thread is.
+// The state of the rank that this thread is.
 inline thread_local World* world = nullptr;
 inline thread_local int rank = 0, communicators = 0;
 inline thread_local std::map<int, int> barriers; // entered so far, by communicators

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Stands in for TBB under the thread sanitizer. That does not see how TBB, which is compiled
-// without it, hands work to its threads and takes it back: it would report everything that they
-// touch, and a suppression would hide true races with the false ones.
+// Stands in for TBB under the thread sanitizer. TBB is compiled without the sanitizer, which does
+// not see how TBB synchronizes its threads: it would report everything that they touch, and a
+// suppression would hide true races with the false ones.
 
 #ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_VISIBLE_PARALLEL_FOR_H
 #define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_VISIBLE_PARALLEL_FOR_H

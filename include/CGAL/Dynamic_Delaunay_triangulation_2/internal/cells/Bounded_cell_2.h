@@ -18,20 +18,20 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// The intersection of a disc around the origin with half-planes: what is left of a Voronoi cell,
-// with its point in the origin.
+// The intersection of a disc around the origin with half-planes: the part of a Voronoi cell in the
+// disc, with the cell's point in the origin.
 //
 //            side                          The convex polygon of the half-planes has corners, and a
-//          __________                      side after each. `for_each_piece()` gives what lies of
+//          __________                      side after each. `for_each_piece()` gives the part of
 //         /  chord   \     chord: the      each side within the disc, a chord, and the arcs that
 //        (            )    part of a       connect chords.
 //     arc \__________/     side inside
 //
-// A line is known by its unit normal n, which points out of the half-plane, and its distance h from
+// A line is given by its unit normal n, which points out of the half-plane, and its distance h from
 // the origin: n x <= h inside. A place on it is h n + u t, where t is n turned left. Chords are
 // intervals of u, and their triangles with the origin have the area h (u' - u) / 2: nothing cancels
-// where the origin is inside. Corners are computed from the lines of both their sides, so what was
-// cut off before leaves no error.
+// where the origin is inside. Corners are computed from the lines of both their sides, so earlier
+// cuts add no error.
 class Bounded_cell_2
 {
 public:
@@ -49,7 +49,7 @@ public:
                {{-1, 0}, w, no_label}};
   }
 
-  // Begins with what another one is.
+  // Begins as a copy of another cell.
   void start(const Bounded_cell_2& cell)
   {
     m_radius = cell.m_radius;
@@ -64,11 +64,11 @@ public:
     m_corners.clear();
     m_sides.clear();
   }
-  // Adds the next side counterclockwise: that of the next neighbor of a point that is no corner of
-  // the hull.
+  // Adds the next side counterclockwise, toward the next neighbor of the cell's point, which must
+  // be no corner of the hull.
   void add_side(const Position_2& normal, double distance, std::size_t label)
   {
-    // Filled in place, like chords: a copy waits until each of its parts is stored, which took a
+    // Filled in place, like chords: copying a side waits until each member is stored, which took a
     // quarter of the time of a cell.
     Side& side = m_sides.emplace_back();
     side.normal = normal;
@@ -89,7 +89,7 @@ public:
     return m_sides.size() > 2;
   }
 
-  // Whether no corner is beyond a line.
+  // Whether no corner is beyond a line, or the line is outside of the disc.
   bool is_within(const Position_2& normal, double distance) const
   {
     return distance >= m_radius ||
@@ -97,7 +97,7 @@ public:
                         [&](const Position_2& corner) { return dot(normal, corner) > distance; });
   }
 
-  // The part of a line between u and v, if first < last.
+  // The part of a line in the polygon and the disc, between u and v; empty unless first < last.
   struct Interval
   {
     double first, last;
@@ -122,8 +122,8 @@ public:
     return part;
   }
 
-  // Cuts off what is beyond a line, whose side gets a label. Nothing is left of what only touches
-  // the rest.
+  // Cuts off what is beyond a line; the new side gets the label. If only a side or a corner would
+  // be left, on the line, nothing is left.
   void cut(const Position_2& normal, double distance, std::size_t label)
   {
     const Side cutting{normal, distance, label};
@@ -184,7 +184,7 @@ public:
   const std::vector<Side>& sides() const { return m_sides; }
 
 private:
-  static constexpr double parallel = 1e-6; // the sine between lines that are
+  static constexpr double parallel = 1e-6; // the largest sine between lines that count as parallel
   static constexpr double full_turn = boost::math::constants::two_pi<double>();
 
   struct Chord
@@ -200,15 +200,15 @@ private:
     m_new_sides.push_back(side);
   }
 
-  // Of two lines.
+  // The place where two lines meet.
   static Position_2 meeting_place(const Side& side, const Side& line, double sine)
   {
     return {(side.distance * line.normal.y - line.distance * side.normal.y) / sine,
             (line.distance * side.normal.x - side.distance * line.normal.x) / sine};
   }
 
-  // Where the side from corner i to corner `next` meets a line. Where they are about parallel, one
-  // coordinate along them is as uncertain as it is in any case, and stays between the corners.
+  // The place where the side from corner i to corner `next` meets a line. If they are about
+  // parallel, the coordinate along them is uncertain in any case; it stays between the corners.
   Position_2 meeting_place(std::size_t i, std::size_t next, const Side& line) const
   {
     const Side& side = m_sides[i];
@@ -229,7 +229,7 @@ private:
     return {distance * normal.x + u * t.x, distance * normal.y + u * t.y};
   }
 
-  // An arc is where a side, or the end of one, is outside of the disc. Corners alone do not tell: a
+  // An arc is where a side, or the end of one, is outside of the disc. Corners do not show this: a
   // chord may end at a corner on the circle, with arcs and sides outside before the next chord.
   void find_chords()
   {
@@ -248,7 +248,7 @@ private:
       const double from = dot(m_corners[i], t);
       const double to = dot(m_corners[i + 1 < m_corners.size() ? i + 1 : 0], t);
       if (!(from < to))
-        continue; // a side that rounding makes
+        continue; // a side that exists by rounding only
       const double half = std::sqrt((m_radius - side.distance) * (m_radius + side.distance));
       if (from < -half)
         leave_disc();
@@ -282,8 +282,8 @@ private:
     return std::atan2(cross(from, to), dot(from, to));
   }
 
-  // The angle of the arc from a place on side i to one on side k. Where rounding could take no turn
-  // for a full one, the corners in between, which are outside of the disc, tell.
+  // The angle of the arc from a place on side i to one on side k. If rounding could confuse no turn
+  // with a full turn, the corners in between, which are outside of the disc, decide.
   double angle_around(std::size_t i, const Position_2& from, std::size_t k,
                       const Position_2& to) const
   {

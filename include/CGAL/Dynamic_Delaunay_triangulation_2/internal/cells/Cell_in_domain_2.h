@@ -23,16 +23,15 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// What a domain leaves of a bounded cell, which is convex.
+// The intersection of a domain with a bounded cell, which is convex.
 //
-// Triangles of the domain that the cell reaches are found from that of its point on, through the
-// edges that cross the cell. In each of them the cell is cut as by any convex polygon: that is a
-// *portion*. Portions meet at diagonals of the domain. So boundaries are traced from piece to piece
-// around a portion, and through a diagonal to the portion beyond; no general clipping is needed.
-//
-// Only in triangles that are seen through other ones, a portion is also cut by the outermost rays
-// that pass all edges before (as in CGAL's Triangular_expansion_visibility_2): these are chosen by
-// exact predicates.
+// The triangles of the domain that the cell reaches are found from the triangle of its point on,
+// through edges that cross the cell. The part of the cell in a triangle, cut as by any convex
+// polygon, is a *portion*. Portions meet at diagonals of the domain. So boundaries are traced from
+// piece to piece around a portion, and through a diagonal to the portion beyond; no general
+// clipping is needed. If only what the point sees counts, a portion that it sees through other
+// triangles is also cut by the outermost rays that pass all edges in between (as in CGAL's
+// Triangular_expansion_visibility_2). Exact predicates choose these rays.
 class Cell_in_domain_2
 {
   using Domain = Polygonal_domain_2;
@@ -43,8 +42,8 @@ class Cell_in_domain_2
 public:
   enum class Kind { CELL, WALL, SIGHT, ARC, DIAGONAL };
 
-  // A piece of the boundary: of the side of the cell or of the wall with a number, of a line of
-  // sight, or an arc. Segments are named as Bounded_cell_2 has it.
+  // A piece of the boundary: of a side of the cell or a wall, which have numbers, of a line of
+  // sight, of a diagonal, or an arc. Segments are given by lines and intervals of Bounded_cell_2.
   struct Piece
   {
     Kind kind;
@@ -54,7 +53,7 @@ public:
     Position_2 from, to; // of an arc
     double angle;
     std::size_t portion;
-    std::size_t door = 0; // the next piece follows this one: itself, or a diagonal's twin
+    std::size_t door = 0; // the piece before the next one: this piece, or a diagonal's twin
     double end = 0;       // of a diagonal, where the piece after the twin begins
     bool is_used = false;
   };
@@ -65,8 +64,8 @@ public:
   {
   }
 
-  // Begins with the cell of p, whose radius this is, where p is in the closed face. The cell must
-  // stay. False if all of it is in the domain.
+  // Begins with the cell of p and its radius; p is in the closed `face`. The cell must stay until
+  // the next start(). False if all of the cell is in the domain.
   bool start(const Position_2& p, double radius, Face_handle face, const Bounded_cell_2& cell)
   {
     m_p = p;
@@ -84,8 +83,8 @@ public:
     });
     return meets_wall || !face->info().is_inside;
   }
-  // What is connected with p has been found. Then one of these may follow, the second one only if p
-  // is in the domain.
+  // After start() there are the portions that are connected with p. Then one of these two functions
+  // may be called, take_visible() only if p is in the domain.
   void take_all()
   {
     if (!m_portions.empty())
@@ -128,12 +127,12 @@ public:
   }
 
 private:
-  // What is narrower than this, measured by its distance from the point, may be due to rounding.
+  // Widths below this share of the distance from the point may be due to rounding.
   static constexpr double narrow = 0x1p-48;
-  // Of a portion's sides that the cell does not have.
+  // The labels of a portion's sides that are not sides of the cell.
   static constexpr std::size_t first_edge = none - 4, ray = none - 1;
 
-  // A triangle, or what is seen of it between two rays, if there are any.
+  // A triangle, or the part of it that is seen between the rays to `right` and `left`, if any.
   struct Portion
   {
     Face_handle face;
@@ -183,8 +182,8 @@ private:
 
   // FINDING PORTIONS ------------------------------------------------------------------------------
 
-  // One at the convex hull of the domain that the cell of a point outside of the hull reaches, or
-  // none. All others are reached from there.
+  // Returns a face at the convex hull of the domain that the cell of a point outside of the hull
+  // reaches, or none. All other faces that it reaches are found from there.
   Face_handle reached_face(Face_handle infinite) const
   {
     Face_handle around = infinite;
@@ -198,7 +197,7 @@ private:
     return Face_handle();
   }
 
-  // Goes through all edges that cross the cell and that may be passed.
+  // Finds the portions behind all edges that cross the cell and that may be passed.
   template <class Predicate>
   void flood(Face_handle start, const Predicate& may_pass)
   {
@@ -245,8 +244,8 @@ private:
     return i;
   }
 
-  // The faces inside that have p, of which this is one: there are several if p is on an edge, or in
-  // a corner.
+  // Adds the faces inside of the domain that contain p, of which `face` is one. There are several
+  // if p is on an edge, or in a corner.
   void add_portions_at(Face_handle face)
   {
     int on = 0, edge = 0, off = 0;
@@ -271,7 +270,7 @@ private:
       add_portion(face->neighbor(edge));
   }
 
-  // From p, which is in this portion.
+  // Looks from p through the edges of portion i, which contains p, as do all below `starts`.
   void look_around(std::size_t i, std::size_t starts)
   {
     for (int k = 0; k < 3; ++k) {
@@ -288,8 +287,8 @@ private:
     }
   }
 
-  // Through both other edges than that where the view comes in, whose left end is the right end of
-  // one of them.
+  // Looks through both edges other than the entry. They meet in `middle`, the left end of the right
+  // edge and the right end of the left one.
   void look_further(std::size_t i)
   {
     const Portion portion = m_portions[i];
@@ -314,7 +313,7 @@ private:
     link(i, k, next);
   }
 
-  // CUTTING THEM ----------------------------------------------------------------------------------
+  // CUTTING PORTIONS ------------------------------------------------------------------------------
 
   void cut_portion(std::size_t i)
   {
@@ -334,8 +333,8 @@ private:
     portion.beyond_pieces = m_pieces.size();
   }
 
-  // Cuts off what is on one side of a ray. Where an edge of the triangle is on the ray there is
-  // nothing to cut: a wall that is seen edge-on stays a wall.
+  // Cuts off what is on one side of the ray through v, if a corner of the triangle is there. So a
+  // wall on the ray, which is seen edge-on, stays a wall.
   void cut_by_ray(Face_handle face, Vertex_handle v, Orientation side)
   {
     bool is_beyond = false;
@@ -345,7 +344,7 @@ private:
       return;
     m_polygon.cut(normal_of_ray(v, side), 0, ray);
   }
-  // Towards the side that is cut off.
+  // Returns the normal that points to the side that is cut off.
   Position_2 normal_of_ray(Vertex_handle v, Orientation side) const
   {
     const Position_2 way = Domain::corner(v) - m_p;
@@ -377,8 +376,8 @@ private:
   }
 
   // Both portions at a diagonal have the same part of it, unless a side of the cell or a wall is
-  // about on the diagonal, or it is seen edge-on. Then what they do not have in common is on that,
-  // and may lead back along a piece before.
+  // about on the diagonal, or the diagonal is seen edge-on. Then the rest, which only one of the
+  // portions has, is on that line, and may lead back along an earlier piece.
   void match_diagonals()
   {
     for (std::size_t i = 0; i < m_pieces.size(); ++i) {
@@ -394,7 +393,8 @@ private:
         put_on_nearest_line(piece);
   }
 
-  // If the nearest line is no farther than rounding errors, so that it becomes one with others.
+  // Names the piece after the nearest line. If the line is no farther than rounding errors, also
+  // moves the piece there, so that it can be joined with others.
   void put_on_nearest_line(Piece& piece) const
   {
     const Position_2 from = place(piece, piece.first), to = place(piece, piece.end);
@@ -452,7 +452,7 @@ private:
     return i + 1 < portion.beyond_pieces ? i + 1 : portion.first_piece;
   }
 
-  // The next piece that is no diagonal. All pieces have another one before them, so this ends.
+  // The next piece that is no diagonal. No two pieces have the same next one, so this ends.
   std::size_t next(std::size_t i) const
   {
     do
@@ -469,8 +469,8 @@ private:
                : m_portions[j].diagonals[std::size_t(m_portions[j].face->index(portion.face))];
   }
 
-  // Notes it unless it encloses nothing but rounding errors, as where a wall is on a side of the
-  // cell.
+  // Adds the ring of this piece, unless it encloses nothing but rounding errors, as where a wall is
+  // on a side of the cell.
   void trace_ring(std::size_t first)
   {
     double area = 0, length = 0, reach = 0;
@@ -515,7 +515,8 @@ private:
     piece.angle += next.angle;
   }
 
-  // What triangles have divided becomes one again, and what is as short as rounding errors goes.
+  // Lists the pieces of a ring. Joins pieces that triangles have divided, and leaves out those that
+  // are as short as rounding errors.
   void append_ring(std::size_t first)
   {
     std::size_t i = first;

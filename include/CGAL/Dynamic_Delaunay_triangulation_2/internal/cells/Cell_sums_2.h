@@ -20,15 +20,15 @@
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Sums over faces for each Voronoi cell. Threads share the parts of the faces. A part adds to its
-// own cells at once; what it has for the cells of other parts, which is little where faces and
-// vertices are numbered along one curve, is added when all are done, part by part. So the sums
-// depend on the parts alone, to the last bit. An object keeps its memory.
+// own cells at once. Its summands for cells of other parts, which are few where faces and vertices
+// are numbered along one curve, are added when all parts are done, part by part. So the sums depend
+// on the parts alone, to the last bit. An object keeps its memory.
 template <class Summand>
 class Cell_sums_2
 {
 public:
   // Calls f(cells, face, add) for each face, where add(c, summand) leads to one call of
-  // apply(c, summand). Neither may use what other calls of apply() change.
+  // apply(c, summand). Neither f nor apply may use what other calls of apply() change.
   template <class Space, class Function, class Apply>
   void run(const Space& space, const Function& f, const Apply& apply)
   {
@@ -53,7 +53,7 @@ public:
 private:
   using Summands = std::vector<std::pair<Index, Summand>>;
 
-  // A function of its own, so that compilers inline the rest.
+  // A separate function, so that compilers inline the rest.
   BOOST_NOINLINE void leave_over(std::size_t part, Index c, const Summand& summand)
   {
     m_left_over[part].emplace_back(c, summand);

@@ -27,9 +27,9 @@
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // A polygon with holes, in triangles: a constrained triangulation of its convex hull, whose faces
-// know whether they are inside. All corners are corners of the polygon. They are numbered, the
-// outer boundary first and then one hole after the other, and so are walls, each after its first
-// corner.
+// know whether they are inside. All vertices are corners of the polygon. Corners are numbered along
+// the outer boundary first, and then along one hole after the other. A wall has the number of its
+// first corner.
 class Polygonal_domain_2
 {
 public:
@@ -73,7 +73,7 @@ public:
     });
   }
 
-  // As they point into the triangulation.
+  // Not copied, because m_corners points into the triangulation.
   Polygonal_domain_2(const Polygonal_domain_2&) = delete;
   Polygonal_domain_2& operator=(const Polygonal_domain_2&) = delete;
 
@@ -81,8 +81,8 @@ public:
   bool is_infinite(Face_handle face) const { return m_triangulation.is_infinite(face); }
   Vertex_handle infinite_vertex() const { return m_triangulation.infinite_vertex(); }
 
-  // A face inside that has p, perhaps on its boundary; or else the one that has it, perhaps an
-  // infinite one. Begins with the last face.
+  // Returns a face inside that contains p, perhaps on its boundary; if there is none, a face that
+  // contains p, perhaps an infinite one. Walks from face `last`, and updates it.
   Face_handle locate(const Point& p, Face_handle& last) const
   {
     Triangulation::Locate_type type;
@@ -103,15 +103,15 @@ public:
     return last;
   }
 
-  // The distance of edge i from p, negative if p is beyond. Both faces have the same up to the
-  // sign.
+  // The distance of edge i from p, negative if p is beyond. Both faces of an edge give the same
+  // result up to the sign.
   static double distance(const Position_2& p, Face_handle face, int i)
   {
     return dot(face->info().normals[std::size_t(i)], corner(first_end(face, i)) - p);
   }
   static Position_2 corner(Vertex_handle v) { return {v->point().x(), v->point().y()}; }
 
-  // No less than the distance of any corner from p.
+  // Returns an upper bound on the distances of all corners from p.
   double reach(const Position_2& p) const
   {
     const double x = (std::max)(std::abs(m_least.x - p.x), std::abs(m_most.x - p.x));
@@ -191,7 +191,7 @@ private:
     return v->info() < w->info() ? v : w;
   }
 
-  // Both faces of an edge have the same up to the sign.
+  // The outward normal. Both faces of an edge have the same one up to the sign.
   static Position_2 normal(Face_handle face, int i)
   {
     const Vertex_handle from = face->vertex(Triangulation::ccw(i)),
@@ -217,7 +217,7 @@ private:
     return {face, i};
   }
 
-  // How many walls are around each face. Those inside know it then.
+  // Returns how many walls are around each face, and marks the faces inside.
   std::vector<int> find_depths()
   {
     std::vector<int> depths(m_number_of_faces, -1);

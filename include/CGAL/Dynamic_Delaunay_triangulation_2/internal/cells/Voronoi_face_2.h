@@ -16,8 +16,8 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// A Delaunay face, by its sides and cotangents. All that Voronoi cells have is a sum over faces of
-// expressions in these.
+// A Delaunay face, given by its sides and cotangents. All measures of Voronoi cells are sums over
+// faces of expressions in these.
 //
 // Take the edge from corner i to corner j with the length l, the vector d, and the angle at the
 // opposite corner whose cotangent is h. The circumcenter of the face is at i + d/2 + (h/2) n, where
@@ -27,9 +27,9 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 class Voronoi_face_2
 {
 public:
-  // Each side is opposite to the corner with its number, and they run around the face,
-  // counterclockwise: side i from corner i + 1 to corner i + 2. No coordinate of theirs is farther
-  // from the truth than `error`, beside the rounding of one subtraction.
+  // Side i is opposite to corner i, and goes from corner i + 1 to corner i + 2, counterclockwise
+  // around the face. The coordinates of sides are off by at most `error`, besides the rounding of
+  // one subtraction.
   explicit Voronoi_face_2(const std::array<Position_2, 3>& sides, double error = 0)
     : m_sides(sides)
     , m_squares{dot(sides[0], sides[0]), dot(sides[1], sides[1]), dot(sides[2], sides[2])}
@@ -37,7 +37,7 @@ public:
   {
   }
 
-  // Whether rounding hides if the face is counterclockwise. Then nothing else means anything.
+  // Whether rounding hides the face's orientation. Then all other results are meaningless.
   bool is_flat() const { return m_doubled_area == 0; }
 
   double doubled_area() const { return m_doubled_area; }
@@ -47,7 +47,7 @@ public:
   // Side i, turned left: it points into the face.
   Position_2 normal(std::size_t i) const { return {-m_sides[i].y, m_sides[i].x}; }
 
-  // Of the angle at corner i, which is opposite to side i.
+  // The cotangent of the angle at corner i, which is opposite to side i.
   double cotangent(std::size_t i) const
   {
     return -dot(m_sides[(i + 1) % 3], m_sides[(i + 2) % 3]) / m_doubled_area;
@@ -67,8 +67,8 @@ public:
   }
 
 private:
-  // The cross product of the two shorter sides, which best tell how flat a face is. It is 0 if
-  // rounding may have changed its sign: beside what `error` does, its error is less than
+  // The cross product of the two shorter sides, which show best how flat a face is. Returns 0 if
+  // rounding may have changed its sign: besides what `error` adds, its error is less than
   // 4 * 2^-53 times the sum of both products.
   double cross_of_shorter(double error) const
   {

@@ -26,9 +26,9 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// A triangulation as Voronoi cells see it: the plane and periodic space look alike. Cells have
-// numbers; points that coincide share one. A cell is open if one of its edges has a single face:
-// it is unbounded then.
+// A triangulation as Voronoi cells see it, by the same functions in the plane and in periodic
+// space. Cells have numbers; points that coincide share one. A cell is open, and so unbounded, if
+// an edge at its point has a single face.
 template <class Dynamic, bool = Dynamic::Frame::is_periodic>
 class Voronoi_space_2;
 
@@ -52,7 +52,7 @@ class Voronoi_space_2<Dynamic, false>
                 "Euclidean ones");
 
 public:
-  // Throws unless it is certified.
+  // Throws unless the triangulation is certified.
   explicit Voronoi_space_2(const Dynamic& dt)
     : m_dimension(dt.triangulation().dimension())
     , m_frame(dt.frame())
@@ -85,7 +85,7 @@ public:
   }
   bool has_cell(std::size_t part, Index c) const
   {
-    return c - part * m_cells_of_part < m_cells_of_part; // false if c is smaller: nothing is signed
+    return c - part * m_cells_of_part < m_cells_of_part; // unsigned: false if c is smaller
   }
 
   // Calls f(part, cells, face).
@@ -131,7 +131,7 @@ public:
       m_frame.state().for_each_finite_neighbor(v, [&](Vertex_index w) { f(neighbor(v, w)); });
   }
 
-  // Of a point and two neighbors, the second one left of the first.
+  // Returns the face of a point and two neighbors, the second one left of the first, if any.
   std::optional<Voronoi_face_2> face(std::size_t, const Voronoi_neighbor_2& right,
                                      const Voronoi_neighbor_2& left) const
   {
@@ -180,7 +180,7 @@ template <class Dynamic>
 class Voronoi_space_2<Dynamic, true>
 {
 public:
-  // Throws unless it is certified.
+  // Throws unless the triangulation is certified.
   explicit Voronoi_space_2(const Dynamic& dt)
     : m_dt(dt)
     , m_cell(dt.cell())
@@ -236,7 +236,7 @@ public:
     f(Index(0), Index(size));
   }
 
-  // A closed cell has as many faces as ends of edges.
+  // At the point of a closed cell, there are as many faces as ends of edges.
   template <class Function>
   void for_each_open_cell(std::vector<int>& missing_faces, const Function& f) const
   {
@@ -264,8 +264,8 @@ public:
     });
   }
 
-  // Of a point and two neighbors, the second one left of the first. Across an open side the angle
-  // between them is at least straight, so they do not make a face.
+  // Returns the face of a point and two neighbors, the second one left of the first, if any. Across
+  // an open side the angle between the neighbors is at least straight, so they make no face.
   std::optional<Voronoi_face_2> face(std::size_t id, const Voronoi_neighbor_2& right,
                                      const Voronoi_neighbor_2& left) const
   {
@@ -284,10 +284,10 @@ private:
     return {s[0] - t[0], s[1] - t[1]};
   }
 
-  // Where a direction is open, its vector means nothing, and no shift takes it.
+  // In an open direction the cell's vector means nothing, and shifts are 0.
   static double times(int number, double x) { return number == 0 ? 0 : number * x; }
 
-  // As the triangulation has it.
+  // Rounded as in the triangulation.
   Position_2 vector(const Position_2& p, const Position_2& q, const Periodic_shift_2& shift) const
   {
     return {q.x - p.x + (times(shift[0], m_cell.ax()) + times(shift[1], m_cell.bx())),

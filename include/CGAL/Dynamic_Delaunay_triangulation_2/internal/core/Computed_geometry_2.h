@@ -43,8 +43,8 @@ inline double dot(const Position_2& u, const Position_2& v)
   return product(u.x, v.x) + product(u.y, v.y);
 }
 
-// The circumcenter of the triangle of the origin, u and v, in either order. Infinite or NaN for
-// collinear ones.
+// The circumcenter of the triangle of the origin, u and v, in either order. Infinite or NaN if they
+// are collinear.
 inline Position_2 circumcenter(const Position_2& u, const Position_2& v)
 {
   const double uu = dot(u, u), vv = dot(v, v);
@@ -53,8 +53,8 @@ inline Position_2 circumcenter(const Position_2& u, const Position_2& v)
           (product(u.x, vv) - product(v.x, uu)) * scale};
 }
 
-// For an edge at infinity: whether its finite face is not counterclockwise, or the hull turns right
-// at the edge's finite end. False for all other edges.
+// True if an edge at infinity has a finite face that is not counterclockwise, or a finite end at
+// which the hull turns right. False for all other edges.
 inline bool breaks_hull(const Edge_2& edge, const std::vector<Position_2>& positions)
 {
   const auto orientation = [&](Index p, Index q, Index r) {

@@ -14,8 +14,8 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// The numbers in which coordinates are added, multiplied and divided without rounding: their own
-// type if it can do that, and rational numbers elsewhere.
+// The number type in which coordinates are added, multiplied and divided without rounding: FT
+// itself if it is exact, otherwise rational numbers.
 template <class FT>
 struct Exact_number_2
 {
@@ -24,8 +24,8 @@ struct Exact_number_2
   static Type of(const FT& x) { return Type(x); }
 };
 
-// Their approximations by doubles may have few digits, and there is nothing to gain from being
-// lazy.
+// Lazy numbers are replaced by exact ones: their approximations by doubles may have few digits, and
+// lazy evaluation would gain nothing.
 template <class ET>
 struct Exact_number_2<Lazy_exact_nt<ET>>
 {

@@ -27,7 +27,7 @@ namespace Dynamic_Delaunay_triangulations_2 {
 /// Index of a vertex, a half-edge, an edge or a face in the flat arrays.
 using Index = std::uint32_t;
 
-/// An index of one kind of elements. Any number can be one, and none is one of another kind.
+/// An index of one kind of elements. Numbers convert to it, but not indices of another kind.
 template <class Element>
 class Index_of_2
 {
@@ -69,7 +69,7 @@ using Point_id = Index_of_2<struct Point_element>; ///< of a point, not of its v
 /// The coordinates of a vertex in the flat arrays: exact where the kernel's coordinates are
 /// doubles, the nearest doubles elsewhere.
 #ifdef __GNUC__
-// A kernel's point of two doubles may be the same memory.
+// The same memory may be accessed as a kernel's point of two doubles.
 struct __attribute__((may_alias)) Position_2
 #else
 struct Position_2
@@ -106,13 +106,13 @@ void reserve_extra(Vector& data, std::size_t more)
     data.reserve(2 * data.size() + more);
 }
 
-// Leaves elements that it appends by their number alone without a value. The operating system then
-// gives memory to the threads that write them first, and not page by page to one of them.
+// A vector whose resize() leaves new elements uninitialized. The operating system then gives each
+// page of memory to the thread that writes it first, and not all pages to the thread that resizes.
 template <class T>
 using Uninitialized_vector_2 = std::vector<T, boost::noinit_adaptor<std::allocator<T>>>;
 
 // A list that keeps its memory. Appending to it is one comparison and one store, which compilers
-// put in place; std::vector's is a function that they call.
+// inline; std::vector's push_back() is a function that they call.
 template <class T>
 class Kept_list_2
 {
@@ -165,8 +165,8 @@ public:
     return true;
   }
 
-  // Calls f(insert) with a function that inserts up to `most` times. It has no branch, which would
-  // be unpredictable where many indices are inserted more than once.
+  // Calls f(insert), which may call insert(i) up to `most` times. insert() has no branch: a branch
+  // would be unpredictable where many indices are inserted more than once.
   template <class Function>
   void insert_up_to(std::size_t most, const Function& f)
   {
@@ -214,8 +214,8 @@ private:
   std::vector<std::uint64_t> m_words;
 };
 
-// Sorts the indices and removes repeated ones, by a bit for each from the smallest to the largest.
-// False, and nothing is done, if looking through the bits would take longer than sorting.
+// Sorts the indices and removes repeated ones, by one bit per number from smallest to largest.
+// Returns false and changes nothing if scanning the bits would take longer than sorting.
 inline bool make_distinct_by_bits(std::vector<Index>& indices)
 {
   constexpr std::size_t few = 64, words_per_index = 8;
@@ -238,7 +238,7 @@ inline bool make_distinct_by_bits(std::vector<Index>& indices)
   return true;
 }
 
-// Sorts the indices and removes repeated ones. Sorting takes some 50 nanoseconds for each of many.
+// Sorts the indices and removes repeated ones. If they are many, sorting takes some 50 ns each.
 inline void make_distinct(std::vector<Index>& indices)
 {
   if (make_distinct_by_bits(indices))
@@ -247,8 +247,8 @@ inline void make_distinct(std::vector<Index>& indices)
   indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
 }
 
-// Removes the i-th of the indices if is(i, beyond). Threads share that; `beyond` is the end of a
-// thread's part, up to which it may fetch ahead.
+// Removes the i-th of the indices if is(i, beyond). Threads share the calls: `beyond` is the end of
+// the part with i, up to which `is` may fetch ahead.
 template <class Parts, class Predicate>
 void remove_by_parts(std::vector<Index>& indices, std::size_t least, const Predicate& is)
 {
@@ -264,7 +264,7 @@ void remove_by_parts(std::vector<Index>& indices, std::size_t least, const Predi
 template <class Id>
 void check_distinct(const std::vector<Id>& given)
 {
-  if (given.size() < 2) // most are points that move or go alone
+  if (given.size() < 2) // most calls move or remove a single point
     return;
   std::vector<Id> ids = given;
   std::sort(ids.begin(), ids.end());
@@ -280,7 +280,7 @@ class Renumbering_2
 public:
   bool is_none() const { return m_kept == null_index && m_moves.empty(); }
 
-  // Reserves memory for so many removals. Then nothing here throws, except follow().
+  // Reserves memory to note so many removals. Then only follow() can throw.
   void reserve_extra(std::size_t number) { m_moves.reserve(m_moves.size() + number); }
 
   void clear()
@@ -333,7 +333,7 @@ public:
 private:
   // Moves in order, from number to number; from `null_index` if the element was added in this call.
   std::vector<std::pair<Index, Index>> m_moves;
-  Index m_kept = null_index; // the elements from before the call all have smaller numbers now
+  Index m_kept = null_index; // elements that existed before the call have smaller numbers
 };
 
 struct Renumberings_2

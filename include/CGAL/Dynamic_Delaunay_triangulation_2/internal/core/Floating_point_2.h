@@ -42,8 +42,8 @@ public:
   Default_floating_point_2& operator=(const Default_floating_point_2&) = delete;
 
 #ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_HAS_MXCSR
-  // Takes some 20 nanoseconds, where most programs have the default state a few; <cfenv>, which
-  // also sets the x87 unit, takes hundreds.
+  // Takes a few nanoseconds in the default state, which most programs have, and some 20 in others.
+  // <cfenv> takes hundreds, because it also sets the x87 unit.
   Default_floating_point_2()
     : m_state(_mm_getcsr())
   {

@@ -27,7 +27,7 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// A valid type if Range has begin() and end().
+// A valid type if Range has begin().
 template <class Range>
 using If_range = decltype(std::begin(std::declval<const Range&>()));
 
@@ -44,7 +44,7 @@ struct Change_2
   std::vector<Point> coming_points;
   bool are_exact = true; // no coordinate above is rounded in the flat arrays
 
-  // Makes it empty. Short lists keep their memory: most points come, go or move alone.
+  // Makes it empty. Short lists keep their memory: most calls insert, remove or move one point.
   void clear()
   {
     constexpr std::size_t few = 1024;
@@ -90,8 +90,8 @@ inline void check_limit(std::size_t number)
     throw Point_limit_error_2(number, max_vertices);
 }
 
-// The length of a random-access range of points, which are to join so many others. 0 of other
-// ranges, which can only be counted by reading them.
+// Returns the length of a random-access range of points, or 0 for other ranges, which can only be
+// counted by reading them. Throws if a triangulation cannot hold these points and `others` more.
 template <class InputIterator>
 std::size_t length_within_limit(const InputIterator& first, const InputIterator& beyond,
                                 std::size_t others)
@@ -103,8 +103,8 @@ std::size_t length_within_limit(const InputIterator& first, const InputIterator&
   return 0;
 }
 
-// Reads and checks the positions of a frame before anything changes, and can take them back. Only
-// this class has the key to the points of duplicates.
+// Reads and checks the positions of a frame before anything changes, and can take the frame back.
+// Only this class has the key with which a topology lets the points of duplicates be exchanged.
 template <class State>
 class Input_frame_2
 {
@@ -125,7 +125,7 @@ public:
   {
   }
 
-  // Reads a frame, to be accepted. Nothing has changed before that, also if it is refused.
+  // Reads a frame. Nothing changes before accept(), even if the frame is refused.
   template <class InputIterator, class PointMap>
   void stage(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
@@ -135,30 +135,30 @@ public:
     m_are_exact = stage_all(first, beyond, point_map);
   }
 
-  // A point that a call removes may be anywhere until then.
+  // Does nothing: in the plane, points that the call removes may have any positions in the frame.
   static void leave_out(const std::vector<Index>&) {}
 
-  // In the plane the previous positions are not read before the classifier finds what is broken.
+  // Finds none: in the plane, previous positions are not read before the classifier has run.
   static std::vector<Index> find_jumpers() { return {}; }
 
-  // In the plane points may have any coordinates that can be read.
+  // Does nothing: in the plane, points may have any coordinates that can be read.
   static void check(const std::vector<Point>&, const std::vector<Index>&) {}
 
-  // Makes the positions that were read those of now. Throws nothing.
+  // Makes the positions that were read the present ones. Throws nothing.
   void accept()
   {
     m_positions.accept_frame(m_are_exact);
     exchange_duplicates();
   }
 
-  // Restores the positions of the last frame.
+  // Undoes accept(): restores the positions from before the frame.
   void take_back()
   {
     m_positions.take_back(m_were_exact);
     exchange_duplicates();
   }
 
-  // To be called at the end of a call: previous positions are not needed any more.
+  // Forgets the previous positions, at the end of a call.
   void settle() { m_positions.forget_previous(); }
 
 private:
@@ -197,7 +197,7 @@ private:
   }
 
   // Stages the vertices from v to before `end`, without branches. False if a coordinate is refused.
-  // Two checks alternate, so that no addition waits for the last.
+  // Two checks alternate, so that no addition has to wait for the one before it.
   template <class RandomAccessIterator, class PointMap>
   bool stage_part(RandomAccessIterator first, const PointMap& point_map, std::size_t v,
                   std::size_t end, bool& are_exact)
@@ -206,7 +206,7 @@ private:
     const Index* const representatives = m_state.ids().representatives();
     const auto staged = m_positions.staged();
     const auto stage = [&, staged](std::size_t i, Limit_check_2& check) {
-      // iterators may store or make their values, and maps may refer into these: keep them alive
+      // keep the iterator and its value alive, because p may refer to data inside of them
       const RandomAccessIterator iterator = first + Difference(representatives[i]);
       auto&& value = *iterator;
       const Point& p = get(point_map, value);
@@ -215,7 +215,7 @@ private:
       are_exact = are_exact && has_exact_position(p);
       staged.set(Index(i), position, p);
     };
-    // consecutive in the plane, the points are scattered over the range
+    // consecutive vertices are near to each other in the plane, but scattered over the range
     const auto prefetch_point = [&](std::size_t i) {
       if constexpr (is_in_memory<RandomAccessIterator>)
         prefetch(&*(first + Difference(representatives[i])));
@@ -308,7 +308,7 @@ public:
       checked_position(points[i], change.coming[i], change.are_exact);
   }
 
-  // Appends ids of existing points, without repetition, in the order of the range.
+  // Appends the ids of a range in its order. Throws if one has no point, or occurs more than once.
   template <class InputIterator>
   static void read_ids(InputIterator first, InputIterator beyond, const State& state,
                        std::vector<Index>& ids)
@@ -333,7 +333,7 @@ public:
   }
 
 private:
-  // Reads any integer, also a negative one.
+  // Reads an id from any type of integers. Throws if it has no point, as negative numbers do.
   template <class Integer>
   static Index read_id(const Integer& id, const State& state)
   {

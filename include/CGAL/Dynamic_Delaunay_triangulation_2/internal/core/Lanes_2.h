@@ -17,10 +17,11 @@
 #include <type_traits>
 #include <utility>
 
-// Passes over points and edges are written once, for numbers of type `Lanes<n>`: n doubles, with
-// which a processor computes at once, or one. All processors and numbers of lanes give the same
-// bits. The compilers' own vectors stand for instructions of AVX-512, AVX2, SSE2, NEON and
-// WebAssembly. Other compilers, and CGAL_DYNAMIC_DELAUNAY_NO_SIMD, have one lane.
+// Passes over points and edges are written once, for numbers of type `Lanes<n>`: n doubles with
+// which a processor computes at once, or a plain double if n is 1. All processors and numbers of
+// lanes give the same bits. Compilers that have vector types translate them to instructions of
+// AVX-512, AVX2, SSE2, NEON or WebAssembly. With other compilers, or if
+// CGAL_DYNAMIC_DELAUNAY_NO_SIMD is defined, there is one lane.
 #if defined(__GNUC__) && !defined(CGAL_DYNAMIC_DELAUNAY_NO_SIMD) &&                                \
     (defined(__SSE2__) || defined(__aarch64__) || defined(__wasm_simd128__))
 #define CGAL_DYNAMIC_DELAUNAY_HAS_LANES
@@ -34,8 +35,8 @@
 #define CGAL_DYNAMIC_DELAUNAY_SELECTS_LANES
 #endif
 
-// Keeps a product as it is rounded. Compilers may contract a product and a sum to one instruction,
-// where the processor has one, which rounds once: results would depend on processors.
+// Makes compilers round a product before they use it. Otherwise they may contract a product and a
+// sum to one instruction that rounds once, on processors that have it: results would differ.
 #if defined(__GNUC__) && (defined(__FMA__) || defined(__FMA4__) || defined(__AVX512F__))
 #define CGAL_DYNAMIC_DELAUNAY_KEEP(product) __asm__("" : "+v"(product))
 #elif defined(__aarch64__)
@@ -83,14 +84,14 @@ constexpr unsigned all_bits = (1u << n) - 1;
 template <int... places>
 using Places = std::integer_sequence<int, places...>;
 
-// Numbers, or what a comparison of them answers: integers of which all bits are set, or none.
+// Numbers, or the answers of a comparison: integers with all bits set for yes, and none for no.
 template <class Number, int n>
 struct Lanes_2
 {
   typedef Number Vector __attribute__((vector_size(8 * n)));
   using Bits = Lanes_2<std::int64_t, n>;
 
-  // By its bits: g++ would set the lanes one by one.
+  // Copies the bits of `value` to all lanes: given the double, g++ would set them one by one.
   BOOST_FORCEINLINE Lanes_2(double value)
   {
     std::int64_t value_bits;
@@ -101,8 +102,8 @@ struct Lanes_2
     : vector(v)
   {
   }
-  // The lanes of a and b at these places; those of b follow on those of a. g++ wants as many places
-  // as each of them has.
+  // Takes the lanes of a and b at these places; the lanes of b are numbered after those of a. g++
+  // wants as many places as a has lanes.
   template <int m, int... places>
   BOOST_FORCEINLINE Lanes_2(const Lanes_2<Number, m>& a, const Lanes_2<Number, m>& b,
                             Places<places...>)
@@ -113,8 +114,8 @@ struct Lanes_2
     vector = __builtin_shuffle(a.vector, b.vector, typename Bits::Vector{places...});
 #endif
   }
-  // Functions for different processors pass vectors by value differently. Objects with destructors
-  // of their own are passed by reference, of which nothing is left where functions are inlined.
+  // With a destructor of its own, an object is passed by reference: functions for different
+  // processors pass vectors by value differently. Inlining removes the references.
   BOOST_FORCEINLINE ~Lanes_2()
   {
   }
@@ -179,7 +180,7 @@ using Lanes = std::conditional_t<n == 1, double, Lanes_2<double, n>>;
 template <int n>
 using Answers = std::conditional_t<n == 1, bool, Lanes_2<std::int64_t, n>>;
 
-#ifdef __SSE2__ // has instructions for which vectors have no words
+#ifdef __SSE2__ // has instructions that vector types cannot express
 
 BOOST_FORCEINLINE unsigned bits(const Answers<2>& answers)
 {
@@ -240,7 +241,7 @@ BOOST_FORCEINLINE Points_in_lanes_2<double> in_one_lane(const std::array<int, 2>
 
 #ifdef CGAL_DYNAMIC_DELAUNAY_HAS_LANES
 
-// The coordinates of n / 2 points that are one behind the other, x beside y.
+// The coordinates of n / 2 points that are consecutive in memory, x and y by turns.
 template <int n>
 BOOST_FORCEINLINE Lanes<n> coordinates_at(const Position_2* points)
 {
@@ -260,8 +261,8 @@ BOOST_FORCEINLINE Lanes<2> in_two_lanes(const std::array<int, 2>& v)
 
 #ifdef __SSE2__ // no other processor has four lanes
 
-// Of two points. g++ 12 finds neither of two instructions of AVX by itself, nor that of bits():
-// passes over edges would take a tenth longer.
+// The coordinates of two points. By itself g++ 12 uses neither the AVX instructions below nor that
+// in bits(): passes over edges would take a tenth longer.
 BOOST_FORCEINLINE Lanes<4> in_four_lanes(const Position_2& p, const Position_2& q)
 {
   const Lanes<2> low = in_two_lanes(p), high = in_two_lanes(q);
@@ -294,7 +295,7 @@ BOOST_FORCEINLINE Lanes<4> in_four_lanes(const std::array<int, 2>& v, const std:
 
 #endif
 
-// Of point_at(first) and every second one that follows it.
+// The coordinates of n / 2 points: point_at(first), point_at(first + 2), and so on.
 template <int n, class Point_at>
 BOOST_FORCEINLINE Lanes<n> every_second(int first, const Point_at& point_at)
 {
@@ -304,7 +305,7 @@ BOOST_FORCEINLINE Lanes<n> every_second(int first, const Point_at& point_at)
     return in_four_lanes(point_at(first), point_at(first + 2));
 }
 
-// x and y apart, of points whose coordinates are beside each other: those of a and b by turns.
+// Separates x and y, which alternate in a and b. The result has points of a and b by turns.
 template <int n>
 BOOST_FORCEINLINE Points_in_lanes_2<Lanes<n>> taken_apart(const Lanes_2<double, n>& a,
                                                           const Lanes_2<double, n>& b)
@@ -317,7 +318,7 @@ BOOST_FORCEINLINE Points_in_lanes_2<Lanes<n>> taken_apart(const Lanes_2<double, 
 
 #endif // CGAL_DYNAMIC_DELAUNAY_HAS_LANES
 
-// In lane i, that of point_at(i).
+// Puts the coordinates of point_at(i) into lane i.
 template <int n, class Point_at>
 BOOST_FORCEINLINE Points_in_lanes_2<Lanes<n>> points_in_lanes(const Point_at& point_at)
 {
@@ -331,8 +332,8 @@ BOOST_FORCEINLINE Points_in_lanes_2<Lanes<n>> points_in_lanes(const Point_at& po
 
 // THE PROCESSOR -----------------------------------------------------------------------------------
 
-// As many as a processor has registers for. Eight lanes of AVX-512 are slower than four where
-// points have to be gathered.
+// As many lanes as fit into the registers for which the compiler's flags allow, but at most four:
+// eight lanes of AVX-512 are slower where points have to be gathered.
 #ifndef CGAL_DYNAMIC_DELAUNAY_HAS_LANES
 constexpr int usual_lanes = 1;
 #elif defined(__AVX2__)
@@ -357,8 +358,8 @@ __attribute__((target("avx2"))) auto call_with_avx2(const Pass& pass)
 
 #endif // CGAL_DYNAMIC_DELAUNAY_SELECTS_LANES
 
-// Calls pass(n) with the number of lanes of the processor, a constant. The pass, and what computes
-// in lanes for it, must be inlined: only so it is compiled for that processor.
+// Calls pass(n) with the number of lanes of the processor, a constant. The pass, and all functions
+// that compute in lanes for it, must be inlined: only then they are compiled for that processor.
 template <class Pass>
 auto call_with_lanes(const Pass& pass)
 {

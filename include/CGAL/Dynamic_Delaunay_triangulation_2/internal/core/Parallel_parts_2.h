@@ -25,13 +25,13 @@
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Divides a range into parts, which threads share if the tag is `Parallel_tag`. The parts depend on
-// the size of the range alone: what is added up or listed for each of them, and joined in their
-// order, is the same for any number of threads and for both tags.
+// the size of the range alone: results that are computed for each part, and joined in the order of
+// the parts, are the same for any number of threads and for both tags.
 //
-// The threads are those of the caller's TBB arena. Each of them takes the first part that none has
-// taken, until all are taken. The caller takes part; if TBB has no memory for tasks, or an
-// algorithm of the caller is canceled and its tasks with it, the caller does what is left. So
-// nothing is thrown but what a part throws. Of several exceptions, that of the first part is
+// The threads are those of the caller's TBB arena. Each takes the first part that no thread has
+// taken, until all are taken. The calling thread works, too. If TBB has no memory for tasks, or
+// cancels them together with an algorithm of the caller, the calling thread does the remaining
+// parts. So only exceptions of parts are thrown. Of several exceptions, that of the first part is
 // thrown, as without threads: when a part throws, all parts before it have been taken, and are
 // completed.
 template <class ConcurrencyTag>
@@ -43,9 +43,9 @@ public:
   static_assert(!is_parallel, "Parallel_tag needs TBB: link with CGAL::TBB_support");
 #endif
 
-  // So many elements make a part, and threads share no fewer than so many parts: waking a thread up
-  // takes 5 to 20 microseconds, and a pass a few nanoseconds for each element. Two threads were
-  // slower than one where they shared three parts. Tests want many parts of few points.
+  // The usual number of elements of a part, and the least number of parts that threads share:
+  // waking a thread up takes 5 to 20 microseconds, and a pass a few nanoseconds for each element.
+  // Two threads that share three parts are slower than one. Tests want many parts of few points.
 #ifdef CGAL_DYNAMIC_DELAUNAY_POINTS_OF_PART
   static constexpr std::size_t usual_size = CGAL_DYNAMIC_DELAUNAY_POINTS_OF_PART;
   static constexpr std::size_t least_shared = 2;
@@ -56,13 +56,13 @@ public:
 
   static constexpr std::size_t max_parts = 128;
 
-  // Into how many parts a range is divided: each of at least `least` elements, if there are two.
+  // Returns the number of parts of a range. Two or more have at least `least` elements each.
   static std::size_t number(std::size_t size, std::size_t least = usual_size)
   {
     return (std::min)((std::max)(size / least, std::size_t(1)), max_parts);
   }
 
-  // Where a part begins, or ends the one before it.
+  // Returns where a part begins, which is where the part before it ends.
   static std::size_t begin(std::size_t part, std::size_t parts, std::size_t size)
   {
     return size / parts * part + (std::min)(part, size % parts);
@@ -82,7 +82,7 @@ public:
     for_each(size, usual_size, f);
   }
 
-  // Whether is(first, beyond) for all parts. May leave out parts once it is not.
+  // True if is(first, beyond) is true for all parts. May skip parts once it was false for one.
   template <class Predicate>
   static bool all_of(std::size_t size, std::size_t least, const Predicate& is)
   {
@@ -115,7 +115,7 @@ public:
     return sum(size, usual_size, count);
   }
 
-  // Whether several threads would share so many parts.
+  // True if several threads would share this number of parts.
   static bool are_shared(std::size_t parts)
   {
     return number_of_workers(parts) > 1;
@@ -156,7 +156,7 @@ private:
       // a thread that waits must not take other work of the caller, who may hold a lock
       tbb::this_task_arena::isolate(
           [&] { tbb::parallel_for(std::size_t(0), workers, [&](std::size_t) { queue.work(f); }); });
-    } catch (const std::bad_alloc&) { // of TBB, as work() throws nothing
+    } catch (const std::bad_alloc&) { // thrown by TBB: work() throws nothing
     }
     queue.work(f);
     queue.finish();

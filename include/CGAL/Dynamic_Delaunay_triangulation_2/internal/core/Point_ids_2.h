@@ -48,7 +48,7 @@ public:
   Point_id representative(Vertex_index vertex) const { return m_representative[vertex]; }
   // Indexed by vertices.
   const Index* representatives() const { return m_representative.data(); }
-  // For an id that is taken.
+  // The id must be taken.
   bool is_representative(Point_id id) const { return m_representative[m_vertex_of_id[id]] == id; }
   const std::vector<Duplicate>& duplicates() const { return m_duplicates; }
   std::vector<Duplicate>& duplicates() { return m_duplicates; }
@@ -81,7 +81,7 @@ public:
       }
     };
     ids.reserve(number);
-    if (number == 1 && !m_free_ids.empty()) // most points come alone
+    if (number == 1 && !m_free_ids.empty()) // most calls insert a single point
       ids.push_back(m_free_ids.front());
     else
       consider(0);
@@ -97,7 +97,7 @@ public:
       ids.push_back(id);
   }
 
-  // If the ids in `gone` are freed first.
+  // Returns the ids that the next points get if the ids in `gone` are freed first.
   std::vector<Index> next_ids(std::size_t number, std::vector<Index> gone) const
   {
     std::vector<Index> free;
@@ -128,7 +128,7 @@ public:
     return m_vertex_of_id[id];
   }
 
-  // Has so many vertices instead, whose representatives have to be set.
+  // Changes the number of vertices. Then set_representative() must be called for each of them.
   void resize(Index vertices) { m_representative.resize(vertices + std::size_t(1)); }
   void set_representative(Vertex_index vertex, Point_id id)
   {
@@ -142,7 +142,7 @@ public:
     m_duplicates.push_back(Duplicate{id, point});
   }
 
-  // To be called after the last point was added.
+  // Sorts the duplicates and collects the free ids. To be called after the last point was added.
   void settle()
   {
     const auto comes_before = [](const Duplicate& g, const Duplicate& h) { return g.id < h.id; };
@@ -251,7 +251,7 @@ public:
     m_representative[other] = null_index;
   }
 
-  // Moves the points of the last vertex to one without representative, and drops the last one.
+  // Moves the points of the last vertex to `vertex`, which must have none, and drops the last one.
   void move_last_vertex_to(Vertex_index vertex)
   {
     const Index last = number_of_representatives();

@@ -22,8 +22,8 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// What the triangulation needs to know of points of any type: their places in the plane, by their x
-// and y. Points may hold more data, such as a height, which are passed along.
+// The triangulation uses only x and y of points, whatever their type. Points may hold more data,
+// such as a height, which are passed along.
 
 template <class Point>
 constexpr bool has_double_coordinates =
@@ -44,8 +44,8 @@ constexpr bool
     is_two_doubles<CGAL::Point_2<Kernel>> = has_double_coordinates<CGAL::Point_2<Kernel>> &&
                                             sizeof(CGAL::Point_2<Kernel>) == 2 * sizeof(double);
 
-// Whether the circles of traits are those that the floating-point filters know. Traits with other
-// circles say so, and decide every sign themselves.
+// True if the circles of the traits are Euclidean, as the floating-point filters assume. Traits
+// with other circles set `has_euclidean_circles` to false: their predicates decide every sign.
 template <class Traits, class = void>
 struct Has_euclidean_circles_2 : std::true_type
 {
@@ -90,9 +90,9 @@ bool coincide(const Traits& traits, const Point& p, const Point& q)
 //
 // Compiled for SSE4.1 or AVX, CGAL's interval product loses a 0 that meets an infinity: [-1, 0]
 // times [1, inf] is [-inf, -1] (CGAL 5.5; cf. its issue 4312). Such an interval can exclude the
-// true sign, so that exact arithmetic is not used. For that, an operand of a product must overflow.
-// The largest operands, in the in-circle determinant, are sums of two products of two differences.
-// With coordinates below 2^510 they are at most 2 * 2^511 * 2^511 = 2^1023.
+// true sign, so that exact arithmetic is not used. It appears only if an operand of a product
+// overflows. The largest operands, in the in-circle determinant, are sums of two products of two
+// differences. With coordinates below 2^510 they are at most 2 * 2^511 * 2^511 = 2^1023.
 #if defined(CGAL_USE_SSE2) && (defined(__SSE4_1__) || defined(__AVX__))
 constexpr double coordinate_limit = 0x1p510;
 // The product of this with any coordinate beyond the limit overflows.
@@ -108,12 +108,12 @@ inline bool is_within_limit(double coordinate)
 }
 
 // Whether all coordinates of some positions are finite and within the limit, found without
-// branches: a coordinate x is finite if 0x is 0, and within the limit if its product with the
+// branches: a coordinate x is finite if 0 * x is 0, and within the limit if its product with the
 // factor is finite.
 class Limit_check_2
 {
 public:
-#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_LANES // g++ takes the coordinates apart
+#ifdef CGAL_DYNAMIC_DELAUNAY_HAS_LANES // g++ by itself computes x and y separately
 
   void add(const Position_2& p)
   {
@@ -172,7 +172,7 @@ bool has_exact_position(const Point& p)
   }
 }
 
-// Also clears `are_exact` if a coordinate is rounded.
+// Returns the checked position, and clears `are_exact` unless it is known to be exact.
 template <class Point>
 Position_2 checked_position(const Point& p, std::size_t id, bool& are_exact)
 {

@@ -19,7 +19,7 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// A point for each vertex, and its position: the same array if points are just two doubles.
+// How points are stored: if they are just two doubles, as positions, so that one array holds both.
 template <class Point>
 struct Point_arrays_2
 {
@@ -42,11 +42,11 @@ struct Point_arrays_2
   }
 };
 
-// The positions of the vertices, now and one frame ago. Those of now are in the data structure's
-// own array of points. A frame is read into another array, and both are exchanged; so taking a
-// refused frame back is one more exchange. If single points move, only their former places are
-// kept. Reading is public. The input of a space stages and restores; the editor and the builder add
-// and remove entries along with vertices.
+// The positions of the vertices, now and one frame ago. The present points are in the data
+// structure's own array. A frame is read into another array, and both are exchanged; a second
+// exchange takes the frame back. If single points move, only their former places are kept. Reading
+// is public. The input of a space stages and restores; the editor and the builder add and remove
+// entries along with vertices.
 template <class Point>
 class Positions_2
 {
@@ -56,7 +56,7 @@ class Positions_2
 public:
   static constexpr bool points_are_two_doubles = Arrays::points_are_two_doubles;
 
-  // The infinite vertex must be there, as the first one.
+  // The first of the points must be that of the infinite vertex.
   explicit Positions_2(std::vector<Stored_point>& points)
     : m_points(points)
     , m_positions(points_are_two_doubles ? 0 : 1, nan_point())
@@ -79,7 +79,7 @@ public:
   bool are_exact() const { return m_are_exact; }
 
   // Whether points have moved in the present call. Otherwise their previous places are not known,
-  // and the functions below return those of now.
+  // and previous_position() returns the present ones.
   bool have_moved() const { return m_is_frame || !m_moved.empty(); }
 
   Position_2 previous_position(Vertex_index v) const
@@ -90,7 +90,7 @@ public:
       return approximation(*previous(v));
   }
 
-  // Fetches the position of a vertex, and the previous one.
+  // Prefetches the present and the previous position of a vertex.
   void prefetch(Vertex_index v) const
   {
     internal::prefetch(&positions()[v]);
@@ -123,7 +123,7 @@ private:
     m_other_positions.resize(m_positions.size(), nan_point());
   }
 
-  // Where to put the frame, for every finite vertex. Threads may share that.
+  // Where to put the frame, for every finite vertex. Threads may share the vertices.
   struct Staged
   {
     Stored_point* points;
@@ -170,7 +170,7 @@ private:
     set(v, p);
   }
 
-  // To be called after the last move(), for distinct vertices.
+  // Sorts the moves for look-ups. To be called after the last move(); vertices must be distinct.
   void end_moves()
   {
     std::sort(m_moved.begin(), m_moved.end(),
@@ -185,7 +185,7 @@ private:
       m_positions[v] = position;
   }
 
-  // Sets a vertex that was elsewhere only by its number.
+  // Sets the present and the previous position of a new vertex that takes the number of another.
   void restart(Vertex_index v, const Point& p)
   {
     set(v, p);
@@ -193,7 +193,7 @@ private:
       *previous(v) = m_points[v];
   }
 
-  // To be called at the end of a call, or when vertices get other numbers.
+  // Forgets previous positions, at the end of a call or when vertices get other numbers.
   void forget_previous()
   {
     m_is_frame = false;
@@ -243,7 +243,7 @@ private:
     }
   }
 
-  // Copies what is not in the data structure's array.
+  // Copies what is kept between calls, except for the points in the data structure's array.
   void copy(const Positions_2& other)
   {
     m_positions = other.m_positions;
@@ -255,14 +255,14 @@ private:
     std::swap(m_are_exact, other.m_are_exact);
   }
 
-  // Exchanges the points of all vertices, and their positions, if they are kept apart.
+  // Exchanges the points of all vertices, and the positions if they are stored separately.
   void exchange(std::vector<Stored_point>& points, std::vector<Position_2>& positions)
   {
     m_points.swap(points);
     m_positions.swap(positions);
   }
 
-  // The place of a vertex before it moved, as it is stored.
+  // The stored point of a vertex before it moved, or the present one if it has not moved.
   const Stored_point* previous(Vertex_index v) const
   {
     if (m_is_frame)
@@ -280,11 +280,11 @@ private:
   }
 
   std::vector<Stored_point>& m_points; // those of the data structure
-  std::vector<Position_2> m_positions; // empty if they would say the same
+  std::vector<Position_2> m_positions; // empty if points are two doubles
   std::vector<Stored_point> m_other_points;
   std::vector<Position_2> m_other_positions;
-  std::vector<std::pair<Index, Stored_point>> m_moved; // single points, from these places
-  bool m_is_frame = false;                             // the other arrays are one frame old
+  std::vector<std::pair<Index, Stored_point>> m_moved; // single points, with former places
+  bool m_is_frame = false;                             // the other arrays hold the previous frame
   bool m_are_exact = true;
 };
 

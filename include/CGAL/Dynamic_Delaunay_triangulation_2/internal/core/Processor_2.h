@@ -27,7 +27,7 @@ inline void prefetch(const void* address)
 #endif
 }
 
-// The place of the lowest bit that is set. One of them must be.
+// The place of the lowest bit that is set in `word`, which must not be 0.
 inline unsigned lowest_bit(std::uint64_t word)
 {
 #if defined(__GNUC__) || defined(__clang__)

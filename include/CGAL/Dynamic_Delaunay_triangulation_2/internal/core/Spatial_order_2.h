@@ -51,8 +51,8 @@ public:
   }
 
 private:
-  // The two digits; below them the state after them: whether the axes are exchanged (upper bit),
-  // and whether the curve is rotated.
+  // Returns two digits and, in the two bits below them, the next state: whether the axes are
+  // exchanged (upper bit), and whether the curve is rotated.
   static std::uint8_t two_digits(unsigned state, unsigned x, unsigned y)
   {
     unsigned digits = 0, are_exchanged = state >> 1, is_turned = state & 1;
@@ -81,7 +81,7 @@ struct Cut_2
 
 // The line between two cells, given by their places on the Hilbert curve, `before` the earlier one.
 // At the first digit in which the places differ, the upper bit of the digit belongs to one axis,
-// the lower bit to the other. The digits above exchange the axes (each 0 or 3) and rotate (each 3).
+// the lower bit to the other. Of the digits above, each 0 or 3 exchanges the axes, each 3 rotates.
 inline Cut_2 hilbert_cut(std::uint32_t before, std::uint32_t after)
 {
   const auto parity = [](std::uint32_t bits) {
@@ -101,9 +101,9 @@ inline Cut_2 hilbert_cut(std::uint32_t before, std::uint32_t after)
 
 // Sorts points along a Hilbert curve, by the cells of a grid over them, and finds the lines between
 // consecutive points. Dividing along these lines divides as a quadtree does, each half across the
-// other axis. Points that share a cell are sorted by a finer grid over that cell, or, if they are
-// few, by x, then y. So coincident points are consecutive. The result depends only on the points
-// and their numbers.
+// other axis. Points that share a cell are sorted by a finer grid over these points, or, if they
+// are few or too close together, by x, then y. So coincident points are consecutive. The result
+// depends only on the points and their numbers.
 class Spatial_order_2
 {
 public:
@@ -118,8 +118,8 @@ public:
     sort_by_grid<Parts>(0, m_places.size(), 0);
   }
 
-  // Sorts by comparisons, where only these are exact: by x, then y, then number. All lines are
-  // vertical.
+  // Sorts by x, then y, then number, where positions are rounded and only comparisons are exact.
+  // All lines are vertical.
   template <class Iterator, class Less>
   void sort_by_comparisons(Iterator first, Iterator beyond, const Less& less)
   {
@@ -149,8 +149,8 @@ public:
   // Replaces the number of the i-th point.
   void renumber(std::size_t i, Index number) { m_places[i] = number; }
 
-  // Keeps one number for each stretch of coincident points: `merge(first, beyond)` for the stretch
-  // from `first` to below `beyond`.
+  // Keeps one number for each stretch of coincident points: `merge(first, beyond)` returns it for
+  // the stretch from `first` to below `beyond`.
   template <class Coincide, class Merge>
   void merge_coincident(const Coincide& coincide, const Merge& merge)
   {
@@ -172,7 +172,7 @@ public:
   }
 
 private:
-  // At most so many points are sorted by their coordinates.
+  // At most so many points are sorted by their coordinates without a grid.
   static constexpr std::size_t few = 8;
   // Ranks per level: the lines of a grid use the upper half, those between few points the lower.
   static constexpr int ranks = 64;
@@ -186,8 +186,8 @@ private:
     if (beyond - first <= few || !find_places<Parts>(first, beyond))
       return sort_by_coordinates(first, beyond, depth);
     sort_places<Parts>(first, beyond);
-    // parts that begin where a cell does; the places of earlier cells are lost when these are
-    // sorted
+    // each part begins with a cell, and knows the place of the cell before it: sorting within that
+    // cell overwrites the place
     struct Border
     {
       std::size_t begin;
@@ -206,7 +206,7 @@ private:
     });
   }
 
-  // Where the first cell that does not begin before i begins.
+  // Returns where the first cell begins that begins at i or later.
   std::size_t begin_of_cell(std::size_t first, std::size_t i, std::size_t beyond) const
   {
     if (i == first)
@@ -218,8 +218,8 @@ private:
         begin);
   }
 
-  // Finds the lines between the cells of a grid over the points from `first` on, and sorts within
-  // the cells from that at i to before that at `beyond`.
+  // Sorts within the cells that begin from i to before `beyond`, and finds the line in front of
+  // each of them, except for the first cell of the grid, which begins at `first`.
   template <class Parts>
   void sort_cells(std::size_t first, std::size_t i, std::size_t beyond, std::uint32_t last_place,
                   int depth)
@@ -238,8 +238,8 @@ private:
     }
   }
 
-  // All places are different, as they contain the numbers of the points: there is one order.
-  // Threads sort what has the same first digits.
+  // Sorts the places. All are different, because they contain the numbers of the points, so there
+  // is one order. Threads share groups of places with the same first eight bits.
   template <class Parts>
   void sort_places(std::size_t first, std::size_t beyond)
   {
@@ -289,7 +289,7 @@ private:
     }
   };
 
-  // Of points with at least one among them.
+  // There must be at least one point.
   template <class Parts>
   Box bounding_box(std::size_t first, std::size_t size) const
   {
@@ -305,8 +305,9 @@ private:
     return boxes[0];
   }
 
-  // False if there is no grid: the extent of the points, or its inverse, is not a finite number.
-  // Differences and products are rounded monotonically, so different cells separate the points.
+  // Finds the places of the points' cells on the curve. False if there is no grid: the extent of
+  // the points, or its inverse, is not a finite number. Differences and products are rounded
+  // monotonically, so the lines between cells separate the points.
   template <class Parts>
   bool find_places(std::size_t first, std::size_t beyond)
   {
@@ -360,7 +361,7 @@ private:
   }
 
   const Position_2* m_positions = nullptr;
-  std::vector<std::uint64_t> m_places; // place in a grid; the number of the point in the lower half
+  std::vector<std::uint64_t> m_places; // place in a grid (upper half), number of the point (lower)
   std::vector<Cut_2> m_cuts;
 };
 
@@ -399,7 +400,7 @@ public:
         [this](Index v, Index w) { return m_predicates.compare_xy(v, w) == EQUAL; });
   }
 
-  // Calls f(v, w) for every vertex w with the place of the one before it. v is the first one there.
+  // Calls f(v, w) for every vertex w that coincides with earlier ones, of which v is the first.
   template <class Function>
   void for_each_coincident_pair(const Function& f) const
   {

@@ -62,16 +62,16 @@ public:
 
   static constexpr bool is_periodic = false;
 
-  // What a repair has to know of a space.
+  // The properties of the space on which repairs depend.
   static constexpr bool has_hull = true;
-  static constexpr bool can_splice = true; // a region can be triangulated apart
+  static constexpr bool can_splice = true; // a region can be triangulated separately
   static constexpr bool can_locate_anywhere = true;
   static constexpr bool jumpers_leave_before_motion = false;
 
   static constexpr bool coordinates_are_doubles = has_double_coordinates<Point>;
 
-  // How passes are divided. Numbers that are computed when they are needed, and shared by points,
-  // are left to one thread.
+  // How passes are divided. Passes over lazy numbers, which several points may share, are left to
+  // one thread.
   using Parts =
       Parallel_parts_2<std::conditional_t<coordinates_are_doubles, ConcurrencyTag, Sequential_tag>>;
 
@@ -95,10 +95,10 @@ public:
   auto& vertex_properties() { return m_topology.vertex_properties(); }
   auto& face_properties() { return m_topology.face_properties(); }
 
-  // Without the infinite one.
+  // The number of finite vertices.
   Index number_of_vertices() const { return Index(positions().size()) - 1; }
 
-  // In lower dimensions there are no edges and faces, and every frame is a rebuild.
+  // If false, there are no edges and faces, and every frame is a rebuild.
   bool spans_plane() const { return triangulation().dimension() == 2; }
 
   // POSITIONS -----------------------------------------------------------------------------------
@@ -114,7 +114,7 @@ public:
 
   const Edge_2& edge(Edge_index e) const { return arrays().edge(e); }
   std::array<Index, 3> face(Face_index f) const { return arrays().face(f); }
-  // Whether half-edge h of edge e goes from its source to its target.
+  // Whether half-edge h of edge e goes from the edge's source to the edge's target.
   bool is_along(Edge_index e, Halfedge_index h) const
   {
     return arrays().source(h) == edge(e).source;
@@ -151,14 +151,14 @@ public:
 
   static constexpr std::size_t number_of_cell_changes() { return 0; }
 
-  // Fewer vertices are triangulated from scratch.
+  // Fewer vertices than these are triangulated from scratch.
   static constexpr std::size_t min_vertices = 3;
-  // How many times as much as in the plane it costs to triangulate from scratch.
+  // The cost of triangulating from scratch, as a multiple of the cost in the plane.
   static constexpr std::size_t rebuild_factor = 1;
 
   // CORNERS ---------------------------------------------------------------------------------------
-  // A corner is a vertex as it is seen from somewhere, and a frame says from where: in the plane
-  // from everywhere alike.
+  // A corner is a vertex as seen from a point of view, which is called a frame. In the plane all
+  // points of view are alike.
 
   using Corner = Index;
   struct Frame
@@ -169,9 +169,9 @@ public:
 
   static Vertex_index vertex_of(Corner corner) { return corner; }
   static Corner corner_of(Vertex_index v) { return v; }
-  // The apex of half-edge h, as seen by a frame of its face.
+  // The apex of half-edge h, as seen from a frame of the half-edge's face.
   Corner corner_in(Halfedge_index h, Frame) const { return arrays().apex(h); }
-  // The frame of the face of h as seen from its apex, and that of the face beyond h.
+  // The frame of the face of h as seen from the apex of h, and the frame of the face beyond h.
   static Frame frame_at(Index) { return {}; }
   static Frame frame_beyond(Index, Frame) { return {}; }
   const Position_2& rounded_position(Corner corner) const { return positions()[corner]; }
@@ -182,19 +182,19 @@ public:
   {
     return squared_distance(positions()[v], positions()[w]);
   }
-  // The position of v one frame ago, as it is seen from where its present one is `now`.
+  // The position of v one frame ago, as seen from where the present position of v is `now`.
   Position_2 previous_position_at(Vertex_index v, const Position_2&) const
   {
     return previous_position(v);
   }
-  // Where to look for a position in an order of space.
+  // The position by which p is sorted in a spatial order.
   static const Position_2& place_in_order(const Position_2& p) { return p; }
   bool are_neighbors(Corner a, Corner b) const { return arrays().are_neighbors(a, b); }
 
   bool corners_are_exact(Index) const { return positions_are_exact(); }
-  // The corners of an edge, as seen from it.
+  // The corners of an edge, as seen from the edge.
   Edge_corners_2 corners(Edge_index e) const { return corners(e, positions()); }
-  // With other positions of the vertices.
+  // The corners of an edge if the vertices had other positions.
   Edge_corners_2 corners(Edge_index e, const std::vector<Position_2>& others) const
   {
     return Space::corners(arrays().edge(e), others);

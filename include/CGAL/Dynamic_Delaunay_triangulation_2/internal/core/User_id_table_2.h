@@ -20,19 +20,19 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Numbers that nobody can know who chooses ids. Without them somebody could choose such ids that
-// all belong into the same place of a table, where each look-up takes as long as there are ids.
+// Random numbers, unknown to whoever chooses ids. Without them somebody could choose ids that all
+// belong into the same slot of a table: each look-up would take time proportional to their number.
 class User_id_secret_2
 {
 public:
-  // That of this process.
+  // The secret of this process.
   static const User_id_secret_2& of_process()
   {
     static const User_id_secret_2 secret = drawn();
     return secret;
   }
 
-  // All bits of the id, and of the secret, change the first bits of the result.
+  // All bits of the id and of the secret influence the highest bits of the result.
   std::uint64_t hash(std::uint64_t user_id) const
   {
     const std::uint64_t product = (user_id + m_summand) * m_factor;
@@ -51,21 +51,21 @@ private:
 
   static User_id_secret_2 drawn() noexcept
   {
-#ifdef __wasm__ // a module by itself has no system to ask, and the ids of whoever has loaded it
+#ifdef __wasm__ // a module alone has no system to ask; its loader also chooses the ids
     std::mt19937_64 random;
     return drawn_by(random);
 #else
     try {
       std::random_device random;
       return drawn_by(random);
-    } catch (const std::exception&) { // a machine without a source of such numbers
+    } catch (const std::exception&) { // a machine without a source of random numbers
       std::mt19937_64 random(Number(std::chrono::steady_clock::now().time_since_epoch().count()));
       return drawn_by(random);
     }
 #endif
   }
 
-  // Odd factors keep all bits.
+  // Multiplication by odd factors loses no bits.
   template <class Random>
   static User_id_secret_2 drawn_by(Random& random)
   {
@@ -79,8 +79,8 @@ private:
 
 // Maps the user's ids, which are any integers, to ids of points. Open addressing with linear
 // probing: a look-up reads one place in memory, where std::unordered_map reads three and allocates
-// each entry, which took a fifth of the frame where many of 100,000 points come and go. A secret
-// says where an id belongs. No result depends on it, as entries are never listed.
+// each entry, which took a fifth of the frame where many of 100,000 points come and go. The secret
+// determines the slot of an id. No result depends on it, because entries are never listed.
 template <class UserId>
 class User_id_table_2
 {
@@ -104,13 +104,14 @@ public:
 
   std::size_t size() const { return m_size; }
 
-  // `no_id` if there is none. Most new ids are larger than all before, and found missing at once.
+  // Returns the point's id, or `no_id` if there is none. Most new ids are larger than all others,
+  // and are found missing by one comparison.
   std::size_t find(UserId user_id) const
   {
     return m_size == 0 || user_id > m_largest ? no_id : m_slots[slot_of(user_id)].id;
   }
 
-  // How many slots `find()` reads for an id that is there.
+  // How many slots `find()` reads for an id that has an entry.
   std::size_t number_of_probes(UserId user_id) const
   {
     return distance(first_slot(user_id), slot_of(user_id)) + 1;
@@ -157,7 +158,7 @@ public:
     --m_size;
     std::size_t hole = slot_of(user_id);
     m_slots[hole].id = no_id;
-    // entries that would not be found beyond the hole move into it
+    // entries that a search would not reach beyond the hole move into it
     for (std::size_t i = next(hole); m_slots[i].id != no_id; i = next(i))
       if (distance(first_slot(m_slots[i].user_id), i) >= distance(hole, i)) {
         m_slots[hole] = m_slots[i];
@@ -203,9 +204,9 @@ private:
     return i;
   }
 
-  std::vector<Slot> m_slots; // 0 or a power of two; at least half are empty
+  std::vector<Slot> m_slots; // none or a power of two; at least half are empty
   std::size_t m_size = 0;
-  UserId m_largest = UserId(); // the largest id ever set
+  UserId m_largest = UserId(); // the largest id set since the table was last empty
   int m_bits = 0;
   User_id_secret_2 m_secret = User_id_secret_2::of_process();
 };

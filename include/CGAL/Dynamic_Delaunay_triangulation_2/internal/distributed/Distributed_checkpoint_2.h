@@ -24,13 +24,13 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// The space, and ids, positions and the user's data of the points of all ranks, in one file that
-// they write and read together: a header, and a record of equal size for each point, as they are in
-// memory.
+// Writes and reads a checkpoint: the space, and ids, positions and the user's data of the points of
+// all ranks, in one file that all ranks write and read together. The file has a header and a record
+// of equal size for each point, both as they are in memory.
 //
-// A file is written under another name, and renamed when all of it is on the disk. So what has its
-// name is always complete, whenever a rank dies. All functions are collective, and throw on all
-// ranks or on none.
+// A file is written under another name, and renamed when all of it is on the disk. So a file under
+// the final name is always complete, whenever a rank dies. All functions are collective, and throw
+// on all ranks or on none.
 template <class Space>
 class Distributed_checkpoint_2
 {
@@ -92,7 +92,7 @@ public:
       throw Checkpoint_error_2(0, "cannot rename '" + unfinished + "' to '" + m_path + "'");
   }
 
-  // An even part of the points, and of their data.
+  // Appends an even share of the points to `entries`, and their data to `data`.
   void read(Parameters& parameters, std::vector<Entry>& entries, std::vector<char>& data,
             std::size_t size)
   {
@@ -114,7 +114,7 @@ private:
     std::uint64_t byte_order = 0x0102030405060708;
     std::uint64_t data_size = 0;
     std::uint64_t number_of_points = 0;
-    std::uint64_t sum = 0; // of the records, in any order
+    std::uint64_t sum = 0; // of the hashes of the records, in any order, and of the parameters
   };
   struct Header : Beginning, Parameters
   {
@@ -122,8 +122,8 @@ private:
 
   bool is_any_error(int result) { return m_ranks.is_any(result != MPI_SUCCESS); }
 
-  // Calls f(place, n) for parts of so many bytes that MPI can count them, on all ranks equally
-  // often.
+  // Calls f(place, n) for pieces of at most 2^30 bytes, so that MPI can count them; on all ranks
+  // equally often. True if all calls succeed.
   template <class Function>
   bool for_each_part(std::size_t size, const Function& f)
   {
@@ -137,7 +137,7 @@ private:
     return are_done;
   }
 
-  // What is wrong, if anything.
+  // Returns what this rank finds wrong with the file, or an empty text.
   std::string read_parts(MPI_File file, Parameters& parameters, std::vector<Entry>& entries,
                          std::vector<char>& data, std::size_t size)
   {
@@ -195,7 +195,7 @@ private:
     return sum_of(bytes, bytes.size());
   }
 
-  // Of the FNV-1a hashes of all records.
+  // Returns the sum of the FNV-1a hashes of all records.
   static std::uint64_t sum_of(const std::vector<char>& bytes, std::size_t record)
   {
     std::uint64_t sum = 0;

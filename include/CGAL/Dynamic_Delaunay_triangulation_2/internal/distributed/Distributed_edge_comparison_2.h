@@ -19,16 +19,16 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// What the edges of all ranks were, and which of them have come and gone since. `Traits::Edge` can
-// be compared, `Traits::end(edge)` is the id of one of its ends, and `Traits::write(edge, message)`
-// writes what `Traits::read(message)` reads.
+// Lists the edges that were created and removed between two calls of `compare()`, over all ranks.
+// `Traits::Edge` can be compared, `Traits::end(edge)` is the id of one of its ends, and
+// `Traits::write(edge, message)` writes what `Traits::read(message)` reads.
 template <class Traits>
 class Distributed_edge_comparison_2
 {
 public:
   using Edge = typename Traits::Edge;
 
-  // Gives the edges that they were other names, different ones to different edges.
+  // Renames the edges of the last comparison. `name` maps different edges to different ones.
   template <class Name>
   void rename(const Name& name)
   {
@@ -37,7 +37,7 @@ public:
     std::sort(m_edges.begin(), m_edges.end());
   }
 
-  // Compares them with what they are now, of which this rank tells these. Collective.
+  // Compares `edges`, which this rank gives, with those of the last call. Collective.
   void compare(Distributed_ranks_2& ranks, std::vector<Edge> edges)
   {
     std::vector<Edge> created, removed;
@@ -50,12 +50,12 @@ public:
     settle(ranks, created, removed);
   }
 
-  // The changes that this rank tells, ascending.
+  // The changes that are listed on this rank, ascending.
   const std::vector<Edge>& created() const { return m_created; }
   const std::vector<Edge>& removed() const { return m_removed; }
 
 private:
-  // One rank hears of all changes of an edge: where it went to another owner they cancel out.
+  // Sends all changes of an edge to one rank: if only its owner has changed they cancel out.
   void settle(Distributed_ranks_2& ranks, const std::vector<Edge>& created,
               const std::vector<Edge>& removed)
   {

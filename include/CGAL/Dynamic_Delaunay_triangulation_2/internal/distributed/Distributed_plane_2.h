@@ -20,7 +20,7 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// The open plane, as a space of distributed points: each of them has one image, itself.
+// The open plane, as a space of distributed points. Each point has one image, itself.
 template <class Kernel_>
 class Distributed_plane_2
 {
@@ -32,10 +32,10 @@ public:
   using Outline = Distributed_outline_2<Points>;
 
   static constexpr bool is_periodic = false;
-  // Of the finite vertices, edges and faces: that of a disk.
+  // The number of vertices, minus edges, plus finite faces: that of a disk.
   static constexpr std::uint64_t euler_characteristic = 1;
 
-  // What checkpoints say of the space.
+  // What a checkpoint stores about the space.
   struct Parameters
   {
   };
@@ -44,42 +44,42 @@ public:
   Distributed_plane_2() = default;
   explicit Distributed_plane_2(const Parameters&) {}
   Parameters parameters() const { return {}; }
-  // Whether all ranks were given the same space. Collective. Throws if not.
+  // Throws unless all ranks were given the same space. Collective.
   void agree(Distributed_ranks_2&) const {}
 
-  // What is triangulated where the user gives this point. Throws if that is impossible.
+  // Returns the position that is triangulated for a point of the user. Throws if it is refused.
   template <class Point>
   Position_2 checked(const Point& p, std::size_t place) const
   {
     return checked_position(p, place);
   }
 
-  // The image of a point that its owner holds, when it is new, and when it was elsewhere before.
+  // The image of a point that its owner holds: of a new point, and of one that has moved.
   Image first_image(const Position_2& given) const { return {{}, given.x, given.y}; }
   Image next_image(const Position_2& given, const Position_2&, const Distributed_plane_2&) const
   {
     return first_image(given);
   }
-  // What the user gave for such an image.
+  // The position that the user gave for the point of such an image.
   Position_2 given(const Image& image) const { return {image.x, image.y}; }
 
-  // What moves an own image by a shift.
+  // The vector of a shift, an image moved by that vector, and whether the vector is 0.
   Position_2 vector(const Shift&) const { return {0, 0}; }
   Image translated(const Image& image, const Shift&) const { return image; }
   bool is_none(const Shift&) const { return true; }
-  // Calls f(shift) for each shift by which something in one box may be in the other.
+  // Calls f(shift) for each shift that may move a place of the first box into the second one.
   template <class Function>
   void for_each_shift(const Box_2&, const Box_2&, const Function& f) const
   {
     f(Shift());
   }
 
-  // What is deformed with the space.
+  // The vectors that are deformed with the space.
   Basis_2 basis() const { return unit_basis; }
-  // Compared with the largest coordinate, the size of the smallest cells of a zone.
+  // The size of the smallest cells of a zone, divided by the largest coordinate.
   static constexpr double finest_zone = 0x1p-40;
 
-  // Whether what ranks have sent each other in the other space is of use in this one.
+  // Whether ghosts and zones that ranks have sent each other in the other space stay of use.
   bool continues(const Distributed_plane_2&) const { return true; }
 };
 

@@ -25,16 +25,16 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// The points that a rank holds, its own and ghosts, and their triangulation. All of them have
-// places, which are the ids of that triangulation. In a periodic space these are images of points:
-// one of each own point, and ghosts of points of any rank.
+// The points that a rank holds, its own and ghosts, and their triangulation. The *place* of a held
+// point is its id in that triangulation. In a periodic space a rank holds images of points: one of
+// each own point, and ghosts, which are images of points of any rank.
 //
-// Each rank keeps the list of the points that it has sent to each other one, its *exports* there,
-// and a list for each shift by which it has sent them; the other one keeps the lists of their
-// places, its *imports*, in the same order. A frame sends the positions of exports first, and tells
-// which of them are no longer sent; while that is under way it moves all other points, and sends
-// all further images of own points that are now in the zone of the other one. So after each frame a
-// rank holds all points in its zone.
+// For each receiving rank, and each shift by which images are sent there, a rank lists the points
+// that it has sent, its *exports*; the receiver lists the places of these points, its *imports*, in
+// the same order. A frame sends the positions of exports first, and tells which of them are no
+// longer sent. While these messages are under way the rank moves all its other points, and sends
+// all further images of own points that are now in the receiver's zone. So after each frame a rank
+// holds all points in its zone.
 //
 // `Space` is `Distributed_plane_2` or `Distributed_torus_2`.
 template <class Space_>
@@ -50,7 +50,7 @@ public:
   using Point = typename Kernel::Point_2;
   using Dynamic = Dynamic_Delaunay_triangulation_2<Kernel>;
 
-  // An image as it is sent, and as it comes from a rank.
+  // An image as it is sent, and as it is received from a rank.
   struct Sent
   {
     Id id;
@@ -72,10 +72,10 @@ public:
 
   const Space& space() const { return m_space; }
   const Dynamic& dt() const { return m_dt; }
-  // Of the own points, in the order of updates.
+  // The places of the own points, in the order of updates.
   const std::vector<Index>& owned() const { return m_owned; }
   std::size_t number_of_ghosts() const { return m_places.size() - m_owned.size(); }
-  // By places.
+  // The id, position, shift and image of the held point at a place.
   Id id(Index place) const { return m_ids[place]; }
   const Point& point(Index place) const { return m_points[place]; }
   const Shift& shift(Index place) const { return m_shifts[place]; }
@@ -83,7 +83,7 @@ public:
   {
     return {m_shifts[place], m_points[place].x(), m_points[place].y()};
   }
-  // As the user gave it.
+  // The id and the position that the user gave.
   Entry entry(Index place) const
   {
     const Position_2 given = m_space.given(image(place));
@@ -91,7 +91,7 @@ public:
   }
   bool is_owned(Index place) const { return m_is_owned[place]; }
   bool holds(Id id) const { return m_places.count(id) > 0; }
-  // That of the point itself, if it is owned, or of one of its ghosts. \pre `holds(id)`
+  // The place of the image that this rank owns, or else of a ghost. \pre `holds(id)`
   Index place(Id id) const
   {
     const auto [first, beyond] = m_places.equal_range(id);
@@ -99,13 +99,13 @@ public:
     return own != beyond ? own->second : first->second;
   }
 
-  // Whether a rank's points by a shift are the own points themselves.
+  // Whether the images of own points by `shift`, on `rank`, are the own points themselves.
   bool is_own_image(std::size_t rank, const Shift& shift) const
   {
     return rank == std::size_t(m_ranks.rank()) && m_space.is_none(shift);
   }
 
-  // Whether a rank has been sent the image of an own point by a shift, or holds it as its own.
+  // Whether `rank` holds the image of an own point by `shift`, as a ghost or as its own.
   bool is_held_by(std::size_t rank, Index place, const Shift& shift) const
   {
     if (is_own_image(rank, shift))
@@ -114,7 +114,7 @@ public:
     return link != m_links[rank].end() && link->second.exports_place(place);
   }
 
-  // By places: where the own points are in their order.
+  // For each place, the index in `owned()`, or `null_index`.
   std::vector<Index> order() const
   {
     std::vector<Index> order(m_points.size(), null_index);
@@ -133,7 +133,7 @@ public:
 
   bool certify() { return m_dt.certify(); }
 
-  // Vertices of the triangulation, by their numbers.
+  // For each vertex of the triangulation, 1 if an own point is there, else 0.
   std::vector<std::uint8_t> owned_vertices() const
   {
     const auto frame = m_dt.frame();
@@ -143,7 +143,7 @@ public:
     return are_owned;
   }
 
-  // Forgets all points, and owns these.
+  // Replaces all points by these, which this rank owns.
   Update_report_2 reset(const Space& space, const std::vector<Entry>& owned)
   {
     m_space = space;
@@ -176,7 +176,7 @@ public:
     return report;
   }
 
-  // Removes own points. Other ranks hear of that in the next frame.
+  // Removes own points. The next exchange tells the other ranks.
   Update_report_2 remove(const std::vector<Index>& places)
   {
     for (const Index place : places) {
@@ -195,8 +195,8 @@ public:
     return m_dt.remove(places);
   }
 
-  // Starts to exchange what has changed with the other ranks: own points move to `positions`, in
-  // their order, in a space that continues the one before.
+  // Moves the own points to `positions`, in the order of `owned()`, in a space that continues the
+  // last one, and starts to send the changes to the other ranks.
   void start_exchange(const Space& space, const std::vector<Position_2>& positions)
   {
     const Space last = std::exchange(m_space, space);
@@ -209,7 +209,7 @@ public:
     send_new();
   }
 
-  // Where points have come or gone, and none has moved.
+  // Starts to send the changes if points were inserted or removed, and none has moved.
   void start_exchange()
   {
     m_ranks.exchange().start();
@@ -217,7 +217,7 @@ public:
     send_new();
   }
 
-  // Waits for what the other ranks send, and updates the triangulation.
+  // Waits for the messages of the other ranks, and updates the triangulation.
   Update_report_2 finish_exchange()
   {
     std::vector<std::size_t> gone;
@@ -232,7 +232,7 @@ public:
     return report;
   }
 
-  // That of this rank, as the others know it.
+  // The zone of this rank, as the other ranks know it.
   const Distributed_zone_2& own_zone() const { return m_zones[std::size_t(m_ranks.rank())]; }
 
   // Calls f(place) for each ghost.
@@ -244,7 +244,7 @@ public:
         std::for_each(link.imports.begin(), link.imports.end(), f);
   }
 
-  // What is sent of an own point.
+  // The id of an own point, and its image by `shift`, as another rank is sent them.
   Sent sent(Index place, const Shift& shift) const
   {
     return {m_ids[place], m_space.translated(image(place), shift)};
@@ -254,7 +254,7 @@ public:
     export_by(m_links[rank][shift], place);
   }
 
-  // What other ranks have sent as answers.
+  // Inserts the ghosts that other ranks have sent as answers.
   Update_report_2 import(const std::vector<Coming>& coming)
   {
     std::vector<std::size_t> places;
@@ -263,8 +263,8 @@ public:
     return report;
   }
 
-  // Tells all ranks the zones of those that have a new one, and `zone` is that of this rank. From
-  // the next frame on they are sent all points in these zones.
+  // Tells all ranks the new zone of this rank, unless `zone` is null, and learns those of the
+  // others. From the next frame on each rank is sent all points in its new zone. Collective.
   void publish(const Distributed_zone_2* zone)
   {
     const auto all = m_ranks.gather(zone ? zone->to_words() : std::vector<std::uint64_t>());
@@ -303,7 +303,7 @@ private:
     std::vector<Index> exports;            // `null_index` where the point was removed
     std::vector<std::uint8_t> idle_frames; // how long each of them has been outside of the zone
     std::vector<bool> are_exported;        // by places
-    std::size_t known = 0; // exports, the first ones, whose positions this frame has sent
+    std::size_t known = 0; // how many exports, the first ones, had their positions sent this frame
     std::vector<Index> imports;
 
     bool exports_place(Index place) const
@@ -313,15 +313,15 @@ private:
   };
   using Links = std::map<Shift, Link>;
 
-  // Of a message, what is about one shift: so many places in the list of exports, which end, images
-  // of all that stay, and new exports follow.
+  // The header of the part of a message about one shift, which follows: the numbers of exports that
+  // end (their indices follow), stay (their images follow), and begin (ids and images follow).
   struct Part
   {
     std::uint64_t ending, staying, beginning;
   };
 
-  // Around all own points, and around each stretch of them, which are mostly close together. Few
-  // zones of many ranks are near: without boxes each point would be looked at for each rank.
+  // Boxes around all own points, and around each stretch of them, whose points are mostly close
+  // together. Few ranks have zones near them: boxes save comparing each point with each zone.
   struct Owned_boxes
   {
     Box_2 all;
@@ -329,11 +329,11 @@ private:
   };
   static constexpr std::size_t stretch = 64;
 
-  // So many frames outside of the zone a point is still sent: it may come back, and what was asked
-  // for in one frame is often needed in the next ones.
+  // For how many frames a point outside of the zone is still sent: it may come back, and a point
+  // that a rank has asked for in one frame is often needed in the next ones.
   static constexpr std::uint8_t patience = 8;
 
-  // So many points are moved before MPI may carry on what is under way.
+  // How many points are moved between two calls of `progress()`.
   static constexpr std::size_t moves_at_once = 2048;
 
   bool is_the_same(const Sent& other, Index place) const
@@ -360,7 +360,7 @@ private:
     --m_export_counts[place];
   }
 
-  // Own points that are exports, or all others.
+  // Moves the own points that are exports, or all other own points.
   void move(bool are_exports, const std::vector<Position_2>& positions, const Space& last)
   {
     for (std::size_t k = 0; k < m_owned.size(); ++k) {
@@ -439,7 +439,7 @@ private:
     });
   }
 
-  // The images that are moved by `v`.
+  // Exports the images, moved by `v`, that are in the zone.
   void export_to_zone(const Distributed_zone_2& zone, const Position_2& v, const Owned_boxes& boxes,
                       Link& link)
   {
@@ -460,7 +460,7 @@ private:
     return zone.contains(m_points[place].x() + v.x, m_points[place].y() + v.y);
   }
 
-  // The positions of exports that the other ranks hold.
+  // Sends the positions of exports, which the other ranks hold already.
   void send_known()
   {
     for (std::size_t r = 0; r < m_links.size(); ++r) {
@@ -471,7 +471,7 @@ private:
     }
   }
 
-  // Own points that are in the zones of other ranks, and not held there.
+  // Sends images of own points that are in the zones of ranks that do not hold them yet.
   void send_new()
   {
     const Owned_boxes boxes = owned_boxes();
@@ -519,7 +519,7 @@ private:
                                                                           : std::next(link);
   }
 
-  // Those that were removed, or have been outside of the zone for long: their places in the list.
+  // Drops exports that were removed, or outside of the zone for long. Returns their indices.
   std::vector<std::uint64_t> drop_exports(Link& link)
   {
     std::vector<std::uint64_t> ending;
@@ -573,7 +573,7 @@ private:
   std::vector<Point> m_points;
   std::vector<Shift> m_shifts;
   std::vector<bool> m_is_owned;
-  std::vector<std::uint32_t> m_export_counts; // by places: in how many links
+  std::vector<std::uint32_t> m_export_counts; // by places: how many links export them
   std::unordered_multimap<Id, Index> m_places;
   std::vector<Index> m_owned;
   std::vector<Links> m_links;              // by ranks

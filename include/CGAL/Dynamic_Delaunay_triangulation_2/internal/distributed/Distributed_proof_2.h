@@ -29,16 +29,16 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Proves that the faces with an owned corner are faces of all points, and asks other ranks where it
-// cannot.
+// Proves that the faces with an owned corner are faces of the triangulation of all points, and asks
+// other ranks about those for which it cannot.
 //
-// A point of another rank that this one does not hold is outside of this rank's zone, and within
-// the outline. So a finite face is proved if its closed disk, as far as it is within the outline,
-// is in the zone; an infinite one if no corner of the outline is beyond its edge. All other faces
-// are *open*. Their regions are asked about: a rank that may have points there sends those that it
-// has not sent yet, at first a few that are near. They become ghosts, faces change, and again,
-// until every rank has answered each question about a face that is still there completely. After
-// that the zone is computed anew from the faces, so that the next frames need not ask.
+// A point of another rank that this rank does not hold is outside of its zone, and within the
+// outline. So a finite face is proved if the part of its closed disk within the outline is in the
+// zone; an infinite face if no corner of the outline is beyond its edge. All other faces are
+// *open*: ranks that may have points in their regions are asked, and send those that they have not
+// sent yet, at first a few near ones. These become ghosts, and faces change. Rounds repeat until
+// each question about a face that still exists is answered completely. Then a zone that has become
+// too small or old is computed anew from the faces, so that the next frames need not ask.
 //
 // In a periodic space a rank asks itself as well, for images of its own points.
 template <class Space>
@@ -60,13 +60,13 @@ public:
   {
   }
 
-  // How often ranks have asked each other.
+  // The number of rounds of questions.
   std::size_t number_of_rounds() const { return m_rounds; }
-  // How many frames needed that.
+  // The number of frames that needed questions.
   std::size_t number_of_asking_frames() const { return m_asking_frames; }
 
-  // Collective. Without trust in zones every face is open that may have points of other ranks in
-  // its disk.
+  // Proves all faces with an owned corner. Collective. Without `trusts_zones` every finite face is
+  // open: all ranks that may have points in its disk are asked.
   Update_report_2 run(bool trusts_zones = true)
   {
     Update_report_2 report;
@@ -94,8 +94,8 @@ public:
     return report;
   }
 
-  // What can be done for the next proof while the positions of ghosts are not known. To be called
-  // when own points have changed, and zones were deformed.
+  // Prepares the next proof as far as that needs no positions of ghosts. Call it when own points
+  // have changed, and zones were deformed.
   void prepare()
   {
     if (has_no_others())
@@ -105,7 +105,7 @@ public:
     mark_own_points();
   }
 
-  // When all points have been replaced.
+  // Call it when all points have been replaced.
   void forget_zone()
   {
     set_zone(Distributed_zone_2());
@@ -115,11 +115,11 @@ public:
 private:
   static constexpr std::size_t boxes_per_rank = 16;
   static constexpr std::size_t points_per_answer = 4; // in the first round, then 4 times as many
-  static constexpr int zone_lifetime = 16;            // frames, where others have to renew theirs
-  static constexpr std::size_t marks_at_once = 4096;  // before MPI may carry on what is under way
+  static constexpr int zone_lifetime = 16;            // frames; the next questions renew it
+  static constexpr std::size_t marks_at_once = 4096;  // points between two calls of `progress()`
   static constexpr double smallest_margin = 1, largest_margin = 8; // cells
 
-  // Whether there are no images but the own ones.
+  // True if this rank owns the only image of each point.
   bool has_no_others() const { return m_ranks.size() == 1 && !Space::is_periodic; }
 
   // Calls f(question) for each face with an owned corner.
@@ -129,7 +129,7 @@ private:
     for_each_face(m_points.owned_vertices(), f);
   }
 
-  // For each face with one of these corners.
+  // Calls f(question) for each face with one of the corners whose number is not 0.
   template <class Function>
   void for_each_face(const std::vector<std::uint8_t>& are_corners, const Function& f) const
   {
@@ -199,7 +199,7 @@ private:
     }
   }
 
-  // Boxes around stretches of the own points, of all ranks.
+  // Gathers boxes around stretches of the own points of all ranks.
   void publish_boxes()
   {
     std::vector<Box_2> own(boxes_per_rank);
@@ -210,8 +210,8 @@ private:
     m_boxes = m_ranks.gather(own).values;
   }
 
-  // By ranks: what they may know and have not answered. A question goes to the nearest ones first,
-  // as their answers may be enough.
+  // Returns for each rank the questions for which it may own points, and has not answered
+  // completely. A question goes to the nearest ranks first, as their answers may be enough.
   std::vector<Questions> posed(const Questions& open, std::size_t ranks_at_once) const
   {
     std::vector<Questions> questions(m_ranks.size());
@@ -232,7 +232,7 @@ private:
     return questions;
   }
 
-  // How near to the focus a rank may own points in the region; infinite if it does not.
+  // How near to the focus a rank may own points in the region; infinity if it owns none there.
   double squared_distance_to(std::size_t r, const Question& question) const
   {
     double nearest = Box_2::infinity;
@@ -274,7 +274,7 @@ private:
     return m_points.import(coming);
   }
 
-  // An own point's image in a region, which the other rank does not hold.
+  // An image of an own point that is in a region, and that the asking rank does not hold.
   struct Found
   {
     double squared_distance; // from the focus
@@ -288,7 +288,8 @@ private:
     }
   };
 
-  // Sends the points in the regions that the other rank does not hold: those near the focus.
+  // Answers each question with up to `limit` points near the focus, in its region, that the asking
+  // rank does not hold, and tells whether these are all.
   void answer(const Search& search, Message_2& questions, Message_2& answers, std::size_t limit)
   {
     const auto r = std::size_t(questions.rank());
@@ -306,8 +307,8 @@ private:
     }
   }
 
-  // All of them; or, where there are more than `limit`, at least those in a square around the focus
-  // that has more than `limit`.
+  // Returns all points of an answer; or, if there are more than `limit`, at least those in a square
+  // around the focus that contains more than `limit`.
   std::vector<Found> find_inside(const Search& search, const Question& question, std::size_t rank,
                                  std::size_t limit) const
   {
@@ -344,8 +345,8 @@ private:
     return {m_points.point(place).x(), m_points.point(place).y()};
   }
 
-  // A zone that did not last for long gets a wider margin, one that lasts gets a narrower one. One
-  // that does not leave more faces open than when it was new is kept: another would not be better.
+  // Renews the zone if it leaves more faces open than when it was new, or is old: else another
+  // would not be better. Failing early widens the margin, failing late narrows it.
   void renew_zone(std::size_t opened)
   {
     const bool is_renewed = opened > m_uncovered || m_zone_age >= zone_lifetime;
@@ -392,7 +393,7 @@ private:
     return zone;
   }
 
-  // The median of the disks around some of the faces; 0 if there is none.
+  // The median diameter of the disks that have finite boxes; 0 if there is none.
   double usual_diameter() const
   {
     std::vector<double> diameters;

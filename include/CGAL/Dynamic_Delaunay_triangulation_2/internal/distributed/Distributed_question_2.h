@@ -19,7 +19,7 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// A closed box, and the empty one.
+// A closed box. By default it is empty.
 struct Box_2
 {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -64,8 +64,8 @@ struct Box_2
   }
 };
 
-// Which points are in a region: the closed disk of a face, the open half-plane beyond an edge of
-// the hull, or anywhere. `x`, `y` is an owned corner: answers begin with what is near it.
+// A question: which points are in a region, the closed disk of a face, the open half-plane beyond
+// an edge of the hull, or anywhere? `x`, `y` is an owned corner: answers begin with points near it.
 struct Distributed_question_2
 {
   enum Kind : std::int64_t { CIRCLE, HALF_PLANE, EVERYTHING };
@@ -81,7 +81,7 @@ struct Distributed_question_2
 
   Position_2 corner(std::size_t i) const { return {corners[2 * i], corners[2 * i + 1]}; }
 
-  // The region, moved back by a vector by which its corners can be moved exactly.
+  // The question moved by -v. \pre This moves the corners exactly.
   Distributed_question_2 moved_back(const Position_2& v) const
   {
     const auto& [ax, ay, bx, by, cx, cy] = corners;
@@ -105,7 +105,7 @@ struct Distributed_question_2
     }
   }
 
-  // Whether the region may contain a place in a box. If not, it contains none.
+  // False only if the region contains no place in the box.
   template <class Kernel>
   bool may_meet(const Box_2& box) const
   {
@@ -122,16 +122,16 @@ struct Distributed_question_2
     }
   }
 
-  // Around the region.
+  // A box around the region.
   Box_2 box() const { return kind == CIRCLE ? box_of_disk() : Box_2::of_everything(); }
 
   // A box around the disk. With e = 2^-53 the sides u and v from one corner are off by e times
   // themselves, so that D = u x v is off by less than 8 e |u||v|. Where |u|^2 + |v|^2 is at most
-  // 2^12 D, that is 2^-38 D. The radius is |u||v||u - v| / 2D; the numerators of the circumcenter
-  // are off by less than 16 e |u||v| (|u| + |v|), and |u| + |v| is at most four radii: so the
-  // circumcenter is off by less than 2^-34 radii. 2^-30 radii cover that, the rounding of the
-  // radius, and second order; 2^-50 of the coordinates cover the last sums. Within the limits of
-  // |u|^2 + |v|^2 nothing overflows, and what underflows is smaller than these by far.
+  // 2^12 D, the error is 2^-38 D. The radius is |u||v||u - v| / 2D; the numerators of the
+  // circumcenter are off by less than 16 e |u||v| (|u| + |v|), and |u| + |v| is at most four radii:
+  // so the circumcenter is off by less than 2^-34 radii. 2^-30 radii cover that, the rounding of
+  // the radius, and second order; 2^-50 of the coordinates cover the last sums. Within the limits
+  // of |u|^2 + |v|^2 nothing overflows, and what underflows is smaller than these by far.
   Box_2 box_of_disk() const
   {
     const Position_2 p = corner(0), u = corner(1) - p, v = corner(2) - p;
@@ -146,7 +146,7 @@ struct Distributed_question_2
     return {cx - pad_x, cy - pad_y, cx + pad_x, cy + pad_y};
   }
 
-  // Whether it can be seen quickly that the disk's diameter is at most `diameter`. That is
+  // A quick test: true only if the disk's diameter is at most `diameter`. The disk's diameter is
   // |u||v||u - v| / D; where |u|^2 + |v|^2 is at most 2^12 D, all parts are accurate to 2^-38, and
   // 2^-20 covers their product.
   bool is_narrow(double diameter) const
@@ -161,15 +161,15 @@ struct Distributed_question_2
 private:
   // With w the vector from the first corner, u and v those to the others, A = u x v > 0, and
   // N = (|u|^2 v_y - |v|^2 u_y, |v|^2 u_x - |u|^2 v_x), the closed disk is where
-  // g(w) = A |w|^2 - N w <= 0: it vanishes at 0, u and v. It is a sum of a function of w_x and one
-  // of w_y, so its lowest value in a box is the sum of theirs.
+  // g(w) = A |w|^2 - N w <= 0: g vanishes at 0, u and v. It is a sum of a function of w_x and one
+  // of w_y, so its lowest value in a box is the sum of their lowest values.
   //
   // Errors, with e = 2^-53 and the lengths |.| replaced by sums of absolute values, which are not
   // smaller: A is off by less than 5 e |u||v|, each part of N by less than 9 e |u||v|(|u| + |v|).
-  // With W the largest |w| in the box, g so is off by less than 9 e |u||v| W (W + |u| + |v|) for
-  // its coefficients, 3 e of that scale for the ends of the box, and 8 e for its evaluation; where
-  // the lowest value is taken is off by 4 e of itself, which changes it in second order. The pad is
-  // 2^-46 = 128 e of this scale. Where a part might over- or underflow nothing is proved.
+  // With W the largest |w| in the box, g is off by less than 9 e |u||v| W (W + |u| + |v|) for its
+  // coefficients, 3 e of that scale for the ends of the box, and 8 e for its evaluation; the place
+  // of the lowest value is off by 4 e of itself, which changes that value in second order. The pad
+  // is 2^-46 = 128 e of this scale. Where a part might over- or underflow nothing is proved.
   bool disk_may_meet(const Box_2& box) const
   {
     const Position_2 p = corner(0), u = corner(1) - p, v = corner(2) - p;
@@ -188,7 +188,7 @@ private:
     return !(lowest > 0x1p-46 * (length_u * length_v) * reach * (reach + length_u + length_v));
   }
 
-  // Of a t^2 - n t from `low` to `high`.
+  // The lowest value of a t^2 - n t for t from `low` to `high`.
   static double lowest_value(double a, double n, double low, double high)
   {
     const auto value = [&](double t) { return (a * t - n) * t; };

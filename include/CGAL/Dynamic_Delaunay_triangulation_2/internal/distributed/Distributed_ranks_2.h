@@ -23,16 +23,16 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// What each rank gave, one after the other.
+// The values that all ranks gave, one rank after the other.
 template <class T>
 struct Gathered_2
 {
   std::vector<T> values;
-  std::vector<std::size_t> offsets; // by ranks, and the end
+  std::vector<std::size_t> offsets; // where the values of each rank begin, and the end
 };
 
-// The ranks of a communicator of our own: nothing that the program sends meets what we do. All
-// functions but `rank()` and `size()` are collective.
+// The ranks of a copy of a communicator, so that messages of the program do not get mixed up with
+// those of this class. All functions that communicate are collective.
 class Distributed_ranks_2
 {
 public:
@@ -58,7 +58,7 @@ public:
   std::size_t size() const { return std::size_t(m_size); }
   const Message_exchange_2& exchange() const { return m_exchange; }
   Message_exchange_2& exchange() { return m_exchange; }
-  // What `gather()` has brought.
+  // The number of bytes that `gather()` has returned.
   std::size_t gathered_bytes() const { return m_gathered_bytes; }
 
   std::uint64_t sum(std::uint64_t value) { return reduced(value, MPI_UINT64_T, MPI_SUM); }
@@ -104,7 +104,7 @@ public:
     return all;
   }
 
-  // Messages to some of the ranks; empty ones are not sent.
+  // One empty message to each rank, for `send()`. Messages that stay empty are not sent.
   std::vector<Message_2> empty_messages() const
   {
     std::vector<Message_2> messages;

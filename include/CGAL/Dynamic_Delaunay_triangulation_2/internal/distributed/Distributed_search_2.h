@@ -18,8 +18,8 @@
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Finds the own points in the regions of questions, by a grid of about two points a cell. Cost: the
-// points are sorted into cells once; then proportional to the cells around the boundary of a region
-// and to what it contains, with a logarithm for the way there.
+// points are sorted into cells once; then a search is proportional to the cells around the boundary
+// of a region and to the points in the region, with a logarithm for the way there.
 template <class Points>
 class Distributed_search_2
 {
@@ -38,8 +38,8 @@ public:
     const double coordinates = (std::max)({std::abs(m_box.x_low), std::abs(m_box.x_high),
                                            std::abs(m_box.y_low), std::abs(m_box.y_high)});
     const auto cells = (std::max)(1.0, double(points.owned().size()) / 2);
-    // Large enough for the ends of cells to be off by far less than a cell; not more cells in a row
-    // than there are points, however long the box is.
+    // Cells are large enough for rounding to move their ends by far less than a cell. A row has no
+    // more cells than there are points, however long the box is.
     m_size = (std::max)({std::sqrt(width / cells) * std::sqrt(height),
                          (std::max)(width, height) / cells, 0x1p-40 * coordinates, 0x1p-1000});
     m_columns = long(width / m_size) + 1;
@@ -47,14 +47,14 @@ public:
     sort_into_cells();
   }
 
-  // Around the own points.
+  // The box around the own points.
   const Box_2& box() const { return m_box; }
 
   // About the distance between neighbors.
   double cell_size() const { return m_size; }
 
-  // Calls f(place) for each own point that is in the region and in a box, and for some near the
-  // box.
+  // Calls f(place) for each own point that is in the region and in a box, and for some points of
+  // the region that are near the box.
   template <class Function>
   void for_each_inside(const Question& question, const Box_2& box, const Function& f) const
   {
@@ -89,7 +89,7 @@ private:
       m_sorted[next[number(cell_of(place))]++] = place;
   }
 
-  // Around all points of these cells, and a cell more, for rounding.
+  // A box around all points of these cells, and a cell more on each side, for rounding.
   Box_2 box_around(Cell low, Cell high) const
   {
     return {m_box.x_low + double(low.column - 1) * m_size,
@@ -127,7 +127,7 @@ private:
   Box_2 m_box;
   double m_size = 1;
   long m_columns = 0, m_rows = 0;
-  std::vector<std::size_t> m_first; // by cells: where their points begin
+  std::vector<std::size_t> m_first; // by cells: where their points begin in `m_sorted`
   std::vector<Index> m_sorted;
 };
 

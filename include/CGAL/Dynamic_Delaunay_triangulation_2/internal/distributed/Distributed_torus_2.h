@@ -29,21 +29,21 @@
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // A flat torus, as a space of distributed points. Ranks hold images of points as points of the
-// plane. `Lattice_grid_2` makes all of them exact; this class has the limits within which it does.
+// plane. `Lattice_grid_2` makes images exact, within limits that this class keeps.
 //
-// Images are numbered by a *basis* of the lattice, two short vectors. It is kept while the cell is
-// deformed, so that what ranks have sent each other stays of use; by other vectors of the same
-// lattice, which the user may take for the cell, it does not change.
+// Images are numbered by a *basis* of the lattice, two short vectors. The basis is kept while the
+// cell is deformed, so that ghosts and zones that ranks have sent each other stay of use. Other
+// vectors of the same lattice, which the user may take for the cell, do not change it.
 //
-// Limits. Let H be the sum of the lengths of the shortest basis, as it is now, or was then. While
-// the basis is deformed by at most a factor of 2 in each direction, and back, since it was the
-// shortest one, it is no longer than 4 H; and H of any two such times differ by a factor of at most
-// 4. An own image is at most one cell of the basis outside of the one at the origin: no farther
-// from the origin than 2 * 4 H. A zone is around disks at own images, whose diameters are less than
-// H, with a margin of 8 cells of at most H / 2, and a cell for rounding: it reached no farther than
-// 13.5 H then. It is deformed with the basis, by at most a factor of 2 since, so that H was at most
-// twice what it is now: it reaches no farther than 54 H. So do images in it; those that are asked
-// for are nearer. The grid has room for 128 H, and images beyond that are in no zone.
+// Limits. Let H be the sum of the lengths of the shortest basis at some time. While the kept one is
+// deformed by at most a factor of 2 in each direction, and back, since it was the shortest, it is
+// no longer than 4 H; and H of any two such times differ by a factor of at most 4. An own image is
+// at most one cell of the basis outside of the cell at the origin: no farther from the origin than
+// 2 * 4 H. A zone is around disks at own images, whose diameters are less than H, with a margin of
+// 8 cells of at most H / 2, and a cell for rounding: when it was made, it reached no farther than
+// 13.5 H. Since then it was deformed with the basis by at most a factor of 2, and H was at most
+// twice what it is now: the zone reaches no farther than 54 H. So do images in it; images that
+// ranks ask for are nearer. The grid has room for 128 H, and images beyond that are in no zone.
 template <class Kernel_>
 class Distributed_torus_2
 {
@@ -55,7 +55,7 @@ public:
   using Outline = Distributed_surroundings_2<Points>;
 
   static constexpr bool is_periodic = true;
-  // That of a torus.
+  // The number of vertices, minus edges, plus faces: that of a torus.
   static constexpr std::uint64_t euler_characteristic = 0;
 
   struct Parameters
@@ -73,7 +73,7 @@ public:
                                           parameters.cell[2], parameters.cell[3]))
   {
   }
-  // With the vectors of a cell, or those nearest to them on a grid. Throws if there are none.
+  // A torus with the vectors of a cell, rounded to the grid. Throws if there is no grid for them.
   explicit Distributed_torus_2(const Periodic_cell_2& given)
     : m_grid(given)
     , m_torus(m_grid.cell())
@@ -82,7 +82,7 @@ public:
     m_first_basis = m_basis;
     m_reach = (length(m_basis[0]) + length(m_basis[1])) * (1 + 0x1p-40);
   }
-  // After another space.
+  // A torus that keeps the basis of the last one, if it can.
   Distributed_torus_2(const Periodic_cell_2& given, const Distributed_torus_2& last)
     : Distributed_torus_2(given)
   {
@@ -94,7 +94,7 @@ public:
 
   const Periodic_cell_2& cell() const { return m_torus.cell(); }
   Parameters parameters() const { return {{cell().ax(), cell().ay(), cell().bx(), cell().by()}}; }
-  // How far points matter to a face.
+  // How far from a corner of a face points matter to the face.
   double reach() const { return m_reach; }
 
   void agree(Distributed_ranks_2& ranks) const
@@ -116,13 +116,14 @@ public:
     return m_grid.rounded(position);
   }
 
-  // In the cell of the basis at the origin, but for rounding.
+  // The image in the cell of the basis at the origin, up to rounding.
   Image first_image(const Position_2& given) const
   {
     const Position_2 m = multiples(given);
     return image(given, -std::floor(m.x), -std::floor(m.y));
   }
-  // The one nearest to where it was, unless that is more than a cell of the basis away from there.
+  // The image nearest to where the point was, unless that is about a cell or more outside of the
+  // cell at the origin: then `first_image()`.
   Image next_image(const Position_2& given, const Position_2& before,
                    const Distributed_torus_2& last) const
   {
@@ -149,8 +150,8 @@ public:
   }
   bool is_none(const Shift& shift) const { return shift[0] == 0 && shift[1] == 0; }
 
-  // The vectors from a place in one box to one in the other are a box; its corners, in multiples of
-  // the basis, are around their shifts.
+  // The vectors from places in `from` to places in `to` form a box. Written in multiples of the
+  // basis, its corners enclose the shifts.
   template <class Function>
   void for_each_shift(const Box_2& from, const Box_2& to, const Function& f) const
   {
@@ -172,18 +173,18 @@ public:
       }
   }
 
-  // What is deformed with the cell.
+  // The vectors that are deformed with the cell.
   const Basis_2& basis() const { return m_basis; }
   static constexpr double finest_zone = 0x1p-24;
 
   bool continues(const Distributed_torus_2& last) const { return m_number == last.m_number; }
 
 private:
-  static constexpr double most_cells = 0x1p16; // that a point may be away from the origin
+  static constexpr double most_cells = 0x1p16; // from the origin to a point
 
   static double length(const Position_2& v) { return std::hypot(v.x, v.y); }
 
-  // Vectors of the lattice, as multiples of those of the cell.
+  // Sets the basis to vectors given as multiples of the cell's vectors.
   void set_basis(const std::array<Shift, 2>& basis)
   {
     m_in_cells = basis;
@@ -193,7 +194,7 @@ private:
     m_inverse_y = {-m_basis[0].y / d, m_basis[0].x / d};
   }
 
-  // Takes the basis of the last space, deformed with the cell, if it is not deformed much.
+  // Takes the basis of the last space, deformed with the cell. False if it is deformed too much.
   bool keep_basis(const Distributed_torus_2& last)
   {
     const auto [a, b] = multiples_in_new_cell(last.m_torus, m_torus);
@@ -214,13 +215,13 @@ private:
            Distributed_deformation_2(m_basis, m_first_basis).sum_of_squares() <= 4;
   }
 
-  // In multiples of the basis, rounded.
+  // A vector in multiples of the basis, rounded.
   Position_2 multiples(const Position_2& v) const
   {
     return {v.x * m_inverse_x.x + v.y * m_inverse_x.y, v.x * m_inverse_y.x + v.y * m_inverse_y.y};
   }
 
-  // A shift, in multiples of the cell's vectors.
+  // A shift, given in multiples of the basis, in multiples of the cell's vectors.
   std::array<std::int64_t, 2> in_cells(std::int64_t i, std::int64_t j) const
   {
     return {i * m_in_cells[0][0] + j * m_in_cells[1][0],
@@ -240,7 +241,7 @@ private:
   Basis_2 m_basis, m_first_basis;  // now, and when it was the shortest one
   Position_2 m_inverse_x, m_inverse_y;
   double m_reach;
-  std::uint64_t m_number = 0; // of the basis, among those since the points were given
+  std::uint64_t m_number = 0; // how often the basis was replaced since the points were given
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

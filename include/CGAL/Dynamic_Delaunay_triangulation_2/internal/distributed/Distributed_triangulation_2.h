@@ -33,9 +33,9 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// What the triangulations of points on ranks do in the plane as in a periodic space: their public
-// classes say what that is. Points are proved after each change, and distributed anew where a rank
-// has too many of them.
+// What distributed triangulations in the plane and in a periodic space have in common; their public
+// classes document the functions. After each change faces are proved, and points are distributed
+// anew if a rank has too many of them.
 //
 // `Space` is `Distributed_plane_2` or `Distributed_torus_2`.
 template <class Space>
@@ -60,9 +60,9 @@ public:
   {
   }
 
-  // All that changes something is collective, and needs the usual rounding.
+  // All functions but const ones and `ranks()` are collective, under `Default_floating_point_2`.
 
-  // Begins with these points, in the space that `make_space()` returns or refuses.
+  // Begins with these points, in the space that `make_space()` returns, if it does not throw.
   template <class MakeSpace, class InputIterator>
   void begin(const MakeSpace& make_space, InputIterator first, InputIterator beyond,
              double load_factor)
@@ -81,14 +81,14 @@ public:
     reset(space, std::move(entries));
   }
 
-  // In the same space as before.
+  // Moves the own points, in the same space as before.
   template <class InputIterator>
   Update_report_2 update(InputIterator first, InputIterator beyond)
   {
     return update(Space(space()), first, beyond);
   }
 
-  // In the one that `make_space()` returns or refuses.
+  // Moves the own points, in the space that `make_space()` returns, if it does not throw.
   template <class MakeSpace, class InputIterator>
   Update_report_2 update_in(const MakeSpace& make_space, InputIterator first, InputIterator beyond)
   {
@@ -156,7 +156,7 @@ public:
     return ids;
   }
 
-  // As they were given.
+  // The ids and positions of the own points, as they were given.
   std::vector<Entry> owned_entries() const
   {
     std::vector<Entry> entries;
@@ -165,7 +165,7 @@ public:
     return entries;
   }
 
-  // Calls f(i, j) with the places of both ends of each edge that this rank tells.
+  // Calls f(i, j) with the places of both ends of each edge whose first end, i, is an own point.
   template <class Function>
   void for_each_edge(const Function& f) const
   {
@@ -175,7 +175,7 @@ public:
     });
   }
 
-  // Calls f(i, j, k) with the places of the corners of each face that this rank tells.
+  // Calls f(i, j, k) with the places of the corners of each face whose corner i is an own point.
   template <class Function>
   void for_each_face(const Function& f) const
   {
@@ -185,8 +185,8 @@ public:
     });
   }
 
-  // Calls f(k, i, j) for each edge of an own point, the k-th one, with its place i, and that of the
-  // neighbor, j.
+  // Calls f(k, i, j) for each neighbor of each own point: k is the index of the own point, i its
+  // place, and j the place of the neighbor.
   template <class Function>
   void for_each_neighbor(const Function& f) const
   {
@@ -199,7 +199,7 @@ public:
     });
   }
 
-  // Calls f(k, i, j) for an own point, the k-th one, with its place i, and that of a point j that
+  // Calls f(k, i, j) for each own point, of index k and place i, and each place j of a point that
   // coincides with it, if i or j is the label of both.
   template <class Function>
   void for_each_duplicate(const Function& f) const
@@ -281,10 +281,10 @@ public:
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  // So many points more are never too many.
+  // So many points above a limit are never too many.
   static constexpr double spare_load = 64;
   // Where points move so fast that ranks ask in every frame, they hold many ghosts whatever they
-  // own: it is not tried in vain too often.
+  // own. So distribution because of held points waits for so many calls after the last one.
   static constexpr int calls_between_distributions = 32;
 
   using Point = typename Points::Point;
@@ -325,7 +325,7 @@ private:
     return complete(Update_report_2());
   }
 
-  // Where nothing that ranks have sent each other is of use.
+  // Moves the own points if no ghosts or zones that ranks have sent each other are of use.
   Update_report_2 begin_anew(const Space& next, const std::vector<Position_2>& positions)
   {
     std::vector<Entry> entries = owned_entries();
@@ -336,7 +336,7 @@ private:
     return report;
   }
 
-  // Owns these points from now on, or, distributed, others.
+  // Replaces all points by these, distributed anew unless the load factor is infinite.
   Update_report_2 reset(const Space& space, std::vector<Entry> entries)
   {
     m_is_certified = false;
@@ -379,7 +379,7 @@ private:
     return ids;
   }
 
-  // Each id is seen by one rank, which hears of it twice if it is given twice.
+  // Sends each id to one rank, so that repeated ones meet there. Returns the ids that arrive here.
   std::vector<Id> seen_here(const std::vector<Id>& ids)
   {
     std::vector<Message_2> messages = m_ranks.empty_messages();
@@ -416,7 +416,7 @@ private:
 
   bool is_own(Id id) const { return m_points.holds(id) && m_points.is_owned(m_points.place(id)); }
 
-  // Of all ids that any rank has given, those of this rank's points.
+  // Returns the places of own points whose ids any rank has given.
   std::vector<Index> own_places(const std::vector<Id>& given)
   {
     std::vector<Id> all = m_ranks.gather(given).values;
@@ -437,7 +437,7 @@ private:
     return places;
   }
 
-  // What follows when own points have changed, and ranks tell each other.
+  // Completes a change of own points, after `start_exchange()`.
   Update_report_2 complete(Update_report_2 report)
   {
     m_proof.prepare();
@@ -466,11 +466,11 @@ private:
     if (owns_many || (holds_many && m_calls_since_distribution >= calls_between_distributions))
       return distribute();
     ++m_calls_since_distribution;
-    // ghosts that questions have brought are dropped where they are not needed
+    // the load falls as ghosts that answers have brought are dropped where they are not needed
     m_settled_load = (std::min)(m_settled_load, double(most[0]));
   }
 
-  // Held points, and own ones.
+  // The numbers of held points, and of own ones.
   std::array<std::uint64_t, 2> load() const
   {
     const std::uint64_t own = m_points.owned().size();

@@ -21,8 +21,8 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// What one rank sends to another: words of 64 bits, in which it writes numbers and small structures
-// one after the other, and reads them in the same order.
+// A message from one rank to another, in words of 64 bits: the sender writes numbers and small
+// structures one after the other, and the receiver reads them in the same order.
 class Message_2
 {
 public:
@@ -31,7 +31,7 @@ public:
   {
   }
 
-  // Where it goes to, or comes from.
+  // The rank that the message goes to, or comes from.
   int rank() const { return m_rank; }
   bool is_empty() const { return m_words.empty(); }
   bool is_read() const { return m_next == m_words.size(); }
@@ -72,11 +72,11 @@ private:
   std::size_t m_next = 0;
 };
 
-// Messages between ranks of which only the senders know that there are any. All ranks call
-// `start()`, then `send()` as often as they like, then `finish()`. Synchronous sends end when their
-// messages have been taken; then a rank enters a barrier, and when all have entered it there is
-// nothing left to take: Hoefler, Siebert, Lumsdaine, *Scalable communication protocols for dynamic
-// sparse data exchange*, 2010. Cost: the messages themselves, and one barrier.
+// Exchanges messages between ranks that do not know what they will receive. All ranks call
+// `start()`, then `send()` as often as they like, then `finish()`. A synchronous send ends when its
+// message has been taken. When all its sends have ended a rank enters a barrier; once all ranks
+// have, no message is left: Hoefler, Siebert, Lumsdaine, *Scalable communication protocols for
+// dynamic sparse data exchange*, 2010. Cost: the messages themselves, and one barrier.
 //
 // While messages are under way the program goes on; MPI may carry them on only when it is called,
 // so a program that has much to do calls `progress()` now and then.
@@ -92,13 +92,13 @@ public:
 
   void start()
   {
-    // A rank that has left the barrier may send its next message while others still look for the
-    // last ones: two tags in turn keep them apart.
+    // A rank that has left the barrier may send in the next exchange while others still look for
+    // messages of the last one: two tags in turn keep them apart.
     m_tag = 1 - m_tag;
     m_is_started = true;
   }
 
-  // Empty messages are not sent.
+  // Starts to send a message, unless it is empty.
   void send(Message_2 message)
   {
     if (message.is_empty())
@@ -128,8 +128,8 @@ public:
     note_communication(begin);
   }
 
-  // What has come, ascending by ranks, and what has come from one rank in the order in which it was
-  // sent.
+  // Waits for all messages. Returns those to this rank, ascending by senders; those of one sender
+  // are in the order in which it sent them.
   std::vector<Message_2> finish()
   {
     const double begin = MPI_Wtime();
@@ -154,8 +154,9 @@ public:
     return incoming;
   }
 
-  // Since it was made: what this rank has sent, how long it has sent, received and waited, and how
-  // long it has done other things while something that it had sent was under way, for all it knew.
+  // Since construction: messages and bytes that this rank has sent, seconds in which it has sent,
+  // received or waited, and seconds in which it has done other things while messages that it had
+  // sent were, for all it knew, under way.
   std::size_t sent_messages() const { return m_sent_messages; }
   std::size_t sent_bytes() const { return m_sent_bytes; }
   double seconds() const { return m_seconds; }
@@ -163,7 +164,7 @@ public:
   void add_seconds(double seconds) { m_seconds += seconds; }
 
 private:
-  // `begin` is when this rank has stopped to do other things.
+  // Adds the time since `begin`, when this rank turned from other things to communication.
   void note_communication(double begin)
   {
     const double end = MPI_Wtime();
@@ -205,7 +206,7 @@ private:
   bool m_is_started = false;
   std::deque<Message_2> m_outgoing;
   std::vector<MPI_Request> m_requests; // of the messages above
-  bool m_are_taken = true;             // as far as this rank has heard
+  bool m_are_taken = true;             // all of them, as far as this rank knows
   std::vector<Message_2> m_incoming;
   std::size_t m_sent_messages = 0, m_sent_bytes = 0;
   double m_seconds = 0, m_overlapped_seconds = 0;

@@ -22,8 +22,8 @@ void append_part(std::string& text, const Part& part)
     text += part;
 }
 
-// Texts and numbers, one after the other. A stream would write numbers as the global locale wants
-// them, and bring all of the library's locales into a program that is loaded over a network.
+// Joins texts and numbers. A stream would write numbers in the global locale, and bring all locales
+// of the standard library into a program that is loaded over a network.
 template <class... Parts>
 std::string message_text(const Parts&... parts)
 {

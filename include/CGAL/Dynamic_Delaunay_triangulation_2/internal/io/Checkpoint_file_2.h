@@ -51,7 +51,7 @@ private:
   boost::crc_32_type m_sum;
 };
 
-// Whether the whole word is one number.
+// Reads a number. False unless the whole word is one.
 template <class Number>
 bool read_whole(std::string_view word, Number& number)
 {
@@ -208,7 +208,7 @@ public:
       refuse(quoted(m_rest) + " is too much in this line");
   }
 
-  // Reads the first word of a line, which has to be this one.
+  // Starts a new line and reads its first word, which has to be `name`.
   void begin_entry(const char* name)
   {
     next_line();
@@ -217,7 +217,7 @@ public:
       refuse("it begins with " + quoted(found) + ", and has to begin with " + quoted(name));
   }
 
-  // Reads a line of this word and one more, and returns the second one.
+  // Reads a line of two words, of which the first has to be `name`. Returns the second.
   std::string_view entry(const char* name)
   {
     begin_entry(name);
@@ -226,7 +226,7 @@ public:
     return value;
   }
 
-  // Here the second word is a number in this range.
+  // Reads a line of the word `name` and a number in this range. Returns the number.
   template <class Integer>
   Integer number_entry(const char* name, Integer lowest, Integer highest)
   {
@@ -236,7 +236,7 @@ public:
     return value;
   }
 
-  // Here the second word is one of these two. Returns whether it is the first of them.
+  // Reads a line of the word `name` and one of the words `yes` and `no`. True if that one is `yes`.
   bool flag_entry(const char* name, std::string_view yes, std::string_view no)
   {
     const std::string_view value = entry(name);
@@ -253,7 +253,7 @@ public:
              quoted(m_sum.text()) + ": the file was changed or damaged");
   }
 
-  // Refuses a word of this meaning, and says what it has to be.
+  // Refuses a word. The message tells what the word means (`what`), and what it has to be (`due`).
   [[noreturn]] void refuse(const char* what, std::string_view word, const std::string& due) const
   {
     refuse(std::string(what) + " is " + quoted(word) + ", and has to be " + due);
@@ -278,7 +278,7 @@ private:
   std::istream& m_in;
   Checkpoint_sum_2 m_sum; // of the lines before the current one
   std::string m_text;
-  std::string_view m_rest; // of the current line, as is m_is_at_end
+  std::string_view m_rest; // the words of the line that were not read yet
   bool m_is_at_end = true;
   std::size_t m_line = 0;
 };
@@ -290,7 +290,7 @@ struct Checkpoint_arrays_2
 {
   bool positions_are_exact = true;
   std::vector<Point> points;         // of all finite vertices
-  std::vector<Position_2> positions; // the same, as doubles; not of a torus
+  std::vector<Position_2> positions; // of these points, as doubles; empty for a torus
   Point_ids_2<Point> ids;
 
   // Empty if the points do not span the plane: then every frame is triangulated from scratch.
@@ -298,11 +298,11 @@ struct Checkpoint_arrays_2
   // Half-edges by their numbers in the arrays.
   std::vector<Index> corners;           // of each vertex the one that the arrays store
   std::vector<Index> forward_halfedges; // of each edge the one from its source to its target
-  std::vector<Index> halfedges;         // the one that the arrays store; of a torus the twin
+  std::vector<Index> halfedges;         // of each edge the stored one; of a torus its twin
 };
 
-// What is different in the checkpoints of each space: a writer calls its static functions, and a
-// reader owns one, which reads the first lines when it is constructed.
+// What is different in the checkpoints of each space. A writer calls the static functions of these
+// classes. A reader owns an object, whose constructor reads the first lines.
 template <class State>
 class Checkpoint_plane_2;
 template <class State>
@@ -312,7 +312,8 @@ using Checkpoint_space_2 =
     std::conditional_t<State::is_periodic, Checkpoint_torus_2<State>, Checkpoint_plane_2<State>>;
 
 // `operator<<` and `operator>>` for everything that has checkpoints. Users of streams test the
-// stream's state, so these set `failbit` where the functions throw.
+// stream's state, so these operators set `failbit` where write_checkpoint() and read_checkpoint()
+// throw.
 
 template <class Written>
 std::ostream& write_to_stream(std::ostream& out, const Written& written)

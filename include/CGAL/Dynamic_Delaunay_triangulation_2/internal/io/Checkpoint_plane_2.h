@@ -122,8 +122,8 @@ public:
   static bool read(std::string_view text, double& x) { return read_finite(text, x); }
 };
 
-// What checkpoints of the plane have of their own: the kind of coordinates, the dimension, and the
-// infinite vertex.
+// What only checkpoints of the plane have: the kind of coordinates, the dimension, and the infinite
+// vertex.
 template <class State>
 class Checkpoint_plane_2
 {
@@ -237,7 +237,7 @@ public:
   bool has_faces() const { return m_dimension == 2; }
   void read_rest_of_face(Index) const { m_file.end_line(); }
 
-  // Reads a face that must have this vertex.
+  // Reads a face. True if v is one of its vertices.
   bool read_rest_of_corner(Vertex_index v)
   {
     const Face_index f = m_file.number("the face", Index(0), m_kept.faces.number_of_faces() - 1);
@@ -246,7 +246,7 @@ public:
            m_kept.faces.apex(h + 2) == v;
   }
 
-  // The twin of the first half-edge. The second one must be either of them.
+  // Returns the twin of `forward`. `halfedge` must be `forward` or the twin.
   Index checked_twin(Index forward, Halfedge_index halfedge,
                      const std::vector<bool>& is_listed) const
   {
@@ -266,7 +266,7 @@ public:
     Topology_builder_2<State>(state).restore(m_kept);
   }
 
-  // Below dimension 2 nothing else is possible.
+  // True in lower dimensions, where every triangulation is Delaunay.
   bool is_delaunay(const State& state) const
   {
     return !has_faces() || Certificate_2<State>(state).holds();

@@ -123,7 +123,7 @@ private:
     }
   }
 
-  // As many ids were read as there may be, so it is enough that each occurs once.
+  // As many ids were read as there are, so it is enough that no id occurs twice.
   void check_ids() const
   {
     std::vector<bool> is_there(m_number_of_ids);
@@ -136,8 +136,8 @@ private:
 
   // TOPOLOGY ------------------------------------------------------------------------------------
 
-  // In the plane the faces alone say which are neighbors; in a torus the edges do, because several
-  // may connect the same vertices.
+  // In the plane the vertices of faces determine which faces are neighbors. In a torus the edges
+  // do, because several edges may connect the same vertices.
   void read_topology()
   {
     read_faces();
@@ -154,7 +154,7 @@ private:
   Index number_of_faces() const { return 2 * number_of_vertices() - (State::is_periodic ? 0 : 2); }
   Index number_of_halfedges() const { return 3 * number_of_faces(); }
 
-  // Reads how many lines follow, which can only be this number.
+  // Reads the number of lines that follow, which has to be `number`.
   Index read_number(const char* name, Index number)
   {
     return m_file.number_entry(name, number, number);

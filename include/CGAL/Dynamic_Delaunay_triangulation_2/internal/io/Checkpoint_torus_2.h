@@ -28,9 +28,9 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// What checkpoints of a torus or a slab have of their own: the cell, and the shifts of corners.
-// There is no infinite vertex. Two vertices can have several edges, so the twins do not follow from
-// the faces.
+// What only checkpoints of a torus or a slab have: the cell, and the shifts of corners. There is no
+// infinite vertex. Several edges can connect the same vertices, so the twins do not follow from the
+// faces.
 template <class State>
 class Checkpoint_torus_2
 {
@@ -73,7 +73,7 @@ public:
 
   static bool has_faces(const State&) { return true; }
 
-  // The first corner has no shift.
+  // Returns the shifts of the other two corners: the first corner has no shift.
   static std::array<Periodic_shift_2, 2> rest_of_face(const State& state, Face_index f)
   {
     return {state.shift(Arrays::halfedge_in(f, 1)), state.shift(Arrays::halfedge_in(f, 2))};
@@ -183,7 +183,7 @@ private:
     return {first, m_file.number("the shift", -most, most)};
   }
 
-  // From the source of a half-edge to its target.
+  // Returns the shift from the source of a half-edge to its target.
   Periodic_shift_2 side(Halfedge_index h) const
   {
     return m_shifts[Arrays::previous(h)] - m_shifts[Arrays::next(h)];

@@ -47,8 +47,8 @@ public:
   }
 
 private:
-  // An exception in the middle of an update can leave a state that the next update repairs. It must
-  // not be written, because no reader could tell it from nonsense.
+  // An exception in the middle of an update can leave a state that the next update repairs. Such
+  // a state must not be written, because no reader could tell it from a damaged file.
   void check_completeness() const
   {
     if (!Space::is_complete(m_state, m_is_certified))

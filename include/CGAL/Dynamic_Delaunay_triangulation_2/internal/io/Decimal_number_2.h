@@ -48,8 +48,8 @@ inline const char* after_decimal_number(const char* first, const char* beyond)
   return end;
 }
 
-// As `std::from_chars(first, beyond, number)`, but for the words of infinity and NaN. For
-// standard libraries that have it for integers alone: libc++ of LLVM before version 20.
+// Reads a number as `std::from_chars(first, beyond, number)` does, but no infinity and no NaN. For
+// standard libraries whose from_chars() reads only integers: libc++ of LLVM before version 20.
 inline std::from_chars_result read_decimal_number(const char* first, const char* beyond,
                                                   double& number)
 {
@@ -58,7 +58,7 @@ inline std::from_chars_result read_decimal_number(const char* first, const char*
     return {first, std::errc::invalid_argument};
   std::string text(first, end);
   const std::size_t point = text.find('.');
-  if (point != std::string::npos) // std::strtod() reads what the locale writes
+  if (point != std::string::npos) // std::strtod() expects the locale's decimal point
     text.replace(point, 1, std::localeconv()->decimal_point);
   const double value = std::strtod(text.c_str(), nullptr);
   const bool is_zero =
@@ -71,11 +71,11 @@ inline std::from_chars_result read_decimal_number(const char* first, const char*
   return {end, std::errc()};
 }
 
-// The number as std::snprintf() prints it with this format, which takes a number of digits, but
-// with a point in every locale.
+// Prints the number by std::snprintf(), but with a point in every locale. The format takes a number
+// of digits first.
 inline std::string printed_number(const char* format, int digits, double number)
 {
-  char text[400]; // the largest one has 309 digits before the point
+  char text[400]; // the largest double has 309 digits before the point
   std::snprintf(text, sizeof(text), format, digits, number);
   std::string result = text;
   const std::string point = std::localeconv()->decimal_point;
@@ -85,7 +85,7 @@ inline std::string printed_number(const char* format, int digits, double number)
   return result;
 }
 
-// The shortest digits of a finite number that are read back as the same number.
+// Prints a finite number with the fewest digits that are read back as the same number.
 inline std::string shortest_decimal_number(double number)
 {
   constexpr int enough = std::numeric_limits<double>::max_digits10;
@@ -98,11 +98,11 @@ inline std::string shortest_decimal_number(double number)
   }
 }
 
-// Reads a number as `std::from_chars()` does, and appends the shortest text of one.
+// Read a number as `std::from_chars()` does, and append the shortest text of a number.
 template <class Number>
 std::from_chars_result read_number(const char* first, const char* beyond, Number& number)
 {
-#ifndef __cpp_lib_to_chars // it stands for floating-point numbers as well
+#ifndef __cpp_lib_to_chars // defined if floating-point numbers are supported, too
   if constexpr (std::is_floating_point_v<Number>)
     return read_decimal_number(first, beyond, number);
   else

@@ -77,7 +77,7 @@ private:
     m_scene.face_end();
   }
 
-  // Of a slab the part between its outermost points.
+  // Draws the cell. That of a slab ends at the outermost points.
   void draw_cell() const
   {
     double low = 0, high = 1;

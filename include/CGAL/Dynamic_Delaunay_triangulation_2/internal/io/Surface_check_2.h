@@ -38,8 +38,8 @@ public:
   {
   }
 
-  // Links faces that are given by their vertices alone. There must be no doubled edges. Returns the
-  // first flaw.
+  // Links and checks faces that are given by their vertices alone. Two edges between the same
+  // vertices count as a flaw. Returns a flaw if there is any.
   Flaw link_and_run()
   {
     sort_halfedges();
@@ -47,7 +47,7 @@ public:
     return flaw.what ? flaw : check();
   }
 
-  // Checks linked faces, whose twins run along each other in opposite directions.
+  // Checks linked faces, whose twins must run along each other in opposite directions.
   Flaw run()
   {
     sort_halfedges();
@@ -68,7 +68,7 @@ private:
         f(Flat_faces_2::first_halfedge(face) + i);
   }
 
-  // Sorts by sources.
+  // Sorts the half-edges by their sources.
   void sort_halfedges()
   {
     m_first.assign(m_beyond + std::size_t(1), 0);

@@ -19,15 +19,15 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// The limits of points and reduced bases in multiples of the cell's vectors, and of the multiples
-// by which one cell is exchanged for another. Then the shifts of a face are below 2^22: they are
-// differences of numbers below max_shift, of points and of basis vectors.
+// `max_shift` limits points and reduced bases, in multiples of the cell's vectors; `max_multiple`
+// limits the multiples by which one cell is exchanged for another. The shifts of a face are
+// differences of numbers below max_shift, of points and of basis vectors, and so below 2^22.
 constexpr double max_shift = 0x1p20, max_multiple = 0x1p8, max_shift_in_face = 4 * max_shift;
 
 constexpr std::array<Periodic_shift_2, 2> unit_multiples{{{1, 0}, {0, 1}}};
 constexpr std::array<Periodic_shift_2, 2> exchanged_multiples{{{0, 1}, {1, 0}}};
 
-// The position of a point of periodic space. Throws as in the plane, and if it is beyond the limit.
+// Returns a point's position. Throws as in the plane, and if the point is beyond `max_shift`.
 template <class Point>
 Position_2 checked_position(const Point& p, std::size_t id, const Torus_2& torus)
 {
@@ -38,8 +38,8 @@ Position_2 checked_position(const Point& p, std::size_t id, const Torus_2& torus
   return position;
 }
 
-// A short basis of the cell's lattice, counterclockwise (Lagrange's reduction), in rounded
-// arithmetic: any basis is right, and a short one quick to start from.
+// Returns a short counterclockwise basis of the cell's lattice, by Lagrange's reduction in rounded
+// arithmetic. Any basis is correct; triangulations start faster from a short one.
 inline std::array<Periodic_shift_2, 2> short_basis(const Torus_2& torus)
 {
   const Periodic_cell_2& cell = torus.cell();
@@ -85,8 +85,8 @@ inline bool is_counterclockwise(const Torus_2& torus)
   return torus.orientation({origin, no_shift}, {origin, {1, 0}}, {origin, {0, 1}}) == LEFT_TURN;
 }
 
-// The vectors of the old cell in those of the new one, if the cell is deformed and nothing else:
-// what has counterclockwise faces must not be turned inside out on the way.
+// Returns the old cell's vectors in multiples of the new ones, for a cell that is only deformed. If
+// the cells have different orientations, exchanges the vectors: faces stay counterclockwise.
 inline std::array<Periodic_shift_2, 2> multiples_in_deformed_cell(const Torus_2& old_torus,
                                                                   const Torus_2& new_torus)
 {
@@ -104,9 +104,10 @@ inline void check_cell(const Periodic_cell_2& cell)
   short_basis(torus); // throws if there is none
 }
 
-// The vectors of the old cell in those of the new one, if these are other vectors of about the same
-// lattice, as after a Lees-Edwards flip. If no integers are near, the cell was deformed. The
-// determinant is 1 where the orientations of both cells are the same, and else -1.
+// Returns the old cell's vectors in multiples of the new ones, rounded to integers: these may be
+// other vectors of about the same lattice, as after a Lees-Edwards flip. The determinant is 1 if
+// both cells have the same orientation, and else -1. If rounding gives another determinant, or too
+// large integers, the cell counts as only deformed.
 inline std::array<Periodic_shift_2, 2> multiples_in_new_cell(const Torus_2& old_torus,
                                                              const Torus_2& new_torus)
 {

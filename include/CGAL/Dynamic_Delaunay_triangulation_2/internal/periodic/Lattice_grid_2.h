@@ -27,13 +27,13 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 // and differences of these. Larger doubles are multiples of u already, and are not rounded.
 //
 // A sum p + i a + j b may have terms that are too large for doubles. It is computed in units, as
-// integers modulo 2^64: where the result is below 2^62 units it is exact, whatever the terms are.
+// integers modulo 2^64: a result that is a double below 2^62 units is exact, for any terms.
 class Lattice_grid_2
 {
 public:
   // Rounds the cell. Throws if it is a slab, or so thin or extreme that doubles cannot tell how far
-  // points are apart in it. A cell that was rounded is not rounded again, so that points can be
-  // given back as they are.
+  // points are apart in it. Rounding a rounded cell changes nothing, so that points can be given
+  // back as they are.
   explicit Lattice_grid_2(const Periodic_cell_2& given)
     : m_cell(given)
     , m_unit(unit_for(given))
@@ -43,7 +43,7 @@ public:
       const Position_2 a = rounded({m_cell.ax(), m_cell.ay()}),
                        b = rounded({m_cell.bx(), m_cell.by()});
       m_cell = Periodic_cell_2(a.x, a.y, b.x, b.y);
-      // On a finer grid it stays as it is, and there are few coarser ones.
+      // The loop ends: on a finer grid the cell stays as it is, and few grids are coarser.
       m_unit = unit_for(m_cell);
     }
     m_ax = in_units(m_cell.ax()), m_ay = in_units(m_cell.ay());
@@ -72,7 +72,7 @@ public:
 
 private:
   static constexpr double most_units = 0x1p61;
-  // Of H: with units no product of coordinates under- or overflows that need not.
+  // Limits of H. Within them, units cause no avoidable under- or overflow of products.
   static constexpr double least = 0x1p-400, most = 0x1p400;
 
   static double unit_for(const Periodic_cell_2& cell)
@@ -95,7 +95,7 @@ private:
     return std::ldexp(1.0, std::ilogb(sum) + 1 - 45);
   }
 
-  // Modulo 2^64. \pre `x` is a multiple of the unit.
+  // Returns x in units, modulo 2^64. \pre `x` is a multiple of the unit.
   std::uint64_t in_units(double x) const
   {
     const double n = std::fmod(x / m_unit, 0x1p64);

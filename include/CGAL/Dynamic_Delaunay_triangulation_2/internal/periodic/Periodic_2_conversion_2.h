@@ -28,8 +28,8 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// A periodic triangulation as CGAL's class has it: points in a square, and faces between images
-// of them by one side or none in each direction. Everything is checked before anything is written.
+// Converts a periodic triangulation to the form of CGAL's class: points in a square, and faces
+// between their images by one side or none in each direction. Checks everything before it writes.
 template <class Dynamic>
 class Periodic_2_conversion_2
 {
@@ -73,8 +73,8 @@ public:
   }
 
 private:
-  // CGAL's: then each circle around a face stays empty in one sheet, whatever is inserted.
-  static constexpr double max_squared_edge = 0.166; // of squares of sides
+  // CGAL's limit: then each circle around a face stays empty in one sheet, whatever is inserted.
+  static constexpr double max_squared_edge = 0.166; // in squares of the domain's side
 
   struct Face
   {
@@ -105,7 +105,7 @@ private:
       refuse("the upper right corner of the domain from ", m_low, " has no coordinates of doubles");
   }
 
-  // Only representatives: the others have no vertices.
+  // Wraps the points of representatives: other points have no vertices.
   void wrap_points()
   {
     m_points.resize(m_pt.number_of_ids());
@@ -123,7 +123,7 @@ private:
       }
   }
 
-  // The coordinate in the domain, or NaN, and by how many sides it was translated back.
+  // Returns the coordinate x - k side that is in the domain, or NaN if it is not a double, and k.
   static std::pair<double, int> wrapped(double x, double low, double high, double side)
   {
     const double about = std::floor((x - low) / side);
@@ -144,8 +144,8 @@ private:
 
   // FACES -----------------------------------------------------------------------------------------
 
-  // If the edges are short, the corners of a face differ by at most one side, and no two edges have
-  // the same ends.
+  // Checks that all edges are short: then the offsets of a face differ by at most one side, and no
+  // two edges have the same ends.
   void copy_faces()
   {
     m_pt.for_each_face([this](const std::array<std::size_t, 3>& ids,
@@ -227,7 +227,7 @@ private:
   bool m_is_exchanged = false;               // whether the cell's first vector is vertical
   std::array<int, 2> m_signs{1, 1};          // of the sides in the cell
   std::vector<Position_2> m_points;          // in the domain, by ids
-  std::vector<Periodic_shift_2> m_multiples; // of the sides, from those to the points as given
+  std::vector<Periodic_shift_2> m_multiples; // of the sides, from m_points to the given points
   std::vector<Face> m_faces;
 };
 

@@ -17,8 +17,8 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// What happened to a periodic triangulation: one entry of the editor's log, in the words of
-// `PeriodicUpdateVisitor_2`. Ids, since vertices get other numbers.
+// One change of a periodic triangulation: an entry of the editor's log, in the words of
+// `PeriodicUpdateVisitor_2`. It names points by ids, because vertices are renumbered.
 struct Periodic_change_2
 {
   enum class Kind { EDGE_REMOVED, EDGE_CREATED, POINT_TRANSLATED, CELL_EXCHANGED };
@@ -56,23 +56,23 @@ struct Periodic_change_2
   std::array<Periodic_shift_2, 2> shifts; // the first one alone, unless a cell was exchanged
 };
 
-// Keeps what changes until a call has ended, and tells the user's visitor then. `Dynamic` is the
-// triangulation that it is shown, and `void` for the default visitor: then nothing is kept.
+// Logs changes until a call has ended, and then tells the user's visitor. `Dynamic` is the
+// triangulation that the visitor is shown. For the default visitor it is `void`: nothing is logged.
 template <class Visitor, class Dynamic>
 class Periodic_visitor_calls_2
 {
 public:
   static constexpr bool is_heard = !std::is_void_v<Dynamic>;
 
-  // Both objects may have moved since the last call.
+  // Call this first: both objects may be at other addresses than in the last call.
   void start(Visitor& visitor, const Dynamic* dynamic)
   {
     m_visitor = &visitor;
     m_dynamic = dynamic;
   }
 
-  // Tells everything since this was last called, also what a call has left that an exception has
-  // ended. What follows when the visitor throws is never told.
+  // Tells all changes since the last finish(), including those of a call that an exception has
+  // ended. If the visitor throws, the changes that follow are never told.
   void finish()
   {
     if constexpr (is_heard) {
@@ -85,7 +85,7 @@ public:
 
   std::vector<Periodic_change_2>& log() { return m_log; }
 
-  // Reserves memory for so many changes, beyond what is kept for an emergency.
+  // Reserves memory for this number of changes, beyond those of keep_memory_for().
   void reserve(std::size_t changes)
   {
     if constexpr (is_heard)

@@ -32,8 +32,8 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Reads and checks the input of a periodic triangulation before anything changes. Of a frame it
-// also finds which points cross the border of the cell; it can take the frame back.
+// Reads and checks the input of a periodic triangulation before anything changes. For a frame, also
+// finds the points that cross the border of the cell. An accepted frame can be taken back.
 template <class State>
 class Periodic_input_2
 {
@@ -74,12 +74,11 @@ public:
 
   // A FRAME -------------------------------------------------------------------------------------
 
-  // Of the next frame, the positions with these ids mean nothing: the call removes their points,
-  // which until then go where the cell takes them.
+  // Ignores the positions with these ids in the next frame, because the call removes their points.
+  // Until then these points move along with the cell.
   void leave_out(const std::vector<Index>& ids) { m_gone = ids; }
 
-  // Reads a frame and its cell, to be accepted. Nothing has changed before that, also if it is
-  // refused.
+  // Reads and checks a frame and its cell. Nothing changes before accept(), nor if this throws.
   template <class InputIterator, class PointMap>
   void stage(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
@@ -103,8 +102,8 @@ public:
     }
   }
 
-  // Finds the vertices that go farther than half the way to their nearest neighbors, compared to
-  // the mean motion, and would tangle the faces on their way. To be called before accept().
+  // Returns the vertices that go far, compared to the mean motion, and farther than half the way to
+  // their nearest neighbors. They would tangle the faces on their way. Call this before accept().
   std::vector<Index> find_jumpers() const
   {
     std::vector<Index> jumpers;
@@ -116,7 +115,7 @@ public:
     return jumpers;
   }
 
-  // Makes the positions and the cell that were read those of now. Throws nothing.
+  // Makes the staged positions and the staged cell the present ones. Throws nothing.
   void accept()
   {
     m_cell_before = m_state.torus().cell();
@@ -128,7 +127,7 @@ public:
       m_editing.shift_images(v, shift);
   }
 
-  // Restores the positions and the cell of the last frame. Throws nothing.
+  // Undoes accept(): restores the positions and the cell of the last frame. Throws nothing.
   void take_back()
   {
     for (const auto& [v, shift] : m_translated)
@@ -139,7 +138,7 @@ public:
       m_editing.set_cell(m_cell_before, inverse(m_multiples));
   }
 
-  // To be called at the end of a call: previous positions are not needed any more.
+  // Forgets the previous positions. To be called at the end of each call of the user.
   void settle() { m_positions.forget_previous(); }
 
 private:
@@ -151,7 +150,7 @@ private:
     const Point* points;
   };
 
-  // The points of a frame, but for those that are left out.
+  // The points of a frame, where points that are left out move along with the cell.
   struct Points_that_stay
   {
     Point operator()(std::size_t id) const
@@ -202,7 +201,7 @@ private:
 
   bool is_same_cell() const { return m_cell == m_state.torus().cell(); }
 
-  // Where the cell takes a point that stays as it is in its multiples.
+  // Returns the point moved with the cell: its multiples of the vectors stay, up to wrapping.
   Point point_taken_along(Point_id id, const Torus_2& now) const
   {
     const Point p = m_state.point_of_id(id);
@@ -227,7 +226,7 @@ private:
     }
     if (!are_in_range)
       throw_refused(next, now);
-    m_editing.reserve_for_move(2 * m_translated.size() + 1); // there, and back
+    m_editing.reserve_for_move(2 * m_translated.size() + 1); // for accept() and take_back()
   }
 
   template <class Next>
@@ -247,7 +246,7 @@ private:
 
   // VERTICES ------------------------------------------------------------------------------------
 
-  // Positions whose coordinates have no larger sum are in range.
+  // Returns a bound: positions with |x| + |y| up to it are in range.
   static double usual_sum(const Torus_2& torus)
   {
     constexpr double rounding = 0.99;
@@ -264,10 +263,10 @@ private:
     Position_2 sum;                                       // of all ways
   };
 
-  // Stages the positions of the vertices, and finds which of them come nearest to where they were
-  // by a translation, in multiples of the new cell's vectors: points that leave the cell and come
-  // in at the other side do not go far. Lists those that do. False if a coordinate is not finite,
-  // or a point out of range in the new cell.
+  // Stages the positions of the vertices. Lists the vertices that are nearest to another image of
+  // their last position, with its shift in multiples of the new cell's vectors: a point that leaves
+  // the cell and enters it at the other side does not go far. Lists the vertices that go far. False
+  // if a coordinate is not finite, or a point is out of range in the new cell.
   template <bool is_same, class Next>
   bool stage_vertices(const Next& next, const Torus_2& now)
   {
@@ -316,9 +315,9 @@ private:
     return true;
   }
 
-  // Stages vertices of which none goes far, and none crosses the border. If one does, the others
-  // have to be staged again, by the other function. Without branches for each: in calm frames that
-  // saves a tenth of the time of an update.
+  // Stages vertices if none of them goes far or crosses the border. False if one does: then
+  // stage_any() has to stage all of them again. There is no branch for each vertex, which in calm
+  // frames saves a tenth of the time of an update.
   template <class Next>
   bool stage_usual(const Next& next, const Torus_2& now, double usual, Index first, Index beyond,
                    Position_2& sum)
@@ -352,7 +351,7 @@ private:
       const Position_2 q = approximation(point);
       staged.set(v, q, point);
       if (!is_in_range(q, now))
-        return false; // a shift may be no integer
+        return false; // the shift may not fit into an int
       Position_2 way = q - p;
       if (!(is_same && now.is_short(way))) {
         const Position_2 step =
@@ -383,11 +382,11 @@ private:
     return least;
   }
 
-  // A quarter of the spacing.
+  // Returns the square of a quarter of the spacing.
   double squared_long_way() const { return area_of_points() / m_state.number_of_vertices() / 16; }
 
-  // That of the cell. In a slab that of the strip with all points, or, where that is thin, of
-  // squares between points in a row.
+  // Returns the area of the cell. In a slab, returns the area of the strip with all points, or, if
+  // that is thin, of squares between points in a row.
   double area_of_points() const
   {
     const Torus_2& torus = m_state.torus();
@@ -405,8 +404,9 @@ private:
 
   // CELLS ---------------------------------------------------------------------------------------
 
-  // The vectors of the old cell in those of the next one. Edges that a heuristic classifier has
-  // left as they were can become longer with each exchange of cells: then it counts as deformation.
+  // Returns the old cell's vectors in multiples of the next ones. Edges that a heuristic classifier
+  // has missed can grow with each exchange of cells. If shifts would exceed their limit, the
+  // exchange counts as deformation.
   std::array<Shift, 2> countable_multiples(const Torus_2& next) const
   {
     const auto multiples = multiples_in_new_cell(m_state.torus(), next);
@@ -431,7 +431,7 @@ private:
     });
   }
 
-  // Of a position in the old cell, if it goes along with the cell: in multiples of the new vectors.
+  // Returns a position of the old cell, moved with the cell, in multiples of the new vectors.
   Position_2 multiples_in_next_cell(const Position_2& p) const
   {
     const Position_2 s = m_state.torus().multiples(p);
@@ -439,7 +439,7 @@ private:
             s.x * m_multiples[0][1] + s.y * m_multiples[1][1]};
   }
 
-  // Of an integer matrix with determinant 1 or -1.
+  // \pre The determinant is 1 or -1.
   static std::array<Shift, 2> inverse(const std::array<Shift, 2>& matrix)
   {
     const auto [a, b] = matrix[0];
@@ -459,7 +459,7 @@ private:
   std::vector<std::pair<Index, Position_2>> m_far; // vertices and their ways
   Position_2 m_mean_way{0, 0};                     // of all vertices
   double m_squared_long_way = 0;
-  Translations m_translated; // vertices, and by how much
+  Translations m_translated; // vertices, and their shifts
   Periodic_cell_2 m_cell{1, 1}, m_cell_before{1, 1};
   std::array<Shift, 2> m_multiples = unit_multiples; // of the old cell's vectors
 };

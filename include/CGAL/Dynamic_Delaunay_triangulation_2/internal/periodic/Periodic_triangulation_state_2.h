@@ -33,7 +33,7 @@ class Torus_builder_2;
 template <class State>
 class Padded_region_2;
 
-// A vertex as it is seen from somewhere: an image.
+// An image of a vertex.
 struct Periodic_corner_2
 {
   Vertex_index vertex;
@@ -86,15 +86,15 @@ private:
 // A triangulation of a flat torus: its faces in one sheet, however few its points are. Reading is
 // public; only the friends can write.
 //
-// Each corner of a face, a half-edge with its apex, has a *shift*. The images of the three vertices
-// by the shifts of a face are the corners of one triangle in the plane. Faces have frames of their
-// own: the first corner of each has no shift. Along an edge, the frames of both faces differ by a
+// Each corner of a face, a half-edge with its apex, has a *shift*. Translated by the shifts of a
+// face, its three vertices are the corners of one triangle in the plane. Each face has a frame of
+// its own: its first corner has no shift. Along an edge, the frames of both faces differ by a
 // translation, which follows from their shifts.
 //
 // An edge may go from a vertex to an image of the same vertex, and several may connect two
-// vertices. There is no infinite vertex. Where the four corners of an edge have the same shift, the
-// edge stands in the arrays as in the plane, so that the pass over the edges can test it there.
-// Elsewhere all its vertices there are infinite: the pass in the plane never proves these.
+// vertices. There is no infinite vertex. If the four corners of an edge have the same shift, the
+// arrays show the edge as in the plane, and the pass over the edges can test it there. Otherwise
+// the arrays show only infinite vertices, and the pass of the plane never proves the edge.
 template <class Point_, class VisitorCalls, class ConcurrencyTag>
 class Periodic_triangulation_state_2
 {
@@ -116,12 +116,12 @@ public:
 
   static constexpr bool has_hull = false;
   static constexpr bool can_splice = false;          // a region may meet images of itself
-  static constexpr bool can_locate_anywhere = false; // but where all is Delaunay
+  static constexpr bool can_locate_anywhere = false; // only where all is Delaunay
   static constexpr bool jumpers_leave_before_motion = true;
 
   static constexpr std::size_t min_vertices = 1;
-  // Twice the plane's time was measured. At that price 1,000 points at steps of 0.1 spacings would
-  // be triangulated anew in many frames that flips mend in half of the time.
+  // A rebuild takes twice the plane's time, as measured. With a factor of 2, 1,000 points at steps
+  // of 0.1 spacings would be triangulated anew in many frames that flips mend in half of the time.
   static constexpr std::size_t rebuild_factor = 3;
 
   explicit Periodic_triangulation_state_2(const Periodic_cell_2& cell)
@@ -136,7 +136,6 @@ public:
   const Halfedge_arrays_2& arrays() const { return m_arrays; }
   const std::vector<Position_2>& positions() const { return m_positions.positions(); }
   const Ids& ids() const { return m_ids; }
-  // If vertices, edges or faces have other numbers, everything is new.
   const Change_log_2& changes() const { return m_changes; }
   Index number_of_vertices() const { return Index(m_points.size()) - 1; }
   // There are faces as soon as there is a vertex.
@@ -144,18 +143,18 @@ public:
 
   const Periodic_shift_2& shift(Halfedge_index corner) const { return m_shifts[corner]; }
   Image_2 image(Halfedge_index corner) const { return image(corner, positions()); }
-  // With other positions of the vertices.
+  // The image if the vertices have these positions.
   Image_2 image(Halfedge_index corner, const std::vector<Position_2>& positions) const
   {
     return {positions[m_arrays.apex(corner)], m_shifts[corner]};
   }
 
-  // The id at a corner: that of the representative where points coincide.
+  // Returns the id of the point at a corner: of the representative, if points coincide.
   Point_id id_at(Halfedge_index corner) const
   {
     return m_ids.representative(m_arrays.apex(corner));
   }
-  // The shift of a corner as seen from another one of its face.
+  // Returns the shift of corner `other` as seen from `corner`, in the same face.
   Periodic_shift_2 shift_between(Halfedge_index corner, Index other) const
   {
     return m_shifts[other] - m_shifts[corner];
@@ -164,14 +163,14 @@ public:
   {
     return m_torus.are_across(m_shifts[corner], m_shifts[other]);
   }
-  // Whether a face is beside a slab, between its sides.
+  // Whether a face is in the gap beside a slab, between its sides.
   bool is_in_gap(Face_index f) const
   {
     return are_across(Halfedge_arrays_2::halfedge_in(f, 0), Halfedge_arrays_2::halfedge_in(f, 1)) ||
            are_across(Halfedge_arrays_2::halfedge_in(f, 0), Halfedge_arrays_2::halfedge_in(f, 2));
   }
 
-  // What is added to shifts in the face beyond h for shifts in the face of h.
+  // Returns what must be added to a shift in the face beyond h to get it in the face of h.
   Periodic_shift_2 transition(Halfedge_index h) const
   {
     using Arrays = Halfedge_arrays_2;
@@ -209,28 +208,28 @@ public:
   {
     return m_torus.coincide(approximation(p), positions()[v]);
   }
-  // The frame of the face of h in which the apex of h is seen from v where it is near.
+  // Returns the frame of the face of h in which the apex of h is near v.
   Frame frame_seen_from(Vertex_index v, Halfedge_index h) const
   {
     return frame_at(h) + shift_of_step(positions()[m_arrays.apex(h)], positions()[v]);
   }
-  // By which the lattice comes nearest to a step.
+  // Returns the shift of the lattice that is nearest to a step.
   Periodic_shift_2 shift_of_step(const Position_2& from, const Position_2& to) const
   {
     const Position_2 step = to - from;
     return m_torus.is_short(step) ? no_shift : m_torus.nearest_shift(m_torus.multiples(step));
   }
-  // Between images that are near to each other.
+  // The squared distance between images that are near each other.
   double rounded_squared_distance(Vertex_index v, Vertex_index w) const
   {
     return squared_distance(nearest_image(positions()[v], positions()[w]), positions()[w]);
   }
-  // The position of v one frame ago, as it is seen from where its present one is `now`.
+  // Returns the position one frame ago of the image of v that is at `now`.
   Position_2 previous_position_at(Vertex_index v, const Position_2& now) const
   {
     return now - (positions()[v] - previous_position(v));
   }
-  // Where to look for a position in an order of space.
+  // Returns the image of p in the cell, by which p is sorted in space.
   Position_2 place_in_order(const Position_2& p) const { return m_torus.wrapped(p); }
   Image_2 image(const Corner& corner) const { return {positions()[corner.vertex], corner.shift}; }
   // NaNs beyond the gap beside a slab.
@@ -266,7 +265,7 @@ public:
         f(m_arrays.apex(end), shift_between(h, end));
     });
   }
-  // Whether the next edge at this corner of a face goes to the image of v by `way`.
+  // Whether the edge from the apex of h to that of next(h) leads to v, shifted by `way`.
   bool leads(Halfedge_index h, Vertex_index v, const Periodic_shift_2& way) const
   {
     const Index end = Halfedge_arrays_2::next(h);
@@ -280,7 +279,7 @@ public:
     return are_equal(a.shift, b.shift) && are_equal(b.shift, c.shift) &&
            are_equal(c.shift, d.shift);
   }
-  // Whether passes over the arrays see the edge if it is in one frame, and else no vertex of it.
+  // Whether the arrays show the edge rightly: its vertices if it is in one frame, and else none.
   bool is_shown_right(Edge_index e) const
   {
     const Edge_2& shown = m_arrays.edge(e);
@@ -298,8 +297,8 @@ public:
   bool have_points_moved() const { return m_positions.have_moved(); }
   void prefetch_positions(Vertex_index v) const { m_positions.prefetch(v); }
   decltype(auto) point(Vertex_index v) const { return m_positions.point(v); }
-  // One frame ago, or before the vertex moved alone in this call: the image of that position that
-  // is nearest to the present one.
+  // Returns the position one frame ago, or before the vertex moved alone in this call: its image
+  // that is nearest to the present position.
   Position_2 previous_position(Vertex_index v) const
   {
     return nearest_image(m_positions.previous_position(v), positions()[v]);
@@ -322,7 +321,7 @@ public:
   }
   static constexpr bool is_along(Index, Index) { return true; } // halfedge(e) goes along edge(e)
 
-  // Whether the corners of an edge are on both sides of the gap beside a slab.
+  // Whether the corners of an edge are on both sides of the gap beside a slab, or it is empty.
   bool is_at_infinity(Edge_index e) const
   {
     if (!is_shifted(e))

@@ -34,7 +34,7 @@ inline Periodic_shift_2 operator-(const Periodic_shift_2& s, const Periodic_shif
 }
 constexpr Periodic_shift_2 no_shift{0, 0};
 
-// Compilers make a call of a comparison of arrays.
+// Compares both numbers, because compilers turn `==` on arrays into a function call.
 inline bool are_equal(const Periodic_shift_2& s, const Periodic_shift_2& t)
 {
   return s[0] == t[0] && s[1] == t[1];
@@ -56,10 +56,10 @@ struct Edge_images_2
 // The flat torus: the plane, in which the lattice of a cell identifies points.
 //
 // A slab is the torus whose second vector is infinitely long: H times a's perpendicular (-ay, ax),
-// with an H larger than all numbers. Then a sign is that of a polynomial in H, and that of its
-// leading coefficient. Faces and edges between images with the same multiple of H are those of the
-// slab, and the others fill the gap between its two sides. Nothing else is different in a slab:
-// finitely many signs are the same for all H from some finite one on, and there it is a torus.
+// with an H larger than all numbers. Then each sign is that of a polynomial in H, and so that of
+// its leading coefficient. Faces and edges between images with the same multiple of H are those of
+// the slab, and the others fill the gap between its two sides. Nothing else is different in a slab:
+// finitely many signs are the same for all large enough H, and for such a finite H it is a torus.
 //
 // The filter. Let u = 2^-53. The vector between two images has coordinates D + i a + j b, where D
 // is the difference of two coordinates, and i and j are integers. Rounded are the difference, both
@@ -116,15 +116,15 @@ public:
     return {product(v.x, m_inverse_x.x) + product(v.y, m_inverse_x.y),
             product(v.x, m_inverse_y.x) + product(v.y, m_inverse_y.y)};
   }
-  // The reverse.
+  // The vector with these multiples, rounded.
   Position_2 vector(const Position_2& s) const
   {
     return {product(s.x, m_cell.ax()) + product(s.y, m_cell.bx()),
             product(s.x, m_cell.ay()) + product(s.y, m_cell.by())};
   }
 
-  // What no multiple of a vector of this length exceeds by which the lattice can translate, but for
-  // rounding.
+  // Returns a bound on both numbers in periodic(multiples(v)), for all vectors v of this length, up
+  // to rounding.
   double largest_multiple(double length) const
   {
     const double x = std::hypot(m_inverse_x.x, m_inverse_x.y);
@@ -132,15 +132,15 @@ public:
     return length * (std::max)(x, y);
   }
 
-  // True only if no other image is nearer, by multiples, to where such a step goes.
+  // True only if nearest_shift(multiples(step)) is 0: no other image is nearer, by multiples.
   bool is_short(const Position_2& step) const
   {
     return std::abs(step.x) + std::abs(step.y) <= m_short_way;
   }
-  // The largest sum of the absolute coordinates of such a step.
+  // The largest |x| + |y| of a short step.
   double short_way() const { return m_short_way; }
 
-  // The multiples by which the lattice can translate: none across a slab.
+  // The multiples in the directions in which the lattice can translate: 0 across a slab.
   Position_2 periodic(const Position_2& multiples) const
   {
     return {multiples.x, m_cell.is_slab() ? 0 : multiples.y};
@@ -215,7 +215,7 @@ public:
     return unfiltered_side_of_circle(a, b, c, d);
   }
 
-  // As `Edge_test_2` has it in the plane. No corner is at infinity.
+  // The state of an edge, as `Edge_test_2` defines it in the plane. No corner is at infinity.
   Edge_state_2 edge_state(const Edge_images_2& corners) const
   {
     const Filter<1> filter(*this, &corners);
@@ -236,7 +236,7 @@ public:
     return Filter<1>(*this, &corners).proves_delaunay();
   }
 
-  // Of four edges: bit i of the result is set if the i-th one is proved Delaunay.
+  // Tests four edges: bit i of the result is set if edges[i] is proved Delaunay.
   int filter_proves_delaunay(const std::array<Edge_images_2, 4>& edges) const
   {
     return call_with_lanes([&](auto lanes) CGAL_DYNAMIC_DELAUNAY_INLINE {
@@ -264,7 +264,7 @@ public:
   }
 
   using Exact = CGAL::internal::Exact_ring_selector<double>::Type;
-  // A number, or in a slab a polynomial in H: the constant first.
+  // A number, or in a slab a polynomial in H: the constant coefficient first.
   template <std::size_t degree>
   using Polynomial = std::array<Exact, degree + 1>;
 
@@ -283,7 +283,7 @@ public:
   }
 
   // The vector from one image to another, rounded. Raises m to the largest sum of absolute
-  // values: each coordinate is off by at most error_factor times that.
+  // values: each coordinate is off by at most error_factor m.
   BOOST_FORCEINLINE Position_2 vector(const Image_2& from, const Image_2& to, double& m) const
   {
     double rows = 0;
@@ -319,7 +319,7 @@ public:
 
 private:
   static constexpr double smallest_products = 1e-280;
-  // Of the filter, in t.
+  // The filter's 17 t E, 135 t^3 E, and limit of 2^-20 t on E.
   static constexpr double orientation_share = 17, in_circle_share = 135, largest_error = 0x1p-20;
 
   template <class Number>
@@ -328,7 +328,7 @@ private:
     Points_in_lanes_2<Number> position, shift;
   };
 
-  // In lane i, that of edges[i].
+  // The images at this corner of the edges: that of edges[i] is in lane i.
   template <int lanes>
   BOOST_FORCEINLINE static Images<Lanes<lanes>> images(const Edge_images_2* edges,
                                                        Image_2 Edge_images_2::*corner)
@@ -357,7 +357,7 @@ private:
     return {dx + (iax + jbx), dy + (iay + jby)};
   }
 
-  // Of an edge in each lane.
+  // The filter for one edge in each lane.
   template <int lanes>
   class Filter
   {
@@ -452,11 +452,11 @@ private:
 
   // ACROSS THE GAP OF A SLAB --------------------------------------------------------------------
 
-  // The signs of polynomials in H by their leading coefficients. A row is what one number of the
-  // second vector translates. Computed without rounding each sign would take a microsecond, and a
-  // row of points at a wall has several edges for each point.
+  // These functions find signs of polynomials in H by their leading coefficients. A row is the set
+  // of all images by the same multiple of the second vector. Without rounding, each sign would take
+  // a microsecond, and points along a wall have several edges across the gap for each point.
 
-  // With two corners p and q in one row, and r k rows away, the leading coefficient is k (q - p) a.
+  // If p and q are in one row, and r is k rows away, the leading coefficient is k (q - p) a.
   Orientation orientation_across(const Image_2& a, const Image_2& b, const Image_2& c) const
   {
     const auto turn = [this](const Image_2& p, const Image_2& q, const Image_2& r) {
@@ -481,8 +481,8 @@ private:
     return sign ? *sign : exact_side_of_circle(a, b, c, d);
   }
 
-  // The side of p[3] if three corners are in one row, or two in each of two; nothing where that
-  // does not decide it. The corners are sorted by rows; to exchange two of them changes the sign.
+  // Returns the side of p[3] if three corners are in one row, or two in each of two rows, and that
+  // decides it; else nothing. Sorts the corners by rows: exchanging two of them changes the sign.
   std::optional<Sign> side_of_circle_across(std::array<Image_2, 4> p) const
   {
     Sign sign = POSITIVE;
@@ -504,8 +504,8 @@ private:
     return side ? sign * *side : side;
   }
 
-  // Of d, which is k rows away from the others. Let u and v go from c to a and b, and w be the
-  // slab's vector. The leading coefficient is -k^2 w^2 (u x v) or, if that is 0,
+  // The side of d, which is k rows away from the others. Let u and v go from c to a and b, and w be
+  // the slab's vector. The leading coefficient is -k^2 w^2 (u x v) or, if that is 0,
   // -k (u^2 (v w) - v^2 (u w)). Where u and v go s and t along w, that is -k |w| s t (s - t).
   std::optional<Sign> side_of_far_point(const Image_2& a, const Image_2& b, const Image_2& c,
                                         const Image_2& d) const
@@ -518,10 +518,10 @@ private:
     return turn != COLLINEAR ? std::optional<Sign>(-turn) : std::nullopt;
   }
 
-  // Of d, where b and c are k rows away from a and d. If a and d are on a line along the slab, and
-  // b and c as well, the leading coefficient is 2k times the product of three steps along the slab:
-  // from d to a, from b to c, and from the middle of a and d to that of b and c. If it is 0, the
-  // four corners are on a circle.
+  // The side of d if b and c are k rows away from a and d. If a and d are on a line along the slab,
+  // and b and c as well, the leading coefficient is 2k times the product of three steps along the
+  // slab: from d to a, from b to c, and from the middle of a and d to that of b and c. If it is 0,
+  // the four corners are on a circle.
   std::optional<Sign> side_of_opposite_pair(const Image_2& a, const Image_2& b, const Image_2& c,
                                             const Image_2& d) const
   {
@@ -531,14 +531,14 @@ private:
     return pairs * sign_of_rows(d, b) * sign_of_middles(a, b, c, d);
   }
 
-  // Whether both are on a line along a slab that is along an axis.
+  // True if the slab is along an axis, and p and q are on one line along it.
   bool are_in_line(const Image_2& p, const Image_2& q) const
   {
     return (m_cell.ay() == 0 && p.position.y == q.position.y) ||
            (m_cell.ax() == 0 && p.position.x == q.position.x);
   }
 
-  // The sign of the rows from p to q.
+  // The sign of the number of rows from p to q.
   static Sign sign_of_rows(const Image_2& p, const Image_2& q)
   {
     return CGAL::sign(q.shift[1] - p.shift[1]);

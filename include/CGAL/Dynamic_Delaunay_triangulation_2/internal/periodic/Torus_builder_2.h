@@ -32,7 +32,7 @@
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Writes a whole triangulation of a torus at once: triangulates from scratch, copies, or restores.
-// Afterwards everything is new.
+// After triangulating or restoring, everything counts as new.
 template <class State>
 class Torus_builder_2
 {
@@ -117,8 +117,8 @@ public:
     m_editing.reserve(std::size_t(arrays().number_of_edges()) + other.arrays().number_of_edges());
   }
 
-  // Exchanges everything with another one, except the user's visitor. Throws nothing after
-  // reserve_for_exchange().
+  // Exchanges everything with another triangulation, except the user's visitor. Throws nothing
+  // after reserve_for_exchange().
   void exchange(State& other)
   {
     m_editing.note_all_edges(Kind::EDGE_REMOVED);
@@ -161,8 +161,8 @@ private:
 
   // BUILDING ------------------------------------------------------------------------------------
 
-  // Of points that coincide, one of the first `second` points becomes the representative, if any of
-  // these is there.
+  // Triangulates these points. Where points coincide, one of the first `second` points becomes the
+  // representative, if any of these is among them.
   void build(std::vector<Index> point_ids, std::vector<Point> points, std::size_t second)
   {
     Index number_of_ids = ids().number_of_ids();
@@ -189,8 +189,8 @@ private:
     }
   }
 
-  // Triangulates all at once. False, with no vertices, if that does not end with a proof, as where
-  // points coincide or form a grid.
+  // Triangulates all points at once. False if the result cannot be proved, as where points coincide
+  // or form a grid: then there are no vertices.
   bool triangulate(const std::vector<Index>& point_ids, const std::vector<Point>& points)
   {
     if (m_engine != Static_engine_2::GUIBAS_STOLFI)
@@ -242,7 +242,7 @@ private:
     std::vector<Index> point_ids(all_ids.begin() + i, all_ids.begin() + k);
     std::vector<Point> points(all_points.begin() + i, all_points.begin() + k);
     static constexpr std::size_t most_faces =
-        64; // that a point replaces: flips take less time beyond
+        64; // that one insertion replaces: for more, flips take less time
     m_relocation.announce_reserved(point_ids, points);
     m_relocation.put_in(
         {}, [] { return most_faces; },
@@ -276,8 +276,8 @@ private:
     flip(m_open, any_number);
   }
 
-  // Flips these edges until all is Delaunay. False if flips do not help, or would be more than
-  // `most`.
+  // Flips these edges until all is Delaunay. False if flips do not help, or more than `most` would
+  // be needed.
   bool flip(std::vector<Index>& open, std::size_t most)
   {
     while (!open.empty()) {
@@ -297,7 +297,7 @@ private:
 
   // WRITING -------------------------------------------------------------------------------------
 
-  // Writes the points of so many vertices, where v has the point `point(v)`.
+  // Writes the points of all vertices, where vertex v has the point `point(v)`.
   template <class Function>
   void write_points(std::size_t vertices, const Function& point)
   {

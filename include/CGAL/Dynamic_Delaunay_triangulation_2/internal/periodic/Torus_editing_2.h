@@ -19,8 +19,8 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// What `Topology_editor_2` does on a torus alone: every function leaves shifts that close up around
-// each face and agree along each edge, and changes of edges are kept for the user's visitor.
+// The part of `Topology_editor_2` that is specific to a torus: keeps shifts that close up around
+// each face and agree along each edge, and logs the changes of edges for the user's visitor.
 template <class State>
 class Torus_editing_2
 {
@@ -54,7 +54,7 @@ public:
   using Log = std::vector<Periodic_change_2>;
   Log& log() { return m_state.m_visitor_calls.log(); }
 
-  // Appends what a part of the threads has kept, for which there is memory.
+  // Appends the log of one part. Memory must have been reserved.
   void append(Log& others)
   {
     log().insert(log().end(), others.begin(), others.end());
@@ -70,7 +70,7 @@ public:
 
   // FACES AND EDGES -----------------------------------------------------------------------------
 
-  // A flip needs two faces, and must give no edge that is there already, or has no length.
+  // True if h has two different faces, and its flip gives an edge that is new and has a length.
   bool can_flip(Halfedge_index h) const
   {
     const Arrays& arrays = m_state.arrays();
@@ -79,7 +79,7 @@ public:
       return false;
     if (!arrays.is_hidden(arrays.edge_of(h)) && arrays.apex(h) != arrays.apex(g) &&
         !arrays.are_apexes_neighbors(h))
-      return true; // nor any image of a neighbor
+      return true; // then no images of the apexes are neighbors either
     const auto frame = m_state.frame_at(h);
     const auto a = m_state.corner_in(h, frame);
     const auto d = m_state.corner_in(g, m_state.frame_beyond(h, frame));
@@ -116,7 +116,7 @@ public:
     shifts()[h] = corner.shift;
   }
 
-  // `frame` is that of the face as seen from the slot's vertex.
+  // Puts the slot's vertex into face f. `frame` is that of f as seen from the vertex.
   void put_in(const Slot& slot, Face_index f, const Periodic_shift_2& frame)
   {
     const Periodic_shift_2 a = shifts()[Arrays::halfedge_in(f, 0)],
@@ -130,8 +130,8 @@ public:
   }
 
   static void before_face(Index) {}
-  // Moves the frame of a face to its first corner, and writes its edges as passes over all edges
-  // see them.
+  // Moves the frame of a face to its first corner, and updates what passes over all edges see of
+  // its edges.
   void after_face(Face_index f)
   {
     move_frame(f);
@@ -151,7 +151,7 @@ public:
           note_edge(kind, arrays().halfedge(e), log());
   }
 
-  // Where the corners at an edge have the same shift the edge stands in the arrays as in the plane.
+  // If the corners at an edge have the same shift, writes the edge as in the plane; else hides it.
   void show_or_hide(Edge_index e)
   {
     if (m_state.is_in_one_frame(e))
@@ -190,8 +190,8 @@ public:
 
   // THE LATTICE ---------------------------------------------------------------------------------
 
-  // Reserves memory for one call of after_move(), or so many of shift_images() and one of
-  // set_cell().
+  // Reserves memory for one call of after_move(), or for `number` calls of shift_images() and one
+  // of set_cell().
   void reserve_for_move(std::size_t number = 1)
   {
     reserve_extra(changes().relocated, number);
@@ -202,8 +202,8 @@ public:
     shift_images(v, m_state.shift_of_step(before, m_state.positions()[v]));
   }
 
-  // To be called where the position of v was replaced by one that is about `shift` away: every
-  // image of v stays where it is, about.
+  // Call this after the position of v was replaced by one that is about `shift` away. Keeps every
+  // image of v about where it is.
   void shift_images(Vertex_index v, const Periodic_shift_2& shift)
   {
     if (are_equal(shift, no_shift))
@@ -216,8 +216,8 @@ public:
     arrays().for_each_corner(v, [&](Halfedge_index h) { after_face(Arrays::face_of(h)); });
   }
 
-  // The lattice gets another cell. `multiples` are the vectors of the old cell in those of the new
-  // one, integers with determinant 1 or -1; the rest is deformation.
+  // Gives the lattice another cell. `multiples` are the old cell's vectors in multiples of the new
+  // ones, integers with determinant 1 or -1; the rest is deformation.
   void set_cell(const Periodic_cell_2& cell, const std::array<Periodic_shift_2, 2>& multiples)
   {
     if (multiples != unit_multiples)
@@ -253,7 +253,7 @@ private:
       log().push_back(change());
   }
 
-  // Edges across the gap of a slab are none of the user's.
+  // Logs the change of an edge, unless it is across the gap of a slab: users do not see those.
   void note_edge(Kind kind, Halfedge_index h, Log& log) const
   {
     if constexpr (Calls::is_heard) {
@@ -264,7 +264,7 @@ private:
     }
   }
 
-  // Edges from the vertex to itself are met twice, and noted once.
+  // Edges from the vertex to an image of itself are met twice, and noted once.
   void note_edges_around(Kind kind, Vertex_index v)
   {
     if constexpr (Calls::is_heard)

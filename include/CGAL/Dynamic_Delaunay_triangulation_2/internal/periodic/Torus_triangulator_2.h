@@ -36,13 +36,13 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 struct Periodic_faces_2
 {
   std::vector<Index> apexes, twins;     // of each half-edge, three for a face
-  std::vector<Periodic_shift_2> shifts; // of its apex
+  std::vector<Periodic_shift_2> shifts; // of each apex
   std::vector<Index> points;            // of each vertex; the first one is not used
 };
 
-// Images of points in the plane, rounded, as predicates on vertices ask for them. Number 0 is at
-// infinity. At first the numbers are those in which images were given; arrange() gives them numbers
-// along a curve, so that what is close in space is close in memory.
+// Images of points in the plane, rounded, with the functions that predicates on vertices call.
+// Image 0 is at infinity. The other images are set with any numbers; then arrange() numbers them
+// along a curve, so that images that are close in space are close in memory.
 class Image_cloud_2
 {
 public:
@@ -69,7 +69,7 @@ public:
     m_shifts[number] = image.shift;
   }
 
-  // Numbers the images in this order, which has their new numbers afterwards.
+  // Renumbers the images in this order. Afterwards `order` has their new numbers.
   template <class Parts>
   void arrange(Spatial_order_2& order)
   {
@@ -122,11 +122,11 @@ private:
 // Images are rounded, ties are broken in any way, and there may be too few images. So the result is
 // not taken for Delaunay, only for a triangulation of the torus, and that is checked: there are
 // twice as many faces as points, each half-edge has one twin, the faces around a vertex are one
-// cycle, and their areas sum up to that of the cell. Rounding cannot hide another degree than one,
-// since the sum is a multiple of the cell's area. Where a check fails there is no result. That is
-// so for grids, whose ties are broken differently in different images.
+// cycle, and all areas sum up to that of the cell. Rounding cannot hide that faces cover the torus
+// another number of times than once: the sum is a multiple of the cell's area. If a check fails
+// there is no result, as for grids, whose ties are broken differently in different images.
 //
-// Threads share all of it, but for the few images around the cell and the edges that these cut.
+// Threads share all work, except for the few images around the cell and the edges that these cut.
 template <class Parts = Parallel_parts_2<Sequential_tag>>
 class Torus_triangulator_2
 {
@@ -141,7 +141,7 @@ public:
   Torus_triangulator_2(const Torus_triangulator_2&) = delete;
   Torus_triangulator_2& operator=(const Torus_triangulator_2&) = delete;
 
-  // Fewer points are inserted faster.
+  // Inserting fewer points one by one is faster.
   static constexpr std::size_t min_points = 100;
 
   // False if there is no result.
@@ -171,7 +171,7 @@ private:
   static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
-  // The wrapped points, and then their images around the cell.
+  // Makes the wrapped points, and then images around the cell. False if these were too many.
   bool make_cloud(const Torus_2& torus, const std::vector<Position_2>& points)
   {
     const auto basis = short_basis(torus);
@@ -210,7 +210,7 @@ private:
     return append(around);
   }
 
-  // False if these are too many for the plane, whose numbers have 32 bits as well.
+  // Appends these images. False if they are too many for the 32-bit numbers of the plane.
   bool append(const std::vector<std::vector<Image>>& around)
   {
     std::size_t next_number = m_cloud.size(), size = m_cloud.size();
@@ -225,7 +225,7 @@ private:
     return true;
   }
 
-  // In which direction the images of a point are around the cell.
+  // The direction, 1 or -1, in which a point has an image within the margin; 0 if in neither.
   static int side(double multiple, double margin)
   {
     return multiple < margin ? 1 : multiple > 1 - margin ? -1 : 0;
@@ -256,8 +256,8 @@ private:
     return p.x == q.x && p.y == q.y;
   }
 
-  // Numbers the vertices in the order of the wrapped points, which are the first images so far, and
-  // the images in their order.
+  // Numbers the vertices in the spatial order of the wrapped points, which are the first images at
+  // this time. Then numbers all images in spatial order.
   void number_vertices(std::size_t points)
   {
     m_faces.points.resize(points + 1);
@@ -313,8 +313,8 @@ private:
   Index vertex(Index image) const { return m_vertex_of_image[image]; }
   bool is_wrapped(Index image) const { return m_wrapped[vertex(image)] == image; }
 
-  // Of all translations of a face it is the one whose first corner is a wrapped point. The first
-  // corner has the smallest vertex, and the smallest shift if several corners have that vertex.
+  // True for that translation of a face whose first corner is a wrapped point. The first corner has
+  // the smallest vertex, and the smallest shift if several corners have that vertex.
   bool is_kept(Index planar_face) const
   {
     const Index h = Flat_faces_2::first_halfedge(planar_face);
@@ -328,7 +328,7 @@ private:
     return is_wrapped(first);
   }
 
-  // Copies the faces that are kept, and links them. False if they are not one of each class.
+  // Copies the kept faces, and links them. False unless they are one face of each class.
   bool glue(std::size_t points)
   {
     if (number_faces() != 2 * points)
@@ -355,7 +355,7 @@ private:
     return true;
   }
 
-  // Returns how many faces are kept.
+  // Numbers and copies the kept faces. Returns their number.
   std::size_t number_faces()
   {
     const Index planar_faces = m_planar.number_of_faces();
@@ -381,7 +381,7 @@ private:
     return kept;
   }
 
-  // A half-edge whose twin in the plane is of a face that is not kept.
+  // A half-edge of a kept face whose twin in the plane belongs to a face that is not kept.
   struct Open_halfedge
   {
     Index from, to; // in ascending order
@@ -424,7 +424,7 @@ private:
   bool are_stars(std::size_t points) const
   {
     const std::size_t corners = m_faces.apexes.size();
-    std::vector<std::atomic<Index>> start(points + 1); // of each vertex: behind one of its corners
+    std::vector<std::atomic<Index>> start(points + 1); // one of each vertex's corners, plus one
     for_each_in_parts(corners, [&](std::size_t h) {
       start[m_faces.apexes[h]].store(Index(h + 1), std::memory_order_relaxed);
     });
@@ -436,8 +436,8 @@ private:
            }) == corners;
   }
 
-  // The number of corners of v that a walk around it meets. Zero if it has none, or the walk meets
-  // those of others.
+  // The number of corners of v that a walk around it meets. Zero if v has no corners, or the walk
+  // meets corners of other vertices.
   std::size_t size_of_cycle(Index v, Index start) const
   {
     if (start == 0)
@@ -469,7 +469,7 @@ private:
     return std::abs(sum / torus.cell().area() - 2) < 0.5;
   }
 
-  // Of the planar face that begins with half-edge h.
+  // Twice the area of the planar face that begins with half-edge h.
   double doubled_area(Index h) const
   {
     const Position_2& p = m_cloud.positions()[m_planar.apex(h)];

@@ -27,7 +27,7 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 // edge.
 //
 // On a torus there are neither infinity nor hull, and the first two conditions are enough as long
-// as the faces cover it once: no update changes that, and Torus_cover_2 tests it.
+// as the faces cover the torus once. No update changes that, and Torus_cover_2 tests it.
 template <class State>
 class Certificate_2
 {
@@ -37,8 +37,8 @@ public:
   {
   }
 
-  // Condition 4. A locally convex closed curve turns around as often as it has a summit, a vertex
-  // that is lexicographically larger than both its neighbors.
+  // Condition 4. A locally convex closed curve turns around once for each of its summits, the
+  // vertices that are lexicographically larger than both their neighbors.
   bool hull_turns_once() const
   {
     const Vertex_predicates_2<State> predicates(m_state);

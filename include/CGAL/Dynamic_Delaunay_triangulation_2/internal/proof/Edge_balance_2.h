@@ -11,8 +11,8 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Changes of edges, each positive or negative, and which edges they have created and removed in the
-// end.
+// Collects changes of edges, positive for creations and negative for removals, and finds the edges
+// that these have created or removed in the end.
 template <class Edge>
 class Edge_balance_2
 {
@@ -25,7 +25,7 @@ public:
 
   void note(const Edge& edge, int sign) { m_changes.push_back({edge, sign}); }
   void clear() { m_changes.clear(); }
-  // In any order.
+  // The changes so far, in any order.
   std::vector<Change>& changes() { return m_changes; }
 
   // Calls f(edge, sum) for each edge whose changes do not cancel, in ascending order.

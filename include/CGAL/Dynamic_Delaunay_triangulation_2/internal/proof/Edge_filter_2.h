@@ -26,9 +26,9 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 //
 // `left` and `right` are the orientations of the faces. The angle at a has the cotangent left_dot /
 // left, the one at d likewise. So between counterclockwise faces `in_circle` is negative if and
-// only if these two angles are less than 180 degrees together. Multiplied out it is the in-circle
-// determinant of a, b, c and d, so it has its sign wherever the points are. This form takes fewer
-// operations than the determinant: the pass over the edges takes a tenth less time.
+// only if these two angles are less than 180 degrees together. Multiplied out, `in_circle` is the
+// in-circle determinant of a, b, c and d, so both have the same sign wherever the points are. This
+// form takes fewer operations: the pass over the edges takes a tenth less time.
 //
 // The bounds. Let u = 2^-53. Each difference, product and sum is rounded once, by a factor between
 // 1 - u and 1 + u. Let L = |b - a||c - a| and S = |left| + |left_dot|, as `left_size` is computed.
@@ -55,9 +55,9 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 // the bound is infinite or NaN, as the factor is applied last, and all comparisons below are false.
 // If only the sum in `in_circle` overflows, it is far larger than its error.
 //
-// All that holds as well where an instruction rounds a product and a sum at once: an error less.
-// Yet products are rounded by themselves, so that equal edges are proved on each processor.
-// The edges are one in each lane.
+// All that holds as well where one instruction computes a product and a sum and rounds once: that
+// is one error less. Yet products are rounded separately, so that all processors prove the same
+// edges. Each lane has one edge.
 template <class Number>
 struct Edge_filter_in_lanes_2
 {
@@ -70,14 +70,14 @@ struct Edge_filter_in_lanes_2
 
   Number left, right, left_size, right_size, in_circle;
 
-  // By the vectors from the left corners to the ends, and those from the right corners.
+  // Takes the vectors from the left corners to the ends of the edges, and from the right corners.
   BOOST_FORCEINLINE Edge_filter_in_lanes_2(const Points& ab, const Points& ac, const Points& db,
                                            const Points& dc)
     : Edge_filter_in_lanes_2(cross(ab, ac), cross(dc, db), dot(ab, ac), dot(dc, db))
   {
   }
 
-  // How far the signs' values may be off.
+  // Bounds on the errors of `left`, `right` and `in_circle`.
   BOOST_FORCEINLINE Number left_bound() const { return orientation_bound(left_size); }
   BOOST_FORCEINLINE Number right_bound() const { return orientation_bound(right_size); }
   BOOST_FORCEINLINE Number in_circle_bound() const
@@ -147,7 +147,7 @@ private:
   }
 };
 
-// Of one edge.
+// The filter of one edge.
 struct Edge_filter_2 : Edge_filter_in_lanes_2<double>
 {
   BOOST_FORCEINLINE explicit Edge_filter_2(const Edge_corners_2& corners)
@@ -177,8 +177,8 @@ inline int filtered_orientation(const Position_2& a, const Position_2& b, const 
   return int((determinant > bound) & is_large) - int((determinant < -bound) & is_large);
 }
 
-// The proved sign of the side of d of the circle through a, b and c, which must be
-// counterclockwise.
+// Positive if d is proved to be inside of the circle through a, b and c, which must be
+// counterclockwise; negative if d is proved to be outside; 0 if nothing is proved.
 inline int filtered_in_circle(const Position_2& a, const Position_2& b, const Position_2& c,
                               const Position_2& d)
 {

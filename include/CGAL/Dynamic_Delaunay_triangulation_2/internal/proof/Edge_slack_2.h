@@ -20,7 +20,7 @@
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // A computed squared distance up to this bound proves that the distance is at most `tolerance`. The
-// computed one has a relative error of at most 4u, u = 2^-53. If the square of the tolerance
+// computed square has a relative error of at most 4u, u = 2^-53. If the square of the tolerance
 // overflows, it is larger than all doubles, and only an infinite distance proves nothing. The
 // tolerance must be at least 1e-150: squares of smaller ones underflow.
 inline double squared_bound(double tolerance)
@@ -36,12 +36,12 @@ inline bool is_within(double tolerance, const Position_2& p, const Position_2& q
 
 #ifdef CGAL_DYNAMIC_DELAUNAY_HAS_LANES
 
-// Whether no squared distance between so many points and references exceeds `bound`.
+// Whether all squared distances between `number` points and their references are within `bound`.
 template <int lanes, int number>
 BOOST_FORCEINLINE bool are_within(const Position_2* points, const Position_2* references,
                                   double bound)
 {
-  constexpr int half = lanes / 2; // so many points
+  constexpr int half = lanes / 2; // the number of points whose coordinates fill the lanes
   const auto steps = [&](int i) CGAL_DYNAMIC_DELAUNAY_INLINE {
     return coordinates_at<lanes>(points + i) - coordinates_at<lanes>(references + i);
   };
@@ -57,8 +57,8 @@ BOOST_FORCEINLINE bool are_within(const Position_2* points, const Position_2* re
 
 #endif
 
-// Appends the vertices [first, beyond) whose squared distances to references exceed `bound`.
-// Several lanes look at blocks of vertices, of most of which all are near.
+// Appends those of the vertices [first, beyond) whose squared distances to their references exceed
+// `bound`. Several lanes test blocks of vertices first, because in most blocks none does.
 template <int lanes>
 BOOST_FORCEINLINE void append_moved_in_lanes(const Position_2* positions,
                                              const Position_2* references, Vertex_index first,
@@ -113,8 +113,8 @@ inline bool append_moved(const std::vector<Position_2>& positions,
 // D = (p - q) x (w - q) changes by at most
 //     2t (|p - q| + |w - q|) + 4t^2,
 // and so does the scalar product. Lengths are bounded by sums of absolute values. The error of D is
-// at most 4u |p - q||w - q| (Edge_filter_2), half of that times the sum of their squares; a
-// hundredth of a percent covers the bound's roundings.
+// at most 4u |p - q||w - q| (Edge_filter_2), so at most 2u (|p - q|^2 + |w - q|^2). The factor
+// 1.0001 covers the bound's roundings.
 class Edge_slack_2
 {
 public:
@@ -137,15 +137,15 @@ public:
       measure_annulus(corners);
   }
 
-  // Of an edge between two finite faces.
+  // For an edge between two finite faces.
   explicit Edge_slack_2(const Edge_corners_2& corners) { measure_annulus(corners); }
 
   // The computed slack of an edge between finite faces, without allowance for rounding.
   double value() const { return (m_outer - m_inner) / 2; }
 
   // Whether the edge is proved Delaunay while none of its vertices moves by more than `t`. A face
-  // at it is then counterclockwise if this holds for all its three edges. False if the edge is not
-  // Delaunay, or a face not counterclockwise, to begin with.
+  // stays counterclockwise if this holds for all of its three edges. False if the edge is not
+  // Delaunay, or a face at it not counterclockwise, before any vertex moves.
   bool is_safe(double t) const
   {
     if (m_is_at_hull)
@@ -229,12 +229,12 @@ private:
   double m_determinant = 0, m_product = 0, m_lengths = 0, m_squares = 0;
 };
 
-// These proofs for the edges of a frame in the plane.
+// The proofs of Edge_slack_2 for the edges of a frame in the plane.
 struct Plane_slacks_2
 {
   static constexpr bool has_hull = true;
 
-  // How far the corners of an edge may move, roughly; NaN for edges that are no sample.
+  // How far the corners of an edge may move, roughly; NaN for edges at infinity.
   template <class Frame>
   static double value(const Frame& frame, Edge_index e)
   {

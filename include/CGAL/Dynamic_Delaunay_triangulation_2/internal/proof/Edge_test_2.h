@@ -34,9 +34,9 @@ enum class Edge_state_2 {
 
 namespace internal {
 
-// The space in which the points move: the open plane. A space says where the corners of an edge are
-// as seen from that edge. All proofs about edges ask it. In the plane, a corner is its vertex's
-// position, and the vector between two corners is a difference that is rounded once: the bounds of
+// The space in which the points move: the open plane. All proofs about edges read the corners of an
+// edge, as seen from that edge, through the space. In the plane, a corner is its vertex's position,
+// and the vector between two corners is a difference that is rounded once: the bounds of
 // `Edge_filter_2` and `Edge_slack_2` are derived for that.
 class Plane_2
 {
@@ -49,7 +49,7 @@ public:
             positions[edge.right]};
   }
 
-  // The filter of several edges at once: in lane i, of edge_at(i).
+  // Returns the filter of several edges at once: lane i has edge_at(i).
   template <int lanes, class Edge_at>
   BOOST_FORCEINLINE static Edge_filter_in_lanes_2<Lanes<lanes>> filter(const Edge_at& edge_at,
                                                                        const Position_2* positions)
@@ -99,8 +99,8 @@ inline void prefetch_corners(const Edge_2& edge, const Position_2* positions)
 }
 
 // Appends the numbers of those edges that Edge_filter_2 does not prove Delaunay, among them all
-// edges at infinity: their corners are NaN. Looks at the edges [first, beyond) of a pass, as many
-// at once as there are lanes, and returns the first of those that are left.
+// edges at infinity, as these have NaN corners. Tests the edges [first, beyond) of a pass, `lanes`
+// at once, and returns the first edge that is left over.
 template <class Space, int lanes, class Pass>
 BOOST_FORCEINLINE std::size_t
 append_unproved_in_lanes(const Pass& pass, const Position_2* positions, std::size_t first,
@@ -146,8 +146,8 @@ struct Consecutive_edges_2
   const Edge_2* edges;
 };
 
-// Prefetches one corner of each edge, which fetches nearly all vertices: to prefetch all four takes
-// longer than it saves.
+// A pass over consecutive edges that prefetches one corner of each. That fetches nearly all
+// vertices; to prefetch all four corners takes longer than it saves.
 struct Prefetched_edges_2 : Consecutive_edges_2
 {
   template <int lanes>
@@ -162,7 +162,7 @@ struct Prefetched_edges_2 : Consecutive_edges_2
   const Position_2* positions;
 };
 
-// A pass over those of a list.
+// A pass over the edges of a list.
 struct Listed_edges_2 : Consecutive_edges_2
 {
   const Edge_2& edge(std::size_t i) const { return edges[list[i]]; }
@@ -292,7 +292,7 @@ public:
         [&](Index p, Index q, Index r) { return hull_corner_state(p, q, r); });
   }
 
-  // As state(), at lower cost, but may report a NOT_FLIPPABLE edge as INVERTED.
+  // Returns the state at lower cost, but may report a NOT_FLIPPABLE edge as INVERTED.
   Edge_state_2 rough_state(Edge_index e) const
   {
     const Edge_filter_2 filter(m_state.corners(e));
@@ -317,7 +317,7 @@ public:
     for (Edge_index e = first; e < beyond; ++e)
       unproved.push_back(e);
   }
-  // Appends those of a list.
+  // Appends those of the edges in a list.
   void append_unproved(const std::vector<Index>& list, std::vector<Index>& unproved) const
   {
     if (m_state.positions_are_exact())
@@ -391,7 +391,7 @@ private:
   Vertex_predicates_2<State> m_predicates;
 };
 
-// Leaves each edge of the list once, in ascending order, unless it is Delaunay.
+// Removes the Delaunay edges from the list, and keeps each other edge once, in ascending order.
 template <class State>
 void keep_unproved(const State& state, std::vector<Index>& edges)
 {

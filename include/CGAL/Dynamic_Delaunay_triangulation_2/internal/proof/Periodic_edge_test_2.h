@@ -17,7 +17,7 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// The one test of an edge, as `Edge_test_2` is in the plane.
+// The one test of an edge on a torus, with the interface that `Edge_test_2` has in the plane.
 template <class State>
 class Periodic_edge_test_2
 {
@@ -43,7 +43,7 @@ public:
     return m_state.torus().edge_state(m_state.corners_at(arrays.halfedge(e)));
   }
 
-  // No less than state(): a filter in front of an exact test costs little here.
+  // Returns the exact state, because the exact test, behind its filters, costs little more here.
   Edge_state_2 rough_state(Edge_index e) const { return state(e); }
 
   // Appends those of the edges [first, beyond) that the filters do not prove Delaunay. Empty edges
@@ -56,7 +56,7 @@ public:
     keep_unproved(unproved, before);
   }
 
-  // Appends those of a list.
+  // Appends those of the edges in a list.
   void append_unproved(const std::vector<Index>& list, std::vector<Index>& unproved) const
   {
     const std::size_t first = unproved.size();
@@ -77,7 +77,7 @@ public:
   }
 
 private:
-  // Of the edges from place `first` on, which the pass in the plane did not prove.
+  // From place `first` on, keeps the edges that the filters of the torus do not prove, either.
   void keep_unproved(std::vector<Index>& unproved, std::size_t first) const
   {
     const auto& arrays = m_state.arrays();

@@ -17,11 +17,11 @@
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The proofs of Edge_slack_2 for edges between images, while the cell stays the same. Where the
-// corners have no shifts they are as in the plane. Elsewhere they are taken relative to one of
-// them, which rounds them: each is off by at most some `error`. An image goes as far as its point.
-// So within a tolerance t of their references, the corners are within t + error of the rounded
-// ones, where the circle separates them. That the faces are counterclockwise is proved at the
-// references themselves.
+// corners have no shifts, the proofs are those of the plane. Elsewhere the corners are taken
+// relative to one of them, which rounds them: each is off by at most some `error`. An image moves
+// as far as its point. So corners within a tolerance t of their references are within t + error of
+// the rounded references, where the circle separates them. The faces are proved counterclockwise at
+// the references themselves.
 struct Periodic_slacks_2
 {
   static constexpr bool has_hull = false;

@@ -21,9 +21,9 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The edges that can be skipped. All vertices have a reference position, and there is one
 // tolerance. An edge is *safe* if it is proved Delaunay for all positions of its four vertices
-// within the tolerance of their references (Edge_slack_2), and *tight* otherwise. While no vertex
-// is farther from its reference, only the tight edges are examined; if a few vertices are, the
-// edges that see them are examined, too.
+// within the tolerance of their references (Edge_slack_2), and *tight* otherwise. While all
+// vertices are within the tolerance, only the tight edges are examined. If a few vertices are not,
+// the edges that see them are examined, too.
 //
 // Skipping is exact. It remains to show that both faces at a skipped edge are counterclockwise,
 // which the proof for the edge assumes. Let the vertices of such a face move straight from their
@@ -37,7 +37,7 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 // corners is proved to remain a left turn or a turn by less than a right angle (Edge_slack_2): the
 // sum of its turning angles is a multiple of 360 degrees, and changes continuously.
 //
-// A frame's `Slacks` are these proofs for the space that it is in.
+// `Frame::Slacks` has these proofs for the space of the frame.
 class Safe_edges_2
 {
 public:
@@ -78,7 +78,7 @@ public:
     m_holds = m_tight.size() <= max_tight(frame);
   }
 
-  // Takes note of what an update has triangulated anew. To be called at its end.
+  // Takes note of what an update has triangulated anew. Call at the end of the update.
   template <class Frame>
   void learn(const Frame& frame)
   {
@@ -88,7 +88,7 @@ public:
         check_hull(frame);
   }
 
-  // After an update that was not completed.
+  // Does the work of learn() except the check of the hull, for an update that was not completed.
   template <class Frame>
   void take_changes(const Frame& frame)
   {
@@ -103,7 +103,7 @@ public:
     m_changed.clear();
     for (const Vertex_index v : frame.relocated_vertices()) {
       m_references[v] = frame.position(v);
-      // those of other images of a point are not new
+      // if just another image gives the point, these edges are not new
       frame.for_each_edge_that_sees(v, [this](Edge_index e) { m_changed.push_back(e); });
     }
     for (const Edge_index e : frame.new_edges()) {
@@ -121,9 +121,9 @@ public:
     m_holds = m_tight.size() <= max_tight(frame);
   }
 
-  // Appends, in ascending order, a superset of the edges that are not Delaunay among those that
-  // were examined and those that share an inverted face with one of them. False, with no result, if
-  // too many vertices have moved too far.
+  // Appends, in ascending order, the examined edges that are not Delaunay, and the unproved ones
+  // among the sides of their faces: an inverted face breaks its skipped edges, too. Returns false,
+  // with no result, if too many vertices have moved too far.
   template <class Frame>
   bool append_unproved(const Frame& frame, std::vector<Index>& unproved)
   {
@@ -175,13 +175,13 @@ private:
     const std::size_t edges = frame.number_of_edges();
     for (std::size_t i = 0; i < sample_size; ++i) {
       const double slack = Frame::Slacks::value(frame, Index(i * edges / sample_size));
-      if (!std::isnan(slack)) // as where squares overflow
+      if (!std::isnan(slack)) // NaN at infinity, and where squares overflow
         m_sample.push_back(slack);
     }
     m_tolerance = quantile(share);
   }
 
-  // One in `part` of the sample is smaller than this.
+  // The value that one in `part` of the sample is smaller than.
   double quantile(std::size_t part)
   {
     if (m_sample.empty())
@@ -215,9 +215,9 @@ private:
       m_tight.insert(e);
   }
 
-  // Checks whether the hull of a certified triangulation, which turns around once, is proved to
-  // continue to do so. The hull may look different at the references: while all its vertices are
-  // within the tolerance, it turns around as often there.
+  // Checks whether the hull of a certified triangulation is proved to go on turning around once.
+  // The hull may look different at the references, but turns around as often there if all its
+  // vertices are within the tolerance.
   template <class Frame>
   void check_hull(const Frame& frame)
   {
@@ -251,7 +251,7 @@ private:
   double m_tolerance = 0;
   double m_typical_step = 0;
   std::vector<Position_2> m_references; // of each vertex
-  std::size_t m_cell_changes = 0;       // before these
+  std::size_t m_cell_changes = 0;       // before the references were taken
   Index_set_2 m_tight;
   bool m_hull_is_checked = false;
   bool m_hull_is_safe = false; // it turns around once while no vertex leaves the tolerance
@@ -268,13 +268,13 @@ private:
 class Safe_edges_schedule_2
 {
 public:
-  // One edge in this number may be tight.
+  // One edge in share() may be tight.
   unsigned share() const { return m_share; }
 
   // Whether the next update may end with new references.
   bool is_near() const { return m_rest == 0; }
 
-  // After each update: whether to take references. `they_hold`: whether the present ones hold.
+  // Returns whether to take references. Call after each update, with whether the present ones hold.
   bool is_due(bool they_hold)
   {
     if (they_hold)

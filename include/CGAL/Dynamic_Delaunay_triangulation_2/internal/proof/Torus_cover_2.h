@@ -16,9 +16,9 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Whether faces cover a torus once, in exact arithmetic: the manual's page on periodic space has
-// the proof. Shifts that agree along the edges map the faces to the torus; the map's degree is the
-// sum of the faces' areas, negative where they are clockwise, in areas of the cell.
+// Tests in exact arithmetic whether faces cover a torus once; the manual's page on periodic space
+// has the proof. Shifts that agree along the edges map the faces to the torus. The map's degree is
+// the sum of the faces' areas, negative for clockwise faces, divided by the area of the cell.
 template <class State>
 class Torus_cover_2
 {

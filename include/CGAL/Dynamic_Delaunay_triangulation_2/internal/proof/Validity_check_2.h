@@ -104,7 +104,7 @@ private:
   bool are_arrays_consistent() const
   {
     const auto& arrays = m_state.arrays();
-    const bool has_vertices = !State::is_periodic || has_faces(); // the infinite one
+    const bool has_vertices = !State::is_periodic || has_faces(); // at least the infinite one
     if (has_vertices && m_state.positions().size() != arrays.number_of_vertices())
       return false;
     if (!has_faces())
@@ -135,7 +135,7 @@ private:
       return true;
   }
 
-  // No two edges have the same ends, as seen from one of them, and no edge ends where it begins.
+  // Whether no two edges have the same ends, as seen from one end, and none ends where it begins.
   bool is_simplicial() const
   {
     if (!has_faces())

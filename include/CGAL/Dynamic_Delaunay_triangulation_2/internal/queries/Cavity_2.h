@@ -15,8 +15,8 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// The faces whose circles contain a place: those that would go if a point were inserted there, with
-// the border around them. The place must be inside of the hull, and at no vertex. Then the faces
+// The faces whose circles contain a place, and the border around them: a point inserted there
+// would replace these faces. The place must be inside of the hull, and at no vertex. Then the faces
 // form a tree, and all of their corners are on the border.
 template <class State>
 class Cavity_2
@@ -27,7 +27,7 @@ class Cavity_2
 public:
   using Corner = typename State::Corner;
 
-  // Where on the border its corners are. One that is at the beginning may be said to be at the end.
+  // `places` are those of the corners in the border; the border's size can stand for 0.
   struct Face
   {
     std::array<Corner, 3> corners;
@@ -38,7 +38,7 @@ public:
   // Counterclockwise.
   const Kept_list_2<Corner>& border() const { return m_border; }
 
-  // From a face that contains the place, boundary included, as seen from there.
+  // Begins with face f, which contains the place, boundary included; `frame` is as seen from there.
   void find(const State& state, Face_index f, const Frame& frame)
   {
     m_faces.clear();
@@ -54,12 +54,12 @@ public:
   }
 
 private:
-  // A face that was entered by a half-edge of it, from a face with another frame.
+  // A face that was entered across `halfedge`, one of its own, from a face with `outer_frame`.
   struct Entry
   {
     Halfedge_index halfedge;
     Frame frame, outer_frame;
-    std::size_t begin, middle; // the places of its end and of its apex
+    std::size_t begin, middle; // the places of the half-edge's target and apex
   };
 
   // Lists the border beyond half-edge h of a face in the cavity, from its source to before its

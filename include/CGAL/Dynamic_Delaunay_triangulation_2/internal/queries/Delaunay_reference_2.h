@@ -25,7 +25,7 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// The number of a place with points, and in periodic space which image of it.
+// The number of a place with points, and in periodic space the shift of its image.
 using Reference_place_2 = std::pair<std::size_t, Periodic_shift_2>;
 using Reference_face_2 = std::array<Reference_place_2, 3>;
 
@@ -40,11 +40,11 @@ inline Reference_place_2 shifted(const Reference_place_2& p, const Periodic_shif
                               "the reference has not");
 }
 
-// The places of a reference, and what it has between them.
+// The places of a reference triangulation, and the edges and faces between them.
 template <class Reference, bool is_periodic>
 class Reference_places_2;
 
-// Of a triangulation of CGAL: numbered in lexicographic order of the points.
+// The places of a triangulation of CGAL, numbered in lexicographic order of the points.
 template <class Reference>
 class Reference_places_2<Reference, false>
 {
@@ -107,7 +107,7 @@ private:
   Unique_hash_map<Vertex_handle, Reference_place_2> m_place_of_vertex;
 };
 
-// Of a certified periodic triangulation: the smallest ids there.
+// The places of a certified periodic triangulation. Their numbers are the smallest ids there.
 template <class Reference>
 class Reference_places_2<Reference, true>
 {
@@ -174,7 +174,7 @@ private:
 };
 
 // The edges of a Delaunay triangulation, and the pairs of places that may be joined instead,
-// because more than three of them are on an empty circle.
+// because more than three places are on an empty circle.
 template <class Reference, bool is_periodic>
 class Delaunay_reference_2
 {
@@ -193,7 +193,7 @@ public:
     std::sort(m_edges.begin(), m_edges.end());
   }
 
-  // Throws std::invalid_argument if there is none.
+  // Throws std::invalid_argument if the reference has no point there.
   Place place(const typename Reference::Point& p) const { return m_places.place(p); }
 
   // Either direction gives the same edge.
@@ -222,7 +222,7 @@ public:
   }
 
 private:
-  // An edge of a face, the corner opposite to it, and the shift of the edge's first end there.
+  // An edge of a face, the opposite corner, and the shift of the edge's first end in the face.
   struct Side
   {
     Edge edge;
@@ -306,7 +306,7 @@ private:
   // Of the chords of a cluster only the number is required; every other edge is required itself.
   void add_edge(const Edge& edge)
   {
-    if (std::binary_search(m_ties.begin(), m_ties.end(), edge)) // they were found in this order
+    if (std::binary_search(m_ties.begin(), m_ties.end(), edge)) // found in sorted order
       ++m_required_chords[common_cluster(edge)];
     else
       m_edges.push_back(edge);

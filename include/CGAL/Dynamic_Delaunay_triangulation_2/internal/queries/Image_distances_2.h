@@ -24,10 +24,10 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 //
 // With u = 2^-53, the vector v to an image is computed with errors of at most E = 4u m in each
 // coordinate, where m is the largest sum of absolute values in it, as in Torus_2. So |v|^2 is off
-// by at most 2 (|x| + |y|) E + 2 E^2, and computed with a further relative error of 2u. In an
-// interval of `error` around it are 8u of its value: what is left of these covers the sum or
-// difference that makes an end of the interval, and 2.1 instead of 2 the rounding of the error
-// itself. What underflows is less than 1e-300. Where something overflows nothing is decided.
+// by at most 2 (|x| + |y|) E + 2 E^2, and computed with a further relative error of 2u. `error`
+// includes 8u times the value: the remaining 6u cover the sum or difference that makes an end of
+// the interval, and the factor 2.1 instead of 2 covers the rounding of `error` itself. Underflow
+// takes less than 1e-300. If something overflows, nothing is decided.
 class Image_distances_2
 {
 public:

@@ -13,10 +13,10 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Many queries at once, which threads share. Each part has queries of its own, copies of the
-// caller's, as queries remember where the last answer was.
+// Many queries at once, which threads share. Each part has its own copy of the caller's `queries`,
+// because this object remembers where the last answer was.
 
-// A query takes about a microsecond.
+// The least number of queries in a part. A query takes about a microsecond.
 template <class Parts>
 constexpr std::size_t least_queries = (std::max)(Parts::usual_size / 64, std::size_t(1));
 

@@ -25,9 +25,9 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// A triangulation as seen from the place of a query: the plane and periodic space look alike. A
-// search moves from *site* to site: vertices in the plane, images of vertices in periodic space. An
-// *answer* is a point at a site: an id in the plane, an id and a shift in periodic space.
+// A triangulation as seen from the place of a query, by the same functions in plane and periodic
+// space. A search moves from *site* to site: vertices in the plane, images of vertices in periodic
+// space. An *answer* is a point at a site: an id in the plane, an id and a shift in periodic space.
 template <class Dynamic, bool = Dynamic::Frame::is_periodic>
 class Query_space_2;
 
@@ -42,8 +42,8 @@ public:
   using Site = Index;
   using Sites = Index_set_2;
 
-  // Throws unless the triangulation is certified, and for a place that is none: `number` is what
-  // the error calls it. The place must outlive this object.
+  // Throws unless the triangulation is certified and the place is a valid point: the error calls
+  // the place `number`. The place must outlive this object.
   Query_space_2(const Dynamic& dt, const typename Dynamic::Point& place, std::size_t number = 0)
     : m_distances(dt, place, number)
     , m_frame(dt.frame())
@@ -115,7 +115,7 @@ public:
 
   static Answer answer(std::size_t id) { return {id, no_shift}; }
   Vertex_index vertex(const Site& v) const { return m_frame.vertex(v.first); }
-  // The image of a vertex near the place; where it is, if the place is that of one of its points.
+  // The image of a vertex near the place; exactly at the place if one of its images is there.
   Site site(Vertex_index v) const
   {
     return {m_frame.id(v), shift_to(m_place, m_frame.position(v))};
@@ -142,7 +142,7 @@ public:
     });
   }
 
-  // A duplicate can be given elsewhere than its representative, at another image of it.
+  // A duplicate's point may be another image of its representative's point.
   template <class Function>
   void for_each_point(const Sites& sites, const Function& f) const
   {

@@ -23,7 +23,7 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Whether the smallest circles through faces and edges are of at most some radius, exactly.
+// Tests exactly whether the smallest circles through faces and edges have at most a given radius.
 template <class Dynamic>
 class Radius_test_2
 {
@@ -34,8 +34,8 @@ class Radius_test_2
   using Vector = Exact_vector_2<Exact>;
 
 public:
-  // Throws unless the triangulation is certified, and if the square is no finite number or
-  // negative.
+  // `square` is that of the radius. Throws unless the triangulation is certified, and if the square
+  // is negative or not finite.
   template <class FT>
   Radius_test_2(const Dynamic& dt, const FT& square)
     : m_state(dt)
@@ -45,7 +45,7 @@ public:
   {
   }
 
-  // Whether the face is one, and not outside, with a circle that is small enough.
+  // Whether the face is not outside, and its circle is small enough.
   bool has_face(Face_index f) const
   {
     if (m_state.is_outside(f))
@@ -77,7 +77,7 @@ private:
     return square;
   }
 
-  // The apex of the half-edge first.
+  // The corners of the half-edge's face: the apex of the half-edge, its source and its target.
   std::array<Corner, 3> corners_at(Halfedge_index h) const
   {
     const auto frame = m_state.frame_at(h);
@@ -85,7 +85,7 @@ private:
             m_state.corner_in(Arrays::previous(h), frame)};
   }
 
-  // a^2 b^2 c^2 <= 4 D^2 square, for the sides and the doubled area of the face.
+  // Whether a^2 b^2 c^2 <= 4 D^2 square, for the sides and the doubled area D of the face.
   BOOST_NOINLINE bool has_face_exactly(const std::array<Corner, 3>& corners) const
   {
     const Vector a = m_state.exact_vector(corners[0], corners[1]);
@@ -108,8 +108,8 @@ private:
     return exact_dot(exact, exact) <= Exact(Exact(4) * m_exact_square);
   }
 
-  // Whether the apex is inside of the circle on the half-edge as a diameter, from where the angle
-  // of the edge is obtuse. An apex outside is not.
+  // Whether the apex is inside of the circle on the half-edge as a diameter: then the angle at the
+  // apex is obtuse. False if the face is outside.
   bool is_attached(Halfedge_index h) const
   {
     if (m_state.is_outside(Arrays::face_of(h)))
@@ -126,7 +126,7 @@ private:
 
   static Exact exact_dot(const Vector& v, const Vector& w) { return v.x * w.x + v.y * w.y; }
 
-  static constexpr double underflow = 1e-300; // more than it takes from a sum of products
+  static constexpr double underflow = 1e-300; // takes less than this from a sum of products
 
   const State m_state;
   const double m_square;

@@ -17,19 +17,19 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// How far a dot or cross product is off, where coordinates are by up to e beside the rounding of
-// one subtraction, but for underflow. With u = 2^-53 each of two products of coordinates has three
-// roundings, and their sum is one more.
+// Bounds the error of a dot or cross product, except by underflow, if coordinates are off by up to
+// e besides the rounding of one subtraction. With u = 2^-53 each of two products of coordinates has
+// three roundings, and their sum is one more.
 inline double error_of_product(const Position_2& v, const Position_2& w, double e)
 {
   const double a = std::abs(v.x) + std::abs(v.y), b = std::abs(w.x) + std::abs(w.y);
   return 5 * 0x1p-53 * a * b + 2 * e * (a + b + e);
 }
 
-// A Delaunay face in doubles, and how far these are off.
+// A Delaunay face in doubles, with bounds on their errors.
 //
-// Let u = 2^-53, and let r |v| bound the error of a vector v, where r is u, and where coordinates
-// are off by up to e a further 1.5e / |v|. Let k = 2r + 2u. Then the dot and the cross product of v
+// Let u = 2^-53, and let r |v| bound the error of a vector v, where r is u, plus 1.5e / |v| if
+// coordinates are off by up to e > 0. Let k = 2r + 2u. Then the dot and the cross product of v
 // and w are off by at most k |v| |w|, to the first order. So the doubled area of a face is off by
 // the share k / sin(a), where a is its largest angle, as it is the product of the two shorter
 // sides. Let c be the cotangent of the angle opposite to a side of the length l. Then
@@ -46,13 +46,13 @@ inline double error_of_product(const Position_2& v, const Position_2& w, double 
 class Rounded_face_2
 {
 public:
-  // Of counterclockwise corners.
+  // \pre The corners are counterclockwise.
   template <class State>
   Rounded_face_2(const State& state, const std::array<typename State::Corner, 3>& corners)
     : m_face{std::array<Position_2, 3>{state.vector(corners[1], corners[2], m_off),
                                        state.vector(corners[2], corners[0], m_off),
                                        state.vector(corners[0], corners[1], m_off)},
-             m_off} // braces, as the last one is known when the others are
+             m_off} // braces, because m_off must be read after the vectors
   {
     const double inverse = 1 / m_face.doubled_area(); // three divisions would take longer
     for (std::size_t i = 0; i < 3; ++i)
@@ -76,7 +76,7 @@ public:
     return squared_length(m_longest) * (1 + c * c) / 4;
   }
 
-  // In the first order.
+  // Bounds, in the first order.
   double error_of_owned(std::size_t i) const
   {
     return m_unit * squared_length(i) * (1 + std::abs(m_cotangents[i])) *
@@ -90,7 +90,7 @@ public:
 private:
   static constexpr double unit = 0x1p-53;
 
-  double m_off = 0; // by how much coordinates are, beside rounding
+  double m_off = 0; // how far coordinates are off at most, besides rounding
   const Voronoi_face_2 m_face;
   std::array<double, 3> m_cotangents;
   std::size_t m_longest = 0;

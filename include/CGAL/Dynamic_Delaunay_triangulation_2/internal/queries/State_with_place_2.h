@@ -28,9 +28,9 @@
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // A certified triangulation with a place in it, if one is set. The place is one more corner, whose
-// vertex has the number `null_index`: so Point_location_2 takes this for a state, and the vectors
-// from the place to vertices are found as those between vertices. What the plane and periodic space
-// have in common, they have by the same names.
+// vertex has the number `null_index`: so Point_location_2 takes this class for a state, and the
+// vectors from the place to vertices are computed like those between vertices. The functions have
+// the same names in the plane and in periodic space.
 template <class Dynamic, bool = Dynamic::Frame::is_periodic>
 class State_with_place_2;
 
@@ -65,8 +65,8 @@ public:
   {
   }
 
-  // Throws for a place that is none: `number` is what the error calls it. It must live as long as
-  // it is asked for.
+  // Throws unless the place is a valid point: the error calls it `number`. The place must live as
+  // long as functions are called for it.
   void set_place(const Point& place, std::size_t number)
   {
     bool is_exact = true;
@@ -88,7 +88,7 @@ public:
     const auto corners = arrays().face(f);
     return std::find(corners.begin(), corners.end(), infinite_index) != corners.end();
   }
-  // Whether an edge goes there.
+  // Whether an edge goes outside of the hull.
   bool is_outside_at(Halfedge_index h) const
   {
     return arrays().source(h) == infinite_index || arrays().target(h) == infinite_index;
@@ -124,8 +124,8 @@ public:
     return internal::coincide(*m_traits, point(a), point(b));
   }
 
-  // The vector between two corners, rounded. Raises the error to what a coordinate is at most off
-  // by, beside the rounding of one subtraction: infinite where nothing is known.
+  // The vector between two corners, rounded. Raises `error` to a bound on the error of coordinates,
+  // besides the rounding of one subtraction: infinite if nothing is known.
   Position_2 vector(Corner from, Corner to, double& error) const
   {
     if (!m_is_exact)
@@ -233,10 +233,10 @@ public:
     return torus().coincide(image(a), image(b));
   }
 
-  // As in the plane. Across the border of the cell, the sum of two coordinates and two multiples of
-  // the cell's vectors, and of what rounding takes from each of its steps, is as good as rounded
-  // once (Ogita, Rump and Oishi, 2005): a further error is below 2^-98 times the sum of all
-  // absolute values.
+  // As in the plane. Across the border of the cell, adds two coordinates, two multiples of the
+  // cell's vectors, and what rounding takes from each step. The result is as good as rounded once
+  // (Ogita, Rump and Oishi, 2005): a further error is below 2^-98 times the sum of all absolute
+  // values.
   Position_2 vector(const Corner& from, const Corner& to, double& error) const
   {
     const Image_2 p = image(from), q = image(to);
@@ -270,7 +270,7 @@ public:
   }
 
 private:
-  // Adds to `rounding` what the sum is too small.
+  // Returns the sum, and adds to `rounding` by how much the sum is too small.
   static double add(double a, double b, double& rounding)
   {
     const double sum = a + b, part = sum - a;

@@ -64,8 +64,8 @@ class Distances_2
   using FT = typename Traits::FT;
 
 public:
-  // Distances from p. Throws for coordinates that a point must not have, and says that it is the
-  // one with this number.
+  // Distances from p. Throws if p has coordinates that a point must not have: the error calls p
+  // `number`.
   Distances_2(const Dynamic& dt, const Point& p, std::size_t number = 0)
     : m_dt(dt)
     , m_frame(dt.frame())

@@ -21,14 +21,15 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Weights are parts of a whole. Those of a place on an edge are the ways to its ends, and those of
-// one in a face the areas of the triangles with its sides. Sibson's natural neighbors lose parts of
-// their cells to a point that is inserted at the place: what they own of the faces that go, less
-// what they own of the new ones. A corner owns h l^2 / 8 of each side of a face; see
-// Voronoi_face_2. So no circumcenter is needed, and those far away do no harm.
+// Weights are parts of a whole. On an edge, the part of an end is the way from the place to the
+// other end. In a face, the part of a corner is the area of the triangle of the place and the
+// opposite side. The part of one of Sibson's natural neighbors is what its cell loses to a point
+// inserted at the place: what it owns of the faces that go, less what it owns of the new ones. A
+// corner owns h l^2 / 8 at each of its sides of a face; see Voronoi_face_2. So no circumcenter is
+// needed, and far ones do no harm.
 
-// Parts in doubles, with bounds on their errors: of what a corner owns, those of Rounded_face_2.
-// Each sum adds u = 2^-53 times what it is. A tenth more covers the higher orders.
+// Parts in doubles, with bounds on their errors. What a corner owns has the bounds of
+// Rounded_face_2. Each sum adds u = 2^-53 times its value. A tenth more covers the higher orders.
 template <class State>
 class Rounded_weight_parts_2
 {
@@ -46,7 +47,7 @@ public:
     m_errors.assign(size, 0);
   }
 
-  // How much of the way between the last two corners is before and behind the first one.
+  // Sets the parts for a place p on the edge from a to b: the ways from p to b and from a to p.
   void add_edge(const Corner& p, const Corner& a, const Corner& b)
   {
     double e = 0;
@@ -68,8 +69,8 @@ public:
     }
   }
 
-  // Adds what the corners of a face own of it, times the sign, to the parts with these numbers, if
-  // there are such.
+  // Adds what the corners of a face own of it, times the sign, to the parts with these numbers.
+  // Ignores numbers that no part has.
   void add_face(const std::array<Corner, 3>& corners, const std::array<std::size_t, 3>& numbers,
                 int sign)
   {
@@ -89,7 +90,7 @@ public:
       }
   }
 
-  // Makes the parts weights, whose sum is 1, if none of them is farther from the truth than this.
+  // Turns the parts into weights with the sum 1. True only if none is off by more than this error.
   bool normalize(double largest_error)
   {
     const double sum = std::accumulate(m_parts.begin(), m_parts.end(), 0.0);
@@ -111,7 +112,7 @@ private:
   std::vector<double> m_parts, m_errors;
 };
 
-// The same without rounding.
+// Parts without rounding, by the functions of Rounded_weight_parts_2.
 template <class State>
 class Exact_weight_parts_2
 {
@@ -157,8 +158,8 @@ public:
     }
   }
 
-  // The sum of rounded shares, which are positive or 0, is off by as little as they are; without
-  // rounding it could have very many digits.
+  // Adds rounded shares: none is negative, so the sum is relatively as exact as they are. Without
+  // rounding, the sum could have very many digits.
   std::vector<double> weights() const
   {
     const Number largest = *std::max_element(m_parts.begin(), m_parts.end());

@@ -37,7 +37,7 @@ struct Weighted_id_2
   }
 };
 
-// The weights of the points around one place after the other.
+// Computes the weights of the points around places, one place after the other.
 template <class Dynamic>
 class Weights_at_place_2
 {
@@ -48,7 +48,7 @@ class Weights_at_place_2
 public:
   using Point = typename Dynamic::Point;
 
-  // No weight is farther from the truth.
+  // No weight is off by more.
   static constexpr double largest_error = 1e-12;
 
   explicit Weights_at_place_2(const Dynamic& dt)
@@ -120,7 +120,7 @@ private:
                                                       is_near ? 0 : m_state.number_of_vertices());
     if (m_state.is_outside(m_place.face))
       return false;
-    // From a place that is few edges away it is faster to walk than to search for a better start.
+    // To a next place that is few edges away, walking is faster than searching for a better start.
     constexpr double few = 8;
     double ignored = 0;
     const Position_2 side =
@@ -130,7 +130,7 @@ private:
     return true;
   }
 
-  // The half-edge of its face that the place is on, if any.
+  // The half-edge of m_place.face that the place is on, or `null_index`.
   Halfedge_index edge_with_place() const
   {
     if (!m_place.is_inside)
@@ -161,7 +161,7 @@ private:
         [&](auto& parts) { parts.add_edge(here(), ends[0], ends[1]); }, weights);
   }
 
-  // Writes the weights of corners whose parts `add` adds up.
+  // Writes the weights of corners whose parts `add` adds up, exactly if doubles are too imprecise.
   template <class Corner_of, class Add, class OutputIterator>
   void write(std::size_t size, const Corner_of& corner_of, const Add& add, OutputIterator weights)
   {
@@ -183,7 +183,7 @@ private:
   Place_2<State> m_place;
   Cavity_2<State> m_cavity;
   Vertex_index m_last = 1; // near the last place
-  double m_near = -1;      // the square of how far to walk from there
+  double m_near = -1;      // the squared distance to walk from there at most
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -23,7 +23,7 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// The numbers of half-edges of so many vertices fit into Index, here and in `Halfedge_arrays_2`.
+// The most vertices whose half-edges have numbers that fit into Index, also in `Halfedge_arrays_2`.
 constexpr Index max_vertices = null_index / 8;
 
 // The faces of a fresh triangulation under construction, infinite ones included. Each has three
@@ -90,7 +90,7 @@ private:
 // Threads share stretches of the order. A stretch in which all cuts have lower ranks than the two
 // around it becomes a part of its own before it is merged with another one. Until then the points
 // from the i-th to before the j-th have the faces from 2i to before 2j - 2. So stretches touch no
-// data of each other, and the result is the same bit by bit.
+// data of each other, and the result is bit by bit that of a single thread.
 //
 // Cost: O(n log n).
 template <class Predicates, class Parts = Parallel_parts_2<Sequential_tag>>
@@ -148,8 +148,8 @@ private:
     Part part;
   };
 
-  // The part of the points from `first` to before `beyond`, which are all points or a stretch. The
-  // parts of stretches among them are there already.
+  // Makes the part of the points from `first` to before `beyond`: all points or a stretch. The
+  // stretches in `m_stretches` have their parts already.
   Part triangulate(const Spatial_order_2& order, std::size_t first, std::size_t beyond)
   {
     Part part{null_index, null_index, null_index};
@@ -191,18 +191,18 @@ private:
     m_has_finite_faces = has_finite_faces;
   }
 
-  // The points between two cuts, while it is not known when they become a part.
+  // The points between two cuts, while find_stretches() may still merge them with others.
   struct Open_stretch
   {
     std::size_t first;
-    int rank;        // of the cut before them
-    int rank_inside; // the highest one at which two such were merged
-    bool is_divided; // whether they are too many for a stretch, or some of them are one
+    int rank;        // of the cut before the points
+    int rank_inside; // the highest rank of a cut at which open stretches were merged to this one
+    bool is_divided; // whether the points are too many for a stretch, or some are one already
   };
 
-  // Divides the points as merges join them, and stops where few are left. With so many points in
-  // a stretch at least, make_part() never joins points on both sides of its borders. Most cuts have
-  // low ranks, and no stretch begins there.
+  // Divides points into stretches of at most about `most` points, at the cuts at which parts are
+  // merged. As a stretch has at least `least` points, make_part() never joins points on both sides
+  // of its borders. Skips the many cuts of low ranks, because no stretch begins there.
   void find_stretches(const Spatial_order_2& order)
   {
     constexpr std::size_t least = 16, stretches = 64;
@@ -235,7 +235,7 @@ private:
               [](const Stretch& s, const Stretch& t) { return s.first < t.first; });
   }
 
-  // Only about one cut in sixteen has this rank or a higher one.
+  // Returns a rank that only about one cut in sixteen reaches.
   static int usually_highest_rank(const Spatial_order_2& order)
   {
     std::array<int, 1024> sample;
@@ -252,7 +252,7 @@ private:
   static Index next(Index h) { return Flat_faces_2::next(h); }
   static Index previous(Index h) { return Flat_faces_2::previous(h); }
 
-  // The next hull edge in this direction.
+  // The hull edge after h in this direction.
   Index clockwise(Index h) const { return next(m_faces.twin(next(h))); }
   Index counterclockwise(Index h) const { return previous(m_faces.twin(previous(h))); }
 
@@ -261,8 +261,8 @@ private:
     return i > 0 && i < order.size() ? order.cut(i).rank : (std::numeric_limits<int>::max)();
   }
 
-  // Makes a part of the i-th point, and of the next one or two if the cuts between these are lower
-  // than the cuts around them. Advances i behind the part.
+  // Makes a part of the i-th point, and of the next one or two if the cuts between them have lower
+  // ranks than the cuts around them. Advances i behind the part.
   Part make_part(const Spatial_order_2& order, std::size_t& i)
   {
     const std::size_t first = i++;

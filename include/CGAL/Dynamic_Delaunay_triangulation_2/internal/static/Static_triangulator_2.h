@@ -82,7 +82,7 @@ public:
          number);
   }
 
-  // Inserts one by a star that replaces the faces in conflict with p.
+  // Inserts a vertex at p with this number, by a star that replaces the faces in conflict with p.
   void insert_star(const Point& p, Index number)
   {
     if (m_triangulation.dimension() < 2)
@@ -129,8 +129,8 @@ public:
 
   void set_engine(Static_engine_2 engine) { m_engine = engine; }
 
-  // No two of the vertices may coincide. If threads share the work, one of them calls
-  // `companion()`.
+  // Triangulates the vertices of `order`. No two of them may coincide. If threads share the work,
+  // one of them calls `companion()`.
   template <class Companion>
   void run(const Spatial_order_2& order, const Companion& companion)
   {

@@ -36,14 +36,14 @@ class Torus_builder_2;
 template <class Point, class VertexInfo, class FaceInfo>
 class Indexed_storage_2;
 
-// The topology of a triangulation in flat arrays, which know no positions.
+// The topology of a triangulation in flat arrays, without positions.
 //
 // Vertex 0 is the infinite one. Its position is NaN, so that every comparison with it fails and
 // passes over all edges need no branch for the hull. Half-edge 3f+i is the edge of face f opposite
 // to its i-th vertex.
 //
-// Edges have numbers, and vertices true corners, wherever the editors and builders write. Where
-// CGAL's algorithms write, and in dimensions below 2, there are no edges; see `Indexed_storage_2`.
+// The editors and builders give numbers to edges, and store true corners of vertices. After CGAL's
+// algorithms have written, and in dimensions below 2, there are no edges; see `Indexed_storage_2`.
 class Halfedge_arrays_2
 {
 public:
@@ -62,7 +62,7 @@ public:
   static Halfedge_index next(Halfedge_index h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static Halfedge_index previous(Halfedge_index h) { return h % 3 == 0 ? h + 2 : h - 1; }
   static Face_index face_of(Halfedge_index h) { return h / 3; }
-  // That opposite to the i-th vertex of a face, and which vertex that is.
+  // The half-edge opposite to the i-th vertex of face f; and the i of half-edge h.
   static Halfedge_index halfedge_in(Face_index f, Index i) { return 3 * f + i; }
   static Index place_of(Halfedge_index h) { return h % 3; }
   static std::array<Halfedge_index, 3> halfedges_of(Face_index f)
@@ -70,7 +70,7 @@ public:
     return {halfedge_in(f, 0), halfedge_in(f, 1), halfedge_in(f, 2)};
   }
 
-  // With the infinite one.
+  // Counts the infinite vertex, too.
   Index number_of_vertices() const { return Index(m_corner.size()); }
   // 0 unless edges have numbers.
   Index number_of_faces() const { return m_edges.empty() ? 0 : faces_with_holes(); }
@@ -91,9 +91,9 @@ public:
     return {apex(halfedge_in(f, 0)), apex(halfedge_in(f, 1)), apex(halfedge_in(f, 2))};
   }
 
-  // For a flip of edge e, to be called in this order: each step reads what the one before has
-  // fetched. First edge(e) and halfedge(e), then the two faces at e, then what the flip changes
-  // around them.
+  // Prefetch the data for a flip of edge e: edge(e) and halfedge(e), then the two faces at e, then
+  // what the flip changes around these faces. Call the functions in this order, with some time
+  // between them: each one reads what the one before has fetched.
   void prefetch_edge(Edge_index e) const
   {
     prefetch(&m_edges[e]);
@@ -117,7 +117,7 @@ public:
     prefetch(&m_halfedges[halfedge_in(face_of(h), 0)]);
     prefetch(&m_halfedges[halfedge_in(face_of(h), 2)].edge);
   }
-  // Calls f(edge) for the edges of the two faces at edge e other than e.
+  // Calls f(s) for the four other edges s of the two faces at edge e.
   template <class Function>
   void for_each_side(Edge_index e, Function&& f) const
   {
@@ -160,9 +160,9 @@ public:
     return degree;
   }
 
-  // Whether the apexes of h and of its twin are neighbors, apart from the two faces. Walks around
-  // both apexes in step, because one of them may have many neighbors, like the infinite vertex, and
-  // both ways, because that waits for the memory half as often.
+  // Whether the apexes of h and of its twin are neighbors in any face but the two at h. Walks
+  // around both apexes in step, because one of them may have many neighbors, like the infinite
+  // vertex; and in both directions, because it then waits for memory half as often.
   bool are_apexes_neighbors(Halfedge_index h) const
   {
     const Halfedge_index g = twin(h);
@@ -182,7 +182,7 @@ public:
     }
   }
 
-  // Whether v and w have an edge. Walks around both in step, for the same reason.
+  // Whether an edge joins v and w. Walks around both in step, as are_apexes_neighbors() does.
   bool are_neighbors(Vertex_index v, Vertex_index w) const
   {
     Index i = corner(v), k = corner(w);
@@ -198,8 +198,8 @@ public:
   // VERTICES OUTSIDE OF ALL FACES -------------------------------------------------------------
   //
   // A vertex that is taken out of its faces keeps a *slot*: its own number, and the numbers of two
-  // faces and three edges that are then superfluous. They mean nothing until a vertex is put in
-  // with them, or the last elements take the numbers.
+  // faces and three edges that are no longer needed. These faces and edges are empty until a vertex
+  // is put in with them, or until the last faces and edges take their numbers.
 
   struct Slot
   {
@@ -213,7 +213,7 @@ public:
   bool is_outside(Vertex_index v) const { return m_corner[v] == null_index; }
   bool is_empty_face(Face_index f) const { return apex(halfedge_in(f, 0)) == null_index; }
   bool is_empty_edge(Edge_index e) const { return m_halfedge_of_edge[e] == null_index; }
-  // Whether the edge stands here without vertices; see hide_edge().
+  // Whether edge(e) has no vertices but the infinite one; see hide_edge().
   bool is_hidden(Edge_index e) const { return m_edges[e].source == infinite_index; }
 
 private:
@@ -293,7 +293,7 @@ private:
 
   // WRITING EVERYTHING --------------------------------------------------------------------------
   //
-  // In this order, with the apex and the twin of each half-edge first.
+  // Call set_apex_and_twin() for each half-edge, then find_corners(), then number_edges().
 
   void set_apex_and_twin(Halfedge_index h, Vertex_index v, Halfedge_index g)
   {
@@ -301,8 +301,8 @@ private:
     m_halfedges[h].twin = g;
   }
 
-  // Where only the vertices and the neighbors of faces are known, as CGAL's algorithms leave them:
-  // finds twins and corners, and numbers the edges. If it throws, nothing has changed.
+  // Finds twins and corners, and numbers the edges, if only the vertices and the neighbors of faces
+  // are known, as CGAL's algorithms leave them. If it throws, twins and corners have not changed.
   template <class Parts>
   void number_from_neighbors()
   {
@@ -318,10 +318,10 @@ private:
     number_edges<Parts>();
   }
 
-  // Makes the last half-edge with apex v the corner of v. Each part of the half-edges finds the
-  // corners of a part of the vertices; the others are left over: few, where faces and vertices are
-  // numbered in the same order and the parts are large. They form a list, through the numbers of
-  // edges, which are not needed yet.
+  // Makes the last half-edge with apex v the corner of v. Each part of the half-edges sets the
+  // corners of one part of the vertices. Half-edges with other apexes are left over; they are few
+  // if faces and vertices are numbered in the same order and the parts are large. The `edge` member
+  // of each of them holds the next one, because edges have no numbers yet.
   template <class Parts>
   void find_corners()
   {
@@ -343,7 +343,7 @@ private:
         if (apex(h) >= low && apex(h) < high)
           m_corner[apex(h)] = h;
         else
-          m_halfedges[h].edge = Index(std::exchange(left_over[part], Index(h))); // for now
+          m_halfedges[h].edge = Index(std::exchange(left_over[part], Index(h))); // the next one
     });
     for (std::size_t part = 0; part < parts; ++part)
       for (Halfedge_index h = left_over[part]; h != null_index; h = Index(edge_of(h))) {
@@ -373,8 +373,8 @@ private:
     });
   }
 
-  // Numbers the edges whose first half-edges are in a range, from e on. Lists these half-edges
-  // without a branch on which of two is the first, because it would be unpredictable.
+  // Gives the numbers from e on to the edges whose smaller half-edges are in [first, beyond). Lists
+  // these half-edges without a branch on `h < twin(h)`, because it would be unpredictable.
   void number_edges_of(Index first, Index beyond, Edge_index e)
   {
     constexpr Index stretch = 256;
@@ -423,8 +423,8 @@ private:
     exchange_opposite(ca, b, d);
   }
 
-  // Flips where the two faces may share more edges than that at h, and vertices may have edges
-  // to themselves, as on a torus. The faces must be different.
+  // Flips the edge at h where the two faces may share further edges, and vertices may have edges to
+  // themselves, as on a torus. The two faces must be different.
   void flip_glued(Halfedge_index h)
   {
     const Halfedge_index g = twin(h);
@@ -447,8 +447,8 @@ private:
     set_edge(edge_of(previous(g)), previous(g));
   }
 
-  // Flips where both faces lie in one frame, so that they share no more than the edge at h.
-  // Takes less than half of the time, because it reads nothing beyond the sides.
+  // Flips the edge at h where both faces lie in one frame, so that they share only this edge. Takes
+  // less than half of the time of flip_glued(), because it reads nothing beyond the sides.
   void flip_in_one_frame(Halfedge_index h)
   {
     const Halfedge_index g = twin(h);
@@ -462,7 +462,7 @@ private:
         hide_edge(side);
   }
 
-  // Leaves an edge without vertices: passes over the edges then never prove it.
+  // Makes all vertices of edge(e) infinite, so that passes over the edges never prove e Delaunay.
   void hide_edge(Edge_index e)
   {
     m_edges[e] = Edge_2{infinite_index, infinite_index, infinite_index, infinite_index};
@@ -516,8 +516,8 @@ private:
     set_edge(slot.edges[2], halfedge_in(g, 2));
   }
 
-  // The last face, edge or vertex takes the number of an empty one. The last one must not be empty
-  // itself, unless both are the same.
+  // Give the number of an empty face, edge or vertex to the last one, and shorten the arrays.
+  // The last one must not be empty itself, unless both are the same.
   void move_last_face_to(Face_index f)
   {
     const Index last = number_of_faces() - 1;
@@ -585,7 +585,7 @@ private:
     edge.right = edge.right == from ? to : edge.right;
   }
 
-  // The three half-edges of a face stand together, because they are needed together.
+  // The data of a face's three half-edges are contiguous, because they are needed together.
   struct Halfedge
   {
     Vertex_index apex;
@@ -593,7 +593,7 @@ private:
     Edge_index edge;
   };
 
-  // Lets an edge go from the source to the target of half-edge h.
+  // Makes edge(e) go from the source to the target of half-edge h.
   void turn_along(Edge_index e, Halfedge_index h)
   {
     const Edge_2 edge = m_edges[e];

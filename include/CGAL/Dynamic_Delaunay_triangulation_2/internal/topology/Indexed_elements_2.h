@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-// A vertex or a face: the storage and a number. It lives in a handle, and is gone with it.
+// A vertex or a face, as a storage and a number. The object is part of a handle.
 template <class Storage>
 class Indexed_element_2
 {
@@ -42,7 +42,7 @@ protected:
   Index m_index = null_index;
 };
 
-// CGAL's triangulations look for the type of `info()`, before they accept points with infos.
+// Declares `Info`, without which CGAL's triangulations do not accept points with infos.
 template <class Info_>
 struct Info_type_2
 {
@@ -67,7 +67,7 @@ public:
   using size_type = std::size_t;
   using iterator_category = std::bidirectional_iterator_tag;
 
-  // The end of all elements, wherever it is: arrays may grow while somebody has it.
+  // The number in a past-the-end iterator. It stays valid when the arrays grow.
   static constexpr Index end_index = null_index - 2;
 
   Indexed_handle_2(std::nullptr_t = nullptr) noexcept {}
@@ -76,7 +76,7 @@ public:
   {
   }
 
-  // The number of the element. An element may get another one with the next change.
+  // The number of the element. The next change may give the element another number.
   Index index() const { return m_element.m_index; }
 
   Element& operator*() const { return m_element; }
@@ -109,7 +109,7 @@ public:
     return before;
   }
 
-  // The numbers first: they nearly always decide.
+  // Compares the numbers first, because they nearly always decide.
   friend bool operator==(const Indexed_handle_2& a, const Indexed_handle_2& b)
   {
     return a.index() == b.index() && a.storage() == b.storage();
@@ -123,8 +123,8 @@ public:
   friend bool operator<=(const Indexed_handle_2& a, const Indexed_handle_2& b) { return !(b < a); }
   friend bool operator>=(const Indexed_handle_2& a, const Indexed_handle_2& b) { return !(a < b); }
 
-  // Different for different handles: CGAL's `Unique_hash_map` takes it for the handle itself. Where
-  // it has 32 bits, only for handles of one structure.
+  // Returns different values for different handles, because CGAL's `Unique_hash_map` takes the
+  // value for the handle. If it has 32 bits, they differ only among handles of one structure.
   friend std::size_t hash_value(const Indexed_handle_2& h)
   {
     constexpr bool is_wide = sizeof(std::size_t) > sizeof(Index);
@@ -187,7 +187,7 @@ public:
   {
     if (other.m_storage == nullptr)
       return create(s);
-    const Point p = other.point(); // `other` may be in an array that grows
+    const Point p = other.point(); // a copy, because the array of points may grow
     const Vertex_handle v = create(s, p);
     if constexpr (!std::is_void_v<typename Storage::Vertex_info>)
       v->info() = other.info();
@@ -202,10 +202,10 @@ public:
 private:
   template <class Element>
   friend class Indexed_handle_2;
-  using Indexed_element_2<Storage_>::m_storage; // befriend the handle, too
+  using Indexed_element_2<Storage_>::m_storage; // accessible to the handle, a friend
   using Indexed_element_2<Storage_>::m_index;
 
-  // Would make a handle refer to another vertex.
+  // Private, because it would make a handle refer to another vertex.
   Indexed_vertex_2& operator=(const Indexed_vertex_2&) = default;
 
 public:
@@ -287,7 +287,7 @@ public:
     set_neighbors(neighbor(1), neighbor(2), neighbor(0));
   }
 
-  // As many vertices as there are, less one.
+  // Returns the number of the face's vertices, less one.
   int dimension() const
   {
     const auto& arrays = m_storage->arrays();
@@ -327,7 +327,7 @@ public:
     f->set_neighbors(g0, g1, g2);
     return f;
   }
-  // The vertices and neighbors of a face of another storage are not taken over.
+  // Does not take over the vertices and neighbors of a face of another storage.
   static Face_handle create(Storage& s, const Indexed_face_2& other)
   {
     const Face_handle f = create(s);
@@ -348,10 +348,10 @@ public:
 private:
   template <class Element>
   friend class Indexed_handle_2;
-  using Indexed_element_2<Storage_>::m_storage; // befriend the handle, too
+  using Indexed_element_2<Storage_>::m_storage; // accessible to the handle, a friend
   using Indexed_element_2<Storage_>::m_index;
 
-  // Would make a handle refer to another face.
+  // Private, because it would make a handle refer to another face.
   Indexed_face_2& operator=(const Indexed_face_2&) = default;
 
   Halfedge_index halfedge(int i) const
@@ -380,7 +380,7 @@ private:
     return false;
   }
 
-  // For a predicate that is true somewhere.
+  // Returns the i for which is(i) is true. There must be one.
   template <class Predicate>
   static int index_where(const Predicate& is)
   {
@@ -464,7 +464,7 @@ private:
   Storage* m_storage = nullptr;
 };
 
-// The bases for which CGAL's data structure makes its vertices and faces.
+// Bases that make Indexed_vertex_2 and Indexed_face_2 the vertices and faces of CGAL's structure.
 template <class Storage>
 struct Indexed_vertex_base_2
 {
@@ -494,9 +494,9 @@ using Indexed_tds_base_2 =
 
 /// \cond
 
-// All that `Triangulation_data_structure_2` has to be told, so that it works on a storage: where
-// its vertices and faces are, and that a vertex lives in its handle. CGAL's circulator of vertices
-// would return a reference into a handle that is gone.
+// Specializations that make `Triangulation_data_structure_2` work on a storage: its containers, and
+// a circulator of vertices that holds the handle of its vertex. CGAL's circulator would return a
+// reference into a handle that no longer exists.
 template <class Storage, class Allocator, class IncrementPolicy, class TimeStamper>
 class Compact_container<Dynamic_Delaunay_triangulations_2::internal::Indexed_vertex_2<Storage>,
                         Allocator, IncrementPolicy, TimeStamper>
@@ -585,7 +585,7 @@ public:
   operator Vertex_handle() const { return m_vertex; }
 
 private:
-  // The next vertex counterclockwise after the center in face f.
+  // Moves to the vertex after the center in face f, counterclockwise.
   void go_to(const Face_handle& f)
   {
     m_face = f;

@@ -23,8 +23,8 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Data of users at vertices or faces, in arrays that are as long as the storage has elements.
-// `Handle` is what users know an element by.
+// User data at vertices or faces, in arrays with one value for each element of the storage. Users
+// access the values by handles of type `Handle`.
 template <class Handle>
 class Indexed_properties_2
 {
@@ -55,14 +55,14 @@ public:
     Array* m_array;
   };
 
-  // What Property_container asks for the type of its maps.
+  // Tells Property_container the type of its maps.
   template <class Key, class T>
   struct Get_property_map
   {
     using type = Map<T>;
   };
 
-  // The property of this name; `second` is whether it is new, with `value` for every element.
+  // Returns the property with this name, and whether it is new. A new one has `value` everywhere.
   template <class T>
   std::pair<Map<T>, bool> add(const std::string& name, const T& value)
   {
@@ -91,7 +91,7 @@ public:
     m_arrays.resize(last);
   }
 
-  // Takes over from another element of the same storage.
+  // Copies the values of element `from` to element `to` of the same storage.
   void copy(Index from, Index to)
   {
     if (m_arrays.n_properties() > 0)
@@ -100,8 +100,8 @@ public:
 
   bool empty() const { return m_arrays.n_properties() == 0; }
 
-  // Lets the values follow: the element with number i had before[i] in `others`, a copy of these,
-  // or is new if that is `null_index`. There must be memory for all of them.
+  // Renumbers the values. `others` is a copy of this object. The element with number i has the
+  // number before[i] in `others`, or is new if that is `null_index`. Memory must be reserved.
   void renumber(const Indexed_properties_2& others, const std::vector<Index>& before)
   {
     m_arrays.resize(before.size());
@@ -137,7 +137,7 @@ struct Info_array_2
       values[i] = std::move(values.back());
     values.pop_back();
   }
-  // The values for new numbers, as above.
+  // Returns the values, renumbered as by `Indexed_properties_2::renumber()`.
   Info_array_2 renumbered(const std::vector<Index>& before) const
   {
     Info_array_2 others;
@@ -171,14 +171,14 @@ template <class Storage>
 class Indexed_face_2;
 
 // All that an `Indexed_triangulation_data_structure_2` consists of, except its dimension: vertices
-// and faces as rows of arrays. Handles refer to it, so it stays where it is in memory while
-// structures are moved and swapped.
+// and faces as rows of arrays. Handles hold its address, which does not change when structures are
+// moved and swapped.
 //
 // It has two kinds of writers. CGAL's algorithms write through handles: the three vertices and the
-// three neighbors of a face, and the face of a vertex. Erased elements leave holes then, twins and
-// corners are known up to their face alone, and edges have no numbers (`arrays().edges()` is
-// empty). The editor and the builder write the arrays themselves, whole and without holes, after
-// `number_all()` if need be.
+// three neighbors of a face, and the face of a vertex. Then erased elements leave holes, a twin or
+// a corner is just any half-edge of the right face, and edges have no numbers (`arrays().edges()`
+// is empty). The editor and the builder write the arrays themselves, complete and without holes,
+// after collect_garbage() and `number_from_neighbors()` if CGAL's algorithms have written.
 template <class Point_, class VertexInfo, class FaceInfo>
 class Indexed_storage_2
 {
@@ -222,10 +222,10 @@ public:
   const Point& point(Vertex_index v) const { return as_point(m_points[v]); }
   Point& point(Vertex_index v) { return as_point(m_points[v]); }
 
-  // Of handles: different for each storage of a program.
+  // A number that no other storage of the program has. Handles are ordered and hashed by it.
   std::uint32_t serial() const { return m_serial; }
 
-  // Whether a handle has changed anything since this was false.
+  // Whether anything was changed through a handle since this flag was last cleared.
   bool is_written_by_handles() const { return m_is_written_by_handles; }
   void note_written_by_handle() { m_is_written_by_handles = true; }
 
@@ -247,8 +247,8 @@ public:
 
   // WRITING BY HANDLES ----------------------------------------------------------------------------
 
-  // A vertex without face. The point of a hole stays as it was until set_point(): a program may
-  // remove a vertex, and insert a reference to its point.
+  // Returns a new vertex without face. The point of an erased vertex whose number it takes stays
+  // until set_point(): a program may remove a vertex, then insert a reference to its point.
   Index create_vertex()
   {
     note_written_by_handle();
@@ -272,7 +272,7 @@ public:
     return Index(m_arrays.m_corner.size()) - 1;
   }
 
-  // A face without vertices and neighbors.
+  // Returns a new face without vertices and neighbors.
   Index create_face()
   {
     note_written_by_handle();
@@ -297,8 +297,8 @@ public:
     return f;
   }
 
-  // Erase throws nothing: where memory has run out, a hole stays one until all is cleared or
-  // collected.
+  // Erasing throws nothing: if memory has run out, the number stays unused until the elements are
+  // cleared or collect_garbage() is called.
   void erase_vertex(Vertex_index v) noexcept
   {
     note_written_by_handle();
@@ -321,7 +321,7 @@ public:
     m_arrays.m_halfedges[h].apex = v;
   }
 
-  // Sets the neighbor at h to face g, or to none. The twin is known up to its face.
+  // Sets the neighbor at h to face g, or to none. The twin of h is then any half-edge of g.
   void set_neighbor(Halfedge_index h, Face_index g)
   {
     note_written_by_handle();
@@ -380,7 +380,7 @@ public:
 
   // NUMBERING -------------------------------------------------------------------------------------
 
-  // Closes the holes: elements get smaller numbers, in their order. Cost: linear.
+  // Removes the holes: elements get consecutive numbers in their present order. Cost: linear.
   void collect_garbage()
   {
     if (!has_holes())
@@ -422,7 +422,7 @@ private:
   friend class Plane_editing_2;
 
   // WHERE THE EDITOR AND THE BUILDER WRITE --------------------------------------------------------
-  // They write points and arrays themselves. What users have stored follows by these functions.
+  // They write points and arrays themselves, and call these functions so that user data follow.
 
   // After this, append_slot() throws only what copying a value throws.
   void reserve_for_slot()
@@ -433,7 +433,7 @@ private:
     m_face_infos.reserve_extra(2);
   }
 
-  // For a vertex and two faces more.
+  // Appends the user data of a vertex and two faces.
   void append_slot()
   {
     m_vertex_properties.append();
@@ -452,7 +452,7 @@ private:
     m_face_infos.reserve(faces);
   }
 
-  // Shortens or prolongs what users have stored to these numbers of elements.
+  // Resizes the user data to these numbers of elements.
   void resize_data(std::size_t vertices, std::size_t faces)
   {
     m_vertex_properties.resize(vertices);
@@ -482,7 +482,7 @@ private:
     m_face_infos.resize(faces);
   }
 
-  // Whether users may store anything at vertices.
+  // Whether vertices have an `info()` or properties.
   bool has_vertex_data() const
   {
     return !std::is_void_v<Vertex_info> || !m_vertex_properties.empty();
@@ -501,7 +501,7 @@ private:
     m_is_written_by_handles = other.m_is_written_by_handles;
   }
 
-  // Exchanges points and arrays with another one. All data of users are as in new elements then.
+  // Exchanges points and arrays with another storage. Then all user data are as in new elements.
   void exchange(Indexed_storage_2& other)
   {
     std::swap(m_arrays, other.m_arrays);
@@ -528,8 +528,8 @@ private:
     m_face_infos.move_last_to(f);
   }
 
-  // What users have stored, for elements with new numbers: that with number i had before[i], or is
-  // new if that is `null_index`. Made beforehand, so that taking it over needs no memory.
+  // The user data of elements with new numbers: the element with number i had the number before[i],
+  // or is new if that is `null_index`. Constructed in advance, so that take() needs no memory.
   template <class Data, class Infos>
   class Renumbered_data
   {
@@ -575,7 +575,7 @@ private:
     }
   }
 
-  // For each new number the one before, and the reverse.
+  // Returns the former number for each new one, and the new number (or none) for each former one.
   template <class Predicate>
   static std::pair<std::vector<Index>, std::vector<Index>>
   numbers_without_holes(Index size, const Predicate& is_hole)
@@ -589,7 +589,7 @@ private:
     return {std::move(before), std::move(after)};
   }
 
-  // That half-edge of the face with its new number.
+  // Returns the number of half-edge h once its face has its new number.
   static Halfedge_index with_face(Halfedge_index h, const std::vector<Index>& new_face)
   {
     return h == null_index ? Halfedge_index(null_index)

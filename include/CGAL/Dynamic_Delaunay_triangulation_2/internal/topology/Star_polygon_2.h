@@ -18,19 +18,19 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// The polygon of the neighbors of a vertex, its center. When the center is taken out, faces of a
-// triangulation of the polygon replace those around it. The triangulation is a sequence of *ears*,
-// triangles of three consecutive corners that are cut off one after the other. When the center is
-// put in, it is the other way around.
+// The polygon of the neighbors of a vertex, its *center*. When the center is taken out, the faces
+// of a triangulation of the polygon replace those around the center. The triangulation is a
+// sequence of *ears*, triangles of three consecutive corners that are cut off one after the other.
+// When the center is put in, faces around it replace those inside of the polygon.
 //
 //     d ----- c                d ----- c
-//     | \   / |   v goes       | \     |
+//     | \   / |   take v out   | \     |
 //     |   v   |  --------->    |   \   |     ears: (a, b, d), (b, c, d)
 //     | /   \ |  <---------    |     \ |
-//     a ----- b   v comes      a ----- b
+//     a ----- b   put v in     a ----- b
 //
-// Corners are vertices as seen from the center: on a torus, images of them. There a polygon can
-// meet itself, where there are few vertices; then it is of no use.
+// Corners are vertices as seen from the center: on a torus, images of vertices. On a torus of few
+// vertices a polygon can meet itself; then it cannot be used.
 template <class State>
 class Star_polygon_2
 {
@@ -59,7 +59,7 @@ public:
   const Kept_list_2<Ear>& ears() const { return m_ears; }
   bool is_triangulated() const { return m_ears.size() + 2 == m_sides.size(); }
 
-  // Whether faces() and edges() are as many as the center needs.
+  // Whether there are as many faces() and edges() as sides, which putting the center in needs.
   bool has_star() const { return m_faces.size() == m_sides.size(); }
   // The faces inside of the polygon, and the edges between them.
   const Kept_list_2<Index>& faces() const { return m_faces; }
@@ -67,7 +67,7 @@ public:
 
   // THE POLYGON -----------------------------------------------------------------------------------
 
-  // Reads the polygon around v, which is in its faces. False if it meets itself.
+  // Reads the polygon around v, which must be in faces. Returns false if it meets itself.
   bool read(const State& state, Vertex_index v)
   {
     const Arrays& arrays = state.arrays();
@@ -81,22 +81,23 @@ public:
     return !meets_itself();
   }
 
-  // Finds the polygon for v, which is in no face, but strictly inside of the finite face f, so that
-  // everything stays Delaunay; `frame` is that of f as seen from v. False if its faces would be
-  // more than `most`, or if it meets itself. Everything has to be Delaunay.
+  // Finds the polygon to put v in so that everything stays Delaunay, as it must be before. v is in
+  // no face; its point is strictly inside of the finite face f, whose frame as seen from v is
+  // `frame`. Returns false if the polygon would have more than `most` faces, or meets itself.
   //
   // It consists of the faces that flips would remove, if v divided f in three (C. Lawson 1977;
-  // Guibas and Stolfi 1985): only edges opposite to v can be illegal, and these are if v is inside
-  // of the circle of the face beyond. An edge from v to w comes into being when a face with corner
-  // w that was Delaunay before is divided or flipped away, and v is strictly inside of its circle:
-  // inside of that face, or beyond an illegal edge. The circle through v that touches this one in w
-  // from inside contains no other vertex, so the edge is Delaunay in every triangulation with v.
-  // All other faces stay Delaunay. Faces are counterclockwise all the time, and those around v
-  // surround it once, so no two edges go from v in the same direction: all corners are different.
+  // Guibas and Stolfi 1985): only edges opposite to v can be illegal, and such an edge is illegal
+  // if v is inside of the circle of the face beyond. An edge from v to w comes into being when a
+  // face with corner w that was Delaunay before is divided or flipped away. Then v is strictly
+  // inside of the circle of that face: inside of the face, or beyond an illegal edge. The circle
+  // through v that touches that circle in w from inside contains no other vertex, so the edge is
+  // Delaunay in every triangulation with v. All other faces stay Delaunay. Faces are
+  // counterclockwise all the time, and those around v surround it once, so no two edges go from v
+  // in the same direction: all corners are different.
   //
-  // On a torus this is done for all images of v. If the polygon does not meet itself, those of
-  // different images have no face in common, and no two are side by side: so each side has a face
-  // beyond that stays, in whose circle v is not, and all edges are locally Delaunay.
+  // On a torus all images of v are put in. If the polygon does not meet itself, the polygons of
+  // different images have no face and no side in common. So the face beyond each side stays, v is
+  // not inside of its circle, and all edges are locally Delaunay.
   bool find_as_delaunay(const State& state, Face_index f, const Frame& frame, Vertex_index v,
                         std::size_t most)
   {
@@ -132,7 +133,7 @@ public:
     return m_faces.size() <= most && !meets_itself();
   }
 
-  // Adds the faces and edges of the slot that the center has kept, or got.
+  // Adds the faces and edges of the center's slot.
   void add(const Arrays::Slot& slot)
   {
     for (const Face_index f : slot.faces)
@@ -143,33 +144,33 @@ public:
 
   // TRIANGULATIONS --------------------------------------------------------------------------------
 
-  // Triangulates the polygon if that is known to leave everything Delaunay. False, without ears, if
-  // the center is at the hull, or has many neighbors. Everything has to be Delaunay, except that
-  // the center may have moved since.
+  // Triangulates the polygon so that everything stays Delaunay, as it must be before, except that
+  // the center may have moved since. Returns false, without ears, if the predicates are known to be
+  // inexact, or if the center is at the hull or has many neighbors.
   //
-  // The faces at each side are found from its left: the circle through the side and the apex of its
-  // face contains no other corner that is on its left. Let S be the points without the center v.
+  // The apex of the face at each side is sought on the left of the side: the circle through the
+  // side and the apex contains no other corner there. Let S be the points without the center v.
   //   - All faces but those of v stay Delaunay, as their circles have no point of S inside. So S
   //     has a Delaunay triangulation that differs from the old one in the polygon P alone.
-  //   - Its face at a side, or at an edge that divides P, has its apex among the corners of that
-  //     part of P. Its circle C contains no point of S, so only another corner on C can win the
-  //     search instead.
+  //   - The face of this triangulation at a side, or at an edge that divides P, has its apex among
+  //     the corners of that part of P. Its circle C contains no point of S, so only another corner
+  //     on C can win the search instead.
   //   - Such a corner w will do, too, if it sees the side inside of P: then the corners on C that
   //     belong to this part of P form a convex polygon in it, and any triangulation of that is
-  //     Delaunay. Otherwise a side (p, q) of P with both ends on C separates w from there, and from
-  //     v, which is on the left of each side. P is covered by the faces of v, so that v is not
-  //     outside of C: a face inside of P would be Delaunay beside v as well, but faces that
-  //     overlap have one circle. If v is inside of C, w is inside of the circle through v, p and
-  //     q, which was empty. If v is on C, the edges from v to w and from p to q cross. Neither can
-  //     be.
-  //   - A corner in a circle of the search is on the left of the side: on its right, such a circle
-  //     is inside of C.
+  //     Delaunay. Otherwise a side (p, q) of P with both ends on C separates w from the side of the
+  //     search, and from v, which is on the left of each side. v is not outside of C: otherwise the
+  //     face of C would be Delaunay beside v, too, but the faces of v cover P, and Delaunay faces
+  //     that overlap have the same circle. If v is inside of C, w is inside of the circle through
+  //     v, p and q, which was empty. If v is on C, the edges from v to w and from p to q cross.
+  //     Neither can be.
+  //   - A corner in a circle of the search is on the left of the side, because on the right of the
+  //     side such a circle is inside of C.
   // So the search finds Delaunay faces that tile P.
   bool triangulate_as_delaunay(const State& state)
   {
     if constexpr (State::predicates_are_exact) {
-      // Flips take less time beyond. A torus knows no better way: across the gap of a slab a vertex
-      // may have many images of few neighbors.
+      // With more sides, flips take less time. On a torus they may be impossible: across the gap of
+      // a slab a vertex may have many images of few neighbors.
       constexpr std::size_t max_degree = State::is_periodic ? std::size_t(-1) : 24;
       if (m_sides.size() > max_degree || is_at_infinity())
         return false;
@@ -179,12 +180,12 @@ public:
     return false;
   }
 
-  // Triangulates the polygon anyhow, so that no edge is doubled. Where the faces around the center,
-  // which is at `place`, allow it, the new faces are counterclockwise. They are Delaunay only by
-  // chance.
+  // Triangulates the polygon in any way that doubles no edge. The corners must be different
+  // vertices. The new faces are counterclockwise where the faces around the center, which is at
+  // `place`, allow it. They are Delaunay only by chance.
   //
-  // An ear whose third edge does not exist yet always remains: if one edge exists elsewhere, it
-  // separates the third edges of other ears. The corners must be different vertices.
+  // There is always an ear whose third edge does not exist yet: if the third edge of an ear exists
+  // elsewhere, it separates the third edges of other ears.
   void triangulate_anyhow(const State& state, const Position_2& place)
   {
     link_corners();
@@ -194,7 +195,7 @@ public:
     CGAL_postcondition(is_triangulated());
   }
 
-  // Whether no two corners, or the center, are images of one vertex.
+  // Whether the corners and the center are images of different vertices.
   bool has_different_vertices()
   {
     m_numbers.clear();
@@ -213,8 +214,8 @@ private:
     Frame frame;
   };
 
-  // Whether a face is inside more than once, or beyond a side: as seen from another image of the
-  // center.
+  // Whether a face inside of the polygon is there twice, or is also beyond a side: then it is
+  // inside of the polygon of another image of the center, too.
   bool meets_itself()
   {
     if constexpr (State::is_periodic) {
@@ -314,10 +315,9 @@ private:
   }
 
   // Cuts off every other ear of this kind in each round, until there is none or a triangle is left.
-  // If ears were cut one after the other, their edges would all end at one vertex. Ears at infinity
-  // do so in any case, and are cut side by side. Gives up after a few rounds, because a round may
-  // find only the one ear that the last round has made, as at a vertex beside a line of a thousand;
-  // any ears will do in the end.
+  // If ears were cut side by side, their third edges would all end at one vertex. At infinity they
+  // do so anyway, so no ear is left out. Gives up after a few rounds, unless `kind` is ANY: a round
+  // may find only the ear that the last one has made, as at a vertex beside a line of a thousand.
   void cut_ears(const State& state, const Position_2& place, Kind kind)
   {
     constexpr std::size_t max_rounds = 4;
@@ -334,8 +334,8 @@ private:
     }
   }
 
-  // Whether an ear of this kind follows corner i, and its third edge does not exist. Any kind is
-  // valid, so plain floating point suffices for that.
+  // Whether the ear after corner i is of this kind, and its third edge does not exist. Plain
+  // floating point may decide the kind, because ears of any kind are valid.
   bool is_ear(const State& state, const Position_2& place, Index i, Kind kind) const
   {
     const Index k = m_links[i].after;
@@ -361,7 +361,7 @@ private:
   Kept_list_2<Open> m_open;
   Kept_list_2<Ear> m_ears;
   std::vector<Links> m_links;   // of the corners that are left
-  Index m_last = 0;             // one of them
+  Index m_last = 0;             // one of these corners
   std::vector<Index> m_numbers; // sorted
 };
 

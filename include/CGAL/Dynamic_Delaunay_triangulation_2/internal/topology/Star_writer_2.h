@@ -16,7 +16,7 @@
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Writes the faces inside of a star polygon, for the editors of all spaces. `set_corner(h, corner)`
-// makes a corner that of half-edge h.
+// makes `corner` the corner at half-edge h.
 template <class State>
 class Star_writer_2
 {
@@ -32,8 +32,8 @@ public:
   // Reserves memory for write_ears().
   void reserve(const Polygon& polygon) { m_open_sides.resize(polygon.sides().size()); }
 
-  // Replaces the faces around the center by the ears. The i-th ear gets the i-th face, and the edge
-  // that cuts it off the i-th edge. Returns what the center keeps.
+  // Replaces the faces around the center by the ears. The i-th ear gets the number of the polygon's
+  // i-th face, and the edge that cuts it off that of the i-th edge. Returns the center's slot.
   template <class Set_corner>
   Slot write_ears(const Polygon& polygon, const Set_corner& set_corner)
   {
@@ -59,8 +59,8 @@ public:
     return slot;
   }
 
-  // Replaces the faces inside by those around the center. The i-th side gets the i-th face, and the
-  // edge to its end the i-th edge.
+  // Replaces the faces inside by those around the center. The face at the i-th side gets the number
+  // of the i-th face, and the edge from the center to the end of the side that of the i-th edge.
   template <class Set_corner>
   void write_star(const Polygon& polygon, const Set_corner& set_corner)
   {
@@ -81,8 +81,8 @@ public:
     }
   }
 
-  // Calls f(e) for the edges that write_ears() has made, and for all edges of the last face: it has
-  // no new one if it is the only face.
+  // Calls f(e) for the edges that write_ears() has made, and for all edges of the last face, which
+  // has no new edge if it is the only face.
   template <class Function>
   void for_each_edge_of_ears(const Polygon& polygon, const Function& f) const
   {
@@ -102,7 +102,7 @@ private:
     Edge_index edge;
   };
 
-  // Makes h, whose face has its vertices, the other half-edge of an open side.
+  // Makes h the inner half-edge of an open side. The face of h must have its vertices.
   void close(const Open_side& side, Halfedge_index h)
   {
     m_arrays.link(h, side.outer);

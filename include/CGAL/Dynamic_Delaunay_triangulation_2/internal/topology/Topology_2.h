@@ -19,9 +19,9 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Reports to the user's visitor what an update changes. None of these calls throws, because
-// topology is written where an exception would leave it inconsistent. An exception of
-// the visitor is kept until `finish()`, and the visitor is not called again before that.
+// Reports to the user's visitor what an update changes. Only `finish()` throws, because elsewhere
+// an exception would leave the topology inconsistent. After the visitor's first exception, which
+// `finish()` throws, the visitor is not called again in this update.
 //
 // `Dynamic` is the triangulation that a visitor is shown, and `void` for the default visitor: then
 // triangulations that differ in classifier, repair and policy share the compiled core.
@@ -32,7 +32,7 @@ public:
   // False for the default visitor; then none of the calls is compiled.
   static constexpr bool is_heard = !std::is_void_v<Dynamic>;
 
-  // Both objects may have moved since the last update.
+  // Called in each update, because both objects may have other addresses than in the last one.
   void start(Visitor& visitor, const Dynamic* dynamic)
   {
     m_visitor = &visitor;
@@ -131,8 +131,8 @@ struct Change_log_2
 {
   bool everything_is_new = true;
   std::vector<Index> new_edges;
-  std::vector<Index> relocated; // vertices that were put into other faces
-  Renumberings_2 renumberings;  // of what is not new
+  std::vector<Index> relocated; // vertices put into other faces, or given by another image
+  Renumberings_2 renumberings;  // meaningless if everything is new
 
   void clear()
   {
@@ -144,9 +144,9 @@ struct Change_log_2
 };
 
 // The topology: CGAL's triangulation, whose data structure is the arrays themselves; the ids, and
-// the log of changes. Reading is public. Only two can change it: `Topology_editor_2`, which writes
-// parts, by `Plane_editing_2`, and `Topology_builder_2`, which writes everything. They keep its
-// members consistent and tell the visitor.
+// the log of changes. Reading is public. Only two classes write: `Topology_editor_2`, which edits
+// some faces at a time, by `Plane_editing_2`, and `Topology_builder_2`, which writes everything.
+// Both keep the members consistent and tell the visitor.
 template <class Traits, class Tds, class VisitorCalls>
 class Topology_2
 {
@@ -174,7 +174,7 @@ public:
   const Halfedge_arrays_2& arrays() const { return m_storage.arrays(); }
   const Ids& ids() const { return m_ids; }
   const Change_log_2& changes() const { return m_changes; }
-  // Whether anything was changed through handles, which the user has.
+  // Whether the user has changed anything through handles.
   bool is_written_by_handles() const { return m_storage.is_written_by_handles(); }
 
   Vertex_handle vertex_handle(Vertex_index v) const { return Vertex_handle(&m_storage, v); }
@@ -183,8 +183,8 @@ public:
   typename Storage::Vertex_properties& vertex_properties() { return m_storage.vertex_properties(); }
   typename Storage::Face_properties& face_properties() { return m_storage.face_properties(); }
 
-  // Only `Input_frame_2` has the key to this, because the points of duplicates belong to a frame,
-  // like all positions. The ids in the list must be those of the duplicates.
+  // Exchanges the list of duplicates with `others`, which must have the same ids. Only
+  // `Input_frame_2` can make the key, because the points of duplicates belong to a frame.
   template <class State>
   void exchange_duplicates(const typename Input_frame_2<State>::Key&,
                            std::vector<typename Ids::Duplicate>& others)
@@ -205,11 +205,11 @@ private:
     return *triangulation.tds().m_storage;
   }
 
-  // `Positions_2` writes them.
+  // The points of the vertices, which `Positions_2` writes.
   typename Storage::Points& points() { return m_storage.m_points; }
 
   Triangulation m_triangulation;
-  Storage& m_storage; // of its data structure
+  Storage& m_storage; // of m_triangulation's data structure
   Ids m_ids;
   Change_log_2 m_changes;
   Visitor_calls m_visitor_calls;

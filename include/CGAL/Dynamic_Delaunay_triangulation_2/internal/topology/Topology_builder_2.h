@@ -29,7 +29,8 @@
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Puts points into a spatial order, distinguishes representatives from duplicates, and numbers the
-// vertices in that order. Where points coincide, one that keeps its vertex is preferred.
+// vertices in that order. Of coincident points, it makes one that keeps its vertex, if there is
+// any, the representative.
 template <class State>
 class Point_numbering_2
 {
@@ -44,8 +45,7 @@ public:
   }
 
   // Numbers these points with these ids. All ids are smaller than `number_of_ids`.
-  // `keeps_vertex(id)` says whether a point has a vertex of its own already, and goes on to have
-  // one.
+  // `keeps_vertex(id)` is true if the point already has a vertex of its own, and stays.
   template <class Predicate>
   void number(std::vector<Index> ids, std::vector<Point> points, Index number_of_ids,
               const Predicate& keeps_vertex)
@@ -88,14 +88,13 @@ public:
            [&](Point_id id) { return ids.is_representative(id); });
   }
 
-  // The vertices, by their new numbers.
+  // The spatial order of the vertices, given by their new numbers.
   const Spatial_order_2& order() const { return m_order; }
   // The results: the ids, and the point of each vertex.
   Ids& ids() { return m_ids; }
   const Point& point(Vertex_index vertex) const { return m_points[m_place_of_vertex[vertex - 1]]; }
 
-  // Free memory that is not needed any more: the points, the order, and all the rest. Throw
-  // nothing.
+  // Free the memory of the points, of the order, or of everything. Throw nothing.
   void release_points()
   {
     std::vector<Point>().swap(m_points);
@@ -130,7 +129,7 @@ private:
     m_ids.settle();
   }
 
-  // Each point gets a vertex, so threads need not know of each other's.
+  // Each point gets a vertex, numbered by its place in the order, so threads work independently.
   void number_distinct_points()
   {
     m_place_of_vertex.resize(m_order.size());
@@ -187,8 +186,8 @@ private:
   Ids m_ids;
 };
 
-// Writes the whole topology at once: triangulates from scratch, restores, or takes over what CGAL's
-// algorithms have made. Afterwards everything is new.
+// Writes the whole topology at once: triangulates from scratch, restores, copies or exchanges it,
+// or takes over what CGAL's algorithms have made. Everything is new then, but for a copy.
 template <class State>
 class Topology_builder_2
 {
@@ -258,8 +257,8 @@ public:
     m_goes.clear();
   }
 
-  // A fresh triangulation of the points at their present positions. The vertices keep their numbers
-  // while these fit the positions.
+  // Triangulates the points anew at their present positions. The vertices keep their numbers if
+  // these still follow the spatial order, and no points coincide.
   void rebuild()
   {
     write_all_anew([&] {
@@ -274,8 +273,8 @@ public:
     });
   }
 
-  // Restores a triangulation that was kept, and must be valid, into one without points. If memory
-  // runs out, the target can only be discarded.
+  // Restores a triangulation from a checkpoint, which must be valid. There must be no points yet.
+  // If memory runs out, this triangulation can only be discarded.
   void restore(Checkpoint_arrays_2<Point>& kept)
   {
     CGAL_precondition(m_state.number_of_vertices() == 0);
@@ -310,8 +309,8 @@ public:
                            other.arrays().faces_with_holes());
   }
 
-  // Exchanges everything with another one, except the user's visitor and the user's data, which are
-  // as in new vertices and faces then. Throws nothing after reserve_for_exchange().
+  // Exchanges everything with another triangulation, except the user's visitor and data. User data
+  // are then as in new vertices and faces. Throws nothing after reserve_for_exchange().
   void exchange(State& other)
   {
     auto& visitor_calls = m_topology.m_visitor_calls;
@@ -330,10 +329,10 @@ public:
     tell_of_faces_after();
   }
 
-  // Moves each vertex from its place in the last frame, where all is Delaunay, to its present one
-  // by CGAL's own functions. `relocated` counts the vertices that moved. False if others stay in
-  // the places of some vertices: then the triangulation is not Delaunay. If memory runs out,
-  // nothing has changed: CGAL works on a copy.
+  // Moves each vertex by CGAL's own functions from its position in the last frame, where everything
+  // is Delaunay, to its present one. Adds the number of moved vertices to `relocated`. Returns
+  // false if some cannot move because other vertices stay where they would go: then the result is
+  // not Delaunay. If memory runs out, nothing has changed: CGAL works on a copy.
   bool relocate_all(std::size_t& relocated)
   {
     bool all_arrived = false;
@@ -378,7 +377,7 @@ private:
     for_each_face([this](Face_handle f) { m_topology.m_visitor_calls.after_face_creation(f); });
   }
 
-  // Does nothing if the visitor does not listen.
+  // Calls f(face) for all faces if the visitor listens.
   template <class Function>
   void for_each_face(const Function& f) const
   {
@@ -396,7 +395,7 @@ private:
         f(m_topology.vertex_handle(v), m_topology.m_ids.representative(v));
   }
 
-  // Tells of the vertices that are not kept when these ids take the place of the present ones.
+  // Tells the visitor of the vertices that vanish when `next_ids` replace the present ids.
   void tell_of_going_vertices(const Ids& next_ids)
   {
     auto& visitor_calls = m_topology.m_visitor_calls;
@@ -411,7 +410,7 @@ private:
     });
   }
 
-  // Tells of the vertices that were not there when these ids were.
+  // Tells the visitor of the vertices that did not exist with `former_ids`.
   void tell_of_new_vertices(const Ids& former_ids)
   {
     for_each_vertex([&](Vertex_handle v, Point_id id) {
@@ -448,7 +447,7 @@ private:
   void take_arrays(Triangulation& other)
   {
     Storage& storage = Topology::storage_of(other);
-    storage.collect_garbage(); // at most the last vertex, which CGAL has used on the way
+    storage.collect_garbage(); // at most the last vertex, which CGAL has used for a time
     CGAL_assertion(storage.m_arrays.number_of_vertices() == m_state.positions().size());
     if (other.dimension() == 2)
       storage.m_arrays.template number_from_neighbors<Parts>();
@@ -462,7 +461,7 @@ private:
 
   void set_dimension(int dimension) { m_topology.m_triangulation.tds().set_dimension(dimension); }
 
-  // Representatives come first.
+  // Returns the ids of all points but those in `gone`, representatives first. Sets m_goes.
   std::vector<Index> ids_without(const std::vector<Index>& gone)
   {
     std::vector<Index> ids = m_topology.m_ids.representatives_and_duplicates();
@@ -484,7 +483,8 @@ private:
     return ids.is_taken(id) && ids.is_representative(id) && !goes(id);
   }
 
-  // False if the vertices may change, because points coincide now, or duplicates may part.
+  // Sorts the vertices. False, perhaps without sorting, if the set of vertices may change, because
+  // vertices coincide or there are duplicates, which may have left.
   bool sort_vertices()
   {
     if (!m_topology.m_ids.duplicates().empty())
@@ -533,7 +533,7 @@ private:
     m_numbering.release();
   }
 
-  // The points of the vertices as m_numbering numbers them, and of the infinite one.
+  // Collects the points of the vertices as m_numbering numbers them, and of the infinite one.
   void collect_points(std::vector<Stored_point>& points, std::vector<Position_2>& positions)
   {
     const std::size_t vertices = m_numbering.ids().number_of_representatives() + std::size_t(1);
@@ -552,8 +552,8 @@ private:
     });
   }
 
-  // For each vertex as m_numbering numbers them, the number that it had, or `null_index` if it is
-  // new. Empty if nobody wants to know.
+  // Returns for each vertex, as m_numbering numbers them, its former number, or `null_index` if it
+  // is new. Empty if there are no user data at vertices.
   std::vector<Index> numbers_before()
   {
     std::vector<Index> before;
@@ -609,7 +609,7 @@ private:
     finish_faces();
   }
 
-  // The data of users that faces have were those of others.
+  // Resizes the user data at faces. Their values belonged to other faces before.
   void finish_faces()
   {
     m_storage.resize_face_data(m_arrays.faces_with_holes());
@@ -662,7 +662,7 @@ private:
   Positions& m_positions;
   Vertex_order_2<State> m_vertex_order;
   Point_numbering_2<State> m_numbering;
-  std::vector<bool> m_goes; // indexed by ids, while points come
+  std::vector<bool> m_goes; // by ids: the points that build_with() leaves out
   Static_triangulator_2<State> m_triangulator;
 };
 

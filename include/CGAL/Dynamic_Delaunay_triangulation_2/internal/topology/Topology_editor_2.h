@@ -36,8 +36,8 @@ struct Boundary_edge_2
   }
 };
 
-// A set of faces on its own. Half-edge 3k+i is opposite to vertex i of its k-th face, as in the
-// arrays. Half-edges on the boundary have no twin.
+// A set of faces with half-edges of its own. Half-edge 3k+i is opposite to vertex i of the k-th
+// face, as in the arrays. Half-edges on the boundary have no twin.
 struct Patch_2
 {
   std::vector<Index> apexes;
@@ -64,9 +64,9 @@ struct Patch_2
   }
 };
 
-// Writes parts of the topology, in every space; builders write the whole, and nothing else can
-// write. Each operation logs the new edges. `State::Editing` writes what a space keeps at faces and
-// vertices besides, and tells the user's visitor.
+// Edits the topology, some faces at a time, in every space. Builders write all of it; nothing else
+// can write. Each operation logs the new edges. `State::Editing` writes what only one space keeps
+// at faces and vertices, and tells the user's visitor.
 template <class State>
 class Topology_editor_2
 {
@@ -92,14 +92,14 @@ public:
 
   // THE VISITOR AND THE LOG OF CHANGES ----------------------------------------------------------
 
-  // From here on the visitor is called.
+  // Begins to call the visitor.
   template <class Visitor, class Dynamic>
   void start_visit(Visitor& visitor, const Dynamic* dynamic)
   {
     m_editing.start_visit(visitor, dynamic);
   }
 
-  // Throws the visitor's first exception, if any.
+  // Ends the calls of the visitor, and throws its first exception, if any.
   void finish_visit() { m_editing.finish_visit(); }
 
   // Begins an update. Changes of the last one that the classifier was not told stay in the log.
@@ -107,7 +107,7 @@ public:
   {
     if (is_classifier_informed)
       m_changes.clear();
-    else if (!m_changes.renumberings.are_none()) // another renumbering will follow
+    else if (!m_changes.renumberings.are_none()) // those of two updates are not combined
       m_changes.everything_is_new = true;
     if (m_changes.everything_is_new)
       m_changes.new_edges.clear();
@@ -126,9 +126,9 @@ public:
 
   // FLIPS ---------------------------------------------------------------------------------------
 
-  // Refuses flips that would double an edge, because the vertices of an edge, on a torus with their
-  // shifts, identify it. Among these are all flips at vertices of degree 3. Counterclockwise faces
-  // at the edge do not exclude them, because other faces may overlap these.
+  // False if the flip would double an edge, as at vertices of degree 3: the vertices of an edge, on
+  // a torus with their shifts, identify it. This can be so even if both faces at the edge are
+  // counterclockwise, because other faces may overlap them.
   bool can_flip(Halfedge_index h) const { return m_editing.can_flip(h); }
 
   // Exchanges the diagonal at half-edge h. If it throws, nothing has changed.
@@ -145,11 +145,11 @@ public:
     m_editing.flip(h, m_editing.log()); // throws nothing
   }
 
-  // Calls f(part, try_flip) for all parts of `topology`, which threads share, for `most` flips at
-  // most. try_flip(h) returns whether the edge of half-edge h is inside of the part and its flip
-  // doubles no edge, which it cannot if `no_edge_doubles`, and flips it if so. A visitor that
-  // listens to each flip hears of one part after the other: then there are no threads. The result
-  // depends on the parts alone.
+  // Calls f(part, try_flip) for all parts of `topology`, which threads share. There must be no more
+  // than `most` flips. try_flip(h) flips the edge of half-edge h, and returns true, if the edge is
+  // inside of the part and the flip doubles no edge, which is not tested if `no_edge_doubles`. If
+  // the visitor is told of each flip, there are no threads, and one part follows the other. The
+  // result depends on the parts alone.
   template <class Function>
   void flip_in_parts(const Topology_parts_2& topology, std::size_t parts, bool no_edge_doubles,
                      std::size_t most, const Function& f)
@@ -211,7 +211,7 @@ public:
       m_editing.after_face(f);
   }
 
-  // Fetches what replace() will write: first these faces, some time later what they refer to.
+  // Prefetch what replace() will write: first these faces and, some time later, their edges.
   void prefetch(const std::vector<Index>& faces) const
   {
     for (const Face_index f : faces)
@@ -226,7 +226,7 @@ public:
 
   // OUT OF FACES AND INTO FACES -------------------------------------------------------------------
   // To take a vertex out, the faces around it are replaced by those of a triangulated polygon. To
-  // put one in, a face is split. Both work for any positions.
+  // put one in, a face is split, or those in a polygon are replaced. This works for any positions.
 
   // Fetches what take_out() will write around v.
   void prefetch_around(Vertex_index v) const
@@ -250,14 +250,14 @@ public:
       m_arrays.prefetch_edge(e);
   }
 
-  // Takes the polygon's center out of all faces, to be put in again. If this throws, it is still in
-  // its faces.
+  // Takes the polygon's center out of all faces, to be put in again. If this throws, the center is
+  // still in its faces.
   Slot take_out(const Polygon& polygon)
   {
     return take_out(polygon, [&] { m_editing.before_vertex_relocation(polygon.center()); });
   }
 
-  // Takes out a vertex whose only point is removed.
+  // Takes out the polygon's center and removes its only point.
   Slot remove(const Polygon& polygon)
   {
     return take_out(polygon, [&] {
@@ -267,7 +267,7 @@ public:
     });
   }
 
-  // Takes out a vertex whose points, at p, become duplicates at another vertex.
+  // Takes out the polygon's center. Its points, which are at p, become duplicates at `stays`.
   Slot merge(const Polygon& polygon, Index stays, const Point& p)
   {
     return take_out(polygon, [&] { hand_points_to(stays, polygon.center(), p); });
@@ -309,8 +309,8 @@ public:
       m_editing.after_face(f);
   }
 
-  // Puts the center of a polygon that has faces and edges for it in their place. Throws nothing
-  // after reserve_for_new_edges() for as many edges. `Star_polygon_2` has the picture.
+  // Puts the center of a polygon into the polygon, which must have faces and edges for it. Throws
+  // nothing after reserve_for_new_edges() for as many edges. `Star_polygon_2` has the picture.
   void put_in(const Slot& slot, const Polygon& polygon)
   {
     CGAL_precondition(polygon.has_star() && polygon.center() == slot.vertex);
@@ -362,7 +362,7 @@ public:
   {
     collect_numbers(empty_slots);
     const std::size_t kept_edges = m_arrays.number_of_edges() - m_empty_edges.size();
-    m_number_of_edge.assign(m_empty_edges.size(), null_index); // from `kept_edges` on
+    m_number_of_edge.assign(m_empty_edges.size(), null_index); // of the edges from `kept_edges` on
     m_changes.renumberings.reserve_for_removals(empty_slots.size());
     const auto note = [&](Index from, Index to) { m_number_of_edge[from - kept_edges] = to; };
     drop_collected(note); // nothing throws from here on
@@ -375,7 +375,7 @@ public:
     new_edges.erase(std::remove(new_edges.begin(), new_edges.end(), null_index), new_edges.end());
   }
 
-  // Drops slots if memory has run out: throws nothing, and everything is new.
+  // Drops slots if memory has run out. Throws nothing after keep_memory_for(). Everything is new.
   void drop_in_need(const std::vector<Slot>& empty_slots)
   {
     m_changes.everything_is_new = true;
@@ -383,8 +383,8 @@ public:
     drop_collected([](Index, Index) {});
   }
 
-  // Keeps memory to put so many vertices into faces, or to drop their slots, when there is no
-  // other.
+  // Reserves memory to put so many vertices into faces, or to drop their slots, after memory has
+  // run out.
   void keep_memory_for(std::size_t number)
   {
     m_editing.keep_memory_for(3 * number);
@@ -443,8 +443,8 @@ public:
     m_ids.merge(goes, stays, p);
   }
 
-  // Makes a duplicate at v the representative, so that v has its point. The representative becomes
-  // a duplicate at p. If it throws, nothing has changed.
+  // Makes a duplicate at v the representative, so that v gets its point. The former representative
+  // becomes a duplicate at p. If it throws, nothing has changed.
   void exchange_representative(Index duplicate, Vertex_index v, const Point& p)
   {
     m_editing.reserve_for_id_change(v);
@@ -514,8 +514,8 @@ private:
         [this](Halfedge_index h, const typename State::Corner& c) { m_editing.set_corner(h, c); };
   }
 
-  // `vacate()`, which must not throw, is called before the center leaves its faces, after the
-  // visitor was told of them.
+  // Calls `vacate()`, which must not throw, after the visitor was told of the faces around the
+  // center, and before the center is taken out of them.
   template <class Vacate>
   Slot take_out(const Polygon& polygon, const Vacate& vacate)
   {
@@ -540,8 +540,8 @@ private:
     return slot;
   }
 
-  // Sorts the numbers in descending order. Then the last element is never empty, unless it is the
-  // one to remove.
+  // Collects the numbers of these slots in descending order. In this order, the last element is
+  // never empty, unless it is the one to remove.
   void collect_numbers(const std::vector<Slot>& empty_slots)
   {
     m_empty_vertices.clear();
@@ -558,7 +558,7 @@ private:
       std::sort(numbers->begin(), numbers->end(), std::greater<Index>());
   }
 
-  // Calls `note(from, to)` when edge `from` takes the number `to`.
+  // Removes the collected elements. Calls `note(from, to)` when edge `from` takes the number `to`.
   template <class Note>
   void drop_collected(const Note& note)
   {
@@ -601,7 +601,7 @@ private:
 
   // FLIPS IN PARTS ------------------------------------------------------------------------------
 
-  // What was flipped in a part: the new edges, and what is to be told of them.
+  // The flips in a part: the new edges, and the changes that the visitor has to be told.
   struct Flips_of_part
   {
     std::vector<Index> edges;
@@ -620,7 +620,7 @@ private:
     return true;
   }
 
-  // Everything is new where there is no memory to list it.
+  // Logs the flips in a part. If the list of new edges cannot grow, everything counts as new.
   void log_flips(Flips_of_part& flips)
   {
     try {
@@ -642,7 +642,7 @@ private:
   std::vector<Index> m_inner_edges;
   std::vector<Flips_of_part> m_flips_of_parts;
   std::vector<Index> m_empty_vertices, m_empty_faces, m_empty_edges; // to be dropped
-  std::vector<Index> m_number_of_edge;                               // after that
+  std::vector<Index> m_number_of_edge;                               // in drop(): new numbers
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -16,24 +16,24 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Parts of a triangulation in which threads can flip edges at the same time: each vertex belongs to
-// one part. An edge is *inside* of a part if the vertices of its two faces belong to the part.
+// Parts of a triangulation in which threads can flip edges at the same time. Each vertex belongs to
+// one part. An edge is *inside* of a part if all vertices of its two faces belong to the part.
 //
 // Each thread examines edges with both ends in its part, and flips those inside of it. A flip
-// replaces two faces whose vertices are all in the part by two such faces. What it changes besides
-// is at edges with both ends in the part, their sides: the edge itself, and the twins of both its
-// half-edges, one of which may be in a face with a vertex elsewhere. And the corners of vertices of
-// the part. So what is at edges with both ends in a part, and in faces with all vertices there,
-// changes by this part alone; the vertices of other faces, and what is at other edges, never.
-// Nothing else is read where edges are examined, or where a walk goes around a vertex of the part.
+// replaces two faces whose vertices are all in the part by two such faces. It also writes the
+// corners of these vertices and, at the four sides of the faces, the edge and the twins of both
+// half-edges, one of which may be in a face with a vertex elsewhere. The ends of the sides are in
+// the part. So only one part changes the data at edges with both ends in it, and in faces with all
+// vertices in it. The vertices of other faces, and the data at other edges, do not change at all.
+// To examine edges, or to walk around a vertex of the part, a thread reads nothing else.
 //
-// In periodic space, edges whose corners have different shifts stand in the arrays with infinite
-// vertices alone. They are inside of no part. At the others all shifts of both faces are zero, as
-// those of first corners are. So flips inside of parts change no shifts, and an edge at the side of
-// such faces has corners with different shifts before as after.
+// In periodic space, the arrays show an edge whose corners have different shifts with infinite
+// vertices only, so it is inside of no part. At any other edge the shifts of both faces are all
+// zero, because a face's first corner has shift zero. So flips inside of parts change no shifts,
+// and do not change whether the corners of a side have different shifts.
 //
-// Parts are ranges of numbers, which are close in space as long as numbers follow a curve. Those of
-// vertices do so longer than those of faces, which every flip moves.
+// Parts are ranges of vertex numbers. These are close in space as long as the numbers follow a
+// space-filling curve, which face numbers do for a shorter time, because every flip moves faces.
 class Topology_parts_2
 {
 public:
@@ -43,7 +43,7 @@ public:
   {
   }
 
-  // The part of one of the vertices of edge e.
+  // Returns the part of the source of edge e.
   std::size_t part_of(Edge_index e) const { return m_arrays.edge(e).source / m_vertices; }
 
   bool is_inside(std::size_t part, Edge_index e) const
@@ -60,7 +60,7 @@ public:
                        [&](Vertex_index v) { return has_vertex(part, v); });
   }
 
-  // For a pass over a list of edges that asks part_of() and is_inside().
+  // Prefetches a later edge of the list, for a pass that calls part_of() and is_inside().
   void prefetch_some(const std::vector<Index>& edges, std::size_t i) const
   {
     constexpr std::size_t ahead = 16;
@@ -71,7 +71,7 @@ public:
 private:
   bool has_vertex(std::size_t part, Vertex_index v) const
   {
-    return v - part * m_vertices < m_vertices; // false if v is smaller: nothing is signed
+    return v - part * m_vertices < m_vertices; // false if v is smaller: unsigned, it wraps around
   }
 
   const Halfedge_arrays_2& m_arrays;

@@ -21,7 +21,7 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 // padding and one layer of border around both. It is triangulated alone, and the faces of that
 // triangulation around the Classified and Padded vertices replace the old ones. Clusters of
 // connected vertices are spliced one after the other (`Cluster_splice_2`), so that their data stay
-// in the cache. If there are many, threads make new faces before their turn (`Prepared_splices_2`).
+// in the cache. If clusters are many, threads make their new faces ahead (`Prepared_splices_2`).
 template <class State>
 class Border_splice_2
 {
@@ -89,8 +89,8 @@ private:
       });
   }
 
-  // Makes new faces around the i-th inner vertex and all that are connected with it and not spliced
-  // yet.
+  // Makes new faces for the cluster of the i-th inner vertex: all inner vertices that are connected
+  // with it and not spliced yet.
   Splice_result_2 make_cluster(const Topology_editor_2<State>& editor, std::size_t i,
                                Splice_limits_2& limits)
   {
@@ -107,7 +107,7 @@ private:
     return m_cluster.make(limits);
   }
 
-  // What other threads have prepared is not in the cache.
+  // Fetches what the next records replace: other threads prepared these, so it is not in the cache.
   void prefetch_following(const Topology_editor_2<State>& editor) const
   {
     constexpr std::size_t ahead = 2;
@@ -140,7 +140,7 @@ private:
   }
 
   const State& m_state;
-  Cluster_splice_2<State> m_cluster; // that is being spliced
+  Cluster_splice_2<State> m_cluster; // the cluster that is being spliced
   Prepared_splices_2<State> m_prepared;
   Index_set_2 m_inner;   // Classified, then Padded
   Index_set_2 m_spliced; // a subset of m_inner

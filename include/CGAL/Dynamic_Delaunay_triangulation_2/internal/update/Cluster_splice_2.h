@@ -24,8 +24,8 @@ enum class Splice_result_2 { DONE, TOO_LARGE, TOO_DEAR, COINCIDENCE };
 // What splices may do (in), and what they have done (out).
 struct Splice_limits_2
 {
-  std::size_t max_enlargements; // in, per cluster: one that needs more keeps its old faces
-  std::size_t max_vertices;     // to triangulate in all; out: how many of these are left
+  std::size_t max_enlargements; // in, per cluster: if it needs more, it keeps its old faces
+  std::size_t max_vertices;     // in: to triangulate in all; out: how many of these are left
   std::size_t enlargements = 0; // out, of all clusters
 };
 
@@ -49,8 +49,8 @@ public:
 
   void set_engine(Static_engine_2 engine) { m_triangulator.set_engine(engine); }
 
-  // Starts a cluster at v with the vertices that are connected with it by some for which
-  // `belongs()`. False if they are more than `most`.
+  // Starts a cluster: v, and all vertices that can be reached from v through vertices w for which
+  // `belongs(w)` is true. False if they are more than `most`; then some of them are missing.
   template <class Belongs>
   bool collect(Vertex_index v, std::size_t most, const Belongs& belongs)
   {
@@ -65,7 +65,7 @@ public:
     return m_first_size <= most;
   }
 
-  // Triangulates the cluster and its border, and enlarges it as long as that does not fit.
+  // Triangulates the cluster and its border. Enlarges it until the new faces fit, within `limits`.
   Splice_result_2 make(Splice_limits_2& limits)
   {
     constexpr std::size_t gentle_enlargements = 3;
@@ -95,7 +95,7 @@ public:
   // Whether the new faces can replace the old ones.
   bool fits() const { return m_fits; }
   const Index_set_2& cluster() const { return m_cluster; }
-  // How many vertices the cluster had before it was enlarged; they are the first ones.
+  // How many vertices the cluster had before it was enlarged; these come first in `cluster()`.
   std::size_t first_size() const { return m_first_size; }
   const Index_set_2& border() const { return m_border; }
   const Index_set_2& old_faces() const { return m_old_faces; }
@@ -104,11 +104,11 @@ public:
   // The vertices that were triangulated last. If a coincidence was found, two of them coincide.
   const std::vector<Index>& region() const { return m_region; }
 
-  // What was made, to be put in later.
+  // The results of make(), to be spliced later.
   struct Record
   {
     std::vector<Index> cluster, border, old_faces;
-    std::vector<Index> looked_at; // other faces that decided something
+    std::vector<Index> looked_at; // other faces on which the results depend
     std::size_t first_size;
     bool fits;
     std::vector<Boundary_edge_2> old_boundary;
@@ -123,7 +123,7 @@ public:
             m_old_boundary,        m_new};
   }
 
-  // Makes what another object has made and recorded.
+  // Takes over the results of make() that another object has recorded.
   void take(Record&& record)
   {
     const std::size_t vertices = m_state.arrays().number_of_vertices();
@@ -137,9 +137,9 @@ public:
   }
 
 private:
-  // Adds the vertices where the two boundaries differ. From the fourth enlargement on, adds the
-  // whole border and further layers until the cluster has doubled, so that all enlargements
-  // together cost at most about twice as much as the last one.
+  // Adds the vertices where the two boundaries differ, or the whole border if none of these is new.
+  // From the fourth enlargement on, adds the border and further layers until the cluster has
+  // doubled, so that all enlargements together cost at most about twice as much as the last one.
   void grow(bool doubles)
   {
     const std::size_t size = m_cluster.size();
@@ -228,10 +228,10 @@ private:
 
   // BOUNDARIES ----------------------------------------------------------------------------------
 
-  // Equal boundary edges, an equal number of faces, and infinite faces on both sides or on neither
-  // make the result a sphere with all vertices again (guarantee 1 in the manual). None of them
-  // suffices: a cluster that was turned inside out can swap the infinite vertex for a vertex of its
-  // border.
+  // Whether the result is a sphere with all vertices again (guarantee 1 in the manual): the old and
+  // the new faces have equal boundary edges, are equally many, and both or neither of them include
+  // infinite faces. No condition suffices alone: a cluster that was turned inside out can swap the
+  // infinite vertex for a vertex of its border.
   bool boundaries_agree()
   {
     find_disagreeing();
@@ -262,8 +262,9 @@ private:
         ++a, ++b;
   }
 
-  // Whether new faces join two border vertices across the region by an edge that exists outside of
-  // it already. This is possible only where old faces overlap. Such vertices count as disagreeing.
+  // Whether an edge between two new faces joins vertices outside of the cluster that another edge,
+  // which is not between two old faces, joins already. This is possible only where old faces
+  // overlap. Adds such vertices to the disagreeing ones.
   bool doubles_an_edge()
   {
     for (Halfedge_index h = 0; h < Index(m_new.twins.size()); ++h) {
@@ -277,7 +278,7 @@ private:
     return !m_disagreeing.empty();
   }
 
-  // Walks around v, which must be finite.
+  // Whether some edge from v to w is not between two old faces. Walks around the finite vertex v.
   bool is_edge_outside(Vertex_index v, Vertex_index w)
   {
     const Arrays& arrays = m_state.arrays();
@@ -303,7 +304,7 @@ private:
   std::vector<Index> m_region, m_new_number;
   Patch_2 m_new;
   std::vector<Index> m_disagreeing;
-  std::vector<Index> m_looked_at; // faces around vertices of the border
+  std::vector<Index> m_looked_at; // the faces around vertices of the border that were read
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -22,8 +22,8 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Finds the vertices that jumped: relative to their neighbors, they moved farther than the extent
 // of their neighborhood. A vertex that leaves its neighborhood inverts a face, so only vertices at
-// edges with inverted faces are examined. Jumps affect only the cost, so plain floating point
-// decides.
+// edges with inverted faces are examined. Plain floating point decides, because a wrong decision
+// affects only the cost.
 template <class State>
 class Jumper_search_2
 {
@@ -71,7 +71,7 @@ public:
     return m_jumpers;
   }
 
-  // Whether v has jumped, if no other vertex has moved. `false` if it has no finite neighbors.
+  // Whether v has jumped, given that no other vertex has moved. False without finite neighbors.
   bool has_jumped_alone(Vertex_index v) const
   {
     const Position_2 place = m_state.previous_position(v);
@@ -80,15 +80,15 @@ public:
     for_each_neighbor(v, [&](Vertex_index w, const Position_2& position) {
       const double squared_length = squared_distance(place, position);
       neighbors += w != infinite_index;
-      passed += square > max_way * max_way * squared_length; // false for the infinite one
+      passed += square > max_way * max_way * squared_length; // false if w is infinite: NaN
     });
-    return passed > neighbors / 4; // as has_jumped() has it
+    return passed > neighbors / 4; // the same quartile as in has_jumped()
   }
 
 private:
   using Parts = typename State::Parts;
 
-  // What each thread needs: what it finds, and how the neighbors of a vertex moved.
+  // The working memory of a part: what was found, and how the neighbors of a vertex moved.
   struct Work
   {
     std::vector<Index> found;
@@ -99,7 +99,7 @@ private:
   template <class Function>
   void collect_from_parts(std::size_t size, std::vector<Index>& found, const Function& f)
   {
-    // an i takes up to a microsecond
+    // a call of f() takes up to a microsecond
     constexpr std::size_t least = (std::max)(Parts::usual_size / 256, std::size_t(1));
     m_works.resize((std::max)(Parts::number(size, least), m_works.size()));
     Parts::for_each(size, least, [&](std::size_t part, std::size_t first, std::size_t beyond) {
@@ -112,7 +112,7 @@ private:
       found.insert(found.end(), m_works[part].found.begin(), m_works[part].found.end());
   }
 
-  // `null_index` if all have moved alike.
+  // Returns the vertex that moved farthest from the median step; `null_index` if all moved alike.
   Index farthest_of(const std::array<Index, 4>& vertices)
   {
     Work& work = m_works.front();
@@ -139,14 +139,14 @@ private:
     return farthest;
   }
 
-  // In units of a short edge. Flips take one or two per spacing that a vertex travels, at a tenth
-  // of the cost of taking it out and putting it in again, but from about this length on they get
-  // stuck. The limit is below 1, because a vertex that returns from far away moved by its distance
-  // from all its neighbors.
+  // The longest way that is no jump, in units of a short edge. Shorter ways take one or two flips
+  // per spacing, each at a tenth of the cost of taking the vertex out and putting it in again, but
+  // from about this length on flips get stuck. The limit is below 1, because a vertex that returns
+  // from far away goes about as far as its distance from each of its neighbors.
   static constexpr double max_way = 0.9;
 
-  // Lists those vertices that moved differently from each of the others, and not just a little. At
-  // 100,000 points, reading these scattered data takes most of the search.
+  // Appends each vertex of e whose step differs from all other steps by more than a quarter of its
+  // least distance. At 100,000 points, reading these scattered data takes most of the search.
   void look_at(Edge_index e, std::vector<Index>& suspects) const
   {
     std::array<Index, 4> vertices;
@@ -258,7 +258,7 @@ private:
     return difference;
   }
 
-  // One in `part` of the values is smaller than this.
+  // Returns the value below which one in `part` of the values lies. Reorders them.
   static double quantile(std::vector<double>& values, std::size_t part)
   {
     const auto place = values.begin() + std::ptrdiff_t(values.size() / part);

@@ -24,11 +24,11 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 class Lawson_flips_2
 {
 public:
-  // Flips from the edges of `open`, and leaves those in `open` that it could not prove. Returns the
-  // number of flips, at most `most`. If the faces tile the convex hull, or the torus
+  // Flips from the edges of `open`, and leaves in `open` the edges that it could not prove. Returns
+  // the number of flips, at most `most`. If the faces tile the convex hull, or the torus
   // (`faces_tile_hull`), flips of illegal edges preserve that, and need no search for doubled
-  // edges: no edge crosses the inside of their quadrilateral. The search takes a sixth of the time
-  // of a flip, on a torus of 100,000 points that go 0.01 spacings a quarter of that of an update.
+  // edges: no edge crosses the inside of a flip's quadrilateral. The search takes a sixth of the
+  // time of a flip; on a torus of 100,000 points that go 0.01 spacings, a quarter of an update.
   template <class State, class Editor>
   std::size_t run(const State& state, Editor& editor, std::vector<Index>& open,
                   bool faces_tile_hull, std::size_t most)
@@ -46,7 +46,7 @@ public:
     return flips;
   }
 
-  // Flips around v, which was put into a face. Leaves in `open` what it could not prove.
+  // Flips around v, which was put into a face. Leaves in `open` the edges that it could not prove.
   template <class State, class Editor>
   std::size_t run_around(const State& state, Editor& editor, Vertex_index v,
                          std::vector<Index>& open, std::size_t most)
@@ -60,9 +60,9 @@ public:
   }
 
 private:
-  // The edges to start from, those to be examined again, those that were not proved, and how many
-  // flips this took. Among those not proved, not_flippable ones are apart: no flip elsewhere makes
-  // a flip of them possible, and a flip beside them examines them again.
+  // `seeds` are the edges to start from, `touched` the edges to examine again, `open` and
+  // `not_flippable` the edges that were not proved. `not_flippable` edges need no second try: no
+  // flip elsewhere makes them flippable, and a flip beside them examines them again.
   struct Work
   {
     std::vector<Index> seeds, touched, open, not_flippable;
@@ -91,8 +91,8 @@ private:
     return flips;
   }
 
-  // Many flips are made in parts, which threads share, as far as edges are inside of a part. What
-  // is left is open. The parts, and so the result, depend on the triangulation alone.
+  // If seeds are many, flips edges that are inside of a part; threads share the parts. Leaves all
+  // other edges in `open`. The parts, and so the result, depend on the triangulation alone.
   template <class State, class Editor>
   std::size_t run_in_parts(const State& state, Editor& editor, std::vector<Index>& open,
                            bool faces_tile_hull, std::size_t limit)
@@ -122,7 +122,7 @@ private:
     return flips;
   }
 
-  // Gives each part the edges inside of it; the others remain. Threads find out which these are.
+  // Moves the edges inside of a part to its seeds; the others remain. Threads find these parts.
   template <class Parts>
   void divide(const Topology_parts_2& topology, std::size_t parts, std::vector<Index>& edges)
   {
@@ -151,7 +151,7 @@ private:
     edges.resize(kept);
   }
 
-  // Examines touched edges at once, while they are in the cache. Does at most `limit` flips.
+  // Does at most `limit` flips. Examines touched edges at once, while they are in the cache.
   template <class State, class Try_flip>
   static void flip_from_seeds(const State& state, Work& work, std::size_t limit,
                               const Try_flip& try_flip)
@@ -173,7 +173,7 @@ private:
     }
   }
 
-  // Flips e if a flip may help and is possible. Otherwise adds e to `open`, unless it is Delaunay.
+  // Flips e if that may help and is possible. Otherwise lists e in `work`, unless it is Delaunay.
   template <class State, class Try_flip>
   static bool examine(const State& state, Edge_index e, const Try_flip& try_flip, Work& work)
   {
@@ -185,9 +185,9 @@ private:
       (verdict == Edge_state_2::NOT_FLIPPABLE ? work.not_flippable : work.open).push_back(e);
       return false;
     }
-    // Between counterclockwise faces the quadrilateral is convex, and the new diagonal Delaunay.
-    // Elsewhere the repair has to know of it. The proof does not: its determinant is minus that of
-    // the old diagonal, so it is Delaunay as soon as its faces, and thus its sides, are proved.
+    // An illegal edge has a convex quadrilateral, so the new diagonal is Delaunay. Other diagonals
+    // are examined for the repair. The proof does not need this: the determinant is minus that of
+    // the old diagonal, so they are Delaunay as soon as their sides and so their faces are proved.
     if (verdict == Edge_state_2::INVERTED)
       work.touched.push_back(e);
     arrays.for_each_side(e, [&](Edge_index side) { work.touched.push_back(side); });
@@ -225,7 +225,7 @@ private:
   }
 
   static constexpr std::size_t stretch = 16;   // seeds that are fetched together
-  static constexpr std::size_t max_parts = 32; // larger ones leave fewer edges between them
+  static constexpr std::size_t max_parts = 32; // larger parts leave fewer edges between parts
 
   Work m_work;
   std::vector<Work> m_parts;

@@ -20,8 +20,8 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // How far the proof of an update has come: which edges are *open*, that is, not proved Delaunay
 // yet, and whether the faces are known to tile the hull. The proof is complete when no edge is open
-// and they do. Edges known to be illegal between two counterclockwise faces are kept apart, because
-// a flip repairs them.
+// and the faces tile the hull. Edges known to be illegal between two counterclockwise faces are
+// kept apart, because a flip repairs them.
 class Open_edges_2
 {
 public:
@@ -33,7 +33,7 @@ public:
   std::vector<Index>& uncertain() { return m_uncertain; }
 
   // Whether the last tool has proved that the faces tile the convex hull. If no tool was used yet,
-  // whether the classifier has. On a torus they tile it as soon as none is inverted.
+  // whether the classifier has. On a torus the faces tile the torus as soon as none is inverted.
   bool faces_tile_hull() const { return m_faces_tile_hull; }
   void set_planar(bool faces_tile_hull) { m_faces_tile_hull = faces_tile_hull; }
 
@@ -64,8 +64,8 @@ public:
     m_faces_tile_hull = empty() && classification.hull_turns_once();
   }
 
-  // Opens the edges that were triangulated anew, from the i-th of the log on, and those around
-  // them, whose opposite vertices may have changed. Drops edges that are empty by now.
+  // Opens the edges that the log of new edges lists from the i-th on, and the edges around these,
+  // whose opposite vertices may have changed. Drops open edges that are empty by now.
   template <class State>
   void open_new_edges(const State& state, std::size_t i)
   {
@@ -126,8 +126,8 @@ public:
   // Whether so many edges may have inverted faces that it does not pay to flip these first.
   bool are_many_uncertain() const { return 4 * m_uncertain.size() > m_illegal.size(); }
 
-  // From now on, treats all edges alike, in the order of their numbers. That is about the order of
-  // space: where faces overlap in many places, fewer flips get stuck than in another one.
+  // From now on, treats all open edges alike, in the order of their numbers. This is nearly a
+  // spatial order: where faces overlap in many places, fewer flips get stuck than in other orders.
   void open_all_in_order()
   {
     open_illegal();
@@ -143,7 +143,7 @@ public:
     const Dynamic_frame_2<State> frame(state);
     std::vector<Index> vertices;
     for_each_uncertain_vertex(state, [&](Vertex_index v) { vertices.push_back(v); });
-    make_distinct(vertices); // one vertex may be at many of these edges, and have many others
+    make_distinct(vertices); // a vertex may be at many open edges, and see many other edges
     std::vector<std::vector<Index>> edges(Parts::number(vertices.size(), least));
     Parts::for_each(vertices.size(), least,
                     [&](std::size_t part, std::size_t i, std::size_t beyond) {
@@ -156,7 +156,7 @@ public:
     make_distinct(m_uncertain);
   }
 
-  // Opens these edges, too, then closes all that are Delaunay.
+  // Opens these edges, too, then closes all uncertain edges that are Delaunay.
   template <class State>
   void reopen(const State& state, const std::vector<Index>& edges)
   {
@@ -164,7 +164,7 @@ public:
     keep_unproved(state, m_uncertain);
   }
 
-  // Calls f for the finite vertices, for some more than once.
+  // Calls f(v) for the finite vertices of uncertain edges, for some more than once.
   template <class State, class Function>
   void for_each_uncertain_vertex(const State& state, const Function& f) const
   {

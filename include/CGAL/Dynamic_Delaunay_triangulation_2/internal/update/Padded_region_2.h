@@ -13,8 +13,8 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// A region of a torus: some vertices, their padding, and one layer of border around both. Nothing
-// is triangulated apart: the repair flips edges in the region, or puts its vertices in anew.
+// A region of a torus: some vertices, their padding, and one layer of border around both. It is not
+// triangulated apart: the repair flips edges in the region, or puts its vertices in anew.
 template <class State>
 class Padded_region_2
 {
@@ -24,7 +24,7 @@ public:
   {
   }
 
-  // Vertices that are in no face are skipped.
+  // Collects the region around `classified`. Skips vertices that are in no face.
   void run(const std::vector<Index>& classified, unsigned padding)
   {
     m_vertices.clear(m_state.arrays().number_of_vertices());
@@ -38,7 +38,7 @@ public:
     add_layer();
   }
 
-  // All without the border.
+  // All vertices of the region, except the border.
   std::vector<Index> inner() const { return part(0, m_number_of_inner); }
   std::vector<Index> padded() const { return part(m_number_of_classified, m_number_of_inner); }
   std::vector<Index> border() const { return part(m_number_of_inner, m_vertices.size()); }

@@ -32,8 +32,9 @@ struct Place_2
 
 // Jump and walk (Mücke, Saias and Zhu, 1999): walks from the nearest of some vertices through
 // faces, always across an edge that has the point on its other side. In a Delaunay triangulation
-// such a walk meets no face twice. In other ones it may not end, or lead nowhere; then the result
-// is any face that contains the point, or just any face. On a torus everything has to be Delaunay.
+// such a walk meets no face twice. In other ones it may not end; after as many steps as there are
+// faces, the result is any face that contains the point or, if there is none, the face in which the
+// walk began. On a torus everything has to be Delaunay.
 template <class State>
 class Point_location_2
 {
@@ -50,7 +51,7 @@ public:
   }
 
   // Locates vertex v, which is in no face. `nearby` is a finite vertex in some face. The numbers of
-  // the vertices around v are expected to differ from its number by at most `spread`.
+  // the vertices around v are expected to differ from the number of `nearby` by at most `spread`.
   Place locate(Vertex_index v, Vertex_index nearby, Index spread) const
   {
     const Arrays& arrays = m_state.arrays();
@@ -72,9 +73,9 @@ public:
   }
 
 private:
-  // A vertex near v. If `nearby` says little, first takes the best of half to all of the
-  // cube root of n vertices, evenly spread over the numbers. Then searches around the best one at
-  // ever smaller steps of the numbers, which follow a curve through the plane. At 100,000 points
+  // Returns a vertex near v. If `spread` is large, first takes the nearest of half to all of the
+  // cube root of n vertices, evenly spread over the numbers. Then searches around the nearest one
+  // at ever smaller steps of the numbers, which follow a curve through the plane. At 100,000 points
   // the second search takes as long as two steps of the walk, and saves some forty.
   Index nearest(Vertex_index v, Vertex_index nearby, Index spread) const
   {
@@ -128,7 +129,7 @@ private:
     return otherwise;
   }
 
-  // The edge of the place's face that separates it from v; `null_index` if v is in it.
+  // Returns an edge that separates the place's face from v, or `null_index` if v is in the face.
   Halfedge_index way_out(const Place& place, Vertex_index v) const
   {
     const Arrays& arrays = m_state.arrays();
@@ -142,9 +143,9 @@ private:
     return null_index;
   }
 
-  // The edge through which to leave the face of half-edge `entry`, which has v strictly on its
-  // left. `turn` determines which edge is tested first: always preferring the same one can cause
-  // detours.
+  // Returns the edge through which to leave the face of `entry`, a half-edge that does not have v
+  // on its right, or `null_index` if v is in that face. `turn` determines which edge is tested
+  // first: always preferring the same one can cause detours.
   Halfedge_index way_on(Halfedge_index entry, const Frame& frame, Vertex_index v, bool turn) const
   {
     if (m_state.arrays().apex(entry) == infinite_index)
@@ -156,7 +157,7 @@ private:
     return orientation(second, frame, v) == RIGHT_TURN ? second : Halfedge_index(null_index);
   }
 
-  // Of v and the ends of half-edge h.
+  // The orientation of the source of half-edge h, its target and v.
   Orientation orientation(Halfedge_index h, const Frame& frame, Vertex_index v) const
   {
     return m_predicates.orientation(m_state.corner_in(Arrays::next(h), frame),

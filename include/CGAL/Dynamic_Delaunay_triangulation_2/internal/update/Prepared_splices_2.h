@@ -17,16 +17,17 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// New faces that threads make before their turn comes, while nothing is written. Most splices do
-// not touch each other: then they are what would be made in turn, too.
+// New faces that threads prepare for clusters before their turn comes, while nothing is written.
+// Most splices do not touch each other: then the same faces would be made in turn, too.
 //
-// Whether one is can be told from the faces that it has read. These are the faces around the
-// vertices of its cluster, and faces around vertices of its border, which are recorded as well. If
-// none of them was replaced since, the same faces would be made in turn: of a face that was not
-// replaced only a twin may have changed, from a half-edge of a face that was replaced to another
-// such one. The same cluster would be collected, too. Its vertices still have the same neighbors,
-// and none of them was spliced. For if its faces were not replaced, that was because another
-// cluster kept its faces, and that would have been connected with this one, and be the same.
+// Whether this is so can be told from the faces that were read: the faces around the vertices of
+// the cluster, and faces around vertices of its border, which are recorded as well. Suppose none of
+// them was replaced since. Then the same new faces would be made in turn: of a face that was not
+// replaced only a twin may have changed, from a half-edge of a replaced face to another half-edge
+// of a replaced face. The same cluster would be collected, too: its vertices still have the same
+// neighbors, and none of them was spliced. For suppose one was, although its faces were not
+// replaced. Then it was in a cluster that kept its faces. Both clusters share this vertex, so they
+// are the same, and this one has had its turn.
 template <class State>
 class Prepared_splices_2
 {
@@ -43,11 +44,11 @@ public:
 
   void set_engine(Static_engine_2 engine) { m_engine = engine; }
 
-  // Nothing is prepared, and nothing was replaced.
+  // Starts anew: the next call of prepare() drops all records.
   void clear() { m_beyond = 0; }
 
-  // Has threads prepare the clusters that begin at the i-th vertex of `inner` or at one of those
-  // after it, unless that was done or they are too few.
+  // Has threads prepare the clusters that begin at the i-th vertex of `inner` or at one of the next
+  // vertices, unless an earlier call has done that or the vertices are too few.
   void prepare(std::size_t i, const Index_set_2& inner, const Index_set_2& spliced,
                std::size_t max_enlargements)
   {
@@ -70,8 +71,8 @@ public:
     });
   }
 
-  // What was prepared for the cluster that begins at the i-th inner vertex, if it is what would be
-  // made in turn. Takes its vertices from `limits`. To be asked for ascending i.
+  // Returns the record of the cluster that begins at the i-th inner vertex, if the same would be
+  // made now within `limits`, and takes its cost from `limits`. Call it for ascending i.
   Record* find(std::size_t i, Splice_limits_2& limits)
   {
     Prepared* const prepared = next_from(i);
@@ -83,7 +84,7 @@ public:
     return &prepared->record;
   }
 
-  // The record that is so many places after the one that was found last, if there is one.
+  // Returns the record `number` places after the one found last, or null if its part has none.
   const Record* following(std::size_t number) const
   {
     const auto& records = m_parts[m_place.part].records;
@@ -91,7 +92,7 @@ public:
                                                     : nullptr;
   }
 
-  // To be called for each splice that is put in.
+  // Notes the old faces of a splice. To be called for each one.
   void note_replaced(const Index_set_2& faces)
   {
     if (!is_anything_left())
@@ -103,23 +104,23 @@ public:
 private:
   struct Prepared
   {
-    std::size_t first;                  // the number of its first vertex among the inner ones
-    std::size_t vertices, enlargements; // that it took
+    std::size_t first;                  // the number of the first vertex among the inner ones
+    std::size_t vertices, enlargements; // what make() took from its limits
     Record record;
   };
 
-  // What a thread needs, and what it has made.
+  // The working memory of a part, and the records that were made in it.
   struct Part
   {
     std::unique_ptr<Cluster_splice> splice;
-    Index_set_2 seen; // vertices, in this part
+    Index_set_2 seen; // the vertices that were collected in this part
     std::vector<Prepared> records;
   };
 
-  // A vertex takes a microsecond or more. Each part has sets of a bit a vertex or face.
+  // A vertex takes a microsecond or more. Parts are few: each has sets of a bit a vertex or face.
   static constexpr std::size_t least = (std::max)(Parts::usual_size / 256, std::size_t(1));
   static constexpr std::size_t max_parts = 8, most_at_once = 1 << 15;
-  // Larger clusters are left to their turn: all parts would collect the same one.
+  // Larger clusters are not prepared: all parts would collect the same one.
   static constexpr std::size_t most_vertices = 256, most_triangulated = 2048;
 
   void prepare_part(Part& part, const Index_set_2& inner, const Index_set_2& spliced,
@@ -140,7 +141,7 @@ private:
     }
   }
 
-  // Collects the cluster of v. False if it is too large, or met one that was.
+  // Collects the cluster of v. False if it is too large, or meets one that was too large.
   bool collect(Part& part, Vertex_index v, const Index_set_2& inner,
                const Index_set_2& spliced) const
   {
@@ -171,7 +172,7 @@ private:
     std::size_t part, number;
   };
 
-  // Goes on to the first record from the i-th inner vertex on.
+  // Goes on to the first record of a cluster that begins at the i-th inner vertex or later.
   Prepared* next_from(std::size_t i)
   {
     for (; is_anything_left(); ++m_place.part, m_place.number = 0) {
@@ -190,7 +191,7 @@ private:
   std::vector<Part> m_parts;
   Place m_place{0, 0};
   std::size_t m_beyond = 0; // inner vertices before this one were looked at
-  Index_set_2 m_replaced;   // faces, since then
+  Index_set_2 m_replaced;   // faces that were replaced since the last prepare()
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

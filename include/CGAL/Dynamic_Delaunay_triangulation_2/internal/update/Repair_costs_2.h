@@ -36,7 +36,7 @@ public:
 
   // Sets the budget when the number of open edges is known: a quarter more than mending should
   // cost, an eighth of a rebuild, and a constant for small triangulations, whose rebuild costs next
-  // to nothing. It is at most one rebuild, so that the worst case costs as much as two.
+  // to nothing. All but the constant is at most one rebuild: the worst case costs as much as two.
   void start(std::size_t vertices, std::size_t open_edges)
   {
     const std::size_t rebuild = rebuilt_vertex * vertices;
@@ -84,15 +84,15 @@ public:
   // Whether mending was in vain lately. Then it pays to sample edges before anything is done.
   bool has_failed_recently() const { return m_hopeless_share < all; }
 
-  // Judges a sample, which may err by a quarter.
+  // Whether mending looks vain by the broken share of a sample, which may err by a quarter.
   bool is_hopeless(std::size_t sampled, std::size_t broken) const
   {
     return has_failed_recently() && broken > 0 &&
            share(broken, sampled) * 4 >= m_hopeless_share * 3;
   }
 
-  // Notes that mending was given up, or has cost as much as a rebuild, with so many open edges. If
-  // very few were open, trying again is cheap, so the share never gets very small.
+  // Notes that mending `open` edges was given up, or has cost as much as a rebuild. If very few
+  // were open, trying again is cheap, so the share never gets very small.
   void record_failure(std::size_t open, std::size_t edges)
   {
     constexpr std::size_t next_to_nothing = all / 32;
@@ -101,8 +101,8 @@ public:
   }
 
   // Notes that a sample has decided against mending. The share slowly grows, so that mending is
-  // tried once in a while: the sooner, the more it could save. At an eighth it saves nothing,
-  // because mending then takes as long as a rebuild.
+  // tried once in a while: the sooner, the more it could save. At a share of an eighth it saves
+  // nothing, because mending then takes as long as a rebuild.
   void record_not_tried()
   {
     constexpr std::size_t eighth = all / 8;
@@ -127,7 +127,7 @@ public:
   void restore(std::size_t hopeless_share) { m_hopeless_share = hopeless_share; }
 
 private:
-  // From 1 to all - 1.
+  // In 65536ths, from 1 to all - 1.
   static std::size_t share(std::size_t part, std::size_t whole)
   {
     return part >= whole ? all - 1 : 1 + part * (all - 2) / whole;

@@ -28,10 +28,10 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// The tools that mend an update, in every space, and its state: the open edges, the vertices
-// outside of all faces, the remaining budget and the report. `Dynamic_mender_2` offers the tools to
-// a repair; `Update_2` uses the rest itself. If mending costs more than it is worth, a rebuild ends
-// it.
+// The tools that mend an update, in every space, and the state of the update: the open edges,
+// the vertices outside of all faces, the remaining budget and the report. `Dynamic_mender_2` offers
+// the tools to a repair; `Update_2` uses the rest itself. If mending costs more than it is worth, a
+// rebuild ends it.
 template <class State>
 class Repair_tools_2
 {
@@ -65,7 +65,7 @@ public:
 
   // AN UPDATE -----------------------------------------------------------------------------------
 
-  // `is_exact`: whether the classifier is. An exact classifier need not be told of edges that were
+  // `is_exact`: whether the classifier is exact. An exact one need not be told of edges that were
   // examined and not changed.
   void start(Update_report_2& report, bool is_exact)
   {
@@ -87,14 +87,14 @@ public:
     bool has_to_prove = false;
     bool was_certified = false;
     std::size_t changes = 0; // the number of points inserted and removed
-    std::size_t movers = 0;  // no more points than these have moved
-    bool hull_stays = false; // it turned around once, and none of its vertices has moved
-    // The only vertex that has moved, if it is to be taken out, everything was certified before
-    // that, and no edge was examined.
+    std::size_t movers = 0;  // at most so many points have moved
+    bool hull_stays = false; // the hull turned around once, and none of its vertices has moved
+    // The only vertex that has moved, if it is to be taken out, if everything was certified before
+    // it moved, and if no edge was examined.
     Vertex_index jumper = null_index;
   };
 
-  // Opens what was classified, or all edges that see the jumper.
+  // Opens what was classified, and all edges that see the jumper, if there is one.
   void open(const Task& task)
   {
     CGAL_precondition(task.jumper == null_index || task.movers == 1);
@@ -103,7 +103,7 @@ public:
     m_open.take(m_classification, m_state);
     if (State::jumpers_leave_before_motion)
       m_open.drop_empty(m_state);
-    // without splices each edge whose flip gets stuck costs a vertex that is put in anew
+    // without splices each edge whose flip gets stuck costs putting a vertex in anew
     if (!State::can_splice && m_open.are_many_uncertain())
       m_open.open_all_in_order();
     m_classified_edges = m_open.size();
@@ -114,8 +114,8 @@ public:
   // Whether this vertex has to be taken out, if it is the only one that has moved.
   bool has_jumped_alone(Vertex_index v) const { return m_jumpers.has_jumped_alone(v); }
 
-  // Removes the points with these ids. False if some of them are left, which is so only in a torus
-  // of few vertices; then a rebuild has to leave them out.
+  // Removes the points with these ids. False if some of them are left, which is so only on a torus:
+  // see Vertex_relocation_2::take_out(). Then a rebuild has to leave them out.
   bool remove(const std::vector<Index>& ids)
   {
     if (ids.empty())
@@ -143,7 +143,7 @@ public:
       if (can_spare(1))
         m_relocation.take_out_of_delaunay(v);
   }
-  // Puts these vertices back into their faces after a frame was refused.
+  // Puts the vertices that take_out_before_motion() took out into faces, after a frame was refused.
   void put_back()
   {
     if (m_relocation.number_waiting() == 0)
@@ -165,7 +165,7 @@ public:
   void put_in(const std::vector<Index>& parted_duplicates)
   {
     CGAL_precondition(!m_task.has_to_prove || m_open.empty());
-    bool is_delaunay = m_task.has_to_prove; // if the hull turns around once: see is_proved()
+    bool is_delaunay = m_task.has_to_prove; // is_proved() tests that the hull turns around once
     m_open.set_planar(false);
     m_may_take_out = false;
     m_budget.allow((parted_duplicates.size() + m_relocation.number_to_put_in()) *
@@ -177,10 +177,10 @@ public:
                      Repair_budget_2::step_of_a_walk * (steps - steps_before));
       steps_before = steps;
       if (faces > 0)
-        spend_on_flips(faces - 1); // which would do the same
+        spend_on_flips(faces - 1); // so many flips would do the same
       else {
         settle(v);
-        // in the plane never again, once it was not: the hull may turn around twice
+        // in the plane false from here on: the hull may turn around twice
         is_delaunay = is_delaunay && !State::has_hull && m_open.empty();
       }
       return !m_budget.is_spent() && (m_open.empty() || State::can_locate_anywhere);
@@ -195,15 +195,15 @@ public:
       rebuild(Rebuild_reason_2::STUCK);
   }
 
-  // Whether nothing is left to prove. No vertex waits outside of all faces then: Update_2 puts in
-  // all that wait unless edges are open, and if the budget does not last everything is rebuilt.
+  // Whether nothing is left to prove. No vertex waits outside of all faces then: Update_2 puts all
+  // waiting vertices in unless edges are open, and rebuilds if the budget does not last.
   bool is_proved() const
   {
     CGAL_precondition(!m_open.empty() || m_relocation.number_waiting() == 0);
     return m_open.empty() && (m_open.faces_tile_hull() || hull_turns_once());
   }
 
-  // Gives the numbers of removed vertices to others.
+  // Gives the numbers of removed vertices to other vertices.
   void finish()
   {
     if (m_relocation.finish())
@@ -234,7 +234,7 @@ public:
   const std::vector<Index>& padded() const { return m_padded; }
   const std::vector<Index>& border() const { return m_border; }
 
-  // Whether a rebuild is cheaper than mending the classified edges and the points that come and go.
+  // Whether a rebuild is cheaper than mending what was classified plus all insertions and removals.
   bool is_rebuild_cheaper() const
   {
     return Repair_budget_2::is_rebuild_cheaper(rebuilt_vertices(), m_classified_edges,
@@ -254,7 +254,7 @@ public:
       return take_out_jumper();
     if (State::jumpers_leave_before_motion)
       return;
-    // where several neighbors jumped, some seem to have stayed until the others are out
+    // where several neighbors jumped, some are not found until the others are out
     constexpr unsigned max_rounds = 4;
     const auto may_others_jump = [this] { return m_relocation.number_waiting() < m_task.movers; };
     for (unsigned round = 0; round < max_rounds && can_take_out() && may_others_jump(); ++round) {
@@ -263,7 +263,7 @@ public:
         return;
       m_budget.spend(edges.size() * Repair_budget_2::look_for_jumpers);
       const std::vector<Index>& jumpers = m_jumpers.find_jumpers(edges);
-      // each counts as a point removed and a point inserted, plus half of that for the search
+      // a jumper counts as a point removed and a point inserted, plus half of that for the search
       if (Repair_budget_2::is_rebuild_cheaper(rebuilt_vertices(), 0,
                                               m_task.changes + 3 * jumpers.size()))
         return rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
@@ -291,7 +291,7 @@ public:
     if (has_rebuilt() || m_open.empty())
       return;
     flip_uncertain();
-    // where no splice follows, taking one vertex out for each edge costs less
+    // where no splice follows, it costs less to take one vertex out for each edge that is left
     if (State::can_splice && !m_open.uncertain().empty() && !has_rebuilt()) {
       m_open.open_surroundings(m_state);
       flip_uncertain();
@@ -323,7 +323,7 @@ public:
   {
     std::vector<Index> vertices;
     m_open.for_each_uncertain_vertex(m_state, [&](Vertex_index v) { vertices.push_back(v); });
-    constexpr std::size_t max_enlargements = 3; // beyond it, padding or a vertex less does better
+    constexpr std::size_t max_enlargements = 3; // then padding or taking a vertex out does better
     if constexpr (!State::can_splice) {
       if (padding > 0 || !put_in_farthest_anew())
         put_in_anew(vertices, padding);
@@ -367,11 +367,11 @@ private:
   }
 
   // Condition 4 of the certificate. A hull that has turned around once still does so if its
-  // vertices are the same and have not moved. They are the same if no face at infinity is new. Of a
-  // new face at least one edge is in the log: a flip logs the diagonal, which is in both its faces,
-  // a vertex that is put in logs all edges of its faces, and one that is taken out those of the
-  // face that it leaves. So no face at infinity is new if no edge in the log is part of one.
-  // Splices are not considered. Walking around a long hull costs more than all the rest.
+  // vertices are the same and have not moved. They are the same if no face at infinity is new. Each
+  // new face has an edge in the log: a flip logs the diagonal, which is in both faces; putting in a
+  // vertex logs all edges of its faces; taking one out logs the edges between the faces that are
+  // left, and all edges of the last one. So no face at infinity is new if no edge in the log is at
+  // one. Splices clear `hull_stays`. Walking around a long hull costs more than all the rest.
   bool hull_turns_once() const
   {
     const Change_log_2& changes = m_state.changes();
@@ -401,11 +401,11 @@ private:
     m_classification.clear(m_state);
   }
 
-  // Where they cannot be spliced, so many vertices are taken out and put in again: more are as much
-  // work as triangulating anew.
+  // The largest number of vertices to take out and put in again where no region can be spliced:
+  // more are as much work as triangulating anew.
   std::size_t max_taken_out() const { return 10 + m_state.number_of_vertices() / 6; }
 
-  // So many vertices a rebuild in the plane would cost as much as one here.
+  // The number of vertices whose rebuild in the plane would cost as much as a rebuild here.
   std::size_t rebuilt_vertices() const
   {
     return State::rebuild_factor * m_state.number_of_vertices();
@@ -413,7 +413,7 @@ private:
 
   // VERTICES THAT WENT FAR ----------------------------------------------------------------------
 
-  // Takes out the only vertex that has moved. If everything was Delaunay, it stays so without it.
+  // Takes out the only vertex that has moved, if possible so that all other edges stay Delaunay.
   void take_out_jumper()
   {
     if (can_spare(1) && m_relocation.take_out_of_delaunay(m_task.jumper)) {
@@ -423,7 +423,7 @@ private:
       take_out({m_task.jumper});
   }
 
-  // Whether enough vertices remain without so many.
+  // Whether enough vertices remain in faces if so many more are taken out.
   bool can_spare(std::size_t vertices) const
   {
     return m_relocation.number_outside() + vertices + State::min_vertices <=
@@ -435,8 +435,8 @@ private:
     return m_may_take_out && m_task.has_to_prove && m_state.have_points_moved() && !has_rebuilt();
   }
 
-  // Takes these vertices out if the budget allows it and enough remain, but for those whose faces
-  // meet images of themselves, as that of the lowest point of a slab. Whether any is out.
+  // Takes these vertices out if the budget allows it and enough remain. Skips those whose faces
+  // meet images of themselves, like the lowest point of a slab. Returns whether any is out.
   bool take_out(const std::vector<Index>& vertices)
   {
     if (vertices.empty() || vertices.size() * Repair_budget_2::relocation > m_budget.left() ||
@@ -448,7 +448,7 @@ private:
       return false;
     }
     const std::size_t first_new = m_state.changes().new_edges.size();
-    constexpr std::size_t ahead = 4; // none of them is outside of all faces
+    constexpr std::size_t ahead = 4; // to prefetch; none of the vertices is outside of all faces
     bool is_any_out = false;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       if (i + ahead < vertices.size())
@@ -460,7 +460,7 @@ private:
     return is_any_out;
   }
 
-  // The price of a vertex includes a few flips. A vertex of high degree takes more.
+  // The price of a vertex includes a few flips. A vertex of high degree takes more flips.
   std::size_t price_of_taking_out(const std::vector<Index>& vertices) const
   {
     using Parts = typename State::Parts;
@@ -519,7 +519,8 @@ private:
 
   // SPLICES -------------------------------------------------------------------------------------
 
-  // False if this has rebuilt or merged instead.
+  // Splices around these vertices. Tests the uncertain and the boundary edges if `has_to_look`,
+  // otherwise closes all. False if everything is rebuilt, or if this has merged vertices instead.
   bool splice(const std::vector<Index>& vertices, unsigned padding, std::size_t max_enlargements,
               bool has_to_look)
   {
@@ -581,8 +582,8 @@ private:
 
   // WHERE NO REGION CAN BE TRIANGULATED APART ---------------------------------------------------
 
-  // Flips edges around the classified vertices and their padding, and puts in anew what that leaves
-  // inverted.
+  // Flips edges around the classified vertices and their padding, and puts vertices in anew where
+  // that leaves edges that may have inverted faces.
   void flip_around_classified(unsigned padding)
   {
     if (has_rebuilt())
@@ -602,7 +603,7 @@ private:
       m_open.clear();
   }
 
-  // Takes out one vertex for each open edge, and flips around. Whether it did.
+  // Takes out each uncertain edge's vertex that moved farthest, then flips. True if any is out.
   bool put_in_farthest_anew()
   {
     const bool are_out = can_take_out() && take_out(m_jumpers.find_farthest(m_open.uncertain()));
@@ -611,8 +612,8 @@ private:
     return are_out;
   }
 
-  // Takes the vertices of a region out, to be put in again after the repair, and flips around. They
-  // can be located only where all is proved.
+  // Takes the vertices of a region out, to be put in again after the repair, and flips around. Then
+  // a proof is always required, because vertices can be located only where all is proved.
   void put_in_anew(const std::vector<Index>& vertices, unsigned padding)
   {
     if (has_rebuilt())
@@ -628,7 +629,7 @@ private:
     if (!can_spare(region.size()) ||
         m_relocation.number_waiting() + region.size() > max_taken_out())
       return rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
-    m_budget.allow(region.size() * Repair_budget_2::relocation); // limited by their number
+    m_budget.allow(region.size() * Repair_budget_2::relocation); // limited by max_taken_out()
     if (take_out(region))
       flip();
   }
@@ -664,9 +665,9 @@ private:
   std::vector<Index> m_around; // edges around a vertex that was put in
   std::vector<Index> m_padded, m_border;
   Update_report_2* m_report = nullptr;
-  Task m_task{};              // hull_stays until a splice
-  bool m_is_exact = true;     // whether the classifier is
-  bool m_may_take_out = true; // until a vertex is put in
+  Task m_task{};              // a splice clears hull_stays
+  bool m_is_exact = true;     // whether the classifier is exact
+  bool m_may_take_out = true; // until vertices are put in
   std::size_t m_classified_edges = 0;
 };
 

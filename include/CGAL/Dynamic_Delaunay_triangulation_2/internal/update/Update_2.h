@@ -32,8 +32,8 @@
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // An update: everything that one call does to the triangulation of any space, whether all points
-// move or a few, and whether points are inserted or removed. run() shows its phases in their order.
-// Only this class knows whether the triangulation is certified.
+// move or a few, and whether points are inserted or removed. run_phases() shows its phases in their
+// order. Only this class knows whether the triangulation is certified.
 template <class State>
 class Update_2
 {
@@ -69,8 +69,8 @@ public:
 
   void reserve_for_exchange(const State& other) { m_tools.reserve_for_exchange(other); }
 
-  // Exchanges everything for what was read, of which the classifier was told. Throws nothing after
-  // reserve_for_exchange().
+  // Exchanges everything for what was read from a checkpoint. The classifier was told of that
+  // already. Throws nothing after reserve_for_exchange().
   void exchange(State& other, bool is_certified, const Repair_experience_2& memory)
   {
     m_tools.exchange(other);
@@ -82,9 +82,9 @@ public:
   Tools& tools() { return m_tools; }
   const Tools& tools() const { return m_tools; }
 
-  // A rebuild takes the points that come out of `change`, as memory for both might not be there.
-  // A frame is taken back if the policy or the classifier throws. At the end the classifier is told
-  // of what is new.
+  // Runs an update. Moves the points to insert out of `change`, as there might be no memory for
+  // copies. Takes a frame back if the policy or the classifier throws. At the end, tells the
+  // classifier of what is new.
   template <class Input, class Classifier, class Repair, class Policy>
   Update_report_2 run(Change& change, Input& input, Classifier& classifier, Repair& repair,
                       Policy& policy);
@@ -155,7 +155,7 @@ private:
       m_is_certified = was_certified && change.moved.empty();
       throw;
     }
-    // before points are removed, because a rebuild just leaves them out (exact classifiers only)
+    // before points are removed, because a rebuild just leaves them out (if a proof is required)
     if (reason == Rebuild_reason_2::NONE && change.has_population() && m_tools.has_to_prove() &&
         m_tools.is_rebuild_cheaper()) {
       reason = Rebuild_reason_2::TOO_MUCH_BROKEN;
@@ -181,7 +181,7 @@ private:
     return report;
   }
 
-  // Vertices that will jump, but for those of points that are removed.
+  // Returns the vertices that will jump, except those of points to remove.
   template <class Input>
   std::vector<Index> find_jumpers(const Input& input, std::vector<Index> gone) const
   {
@@ -196,7 +196,7 @@ private:
 
   // TO REBUILD OR NOT ---------------------------------------------------------------------------
 
-  // Why to rebuild, decided before any work that a rebuild would discard.
+  // Returns why to rebuild, or `NONE`. Decides before any work that a rebuild would discard.
   template <class Policy>
   Rebuild_reason_2 reason_to_rebuild(const Change& change, Policy& policy, bool may_sample)
   {
@@ -282,7 +282,7 @@ private:
     if (change.gone.empty() && change.coming.empty()) {
       m_tools.rebuild(reason);
     } else {
-      m_tools.relocation().give_up(); // of points that were removed already
+      m_tools.relocation().give_up(); // drops the slots of points that were removed already
       const auto is_gone = [this](Point_id id) { return !m_state.ids().is_taken(id); };
       change.gone.erase(std::remove_if(change.gone.begin(), change.gone.end(), is_gone),
                         change.gone.end());
@@ -340,7 +340,7 @@ private:
     m_tools.classification().add_unless_delaunay(frame, m_edges_around);
   }
 
-  // The vertex of the only point that has moved, if it has jumped. Its edges need no look.
+  // The vertex of the only point that has moved, if it has jumped: no edge need be examined then.
   Vertex_index find_jumper(const std::vector<Index>& ids) const
   {
     if (ids.size() != 1)
@@ -368,14 +368,14 @@ private:
     Mender mender(m_tools);
     const bool is_nothing_open = m_tools.open_edges().empty();
     if (!change.is_frame && is_nothing_open)
-      m_tools.limit_cost(); // of putting in
+      m_tools.limit_cost(); // the cost of putting vertices in
     else if (!change.is_frame)
       Flip_and_splice_repair_2()(mender);
     else if (!is_nothing_open || !m_tools.classification().empty())
       repair(mender);
   }
 
-  // Where points can be located only if all is Delaunay.
+  // Mends everything before points are put in, where they can be located only if all is Delaunay.
   void prove_before_points_come(const Update_report_2& report)
   {
     if (State::can_locate_anywhere || report.rebuilt() || m_tools.has_to_prove() ||
@@ -435,8 +435,8 @@ private:
   Repair_experience_2 m_experience;      // learned from whole frames
 };
 
-// Not inline, unlike what is defined in the class: where it is declared extern, compilers leave out
-// all that it calls, which is most of the package (`compiled_updates.h`).
+// Defined outside of the class, so that it is not inline: where it is declared extern, compilers
+// leave out all that it calls, which is most of the package (`compiled_updates.h`).
 template <class State>
 template <class Input, class Classifier, class Repair, class Policy>
 Update_report_2 Update_2<State>::run(Change& change, Input& input, Classifier& classifier,

@@ -48,14 +48,14 @@ public:
   {
   }
 
-  // Announces points to be inserted, with the next ids, after the removals. Takes the lists, and
-  // leaves others, unless it throws.
+  // Announces points to be inserted, with the next ids, after the removals. Swaps the lists for
+  // others, unless it throws.
   void announce(std::vector<Index>& ids, std::vector<Point>& points)
   {
     m_editor.reserve_ids(ids); // nothing throws from here on
     announce_reserved(ids, points);
   }
-  // Announces points whose ids nobody else has. Throws nothing.
+  // Announces points whose ids need not be reserved: no other point has them. Throws nothing.
   void announce_reserved(std::vector<Index>& ids, std::vector<Point>& points)
   {
     m_coming_ids.swap(ids);
@@ -100,8 +100,8 @@ public:
     return can_go;
   }
 
-  // Takes v out if everything is Delaunay, except that v may have moved, and if it is known how to
-  // leave everything so. False if not: then nothing is done.
+  // Takes v out so that everything else stays Delaunay. False, with nothing done, if it is not
+  // known how. Everything has to be Delaunay before, except that v may have moved.
   bool take_out_of_delaunay(Vertex_index v)
   {
     reserve_for_slot();
@@ -112,10 +112,10 @@ public:
   }
 
   // Removes the points with these ids. A representative leaves its vertex to a duplicate, if there
-  // is one. Returns the vertices that have moved by that, because such a duplicate is to part.
+  // is one. Returns the vertices that this has moved, because the duplicate is elsewhere by now.
   //
-  // If everything is Delaunay (`are_delaunay`), it stays so. Other vertices keep their points until
-  // remove_rest().
+  // If everything is Delaunay (`are_delaunay`), it stays so: removes only vertices for which it is
+  // known how. All other vertices keep their points until remove_rest().
   std::vector<Index> remove(const std::vector<Index>& ids, bool are_delaunay)
   {
     std::vector<Index> moved;
@@ -129,7 +129,7 @@ public:
   }
 
   // Removes the remaining vertices of the last `remove()`. False if one of them cannot go, see
-  // take_out(); then it and those after it stay.
+  // take_out(); then this vertex and all after it stay.
   bool remove_rest()
   {
     for (const Vertex_index v : m_rest) {
@@ -144,7 +144,7 @@ public:
 
   // Merges vertices of the list that coincide: the one with the smallest id stays, and the points
   // of the others become duplicates there. Returns how many vertices were removed. Removes none if
-  // these would be more than `most`, or would leave fewer than three.
+  // more than `most` would have to go, or if fewer than three would remain.
   std::size_t merge(const std::vector<Index>& vertices, std::size_t most)
   {
     const auto& ids = m_state.ids();
@@ -178,10 +178,10 @@ public:
   };
 
   // Puts in the waiting vertices, the duplicates that have left their vertices, and the new points.
-  // Everything stays Delaunay, if it is and no more than `most_faces()` are replaced, which is 0 if
-  // it is not. After each vertex, `settle(v, steps, faces)` is called, with the number of steps
-  // that all walks so far took, and the number of faces that were replaced: 0 if v was just put
-  // into a face, so that flips around it have to follow. If it returns false, no more are put in.
+  // `most_faces()` must be 0 unless everything is Delaunay. A vertex v replaces up to so many faces
+  // if everything is known to stay Delaunay then. Otherwise v is just put into a face, and flips
+  // around v have to follow. After each vertex, calls `settle(v, steps, faces)` with the steps of
+  // all walks so far and the number of replaced faces, 0 in the second case. Stops if it is false.
   template <class Most_faces, class Settle>
   Counts put_in(const std::vector<Index>& parted_duplicates, const Most_faces& most_faces,
                 const Settle& settle)
@@ -207,7 +207,7 @@ public:
     return counts;
   }
 
-  // Drops the empty slots. Whether there were any: then vertices have other numbers.
+  // Drops the empty slots. Returns whether there were any: then some numbers of vertices changed.
   bool finish()
   {
     if (m_empty.empty())
@@ -258,7 +258,7 @@ private:
     return can_go && m_polygon.triangulate_as_delaunay(m_state);
   }
 
-  // The faces around v have it at its previous position.
+  // Triangulates the polygon around v, with v at its previous position, as the faces have it.
   bool triangulate_anyhow_without(Vertex_index v)
   {
     if (!m_polygon.read(m_state, v) || (State::is_periodic && !m_polygon.has_different_vertices()))
@@ -283,7 +283,7 @@ private:
     m_editor.remove_duplicate(id);
   }
 
-  // Removes v if that leaves everything Delaunay, otherwise lists it.
+  // Removes v if that is known to leave everything Delaunay, otherwise lists v for remove_rest().
   void remove_vertex(Vertex_index v, bool are_delaunay)
   {
     reserve_extra(m_rest, 1);
@@ -392,8 +392,8 @@ private:
 
   static typename Editor::Seen_face seen(const Place& place) { return {place.face, place.frame}; }
 
-  // Finds the polygon that the slot's vertex gets, if everything is to stay Delaunay and that is
-  // possible. Reserves memory for the new edges, also if not.
+  // Finds a polygon to put the slot's vertex in so that everything stays Delaunay. False if `most`
+  // is 0, or if that is not possible. In any case reserves memory for the new edges.
   bool find_polygon(const Slot& slot, const Place& place, std::size_t most)
   {
     constexpr std::size_t edges_of_three_faces = 6;
@@ -408,7 +408,7 @@ private:
     return is_found;
   }
 
-  // The last empty slot, with a vertex at p. It stays in the list of empty slots for now.
+  // Returns the last empty slot, or a new one, with a vertex at p. It stays in the list for now.
   Slot take_slot(const Point& p)
   {
     if (m_empty.empty()) {
@@ -434,7 +434,7 @@ private:
   std::vector<Position_2> m_places;
   Star_polygon_2<State> m_polygon; // around the vertex that goes or comes
   std::size_t m_replaced = 0;      // faces that the last vertex has replaced
-  std::vector<Index> m_rest;       // vertices that are to go
+  std::vector<Index> m_rest;       // vertices for remove_rest()
   std::vector<Slot> m_waiting;     // of vertices that jumped
   std::vector<Slot> m_empty;       // of vertices without points
   std::vector<Index> m_coming_ids;

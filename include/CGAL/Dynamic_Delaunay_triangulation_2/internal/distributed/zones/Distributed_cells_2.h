@@ -21,11 +21,11 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// The cells of the Delaunay complex of all points that have an owned corner: those of points on one
-// empty circle. The rank holds all of them whole, as it holds all points on these circles. Each
-// cell is cut by diagonals from the corner with the smallest id, and of images of that point from
-// the leftmost, lowest one: whatever rank looks at it, and wherever in a periodic space. Of points
-// that coincide the one with the smallest id, their *label*, stands for all of them.
+// The cells of the Delaunay complex of all points that have an owned corner. The corners of a cell
+// are all points on one empty circle; the rank holds all of them. Each cell is cut by diagonals
+// from the corner with the smallest id; of several images of that point, from the leftmost, lowest
+// one. So all ranks cut a cell alike, wherever it is in a periodic space. Of points that coincide,
+// the one with the smallest id, their *label*, stands for all of them.
 template <class Points>
 class Distributed_cells_2
 {
@@ -43,11 +43,11 @@ public:
     find_inner_edges();
   }
 
-  // Of a held point: the place of its label.
+  // The place of the label of a held point.
   Index label(Index place) const { return m_labels[m_frame.vertex(place)]; }
 
-  // Calls f(i, j) with the places of the labels at both ends, that of the smaller id first, once
-  // for each edge with an owned corner at one of its ends or beside it; some have no owned end.
+  // Calls f(i, j) with the places of the labels at both ends, that of the smaller id first: once
+  // for each edge with an owned end, and at most once for other edges of these cells.
   template <class Function>
   void for_each_edge(const Function& f) const
   {
@@ -87,7 +87,7 @@ private:
   struct Corner
   {
     Index label;
-    bool is_on_hull; // the edge to the next corner
+    bool is_on_hull; // whether the edge to the next corner is on the hull
   };
 
   bool comes_first(Index a, Index b) const
@@ -113,7 +113,7 @@ private:
     });
   }
 
-  // An edge is inner if its four corners are on one circle.
+  // An edge is inner if its ends and the corners to its left and right are on one circle.
   void find_inner_edges()
   {
     m_are_inner.assign(m_frame.number_of_edges(), false);
@@ -128,8 +128,8 @@ private:
       }
   }
 
-  // Calls f(corners, apex): corners counterclockwise, and the place of the one among them from
-  // which the cell is cut.
+  // Calls f(corners, apex) for each cell: its corners, counterclockwise, and the index of the one
+  // from which the cell is cut.
   template <class Function>
   void for_each_cell(const Function& f) const
   {

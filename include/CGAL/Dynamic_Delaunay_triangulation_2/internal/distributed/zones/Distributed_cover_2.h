@@ -14,9 +14,9 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Whether a zone covers disks, as far as there can be points: within the hull of all points. Disks
-// of flat faces at the hull are large, but most of them lies beyond it. They are cut into boxes
-// until each of these is proved to be in the zone, off the disk or beyond the hull.
+// Tests whether a zone covers the part of a disk where points can be: within the hull of all
+// points. Disks of flat faces at the hull are large, but lie mostly beyond the hull. Boxes around
+// disks are halved until each is proved to be in the zone, off the disk or beyond the hull.
 template <class Kernel, class Outline>
 class Distributed_cover_2
 {
@@ -42,8 +42,8 @@ public:
     return is_covered(disk, zone, box.common_part(m_outline.box_for(disk)), budget);
   }
 
-  // Adds to the zone, which has no sums yet, what is closer than `margin` to the part of the disk
-  // within the hull; but for the last bits, and for what would take too many boxes.
+  // Adds all places closer than `margin` to the part of the disk within the hull to the zone, which
+  // has no sums yet; up to rounding, and except for places that would take too many boxes.
   void extend(const Question& disk, Distributed_zone_2& zone, double margin) const
   {
     const Box_2 box = disk.box_of_disk();
@@ -55,8 +55,8 @@ public:
   }
 
 private:
-  // Disks of faces that are flat along the hull are as long as its edges. With 4096 boxes zones
-  // ended before them, and eight ranks asked about such faces in 80 of 100 calm frames.
+  // Disks of faces that are flat along the hull are as long as its edges. With only 4096 boxes
+  // zones do not reach around them, and eight ranks ask about such faces in 80 of 100 calm frames.
   static constexpr int most_boxes = 1 << 15;
 
   static std::array<Box_2, 2> halves(const Box_2& box)

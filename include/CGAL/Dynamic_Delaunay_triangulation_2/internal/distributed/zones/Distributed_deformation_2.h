@@ -15,17 +15,17 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Two vectors that are deformed with a periodic space. In the plane always the same.
+// Two vectors that are deformed with a periodic space. In the plane they are always the same.
 using Basis_2 = std::array<Position_2, 2>;
 constexpr Basis_2 unit_basis{{{1, 0}, {0, 1}}};
 
-// The linear map from now to then, where a basis has been deformed, in rounded arithmetic.
+// The linear map, in rounded arithmetic, that takes a basis as it is now to what it was then.
 //
 // x' = a x + b y is two products and a sum, and off by at most 2^-52 (|a x| + |b y|), second order
 // left aside; compilers may fuse them in one place and not in another. Where nothing is stretched
-// by more than 2 that is less than 2^-50 (|x| + |y|); so is y'. So what is computed for all places
-// of a box, wherever it is, is less than 2^-48 of the largest |x| + |y| outside of what is computed
-// for its corners. Where nothing was deformed the map changes no number.
+// by more than 2, x' and y' are off by less than 2^-50 (|x| + |y|). So the images of all places of
+// a box, wherever in the program they are computed, are less than 2^-48 of the largest |x| + |y|
+// outside of the box around those of its corners. Without deformation the map changes no number.
 class Distributed_deformation_2
 {
 public:
@@ -53,7 +53,7 @@ public:
     return {m_x.x * x + m_x.y * y, m_y.x * x + m_y.y * y};
   }
 
-  // Around what is computed for all places of a box that is finite, and not empty.
+  // A box around the computed images of all places of `box`, which is finite and not empty.
   Box_2 operator()(const Box_2& box) const
   {
     if (is_none())
@@ -80,14 +80,14 @@ public:
 
   bool is_none() const { return *this == Distributed_deformation_2(); }
 
-  // The most by which it stretches a coordinate of a vector, compared with the larger coordinate of
-  // that; but for rounding.
+  // The largest factor by which the map stretches the larger coordinate of a vector, up to
+  // rounding.
   double largest_growth() const
   {
     return (std::max)(std::abs(m_x.x) + std::abs(m_x.y), std::abs(m_y.x) + std::abs(m_y.y));
   }
 
-  // The sum of the squares of the largest and the least stretching s and t.
+  // s^2 + t^2, where s and t are the largest and the least factor by which vectors are stretched.
   double sum_of_squares() const
   {
     return m_x.x * m_x.x + m_x.y * m_x.y + m_y.x * m_y.x + m_y.y * m_y.y;
@@ -109,7 +109,7 @@ private:
   }
   static double determinant(const Basis_2& b) { return b[0].x * b[1].y - b[0].y * b[1].x; }
 
-  Position_2 m_x{1, 0}, m_y{0, 1}; // by what x and y are multiplied for x', and for y'
+  Position_2 m_x{1, 0}, m_y{0, 1}; // the factors of x and y in x', and in y'
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

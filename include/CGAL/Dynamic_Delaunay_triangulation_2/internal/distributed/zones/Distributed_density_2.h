@@ -17,20 +17,20 @@
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Where points are so dense, deep in a zone, that no face can reach out of it. Own points are added
-// while the positions of ghosts are still under way.
+// while positions of ghosts are under way.
 //
-// In coordinates of the zone, which has been deformed, let b be the side of a block. Disks are
-// ellipses there, of which the longer axis is k times as long as the shorter one. A point p is
-// *dense* if its block and the three blocks around it in each direction have a point each, and all
-// cells of the zone within 2.83 k^2 b of its block are in the zone. Then the disk of each Delaunay
-// face with the corner p is in the zone: an ellipse with the axes l and l / k contains the circle
-// of the diameter l / k^2 that touches it in p, as the radius of its curvature is no smaller
-// anywhere. If that diameter were more than d = 2.83 b, the disk of diameter d within, with p on
-// its circle, would contain a square of side d / sqrt(2) > 2 b, and so a whole block; that block is
-// within d < 3 b of p, and has a point, but a Delaunay disk has none inside. So l is at most
-// 2.83 k^2 b, and all of the ellipse within that of p. A half plane beyond an edge of the hull
-// would contain such a disk, too: a dense point is not at the hull. That the sides of blocks are
-// off by 2^-22 cells is covered as 2.83 > 2 sqrt(2).
+// In the coordinates of the zone, which has been deformed, let b be the side of a block. Disks are
+// ellipses there, whose longer axis is k times as long as the shorter one. A point p is *dense* if
+// each of the 7 x 7 blocks around it has a point, and all cells of the zone within 2.83 k^2 b of
+// its block are in the zone. Then the disk of each Delaunay face with the corner p is in the zone:
+// an ellipse with the axes l and l / k contains the circle of diameter l / k^2 that touches it in
+// p, as no radius of curvature of the ellipse is smaller. If that diameter were more than
+// d = 2.83 b, the disk of diameter d within, with p on its circle, would contain a square of side
+// d / sqrt(2) > 2 b, and so a whole block; that block is within d < 3 b of p, and has a point, but
+// a Delaunay disk has none inside. So l is at most 2.83 k^2 b, and all of the ellipse is within
+// that distance of p. A half plane beyond an edge of the hull would contain such a disk, too: a
+// dense point is not at the hull. The error of the sides of blocks, 2^-22 cells, is covered as
+// 2.83 > 2 sqrt(2).
 class Distributed_density_2
 {
 public:
@@ -58,7 +58,7 @@ public:
     m_have_own[m_own_blocks.back()] = 1;
   }
 
-  // Finds out where points are dense. `for_each_ghost(f)` calls f(p) for each other point.
+  // Finds the dense blocks. `for_each_ghost(f)` calls f(p) for the position p of each ghost.
   template <class For_each_ghost>
   void find_dense(const Distributed_zone_2& zone, const For_each_ghost& for_each_ghost)
   {
@@ -70,13 +70,13 @@ public:
     for (std::size_t k = 0; k < m_are_deep.size(); ++k)
       m_are_dense[k] = m_are_dense[k] & m_are_deep[k];
   }
-  // Whether the k-th own point was dense then.
+  // Whether the k-th own point was dense in the last `find_dense()`.
   bool is_dense(std::size_t k) const { return m_are_dense[m_own_blocks[k]] != 0; }
 
 private:
-  // Keeps those blocks that have the three before them and the three behind them, which are `step`
-  // numbers apart. Blocks of other rows are no trouble, as those with less than three blocks around
-  // them are not deep.
+  // Keeps the marks of blocks whose three blocks before and three behind, at distances of `step`,
+  // are marked too. These may be in other rows only for blocks with less than three blocks around
+  // them, which are not deep.
   void keep_surrounded(std::size_t step)
   {
     const std::size_t blocks = m_are_deep.size(), around = 3 * step;
@@ -92,10 +92,10 @@ private:
   }
 
   std::vector<std::uint8_t> m_are_deep;       // by blocks
-  std::vector<std::uint8_t> m_have_own;       // by blocks, and for places in none: own points
-  std::vector<std::uint32_t> m_own_blocks;    // of the own points
-  std::vector<std::uint8_t> m_are_dense;      // by blocks; and 0 for places in none
-  std::vector<std::uint8_t> m_are_surrounded; // the same, while it is computed
+  std::vector<std::uint8_t> m_have_own;       // by blocks, then for places in none: own points?
+  std::vector<std::uint32_t> m_own_blocks;    // by own points
+  std::vector<std::uint8_t> m_are_dense;      // by blocks, then 0 for places in none
+  std::vector<std::uint8_t> m_are_surrounded; // the next `m_are_dense`, while it is computed
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

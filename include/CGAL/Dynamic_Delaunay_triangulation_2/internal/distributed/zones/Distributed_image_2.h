@@ -14,14 +14,14 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 using Distributed_id_2 = std::int64_t;
 
-// A point as the user gave it, or what is triangulated for that.
+// A point as the user gave it, or as it is triangulated.
 struct Distributed_entry_2
 {
   Distributed_id_2 id;
   double x, y;
 };
 
-// What the files with the points of a space begin with.
+// The characters with which the checkpoints of a space begin.
 template <std::size_t size>
 constexpr std::array<char, size> checkpoint_name(const char (&name)[size])
 {
@@ -37,7 +37,7 @@ struct No_shift_2
   friend bool operator<(const No_shift_2&, const No_shift_2&) { return false; }
 };
 
-// An image of a point: where it is, and by which shift that is from where the user gave the point.
+// An image of a point: its position, and its shift from the position that the user gave.
 template <class Shift>
 struct Distributed_image_2 : Shift
 {

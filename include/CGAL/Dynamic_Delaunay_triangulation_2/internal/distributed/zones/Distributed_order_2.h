@@ -20,17 +20,17 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Spreads points evenly over ranks, each a stretch of the Hilbert curve through the box of all
-// points: sorting by regular samples (H. Shi, J. Schaeffer, Parallel sorting by regular sampling,
-// 1992). Points in one cell of the curve are in the order of their ids. Keeps where points went, so
-// that the user's data can follow them.
+// Spreads points evenly over ranks. Each rank gets a stretch of the Hilbert curve through the box
+// of all points, by sorting with regular samples (H. Shi, J. Schaeffer, Parallel sorting by regular
+// sampling, 1992). Points in one cell of the curve are in the order of their ids. Keeps where
+// points went, so that the user's data can follow them.
 class Distributed_order_2
 {
   using Id = Distributed_id_2;
   using Entry = Distributed_entry_2;
 
 public:
-  // The points that this rank owns from now on, in their order along the curve. Collective.
+  // Distributes points. Returns those of this rank, in their order along the curve. Collective.
   template <class Space>
   std::vector<Entry> distribute(Distributed_ranks_2& ranks, const Space& space,
                                 const std::vector<Entry>& own)
@@ -63,12 +63,13 @@ public:
     return entries;
   }
 
-  // How many points this rank owned before, and owns since.
+  // How many points this rank owned before the last distribution.
   std::size_t size_before() const { return m_destinations.size(); }
-  // Where they went.
+  // The ranks that they went to.
   const std::vector<std::size_t>& destinations() const { return m_destinations; }
 
-  // Data of the points as this rank owned them before: data of those it owns since. Collective.
+  // Returns data of the points that this rank owns now, given those of its points before.
+  // Collective.
   template <class T>
   std::vector<T> carry(Distributed_ranks_2& ranks, const std::vector<T>& data) const
   {
@@ -123,7 +124,7 @@ private:
     box.y_high = ranks.largest(box.y_high);
     box.x_low = -ranks.largest(-box.x_low);
     box.y_low = -ranks.largest(-box.y_low);
-    // Halves, as the difference of two doubles may be none.
+    // Halves, as the difference of two doubles may overflow.
     const double half = (std::max)(box.x_high / 2 - box.x_low / 2, box.y_high / 2 - box.y_low / 2);
     const auto cell = [&](double coordinate, double low) {
       const double part = half > 0 ? (coordinate / 2 - low / 2) / half : 0;
@@ -137,7 +138,7 @@ private:
     return keys;
   }
 
-  // Rank r gets keys from the one before r on, up to before the one of r.
+  // Returns splitters: rank r gets the keys from splitter r - 1 on that are less than splitter r.
   static std::vector<Key> find_splitters(Distributed_ranks_2& ranks, std::vector<Key> keys)
   {
     std::sort(keys.begin(), keys.end());

@@ -19,10 +19,10 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The convex hull of all points of all ranks, which every rank knows.
 //
-// A corner of that hull is a corner of the hull of any set that contains it. So it is on the hull
-// of the triangulation of the rank that owns it, and it is enough that each rank gives its own
-// points there, but those in the middle of an edge. A rank inside gives none once it holds ghosts
-// around it. Cost: sorting of what all ranks give.
+// A corner of that hull is a corner of the hull of each subset that contains it. So it is on the
+// hull of the triangulation of the rank that owns it, and it is enough that each rank gives its own
+// points on that hull, without those in the middle of an edge. A rank inside gives none once it
+// holds ghosts on all sides. Cost: sorting the points that all ranks give.
 template <class Points>
 class Distributed_outline_2
 {
@@ -49,9 +49,9 @@ public:
       m_box.add(p.x(), p.y());
   }
 
-  // Around all points that may be in the region.
+  // A box around all points that may be in the region of a question.
   const Box_2& box_for(const Distributed_question_2&) const { return m_box; }
-  // Counterclockwise, without those in the middle of an edge.
+  // The corners of the hull, counterclockwise, without points in the middle of an edge.
   const std::vector<Point>& corners() const { return m_corners; }
 
   // Whether a point is strictly left of the line from p to q.
@@ -72,7 +72,7 @@ public:
                              Point(box.x_high, box.y_high), Point(box.x_low, box.y_high)};
     const auto orientation = Kernel().orientation_2_object();
     for (std::size_t k = 0; k < n; ++k) {
-      const std::size_t e = (m_latest + k) % n; // neighboring boxes are mostly beyond one edge
+      const std::size_t e = (m_latest + k) % n; // boxes in turn are mostly beyond the same edge
       const Point &p = m_corners[e], &q = m_corners[(e + 1) % n];
       if (std::all_of(corners, corners + 4,
                       [&](const Point& r) { return orientation(p, q, r) == RIGHT_TURN; })) {
@@ -83,7 +83,7 @@ public:
     return false;
   }
 
-  // Equal but for rounding, and quicker.
+  // Tests what `excludes()` tests, in rounded arithmetic, which is quicker.
   bool excludes_about(const Box_2& box) const
   {
     const std::size_t n = m_corners.size();
@@ -108,7 +108,7 @@ private:
   {
     std::vector<Position_2> corners;
     const auto frame = points.dt().frame();
-    if (frame.number_of_faces() == 0) { // on a line, if there are any: the two outermost ones
+    if (frame.number_of_faces() == 0) { // own points on a line, if any: the two outermost
       const auto [first, last] =
           std::minmax_element(points.owned().begin(), points.owned().end(), [&](Index i, Index j) {
             return comes_first(points.point(i), points.point(j));
@@ -134,8 +134,8 @@ private:
     return corners;
   }
 
-  // Appends the chain of the hull to the right of ascending or descending points, but for the last
-  // one: A. M. Andrew, Another efficient algorithm for convex hulls in two dimensions, 1979.
+  // Appends the chain of the hull on the right of ascending or descending points, without its end:
+  // A. M. Andrew, Another efficient algorithm for convex hulls in two dimensions, 1979.
   template <class Iterator>
   void add_chain(Iterator first, Iterator beyond)
   {

@@ -25,21 +25,21 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Between two frames of a periodic space: by which shifts points were wrapped, and which other
-// vectors of the lattice the cell has, so that what has a shift can be called as it is now.
+// Converts the shifts of edges from one frame of a periodic space to the next: finds the shifts by
+// which points were wrapped, and the cell's last vectors in multiples of its present ones.
 //
-// As in one process, a point has gone the shortest way, in multiples of the cell's vectors; the
-// rest of where it is given now is a shift. Ranks compare points that they owned then and own now;
-// of others one rank hears both. So the shifts depend on what was given alone. All ranks hear of
-// the points that were wrapped. Cost: the own points; of messages, those that were wrapped, and
-// those that have another owner now.
+// As in one process, a point is taken to have gone the shortest way, in multiples of the cell's
+// vectors; the rest of its step is a shift. A rank compares positions of points that it owned then
+// and owns now; those of another point are both sent to one rank. So the shifts depend on given
+// positions alone. All ranks hear of the points that were wrapped. Cost: a pass over the own
+// points; messages about points that were wrapped or have another owner now.
 class Distributed_translations_2
 {
 public:
   using Id = Distributed_id_2;
   using Entry = Distributed_entry_2;
 
-  // The own points of a frame, as they were given, after those of the last call. Collective.
+  // Compares own points, as they were given, with those of the last call. Collective.
   void compute(Distributed_ranks_2& ranks, const Periodic_cell_2& cell, std::vector<Entry> own)
   {
     std::sort(own.begin(), own.end(), [](const Entry& e, const Entry& f) { return e.id < f.id; });
@@ -57,7 +57,7 @@ public:
     m_own = std::move(own);
   }
 
-  // The shift of an edge between two points as it is called now, if it was called so then.
+  // The present shift of an edge from i to j that had this shift before the last `compute()`.
   Periodic_shift_2 renamed(Id i, Id j, const Periodic_shift_2& shift) const
   {
     const Periodic_shift_2 of_i = translation(i), of_j = translation(j);
@@ -73,7 +73,7 @@ private:
     Id id;
     Periodic_shift_2 shift;
   };
-  struct Sighting // of a point that one rank owned then, or owns now
+  struct Sighting // of a point that the sender owned then, or owns now
   {
     Entry entry;
     std::uint64_t is_now;

@@ -21,20 +21,19 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Where one rank wants to be told of all points: some cells of a square grid, mostly within a box,
-// and others that are listed. Senders and the rank itself compute the same cells from the same
+// The region in which a rank is to hold all points: some cells of a square grid, most of them
+// within a box; others are listed. Senders and the rank itself compute the same cells from the same
 // coordinates, and the cell of a place depends monotonically on its coordinates, rounding included.
-// So all places in a box whose corners' cells enclose nothing but cells of the zone are in the
-// zone.
+// So if all cells between those of a box's corners are in the zone, all places in the box are.
 //
-// In a periodic space a zone is deformed with the cell: the grid is that of the time when the zone
-// was made, and places are taken to where they were then, by the same map on all ranks. What is
-// said of a box is said of a box around all that this computes for its places.
+// In a periodic space a zone is deformed with the cell: the grid stays that of the time when the
+// zone was made, and places are mapped to where they were then, by the same map on all ranks. Tests
+// of a box use a box around the computed images of its places.
 //
 // Accuracy. A zone is deformed while the map stretches nothing by more than 2, neither back nor
-// forth. Then it has coordinates of at most 2^26 cells (`zone_around_faces()` sees to that), and
-// the map is off by less than 2^-23 cells. Otherwise it changes nothing. The numbers of cells,
-// before they are cut off, are off by less than 2^-40 besides, within the box.
+// forth. Then the zone has coordinates of at most 2^26 cells (`zone_around_faces()` sees to that),
+// and the map is off by less than 2^-23 cells. Without deformation the map changes nothing. Within
+// the box, columns and rows, before rounding down, are off by less than 2^-40 besides.
 class Distributed_zone_2
 {
 public:
@@ -42,8 +41,8 @@ public:
 
   Distributed_zone_2() = default;
 
-  // Without cells yet, in a space with this basis. \pre `box` has at most `most_cells` cells of
-  // this size along each axis.
+  // A zone without cells yet, in a space with this basis. \pre `box` has at most `most_cells` cells
+  // of this size along each axis.
   Distributed_zone_2(const Box_2& box, double cell_size, const Basis_2& basis = unit_basis)
     : m_basis(basis)
     , m_x(box.x_low)
@@ -59,7 +58,7 @@ public:
   double cell_size() const { return 1 / m_scale; }
   const Distributed_deformation_2& deformation() const { return m_deformation; }
 
-  // Deforms the zone with the space, whose basis is this one now. It ends where that is too much.
+  // Deforms the zone with the space, whose basis is now `basis`. Empties it if that is too much.
   void follow(const Basis_2& basis)
   {
     const Distributed_deformation_2 back(basis, m_basis), forth(m_basis, basis);
@@ -69,8 +68,9 @@ public:
       *this = Distributed_zone_2();
   }
 
-  // As it was done to the zone that was read from this one's words, by the same code on
-  // all ranks: rounded elsewhere it might end at another time. Whether anything has changed.
+  // Takes over the deformation or the end of `read`, the zone that was read from this one's words.
+  // All ranks deform that by the same code; rounded elsewhere this zone might end at another time.
+  // True if anything has changed.
   bool follow(const Distributed_zone_2& read)
   {
     if (is_empty() || (!read.is_empty() && read.m_deformation == m_deformation))
@@ -84,8 +84,8 @@ public:
 
   bool contains(double x, double y) const { return !is_empty() && contains(cell_of(x, y)); }
 
-  // A distance, in each coordinate, up to which all places around this one are in the zone; 0 if
-  // that cannot be seen quickly.
+  // A distance, in each coordinate, up to which all places around (x, y) are in the zone; 0 if a
+  // quick test finds none.
   double depth_around(double x, double y) const
   {
     const Cell c = cell_of(x, y);
@@ -93,7 +93,7 @@ public:
            (1 - 0x1p-16);
   }
 
-  // Whether a place in the box may be in the zone, which has come as words. If not, none is.
+  // False only if no place in the box is in the zone. \pre The zone was read from words.
   bool may_meet(const Box_2& box) const
   {
     if (box.is_empty())
@@ -103,14 +103,14 @@ public:
            high.row >= m_first.row;
   }
 
-  // BLOCKS, squares of cells, in rows, as far as they are complete within the box, deformed with it
+  // BLOCKS: squares of cells, numbered in rows, that are complete within the box; deformed with it
 
   static constexpr long cells_per_block = 4; // along an axis
 
   long block_columns() const { return m_columns / cells_per_block; }
   long block_rows() const { return m_rows / cells_per_block; }
 
-  // The block of a place, or the number of blocks if it is in none.
+  // The number of the block of a place; if it is in none, how many blocks there are.
   std::uint32_t block(double x, double y) const
   {
     const double scale = m_scale / double(cells_per_block);
@@ -121,7 +121,7 @@ public:
     return std::uint32_t(is_in_one ? std::int32_t(row) * block_columns() + std::int32_t(column)
                                    : block_rows() * block_columns());
   }
-  // Whether all of its cells are in the zone, and as many around it in each direction.
+  // Whether all cells of a block, and `around` more in each direction, are in the zone.
   bool is_deep_block(long column, long row, long around) const
   {
     constexpr long last = cells_per_block - 1;
@@ -130,18 +130,18 @@ public:
     return is_in_box(low) && is_in_box(high) && are_all_cells(low, high);
   }
 
-  // Around all places in the zone, which has come as words.
+  // A box around all places in the zone. \pre The zone was read from words.
   Box_2 bounds() const
   {
     if (m_first.column > m_last.column)
       return Box_2();
-    const double size = cell_size(); // of a cell more on each side, for rounding
+    const double size = cell_size(); // one cell more on each side, for rounding
     return m_deformation.inverse()(
         Box_2{m_x + double(m_first.column - 1) * size, m_y + double(m_first.row - 1) * size,
               m_x + double(m_last.column + 2) * size, m_y + double(m_last.row + 2) * size});
   }
 
-  // Whether it can be seen quickly that all places in the box are in the zone.
+  // A quick test: true only if all places in the box are in the zone.
   bool covers(const Box_2& box) const
   {
     const bool is_finite =
@@ -161,8 +161,8 @@ public:
     return true;
   }
 
-  // Adds all cells that the box meets; beyond the grid's own box only if they are few. \pre The
-  // zone is not deformed yet.
+  // Adds all cells that the box meets; beyond the grid's box only if they are few. \pre The zone is
+  // not deformed yet.
   void add(const Box_2& box)
   {
     const Cell low{column_of(box.x_low), row_of(box.y_low)};
@@ -176,7 +176,7 @@ public:
                 m_cells.begin() + std::ptrdiff_t(cell(right, row)) + 1, std::uint8_t(1));
   }
 
-  // To be called after the last `add()`, before `covers()`.
+  // Call it after the last `add()`, before any test.
   void sum_up()
   {
     std::sort(m_listed.begin(), m_listed.end());
@@ -192,7 +192,7 @@ public:
     find_layers();
   }
 
-  // As numbers, with the cells in the box as the lengths of runs of equal ones.
+  // The zone as words; the cells in the box are lengths of runs of equal ones.
   std::vector<std::uint64_t> to_words() const
   {
     const Numbers numbers{m_basis[0].x, m_basis[0].y, m_basis[1].x, m_basis[1].y,
@@ -213,7 +213,7 @@ public:
     return words;
   }
 
-  // For `contains()`, `may_meet()` and `bounds()` alone. Not deformed yet.
+  // Reads a zone, not deformed yet. Its only tests are `contains()`, `may_meet()` and `bounds()`.
   template <class Iterator>
   static Distributed_zone_2 of_words(Iterator words, Iterator beyond)
   {
@@ -245,7 +245,7 @@ private:
   static constexpr long most_single_cells = 64; // that are looked at one by one
   static constexpr long no_cell = (std::numeric_limits<long>::max)();
 
-  // The cells beyond the box have numbers, too, as far as there are any.
+  // Rounds down, within limits: the column or row of a cell, also beyond the box.
   static long place(double t)
   {
     constexpr double limit = 0x1p30;
@@ -260,7 +260,7 @@ private:
     const Position_2 p = m_deformation(x, y);
     return {column_of(p.x), row_of(p.y)};
   }
-  // Those of places in a box are between these two.
+  // Two cells between which the cells of all places in a box are.
   std::pair<Cell, Cell> cells_around(const Box_2& box) const
   {
     const Box_2 around = m_deformation(box);
@@ -271,7 +271,7 @@ private:
   {
     return c.column >= 0 && c.column < m_columns && c.row >= 0 && c.row < m_rows;
   }
-  bool are_all_cells(Cell low, Cell high) const // in the box
+  bool are_all_cells(Cell low, Cell high) const // both in the box
   {
     return sum(high.column + 1, high.row + 1) - sum(low.column, high.row + 1) -
                sum(high.column + 1, low.row) + sum(low.column, low.row) ==
@@ -295,8 +295,8 @@ private:
         if (!is_in_box({column, row}))
           m_listed.push_back(packed({column, row}));
   }
-  // By chessboard distances, in two passes: A. Rosenfeld and J. L. Pfaltz, Distance functions on
-  // digital pictures, 1968.
+  // Computes chessboard distances in two passes: A. Rosenfeld and J. L. Pfaltz, Distance functions
+  // on digital pictures, 1968.
   void find_layers()
   {
     m_layers.assign(m_cells.size(), 0);
@@ -347,10 +347,10 @@ private:
   double m_x = 0, m_y = 0, m_scale = 1;
   long m_columns = 0, m_rows = 0;
   std::vector<std::uint8_t> m_cells;   // of the box
-  std::vector<std::uint8_t> m_layers;  // of the box: how many layers of the zone end with each cell
-  std::vector<std::uint64_t> m_listed; // beyond it, ascending
+  std::vector<std::uint8_t> m_layers;  // of the box: distances to cells outside of zone or box
+  std::vector<std::uint64_t> m_listed; // cells beyond the box, ascending
   std::vector<std::uint32_t> m_sums;   // of the cells to the left of and below each corner
-  Cell m_first = {no_cell, no_cell};   // of the zone's cells, in each coordinate
+  Cell m_first = {no_cell, no_cell};   // the least and, below, the largest column and row
   Cell m_last = {-no_cell, -no_cell};
 };
 
