@@ -59,8 +59,9 @@ public:
   {
   }
 
-  static Halfedge_index next(Halfedge_index h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static Halfedge_index previous(Halfedge_index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  // Without comparisons, for which compilers write branches that processors cannot predict.
+  static Halfedge_index next(Halfedge_index h) { return h + 1 - 3 * (h % 3 / 2); }
+  static Halfedge_index previous(Halfedge_index h) { return h + 2 - 3 * ((h % 3 + 1) / 2); }
   static Face_index face_of(Halfedge_index h) { return h / 3; }
   // The half-edge opposite to the i-th vertex of face f; and the i of half-edge h.
   static Halfedge_index halfedge_in(Face_index f, Index i) { return 3 * f + i; }
@@ -593,18 +594,24 @@ private:
     Edge_index edge;
   };
 
+  // Both functions below use masks of all bits or none: processors could not predict a branch.
+
   // Makes edge(e) go from the source to the target of half-edge h.
   void turn_along(Edge_index e, Halfedge_index h)
   {
     const Edge_2 edge = m_edges[e];
-    if (edge.source != source(h))
-      m_edges[e] = {edge.target, edge.source, edge.right, edge.left};
+    const Index turns = 0 - Index(edge.source != source(h));
+    const Index ends = (edge.source ^ edge.target) & turns;
+    const Index apexes = (edge.left ^ edge.right) & turns;
+    m_edges[e] = {edge.source ^ ends, edge.target ^ ends, edge.left ^ apexes, edge.right ^ apexes};
   }
 
   void exchange_opposite(Edge_index e, Vertex_index from, Vertex_index to)
   {
     Edge_2& edge = m_edges[e];
-    (edge.left == from ? edge.left : edge.right) = to;
+    const Index is_left = 0 - Index(edge.left == from);
+    edge.left = (to & is_left) | (edge.left & ~is_left);
+    edge.right = (to & ~is_left) | (edge.right & is_left);
   }
 
   Uninitialized_vector_2<Halfedge> m_halfedges;
