@@ -6,6 +6,8 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <boost/integer/integer_log2.hpp>
+
 #include <cstdint>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
@@ -27,17 +29,20 @@ inline void prefetch(const void* address)
 #endif
 }
 
-// The place of the lowest bit that is set in `word`, which must not be 0.
+// The place of the highest bit that is set. One of them must be.
+inline unsigned highest_bit(std::uint64_t word)
+{
+#if defined(__GNUC__) // without the branches of Boost's function, which cannot be predicted
+  return 63u - unsigned(__builtin_clzll(word));
+#else
+  return unsigned(boost::integer_log2(word));
+#endif
+}
+
+// The place of the lowest bit that is set. One of them must be.
 inline unsigned lowest_bit(std::uint64_t word)
 {
-#if defined(__GNUC__) || defined(__clang__)
-  return unsigned(__builtin_ctzll(word));
-#else
-  unsigned place = 0;
-  for (; (word & 1) == 0; word >>= 1)
-    ++place;
-  return place;
-#endif
+  return highest_bit(word & (~word + 1));
 }
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -7,12 +7,12 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Parallel_parts_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/tags.h>
 
-#include <boost/integer/integer_log2.hpp>
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <algorithm>
@@ -88,7 +88,7 @@ inline Cut_2 hilbert_cut(std::uint32_t before, std::uint32_t after)
     bits ^= bits >> 16, bits ^= bits >> 8, bits ^= bits >> 4;
     return (0x6996u >> (bits & 15) & 1) != 0;
   };
-  const int bit = boost::integer_log2(before ^ after);
+  const int bit = int(highest_bit(before ^ after));
   const std::uint32_t digits_above = bit < 30 ? ~std::uint32_t(0) << (bit / 2 * 2 + 2) : 0;
   const std::uint32_t low_bits = 0x55555555u & digits_above;
   const bool are_exchanged = parity(~(after ^ after >> 1) & low_bits);
