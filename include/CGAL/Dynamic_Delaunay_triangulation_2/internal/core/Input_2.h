@@ -139,7 +139,7 @@ public:
   static void leave_out(const std::vector<Index>&) {}
 
   // Finds none: in the plane, previous positions are not read before the classifier has run.
-  static std::vector<Index> find_jumpers() { return {}; }
+  static std::vector<Index> find_jumpers(std::size_t) { return {}; }
 
   // Does nothing: in the plane, points may have any coordinates that can be read.
   static void check(const std::vector<Point>&, const std::vector<Index>&) {}

@@ -103,11 +103,14 @@ public:
   }
 
   // Returns the vertices that go far, compared to the mean motion, and farther than half the way to
-  // their nearest neighbors. They would tangle the faces on their way. Call this before accept().
-  std::vector<Index> find_jumpers() const
+  // their nearest neighbors. They would tangle the faces on their way. If they are more than
+  // `most`, returns just some of them, but more than `most`. Call this before accept().
+  std::vector<Index> find_jumpers(std::size_t most) const
   {
     std::vector<Index> jumpers;
     for (const auto& [v, way] : m_far) {
+      if (jumpers.size() > most)
+        break;
       const double squared = squared_distance(way, m_mean_way);
       if (squared > m_squared_long_way && 4 * squared > squared_distance_to_neighbors(v))
         jumpers.push_back(v);

@@ -168,8 +168,7 @@ public:
   }
 
 private:
-  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  using Arrays = Halfedge_arrays_2;
 
   // Makes the wrapped points, and then images around the cell. False if these were too many.
   bool make_cloud(const Torus_2& torus, const std::vector<Position_2>& points)
@@ -321,6 +320,11 @@ private:
     std::array<Index, 3> corners{m_planar.apex(h), m_planar.apex(h + 1), m_planar.apex(h + 2)};
     if (std::find(corners.begin(), corners.end(), infinite_index) != corners.end())
       return false;
+    // nearly everywhere: to find the first one takes branches that cannot be predicted
+    const auto wrapped = std::count_if(corners.begin(), corners.end(),
+                                       [this](Index image) { return is_wrapped(image); });
+    if (wrapped == 0 || wrapped == 3)
+      return wrapped == 3;
     const Index first = *std::min_element(corners.begin(), corners.end(), [&](Index a, Index b) {
       return std::make_tuple(vertex(a), m_cloud.shift(a)) <
              std::make_tuple(vertex(b), m_cloud.shift(b));
@@ -409,8 +413,8 @@ private:
       m_faces.twins[h] = 3 * number + twin % 4;
       return;
     }
-    Index from = m_faces.apexes[next(h)], to = m_faces.apexes[previous(h)];
-    Periodic_shift_2 shift = m_faces.shifts[previous(h)] - m_faces.shifts[next(h)];
+    Index from = m_faces.apexes[Arrays::next(h)], to = m_faces.apexes[Arrays::previous(h)];
+    Periodic_shift_2 shift = m_faces.shifts[Arrays::previous(h)] - m_faces.shifts[Arrays::next(h)];
     const bool is_reversed = from > to || (from == to && shift < no_shift);
     if (is_reversed) {
       std::swap(from, to);
@@ -445,7 +449,7 @@ private:
     std::size_t met = 0;
     Index h = start - 1;
     do {
-      h = next(m_faces.twins[next(h)]);
+      h = Arrays::next(m_faces.twins[Arrays::next(h)]);
       if (m_faces.apexes[h] != v || ++met > m_faces.apexes.size())
         return 0;
     } while (h != start - 1);

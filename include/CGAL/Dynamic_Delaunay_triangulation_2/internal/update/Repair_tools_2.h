@@ -132,6 +132,10 @@ public:
     return are_gone;
   }
 
+  // The largest number of vertices to take out and put in again where no region can be spliced:
+  // more are as much work as triangulating anew.
+  std::size_t max_taken_out() const { return 10 + m_state.number_of_vertices() / 6; }
+
   // Takes out vertices that are about to jump, while everything is Delaunay, so that their motion
   // breaks nothing. Leaves them to the repair if they are many, or if their faces meet images of
   // themselves.
@@ -400,10 +404,6 @@ private:
     m_border.clear();
     m_classification.clear(m_state);
   }
-
-  // The largest number of vertices to take out and put in again where no region can be spliced:
-  // more are as much work as triangulating anew.
-  std::size_t max_taken_out() const { return 10 + m_state.number_of_vertices() / 6; }
 
   // The number of vertices whose rebuild in the plane would cost as much as a rebuild here.
   std::size_t rebuilt_vertices() const

@@ -185,7 +185,7 @@ private:
   template <class Input>
   std::vector<Index> find_jumpers(const Input& input, std::vector<Index> gone) const
   {
-    std::vector<Index> jumpers = input.find_jumpers();
+    std::vector<Index> jumpers = input.find_jumpers(m_tools.max_taken_out() + gone.size());
     std::sort(gone.begin(), gone.end());
     const auto is_gone = [&](Vertex_index v) {
       return std::binary_search(gone.begin(), gone.end(), m_state.ids().representative(v));
