@@ -153,8 +153,8 @@ public:
 
   // Fewer vertices than these are triangulated from scratch.
   static constexpr std::size_t min_vertices = 3;
-  // The cost of triangulating from scratch, as a multiple of the cost in the plane.
-  static constexpr std::size_t rebuild_factor = 1;
+  // The number of vertices in the plane that cost as much to triangulate from scratch.
+  static std::size_t rebuilt_vertices(std::size_t vertices) { return vertices; }
 
   // CORNERS ---------------------------------------------------------------------------------------
   // A corner is a vertex as seen from a point of view, which is called a frame. In the plane all

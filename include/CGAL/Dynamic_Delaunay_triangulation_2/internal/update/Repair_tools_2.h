@@ -134,7 +134,7 @@ public:
 
   // The largest number of vertices to take out and put in again where no region can be spliced:
   // more are as much work as triangulating anew.
-  std::size_t max_taken_out() const { return 10 + m_state.number_of_vertices() / 6; }
+  std::size_t max_taken_out() const { return 10 + rebuilt_vertices() / 18; }
 
   // Takes out vertices that are about to jump, while everything is Delaunay, so that their motion
   // breaks nothing. Leaves them to the repair if they are many, or if their faces meet images of
@@ -405,10 +405,9 @@ private:
     m_classification.clear(m_state);
   }
 
-  // The number of vertices whose rebuild in the plane would cost as much as a rebuild here.
   std::size_t rebuilt_vertices() const
   {
-    return State::rebuild_factor * m_state.number_of_vertices();
+    return State::rebuilt_vertices(m_state.number_of_vertices());
   }
 
   // VERTICES THAT WENT FAR ----------------------------------------------------------------------

@@ -229,8 +229,8 @@ private:
   {
     const std::size_t duplicates = m_state.ids().duplicates().size();
     return changes > 0 && Repair_budget_2::is_rebuild_cheaper(
-                              State::rebuild_factor * (m_state.number_of_vertices() + duplicates),
-                              0, changes + changes * duplicates / 512);
+                              State::rebuilt_vertices(m_state.number_of_vertices() + duplicates), 0,
+                              changes + changes * duplicates / 512);
   }
 
   // Samples edges, to avoid a useless classification: many edges if mending was in vain lately, or
@@ -255,7 +255,7 @@ private:
     const Sample many = sample(frame, size, is_not_delaunay);
     // a quarter more than necessary, because a sample may be wrong
     return m_experience.is_hopeless(many.size, many.broken) ||
-           Repair_budget_2::is_rebuild_cheaper(State::rebuild_factor * frame.number_of_vertices(),
+           Repair_budget_2::is_rebuild_cheaper(State::rebuilt_vertices(frame.number_of_vertices()),
                                                edges * many.broken / many.size * 4 / 5);
   }
 
