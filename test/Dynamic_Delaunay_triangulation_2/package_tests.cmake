@@ -12,6 +12,8 @@ file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/incl
 if(NOT CHECK_INTERNAL_HEADERS)
   list(FILTER headers EXCLUDE REGEX "/internal/")
 endif()
+# That one is a program's source file: CMake's target `compiled` includes nothing else.
+list(FILTER headers EXCLUDE REGEX "/compiled_updates\\.h$")
 if(NOT MPI_CXX_FOUND)
   list(FILTER headers EXCLUDE REGEX "/(Distributed_[a-zA-Z_]*|Message_exchange)_2\\.h$")
 endif()
@@ -24,10 +26,6 @@ endforeach()
 add_library(self_sufficient_headers OBJECT ${sources})
 target_link_libraries(self_sufficient_headers PRIVATE program_settings $<TARGET_NAME_IF_EXISTS:MPI::MPI_CXX>)
 set_target_properties(self_sufficient_headers PROPERTIES UNITY_BUILD OFF)
-# This one is for programs that declare in all files that it is in one of them.
-set_source_files_properties(
-  "${CMAKE_CURRENT_BINARY_DIR}/headers/CGAL/Dynamic_Delaunay_triangulation_2/compiled_updates.cpp"
-  PROPERTIES COMPILE_DEFINITIONS CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED)
 if(NOT MSVC)
   # Assertions need their includes as well. The result is not run.
   target_compile_options(self_sufficient_headers PRIVATE -UNDEBUG -O0)
