@@ -18,7 +18,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace exact {
+namespace exact_signs {
 
 using Integer = boost::multiprecision::cpp_int;
 using Position = CGAL::Dynamic_Delaunay_triangulations_2::Position_2;
@@ -92,6 +92,6 @@ inline int compare_distance(const Position& p, const Position& q, double t)
   return Integer(square(u - v) - w.x * w.x).sign();
 }
 
-} // namespace exact
+} // namespace exact_signs
 
 #endif // DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_EXACT_SIGNS_H

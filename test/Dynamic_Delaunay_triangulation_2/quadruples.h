@@ -58,7 +58,7 @@ public:
       for (int i = whole(random, 1, 3); i > 0; --i)
         nudge(random() % 2 ? q[random() % 4].x : q[random() % 4].y);
     std::shuffle(q.begin(), q.end(), random);
-    if (random() % 8 && exact::orientation(q[0], q[1], q[2]) < 0)
+    if (random() % 8 && exact_signs::orientation(q[0], q[1], q[2]) < 0)
       std::swap(q[1], q[2]);
     return q;
   }
@@ -224,9 +224,9 @@ inline Epick::Point_2 point(const Position_2& p)
 struct Signs
 {
   explicit Signs(const Quadruple& q)
-    : left(exact::orientation(q[0], q[1], q[2]))
-    , right(exact::orientation(q[3], q[2], q[1]))
-    , side(exact::side_of_circle(q[0], q[1], q[2], q[3]))
+    : left(exact_signs::orientation(q[0], q[1], q[2]))
+    , right(exact_signs::orientation(q[3], q[2], q[1]))
+    , side(exact_signs::side_of_circle(q[0], q[1], q[2], q[3]))
   {
   }
 

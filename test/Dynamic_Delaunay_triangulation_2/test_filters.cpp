@@ -66,14 +66,14 @@ class Predicates : public testing::Test
 
 TEST_F(Predicates, in_integers_know_what_is_obvious)
 {
-  EXPECT_EQ(exact::orientation({0, 0}, {1, 0}, {0, tiniest}), 1);
-  EXPECT_EQ(exact::orientation({0, 0}, {0, tiniest}, {1, 0}), -1);
-  EXPECT_EQ(exact::orientation({-largest, -tiniest}, {0, 0}, {largest, tiniest}), 0);
-  EXPECT_EQ(exact::side_of_circle({0, 0}, {1, 0}, {1, 1}, {0, 1}), 0);
-  EXPECT_EQ(exact::side_of_circle({0, 0}, {1, 0}, {1, 1}, {tiniest, 0.5}), 1);
-  EXPECT_EQ(exact::side_of_circle({0, 0}, {1, 0}, {1, 1}, {-1, 1}), -1);
-  EXPECT_EQ(exact::compare_distance({0, 0}, {3e-320, 4e-320}, 5e-320), 0);
-  EXPECT_EQ(exact::compare_distance({-largest, 0}, {largest, 0}, largest), 1);
+  EXPECT_EQ(exact_signs::orientation({0, 0}, {1, 0}, {0, tiniest}), 1);
+  EXPECT_EQ(exact_signs::orientation({0, 0}, {0, tiniest}, {1, 0}), -1);
+  EXPECT_EQ(exact_signs::orientation({-largest, -tiniest}, {0, 0}, {largest, tiniest}), 0);
+  EXPECT_EQ(exact_signs::side_of_circle({0, 0}, {1, 0}, {1, 1}, {0, 1}), 0);
+  EXPECT_EQ(exact_signs::side_of_circle({0, 0}, {1, 0}, {1, 1}, {tiniest, 0.5}), 1);
+  EXPECT_EQ(exact_signs::side_of_circle({0, 0}, {1, 0}, {1, 1}, {-1, 1}), -1);
+  EXPECT_EQ(exact_signs::compare_distance({0, 0}, {3e-320, 4e-320}, 5e-320), 0);
+  EXPECT_EQ(exact_signs::compare_distance({-largest, 0}, {largest, 0}, largest), 1);
 }
 
 TEST_F(Predicates, of_the_kernel_are_right_for_all_coordinates)
@@ -124,7 +124,7 @@ TEST_F(Predicates, of_the_orientation_claim_nothing_where_their_bound_underflows
     const double share = number(random);
     const Position_2 b{c.x + share * (a.x - c.x), c.y + share * (a.y - c.y)};
     const int sign = internal::filtered_orientation(a, b, c);
-    ASSERT_TRUE(sign == 0 || sign == exact::orientation(a, b, c)) << text({a, b, c, a});
+    ASSERT_TRUE(sign == 0 || sign == exact_signs::orientation(a, b, c)) << text({a, b, c, a});
   }
 }
 
@@ -324,17 +324,19 @@ TEST_F(Predicates, compute_with_subnormal_numbers_where_a_program_flushes_them)
 // 4 left in_circle <= eps (2 - eps) |ab|^2 |bc|^2 |ca|^2, with eps = digits / 2^shift.
 bool is_nearly_outside(const Quadruple& q, double eps)
 {
-  using exact::Integer;
-  const auto [a, b, c, d] = exact::as_integers<4>(q);
-  const exact::Vector u = a - d, v = b - d, w = c - d;
-  const Integer in_circle = exact::square(u) * exact::cross(v, w) +
-                            exact::square(v) * exact::cross(w, u) +
-                            exact::square(w) * exact::cross(u, v);
-  const Integer lengths = exact::square(a - b) * exact::square(b - c) * exact::square(c - a);
-  const auto shift = unsigned(eps == 0 ? 1 : -exact::exponent(eps));
+  using exact_signs::Integer;
+  const auto [a, b, c, d] = exact_signs::as_integers<4>(q);
+  const exact_signs::Vector u = a - d, v = b - d, w = c - d;
+  const Integer in_circle = exact_signs::square(u) * exact_signs::cross(v, w) +
+                            exact_signs::square(v) * exact_signs::cross(w, u) +
+                            exact_signs::square(w) * exact_signs::cross(u, v);
+  const Integer lengths =
+      exact_signs::square(a - b) * exact_signs::square(b - c) * exact_signs::square(c - a);
+  const auto shift = unsigned(eps == 0 ? 1 : -exact_signs::exponent(eps));
   const Integer digits(std::int64_t(std::ldexp(eps, int(shift))));
   const Integer factor = digits * ((Integer(1) << (shift + 1)) - digits);
-  return Integer((4 * exact::cross(b - a, c - a) * in_circle) << (2 * shift)) <= factor * lengths;
+  return Integer((4 * exact_signs::cross(b - a, c - a) * in_circle) << (2 * shift)) <=
+         factor * lengths;
 }
 
 TEST_F(Predicates, of_nearly_delaunay_leave_no_edge_alone_beyond_the_bound)
@@ -387,7 +389,7 @@ Position_2 moved(const Position_2& p, double t, double dx, double dy)
     return p;
   for (int i = 0; i < 60; ++i, t *= 1 - std::ldexp(1., i - 53)) {
     const Position_2 q{p.x + dx / length * t, p.y + dy / length * t};
-    if (std::isfinite(q.x) && std::isfinite(q.y) && exact::compare_distance(p, q, t) <= 0)
+    if (std::isfinite(q.x) && std::isfinite(q.y) && exact_signs::compare_distance(p, q, t) <= 0)
       return q;
   }
   return p;
@@ -449,7 +451,7 @@ TEST_F(Tolerances, are_kept_by_hulls_of_any_extent_anywhere)
     ++safe;
     for (int k = 0; k < 3; ++k) {
       const Quadruple m = moved(q, t, k == 0, any.random);
-      ASSERT_GT(exact::orientation(m[0], m[1], m[2]), 0) << t << ": " << text(q);
+      ASSERT_GT(exact_signs::orientation(m[0], m[1], m[2]), 0) << t << ": " << text(q);
     }
   }
   EXPECT_GT(safe, 2500u);
@@ -466,7 +468,7 @@ TEST_F(Tolerances, take_no_vertex_for_near_that_is_not)
     if (!(t > Edge_slack_2::smallest_tolerance) || !internal::is_within(t, q[0], q[1]))
       continue;
     ++near;
-    ASSERT_LE(exact::compare_distance(q[0], q[1], t), 0) << t << ": " << text(q);
+    ASSERT_LE(exact_signs::compare_distance(q[0], q[1], t), 0) << t << ": " << text(q);
   }
   EXPECT_GT(near, 10000u);
 }

@@ -269,7 +269,7 @@ private:
 
   int orientation(Index a, Index b, Index c) const
   {
-    return exact::orientation(at(a), at(b), at(c));
+    return exact_signs::orientation(at(a), at(b), at(c));
   }
 
   bool is_less(Index v, Index w) const
@@ -295,8 +295,8 @@ private:
     return (!is_left || orientation(edge.left, edge.source, edge.target) > 0) &&
            (!is_right || orientation(edge.right, edge.target, edge.source) > 0) &&
            (!is_left || !is_right ||
-            exact::side_of_circle(at(edge.left), at(edge.source), at(edge.target),
-                                  at(edge.right)) <= 0);
+            exact_signs::side_of_circle(at(edge.left), at(edge.source), at(edge.target),
+                                        at(edge.right)) <= 0);
   }
 
   bool is_convex(Index before, Index v, Index after) const
