@@ -12,7 +12,10 @@
 
 #include <CGAL/General_polygon_set_2.h>
 #include <CGAL/Gps_circle_segment_traits_2.h>
+#include <CGAL/Object.h>
 #include <CGAL/Polygon_with_holes_2.h>
+
+#include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +25,7 @@
 #include <map>
 #include <set>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace domain_oracle {
@@ -211,15 +215,29 @@ private:
     Traits traits;
     const Traits::Curve_2 circle(exact(m_p), r);
     General_polygon result;
-    std::vector<CGAL::Object> halves;
-    traits.make_x_monotone_2_object()(circle, std::back_inserter(halves));
-    for (const CGAL::Object& half : halves) {
-      Curve curve;
-      CGAL::assign(curve, half);
-      result.push_back(curve);
-    }
+    traits.make_x_monotone_2_object()(circle, boost::make_function_output_iterator(Halves{result}));
     return result;
   }
+
+  // Appends the halves of a circle, which CGAL 5, 6.1 and 6.2 give in different types.
+  struct Halves
+  {
+    void operator()(const CGAL::Object& half) const
+    {
+      Curve curve;
+      CGAL::assign(curve, half);
+      polygon.push_back(curve);
+    }
+    template <class... Types>
+    void operator()(const std::variant<Types...>& half) const
+    {
+      polygon.push_back(std::get<Curve>(half));
+    }
+    void operator()(const Curve& half) const { polygon.push_back(half); }
+    void operator()(const Traits::Point_2&) const {}
+
+    General_polygon& polygon;
+  };
 
   void add(const General_polygon& ring, Measured& measured,
            std::set<std::pair<Real, Real>>& corners) const
