@@ -120,9 +120,10 @@ public:
   static constexpr bool jumpers_leave_before_motion = true;
 
   static constexpr std::size_t min_vertices = 1;
-  // As in the plane. A rebuild takes about twice the time. What to compare with that is the cost of
-  // mending, which grows faster with the number of vertices than it does in the plane: at 1,000,
-  // 10,000 and 100,000 points both cost the same at steps of 0.14, 0.13 and 0.1 spacings.
+  // The number of vertices in the plane whose rebuild costs as much, compared with mending. A
+  // rebuild takes about twice the plane's time. Mending grows dearer with the number of vertices,
+  // faster than in the plane: 1,000, 10,000 and 100,000 points cost as much to mend as to rebuild
+  // at steps of 0.14, 0.13 and 0.1 spacings.
   static std::size_t rebuilt_vertices(std::size_t vertices)
   {
     constexpr std::size_t many = 1 << 15;

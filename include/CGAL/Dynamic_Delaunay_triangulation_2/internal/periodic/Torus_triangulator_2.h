@@ -14,6 +14,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Guibas_stolfi_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/tags.h>
 
@@ -320,7 +321,7 @@ private:
     std::array<Index, 3> corners{m_planar.apex(h), m_planar.apex(h + 1), m_planar.apex(h + 2)};
     if (std::find(corners.begin(), corners.end(), infinite_index) != corners.end())
       return false;
-    // nearly everywhere: to find the first one takes branches that cannot be predicted
+    // the usual case, which needs no search for the first corner, whose branches are unpredictable
     const auto wrapped = std::count_if(corners.begin(), corners.end(),
                                        [this](Index image) { return is_wrapped(image); });
     if (wrapped == 0 || wrapped == 3)

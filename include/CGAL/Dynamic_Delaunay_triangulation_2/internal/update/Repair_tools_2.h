@@ -132,8 +132,8 @@ public:
     return are_gone;
   }
 
-  // The largest number of vertices to take out and put in again where no region can be spliced:
-  // more are as much work as triangulating anew.
+  // The largest number of vertices to take out and put in again where no region can be spliced, a
+  // sixth of a small torus: more are as much work as triangulating anew.
   std::size_t max_taken_out() const { return 10 + rebuilt_vertices() / 18; }
 
   // Takes out vertices that are about to jump, while everything is Delaunay, so that their motion
