@@ -308,10 +308,8 @@ private:
     static_assert(block <= prefetched_ahead);
     for (Vertex_index v = first; v < beyond; v += block) {
       const Index end = (std::min)(v + block, beyond);
-      if (end < end_of_prefetching)
-        for (Vertex_index w = v; w < end; ++w)
-          next.prefetch(m_state.ids().representatives()[w + prefetched_ahead]);
-      if (!(is_same && stage_usual(next, now, usual, v, end, part.sum)) &&
+      const Index prefetched = end < end_of_prefetching ? prefetched_ahead : 0;
+      if (!(is_same && stage_usual(next, now, usual, v, end, prefetched, part.sum)) &&
           !stage_any<is_same>(next, now, v, end, part))
         return false;
     }
@@ -323,7 +321,7 @@ private:
   // frames saves a tenth of the time of an update.
   template <class Next>
   bool stage_usual(const Next& next, const Torus_2& now, double usual, Index first, Index beyond,
-                   Position_2& sum)
+                   Index prefetched, Position_2& sum)
   {
     const auto staged = m_positions.staged();
     const Index* const representatives = m_state.ids().representatives();
@@ -332,6 +330,7 @@ private:
     bool are_usual = true;
     Position_2 ways{0, 0};
     for (Vertex_index v = first; v < beyond; ++v) {
+      next.prefetch(representatives[v + prefetched]);
       const Point& point = next(representatives[v]);
       const Position_2 q = approximation(point), way = q - positions[v];
       staged.set(v, q, point);

@@ -278,12 +278,18 @@ public:
     return m_arrays.apex(end) == v && are_equal(m_shifts[end] - m_shifts[h], way);
   }
 
-  // Whether the four corners of an edge have the same shift.
+  // Whether the corners of a face have different shifts.
+  bool crosses_border(Face_index f) const
+  {
+    const auto [h, i, k] = Halfedge_arrays_2::halfedges_of(f);
+    return !are_equal(m_shifts[h], m_shifts[i]) || !are_equal(m_shifts[h], m_shifts[k]);
+  }
+  // Whether the four corners of an edge have the same shift, as seen from one of them.
   bool is_in_one_frame(Edge_index e) const
   {
-    const auto [a, b, c, d] = corners_at(m_arrays.halfedge(e));
-    return are_equal(a.shift, b.shift) && are_equal(b.shift, c.shift) &&
-           are_equal(c.shift, d.shift);
+    using Arrays = Halfedge_arrays_2;
+    const Halfedge_index h = m_arrays.halfedge(e);
+    return !crosses_border(Arrays::face_of(h)) && !crosses_border(Arrays::face_of(m_arrays.twin(h)));
   }
   // Whether the arrays show the edge rightly: its vertices if it is in one frame, and else none.
   bool is_shown_right(Edge_index e) const

@@ -37,7 +37,7 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 struct Periodic_faces_2
 {
   std::vector<Index> apexes, twins;     // of each half-edge, three for a face
-  std::vector<Periodic_shift_2> shifts; // of each apex
+  std::vector<Periodic_shift_2> shifts; // of each apex; the first one of a face has none
   std::vector<Index> points;            // of each vertex; the first one is not used
 };
 
@@ -153,7 +153,7 @@ public:
            cover_once(torus);
   }
 
-  const Periodic_faces_2& faces() const { return m_faces; }
+  Periodic_faces_2& faces() { return m_faces; }
 
   // Frees the memory.
   void release()
