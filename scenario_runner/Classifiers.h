@@ -7,9 +7,9 @@
 #include "scenario_runner/Method_choice.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Circumcircle_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Dynamic_classification_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Estimated_voronoi_circumcenter_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Inflation_aware_classifier_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/inform_classifier.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Nearly_delaunay_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>

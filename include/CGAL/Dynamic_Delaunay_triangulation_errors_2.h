@@ -6,7 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Message_text_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Decimal_number_2.h>
 
 #include <cstddef>
 #include <stdexcept>

@@ -7,7 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Periodic_picture_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/check_certified_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 
 #ifdef DOXYGEN_RUNNING

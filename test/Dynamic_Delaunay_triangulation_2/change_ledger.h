@@ -10,7 +10,7 @@
 #include "stamps.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/inform_classifier.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Dynamic_classification_2.h>
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 // at faces. Needs no MPI.
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/zones/Distributed_density_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/zones/Distributed_cover_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/zones/Distributed_zone_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

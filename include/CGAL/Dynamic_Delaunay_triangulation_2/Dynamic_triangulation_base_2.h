@@ -8,17 +8,18 @@
 
 #include <CGAL/Default.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Circumcircle_classifier_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/inform_classifier.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Dynamic_classification_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Input_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Validity_check_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Usual_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Dynamic_triangulation_settings_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Dynamic_frame_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Border_splice_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_and_splice_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/iterator.h>
 #include <CGAL/property_map.h>
@@ -44,6 +45,19 @@ namespace internal {
 // base class cannot read them from a class that is not complete yet.
 template <class Dynamic>
 struct Triangulation_types_2;
+
+// The repair that is used with a classifier if the user chooses none.
+template <class Classifier, class = void>
+struct Usual_repair_2
+{
+  using type =
+      std::conditional_t<Classifier::is_exact, Flip_and_splice_repair_2, Border_splice_repair_2>;
+};
+template <class Classifier>
+struct Usual_repair_2<Classifier, std::void_t<typename Classifier::Usual_repair>>
+{
+  using type = typename Classifier::Usual_repair;
+};
 
 // The part of these types that users choose.
 template <class Chosen_classifier, class Chosen_repair, class Chosen_policy, class Chosen_visitor,

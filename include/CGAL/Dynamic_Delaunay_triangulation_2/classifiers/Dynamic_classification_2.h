@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -262,6 +263,40 @@ private:
   std::size_t m_number_of_illegal = 0;
   bool m_hull_turns_once = false;
 };
+
+/// \cond
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+template <class Classifier, class Frame, class = void>
+struct Wants_to_be_informed : std::false_type
+{
+};
+template <class Classifier, class Frame>
+struct Wants_to_be_informed<
+    Classifier, Frame,
+    std::void_t<decltype(std::declval<Classifier&>().after_update(std::declval<const Frame&>()))>>
+  : std::true_type
+{
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+/// \endcond
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Classifiers
+
+calls the classifier's `after_update(frame)`, which is optional in `DelaunayClassifier_2`, if it has
+one. For classifiers that ask other classifiers.
+*/
+template <class Classifier, class Frame>
+void inform_classifier(Classifier& classifier, const Frame& frame)
+{
+  using namespace Dynamic_Delaunay_triangulations_2::internal;
+  if constexpr (Wants_to_be_informed<Classifier, Frame>::value)
+    classifier.after_update(frame);
+}
 
 } // namespace CGAL
 

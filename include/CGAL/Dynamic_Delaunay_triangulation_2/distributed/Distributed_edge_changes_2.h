@@ -6,12 +6,86 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_edge_comparison_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_ranks_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Message_exchange_2.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <map>
 #include <utility>
 #include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
+
+// Lists the edges that were created and removed between two calls of `compare()`, over all ranks.
+// `Traits::Edge` can be compared, `Traits::end(edge)` is the id of one of its ends, and
+// `Traits::write(edge, message)` writes what `Traits::read(message)` reads.
+template <class Traits>
+class Distributed_edge_comparison_2
+{
+public:
+  using Edge = typename Traits::Edge;
+
+  // Renames the edges of the last comparison. `name` maps different edges to different ones.
+  template <class Name>
+  void rename(const Name& name)
+  {
+    for (Edge& edge : m_edges)
+      edge = name(edge);
+    std::sort(m_edges.begin(), m_edges.end());
+  }
+
+  // Compares `edges`, which this rank gives, with those of the last call. Collective.
+  void compare(Distributed_ranks_2& ranks, std::vector<Edge> edges)
+  {
+    std::vector<Edge> created, removed;
+    std::sort(edges.begin(), edges.end());
+    std::set_difference(edges.begin(), edges.end(), m_edges.begin(), m_edges.end(),
+                        std::back_inserter(created));
+    std::set_difference(m_edges.begin(), m_edges.end(), edges.begin(), edges.end(),
+                        std::back_inserter(removed));
+    m_edges = std::move(edges);
+    settle(ranks, created, removed);
+  }
+
+  // The changes that are listed on this rank, ascending.
+  const std::vector<Edge>& created() const { return m_created; }
+  const std::vector<Edge>& removed() const { return m_removed; }
+
+private:
+  // Sends all changes of an edge to one rank: if only its owner has changed they cancel out.
+  void settle(Distributed_ranks_2& ranks, const std::vector<Edge>& created,
+              const std::vector<Edge>& removed)
+  {
+    std::vector<Message_2> messages = ranks.empty_messages();
+    const auto note = [&](const Edge& edge, std::int64_t sign) {
+      Message_2& message = messages[std::uint64_t(Traits::end(edge)) % ranks.size()];
+      Traits::write(edge, message);
+      message.write(sign);
+    };
+    for (const Edge& edge : created)
+      note(edge, 1);
+    for (const Edge& edge : removed)
+      note(edge, -1);
+    std::map<Edge, std::int64_t> sums;
+    for (Message_2& message : ranks.send(std::move(messages)))
+      while (!message.is_read()) {
+        const Edge edge = Traits::read(message);
+        sums[edge] += message.read<std::int64_t>();
+      }
+    m_created.clear();
+    m_removed.clear();
+    for (const auto& [edge, sum] : sums)
+      if (sum != 0)
+        (sum > 0 ? m_created : m_removed).push_back(edge);
+  }
+
+  std::vector<Edge> m_edges, m_created, m_removed;
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 namespace CGAL {
 

@@ -8,8 +8,8 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Bounded_cell_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Polygonal_domain_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/Kernel/global_functions_2.h>
 

@@ -124,6 +124,25 @@ void append_number(std::string& text, Number number)
   }
 }
 
+template <class Part>
+void append_part(std::string& text, const Part& part)
+{
+  if constexpr (std::is_arithmetic_v<Part>)
+    append_number(text, part);
+  else
+    text += part;
+}
+
+// Joins texts and numbers. A stream would write numbers in the global locale, and bring all locales
+// of the standard library into a program that is loaded over a network.
+template <class... Parts>
+std::string message_text(const Parts&... parts)
+{
+  std::string text;
+  (append_part(text, parts), ...);
+  return text;
+}
+
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_IO_DECIMAL_NUMBER_2_H

@@ -6,7 +6,6 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Parallel_parts_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Point_ids_2.h>
@@ -289,7 +288,8 @@ public:
   {
     using Arrays = Halfedge_arrays_2;
     const Halfedge_index h = m_arrays.halfedge(e);
-    return !crosses_border(Arrays::face_of(h)) && !crosses_border(Arrays::face_of(m_arrays.twin(h)));
+    return !crosses_border(Arrays::face_of(h)) &&
+           !crosses_border(Arrays::face_of(m_arrays.twin(h)));
   }
   // Whether the arrays show the edge rightly: its vertices if it is in one frame, and else none.
   bool is_shown_right(Edge_index e) const

@@ -8,16 +8,104 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_change_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
+#include <CGAL/Periodic_cell_2.h>
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
+
+// One change of a periodic triangulation: an entry of the editor's log, in the words of
+// `PeriodicUpdateVisitor_2`. It names points by ids, because vertices are renumbered.
+struct Periodic_change_2
+{
+  enum class Kind { EDGE_REMOVED, EDGE_CREATED, POINT_TRANSLATED, CELL_EXCHANGED };
+
+  static Periodic_change_2 edge(Kind kind, Index i, Index j, const Periodic_shift_2& shift)
+  {
+    return {kind, i, j, {shift, no_shift}};
+  }
+  static Periodic_change_2 translation(Point_id id, const Periodic_shift_2& shift)
+  {
+    return {Kind::POINT_TRANSLATED, id, null_index, {shift, no_shift}};
+  }
+  static Periodic_change_2 exchange(const std::array<Periodic_shift_2, 2>& multiples)
+  {
+    return {Kind::CELL_EXCHANGED, null_index, null_index, multiples};
+  }
+
+  // Calls the visitor's function for this change.
+  template <class Visitor, class Dynamic>
+  void tell(Visitor& visitor, const Dynamic& dynamic) const
+  {
+    const std::size_t id = i, other = j;
+    if (kind == Kind::CELL_EXCHANGED)
+      visitor.after_cell_exchange(dynamic, shifts);
+    else if (kind == Kind::POINT_TRANSLATED)
+      visitor.after_translation(dynamic, id, shifts[0]);
+    else if (kind == Kind::EDGE_REMOVED)
+      visitor.after_edge_removal(dynamic, id, other, shifts[0]);
+    else
+      visitor.after_edge_creation(dynamic, id, other, shifts[0]);
+  }
+
+  Kind kind;
+  Index i, j;
+  std::array<Periodic_shift_2, 2> shifts; // the first one alone, unless a cell was exchanged
+};
+
+// Logs changes until a call has ended, and then tells the user's visitor. `Dynamic` is the
+// triangulation that the visitor is shown. For the default visitor it is `void`: nothing is logged.
+template <class Visitor, class Dynamic>
+class Periodic_visitor_calls_2
+{
+public:
+  static constexpr bool is_heard = !std::is_void_v<Dynamic>;
+
+  // Call this first: both objects may be at other addresses than in the last call.
+  void start(Visitor& visitor, const Dynamic* dynamic)
+  {
+    m_visitor = &visitor;
+    m_dynamic = dynamic;
+  }
+
+  // Tells all changes since the last finish(), including those of a call that an exception has
+  // ended. If the visitor throws, the changes that follow are never told.
+  void finish()
+  {
+    if constexpr (is_heard) {
+      m_told.clear();
+      m_told.swap(m_log);
+      for (const Periodic_change_2& change : m_told)
+        change.tell(*m_visitor, *m_dynamic);
+    }
+  }
+
+  std::vector<Periodic_change_2>& log() { return m_log; }
+
+  // Reserves memory for this number of changes, beyond those of keep_memory_for().
+  void reserve(std::size_t changes)
+  {
+    if constexpr (is_heard)
+      reserve_extra(m_log, changes + m_kept);
+  }
+  void keep_memory_for(std::size_t changes)
+  {
+    m_kept = changes;
+    reserve(0);
+  }
+
+private:
+  Visitor* m_visitor = nullptr;
+  const Dynamic* m_dynamic = nullptr;
+  std::vector<Periodic_change_2> m_log, m_told;
+  std::size_t m_kept = 0;
+};
 
 // The part of `Topology_editor_2` that is specific to a torus: keeps shifts that close up around
 // each face and agree along each edge, and logs the changes of edges for the user's visitor.

@@ -8,6 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/enum.h>
 
 #include <cstddef>
@@ -79,6 +80,16 @@ private:
 
   const State& m_state;
 };
+
+// Throws unless the periodic triangulation is certified.
+template <class Dynamic>
+void check_certified(const Dynamic& pt)
+{
+  if (!pt.is_certified())
+    throw Uncertified_triangulation_error_2(
+        "the periodic triangulation is not certified after a heuristic update, or after a change "
+        "that was interrupted: call mend() to make it Delaunay");
+}
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 

@@ -6,24 +6,99 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Computed_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/check_certified_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Image_distances_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Vertex_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/Periodic_cell_2.h>
 
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
+
+// Compares the distances of images from one place exactly: in doubles, and without rounding where
+// that is undecided.
+//
+// With u = 2^-53, the vector v to an image is computed with errors of at most E = 4u m in each
+// coordinate, where m is the largest sum of absolute values in it, as in Torus_2. So |v|^2 is off
+// by at most 2 (|x| + |y|) E + 2 E^2, and computed with a further relative error of 2u. `error`
+// includes 8u times the value: the remaining 6u cover the sum or difference that makes an end of
+// the interval, and the factor 2.1 instead of 2 covers the rounding of `error` itself. Underflow
+// takes less than 1e-300. If something overflows, nothing is decided.
+class Image_distances_2
+{
+public:
+  Image_distances_2(const Torus_2& torus, const Position_2& from)
+    : m_torus(torus)
+    , m_from(from)
+  {
+  }
+
+  // Computed in plain floating point.
+  double approximate_square(const Image_2& p) const { return Square(*this, p).value; }
+
+  Comparison_result compare(const Image_2& p, const Image_2& q) const
+  {
+    const Comparison_result result = filtered(Square(*this, p), Square(*this, q));
+    return result != EQUAL ? result : CGAL::compare(exact_square(p), exact_square(q));
+  }
+
+  Comparison_result compare_square(const Image_2& p, double square) const
+  {
+    const Comparison_result result = filtered(Square(*this, p), Square(square));
+    return result != EQUAL ? result : CGAL::compare(exact_square(p), Torus_2::Exact(square));
+  }
+
+private:
+  struct Square
+  {
+    explicit Square(double exact)
+      : value(exact)
+    {
+    }
+    Square(const Image_distances_2& distances, const Image_2& p)
+    {
+      double m = 0;
+      const auto [x, y] = distances.m_torus.vector({distances.m_from, no_shift}, p, m);
+      const double e = Torus_2::error_factor * m;
+      value = x * x + y * y;
+      error = 2.1 * e * (std::abs(x) + std::abs(y) + e) + 0x1p-50 * value + 1e-300;
+    }
+    double value, error = 0;
+  };
+
+  // EQUAL if undecided.
+  static Comparison_result filtered(const Square& s, const Square& t)
+  {
+    return s.value + s.error < t.value - t.error   ? SMALLER
+           : t.value + t.error < s.value - s.error ? LARGER
+                                                   : EQUAL;
+  }
+
+  BOOST_NOINLINE Torus_2::Exact exact_square(const Image_2& p) const
+  {
+    const Torus_2::Exact_vector v(m_torus, {m_from, no_shift}, p);
+    return v.x * v.x + v.y * v.y;
+  }
+
+  const Torus_2& m_torus;
+  const Position_2 m_from;
+};
 
 // A triangulation as seen from the place of a query, by the same functions in plane and periodic
 // space. A search moves from *site* to site: vertices in the plane, images of vertices in periodic
@@ -183,6 +258,51 @@ private:
   const Position_2 m_place;
   const Image_distances_2 m_distances;
 };
+
+// Many queries at once, which threads share. Each part has its own copy of the caller's `queries`,
+// because this object remembers where the last answer was.
+
+// The least number of queries in a part. A query takes about a microsecond.
+template <class Parts>
+constexpr std::size_t least_queries = (std::max)(Parts::usual_size / 64, std::size_t(1));
+
+// Calls f(queries, i, part) for all i below `size`.
+template <class Parts, class Queries, class Function>
+void query_in_parts(const Queries& queries, std::size_t size, const Function& f)
+{
+  Parts::for_each(size, least_queries<Parts>,
+                  [&](std::size_t part, std::size_t first, std::size_t beyond) {
+                    Queries queries_of_part(queries);
+                    for (std::size_t i = first; i < beyond; ++i)
+                      f(queries_of_part, i, part);
+                  });
+}
+
+// Calls f(queries, i, iterator), which writes answers, for all i below `size`. The sorted answers
+// of the i-th call are listed from `begins[i]` to before `begins[i + 1]`.
+template <class Parts, class Queries, class Answer, class Function>
+void list_in_parts(const Queries& queries, std::size_t size, std::vector<Answer>& answers,
+                   std::vector<std::size_t>& begins, const Function& f)
+{
+  std::vector<std::vector<Answer>> found(Parts::number(size, least_queries<Parts>));
+  std::vector<std::size_t> ends(size + 1);
+  query_in_parts<Parts>(queries, size,
+                        [&](Queries& queries_of_part, std::size_t i, std::size_t part) {
+                          std::vector<Answer>& of_part = found[part];
+                          const std::size_t before = of_part.size();
+                          f(queries_of_part, i, std::back_inserter(of_part));
+                          std::sort(of_part.begin() + std::ptrdiff_t(before), of_part.end());
+                          ends[i + 1] = of_part.size() - before;
+                        });
+  for (std::size_t i = 0; i < size; ++i)
+    ends[i + 1] += ends[i];
+  std::vector<Answer> all;
+  all.reserve(ends[size]);
+  for (const std::vector<Answer>& of_part : found)
+    all.insert(all.end(), of_part.begin(), of_part.end());
+  answers.swap(all);
+  begins.swap(ends);
+}
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 

@@ -9,7 +9,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Cluster_splice_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Prepared_splices_2.h>
 
 #include <cstddef>
 #include <utility>
@@ -148,6 +147,56 @@ private:
   std::vector<Index> m_boundary_edges;
   std::size_t m_number_of_classified = 0;
   std::vector<Index> m_outside; // half-edges beyond the boundary of a cluster
+};
+
+// A region of a torus: some vertices, their padding, and one layer of border around both. It is not
+// triangulated apart: the repair flips edges in the region, or puts its vertices in anew.
+template <class State>
+class Padded_region_2
+{
+public:
+  explicit Padded_region_2(const State& state)
+    : m_state(state)
+  {
+  }
+
+  // Collects the region around `classified`. Skips vertices that are in no face.
+  void run(const std::vector<Index>& classified, unsigned padding)
+  {
+    m_vertices.clear(m_state.arrays().number_of_vertices());
+    for (const Vertex_index v : classified)
+      if (!m_state.arrays().is_outside(v))
+        m_vertices.insert(v);
+    m_number_of_classified = m_vertices.size();
+    for (unsigned layer = 0; layer < padding; ++layer)
+      add_layer();
+    m_number_of_inner = m_vertices.size();
+    add_layer();
+  }
+
+  // All vertices of the region, except the border.
+  std::vector<Index> inner() const { return part(0, m_number_of_inner); }
+  std::vector<Index> padded() const { return part(m_number_of_classified, m_number_of_inner); }
+  std::vector<Index> border() const { return part(m_number_of_inner, m_vertices.size()); }
+
+private:
+  void add_layer()
+  {
+    const std::size_t size = m_vertices.size();
+    for (std::size_t i = 0; i < size; ++i)
+      m_state.arrays().for_each_neighbor(m_vertices[i],
+                                         [&](Vertex_index w) { m_vertices.insert(w); });
+  }
+
+  std::vector<Index> part(std::size_t first, std::size_t beyond) const
+  {
+    const std::vector<Index>& all = m_vertices.members();
+    return {all.begin() + std::ptrdiff_t(first), all.begin() + std::ptrdiff_t(beyond)};
+  }
+
+  const State& m_state;
+  Index_set_2 m_vertices; // classified, then padded, then border
+  std::size_t m_number_of_classified = 0, m_number_of_inner = 0;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
