@@ -327,6 +327,30 @@ TEST(A_random_classifier, that_names_nobody_leaves_a_torus_while_cells_are_excha
   ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
 }
 
+// Points are located where all is Delaunay: among inverted faces a walk may never end.
+TEST(A_random_classifier, that_names_nobody_is_followed_by_a_repair_of_all_where_points_come)
+{
+  using Careless = Triangulation<CGAL::Random_classifier_2>;
+  std::size_t flips = 0;
+  for (const Cell& cell : {Cell(20, 20), Cell(20, 3, -5, 20), Cell(Vector(20, 4))})
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+      Cloud cloud(seed, 20, 20);
+      CGAL::Dynamic_population_2<Careless> population{Careless(cell, CGAL::Random_classifier_2(0))};
+      for (int frame = 0; frame < 42; ++frame) {
+        cloud.shake(0.4);
+        if (frame % 20 == 1)
+          cloud.points.push_back(cloud.anywhere());
+        std::vector<std::pair<std::size_t, Point>> places;
+        for (std::size_t i = 0; i < cloud.points.size(); ++i)
+          places.push_back({i, cloud.points[i]});
+        flips += population.update(places).flips;
+        ASSERT_TRUE(population.triangulation().is_valid()) << seed << ' ' << frame;
+      }
+      EXPECT_EQ(population.triangulation().number_of_points(), 23u);
+    }
+  EXPECT_GT(flips, 1000u);
+}
+
 TEST(A_voronoi_circumcenter_classifier, finds_all_that_breaks_where_nothing_is_near_a_tie)
 {
   for (const Cell& cell : {Cell(20, 20), Cell(20, 3, -5, 20), Cell(Vector(20, 4))}) {

@@ -689,6 +689,27 @@ TEST(Threads, triangulate_all_points_of_a_cell_at_once)
     });
 }
 
+// Points on small grids, each in an image of its own far away: what is left of the grids when these
+// are rounded back into the cell has other diagonals than what is there. No part may be left out of
+// the search for these.
+TEST(Threads, find_all_edges_of_a_cell_that_rounding_makes_wrong)
+{
+  using Torus = CGAL::Dynamic_periodic_Delaunay_triangulation_2<
+      Epick, CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Parallel_tag>;
+  const double side = std::sqrt(double(many));
+  Points points = Cloud<Epick>(19).uniform(many);
+  for (std::size_t i = 0; i < many / 4; ++i) {
+    const std::size_t grid = i / 16, place = i % 16;
+    const double x = side * (0.1 + 0.15 * double(grid % 6)) + 0.01 * double(place % 4);
+    const double y = side * (0.1 + 0.15 * double(grid / 6)) + 0.01 * double(place / 4);
+    points[i] = Point(x + double(i % 1009) * side, y + double(i % 2003) * side);
+  }
+  with_threads(2, [&] {
+    const Torus dt(points.begin(), points.end(), CGAL::Periodic_cell_2(side, side));
+    EXPECT_TRUE(dt.is_certified() && dt.is_valid());
+  });
+}
+
 // A frame examines no edge, and mend() then examines all.
 struct Mended_cell
 {
