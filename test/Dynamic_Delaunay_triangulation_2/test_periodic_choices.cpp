@@ -651,6 +651,22 @@ TEST(A_rebuild_repair, rebuilds_where_anything_is_classified)
   EXPECT_EQ(pt.update(cloud.points).rebuild_reason, Reason::REPAIR);
 }
 
+// Vertices are located where all is Delaunay, so the repair needs a proof, whatever was classified.
+TEST(A_relocation_repair, proves_everything_where_a_heuristic_classifier_names_few_of_many)
+{
+  Cloud cloud(18, 300, 20);
+  Triangulation<CGAL::Random_classifier_2, CGAL::Relocation_repair_2> pt(
+      cloud.points, Cell(20, 20), CGAL::Random_classifier_2(0.02));
+  for (int frame = 0; frame < 20; ++frame) {
+    cloud.shake(0.2);
+    const CGAL::Update_report_2 report = pt.update(cloud.points);
+    EXPECT_EQ(report.certified, report.classified > 0);
+    if (report.certified)
+      ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt)) << frame;
+    ASSERT_TRUE(pt.is_valid()) << frame;
+  }
+}
+
 TEST(A_relocation_repair, moves_the_classified_vertices)
 {
   Cloud cloud(17, 200, 15);
