@@ -690,8 +690,8 @@ TEST(Threads, triangulate_all_points_of_a_cell_at_once)
     });
 }
 
-// Points on small grids, each in an image of its own far away: rounded back into the cell, the grids
-// have other diagonals than what is there. No part may be left out of the search for these.
+// Points on small grids, each in an image of its own far away: rounded back into the cell, the
+// grids have other diagonals than what is there. No part may be left out of the search for these.
 TEST(Threads, find_all_edges_of_a_cell_that_rounding_makes_wrong)
 {
   using Torus = CGAL::Dynamic_periodic_Delaunay_triangulation_2<
@@ -942,10 +942,10 @@ void try_flips_in_parts(const Space&... space)
   State state(space...);
   typename State::Builder(state).build_with({}, ids, points);
   internal::Topology_editor_2<State> editor(state);
-  const std::size_t vertices = state.positions().size(), parts = 4, all = 1000000;
+  const std::size_t vertices = state.positions().size(), parts = 4, most = 3 * parts * fewer;
   const internal::Topology_parts_2 topology(state.arrays(), vertices, parts);
   std::size_t flips = 0, hidden = 0, between = 0;
-  editor.flip_in_parts(topology, parts, false, all, [&](std::size_t part, const auto& try_flip) {
+  editor.flip_in_parts(topology, parts, false, most, [&](std::size_t part, const auto& try_flip) {
     for (std::uint32_t e = 0; e < state.arrays().number_of_edges(); ++e) {
       const auto edge = state.arrays().edge(e);
       const auto is_in_part = [&](std::uint32_t v) {
