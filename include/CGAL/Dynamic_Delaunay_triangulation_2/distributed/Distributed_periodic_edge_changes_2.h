@@ -8,7 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/distributed/Distributed_edge_changes_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_ranks_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Message_exchange_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/zones/Distributed_image_2.h>

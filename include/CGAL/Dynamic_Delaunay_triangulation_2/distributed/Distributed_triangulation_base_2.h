@@ -7,8 +7,8 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>

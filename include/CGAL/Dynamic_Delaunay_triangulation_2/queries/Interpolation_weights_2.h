@@ -6,7 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Query_space_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Weights_at_place_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>

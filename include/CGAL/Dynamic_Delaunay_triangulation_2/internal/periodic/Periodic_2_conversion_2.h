@@ -7,7 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Decimal_number_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>

@@ -101,7 +101,7 @@ public:
     }
     m_state.m_torus = torus;
     write_points(kept.points.size(), [&](Vertex_index v) { return kept.points[v - 1]; });
-    write_faces(std::move(faces));
+    write_faces(faces);
     for (Edge_index e = 0; e < arrays().number_of_edges(); ++e)
       arrays().set_edge(e, kept.forward_halfedges[e]);
     for (Vertex_index v = 1; v < arrays().number_of_vertices(); ++v)
@@ -201,10 +201,10 @@ private:
     if (!triangulator.run(m_state.torus(), positions))
       return false;
     const std::size_t logged = m_editing.log().size();
-    Periodic_faces_2& faces = triangulator.faces();
+    const Periodic_faces_2& faces = triangulator.faces();
     const std::size_t vertices = faces.points.size() - 1;
     write_points(vertices, [&](Vertex_index v) { return points[faces.points[v]]; });
-    write_faces(std::move(faces));
+    write_faces(faces);
     ids().resize(Index(vertices));
     for_each_in_parts(vertices, [&](std::size_t i) {
       ids().set_representative(Index(i + 1), point_ids[faces.points[i + 1]]);
@@ -315,12 +315,12 @@ private:
   }
 
   // Writes the faces of all vertices.
-  void write_faces(Periodic_faces_2&& faces)
+  void write_faces(const Periodic_faces_2& faces)
   {
     m_editing.changes().everything_is_new = true;
     const Index vertices = m_state.number_of_vertices();
     arrays().resize(vertices, 2 * vertices);
-    m_state.m_shifts = std::move(faces.shifts);
+    m_state.m_shifts = faces.shifts;
     for_each_in_parts(2 * std::size_t(vertices), [&](std::size_t f) {
       for (const Halfedge_index h : Halfedge_arrays_2::halfedges_of(Face_index(Index(f))))
         arrays().set_apex_and_twin(h, faces.apexes[h], faces.twins[h]);

@@ -153,7 +153,7 @@ public:
            cover_once(torus);
   }
 
-  Periodic_faces_2& faces() { return m_faces; }
+  const Periodic_faces_2& faces() const { return m_faces; }
 
   // Frees the memory.
   void release()

@@ -7,7 +7,6 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Lanes_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 
 #include <boost/config.hpp>

@@ -6,45 +6,16 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Voronoi_face_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
-#include <CGAL/Lazy_exact_nt.h>
-#include <CGAL/Number_types/internal/Exact_type_selector.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
-
-// The number type in which coordinates are added, multiplied and divided without rounding: FT
-// itself if it is exact, otherwise rational numbers.
-template <class FT>
-struct Exact_number_2
-{
-  using Type = std::conditional_t<Algebraic_structure_traits<FT>::Is_exact::value, FT,
-                                  typename CGAL::internal::Exact_field_selector<double>::Type>;
-  static Type of(const FT& x) { return Type(x); }
-};
-
-// Lazy numbers are replaced by exact ones: their approximations by doubles may have few digits, and
-// lazy evaluation would gain nothing.
-template <class ET>
-struct Exact_number_2<Lazy_exact_nt<ET>>
-{
-  using Type = ET;
-  static const Type& of(const Lazy_exact_nt<ET>& x) { return x.exact(); }
-};
-
-template <class Number>
-struct Exact_vector_2
-{
-  Number x, y;
-};
 
 // Bounds the error of a dot or cross product, except by underflow, if coordinates are off by up to
 // e besides the rounding of one subtraction. With u = 2^-53 each of two products of coordinates has

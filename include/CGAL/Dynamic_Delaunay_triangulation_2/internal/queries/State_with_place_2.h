@@ -6,13 +6,13 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Exact_number_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_filter_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Rounded_face_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/Periodic_cell_2.h>

@@ -6,8 +6,8 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_type_basic.h>

@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Exact_number_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Rounded_face_2.h>

@@ -9,7 +9,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Point_ids_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Positions_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Spatial_order_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Triangulation_state_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
