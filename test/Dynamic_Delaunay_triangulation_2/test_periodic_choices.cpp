@@ -661,8 +661,9 @@ TEST(A_relocation_repair, proves_everything_where_a_heuristic_classifier_names_f
     cloud.shake(0.2);
     const CGAL::Update_report_2 report = pt.update(cloud.points);
     EXPECT_EQ(report.certified, report.classified > 0);
-    if (report.certified)
+    if (report.certified) {
       ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt)) << frame;
+    }
     ASSERT_TRUE(pt.is_valid()) << frame;
   }
 }
