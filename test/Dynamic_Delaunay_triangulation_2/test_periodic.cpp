@@ -978,6 +978,36 @@ TEST(Many_points, may_coincide_or_form_a_grid)
   }
 }
 
+// A cluster is as small as the error by which its points are wrapped, as they are in images far
+// away. So some faces of the rounded images are inverted, and flips cannot mend all of them.
+TEST(Many_points, are_inserted_one_by_one_where_rounding_turns_faces_over)
+{
+  std::mt19937_64 random(45);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const Cell cell(0.7713, 0.0131, -0.1177, 0.8191);
+  const auto image_in = [&](const Point& p, double cells) {
+    return image(p, cell, int(between(-cells, cells)), int(between(-cells, cells)));
+  };
+  for (int cloud = 0; cloud < 40; ++cloud) {
+    std::vector<Point> points;
+    for (int i = 0; i < 120; ++i)
+      points.push_back(image_in(Point(between(0, 1), between(0, 1)), 4));
+    for (int cluster = 0; cluster < 3; ++cluster) {
+      const double x = between(0, 1), y = between(0, 1), size = 0x1p-37 * between(0.5, 4);
+      for (int i = 0; i < 8; ++i)
+        points.push_back(
+            image_in(Point(x + between(-size, size), y + between(-size, size)), 0x1p16));
+    }
+    const Triangulation pt(points, cell);
+    ASSERT_TRUE(pt.is_valid()) << cloud;
+    if (cloud < 5) {
+      ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt)) << cloud;
+    }
+  }
+}
+
 TEST(A_builder, has_a_result_for_points_all_over_the_cell_and_none_for_a_grid)
 {
   std::mt19937_64 random(43);

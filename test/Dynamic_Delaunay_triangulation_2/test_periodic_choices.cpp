@@ -351,6 +351,26 @@ TEST(A_random_classifier, that_names_nobody_is_followed_by_a_repair_of_all_where
   EXPECT_GT(flips, 1000u);
 }
 
+// Among few points a vertex may have several images of one neighbor around it. Then the polygon
+// that it leaves cannot always be triangulated without doubling an edge.
+TEST(A_random_classifier, that_names_nobody_loses_points_on_a_torus_of_few)
+{
+  using Careless = Triangulation<CGAL::Random_classifier_2>;
+  for (std::uint64_t seed = 0; seed < 120; ++seed) {
+    Cloud cloud(seed, 20, 1);
+    CGAL::Dynamic_population_2<Careless> population{
+        Careless(Cell(1, 1), CGAL::Random_classifier_2(0))};
+    for (std::size_t frame = 0; frame < 20; ++frame) {
+      std::vector<std::pair<std::size_t, Point>> places;
+      for (std::size_t i = frame / 2; i < cloud.points.size(); ++i)
+        places.push_back({i, cloud.points[i]});
+      population.update(places);
+      ASSERT_TRUE(population.triangulation().is_valid()) << seed << ' ' << frame;
+      cloud.shake(0.25);
+    }
+  }
+}
+
 TEST(A_voronoi_circumcenter_classifier, finds_all_that_breaks_where_nothing_is_near_a_tie)
 {
   for (const Cell& cell : {Cell(20, 20), Cell(20, 3, -5, 20), Cell(Vector(20, 4))}) {

@@ -63,10 +63,25 @@ def source_of(test):
         return ROOT / "benchmark" / PACKAGE / "robustness.cpp"
     if test.startswith("fuzz_"):
         return ROOT / "test" / PACKAGE / "fuzz" / f"{test}.cpp"
+    if test.startswith("distributed_"):
+        return ROOT / "test" / PACKAGE / "mpi" / f"{test}.cpp"
     return ROOT / "test" / PACKAGE / f"{test}.cpp"
 
 
+def written_for(test, program):
+    """What to compile: for a theme of several ranks a program in which threads are the ranks."""
+    if not test.startswith("distributed_"):
+        return source_of(test)
+    source = program.with_suffix(".cpp")
+    source.write_text(f'#include "{source_of(test)}"\n'
+                      "int main()\n{\n  threads_as_ranks::run_ranks(4, [] {\n    start(0, nullptr);\n"
+                      "    themes().begin()->second();\n  });\n}\n")
+    return source
+
+
 def arguments_of(test):
+    if test.startswith("distributed_"):
+        return []
     if test == "robustness":
         return ["--operations", "20000", "--threads", "1"]
     if test.startswith("fuzz_"):
@@ -80,15 +95,15 @@ def command_of(test, overlay, program):
     if test == "robustness":
         options = ["-DNDEBUG", '-DRESULTS_DIR="."']
         libraries = runner_objects() + libraries
-    elif test.startswith("fuzz_"):
-        folders.insert(0, source_of(test).parent / "threads_as_ranks")
+    elif test.startswith(("fuzz_", "distributed_")):
+        folders.insert(0, ROOT / "test" / PACKAGE / "fuzz" / "threads_as_ranks")
         options = []
         libraries = runner_objects() + libraries
     else:
         options = []
         libraries = ["-lgtest_main", "-lgtest"] + libraries
     return ([COMPILER] + OPTIONS + options + [f"-I{folder}" for folder in folders]
-            + [str(source_of(test)), "-o", str(program)] + libraries)
+            + [str(written_for(test, program)), "-o", str(program)] + libraries)
 
 
 @functools.lru_cache
