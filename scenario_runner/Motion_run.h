@@ -8,9 +8,11 @@
 #include "scenario_runner/Frame_record.h"
 #include "scenario_runner/Measurement.h"
 #include "scenario_runner/Motion.h"
+#include "scenario_runner/Repairs_and_policies.h"
 #include "scenario_runner/Static_triangulation.h"
 
 #include <CGAL/Dynamic_population_2.h>
+#include <CGAL/iterator.h>
 
 #include <boost/iterator/counting_iterator.hpp>
 #include <boost/property_map/function_property_map.hpp>
@@ -22,6 +24,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -53,8 +56,8 @@ private:
 };
 
 // The triangulation of a motion, from its first frame on. If points come and go, it knows them by
-// the motion's ids, otherwise by their places. `Space` has functions that give a frame to a
-// triangulation of its kind.
+// the motion's ids, otherwise by their places. `Space::cell(motion)` is a tuple of what an update
+// and a constructor take beside the points: nothing, or the cell of the frame.
 template <class Dynamic, class Space>
 class Kept_motion
 {
@@ -63,8 +66,9 @@ public:
   Kept_motion(const scenario::Motion& motion, Dynamic empty)
   {
     if (motion.has_fixed_population()) {
+      const auto& points = motion.points();
       m_triangulation.emplace(std::move(empty));
-      Space::insert(*m_triangulation, motion);
+      m_triangulation->insert(points.begin(), points.end(), Point_map(), CGAL::Emptyset_iterator());
     } else {
       m_population.emplace(std::move(empty));
       update(motion);
@@ -73,7 +77,13 @@ public:
 
   CGAL::Update_report_2 update(const scenario::Motion& motion)
   {
-    return m_population ? update_population(motion) : Space::update(*m_triangulation, motion);
+    const auto update_with = [&](const auto&... cell) {
+      const auto& points = motion.points();
+      return m_population
+                 ? update_population(motion, cell...)
+                 : m_triangulation->update(points.begin(), points.end(), Point_map(), cell...);
+    };
+    return std::apply(update_with, Space::cell(motion));
   }
 
   bool certify() { return m_population ? m_population->certify() : m_triangulation->certify(); }
@@ -92,14 +102,15 @@ public:
 private:
   using Population = CGAL::Dynamic_population_2<Dynamic, std::int64_t>;
 
-  CGAL::Update_report_2 update_population(const scenario::Motion& motion)
+  template <class... Cell>
+  CGAL::Update_report_2 update_population(const scenario::Motion& motion, const Cell&... cell)
   {
     using Place = boost::counting_iterator<std::size_t>;
     const auto id = [&](std::size_t place) { return motion.ids()[place]; };
     const auto point = [&](std::size_t place) { return get(Point_map(), motion.points()[place]); };
-    return Space::update(*m_population, motion, Place(0), Place(motion.points().size()),
-                         boost::make_function_property_map<std::size_t>(id),
-                         boost::make_function_property_map<std::size_t>(point));
+    return m_population->update(Place(0), Place(motion.points().size()),
+                                boost::make_function_property_map<std::size_t>(id),
+                                boost::make_function_property_map<std::size_t>(point), cell...);
   }
 
   // exactly one of them exists
@@ -115,14 +126,17 @@ class Motion_run : public Run_view
 public:
   using Dynamic = Kept_dynamic;
 
-  // `make_empty()` returns a triangulation without points.
-  template <class Make_empty>
-  Motion_run(scenario::Motion& motion, Make_empty make_empty)
+  template <class Classifier>
+  Motion_run(scenario::Motion& motion, const Classifier& classifier, const Any_repair& repair,
+             const CGAL::Static_engines_2& engines, const Any_policy& policy)
     : m_motion(motion)
   {
+    const auto empty_triangulation = [&](const auto&... cell) {
+      return Dynamic(cell..., typename Dynamic::Settings{classifier, repair, engines, policy});
+    };
     with_frame_in_message([&] {
       begin_frame();
-      m_kept.emplace(motion, make_empty());
+      m_kept.emplace(motion, std::apply(empty_triangulation, Space::cell(motion)));
     });
   }
 
@@ -200,7 +214,6 @@ protected:
   using Kept = Kept_motion<Dynamic, Space>;
   using Opponents = typename Space::Opponents;
 
-  Kept& kept() { return *m_kept; }
   const Kept& kept() const { return *m_kept; }
   Opponents& opponents() { return m_opponents; }
 

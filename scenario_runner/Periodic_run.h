@@ -10,64 +10,30 @@
 #include "scenario_runner/Threads.h"
 
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
-#include <CGAL/iterator.h>
 #include <CGAL/Periodic_cell_2.h>
-
-#include <boost/iterator/transform_iterator.hpp>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace run {
-
-// The points as CGAL's.
-template <class Iterator>
-auto kernel_points(Iterator points)
-{
-  return boost::make_transform_iterator(
-      points, [](const scenario::Point& p) { return get(Point_map(), p); });
-}
 
 // The torus or the slab that the motion's cell makes.
 struct Periodic_space
 {
   using Opponents = Ghost_opponents;
 
-  static CGAL::Periodic_cell_2 cell(const scenario::Motion& motion)
+  static std::tuple<CGAL::Periodic_cell_2> cell(const scenario::Motion& motion)
   {
     const scenario::Cell cell = *motion.cell();
     if (cell.is_slab()) {
       return CGAL::Periodic_cell_2(Kernel::Vector_2(cell.period().x, cell.period().y));
     }
     const auto& [a, b] = cell.sides;
-    return {a.x, a.y, b.x, b.y};
-  }
-
-  template <class Dynamic>
-  static void insert(Dynamic& triangulation, const scenario::Motion& motion)
-  {
-    const auto& points = motion.points();
-    triangulation.insert(kernel_points(points.begin()), kernel_points(points.end()),
-                         CGAL::Emptyset_iterator());
-  }
-
-  template <class Dynamic>
-  static CGAL::Update_report_2 update(Dynamic& triangulation, const scenario::Motion& motion)
-  {
-    const auto& points = motion.points();
-    return triangulation.update(kernel_points(points.begin()), kernel_points(points.end()),
-                                cell(motion));
-  }
-
-  template <class Population, class Place, class Ids, class Points>
-  static CGAL::Update_report_2 update(Population& population, const scenario::Motion& motion,
-                                      Place first, Place beyond, const Ids& ids,
-                                      const Points& points)
-  {
-    return population.update(first, beyond, ids, points, cell(motion));
+    return CGAL::Periodic_cell_2(a.x, a.y, b.x, b.y);
   }
 
   static void prepare(Opponents& opponents, const scenario::Motion& motion, bool)
@@ -93,14 +59,7 @@ public:
   using Base::triangulation;
   using typename Base::Dynamic;
 
-  Periodic_run(scenario::Motion& followed, const Classifier& classifier, const Any_repair& repair,
-               const CGAL::Static_engines_2& engines, const Any_policy& policy)
-    : Base(followed, [&] {
-      return Dynamic(Periodic_space::cell(followed),
-                     typename Dynamic::Settings{classifier, repair, engines, policy});
-    })
-  {
-  }
+  using Base::Base;
 
   std::vector<Shown_edge> edges() const override
   {

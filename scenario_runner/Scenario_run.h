@@ -11,10 +11,10 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/delaunay_agreement.h>
-#include <CGAL/iterator.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace run {
@@ -24,26 +24,7 @@ struct Open_space
 {
   using Opponents = Static_opponents;
 
-  template <class Dynamic>
-  static void insert(Dynamic& triangulation, const scenario::Motion& motion)
-  {
-    const auto& points = motion.points();
-    triangulation.insert(points.begin(), points.end(), Point_map(), CGAL::Emptyset_iterator());
-  }
-
-  template <class Dynamic>
-  static CGAL::Update_report_2 update(Dynamic& triangulation, const scenario::Motion& motion)
-  {
-    const auto& points = motion.points();
-    return triangulation.update(points.begin(), points.end(), Point_map());
-  }
-
-  template <class Population, class Place, class Ids, class Points>
-  static CGAL::Update_report_2 update(Population& population, const scenario::Motion&, Place first,
-                                      Place beyond, const Ids& ids, const Points& points)
-  {
-    return population.update(first, beyond, ids, points);
-  }
+  static std::tuple<> cell(const scenario::Motion&) { return {}; }
 
   static void prepare(Opponents& opponents, const scenario::Motion& motion, bool population_changed)
   {
@@ -70,13 +51,7 @@ public:
   using Base::triangulation;
   using typename Base::Dynamic;
 
-  Scenario_run(scenario::Motion& followed, const Classifier& classifier, const Any_repair& repair,
-               const CGAL::Static_engines_2& engines, const Any_policy& policy)
-    : Base(followed, [&] {
-      return Dynamic(typename Dynamic::Settings{classifier, repair, engines, policy});
-    })
-  {
-  }
+  using Base::Base;
 
   std::vector<Shown_edge> edges() const override
   {
