@@ -40,6 +40,11 @@ struct Cell
     return {shift[0] * sides[0].x + shift[1] * sides[1].x,
             shift[0] * sides[0].y + shift[1] * sides[1].y};
   }
+  Point image(const Point& point, const Shift& shift) const
+  {
+    const Point by = translation(shift);
+    return {point.x + by.x, point.y + by.y};
+  }
 
   friend bool operator==(const Cell& c, const Cell& d)
   {

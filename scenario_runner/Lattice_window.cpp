@@ -142,10 +142,7 @@ std::vector<Image> Lattice_window::images(const std::vector<Point>& points, doub
       for (int j = low_y; j <= high_y; ++j) {
         const Shift shift{i * m_shifts[0][0] + j * m_shifts[1][0],
                           i * m_shifts[0][1] + j * m_shifts[1][1]};
-        const Point translation = m_cell.translation(shift);
-        images.push_back({static_cast<std::uint32_t>(place),
-                          shift,
-                          {point.x + translation.x, point.y + translation.y}});
+        images.push_back({static_cast<std::uint32_t>(place), shift, m_cell.image(point, shift)});
       }
     }
   }

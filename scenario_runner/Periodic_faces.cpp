@@ -116,8 +116,7 @@ private:
 
   Point image(std::uint32_t place, const Shift& shift) const
   {
-    const Point by = m_cell.translation(shift);
-    return {m_points[place].x + by.x, m_points[place].y + by.y};
+    return m_cell.image(m_points[place], shift);
   }
 
   static Point from(const Point& origin, const Point& p)

@@ -30,17 +30,8 @@ Point middle(const Point& p, const Point& q)
   return {0.5 * (p.x + q.x), 0.5 * (p.y + q.y)};
 }
 
-Picture_geometry open_geometry(const Run_view& run)
-{
-  Picture_geometry geometry{run.motion().points(), {}, {}};
-  for (const Shown_edge& edge : run.edges()) {
-    geometry.edges.push_back({geometry.points[edge.from], geometry.points[edge.to]});
-  }
-  return geometry;
-}
-
-} // namespace
-
+// A vector as multiples of the sides. A slab has no side across if its box is flat: a perpendicular
+// one of the same length stands for it.
 Point along_sides(const Point& vector, const Cell& cell)
 {
   std::array<Point, 2> sides = cell.sides;
@@ -53,11 +44,29 @@ Point along_sides(const Point& vector, const Cell& cell)
   return {(vector.x * b.y - vector.y * b.x) / area, (a.x * vector.y - a.y * vector.x) / area};
 }
 
-Shift shift_out_of_cell(const Point& point, const Cell& cell)
+Picture_geometry open_geometry(const Run_view& run)
+{
+  Picture_geometry geometry{run.motion().points(), {}, {}};
+  for (const Shown_edge& edge : run.edges()) {
+    geometry.edges.push_back({geometry.points[edge.from], geometry.points[edge.to]});
+  }
+  return geometry;
+}
+
+} // namespace
+
+Shift shift_into_cell(const Point& point, const Cell& cell)
 {
   const Point at = along_sides(minus(point, cell.corner), cell);
-  return {cell.is_periodic[0] ? static_cast<int>(std::floor(at.x)) : 0,
-          cell.is_periodic[1] ? static_cast<int>(std::floor(at.y)) : 0};
+  return {cell.is_periodic[0] ? -static_cast<int>(std::floor(at.x)) : 0,
+          cell.is_periodic[1] ? -static_cast<int>(std::floor(at.y)) : 0};
+}
+
+Shift nearest_shift(const Point& point, const Point& place, const Cell& cell)
+{
+  const Point at = along_sides(minus(place, point), cell);
+  return {cell.is_periodic[0] ? static_cast<int>(std::lround(at.x)) : 0,
+          cell.is_periodic[1] ? static_cast<int>(std::lround(at.y)) : 0};
 }
 
 std::vector<Point> outline_of(const Cell& cell)
@@ -75,19 +84,18 @@ Picture_geometry picture_geometry(const Run_view& run)
   Picture_geometry geometry;
   std::vector<Shift> shifts;
   for (const Point& point : run.motion().points()) {
-    shifts.push_back(shift_out_of_cell(point, *cell));
-    geometry.points.push_back(minus(point, cell->translation(shifts.back())));
+    shifts.push_back(shift_into_cell(point, *cell));
+    geometry.points.push_back(cell->image(point, shifts.back()));
   }
   for (const Shown_edge& edge : run.edges()) {
-    const Shift shift{edge.shift[0] + shifts[edge.to][0] - shifts[edge.from][0],
-                      edge.shift[1] + shifts[edge.to][1] - shifts[edge.from][1]};
+    const Shift shift{edge.shift[0] + shifts[edge.from][0] - shifts[edge.to][0],
+                      edge.shift[1] + shifts[edge.from][1] - shifts[edge.to][1]};
     const Point from = geometry.points[edge.from], to = geometry.points[edge.to];
     if (shift == Shift{0, 0}) {
       geometry.edges.push_back({from, to});
     } else {
-      const Point by = cell->translation(shift);
-      geometry.edges.push_back({from, middle(from, plus(to, by))});
-      geometry.edges.push_back({to, middle(to, minus(from, by))});
+      geometry.edges.push_back({from, middle(from, cell->image(to, shift))});
+      geometry.edges.push_back({to, middle(to, cell->image(from, {-shift[0], -shift[1]}))});
     }
   }
   geometry.outline = outline_of(*cell);

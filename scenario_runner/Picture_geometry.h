@@ -26,12 +26,12 @@ struct Picture_geometry
   std::vector<scenario::Point> outline; // of the cell, if there is one
 };
 
-// A vector as multiples of the sides. A slab has no side across if its box is flat: a perpendicular
-// one of the same length stands for it.
-scenario::Point along_sides(const scenario::Point& vector, const scenario::Cell& cell);
+// The shift from a point to its image in the cell.
+scenario::Shift shift_into_cell(const scenario::Point& point, const scenario::Cell& cell);
 
-// By which shift a point is outside of the cell.
-scenario::Shift shift_out_of_cell(const scenario::Point& point, const scenario::Cell& cell);
+// The shift from a point to its image that is nearest to a place.
+scenario::Shift nearest_shift(const scenario::Point& point, const scenario::Point& place,
+                              const scenario::Cell& cell);
 
 // The corners of the cell.
 std::vector<scenario::Point> outline_of(const scenario::Cell& cell);

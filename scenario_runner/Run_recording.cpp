@@ -3,6 +3,7 @@
 
 #include "scenario_runner/Run_recording.h"
 
+#include "scenario_runner/Periodic_faces.h"
 #include "scenario_runner/Picture_geometry.h"
 #include "scenario_runner/Rebuild_reason_name.h"
 
@@ -22,20 +23,6 @@ using scenario::Cell;
 using scenario::Point;
 using scenario::Shift;
 using Json = nlohmann::ordered_json;
-
-Point translated(const Point& point, const Cell& cell, const Shift& shift)
-{
-  const Point by = cell.translation(shift);
-  return {point.x + by.x, point.y + by.y};
-}
-
-// The shift from a point to its image that is nearest to a place.
-Shift nearest_shift(const Point& point, const Point& place, const Cell& cell)
-{
-  const Point at = along_sides({place.x - point.x, place.y - point.y}, cell);
-  return {cell.is_periodic[0] ? static_cast<int>(std::lround(at.x)) : 0,
-          cell.is_periodic[1] ? static_cast<int>(std::lround(at.y)) : 0};
-}
 
 // Numbers in ascending order, as differences.
 void append_ascending(Packed_bytes& bytes, const std::vector<std::size_t>& numbers)
@@ -232,11 +219,7 @@ Run_recording::Shift Run_recording::shift_of(const scenario::Motion& motion, std
     return {0, 0};
   }
   const Point& point = motion.points()[place];
-  if (before) {
-    return nearest_shift(point, before->position, *cell);
-  }
-  const Shift outside = shift_out_of_cell(point, *cell);
-  return {-outside[0], -outside[1]};
+  return before ? nearest_shift(point, before->position, *cell) : shift_into_cell(point, *cell);
 }
 
 void Run_recording::add_positions(const scenario::Motion& motion, const Places& places)
@@ -249,18 +232,13 @@ void Run_recording::add_positions(const scenario::Motion& motion, const Places& 
   for (std::size_t place = 0; place != places.numbers.size(); ++place) {
     const Point& point = motion.points()[place];
     Followed_point& followed = m_points[places.numbers[place]];
-    const Point to = cell ? translated(point, *cell, places.shifts[place]) : point;
+    const Point to = cell ? cell->image(point, places.shifts[place]) : point;
     if (std::binary_search(m_ids.begin(), m_ids.end(), followed.id)) {
       const double dx = to.x - followed.position.x, dy = to.y - followed.position.y;
       squared_distances.push_back(dx * dx + dy * dy);
     }
     followed.position = to;
-    if (cell) {
-      const Shift outside = shift_out_of_cell(point, *cell);
-      drawn.push_back(translated(point, *cell, {-outside[0], -outside[1]}));
-    } else {
-      drawn.push_back(point);
-    }
+    drawn.push_back(cell ? cell->image(point, shift_into_cell(point, *cell)) : point);
   }
   take_bounds(drawn);
   if (cell) {
@@ -342,27 +320,16 @@ void Run_recording::add_triangles(const std::vector<Shown_triangle>& triangles,
 {
   std::vector<Triangle> now;
   for (const Shown_triangle& triangle : triangles) {
-    std::array<std::int64_t, 3> numbers{};
-    std::array<std::array<std::int64_t, 2>, 3> shifts{};
+    Periodic_face face{};
     for (std::size_t k = 0; k != 3; ++k) {
       const std::size_t place = triangle.corners[k];
-      numbers[k] = places.numbers[place];
-      shifts[k] = {triangle.shifts[k][0] - places.shifts[place][0],
-                   triangle.shifts[k][1] - places.shifts[place][1]};
+      face.places[k] = places.numbers[place];
+      face.shifts[k] = {triangle.shifts[k][0] - places.shifts[place][0],
+                        triangle.shifts[k][1] - places.shifts[place][1]};
     }
-    std::optional<Triangle> least;
-    for (std::size_t a = 0; a != 3; ++a) {
-      const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
-      const Triangle turned{numbers[a],
-                            numbers[b],
-                            numbers[c],
-                            shifts[b][0] - shifts[a][0],
-                            shifts[b][1] - shifts[a][1],
-                            shifts[c][0] - shifts[a][0],
-                            shifts[c][1] - shifts[a][1]};
-      least = least ? (std::min)(*least, turned) : turned;
-    }
-    now.push_back(*least);
+    const auto [corners, shifts] = normal(face);
+    now.push_back({corners[0], corners[1], corners[2], shifts[1][0], shifts[1][1], shifts[2][0],
+                   shifts[2][1]});
   }
   std::sort(now.begin(), now.end());
   append_changes(m_changes, m_triangles, now, 3, m_cells.back() ? 7 : 3);

@@ -183,13 +183,10 @@ public:
     read_tuples(m_edges, 2, m_is_periodic ? 4 : 2);
     m_wrong = m_changes.next_list();
     read_tuples(m_triangles, 3, m_is_periodic ? 7 : 3);
-    for (const std::int64_t number : m_changes.next_list()) {
-      m_changed.push_back(number);
-    }
-    for (const std::int64_t number : m_changed) {
+    const Integers changed = m_changes.next_list();
+    for (const std::int64_t number : changed) {
       m_sets.at(number) = m_changes.next();
     }
-    m_changed.clear();
     for (auto& [number, step] : m_steps) {
       step[0] += m_positions.next_signed();
       step[1] += m_positions.next_signed();
@@ -214,10 +211,7 @@ public:
                m_json["low"][1].get<double>() + quantum * static_cast<double>(step[1])};
       images[number] = {0, 0};
       if (const auto cell = motion.cell()) {
-        const Point away =
-            run::along_sides({at.x - points.at(id).x, at.y - points.at(id).y}, *cell);
-        const scenario::Shift by{cell->is_periodic[0] ? static_cast<int>(std::lround(away.x)) : 0,
-                                 cell->is_periodic[1] ? static_cast<int>(std::lround(away.y)) : 0};
+        const scenario::Shift by = run::nearest_shift(points.at(id), at, *cell);
         images[number] = {by[0], by[1]};
         const Point back = cell->translation(by);
         at = {at.x - back.x, at.y - back.y};
@@ -225,15 +219,15 @@ public:
       frame.positions[id] = at;
       frame.sets[id] = m_sets.at(number);
     }
-    for (std::size_t e = 0; e != m_edges.size(); ++e) {
-      const Integers& t = m_edges[e];
+    const auto edge_of = [&](const Integers& t) {
       const auto &from = images.at(t[0]), &to = images.at(t[1]);
-      frame.edges.insert(edge(id(t[0]), id(t[1]), t[2] - from[0] + to[0], t[3] - from[1] + to[1]));
+      return edge(id(t[0]), id(t[1]), t[2] - from[0] + to[0], t[3] - from[1] + to[1]);
+    };
+    for (const Integers& tuple : m_edges) {
+      frame.edges.insert(edge_of(tuple));
     }
     for (const std::int64_t e : m_wrong) {
-      const Integers& t = m_edges.at(static_cast<std::size_t>(e));
-      const auto &from = images.at(t[0]), &to = images.at(t[1]);
-      frame.wrong.insert(edge(id(t[0]), id(t[1]), t[2] - from[0] + to[0], t[3] - from[1] + to[1]));
+      frame.wrong.insert(edge_of(m_edges.at(static_cast<std::size_t>(e))));
     }
     for (const Integers& t : m_triangles) {
       const auto corner = [&](std::int64_t number, std::int64_t s, std::int64_t u) {
@@ -278,7 +272,6 @@ private:
   std::vector<Integers> m_edges;
   std::vector<Integers> m_triangles;
   Integers m_wrong;
-  Integers m_changed;
 };
 
 Json recording_in(const std::string& page)
