@@ -24,9 +24,9 @@ Cells_in_domains cells_in(const std::optional<std::string>& domain, Cell_rule ru
 Cell_log::Cell_log(const std::string& path, const Frame_choice& choice,
                    const std::optional<double>& radius, const std::optional<std::string>& domain,
                    Cell_rule rule)
-  : m_cells(cells_in(domain, rule))
+  : Frame_output(choice)
+  , m_cells(cells_in(domain, rule))
   , m_radius(radius.value_or(std::numeric_limits<double>::infinity()))
-  , m_choice(choice)
   , m_file(path, {"frame", "time", "id", "x", "y", "area", "density", "perimeter", "contacts",
                   "free_length", "wall_length"})
 {
@@ -34,9 +34,6 @@ Cell_log::Cell_log(const std::string& path, const Frame_choice& choice,
 
 void Cell_log::write(const Run_view& run)
 {
-  if (!m_choice.has(run.record().frame)) {
-    return;
-  }
   const std::vector<Shown_cell> cells = run.cells(m_cells, m_radius);
   const scenario::Motion& motion = run.motion();
   for (std::size_t i = 0; i != cells.size(); ++i) {

@@ -15,7 +15,7 @@
 namespace run {
 
 // The bounded Voronoi cells of some frames as comma separated values, a row for each point.
-class Cell_log
+class Cell_log : public Frame_output
 {
 public:
   // Without a radius cells end only at the walls of the domain, which is read from the given file.
@@ -23,13 +23,13 @@ public:
   Cell_log(const std::string& path, const Frame_choice& choice, const std::optional<double>& radius,
            const std::optional<std::string>& domain, Cell_rule rule);
 
-  void write(const Run_view& run);
-  void finish() { m_file.finish(); }
+  void finish() override { m_file.finish(); }
 
 private:
+  void write(const Run_view& run) override;
+
   Cells_in_domains m_cells;
   double m_radius;
-  Frame_choice m_choice;
   Csv_writer m_file;
 };
 

@@ -121,8 +121,7 @@ private:
   {
     const auto [found, is_new] = m_images.emplace(std::pair(place, shift), m_points.size());
     if (is_new) {
-      const scenario::Point by = m_cell->translation(shift);
-      m_points.push_back({m_points[place].x + by.x, m_points[place].y + by.y});
+      m_points.push_back(m_cell->image(m_points[place], shift));
       m_originals.push_back(place);
     }
     return found->second;
@@ -155,15 +154,20 @@ void write_grid_cell(std::ostream& out, const scenario::Cell& cell)
 } // namespace
 
 Frame_log::Frame_log(const std::string& path)
-  : m_file(path,
+  : Frame_output({0, 1})
+  , m_file(path,
            {"frame", "time", "points", "population_changed", "certified", "mcc", "rebuild_reason",
             "classified", "padded", "border", "flips", "splices", "enlargements", "relocated",
             "dynamic_ns", "static_insert_ns", "static_fastest_ns"})
 {
 }
 
-void Frame_log::write(const Frame_record& record)
+void Frame_log::write(const Run_view& run)
 {
+  const Frame_record& record = run.record();
+  if (record.frame == 0) {
+    return;
+  }
   const CGAL::Update_report_2& update = record.update;
   m_file.write(record.frame, record.time, record.points, record.population_changed,
                record.certified, record.validity, rebuild_reason_name(update.rebuild_reason),
@@ -172,20 +176,17 @@ void Frame_log::write(const Frame_record& record)
                record.nanoseconds.static_insert, record.nanoseconds.static_fastest);
 }
 
-Point_log::Point_log(Format format, const std::string& path, const Frame_choice& choice,
+Point_log::Point_log(const std::string& path, Format format, const Frame_choice& choice,
                      const std::optional<scenario::Box>& box)
-  : m_format(format)
+  : Frame_output(choice)
   , m_file(path)
-  , m_choice(choice)
+  , m_format(format)
   , m_box(box)
 {
 }
 
 void Point_log::write(const Run_view& run)
 {
-  if (!m_choice.has(run.record().frame)) {
-    return;
-  }
   std::ostream& out = m_file.stream();
   const auto& points = run.motion().points();
   const Bounds bounds = cell_bounds(m_box, points);
@@ -249,8 +250,8 @@ void write_vtk_grid(std::ostream& out, const Run_view& run)
 }
 
 Vtk_series::Vtk_series(const std::string& directory, const Frame_choice& choice)
-  : m_directory(directory)
-  , m_choice(choice)
+  : Frame_output(choice)
+  , m_directory(directory)
   , m_collection(m_directory.path_of("frames.pvd"))
 {
 }
@@ -258,9 +259,6 @@ Vtk_series::Vtk_series(const std::string& directory, const Frame_choice& choice)
 void Vtk_series::write(const Run_view& run)
 {
   const std::size_t frame = run.record().frame;
-  if (!m_choice.has(frame)) {
-    return;
-  }
   Output_file file(m_directory.path_of(frame_file_name(frame, grid_ending)));
   write_vtk_grid(file.stream(), run);
   file.finish();

@@ -17,38 +17,40 @@
 
 namespace run {
 
-// A row for each frame, as comma separated values. Times are in nanoseconds, of the whole frame.
-class Frame_log
+// A row for each frame after the first one, as comma separated values. Times are in nanoseconds, of
+// the whole frame.
+class Frame_log : public Frame_output
 {
 public:
   explicit Frame_log(const std::string& path);
 
-  void write(const Frame_record& record);
-  void finish() { m_file.finish(); }
+  void finish() override { m_file.finish(); }
 
 private:
+  void write(const Run_view& run) override;
+
   Csv_writer m_file;
 };
 
 // The points of some frames of a run in one file, a line each: id, species, x, y, z and the number
 // of the set. Above them is the cell, if space is periodic, or else the box or that of the points.
-class Point_log
+class Point_log : public Frame_output
 {
 public:
   // Extended XYZ says in the second line of a frame what the columns are. parse_xyz() and
   // parse_lammps_dump() read the same motion.
   enum class Format { EXTENDED_XYZ, LAMMPS_DUMP };
 
-  Point_log(Format format, const std::string& path, const Frame_choice& choice,
+  Point_log(const std::string& path, Format format, const Frame_choice& choice,
             const std::optional<scenario::Box>& box);
 
-  void write(const Run_view& run);
-  void finish() { m_file.finish(); }
+  void finish() override { m_file.finish(); }
 
 private:
-  Format m_format;
+  void write(const Run_view& run) override;
+
   Output_file m_file;
-  Frame_choice m_choice;
+  Format m_format;
   std::optional<scenario::Box> m_box;
 };
 
@@ -58,19 +60,18 @@ private:
 void write_vtk_grid(std::ostream& out, const Run_view& run);
 
 // Some frames of a run in a directory, each as a VTK file, and a collection that lists them.
-class Vtk_series
+class Vtk_series : public Frame_output
 {
 public:
   Vtk_series(const std::string& directory, const Frame_choice& choice);
 
-  void write(const Run_view& run);
-  void finish();
+  void finish() override;
 
 private:
+  void write(const Run_view& run) override;
   std::vector<double> distinct_times() const;
 
   Output_directory m_directory;
-  Frame_choice m_choice;
   Output_file m_collection;
   std::vector<std::size_t> m_frames;
   std::vector<double> m_times;

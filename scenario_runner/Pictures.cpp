@@ -291,9 +291,9 @@ void write_picture_page(std::ostream& out, const std::string& name,
 
 Picture_series::Picture_series(const std::string& directory, const std::string& name,
                                const Frame_choice& choice, const std::optional<scenario::Box>& box)
-  : m_directory(directory)
+  : Frame_output(choice)
+  , m_directory(directory)
   , m_name(name)
-  , m_choice(choice)
   , m_box(box)
   , m_page(m_directory.path_of("index.html"))
 {
@@ -302,9 +302,6 @@ Picture_series::Picture_series(const std::string& directory, const std::string& 
 void Picture_series::write(const Run_view& run)
 {
   const Frame_record& record = run.record();
-  if (!m_choice.has(record.frame)) {
-    return;
-  }
   const Picture_geometry geometry = picture_geometry(run);
   const Picture_view view(picture_bounds(geometry, m_box));
   const std::string file_name = frame_file_name(record.frame, ".svg");

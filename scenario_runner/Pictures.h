@@ -106,6 +106,35 @@ private:
   std::size_t m_every;
 };
 
+// Files of some frames of a run, which are written while the frames pass.
+class Frame_output
+{
+public:
+  explicit Frame_output(const Frame_choice& choice)
+    : m_choice(choice)
+  {
+  }
+  Frame_output(const Frame_output&) = delete;
+  Frame_output& operator=(const Frame_output&) = delete;
+  virtual ~Frame_output() = default;
+
+  // To be called with every frame, from the first one on.
+  void take(const Run_view& run)
+  {
+    if (m_choice.has(run.record().frame)) {
+      write(run);
+    }
+  }
+
+  // To be called after the last frame: only then files have their names.
+  virtual void finish() = 0;
+
+private:
+  virtual void write(const Run_view& run) = 0;
+
+  Frame_choice m_choice;
+};
+
 // A choice of about as many frames as a person looks at.
 inline Frame_choice about_thirty(std::size_t frames)
 {
@@ -129,20 +158,20 @@ void write_picture_page(std::ostream& out, const std::string& name,
                         const std::vector<Listed_picture>& pictures);
 
 // Pictures of some frames of a run, in a directory, and a page that shows them.
-class Picture_series
+class Picture_series : public Frame_output
 {
 public:
   // `name`: of what runs.
   Picture_series(const std::string& directory, const std::string& name, const Frame_choice& choice,
                  const std::optional<scenario::Box>& box);
 
-  void write(const Run_view& run);
-  void finish();
+  void finish() override;
 
 private:
+  void write(const Run_view& run) override;
+
   Output_directory m_directory;
   std::string m_name;
-  Frame_choice m_choice;
   std::optional<scenario::Box> m_box;
   Output_file m_page;
   std::vector<Listed_picture> m_pictures;

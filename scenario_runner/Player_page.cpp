@@ -19,18 +19,11 @@ constexpr std::array<const char*, 3> page_parts = {
 
 Player_page::Player_page(const std::string& path, const std::string& name,
                          const std::string& method, const Frame_choice& choice)
-  : m_file(path)
+  : Frame_output(choice)
+  , m_file(path)
   , m_name(name)
   , m_method(method)
-  , m_choice(choice)
 {
-}
-
-void Player_page::take(const Run_view& run)
-{
-  if (m_choice.has(run.record().frame)) {
-    m_recording.add(run);
-  }
 }
 
 void Player_page::finish()

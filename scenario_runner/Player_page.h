@@ -14,20 +14,20 @@ namespace run {
 
 // One HTML file that plays some frames of a run in a browser. It needs nothing beside it, and no
 // network. The frames are kept until the last one has come: 20 bytes for each point of each frame.
-class Player_page
+class Player_page : public Frame_output
 {
 public:
   Player_page(const std::string& path, const std::string& name, const std::string& method,
               const Frame_choice& choice);
 
-  void take(const Run_view& run);
-  void finish();
+  void finish() override;
 
 private:
+  void write(const Run_view& run) override { m_recording.add(run); }
+
   Output_file m_file;
   std::string m_name;
   std::string m_method;
-  Frame_choice m_choice;
   Run_recording m_recording;
 };
 

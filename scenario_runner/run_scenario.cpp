@@ -47,82 +47,32 @@ public:
     if (options.report) {
       m_report.emplace(*options.report);
     }
-    if (options.csv) {
-      m_log.emplace(*options.csv);
-    }
     const auto seen =
         options.every ? run::Frame_choice(frames, *options.every) : run::about_thirty(frames);
     const run::Frame_choice recorded(frames, options.every.value_or(1));
-    if (options.svg) {
-      m_pictures.emplace(*options.svg, subject.scenario, seen, box);
-    }
-    if (options.html) {
-      m_player.emplace(*options.html, subject.scenario, run::method_text(subject), recorded);
-    }
-    if (options.vtk) {
-      m_grids.emplace(*options.vtk, seen);
-    }
-    if (options.xyz) {
-      m_point_logs.push_back(std::make_unique<run::Point_log>(run::Point_log::Format::EXTENDED_XYZ,
-                                                              *options.xyz, recorded, box));
-    }
-    if (options.lammps) {
-      m_point_logs.push_back(std::make_unique<run::Point_log>(run::Point_log::Format::LAMMPS_DUMP,
-                                                              *options.lammps, recorded, box));
-    }
-    if (options.cells) {
-      m_cells.emplace(*options.cells, recorded, options.radius, options.domain,
-                      options.cell_rule.value_or(run::Cell_rule::WHOLE));
-    }
+    using Format = run::Point_log::Format;
+    add<run::Frame_log>(options.csv);
+    add<run::Picture_series>(options.svg, subject.scenario, seen, box);
+    add<run::Player_page>(options.html, subject.scenario, run::method_text(subject), recorded);
+    add<run::Vtk_series>(options.vtk, seen);
+    add<run::Point_log>(options.xyz, Format::EXTENDED_XYZ, recorded, box);
+    add<run::Point_log>(options.lammps, Format::LAMMPS_DUMP, recorded, box);
+    add<run::Cell_log>(options.cells, recorded, options.radius, options.domain,
+                       options.cell_rule.value_or(run::Cell_rule::WHOLE));
   }
 
-  void take_first_frame(const run::Run_view& run)
+  void take(const run::Run_view& run)
   {
-    if (m_pictures) {
-      m_pictures->write(run);
+    for (const auto& output : m_outputs) {
+      output->take(run);
     }
-    if (m_player) {
-      m_player->take(run);
-    }
-    if (m_grids) {
-      m_grids->write(run);
-    }
-    for (const auto& log : m_point_logs) {
-      log->write(run);
-    }
-    if (m_cells) {
-      m_cells->write(run);
-    }
-  }
-
-  void take_frame(const run::Run_view& run)
-  {
-    if (m_log) {
-      m_log->write(run.record());
-    }
-    take_first_frame(run);
     m_progress.show(run.record().frame);
   }
 
   void finish(const run::Run_subject& subject, const run::Run_summary& summary)
   {
-    if (m_log) {
-      m_log->finish();
-    }
-    if (m_pictures) {
-      m_pictures->finish();
-    }
-    if (m_player) {
-      m_player->finish();
-    }
-    if (m_grids) {
-      m_grids->finish();
-    }
-    for (const auto& log : m_point_logs) {
-      log->finish();
-    }
-    if (m_cells) {
-      m_cells->finish();
+    for (const auto& output : m_outputs) {
+      output->finish();
     }
     if (m_report) {
       run::write_report(m_report->stream(), subject, summary);
@@ -131,13 +81,16 @@ public:
   }
 
 private:
+  template <class Output, class... Settings>
+  void add(const std::optional<std::string>& path, const Settings&... settings)
+  {
+    if (path) {
+      m_outputs.push_back(std::make_unique<Output>(*path, settings...));
+    }
+  }
+
   std::optional<run::Output_file> m_report;
-  std::optional<run::Frame_log> m_log;
-  std::optional<run::Picture_series> m_pictures;
-  std::optional<run::Player_page> m_player;
-  std::optional<run::Vtk_series> m_grids;
-  std::vector<std::unique_ptr<run::Point_log>> m_point_logs;
-  std::optional<run::Cell_log> m_cells;
+  std::vector<std::unique_ptr<run::Frame_output>> m_outputs;
   run::Progress_display m_progress;
 };
 
@@ -168,10 +121,10 @@ run::Run_summary run_all(Run& run, std::size_t frames, Outputs& outputs)
   run.check_first_frame();
   const std::size_t points_of_first_frame = run.motion().points().size();
   std::vector<run::Frame_record> records;
-  outputs.take_first_frame(run);
+  outputs.take(run);
   while (records.size() != frames && !run::interruption::has_come() && run.advance()) {
     records.push_back(run.record());
-    outputs.take_frame(run);
+    outputs.take(run);
   }
   return run::summarize(points_of_first_frame, records);
 }
