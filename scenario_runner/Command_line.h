@@ -14,33 +14,35 @@
 
 namespace run {
 
+// A validator for options whose text `check` may change; it throws std::invalid_argument if the
+// text is wrong.
+template <class Check>
+CLI::Validator validator(Check check)
+{
+  const auto message = [check](std::string& text) -> std::string {
+    try {
+      check(text);
+      return "";
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+  };
+  return {message, ""};
+}
+
 // A validator for options of whole numbers. Unlike CLI::Range its message says "from", and "010" is
 // not taken for 8.
 inline CLI::Validator whole_number(std::uint64_t lowest, std::uint64_t highest)
 {
-  const auto check = [lowest, highest](std::string& text) {
-    try {
-      text = std::to_string(count_argument(text, lowest, highest));
-      return std::string();
-    } catch (const std::invalid_argument& error) {
-      return std::string(error.what());
-    }
-  };
-  return {check, ""};
+  return validator([lowest, highest](std::string& text) {
+    text = std::to_string(count_argument(text, lowest, highest));
+  });
 }
 
 // A validator for numbers that need not be whole.
 inline CLI::Validator number(const scenario::Range& range)
 {
-  const auto check = [range](std::string& text) {
-    try {
-      number_argument(text, range);
-      return std::string();
-    } catch (const std::invalid_argument& error) {
-      return std::string(error.what());
-    }
-  };
-  return {check, ""};
+  return validator([range](const std::string& text) { number_argument(text, range); });
 }
 
 // An option with a syntax of its own: `take` gets the text after it, and throws

@@ -74,30 +74,6 @@ public:
   {
     fields.clear();
     m_unescaped.clear();
-    if (line.find('"') == std::string_view::npos) {
-      split_unquoted(line, fields);
-      return {};
-    }
-    return split_quoted(line, fields);
-  }
-
-private:
-  void split_unquoted(std::string_view line, std::vector<std::string_view>& fields) const
-  {
-    if (m_separator == Separator::blanks) {
-      split_at_blanks(line, fields);
-      return;
-    }
-    std::size_t end = 0;
-    while ((end = line.find(static_cast<char>(m_separator))) != std::string_view::npos) {
-      fields.push_back(trimmed(line.substr(0, end)));
-      line.remove_prefix(end + 1);
-    }
-    fields.push_back(trimmed(line));
-  }
-
-  std::string_view split_quoted(std::string_view line, std::vector<std::string_view>& fields)
-  {
     skip_blanks(line);
     do {
       if (line.empty() || line.front() != '"') {
@@ -109,6 +85,7 @@ private:
     return {};
   }
 
+private:
   // Both functions remove the field from the line, which then begins with the next separator.
   void take_unquoted(std::string_view& line, std::vector<std::string_view>& fields) const
   {

@@ -18,14 +18,10 @@ const char* kind_name(const std::optional<Cell>& cell)
 
 } // namespace
 
-void Frame_rows::clear()
+void Frame_rows::begin(std::size_t size, const Text_scanner& scanner)
 {
   m_rows.clear();
-}
-
-void Frame_rows::reserve(std::size_t size)
-{
-  m_rows.reserve(size);
+  m_rows.reserve((std::min)(size, scanner.bytes_left() / 2));
 }
 
 void Frame_rows::add(std::int64_t id, const Point& point, std::size_t line)
@@ -50,6 +46,15 @@ void Frame_rows::sort_into(Recorded_frame& frame, const Text_scanner& scanner,
     frame.ids.push_back(row.id);
     frame.points.push_back(row.point);
   }
+}
+
+std::size_t number_of(const Text_scanner& scanner, std::string_view text, const std::string& what)
+{
+  const std::int64_t number = scanner.integer(text, "number of " + what);
+  if (number < 0) {
+    scanner.fail("number of " + what + " " + std::to_string(number) + " is negative");
+  }
+  return static_cast<std::size_t>(number);
 }
 
 double finite_number(const Text_scanner& scanner, std::string_view text, std::string_view what)

@@ -20,8 +20,8 @@ namespace scenario {
 class Frame_rows
 {
 public:
-  void clear();
-  void reserve(std::size_t size);
+  // Forgets all points, and takes memory for as many as a file can hold that claims `size`.
+  void begin(std::size_t size, const Text_scanner& scanner);
   void add(std::int64_t id, const Point& point, std::size_t line);
 
   std::size_t size() const { return m_rows.size(); }
@@ -40,6 +40,10 @@ private:
 
   std::vector<Row> m_rows;
 };
+
+// \throws Scenario_error, with the scanner's line, if the text is no integer from 0 on. `what` is
+// counted.
+std::size_t number_of(const Text_scanner& scanner, std::string_view text, const std::string& what);
 
 // \throws Scenario_error, with the scanner's line, if the text is no finite number.
 double finite_number(const Text_scanner& scanner, std::string_view text, std::string_view what);

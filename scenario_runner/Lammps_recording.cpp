@@ -72,7 +72,7 @@ private:
     } else if (!m_frame_is_open) {
       m_scanner.fail("expected ITEM: TIMESTEP, found " + in_quotes(line));
     } else if (line == "ITEM: NUMBER OF ATOMS") {
-      read_number_of_atoms();
+      m_number_of_atoms = number_of(m_scanner, data_line(), "atoms");
     } else if (starts_with(line, "ITEM: BOX BOUNDS")) {
       read_box(line);
     } else if (starts_with(line, "ITEM: ATOMS")) {
@@ -92,15 +92,6 @@ private:
     m_number_of_atoms.reset();
     m_box.reset();
     m_cell.reset();
-  }
-
-  void read_number_of_atoms()
-  {
-    const std::int64_t number = m_scanner.integer(data_line(), "number of atoms");
-    if (number < 0) {
-      m_scanner.fail("number of atoms " + std::to_string(number) + " is negative");
-    }
-    m_number_of_atoms = static_cast<std::size_t>(number);
   }
 
   void read_box(std::string_view header)
@@ -181,9 +172,7 @@ private:
     frame.time = m_time.value_or(static_cast<double>(m_timestep));
     frame.cell = m_cell;
     check_kind(m_scanner, m_cell, frames);
-    const std::size_t plausible = (std::min)(*m_number_of_atoms, m_scanner.bytes_left() / 2);
-    m_rows.clear();
-    m_rows.reserve(plausible);
+    m_rows.begin(*m_number_of_atoms, m_scanner);
     for (std::size_t i = 0; i != *m_number_of_atoms; ++i) {
       read_atom(columns);
     }

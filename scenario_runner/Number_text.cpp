@@ -6,38 +6,12 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Decimal_number_2.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
 namespace run {
 
 namespace decimal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
-
-#ifdef __cpp_lib_to_chars
-
-namespace {
-
-std::string text_of(double value, std::chars_format format, int digits)
-{
-  char text[400]; // 1.8e308 has 309 digits before the point
-  const auto result = std::to_chars(text, text + sizeof text, value, format, digits);
-  return {text, result.ptr};
-}
-
-} // namespace
-
-std::string number_text(double value, int digits)
-{
-  return text_of(value, std::chars_format::general, digits);
-}
-
-std::string fixed_text(double value, int digits)
-{
-  return text_of(value, std::chars_format::fixed, digits);
-}
-
-#else // libc++ of LLVM before version 14
 
 std::string number_text(double value, int digits)
 {
@@ -48,8 +22,6 @@ std::string fixed_text(double value, int digits)
 {
   return decimal::printed_number("%.*f", digits, value);
 }
-
-#endif
 
 std::string number_text(double value)
 {

@@ -13,13 +13,8 @@ Table::Table(std::vector<std::string> headings, Align others)
   : m_others(others)
 {
   if (!headings.empty()) {
-    add_row(std::move(headings));
+    m_rows.push_back(std::move(headings));
   }
-}
-
-void Table::add_row(std::vector<std::string> cells)
-{
-  m_rows.push_back(std::move(cells));
 }
 
 void Table::write(std::ostream& out) const

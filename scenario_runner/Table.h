@@ -29,7 +29,6 @@ public:
   {
     m_rows.push_back({text_of(cells)...});
   }
-  void add_row(std::vector<std::string> cells);
 
   void write(std::ostream& out) const;
 

@@ -262,6 +262,17 @@ void split_at_blanks(std::string_view line, std::vector<std::string_view>& field
   }
 }
 
+void split_at(char separator, std::string_view line, std::vector<std::string_view>& fields)
+{
+  fields.clear();
+  std::size_t end = 0;
+  while ((end = line.find(separator)) != std::string_view::npos) {
+    fields.push_back(line.substr(0, end));
+    line.remove_prefix(end + 1);
+  }
+  fields.push_back(line);
+}
+
 std::string in_quotes(std::string_view text)
 {
   constexpr std::size_t longest = 40;

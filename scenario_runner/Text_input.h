@@ -60,6 +60,7 @@ std::string lower_case(std::string text);
 bool is_blank(char c);
 std::string_view trimmed(std::string_view text);
 void split_at_blanks(std::string_view line, std::vector<std::string_view>& fields);
+void split_at(char separator, std::string_view line, std::vector<std::string_view>& fields);
 
 // For messages, which a long line of foreign data must not drown.
 std::string in_quotes(std::string_view text);

@@ -130,10 +130,7 @@ private:
 
   void read_frame(std::string_view first_line, Recording& frames)
   {
-    const std::int64_t size = m_scanner.integer(first_line, "number of points");
-    if (size < 0) {
-      m_scanner.fail("number of points " + std::to_string(size) + " is negative");
-    }
+    const std::size_t size = number_of(m_scanner, first_line, "points");
     std::string_view line;
     if (!m_scanner.next_line_as_it_is(line)) {
       m_scanner.fail("the file ends in the head of a frame");
@@ -145,7 +142,7 @@ private:
     check_kind(m_scanner, frame.cell, frames);
     const Columns columns =
         read_columns(comment.value("properties").value_or("species:S:1:pos:R:3"));
-    read_points(static_cast<std::size_t>(size), columns);
+    read_points(size, columns);
     m_rows.sort_into(frame, m_scanner, "frame " + std::to_string(frames.size()));
     frames.push_back(std::move(frame));
   }
@@ -206,14 +203,7 @@ private:
   Columns read_columns(std::string_view properties) const
   {
     std::vector<std::string_view> words;
-    while (true) {
-      const std::size_t end = properties.find(':');
-      words.push_back(properties.substr(0, end));
-      if (end == properties.npos) {
-        break;
-      }
-      properties.remove_prefix(end + 1);
-    }
+    split_at(':', properties, words);
     if (words.size() % 3 != 0) {
       m_scanner.fail("Properties are not triples of a name, a type and a number of columns");
     }
@@ -241,8 +231,7 @@ private:
 
   void read_points(std::size_t size, const Columns& columns)
   {
-    m_rows.clear();
-    m_rows.reserve((std::min)(size, m_scanner.bytes_left() / 2));
+    m_rows.begin(size, m_scanner);
     for (std::size_t i = 0; i != size; ++i) {
       std::string_view line;
       if (!m_scanner.next_line(line)) {
