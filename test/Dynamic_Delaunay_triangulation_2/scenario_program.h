@@ -33,6 +33,12 @@ inline bool contains(const std::string& text, const std::string& part)
   return text.find(part) != std::string::npos;
 }
 
+inline Words with(Words arguments, const Words& more)
+{
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
 struct Outcome
 {
   bool succeeded;
@@ -53,14 +59,19 @@ inline Outcome run_program(const Words& arguments)
   return {succeeded, content_of(output), content_of(errors)};
 }
 
-inline Json report_of(Words arguments)
+// The program succeeds, and says nothing.
+inline void run_quietly(const Words& arguments)
+{
+  const Outcome outcome = run_program(with(arguments, {"--quiet"}));
+  EXPECT_TRUE(outcome.succeeded);
+  EXPECT_EQ(outcome.output + outcome.errors, "");
+}
+
+inline Json report_of(const Words& arguments)
 {
   const std::string path = temporary_path("report.json");
   std::filesystem::remove(path);
-  arguments.insert(arguments.end(), {"--report", path, "--quiet"});
-  const Outcome outcome = run_program(arguments);
-  EXPECT_TRUE(outcome.succeeded);
-  EXPECT_EQ(outcome.output + outcome.errors, "");
+  run_quietly(with(arguments, {"--report", path}));
   return Json::parse(content_of(path));
 }
 
@@ -75,11 +86,10 @@ inline void expect_exact_report(const Json& report, std::size_t frames)
 }
 
 // Expects one message on one line, no output, and neither a report nor a part of one.
-inline void expect_refusal(Words arguments, const Words& parts_of_message)
+inline void expect_refusal(const Words& arguments, const Words& parts_of_message)
 {
   const std::string path = temporary_path("refused.json");
-  arguments.insert(arguments.end(), {"--report", path});
-  const Outcome outcome = run_program(arguments);
+  const Outcome outcome = run_program(with(arguments, {"--report", path}));
   EXPECT_FALSE(outcome.succeeded);
   EXPECT_EQ(outcome.output, "");
   EXPECT_EQ(outcome.errors.rfind("run_scenario: ", 0), 0u) << outcome.errors;

@@ -14,8 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -95,26 +93,18 @@ TEST(Mean_and_extremes, leave_cells_empty_where_there_is_nothing)
   EXPECT_EQ(cells, (std::vector<std::string>{"2.5", "1", "4"}));
 }
 
-std::string text_of(const std::string& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 TEST(A_file_of_results, has_remarks_columns_and_rows)
 {
-  const Temporary_directory directory;
-  const std::string path = directory.path("results.csv");
+  const std::string path = temporary_path("results.csv");
   common::Csv_file file(path, {"command: none"}, {"name", "value"});
   file.write_row("one", 0.125);
   file.finish();
-  EXPECT_EQ(text_of(path), "# command: none\nname,value\none,0.125\n");
+  EXPECT_EQ(content_of(path), "# command: none\nname,value\none,0.125\n");
 }
 
 TEST(A_file_of_results, refuses_rows_that_do_not_fit)
 {
-  const Temporary_directory directory;
-  common::Csv_file file(directory.path("results.csv"), {}, {"name", "value"});
+  common::Csv_file file(temporary_path("results.csv"), {}, {"name", "value"});
   EXPECT_THROW(file.write_row("one"), std::logic_error);
   EXPECT_THROW(file.write_row("one, two", 1), std::logic_error);
 }

@@ -9,8 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -309,8 +307,7 @@ std::string zipped(const std::string& text)
   EXPECT_EQ(gzwrite(file, text.data(), static_cast<unsigned>(text.size())),
             static_cast<int>(text.size()));
   EXPECT_EQ(gzclose(file), Z_OK);
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+  return ::content_of(path);
 }
 
 std::string many_rows()

@@ -4,6 +4,7 @@
 // The program run_scenario, run as a user runs it.
 
 #include "scenario_program.h"
+#include "scenario_runner/Text_input.h"
 #include "temporary_files.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
@@ -18,6 +19,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -145,9 +147,7 @@ TEST(Engines, run_by_their_names_for_rebuilds_and_for_splices)
     const Words arguments = {"brownian",    "--points", "300",      "--frames", "20",
                              "--time-step", "0.05",     "--engine", engine,     "--repair"};
     for (const char* repair : {"rebuild", "splice"}) {
-      Words all = arguments;
-      all.push_back(repair);
-      const Json report = report_of(all);
+      const Json report = report_of(with(arguments, {repair}));
       EXPECT_EQ(report["engine"], engine);
       expect_exact_report(report, 20);
     }
@@ -159,9 +159,7 @@ TEST(Classifiers, run_by_their_names_and_exact_ones_end_certified)
   const Words arguments = {"brownian", "--points",    "300",  "--frames",
                            "20",       "--time-step", "0.01", "--classifier"};
   const auto report_under = [&](const std::string& classifier) {
-    Words all = arguments;
-    all.push_back(classifier);
-    return report_of(all);
+    return report_of(with(arguments, {classifier}));
   };
   for (const char* name : {"circumcircle", "safe_region", "refined:safe_region+circumcircle",
                            "refined:circumcircle+safe_region"}) {
@@ -203,9 +201,7 @@ TEST(Policies, run_by_their_names_and_are_reported)
   const Words arguments = {"brownian", "--points",    "300", "--frames",
                            "20",       "--time-step", "0.3", "--policy"};
   const auto report_under = [&](const std::string& policy) {
-    Words all = arguments;
-    all.push_back(policy);
-    const Json report = report_of(all);
+    const Json report = report_of(with(arguments, {policy}));
     expect_exact_report(report, 20);
     return report;
   };
@@ -413,15 +409,9 @@ using Rows = std::vector<std::map<std::string, std::string>>;
 
 Words fields_of(const std::string& line)
 {
-  Words fields(1);
-  for (const char c : line) {
-    if (c == ',') {
-      fields.emplace_back();
-    } else {
-      fields.back() += c;
-    }
-  }
-  return fields;
+  std::vector<std::string_view> fields;
+  scenario::split_at(',', line, fields);
+  return Words(fields.begin(), fields.end());
 }
 
 Rows rows_of(const std::string& path)
@@ -442,14 +432,11 @@ Rows rows_of(const std::string& path)
   return rows;
 }
 
-Rows cells_of(Words arguments)
+Rows cells_of(const Words& arguments)
 {
   const std::string path = temporary_path("cells.csv");
   std::filesystem::remove(path);
-  arguments.insert(arguments.end(), {"--cells", path, "--quiet"});
-  const Outcome outcome = run_program(arguments);
-  EXPECT_TRUE(outcome.succeeded);
-  EXPECT_EQ(outcome.output + outcome.errors, "");
+  run_quietly(with(arguments, {"--cells", path}));
   return rows_of(path);
 }
 
@@ -545,17 +532,13 @@ TEST(Cells, are_of_every_nth_frame_and_equal_on_any_number_of_threads)
   }
   EXPECT_EQ(frames, (std::set<std::string>{"0", "3", "6", "7"}));
   EXPECT_EQ(rows.size(), 4u * 500u);
-  Words with_threads = options;
-  with_threads.insert(with_threads.end(), {"--threads", "2"});
-  EXPECT_EQ(cells_of(with_threads), rows);
+  EXPECT_EQ(cells_of(with(options, {"--threads", "2"})), rows);
 }
 
 TEST(Cells, are_a_table_that_can_be_run_again)
 {
   const std::string path = temporary_path("again.csv");
-  ASSERT_TRUE(run_program({"brownian", "--points", "50", "--frames", "3", "--cells", path,
-                           "--radius", "0.1", "--quiet"})
-                  .succeeded);
+  run_quietly({"brownian", "--points", "50", "--frames", "3", "--cells", path, "--radius", "0.1"});
   EXPECT_EQ(cells_of({path, "--radius", "0.1"}), rows_of(path));
 }
 
@@ -602,9 +585,7 @@ TEST(Domain, may_have_walls_that_divide_cells_by_a_rule)
   const std::string tracks =
       write_file("rooms.csv", "frame,id,x,y\n0,1,6.5,9\n0,2,6.5,1\n0,3,6.5,30\n");
   const auto cells_by = [&](const Words& options) {
-    Words arguments{tracks, "--domain", rooms};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return cells_of(arguments);
+    return cells_of(with({tracks, "--domain", rooms}, options));
   };
   const Rows whole = cells_by({});
   ASSERT_EQ(whole.size(), 3u);

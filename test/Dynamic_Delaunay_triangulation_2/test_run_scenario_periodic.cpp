@@ -5,6 +5,7 @@
 
 #include "scenario_program.h"
 #include "scenario_runner/Lammps_box.h"
+#include "scenario_runner/Number_text.h"
 #include "scenario_runner/Open_motion.h"
 #include "scenario_runner/Periodic_run.h"
 #include "scenario_runner/Recorded_motion.h"
@@ -19,7 +20,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <numeric>
 #include <sstream>
 #include <string>
@@ -28,18 +28,10 @@
 
 namespace {
 
+using run::number_text;
 using scenario::Cell;
 using scenario::Point;
 using scenario::Recording;
-
-// A number with so many digits that reading gives the same number.
-std::string text_of(double number)
-{
-  std::ostringstream out;
-  out.precision(std::numeric_limits<double>::max_digits10);
-  out << number;
-  return out.str();
-}
 
 // Points that diffuse in a cell, which may change with every frame and takes them along. They are
 // wrapped into it in each frame, where it is periodic.
@@ -114,7 +106,7 @@ std::string dump_frame(std::size_t timestep, const Cell& cell, const std::vector
   scenario::write_lammps_box(out, cell);
   out << "ITEM: ATOMS id type x y z ix iy\n";
   for (std::size_t i = 0; i != points.size(); ++i) {
-    out << first_id + i << " 1 " << text_of(points[i].x) << ' ' << text_of(points[i].y)
+    out << first_id + i << " 1 " << number_text(points[i].x) << ' ' << number_text(points[i].y)
         << " 0 0 0\n";
   }
   return out.str();
@@ -124,7 +116,7 @@ std::string xyz_frame(const std::string& comment, const std::vector<Point>& poin
 {
   std::string text = std::to_string(points.size()) + "\n" + comment + "\n";
   for (const Point& point : points) {
-    text += "Ar " + text_of(point.x) + " " + text_of(point.y) + " 0\n";
+    text += "Ar " + number_text(point.x) + " " + number_text(point.y) + " 0\n";
   }
   return text;
 }
@@ -360,7 +352,7 @@ TEST(Xyz_file, with_a_lattice_is_periodic)
   for (std::size_t frame = 0; frame <= frames; ++frame) {
     cloud.advance(0.002, cell);
     text += xyz_frame("Properties=species:S:1:pos:R:3 Lattice=\"10 0 0 3 8 0 0 0 1\" Time=" +
-                          text_of(0.5 * static_cast<double>(frame)) + " pbc=\"T T F\"",
+                          number_text(0.5 * static_cast<double>(frame)) + " pbc=\"T T F\"",
                       cloud.points(cell));
   }
   const std::string path = write_file("lattice.xyz", text);
@@ -481,9 +473,8 @@ TEST(Periodic_run, follows_with_any_exact_classifier_and_any_repair_policy_and_e
         Words{"--repair", "relocate"}, Words{"--repair", "rebuild"}, Words{"--policy", "hybrid"},
         Words{"--policy", "always_static"}, Words{"--engine", "insertion"},
         Words{"--classifier", "safe_region"}}) {
-    Words all = {"brownian_periodic", "--points", "100", "--frames", "5"};
-    all.insert(all.end(), words.begin(), words.end());
-    const Json report = report_of(all);
+    const Json report =
+        report_of(with({"brownian_periodic", "--points", "100", "--frames", "5"}, words));
     expect_exact_report(report, 5);
     EXPECT_EQ(report["cell"], "torus");
     EXPECT_EQ(report[words[0].substr(2)], words[1]);
@@ -646,15 +637,6 @@ TEST(Outputs_with_a_cell, are_read_back_as_the_same_motion)
     expect_equal_recordings(scenario::read_lammps_dump(lammps), recording);
     expect_equal_recordings(scenario::read_xyz_motion(xyz), recording);
   }
-}
-
-TEST(Outputs_without_a_cell, are_read_back_as_the_same_open_motion)
-{
-  const std::string xyz = temporary_path("open.xyz"), dump = temporary_path("open.lammpstrj");
-  report_of({"brownian", "--points", "30", "--frames", "5", "--xyz", xyz, "--lammps", dump});
-  const Recording recording = scenario::read_xyz_motion(xyz);
-  EXPECT_FALSE(recording.front().cell);
-  expect_equal_recordings(recording, scenario::read_lammps_dump(dump));
 }
 
 TEST(Outputs_with_a_cell, run_again_with_the_same_result)

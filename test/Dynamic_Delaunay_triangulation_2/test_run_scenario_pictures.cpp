@@ -23,12 +23,10 @@ namespace {
 
 using Xml = boost::property_tree::ptree;
 
-std::filesystem::path drawn(const std::string& directory, Words arguments)
+std::filesystem::path drawn(const std::string& directory, const Words& arguments)
 {
   const std::string path = temporary_path(directory);
-  arguments.insert(arguments.end(), {"--svg", path, "--quiet"});
-  const Outcome outcome = run_program(arguments);
-  EXPECT_TRUE(outcome.succeeded) << outcome.errors;
+  run_quietly(with(arguments, {"--svg", path}));
   return path;
 }
 
