@@ -11,6 +11,11 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Safe_region_classifier_2.h>
 #include <CGAL/Dynamic_population_2.h>
+#include <CGAL/iterator.h>
+
+#include <boost/iterator/function_output_iterator.hpp>
+#include <boost/iterator/iterator_adaptor.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <cmath>
 #include <functional>
@@ -118,16 +123,13 @@ void expect_recovery(Dynamic& dt, Next next)
   if (dt.is_certified()) {
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model_of(dt)));
   }
-  const Places places = go_on(dt, next);
-  ASSERT_NO_FATAL_FAILURE(expect_valid(dt, places));
-  if (!Dynamic::Delaunay_classifier::is_exact)
-    dt.mend();
-  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, places));
-  const Places moved = go_on(dt, Next::UPDATE);
-  ASSERT_NO_FATAL_FAILURE(expect_valid(dt, moved));
-  if (!Dynamic::Delaunay_classifier::is_exact)
-    dt.mend();
-  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, moved));
+  for (const Next call : {next, Next::UPDATE}) {
+    const Places places = go_on(dt, call);
+    ASSERT_NO_FATAL_FAILURE(expect_valid(dt, places));
+    if (!Dynamic::Delaunay_classifier::is_exact)
+      dt.mend();
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, places));
+  }
 }
 
 // -------------------------------------------------------------------------------------------------
@@ -145,47 +147,32 @@ bool succeeds(const std::function<void()>& work, long allocations)
   }
 }
 
-// Makes a triangulation, and makes a call that changes it.
 template <class Dynamic>
-struct Scene
+std::unique_ptr<Dynamic> triangulated(const Points& points)
 {
-  std::function<std::unique_ptr<Dynamic>()> make;
-  std::function<void(Dynamic&)> change;
-};
-
-template <class Dynamic>
-Scene<Dynamic> scene(const Points& points, std::function<void(Dynamic&)> change)
-{
-  return {[points] {
-            auto dt = std::make_unique<Dynamic>();
-            if constexpr (!std::is_same_v<Dynamic, Exact> && !std::is_same_v<Dynamic, Heuristic>)
-              dt->classifier().watch(*dt);
-            std::vector<std::size_t> ids;
-            dt->insert(points.begin(), points.end(), std::back_inserter(ids));
-            return dt;
-          },
-          std::move(change)};
+  auto dt = std::make_unique<Dynamic>();
+  if constexpr (!std::is_same_v<Dynamic, Exact> && !std::is_same_v<Dynamic, Heuristic>)
+    dt->classifier().watch(*dt);
+  dt->insert(points, CGAL::Emptyset_iterator());
+  return dt;
 }
 
 template <class Dynamic>
-Places outcome(const Scene<Dynamic>& scene)
-{
-  const auto dt = scene.make();
-  scene.change(*dt);
-  return model_of(*dt);
-}
+using Change = std::function<void(Dynamic&)>;
 
 // Makes the call once for each of its allocations, at which memory then runs out.
 template <class Dynamic>
-void expect_survival(const Scene<Dynamic>& scene)
+void expect_survival(const Points& points, const Change<Dynamic>& change)
 {
   constexpr long ways = std::size(all_next);
-  const Places after = outcome(scene);
+  const auto changed = triangulated<Dynamic>(points);
+  change(*changed);
+  const Places after = model_of(*changed);
   for (long allocations = 0;; ++allocations) {
     SCOPED_TRACE(testing::Message() << allocations << " allocations");
-    const auto dt = scene.make();
+    const auto dt = triangulated<Dynamic>(points);
     const Places before = model_of(*dt);
-    if (succeeds([&] { scene.change(*dt); }, allocations))
+    if (succeeds([&] { change(*dt); }, allocations))
       break;
     ASSERT_NO_FATAL_FAILURE(expect_between(*dt, before, after));
     ASSERT_NO_FATAL_FAILURE(
@@ -199,13 +186,13 @@ template <class Dynamic>
 class Memory : public testing::Test
 {
 protected:
-  using Change = std::function<void(Dynamic&)>;
+  using Change = test_exceptions::Change<Dynamic>;
 
   // Expects survival of each of the changes, from the same points.
   static void expect_survival_of(const Points& points, const std::vector<Change>& changes)
   {
     for (const Change& change : changes)
-      ASSERT_NO_FATAL_FAILURE(expect_survival(scene<Dynamic>(points, change)));
+      ASSERT_NO_FATAL_FAILURE(expect_survival<Dynamic>(points, change));
   }
 
   static Change update(const Points& points)
@@ -456,74 +443,37 @@ private:
 };
 
 // A property map that returns the value itself, and burns a fuse.
-template <class Value>
-struct Fused_map
+auto fused_map(const Fuse& fuse)
 {
-  using key_type = Value;
-  using value_type = Value;
-  using reference = const Value&;
-  using category = boost::readable_property_map_tag;
-  Fuse fuse;
+  return boost::make_function_property_map<Point>([fuse](const Point& p) {
+    fuse.burn();
+    return p;
+  });
+}
 
-  friend reference get(const Fused_map& map, const Value& value)
-  {
-    map.fuse.burn();
-    return value;
-  }
-};
-
+// Passes its values once; reading one burns a fuse.
 template <class Iterator>
 class Fused_iterator
+  : public boost::iterator_adaptor<Fused_iterator<Iterator>, Iterator, boost::use_default,
+                                   boost::single_pass_traversal_tag>
 {
 public:
-  using iterator_category = std::input_iterator_tag;
-  using value_type = typename std::iterator_traits<Iterator>::value_type;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const value_type*;
-  using reference = const value_type&;
-
   Fused_iterator(Iterator position, const Fuse& fuse)
-    : m_position(position)
+    : Fused_iterator::iterator_adaptor_(position)
     , m_fuse(fuse)
   {
   }
 
-  reference operator*() const
+private:
+  friend class boost::iterator_core_access;
+
+  decltype(auto) dereference() const
   {
     m_fuse.burn();
-    return *m_position;
+    return *this->base();
   }
-  pointer operator->() const { return &**this; }
-  Fused_iterator& operator++()
-  {
-    ++m_position;
-    return *this;
-  }
-  bool operator==(const Fused_iterator& other) const { return m_position == other.m_position; }
-  bool operator!=(const Fused_iterator& other) const { return m_position != other.m_position; }
 
-private:
-  Iterator m_position;
   Fuse m_fuse;
-};
-
-struct Fused_output
-{
-  using iterator_category = std::output_iterator_tag;
-  using value_type = void;
-  using difference_type = std::ptrdiff_t;
-  using pointer = void;
-  using reference = void;
-  Fuse fuse;
-
-  Fused_output& operator*() { return *this; }
-  Fused_output& operator++() { return *this; }
-  Fused_output& operator++(int) { return *this; }
-  Fused_output& operator=(std::size_t)
-  {
-    fuse.burn();
-    return *this;
-  }
 };
 
 // Repeats the call, and makes another one of its burns throw each time: nothing may change.
@@ -581,11 +531,11 @@ TEST_F(Ranges, may_throw_at_any_element_and_nothing_changes)
 TEST_F(Ranges, may_be_read_by_property_maps_that_throw_and_nothing_changes)
 {
   const auto update_to_others = [&](const Fuse& fuse) {
-    dt.update(others.begin(), others.end(), Fused_map<Point>{fuse});
+    dt.update(others.begin(), others.end(), fused_map(fuse));
   };
   expect_nothing_changes(dt, update_to_others);
   expect_nothing_changes(dt, [&](const Fuse& fuse) {
-    dt.insert(points.begin(), points.end(), Fused_map<Point>{fuse}, std::back_inserter(new_ids));
+    dt.insert(points.begin(), points.end(), fused_map(fuse), std::back_inserter(new_ids));
   });
   dt = Exact(others.begin(), others.end()); // no duplicates
   expect_nothing_changes(dt, update_to_others);
@@ -593,8 +543,10 @@ TEST_F(Ranges, may_be_read_by_property_maps_that_throw_and_nothing_changes)
 
 TEST_F(Ranges, of_ids_may_have_no_room_for_newcomers_and_none_comes)
 {
-  expect_nothing_changes(
-      dt, [&](const Fuse& fuse) { dt.insert(others.begin(), others.end(), Fused_output{fuse}); });
+  expect_nothing_changes(dt, [&](const Fuse& fuse) {
+    dt.insert(others.begin(), others.end(),
+              boost::make_function_output_iterator([fuse](std::size_t) { fuse.burn(); }));
+  });
 }
 
 TEST_F(Ranges, of_populations_may_throw_at_any_element_and_nothing_changes)
@@ -627,28 +579,23 @@ TEST_F(Ranges, of_populations_may_throw_at_any_element_and_nothing_changes)
 }
 
 // A classifier, a repair and a policy that burn fuses.
-struct Fuses
-{
-  Fuse classification, news, repair, policy, report;
-};
-
 struct Fused_classifier : CGAL::Circumcircle_classifier_2
 {
-  Fuses fuses;
+  Fuse classification, news;
 
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified)
   {
     CGAL::Circumcircle_classifier_2::operator()(frame, classified);
-    fuses.classification.burn();
+    classification.burn();
   }
 
   template <class Frame>
   void after_update(const Frame& frame)
   {
-    fuses.news.burn();
+    news.burn();
     CGAL::Circumcircle_classifier_2::after_update(frame);
-    fuses.news.burn();
+    news.burn();
   }
 };
 
@@ -782,7 +729,7 @@ TEST(A_repair_that_throws, leaves_no_certificate_while_a_duplicate_has_no_vertex
 
 TEST_F(Parts, of_classifiers_that_throw_when_asked_change_nothing)
 {
-  ASSERT_NO_FATAL_FAILURE(expect_recovery_from(classifier.fuses.classification, 0, false));
+  ASSERT_NO_FATAL_FAILURE(expect_recovery_from(classifier.classification, 0, false));
 }
 
 TEST_F(Parts, of_policies_that_throw_when_asked_change_nothing)
@@ -793,7 +740,7 @@ TEST_F(Parts, of_policies_that_throw_when_asked_change_nothing)
 TEST_F(Parts, of_classifiers_that_throw_when_told_are_told_again)
 {
   for (const int k : {0, 1})
-    ASSERT_NO_FATAL_FAILURE(expect_recovery_from(classifier.fuses.news, k, true));
+    ASSERT_NO_FATAL_FAILURE(expect_recovery_from(classifier.news, k, true));
 }
 
 TEST_F(Parts, of_policies_that_throw_when_told_leave_the_frame_as_it_is)
@@ -812,7 +759,7 @@ TEST_F(Parts, of_classifiers_that_throw_when_told_of_changes_of_the_population_a
   for (const int k : {0, 1})
     for (const Next next : {Next::INSERT, Next::MOVE, Next::REMOVE}) {
       SCOPED_TRACE(testing::Message() << "call " << int(next));
-      classifier.fuses.news.set(k);
+      classifier.news.set(k);
       EXPECT_THROW(go_on(dt, next), Failure);
       ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model_of(dt)));
       ASSERT_NO_FATAL_FAILURE(expect_recovery(dt, next));
