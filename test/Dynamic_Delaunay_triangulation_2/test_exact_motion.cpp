@@ -34,6 +34,7 @@ protected:
   static void follow(Points points, int frames, const Move& move)
   {
     Dynamic dt(points);
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
     for (int frame = 0; frame < frames; ++frame) {
       move(points, frame);
       ASSERT_NO_FATAL_FAILURE(update(dt, points)) << "frame " << frame;
@@ -216,7 +217,11 @@ TYPED_TEST(Exact_motion, is_not_deceived_by_a_star_that_winds_twice)
   expect_exact(one_by_one, twice);
 }
 
-TEST(Exact_coordinates, that_are_no_doubles_leave_the_signs_to_the_kernel)
+class Exact_coordinates : public Exact_motion<Epeck>
+{
+};
+
+TEST_F(Exact_coordinates, that_are_no_doubles_leave_the_signs_to_the_kernel)
 {
   Cloud<Epeck> cloud(13);
   auto points = cloud.uniform(60);
@@ -233,7 +238,7 @@ TEST(Exact_coordinates, that_are_no_doubles_leave_the_signs_to_the_kernel)
 }
 
 // Their rounded positions are another cloud, on a lattice, for which every filter is certain.
-TEST(Exact_coordinates, that_differ_by_less_than_doubles_do_are_told_apart)
+TEST_F(Exact_coordinates, that_differ_by_less_than_doubles_do_are_told_apart)
 {
   std::mt19937 random(5);
   std::uniform_int_distribution<int> sevenths(0, 7 * 16);
@@ -246,21 +251,15 @@ TEST(Exact_coordinates, that_differ_by_less_than_doubles_do_are_told_apart)
     }
     return points;
   };
-  const auto points = cloud();
-  CGAL::Dynamic_Delaunay_triangulation_2<Epeck> dt(points.begin(), points.end());
-  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
-  auto next = points;
-  for (int frame = 0; frame < 30; ++frame) {
+  follow(cloud(), 30, [&](auto& points, int frame) {
     const auto others = cloud();
-    for (std::size_t i = 0; i < next.size(); i += frame % 2 == 0 ? 13 : 1)
-      next[i] = others[i];
-    dt.update(next.begin(), next.end());
-    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, next));
-  }
+    for (std::size_t i = 0; i < points.size(); i += frame % 2 == 0 ? 13 : 1)
+      points[i] = others[i];
+  });
 }
 
 // The rounded positions stay where they are while the edges change.
-TEST(Exact_coordinates, that_move_by_less_than_doubles_tell_are_followed)
+TEST_F(Exact_coordinates, that_move_by_less_than_doubles_tell_are_followed)
 {
   std::mt19937 random(6);
   std::vector<std::pair<int, int>> places;
@@ -278,13 +277,7 @@ TEST(Exact_coordinates, that_move_by_less_than_doubles_tell_are_followed)
     }
     return points;
   };
-  const auto points = cloud();
-  CGAL::Dynamic_Delaunay_triangulation_2<Epeck> dt(points.begin(), points.end());
-  for (int frame = 0; frame < 20; ++frame) {
-    const auto next = cloud();
-    dt.update(next.begin(), next.end());
-    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, next));
-  }
+  follow(cloud(), 20, [&](auto& points, int) { points = cloud(); });
 }
 
 // Faces, numbers of edges, tolerances, and how far edges are from being illegal, on all processors.

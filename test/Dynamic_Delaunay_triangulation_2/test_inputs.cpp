@@ -20,6 +20,8 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <boost/iterator/counting_iterator.hpp>
+#include <boost/iterator/iterator_adaptor.hpp>
+#include <boost/iterator/iterator_facade.hpp>
 #include <boost/iterator/transform_iterator.hpp>
 #include <boost/iterator/zip_iterator.hpp>
 #include <boost/property_map/function_property_map.hpp>
@@ -60,100 +62,48 @@ constexpr std::size_t number = 500; // enough to overwrite what a dangling refer
 
 // An iterator that stores its value, as iterators that read files do: the value is destroyed with
 // the iterator.
-class Stashing_iterator
+class Stashing_iterator : public boost::iterator_adaptor<Stashing_iterator, Points::const_iterator>
 {
 public:
-  using iterator_category = std::random_access_iterator_tag;
-  using value_type = Point;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const Point*;
-  using reference = const Point&;
-
-  Stashing_iterator(const Points& points, std::ptrdiff_t i)
-    : m_points(&points)
-    , m_i(i)
+  explicit Stashing_iterator(Points::const_iterator place)
+    : iterator_adaptor(place)
   {
   }
   ~Stashing_iterator() { m_value = Point(-1, -1); }
   Stashing_iterator(const Stashing_iterator&) = default;
   Stashing_iterator& operator=(const Stashing_iterator&) = default;
 
-  reference operator*() const
-  {
-    if (m_i < std::ptrdiff_t(m_points->size()))
-      m_value = (*m_points)[std::size_t(m_i)];
-    return m_value;
-  }
-  Stashing_iterator& operator++() { return *this += 1; }
-  Stashing_iterator operator++(int)
-  {
-    Stashing_iterator copy = *this;
-    ++*this;
-    return copy;
-  }
-  Stashing_iterator& operator+=(std::ptrdiff_t n)
-  {
-    m_i += n;
-    return *this;
-  }
-  friend Stashing_iterator operator+(Stashing_iterator i, std::ptrdiff_t n) { return i += n; }
-  friend std::ptrdiff_t operator-(const Stashing_iterator& i, const Stashing_iterator& j)
-  {
-    return i.m_i - j.m_i;
-  }
-  [[maybe_unused]] friend bool operator==(const Stashing_iterator& i, const Stashing_iterator& j)
-  {
-    return i.m_i == j.m_i;
-  }
-  friend bool operator!=(const Stashing_iterator& i, const Stashing_iterator& j)
-  {
-    return i.m_i != j.m_i;
-  }
-
 private:
-  const Points* m_points;
-  std::ptrdiff_t m_i;
+  friend class boost::iterator_core_access;
+
+  const Point& dereference() const { return m_value = *base(); }
+
   mutable Point m_value;
 };
 
 // Each value can be read once only.
-class Single_pass_iterator
+class Single_pass_iterator : public boost::iterator_facade<Single_pass_iterator, Point,
+                                                           boost::single_pass_traversal_tag, Point>
 {
 public:
-  using iterator_category = std::input_iterator_tag;
-  using value_type = Point;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const Point*;
-  using reference = Point;
-
   Single_pass_iterator(std::deque<Point>* queue, std::size_t left)
     : m_queue(queue)
     , m_left(left)
   {
   }
-  Point operator*() const
+
+private:
+  friend class boost::iterator_core_access;
+
+  Point dereference() const
   {
     const Point p = m_queue->front();
     m_queue->pop_front();
     return p;
   }
-  Single_pass_iterator& operator++()
-  {
-    --m_left;
-    return *this;
-  }
-  void operator++(int) { ++*this; }
-  [[maybe_unused]] friend bool operator==(const Single_pass_iterator& i,
-                                          const Single_pass_iterator& j)
-  {
-    return i.m_left == j.m_left;
-  }
-  friend bool operator!=(const Single_pass_iterator& i, const Single_pass_iterator& j)
-  {
-    return i.m_left != j.m_left;
-  }
+  void increment() { --m_left; }
+  bool equal(const Single_pass_iterator& other) const { return m_left == other.m_left; }
 
-private:
   std::deque<Point>* m_queue;
   std::size_t m_left;
 };
@@ -190,8 +140,8 @@ void for_each_kind_of_range(const Points& points, const Function& f)
   call("list", list.begin(), list.end(), identity);
   const std::deque<Point> deque(points.begin(), points.end());
   call("deque", deque.begin(), deque.end(), identity);
-  call("iterators that keep their values", Stashing_iterator(points, 0),
-       Stashing_iterator(points, std::ptrdiff_t(points.size())), identity);
+  call("iterators that keep their values", Stashing_iterator(points.begin()),
+       Stashing_iterator(points.end()), identity);
   std::deque<Point> queue = deque;
   call("a single pass", Single_pass_iterator(&queue, points.size()),
        Single_pass_iterator(&queue, 0), identity);
@@ -330,16 +280,9 @@ TEST(Ranges, of_pairs_that_are_made_are_read_by_moves_and_populations)
     ASSERT_EQ(people.point(std::int64_t(i)), points[i]);
   people.move(first, beyond);
   ASSERT_NO_FATAL_FAILURE(expect_exact(people.triangulation(), points));
-  const auto id_map = boost::make_function_property_map<std::size_t>(
-      [](std::size_t i) { return std::int64_t(i) + 1000; });
-  const auto point_map =
-      boost::make_function_property_map<std::size_t>([&](std::size_t i) { return points[i]; });
-  people.update(boost::counting_iterator<std::size_t>(0),
-                boost::counting_iterator<std::size_t>(number), id_map, point_map);
-  ASSERT_EQ(people.point(1000), points[0]);
 }
 
-TEST(Ranges, of_users_ids_are_read_by_insertions_moves_and_removals)
+TEST(Ranges, of_users_ids_are_read_by_updates_insertions_moves_and_removals)
 {
   Cloud<Epick> cloud(6);
   Points points = cloud.uniform(number);
@@ -354,8 +297,12 @@ TEST(Ranges, of_users_ids_are_read_by_insertions_moves_and_removals)
   cloud.shake(points, 0.1);
   people.move(first, beyond, id_map, point_map);
   ASSERT_NO_FATAL_FAILURE(expect_exact(people.triangulation(), points));
+  cloud.shake(points, 0.1);
+  people.update(first, beyond, id_map, point_map);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(people.triangulation(), points));
 
-  people.insert(std::list<std::pair<int, Point>>{{3, {0.5, 0.25}}, {4, {0.125, 3}}});
+  people.insert(std::list<std::pair<int, Point>>{{3, {0.5, 0.25}}, {4, {2, 2}}});
+  people.move(std::vector<std::pair<int, Point>>{{4, {0.125, 3}}});
   people.insert(5, Point(1, 1));
   people.move(5, Point(0.125, 3));
   EXPECT_EQ(people.vertex(5), people.vertex(4));
@@ -401,43 +348,6 @@ TEST(Ranges, of_users_ids_that_are_refused_change_nothing)
   EXPECT_EQ(people.size(), 3u);
   ASSERT_NO_FATAL_FAILURE(expect_exact(people.triangulation(), Points{{0, 0}, {1, 0}, {0, 1}}));
   EXPECT_TRUE(people.has(7) && people.has(-2) && people.has(9) && !people.has(1));
-}
-
-TEST(Ranges, are_taken_as_a_whole)
-{
-  Cloud<Epick> cloud(5);
-  Points points = cloud.uniform(number);
-  Dynamic dt(points);
-  cloud.shake(points, 0.1);
-  EXPECT_TRUE(dt.update(points).certified);
-  cloud.shake(points, 0.1);
-  const std::list<Point> list(points.begin(), points.end());
-  EXPECT_TRUE(dt.update(list).certified);
-  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
-  const auto position =
-      boost::make_function_property_map<std::size_t>([&](std::size_t i) { return points[i]; });
-  cloud.shake(points, 0.1);
-  dt.update(boost::irange<std::size_t>(0, number), position);
-  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
-  const Point array[] = {{0.5, 0.25}, {0.125, 3}};
-  std::vector<std::size_t> ids;
-  dt.insert(array, std::back_inserter(ids));
-  points.insert(points.end(), std::begin(array), std::end(array));
-  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
-  dt.remove(ids);
-  points.resize(number);
-  const std::vector<std::pair<int, Point>> movers = {{3, {1, 1}}, {4, {2, 1}}};
-  dt.move(movers);
-  points[3] = {1, 1};
-  points[4] = {2, 1};
-  for (std::size_t id = 0; id < number; ++id)
-    ASSERT_EQ(dt.point(id), points[id]);
-
-  Population people;
-  const std::vector<std::pair<int, Point>> crowd = {{9, {0, 0}}, {4, {1, 0}}, {7, {0, 1}}};
-  EXPECT_TRUE(people.update(crowd).certified);
-  people.move(std::vector<std::pair<int, Point>>{{9, {0.25, 0}}});
-  EXPECT_EQ(people.point(9), Point(0.25, 0));
 }
 
 // LIMITS ------------------------------------------------------------------------------------------

@@ -11,10 +11,8 @@
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_population_2.h>
 #include <CGAL/Periodic_cell_2.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
-#include <boost/property_map/property_map.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <array>
 #include <cstddef>
@@ -227,15 +225,8 @@ struct Particle
   Point position;
 };
 
-struct Position_map
-{
-  using key_type = Particle;
-  using value_type = Point;
-  using reference = const Point&;
-  using category = boost::readable_property_map_tag;
-
-  friend reference get(const Position_map&, const Particle& particle) { return particle.position; }
-};
+const auto position_map = boost::make_function_property_map<Particle, const Point&>(
+    [](const Particle& particle) -> const Point& { return particle.position; });
 
 using Mover = std::pair<std::size_t, Point>;
 
@@ -249,21 +240,23 @@ void expect_to_take_all_ranges(Triangulation& dt)
   for (const Point& p : points)
     particles.push_back({1, p});
   std::vector<std::size_t> ids;
-  dt.insert(particles.begin(), particles.end(), Position_map(), std::back_inserter(ids));
+  dt.insert(particles.begin(), particles.end(), position_map, std::back_inserter(ids));
   for (Particle& particle : particles)
     particle.position = cloud.uniform(1).front();
-  dt.update(particles, Position_map());
+  dt.update(particles, position_map);
   EXPECT_EQ(dt.point(1), std::next(particles.begin())->position);
-  dt.update(particles.begin(), particles.end(), Position_map());
+  dt.update(particles.begin(), particles.end(), position_map);
   dt.update(points.data(), points.data() + points.size());
   dt.update(std::list<Point>(points.begin(), points.end()));
+  for (std::size_t id = 0; id < number; ++id)
+    EXPECT_EQ(dt.point(id), points[id]);
   dt.move(std::vector<Mover>{{5, points[6]}, {7, points[8]}});
   dt.move(3, points[4]);
   EXPECT_EQ(dt.representative(3), 4u);
   EXPECT_EQ(dt.number_of_vertices(), number - 3);
   dt.insert(cloud.uniform(3), std::back_inserter(ids));
   EXPECT_EQ(ids.back(), number + 2);
-  const std::array<Point, 2> more{cloud.uniform(1).front(), cloud.uniform(1).front()};
+  const Point more[] = {cloud.uniform(1).front(), cloud.uniform(1).front()};
   dt.insert(more);
   EXPECT_EQ(dt.point(number + 4), more[1]);
   const Point one[] = {cloud.uniform(1).front()};
@@ -291,11 +284,11 @@ TEST(Objects, of_periodic_space_take_property_maps_with_a_cell)
   std::list<Particle> particles;
   for (const Point& p : Cloud<Epick>(14).uniform(50))
     particles.push_back({1, p});
-  Periodic pt(particles.begin(), particles.end(), Position_map(), cell, Classifier(0.5));
+  Periodic pt(particles.begin(), particles.end(), position_map, cell, Classifier(0.5));
   EXPECT_EQ(pt.number_of_points(), 50u);
   EXPECT_EQ(pt.classifier().x(), 0.5);
   particles.front().position = Point(0.5, 0.25);
-  pt.update(particles, Position_map(), wide);
+  pt.update(particles, position_map, wide);
   EXPECT_TRUE(pt.cell() == wide && pt.point(0) == Point(0.5, 0.25) && pt.is_valid(true));
   const Point array[] = {Point(0, 0), Point(1, 1)}; // a range, and the pointers are iterators
   Periodic two(array, array + 2, wide);
