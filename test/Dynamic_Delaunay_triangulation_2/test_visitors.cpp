@@ -4,6 +4,7 @@
 // Visitors are notified of everything that happens, in every kind of call.
 
 #include "interrupting_visitor.h"
+#include "listening_visitor.h"
 #include "oracle.h"
 #include "population_player.h"
 #include "stamps.h"
@@ -16,11 +17,9 @@
 #include <CGAL/Dynamic_population_2.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <iterator>
 #include <map>
-#include <memory>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -34,39 +33,32 @@ using Edges = std::vector<CGAL::Edge_changes_visitor_2::Edge>;
 // What is known only from the notifications of a visitor.
 struct Hearsay
 {
-  static constexpr std::size_t infinity = std::size_t(-1);
-  using Triple = std::array<std::size_t, 3>; // ids, ascending
-
-  std::map<std::size_t, Triple> faces;         // by their stamps, as vertices
-  std::map<std::size_t, std::size_t> vertices; // the ids of the finite ones
+  std::map<std::size_t, std::size_t> vertices; // the ids of the finite ones, by stamps
   CGAL::Update_report_2 report;
   int updates = 0, finished_updates = 0;
   int flips = 0, created_faces = 0, created_vertices = 0, removals = 0, merges = 0, id_changes = 0;
 };
 
 // Checks that each notification fits the ones before.
-class Listener : public CGAL::Delaunay_update_visitor_base_2
+class Listener : public Listening_visitor<>
 {
-public:
-  explicit Listener(std::shared_ptr<Hearsay> hearsay = std::make_shared<Hearsay>())
-    : m_hearsay(std::move(hearsay))
-  {
-  }
+  using Base = Listening_visitor<>;
 
-  const Hearsay& hearsay() const { return *m_hearsay; }
+public:
+  const Hearsay& hearsay() const { return m_hearsay; }
 
   template <class Dynamic>
   void before_update(const Dynamic& dt)
   {
-    ++m_hearsay->updates;
+    ++m_hearsay.updates;
     expect_in_step(dt);
   }
 
   template <class Dynamic>
   void after_update(const Dynamic& dt, const CGAL::Update_report_2& report)
   {
-    ++m_hearsay->finished_updates;
-    m_hearsay->report = report;
+    ++m_hearsay.finished_updates;
+    m_hearsay.report = report;
     EXPECT_EQ(dt.is_certified(), report.certified);
     expect_in_step(dt);
   }
@@ -74,44 +66,30 @@ public:
   template <class Dynamic>
   void before_flip(const Dynamic& dt, const typename Dynamic::Edge& e)
   {
-    ++m_hearsay->flips;
-    for (const auto f : {e.first, e.first->neighbor(e.second)})
-      forget(dt, f);
-  }
-
-  template <class Dynamic>
-  void after_flip(const Dynamic& dt, const typename Dynamic::Edge& e)
-  {
-    for (const auto f : {e.first, e.first->neighbor(e.second)})
-      learn(dt, f);
-  }
-
-  template <class Dynamic>
-  void before_face_removal(const Dynamic& dt, typename Dynamic::Face_handle f)
-  {
-    forget(dt, f);
+    ++m_hearsay.flips;
+    Base::before_flip(dt, e);
   }
 
   template <class Dynamic>
   void after_face_creation(const Dynamic& dt, typename Dynamic::Face_handle f)
   {
-    ++m_hearsay->created_faces;
-    learn(dt, f);
+    ++m_hearsay.created_faces;
+    Base::after_face_creation(dt, f);
   }
 
   template <class Dynamic>
   void after_vertex_creation(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id)
   {
-    ++m_hearsay->created_vertices;
+    ++m_hearsay.created_vertices;
     EXPECT_EQ(dt.id(v), id);
     EXPECT_EQ(dt.vertex(id), v);
-    EXPECT_TRUE(m_hearsay->vertices.emplace(v->info().value, id).second);
+    EXPECT_TRUE(m_hearsay.vertices.emplace(v->info().value, id).second);
   }
 
   template <class Dynamic>
   void before_vertex_removal(const Dynamic&, typename Dynamic::Vertex_handle v, std::size_t id)
   {
-    ++m_hearsay->removals;
+    ++m_hearsay.removals;
     forget_vertex(v->info().value, id);
   }
 
@@ -119,74 +97,41 @@ public:
   void before_vertex_merge(const Dynamic&, typename Dynamic::Vertex_handle v, std::size_t id,
                            typename Dynamic::Vertex_handle stays)
   {
-    ++m_hearsay->merges;
+    ++m_hearsay.merges;
     forget_vertex(v->info().value, id);
-    EXPECT_EQ(m_hearsay->vertices.count(stays->info().value), 1u);
+    EXPECT_EQ(m_hearsay.vertices.count(stays->info().value), 1u);
   }
 
   template <class Dynamic>
   void after_id_change(const Dynamic& dt, typename Dynamic::Vertex_handle v, std::size_t id_before)
   {
-    ++m_hearsay->id_changes;
-    EXPECT_EQ(m_hearsay->vertices.at(v->info().value), id_before);
-    m_hearsay->vertices.at(v->info().value) = dt.id(v);
-    for (auto& face : m_hearsay->faces) {
-      std::replace(face.second.begin(), face.second.end(), id_before, dt.id(v));
-      std::sort(face.second.begin(), face.second.end());
-    }
+    ++m_hearsay.id_changes;
+    EXPECT_EQ(m_hearsay.vertices.at(v->info().value), id_before);
+    m_hearsay.vertices.at(v->info().value) = dt.id(v);
+    Base::after_id_change(dt, v, id_before);
   }
 
 private:
-  template <class Dynamic>
-  static Hearsay::Triple ids_of(const Dynamic& dt, typename Dynamic::Face_handle f)
-  {
-    Hearsay::Triple ids;
-    for (int i = 0; i < 3; ++i)
-      ids[std::size_t(i)] =
-          f->vertex(i) == dt.infinite_vertex() ? Hearsay::infinity : dt.id(f->vertex(i));
-    std::sort(ids.begin(), ids.end());
-    return ids;
-  }
-
-  template <class Dynamic>
-  void forget(const Dynamic& dt, typename Dynamic::Face_handle f)
-  {
-    const auto known = m_hearsay->faces.find(f->info().value);
-    ASSERT_TRUE(known != m_hearsay->faces.end());
-    EXPECT_EQ(known->second, ids_of(dt, f));
-    m_hearsay->faces.erase(known);
-  }
-
-  template <class Dynamic>
-  void learn(const Dynamic& dt, typename Dynamic::Face_handle f)
-  {
-    EXPECT_TRUE(m_hearsay->faces.emplace(f->info().value, ids_of(dt, f)).second);
-  }
-
   void forget_vertex(std::size_t v, std::size_t id)
   {
-    const auto known = m_hearsay->vertices.find(v);
-    ASSERT_TRUE(known != m_hearsay->vertices.end());
+    const auto known = m_hearsay.vertices.find(v);
+    ASSERT_TRUE(known != m_hearsay.vertices.end());
     EXPECT_EQ(known->second, id);
-    m_hearsay->vertices.erase(known);
+    m_hearsay.vertices.erase(known);
   }
 
   template <class Dynamic>
   void expect_in_step(const Dynamic& dt) const
   {
-    std::map<std::size_t, Hearsay::Triple> faces;
-    if (dt.tds().dimension() == 2)
-      for (auto f = dt.tds().faces_begin(); f != dt.tds().faces_end(); ++f)
-        faces.emplace(f->info().value, ids_of(dt, f));
-    EXPECT_TRUE(faces == m_hearsay->faces);
+    expect_to_know_all_faces(dt);
     std::map<std::size_t, std::size_t> vertices;
     for (auto v = dt.tds().vertices_begin(); v != dt.tds().vertices_end(); ++v)
       if (v != dt.infinite_vertex())
         vertices.emplace(v->info().value, dt.id(v));
-    EXPECT_EQ(vertices, m_hearsay->vertices);
+    EXPECT_EQ(vertices, m_hearsay.vertices);
   }
 
-  std::shared_ptr<Hearsay> m_hearsay;
+  Hearsay m_hearsay;
 };
 
 template <class Visitor, class Classifier = CGAL::Circumcircle_classifier_2,
@@ -194,25 +139,6 @@ template <class Visitor, class Classifier = CGAL::Circumcircle_classifier_2,
 using Visited =
     CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, Repair,
                                            Stamped_data_structure<Kernel>, CGAL::Default, Visitor>;
-
-template <class Dynamic>
-Dynamic visited(const std::vector<typename Dynamic::Point>& points,
-                const typename Dynamic::Delaunay_update_visitor& visitor =
-                    typename Dynamic::Delaunay_update_visitor())
-{
-  return Dynamic(points.begin(), points.end(),
-                 {typename Dynamic::Delaunay_classifier(),
-                  typename Dynamic::Delaunay_repair(),
-                  {},
-                  {},
-                  visitor});
-}
-
-template <class Dynamic>
-CGAL::Update_report_2 update(Dynamic& dt, const std::vector<typename Dynamic::Point>& points)
-{
-  return dt.update(points.begin(), points.end());
-}
 
 // -------------------------------------------------------------------------------------------------
 // All repairs
@@ -234,12 +160,12 @@ TYPED_TEST(Listening, knows_all_faces_and_vertices_of_clouds_that_move)
 {
   Cloud<Epick> cloud(1);
   Points points = cloud.uniform(300);
-  auto dt = visited<TypeParam>(points);
+  TypeParam dt(points);
   const Hearsay& hearsay = dt.visitor().hearsay();
   EXPECT_EQ(hearsay.created_vertices, 300);
   for (const double step : {0., 0.01, 0.05, 0.2, 0.5, 30.}) {
     cloud.shake(points, step);
-    const auto report = update(dt, points);
+    const auto report = dt.update(points);
     ASSERT_NO_FATAL_FAILURE(expect_valid(dt, points));
     EXPECT_EQ(hearsay.report.flips, report.flips);
     EXPECT_EQ(hearsay.report.rebuild_reason, report.rebuild_reason);
@@ -273,10 +199,10 @@ TEST(Visitor, is_told_of_flips_alone_where_flips_mend_all)
   Cloud<Epick> cloud(2);
   Points points = cloud.uniform(300);
   using Dynamic = Visited<Listener, CGAL::Circumcircle_classifier_2, CGAL::Flip_repair_2>;
-  auto dt = visited<Dynamic>(points);
+  Dynamic dt(points);
   const Hearsay before = dt.visitor().hearsay();
   cloud.shake(points, 0.02);
-  const auto report = update(dt, points);
+  const auto report = dt.update(points);
   const Hearsay& after = dt.visitor().hearsay();
   ASSERT_FALSE(report.rebuilt());
   EXPECT_GT(report.flips, 0u);
@@ -299,9 +225,9 @@ TEST(Visitor, follows_points_on_a_line_and_back)
 {
   Cloud<Epick> cloud(3);
   const Points spread = cloud.uniform(60), line = cloud.on_line(60);
-  auto dt = visited<Visited<Listener>>(line);
+  Visited<Listener> dt(line);
   for (const Points* points : {&spread, &line, &line, &spread}) {
-    update(dt, *points);
+    dt.update(*points);
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, *points));
   }
   EXPECT_EQ(dt.visitor().hearsay().finished_updates, 5);
@@ -312,8 +238,8 @@ TEST(Visitor, is_told_that_a_checkpoint_replaces_everything)
   Cloud<Epick> cloud(4);
   std::stringstream file;
   const Points points = cloud.uniform(50);
-  visited<Visited<Listener>>(points).write_checkpoint(file);
-  auto dt = visited<Visited<Listener>>(cloud.uniform(80));
+  Visited<Listener>(points).write_checkpoint(file);
+  Visited<Listener> dt(cloud.uniform(80));
   dt.read_checkpoint(file);
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
   EXPECT_EQ(dt.visitor().hearsay().removals, 80);
@@ -345,11 +271,11 @@ TEST(Visitor, sees_the_last_frame_before_an_update)
 {
   Cloud<Epick> cloud(6);
   Points points = cloud.uniform(100);
-  auto dt = visited<Visited<Looks_before>>(points);
+  Visited<Looks_before> dt(points);
   for (const double step : {0.01, 0.1, 3.}) {
     const auto last = points.front();
     cloud.shake(points, step);
-    update(dt, points);
+    dt.update(points);
     EXPECT_EQ(dt.visitor().before, last);
   }
 }
@@ -358,9 +284,9 @@ TEST(Visitor, is_told_nothing_of_input_that_is_refused)
 {
   Cloud<Epick> cloud(5);
   Points points = cloud.uniform(20);
-  auto dt = visited<Visited<Listener>>(points);
+  Visited<Listener> dt(points);
   points.pop_back();
-  EXPECT_THROW(update(dt, points), CGAL::Point_count_error_2);
+  EXPECT_THROW(dt.update(points), CGAL::Point_count_error_2);
   EXPECT_THROW(dt.remove(20), CGAL::Unknown_id_error_2);
   EXPECT_EQ(dt.visitor().hearsay().updates, 1);
 }
@@ -368,7 +294,7 @@ TEST(Visitor, is_told_nothing_of_input_that_is_refused)
 TEST(Visitor, works_with_exact_coordinates_and_from_a_population)
 {
   using Dynamic = Visited<Listener, CGAL::Circumcircle_classifier_2, CGAL::Default, Epeck>;
-  CGAL::Dynamic_population_2<Dynamic> population{visited<Dynamic>({})};
+  CGAL::Dynamic_population_2<Dynamic> population;
   Cloud<Epeck> cloud(6);
   auto points = cloud.uniform(40);
   for (int frame = 0; frame < 6; ++frame) {
@@ -409,7 +335,7 @@ TEST(Visitor_that_throws, leaves_all_as_it_was_where_nothing_has_changed_yet)
 {
   Cloud<Epick> cloud(10);
   const Points points = cloud.uniform(50);
-  auto dt = visited<Visited<Throwing>>(points);
+  Visited<Throwing> dt(points);
   Points next = points;
   cloud.shake(next, 0.3);
   const auto expect_nothing_changes = [&](const auto& change) {
@@ -417,11 +343,11 @@ TEST(Visitor_that_throws, leaves_all_as_it_was_where_nothing_has_changed_yet)
     EXPECT_THROW(change(), Refusal);
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
   };
-  expect_nothing_changes([&] { update(dt, next); });
+  expect_nothing_changes([&] { dt.update(next); });
   expect_nothing_changes([&] { dt.move(3, next[3]); });
   expect_nothing_changes([&] { dt.insert(Epick::Point_2(1, 1)); });
   expect_nothing_changes([&] { dt.remove(3); });
-  update(dt, next);
+  dt.update(next);
   expect_exact(dt, next);
 }
 
@@ -429,13 +355,13 @@ TEST(Visitor_that_throws, does_not_keep_an_update_from_its_end)
 {
   Cloud<Epick> cloud(11);
   Points points = cloud.uniform(200);
-  auto dt = visited<Visited<Throwing>>(points);
+  Visited<Throwing> dt(points);
   int n = 2;
   for (int frame = 0; frame < 60; ++frame, n += 1 + n / 4) {
     cloud.shake(points, frame % 2 == 0 ? 0.03 : 0.1);
     dt.visitor().throw_at(n);
     try {
-      update(dt, points);
+      dt.update(points);
       ASSERT_FALSE(dt.visitor().has_thrown());
       n = 2;
     } catch (const Refusal&) {
@@ -448,7 +374,7 @@ TEST(Visitor_that_throws, does_not_keep_an_update_from_its_end)
 TEST(Visitor_that_throws, does_not_keep_points_from_coming_and_going)
 {
   Points points = Cloud<Epick>(12).uniform(100);
-  auto dt = visited<Visited<Throwing>>(points);
+  Visited<Throwing> dt(points);
   for (int n = 2; n < 12; ++n) {
     dt.visitor().throw_at(n);
     points.emplace_back(n, 5.5);
@@ -463,14 +389,6 @@ TEST(Visitor_that_throws, does_not_keep_points_from_coming_and_going)
 
 // -------------------------------------------------------------------------------------------------
 // Edges that have changed
-
-template <class Dynamic>
-std::set<std::pair<std::size_t, std::size_t>> edges_of(const Dynamic& dt)
-{
-  std::set<std::pair<std::size_t, std::size_t>> edges;
-  dt.for_each_edge([&](std::size_t i, std::size_t j) { edges.insert(std::minmax(i, j)); });
-  return edges;
-}
 
 // Expects that the listed changes lead from the edges before to the edges now.
 class Edge_changes : public testing::Test
@@ -495,7 +413,7 @@ protected:
 TEST_F(Edge_changes, are_all_edges_after_construction)
 {
   const Points points = Cloud<Epick>(20).uniform(100);
-  auto dt = visited<Dynamic>(points);
+  Dynamic dt(points);
   expect_all_changes_listed(dt, {});
   EXPECT_TRUE(dt.visitor().removed_edges().empty());
 }
@@ -504,12 +422,12 @@ TEST_F(Edge_changes, are_the_difference_between_two_frames)
 {
   Cloud<Epick> cloud(21);
   Points points = cloud.uniform(300);
-  auto dt = visited<Dynamic>(points);
+  Dynamic dt(points);
   for (const double step : {0., 0.001, 0.01, 0.05, 0.3, 30.}) {
     dt.visitor().clear();
     const auto before = edges_of(dt);
     cloud.shake(points, step);
-    update(dt, points);
+    dt.update(points);
     ASSERT_NO_FATAL_FAILURE(expect_all_changes_listed(dt, before)) << step;
   }
 }
@@ -533,12 +451,12 @@ TEST_F(Edge_changes, add_up_over_frames_until_they_are_cleared)
 {
   Cloud<Epick> cloud(22);
   Points points = cloud.uniform(100);
-  auto dt = visited<Dynamic>(points);
+  Dynamic dt(points);
   dt.visitor().clear();
   const auto before = edges_of(dt);
   for (int frame = 0; frame < 5; ++frame) {
     cloud.shake(points, 0.05);
-    update(dt, points);
+    dt.update(points);
     ASSERT_NO_FATAL_FAILURE(expect_all_changes_listed(dt, before));
   }
   EXPECT_FALSE(dt.visitor().created_edges().empty());
