@@ -96,6 +96,41 @@ void expect_exact(const Dynamic& dt, const Model<Dynamic>& model)
   ASSERT_NO_FATAL_FAILURE(expect_delaunay(dt, points));
 }
 
+// Expects the points of the frame by their user's ids, and no others.
+template <class People, class Frame>
+void expect_people(const People& people, const Frame& frame)
+{
+  const auto& dt = people.triangulation();
+  ASSERT_EQ(people.size(), frame.size());
+  ASSERT_EQ(dt.number_of_points(), frame.size());
+  for (const auto& [user_id, p] : frame) {
+    SCOPED_TRACE(testing::Message() << "user's id " << +user_id);
+    ASSERT_TRUE(people.has(user_id));
+    ASSERT_EQ(people.point(user_id), p);
+    const std::size_t id = people.id(user_id);
+    ASSERT_EQ(people.user_id(id), user_id);
+    ASSERT_EQ(dt.point(id), p);
+    ASSERT_EQ(people.vertex(user_id), dt.vertex(id));
+    ASSERT_EQ(people.user_id(people.vertex(user_id)), people.user_id(dt.id(dt.vertex(id))));
+  }
+}
+
+template <class People, class Frame>
+void expect_exact_people(const People& people, const Frame& frame)
+{
+  ASSERT_NO_FATAL_FAILURE(expect_people(people, frame));
+  ASSERT_NO_FATAL_FAILURE(expect_exact(people.triangulation(), model_of(people.triangulation())));
+}
+
+// Anywhere in the square from `low` to `high`.
+template <class Point>
+Point random_point_between(double low, double high, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> coordinate(low, high);
+  const double x = coordinate(random);
+  return Point(x, coordinate(random));
+}
+
 // Random points and motions over doubles, for any kernel.
 template <class Kernel>
 class Cloud
@@ -112,12 +147,9 @@ public:
   // n points in a square, one to a unit of area.
   Points uniform(std::size_t n)
   {
-    std::uniform_real_distribution<double> coordinate(0, std::sqrt(double(n)));
     Points points;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double x = coordinate(m_random);
-      points.push_back(Point(x, coordinate(m_random)));
-    }
+    while (points.size() < n)
+      points.push_back(random_point_between<Point>(0, std::sqrt(double(n)), m_random));
     return points;
   }
 

@@ -54,6 +54,24 @@ double seconds_of(const std::function<void()>& work)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+// Plays so many turns. What a heuristic leaves is mended from time to time.
+template <class Dynamic>
+void play(Population_player<Dynamic>& player, int turns, int turns_per_mending = 0)
+{
+  ASSERT_NO_THROW(player.start());
+  for (int turn = 1; turn <= turns; ++turn) {
+    SCOPED_TRACE(testing::Message() << "turn " << turn);
+    ASSERT_NO_THROW(player.play());
+    if (testing::Test::HasFatalFailure())
+      return;
+    if (turns_per_mending > 0 && turn % turns_per_mending == 0) {
+      Dynamic& dt = player.triangulation();
+      ASSERT_TRUE(dt.mend().certified);
+      ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model_of(dt)));
+    }
+  }
+}
+
 // -------------------------------------------------------------------------------------------------
 // Points that come and go.
 
@@ -363,11 +381,7 @@ TYPED_TEST(Population, is_exact_whatever_happens_to_it)
     for (unsigned seed = 0; seed < 6; ++seed) {
       SCOPED_TRACE(testing::Message() << "side " << ground.side << ", seed " << seed);
       Population_player<typename TestFixture::Dynamic> player(ground, seed, 10 + 20 * (seed % 3));
-      ASSERT_NO_THROW(player.start());
-      for (int turn = 0; turn < 60; ++turn) {
-        SCOPED_TRACE(testing::Message() << "turn " << turn);
-        ASSERT_NO_THROW(player.play());
-      }
+      ASSERT_NO_FATAL_FAILURE(play(player, 60));
     }
 }
 
@@ -692,20 +706,6 @@ protected:
   using People = CGAL::Dynamic_population_2<Exact, UserId>;
   using Frame = std::map<UserId, Epick::Point_2>;
 
-  static void expect_right(const People& people, const Frame& frame)
-  {
-    ASSERT_EQ(people.size(), frame.size());
-    Model<Exact> model;
-    for (const auto& [user_id, p] : frame) {
-      ASSERT_TRUE(people.has(user_id));
-      ASSERT_EQ(people.point(user_id), p);
-      ASSERT_EQ(people.user_id(people.id(user_id)), user_id);
-      ASSERT_EQ(frame.at(people.user_id(people.vertex(user_id))), p);
-      model.emplace(people.id(user_id), p);
-    }
-    ASSERT_NO_FATAL_FAILURE(expect_exact(people.triangulation(), model));
-  }
-
   UserId any_id()
   {
     switch (m_random() % 8) {
@@ -729,18 +729,16 @@ TYPED_TEST(User_ids, name_a_population_that_changes_while_it_moves)
 {
   typename TestFixture::People people;
   typename TestFixture::Frame frame;
-  std::uniform_real_distribution<double> coordinate(0, 8);
+  std::uniform_real_distribution<double> step(0, 0.04);
   for (int i = 0; i < 300; ++i) {
     SCOPED_TRACE(testing::Message() << "frame " << i);
     const typename TestFixture::Frame before = frame;
     for (auto& [user_id, p] : frame)
-      p = Epick::Point_2(p.x() + coordinate(this->m_random) / 200, p.y());
+      p = Epick::Point_2(p.x() + step(this->m_random), p.y());
     for (std::size_t changes = this->m_random() % 4; changes > 0; --changes)
       frame.erase(this->any_id());
-    for (std::size_t changes = this->m_random() % 5; changes > 0; --changes) {
-      const double x = coordinate(this->m_random);
-      frame.emplace(this->any_id(), Epick::Point_2(x, coordinate(this->m_random)));
-    }
+    for (std::size_t changes = this->m_random() % 5; changes > 0; --changes)
+      frame.emplace(this->any_id(), random_point_between<Epick::Point_2>(0, 8, this->m_random));
     if (i % 50 == 49)
       frame.clear();
     std::vector<std::pair<TypeParam, Epick::Point_2>> range(frame.begin(), frame.end());
@@ -752,11 +750,11 @@ TYPED_TEST(User_ids, name_a_population_that_changes_while_it_moves)
     ASSERT_TRUE(report.certified);
     ASSERT_EQ(report.inserted, came);
     ASSERT_EQ(report.removed, before.size() + came - frame.size());
-    ASSERT_NO_FATAL_FAILURE(this->expect_right(people, frame));
+    ASSERT_NO_FATAL_FAILURE(expect_exact_people(people, frame));
   }
 }
 
-TYPED_TEST(User_ids, name_points_that_come_move_and_go_one_by_one)
+TYPED_TEST(User_ids, name_points_that_come_move_and_go_one_by_one_or_are_refused)
 {
   typename TestFixture::People people;
   typename TestFixture::Frame frame;
@@ -766,7 +764,16 @@ TYPED_TEST(User_ids, name_points_that_come_move_and_go_one_by_one)
     const int x = coordinate(this->m_random);
     const Epick::Point_2 p(x, coordinate(this->m_random));
     const std::vector<std::pair<TypeParam, Epick::Point_2>> mover = {{id, p}};
+    // an id, known or new, that is there twice, or at no place
+    std::vector<std::pair<TypeParam, Epick::Point_2>> twice(frame.begin(), frame.end());
+    twice.insert(twice.end(), 2 - frame.count(id), mover.front());
+    EXPECT_THROW(people.update(twice), CGAL::Repeated_id_error_2);
+    auto bad = frame;
+    bad[id] = Epick::Point_2(0, nan);
+    EXPECT_THROW(people.update(bad), CGAL::Non_finite_coordinate_error_2);
+    ASSERT_NO_FATAL_FAILURE(expect_exact_people(people, frame));
     if (frame.count(id) == 0) {
+      EXPECT_THROW(people.insert(id, bad[id]), CGAL::Non_finite_coordinate_error_2);
       EXPECT_THROW(people.remove(id), CGAL::Unknown_user_id_error_2);
       EXPECT_THROW(people.move(mover.begin(), mover.end()), CGAL::Unknown_user_id_error_2);
       EXPECT_THROW(people.point(id), CGAL::Unknown_user_id_error_2);
@@ -780,36 +787,8 @@ TYPED_TEST(User_ids, name_points_that_come_move_and_go_one_by_one)
       EXPECT_EQ(people.remove(id).removed, 1u);
       frame.erase(id);
     }
-    ASSERT_NO_FATAL_FAILURE(this->expect_right(people, frame));
+    ASSERT_NO_FATAL_FAILURE(expect_exact_people(people, frame));
   }
-}
-
-TYPED_TEST(User_ids, that_are_repeated_and_bad_coordinates_change_nothing)
-{
-  typename TestFixture::People people;
-  std::vector<std::pair<TypeParam, Epick::Point_2>> range;
-  for (int i = 0; i < 100; ++i)
-    range.emplace_back(TypeParam(i), Epick::Point_2(i % 10, i / 10));
-  people.update(range.begin(), range.end());
-  const typename TestFixture::Frame frame(range.begin(), range.end());
-  auto known_twice = range, new_twice = range, bad = range, bad_newcomer = range;
-  known_twice.emplace_back(TypeParam(7), Epick::Point_2(1, 1));
-  new_twice.emplace_back(TypeParam(120), Epick::Point_2(1, 1));
-  new_twice.emplace_back(TypeParam(120), Epick::Point_2(2, 1));
-  bad[50].second = Epick::Point_2(0, nan);
-  bad_newcomer.emplace_back(TypeParam(120), Epick::Point_2(nan, 0));
-  for (const auto& wrong : {known_twice, new_twice}) {
-    EXPECT_THROW(people.update(wrong.begin(), wrong.end()), CGAL::Repeated_id_error_2);
-    ASSERT_NO_FATAL_FAILURE(this->expect_right(people, frame));
-  }
-  for (const auto& wrong : {bad, bad_newcomer}) {
-    EXPECT_THROW(people.update(wrong.begin(), wrong.end()), CGAL::Non_finite_coordinate_error_2);
-    ASSERT_NO_FATAL_FAILURE(this->expect_right(people, frame));
-  }
-  EXPECT_THROW(people.insert(TypeParam(120), Epick::Point_2(nan, 0)),
-               CGAL::Non_finite_coordinate_error_2);
-  EXPECT_THROW(people.insert(TypeParam(99), Epick::Point_2(0, 0)), CGAL::Repeated_id_error_2);
-  ASSERT_NO_FATAL_FAILURE(this->expect_right(people, frame));
 }
 
 // Expects that a table finds the same as a std::map after the same calls.
@@ -921,37 +900,12 @@ TEST(User_id_report, does_not_depend_on_the_order_of_frames)
     for (auto& [id, p] : frame)
       p = cloud.shifted(p, 0.01);
     people.update(frame.begin(), frame.end());
-    ASSERT_EQ(people.size(), frame.size());
-    for (const auto& [id, p] : frame) {
-      ASSERT_EQ(people.point(id), p);
-      ASSERT_EQ(people.user_id(people.id(id)), id);
-    }
-    ASSERT_TRUE(people.triangulation().is_certified());
-    ASSERT_TRUE(people.triangulation().is_valid(true));
+    ASSERT_NO_FATAL_FAILURE(expect_exact_people(people, frame));
   }
 }
 
 // -------------------------------------------------------------------------------------------------
 // What classifiers are told.
-
-template <class Dynamic>
-void expect_changes_are_right(const Playground& ground, unsigned seed, bool is_exact)
-{
-  Population_player<Dynamic> player(ground, seed);
-  Dynamic& dt = player.triangulation();
-  dt.classifier().watch(dt);
-  ASSERT_NO_THROW(player.start());
-  for (int turn = 0; turn < 150; ++turn) {
-    SCOPED_TRACE(testing::Message() << "turn " << turn);
-    ASSERT_NO_THROW(player.play());
-    if (testing::Test::HasFatalFailure())
-      return;
-    if (!is_exact && turn % 20 == 19) {
-      ASSERT_TRUE(dt.mend().certified);
-      ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model_of(dt)));
-    }
-  }
-}
 
 template <class Classifier>
 class News : public testing::Test
@@ -969,8 +923,9 @@ TYPED_TEST(News, tell_a_classifier_everything_that_has_changed_and_whose_the_num
   for (const Playground& ground : {Playground{7, false}, Playground{8, true}})
     for (unsigned seed = 0; seed < 4; ++seed) {
       SCOPED_TRACE(testing::Message() << "seed " << seed);
-      ASSERT_NO_FATAL_FAILURE((expect_changes_are_right<Watched_triangulation<Epick, TypeParam>>(
-          ground, seed, TypeParam::is_exact)));
+      Population_player<Watched_triangulation<Epick, TypeParam>> player(ground, seed);
+      player.triangulation().classifier().watch(player.triangulation());
+      ASSERT_NO_FATAL_FAILURE(play(player, 150, TypeParam::is_exact ? 0 : 20));
     }
 }
 
@@ -1032,16 +987,7 @@ void expect_valid_whatever_happens(const Playground& ground, unsigned seed,
                                    const std::function<Dynamic()>& empty)
 {
   Population_player<Dynamic> player(ground, seed, 80, empty);
-  Dynamic& dt = player.triangulation();
-  ASSERT_NO_THROW(player.start());
-  for (int turn = 0; turn < 60; ++turn) {
-    SCOPED_TRACE(testing::Message() << "turn " << turn);
-    ASSERT_NO_THROW(player.play());
-    if (turn % 15 == 14) {
-      ASSERT_TRUE(dt.mend().certified);
-      ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model_of(dt)));
-    }
-  }
+  play(player, 60, 15);
 }
 
 // The classifier sees the vertex where its representative was. The duplicate that becomes its
@@ -1050,21 +996,18 @@ TEST(A_duplicate, that_moves_while_its_representative_is_removed_is_proved_anew)
 {
   using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
   std::mt19937 random(1);
-  std::uniform_real_distribution<double> coordinate(0, 10);
+  const auto place = [&] { return random_point_between<Epick::Point_2>(0, 10, random); };
   for (int run = 0; run < 20; ++run) {
     std::vector<std::pair<int, Epick::Point_2>> frame;
-    for (int id = 0; id < 60; ++id) {
-      const double x = coordinate(random);
-      frame.emplace_back(id, Epick::Point_2(x, coordinate(random)));
-    }
+    for (int id = 0; id < 60; ++id)
+      frame.emplace_back(id, place());
     frame.emplace_back(60, Epick::Point_2(5, 5)); // represents both
     frame.emplace_back(61, Epick::Point_2(5, 5));
     CGAL::Dynamic_population_2<Dynamic, int> population;
     population.update(frame);
 
     frame.erase(frame.end() - 2);
-    const double x = coordinate(random);
-    frame.back().second = Epick::Point_2(x, coordinate(random));
+    frame.back().second = place();
     population.update(frame);
     ASSERT_TRUE(population.triangulation().is_certified());
     ASSERT_TRUE(population.triangulation().triangulation().is_valid()) << "run " << run;

@@ -213,9 +213,7 @@ private:
   {
     if (m_is_lattice)
       return Point(double(m_random() % 9), double(m_random() % 7));
-    std::uniform_real_distribution<double> coordinate(0, 9);
-    const double x = coordinate(m_random);
-    return Point(x, coordinate(m_random));
+    return random_point_between<Point>(0, 9, m_random);
   }
 
   Point beside(const Point& p)
@@ -279,9 +277,8 @@ public:
     : m_random(seed)
     , m_dt(CGAL::Random_classifier_2(0))
   {
-    for (const Point& p : new_frame(points))
-      m_dt.insert(p);
-    m_model = model_of(m_dt);
+    while (m_model.size() < points)
+      insert(place());
     for (std::size_t k = 0; k < points / 20; ++k)
       m_model[m_random() % points] = place();
     Points moved;
@@ -306,30 +303,17 @@ public:
 private:
   using Blind = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Random_classifier_2>;
 
-  Point place()
-  {
-    std::uniform_real_distribution<double> coordinate(0, 9);
-    const double x = coordinate(m_random);
-    return Point(x, coordinate(m_random));
-  }
+  Point place() { return random_point_between<Point>(0, 9, m_random); }
 
-  Points new_frame(std::size_t size)
-  {
-    Points points;
-    while (points.size() < size)
-      points.push_back(place());
-    return points;
-  }
+  void insert(const Point& p) { m_model.emplace(m_dt.insert(p), p); }
 
   void change()
   {
     const auto any = std::next(m_model.begin(), std::ptrdiff_t(m_random() % m_model.size()));
     switch (m_random() % 3) {
-    case 0: {
-      const Point p = place();
-      m_model.emplace(m_dt.insert(p), p);
+    case 0:
+      insert(place());
       break;
-    }
     case 1:
       m_dt.remove(any->first);
       m_model.erase(any);
