@@ -6,7 +6,6 @@
 // faces that they need not look at.
 
 #include "distributed_any_run.h"
-#include "distributed_any_runs.h"
 #include "distributed_theme.h"
 
 namespace distributed_any_motion {

@@ -26,28 +26,13 @@ public:
     m_lattice = one_in(3) ? 1.0 : one_in(4) ? 0.25 : 0;
     m_is_circle = one_in(8);
     m_side = std::sqrt(double(n)) * uniform(0.5, 2);
-    for (std::size_t i = 0; i < n; ++i)
-      add_point();
-    follow<Distributed>(8, [this](Distributed& dt, int kind) { change(dt, kind); });
+    follow<Distributed>(
+        n, 8, [this] { return add_point(); },
+        [this](Distributed& dt, int kind) { move(dt, kind); });
   }
 
 private:
-  void change(Distributed& dt, int kind)
-  {
-    switch (kind) {
-    case 0:
-      return insert(dt, [this] { return add_point(); });
-    case 1:
-      return remove(dt);
-    case 2:
-      return dt.distribute();
-    default:
-      move(kind);
-      update(dt, m_population);
-    }
-  }
-
-  void move(int kind)
+  void move(Distributed& dt, int kind)
   {
     const double spread = std::exp(uniform(-8, 1)), turn = uniform(-0.5, 0.5);
     for (auto& [id, p] : m_population) {
@@ -66,6 +51,7 @@ private:
       else // Brownian motion
         p = snapped(p.x() + uniform(-spread, spread), p.y() + uniform(-spread, spread));
     }
+    update(dt, m_population);
   }
 
   Population::iterator add_point()

@@ -11,6 +11,7 @@
 #include "distributed_oracle.h"
 
 #include <cstddef>
+#include <cstdlib>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -25,17 +26,29 @@ public:
   }
 
 protected:
-  // Points begin on any ranks, and change by `change(dt, kind)` from frame to frame.
-  template <class Triangulation, class Change, class... Cell>
-  void follow(int last_kind, const Change& change, const Cell&... cell)
+  // So many points begin on any ranks. From frame to frame some come, some go, or all are
+  // distributed anew, or they are moved by `move(dt, kind)`, a kind from 3 to `last_kind`. `add()`
+  // adds a point to the population and returns its iterator.
+  template <class Triangulation, class Add, class Move, class... Cell>
+  void follow(std::size_t points, int last_kind, const Add& add, const Move& move,
+              const Cell&... cell)
   {
+    for (std::size_t i = 0; i < points; ++i)
+      add();
     const Owner owner = any_owner();
     auto dt =
         distributed<Triangulation>(m_population, owner, cell..., one_in(2) ? no_balance : 1.2);
     expect_exact(dt, m_population, m_name + " at the start");
     for (int frame = 0; frame < 8 && m_decisions.has_more(); ++frame) {
       const int kind = whole(0, last_kind);
-      change(dt, kind);
+      if (kind == 0)
+        insert(dt, add);
+      else if (kind == 1)
+        remove(dt);
+      else if (kind == 2)
+        dt.distribute();
+      else
+        move(dt, kind);
       expect_exact(dt, m_population,
                    m_name + ", frame " + std::to_string(frame) + " of kind " +
                        std::to_string(kind));
@@ -55,8 +68,12 @@ protected:
 
   Id next_id() { return m_next += 1 + Id(m_decisions.below(5)); }
 
-  // Each of the new points is given by exactly one rank. `add()` adds a point to the population and
-  // returns its iterator.
+  random_operations::Decisions& m_decisions;
+  std::string m_name;
+  Population m_population;
+
+private:
+  // Each of the new points is given by exactly one rank.
   template <class Triangulation, class Add>
   void insert(Triangulation& dt, const Add& add)
   {
@@ -84,15 +101,26 @@ protected:
     dt.remove(given.begin(), given.end());
   }
 
-  random_operations::Decisions& m_decisions;
-  std::string m_name;
-  Population m_population;
-
-private:
   // True on one rank.
   bool is_chosen() { return whole(0, number_of_ranks - 1) == this_rank; }
 
   Id m_next = 0;
 };
+
+// Many runs in which random numbers make every decision, with up to `most_points(seed)` points.
+// DYNAMIC_DELAUNAY_DISTRIBUTED_RUNS=1000 makes so many, from the seed
+// DYNAMIC_DELAUNAY_DISTRIBUTED_SEED on; a failure names its seed.
+template <class Run, class Most_points>
+void make_runs(unsigned usual, const Most_points& most_points)
+{
+  const char* const wanted = std::getenv("DYNAMIC_DELAUNAY_DISTRIBUTED_RUNS");
+  const char* const seed = std::getenv("DYNAMIC_DELAUNAY_DISTRIBUTED_SEED");
+  const unsigned runs = wanted ? unsigned(std::atoi(wanted)) : usual;
+  const unsigned first = seed ? unsigned(std::atoi(seed)) : 1;
+  for (unsigned run = first; run < first + runs; ++run) {
+    random_operations::Random_decisions decisions(run);
+    Run(decisions, "seed " + std::to_string(run)).run(most_points(run));
+  }
+}
 
 #endif // DISTRIBUTED_DECISIONS_H

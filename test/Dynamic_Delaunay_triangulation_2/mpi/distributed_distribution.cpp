@@ -17,11 +17,7 @@ namespace distributed_distribution {
 
 Population random_points(std::size_t n, std::mt19937& random)
 {
-  std::uniform_real_distribution<double> coordinate(0, std::sqrt(double(n)));
-  Points points;
-  for (std::size_t i = 0; i < n; ++i)
-    points.push_back(Point(coordinate(random), coordinate(random)));
-  return numbered(points);
+  return numbered(any_points(n, std::sqrt(double(n)), random));
 }
 
 void points_of_one_rank_are_spread()

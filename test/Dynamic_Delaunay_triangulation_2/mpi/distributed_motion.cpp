@@ -92,9 +92,7 @@ void run_theme()
   std::mt19937 random(7); // the same on all ranks
   std::uniform_real_distribution<double> coordinate(0, 20);
   std::normal_distribution<double> step(0, 0.05);
-  Points cloud;
-  for (int i = 0; i < 400; ++i)
-    cloud.push_back(Point(coordinate(random), coordinate(random)));
+  Points cloud = any_points(400, 20, random);
   std::sort(cloud.begin(), cloud.end());
   for (const Ownership& ownership : {Ownership{in_order, no_balance}, Ownership()}) {
     run("Brownian motion", cloud, frames, ownership, [&](std::size_t, const Point& p, int) {

@@ -19,8 +19,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <random>
 #include <set>
 #include <string>
 #include <utility>
@@ -141,6 +143,16 @@ inline Edges expected_edges(const Population& population)
         note(*corners.begin(), corner);
   }
   return Edges(edges.begin(), edges.end());
+}
+
+// Points of a square at the origin.
+inline Points any_points(std::size_t number, double side, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> coordinate(0, side);
+  Points points;
+  for (std::size_t i = 0; i < number; ++i)
+    points.push_back(Point(coordinate(random), coordinate(random)));
+  return points;
 }
 
 inline Population numbered(const Points& points)
@@ -270,6 +282,16 @@ inline void expect_exact(const Distributed& dt, const Population& population,
   expect(ends.size() + faces + 1 == all.size() + 2, what + ": as many faces as the edges have");
   for (const auto& side : sides)
     expect(std::binary_search(all.begin(), all.end(), side), what + ": sides of faces are edges");
+}
+
+// What is in one of two ascending lists and not in the other one.
+template <class List>
+List difference(const List& list, const List& other)
+{
+  List result;
+  std::set_difference(list.begin(), list.end(), other.begin(), other.end(),
+                      std::back_inserter(result));
+  return result;
 }
 
 // How points begin on ranks, and when they are distributed anew.

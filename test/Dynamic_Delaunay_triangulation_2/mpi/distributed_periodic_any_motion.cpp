@@ -4,7 +4,6 @@
 // Run by several ranks: random clouds in periodic cells, with random motions, deformations,
 // populations and distributions. Each frame is compared with one process.
 
-#include "distributed_any_runs.h"
 #include "distributed_periodic_any_run.h"
 #include "distributed_theme.h"
 

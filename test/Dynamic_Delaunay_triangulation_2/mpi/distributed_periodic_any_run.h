@@ -31,31 +31,16 @@ public:
                  rounded(size * uniform(0.5, 2))};
     if (!is_cell())
       m_vectors = {4, 0, 0, 4};
-    for (std::size_t i = 0; i < n; ++i)
-      add_point();
     follow<Distributed_periodic>(
-        9, [this](Distributed_periodic& dt, int kind) { change(dt, kind); }, cell());
+        n, 9, [this] { return add_point(); },
+        [this](Distributed_periodic& dt, int kind) {
+          kind < 5 ? move(dt, kind) : deform(dt, kind);
+        },
+        cell());
   }
 
 private:
   using Vectors = std::array<double, 4>;
-
-  void change(Distributed_periodic& dt, int kind)
-  {
-    switch (kind) {
-    case 0:
-      return insert(dt, [this] { return add_point(); });
-    case 1:
-      return remove(dt);
-    case 2:
-      return dt.distribute();
-    case 3:
-    case 4:
-      return move(dt, kind);
-    default:
-      return deform(dt, kind);
-    }
-  }
 
   void move(Distributed_periodic& dt, int kind)
   {

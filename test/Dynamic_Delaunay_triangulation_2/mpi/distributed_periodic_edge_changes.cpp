@@ -6,6 +6,7 @@
 
 #include "distributed_periodic_oracle.h"
 #include "distributed_theme.h"
+#include "distributed_uses.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/distributed/Distributed_periodic_edge_changes_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Periodic_edge_changes_visitor_2.h>
@@ -17,7 +18,6 @@
 #include <optional>
 #include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace distributed_periodic_edge_changes {
@@ -124,15 +124,11 @@ void no_edge_changes_where_images_do_not(const Points& points)
   }
   dt.distribute();
   expect_none("points have other owners");
-  std::vector<Id> gone;
-  std::vector<std::pair<Id, Point>> back;
-  if (this_rank == 0)
-    gone = {3, 4, 5};
-  if (this_rank == number_of_ranks - 1)
-    for (const Id id : {3, 4, 5})
-      back.emplace_back(id, Point(population.at(id).x() - 2 * length, population.at(id).y()));
-  dt.remove(gone.begin(), gone.end());
-  dt.insert(back.begin(), back.end());
+  Newcomers back;
+  for (const Id id : {3, 4, 5})
+    back.emplace_back(id, Point(population.at(id).x() - 2 * length, population.at(id).y()));
+  remove(dt, population, {3, 4, 5}, 0);
+  insert(dt, population, back, 1);
   expect_none("points have gone, and come back by other images");
 }
 
@@ -148,25 +144,13 @@ void changes_of_a_population(const Points& points)
     changes.compute(dt);
     const std::string what = "a grid, frame " + std::to_string(frame);
     const Population all = triangulated(dt, population, what);
-    Periodic_edges now, come, gone;
+    Periodic_edges now;
     if (this_rank == 0)
       now = One_process(all, dt.cell()).edges();
-    std::set_difference(now.begin(), now.end(), edges.begin(), edges.end(),
-                        std::back_inserter(come));
-    std::set_difference(edges.begin(), edges.end(), now.begin(), now.end(),
-                        std::back_inserter(gone));
-    expect_changes(changes, come, gone, what);
+    expect_changes(changes, difference(now, edges), difference(edges, now), what);
     edges = now;
-    std::vector<Id> leaving;
-    std::vector<std::pair<Id, Point>> coming;
-    if (this_rank == 0)
-      leaving = {population.begin()->first, std::next(population.begin())->first};
-    if (this_rank == number_of_ranks - 1)
-      coming.emplace_back(next, Point(frame, 2.5));
-    dt.remove(leaving.begin(), leaving.end());
-    dt.insert(coming.begin(), coming.end());
-    population.erase(population.begin(), std::next(population.begin(), 2));
-    population.emplace(next++, Point(frame, 2.5));
+    remove(dt, population, {population.begin()->first, std::next(population.begin())->first}, 0);
+    insert(dt, population, {{next++, Point(frame, 2.5)}}, 1);
   }
 }
 
@@ -175,11 +159,8 @@ void run_theme()
   std::mt19937 random(11); // the same on all ranks
   std::uniform_real_distribution<double> coordinate(0, length);
   std::normal_distribution<double> step(0, 1);
-  Points cloud, few, grid;
-  for (int i = 0; i < 200; ++i)
-    cloud.push_back(Point(coordinate(random), coordinate(random)));
-  for (int i = 0; i < 3; ++i)
-    few.push_back(Point(coordinate(random), coordinate(random)));
+  const Points cloud = any_points(200, length, random), few = any_points(3, length, random);
+  Points grid;
   for (int i = 0; i < 100; ++i)
     grid.push_back(Point(7 * i % 8, i / 8 % 8));
   const auto wrapped = [](double x) { return x - length * std::floor(x / length); };

@@ -80,13 +80,9 @@ void refuse_bad_input()
 void run_theme()
 {
   std::mt19937 random(7); // the same on all ranks
-  std::uniform_real_distribution<double> coordinate(0, length), part(0, 1);
+  std::uniform_real_distribution<double> coordinate(0, length);
   std::normal_distribution<double> step(0, 0.05);
-  Points cloud, parts;
-  for (int i = 0; i < 300; ++i) {
-    cloud.push_back(Point(coordinate(random), coordinate(random)));
-    parts.push_back(Point(part(random), part(random)));
-  }
+  const Points cloud = any_points(300, length, random), parts = any_points(300, 1, random);
   const auto at_first = always(Cell(length, length));
   constexpr int frames = 12;
   const char* const wanted = std::getenv("DYNAMIC_DELAUNAY_DISTRIBUTED_FRAMES");

@@ -158,11 +158,7 @@ void zones_follow_shear()
 {
   constexpr double length = 40, shear = 0.02;
   std::mt19937 random(33);
-  std::uniform_real_distribution<double> coordinate(0, length);
-  Points points;
-  for (int i = 0; i < 1600; ++i)
-    points.push_back(Point(coordinate(random), coordinate(random)));
-  Population population = numbered(points);
+  Population population = numbered(any_points(1600, length, random));
   auto dt = distributed<Distributed_periodic>(population, in_turn, Cell(length, length));
   const auto asked_before = dt.number_of_asking_frames();
   constexpr int frames = 40;

@@ -6,6 +6,7 @@
 
 #include "distributed_oracle.h"
 #include "distributed_theme.h"
+#include "distributed_uses.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/distributed/Distributed_edge_changes_2.h>
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <random>
 
 namespace distributed_queries {
@@ -72,11 +72,8 @@ void expect_changes(const CGAL::Distributed_edge_changes_2& changes, Edges& edge
   if (this_rank > 0)
     return;
   const Edges now = expected_edges(population);
-  Edges come, gone;
-  std::set_difference(now.begin(), now.end(), edges.begin(), edges.end(), std::back_inserter(come));
-  std::set_difference(edges.begin(), edges.end(), now.begin(), now.end(), std::back_inserter(gone));
-  expect(created == come, what + ": the created edges");
-  expect(removed == gone, what + ": the removed edges");
+  expect(created == difference(now, edges), what + ": the created edges");
+  expect(removed == difference(edges, now), what + ": the removed edges");
   edges = now;
 }
 
@@ -96,13 +93,10 @@ void expect_queries(const std::string& what, const Points& points, double spread
     expect(dt.is_valid(), what + ": valid");
     if (frame % 4 == 1)
       dt.distribute();
-    if (frame % 4 == 2) { // a point of one rank goes, and comes back on another
-      const std::vector<Id> ids(this_rank == 0 ? 1 : 0, Id(frame));
-      dt.remove(ids.begin(), ids.end());
-      std::vector<std::pair<Id, Point>> back;
-      if (this_rank == number_of_ranks - 1)
-        back.push_back({frame, population.at(frame)});
-      dt.insert(back.begin(), back.end());
+    if (frame % 4 == 2) { // a point is removed by one rank, and comes back by another
+      const Newcomers back{{frame, population.at(frame)}};
+      remove(dt, population, {frame}, 0);
+      insert(dt, population, back, 1);
     }
     for (auto& [id, p] : population)
       p = Point(p.x() + spread * step(random), p.y() + spread * step(random));
@@ -115,10 +109,9 @@ void expect_queries(const std::string& what, const Points& points, double spread
 void run_theme()
 {
   std::mt19937 random(19); // the same on all ranks
-  std::uniform_real_distribution<double> coordinate(0, 20);
-  Points cloud, grid, line;
+  const Points cloud = any_points(400, 20, random);
+  Points grid, line;
   for (int i = 0; i < 400; ++i) {
-    cloud.push_back(Point(coordinate(random), coordinate(random)));
     grid.push_back(Point(7 * i % 20, i / 40)); // each of them twice
     line.push_back(Point(i % 40, 2 * (i % 40)));
   }
