@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
@@ -73,8 +74,56 @@ public:
     return result;
   }
 
+  Position_2 velocity(std::size_t id) const
+  {
+    const auto step = m_end[id] - m_start[id];
+    return {step.x(), step.y()};
+  }
+
 private:
   Points m_start, m_end;
+};
+
+template <class Dynamic>
+std::set<std::size_t> classified_ids(const Dynamic& dt)
+{
+  std::set<std::size_t> ids;
+  for (const Index v : dt.classified_vertices())
+    ids.insert(dt.frame().id(v));
+  return ids;
+}
+
+template <class Dynamic>
+std::set<std::size_t> neighbors_of(const Dynamic& dt, std::size_t id)
+{
+  std::set<std::size_t> ids;
+  const auto frame = dt.frame();
+  frame.for_each_neighbor(frame.vertex(Index(id)), [&](Index w) {
+    if (!frame.is_infinite(w))
+      ids.insert(frame.id(w));
+  });
+  return ids;
+}
+
+// Does what another classifier does; derived ones look on. It lacks the members by which a
+// classifier declares that it decides edge by edge.
+template <class Classifier>
+struct Wrapped_classifier
+{
+  static constexpr bool is_exact = Classifier::is_exact;
+  Classifier classifier{};
+
+  template <class Frame, class Classification>
+  void operator()(const Frame& frame, Classification& classified)
+  {
+    classifier(frame, classified);
+  }
+
+  template <class Frame>
+  void after_update(const Frame& frame)
+  {
+    CGAL::inform_classifier(classifier, frame);
+  }
 };
 
 // -------------------------------------------------------------------------------------------------
@@ -85,20 +134,17 @@ struct Audit
   std::size_t edges = 0, broken = 0, missed = 0, false_alarms = 0;
 };
 
-// Counts, before anything is repaired, the broken edges that an exact classifier has missed, and
-// the edges that it has named in vain.
+// Counts, before anything is repaired, the broken edges that a classifier has missed, and the edges
+// that it has named in vain.
 template <class Classifier>
-struct Audited
+struct Audited : Wrapped_classifier<Classifier>
 {
-  static constexpr bool is_exact = true;
-  static_assert(Classifier::is_exact, "an exact one is audited");
-  Classifier classifier{};
   std::shared_ptr<Audit> audit = std::make_shared<Audit>();
 
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified)
   {
-    classifier(frame, classified);
+    this->classifier(frame, classified);
     const std::set<Index> named(classified.edges().begin(), classified.edges().end());
     for (Index e = 0; e < frame.number_of_edges(); ++e) {
       const bool is_broken = !frame.is_delaunay(e);
@@ -110,12 +156,6 @@ struct Audited
       audit->false_alarms += !is_broken && is_picked && !classified.is_everything();
     }
     audit->edges += frame.number_of_edges();
-  }
-
-  template <class Frame>
-  void after_update(const Frame& frame)
-  {
-    CGAL::inform_classifier(classifier, frame);
   }
 };
 
@@ -141,6 +181,7 @@ template <class Classifier>
 class Exact_classifiers : public testing::Test
 {
 protected:
+  static_assert(Classifier::is_exact, "exact ones are audited");
   using Dynamic = Triangulation<Audited<Classifier>>;
 
   // `move` changes the points from one frame to the next.
@@ -363,10 +404,8 @@ struct Counting_frame : Frame
   std::size_t& m_looks;
 };
 
-struct Counted_safe_region_classifier
+struct Counted_safe_region_classifier : Wrapped_classifier<CGAL::Safe_region_classifier_2>
 {
-  static constexpr bool is_exact = true;
-  CGAL::Safe_region_classifier_2 classifier{};
   std::shared_ptr<std::array<std::size_t, 2>> counts =
       std::make_shared<std::array<std::size_t, 2>>();
 
@@ -374,12 +413,6 @@ struct Counted_safe_region_classifier
   void operator()(const Frame& frame, Classification& classified)
   {
     classifier(Counting_frame<Frame>(frame, (*counts)[0], (*counts)[1]), classified);
-  }
-
-  template <class Frame>
-  void after_update(const Frame& frame)
-  {
-    classifier.after_update(frame);
   }
 };
 
@@ -425,13 +458,8 @@ void leap_and_step(const Repair& repair)
   Triangulation<Audited<CGAL::Safe_region_classifier_2>, Repair> dt(points.begin(), points.end(),
                                                                     {classifier, repair});
   const auto neighbor = [&](std::size_t id) {
-    std::vector<std::size_t> neighbors;
-    const auto frame = dt.frame();
-    frame.for_each_neighbor(frame.vertex(Index(id)), [&](Index w) {
-      if (!frame.is_infinite(w))
-        neighbors.push_back(frame.id(w));
-    });
-    return neighbors[cloud.random()() % neighbors.size()];
+    const auto neighbors = neighbors_of(dt, id);
+    return *std::next(neighbors.begin(), std::ptrdiff_t(cloud.random()() % neighbors.size()));
   };
   std::size_t id = 0;
   for (int frame = 0; frame < 6000; ++frame) {
@@ -511,32 +539,25 @@ struct Scripted_classifier
 
 // Records the vertices and edges that a classifier has named.
 template <class Classifier>
-struct Noting_classifier
+struct Noting_classifier : Wrapped_classifier<Classifier>
 {
   static constexpr bool is_exact = false;
-  Classifier classifier;
   std::shared_ptr<std::set<Index>> vertices = std::make_shared<std::set<Index>>();
   std::shared_ptr<std::set<Index>> edges = std::make_shared<std::set<Index>>();
 
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified)
   {
-    classifier(frame, classified);
+    this->classifier(frame, classified);
     vertices->insert(classified.whole_vertices().begin(), classified.whole_vertices().end());
     edges->insert(classified.edges().begin(), classified.edges().end());
-  }
-
-  template <class Frame>
-  void after_update(const Frame& frame)
-  {
-    CGAL::inform_classifier(classifier, frame);
   }
 };
 
 template <class Classifier>
 Noting_classifier<Classifier> note(const Classifier& classifier, const Points& points)
 {
-  Noting_classifier<Classifier> noting{classifier};
+  Noting_classifier<Classifier> noting{{classifier}};
   Triangulation<Noting_classifier<Classifier>> dt(points.begin(), points.end(), noting);
   dt.update(points.begin(), points.end());
   return noting;
@@ -614,26 +635,6 @@ TEST(Refined_classifier, leaves_only_broken_edges_of_what_a_heuristic_picks)
   EXPECT_LE(some, broken);
 }
 
-// Lacks the members by which a classifier declares that it decides edge by edge.
-template <class Classifier>
-struct Reserved_classifier
-{
-  static constexpr bool is_exact = Classifier::is_exact;
-  Classifier classifier{};
-
-  template <class Frame, class Classification>
-  void operator()(const Frame& frame, Classification& classified)
-  {
-    classifier(frame, classified);
-  }
-
-  template <class Frame>
-  void after_update(const Frame& frame)
-  {
-    CGAL::inform_classifier(classifier, frame);
-  }
-};
-
 // Refines a classification edge by edge and as a whole, and compares the results.
 template <class First, class Second>
 struct Twofold_classifier
@@ -642,7 +643,7 @@ struct Twofold_classifier
   First first;
   Second second;
   CGAL::Refined_classifier_2<First, Second> by_edges{first, second};
-  CGAL::Refined_classifier_2<First, Reserved_classifier<Second>> in_full{first, {second}};
+  CGAL::Refined_classifier_2<First, Wrapped_classifier<Second>> in_full{first, {second}};
   std::shared_ptr<std::size_t> kept = std::make_shared<std::size_t>(0);
 
   template <class Frame, class Classification>
@@ -740,18 +741,12 @@ TEST(Point_distance_classifier, picks_the_ends_of_every_edge_that_changed_at_all
     for (std::size_t id = 0; id < points.size(); id += 17) {
       Triangulation<CGAL::Point_distance_classifier_2> dt(points.begin(), points.end(),
                                                           CGAL::Point_distance_classifier_2(1));
-      std::set<std::size_t> around = {id};
-      const auto frame = dt.frame();
-      frame.for_each_neighbor(frame.vertex(Index(id)), [&](Index w) {
-        if (!frame.is_infinite(w))
-          around.insert(frame.id(w));
-      });
+      std::set<std::size_t> around = neighbors_of(dt, id);
+      around.insert(id);
       Points moved = points;
       moved[id] = Epick::Point_2(moved[id].x() + step, moved[id].y() + step / 3);
       dt.update(moved.begin(), moved.end());
-      std::set<std::size_t> classified;
-      for (const Index v : dt.classified_vertices())
-        classified.insert(dt.frame().id(v));
+      const std::set<std::size_t> classified = classified_ids(dt);
       if (step == 0.3) // everything may have been rebuilt
         ASSERT_GE(around.size(), classified.size());
       else
@@ -854,28 +849,25 @@ TEST(Point_distance_times, give_the_first_frame_that_stepping_frame_by_frame_fin
   EXPECT_GT(passed_between_frames, 20u) << "too short, but in no frame";
 }
 
+struct Velocities
+{
+  const Drift* drift;
+  Position_2 operator()(Index id) const { return drift->velocity(id); }
+};
+
 TEST(Point_distance_classifier, predicts_the_frame_in_which_it_picks_a_vertex)
 {
   Cloud<Epick> cloud(15);
-  std::normal_distribution<double> speed(0, 0.002);
   for (int trial = 0; trial < 20; ++trial) {
-    Points points = cloud.uniform(200), velocities;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const double x = speed(cloud.random());
-      velocities.emplace_back(x, speed(cloud.random()));
-    }
-    const auto velocity = [&](Index id) {
-      return Position_2{velocities[id].x(), velocities[id].y()};
-    };
-    Triangulation<CGAL::Point_distance_classifier_2> dt(points.begin(), points.end());
+    const Drift drift(cloud, 200, 0.002);
+    const Points start = drift.points(0);
+    Triangulation<CGAL::Point_distance_classifier_2> dt(start.begin(), start.end());
+    int now = 0;
     for (int round = 0; round < 3; ++round) { // also with references of different ages
-      const double predicted = dt.classifier().predict(dt.frame(), velocity);
+      const double predicted = dt.classifier().predict(dt.frame(), Velocities{&drift});
       ASSERT_LT(predicted, 100000);
-      const Points start = points;
       for (int frame = 1; frame <= int(predicted); ++frame) {
-        for (std::size_t i = 0; i < points.size(); ++i)
-          points[i] = Epick::Point_2(start[i].x() + frame * velocities[i].x(),
-                                     start[i].y() + frame * velocities[i].y());
+        const Points points = drift.points(++now);
         const auto classified = dt.update(points.begin(), points.end()).classified;
         ASSERT_EQ(classified > 0, frame == int(predicted)) << "frame " << frame;
       }
@@ -883,32 +875,18 @@ TEST(Point_distance_classifier, predicts_the_frame_in_which_it_picks_a_vertex)
   }
 }
 
-struct Velocities
-{
-  std::shared_ptr<const Points> of_id;
-  Position_2 operator()(Index id) const { return {(*of_id)[id].x(), (*of_id)[id].y()}; }
-};
-
 TEST(Predictive_point_distance_classifier, looks_only_when_point_distance_would_classify_a_vertex)
 {
   Cloud<Epick> cloud(16);
-  std::normal_distribution<double> speed(0, 2e-4);
-  Points points = cloud.uniform(100);
-  const auto velocities = std::make_shared<Points>();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double x = speed(cloud.random());
-    velocities->emplace_back(x, speed(cloud.random()));
-  }
+  const Drift drift(cloud, 100, 2e-4);
+  Points points = drift.points(0);
   using Predictive = CGAL::Predictive_point_distance_classifier_2<Velocities>;
   Triangulation<CGAL::Point_distance_classifier_2> plain(points.begin(), points.end());
   Triangulation<Predictive> predictive(points.begin(), points.end(),
-                                       Predictive(Velocities{velocities}));
-  const Points start = points;
+                                       Predictive(Velocities{&drift}));
   std::size_t quiet = 0, picked = 0;
   for (int frame = 1; frame <= 2000; ++frame) {
-    for (std::size_t i = 0; i < points.size(); ++i)
-      points[i] = Epick::Point_2(start[i].x() + frame * (*velocities)[i].x(),
-                                 start[i].y() + frame * (*velocities)[i].y());
+    points = drift.points(frame);
     const bool is_quiet = predictive.classifier().number_of_quiet_frames() > 0;
     const auto expected = plain.update(points.begin(), points.end());
     const auto report = predictive.update(points.begin(), points.end());
@@ -1015,42 +993,27 @@ TEST(Circumcenters, are_the_same_from_each_vertex_in_each_order)
   }
 }
 
-// Expects that the circumcenter classifier names the edges that exact predicates find broken.
-struct Circumcenter_audit
-{
-  static constexpr bool is_exact = false;
-  std::shared_ptr<std::array<std::size_t, 2>> counts =
-      std::make_shared<std::array<std::size_t, 2>>();
-
-  template <class Frame, class Classification>
-  void operator()(const Frame& frame, Classification& classified)
-  {
-    CGAL::Voronoi_circumcenter_classifier_2()(frame, classified);
-    const std::set<Index> named(classified.edges().begin(), classified.edges().end());
-    for (Index e = 0; e < frame.number_of_edges(); ++e)
-      EXPECT_EQ(named.count(e) == 0, frame.is_delaunay(e)) << "edge " << e;
-    (*counts)[0] += frame.number_of_edges();
-    (*counts)[1] += named.size();
-  }
-};
-
 TEST(Voronoi_circumcenter_classifier, agrees_with_the_exact_one_on_moving_clouds_and_their_hulls)
 {
-  Circumcenter_audit audit;
+  using Classifier = Audited<CGAL::Voronoi_circumcenter_classifier_2>;
+  const Classifier classifier;
+  const Audit& audit = *classifier.audit;
   for (const double step : {1e-3, 0.03, 0.3}) {
     SCOPED_TRACE(testing::Message() << "step " << step);
     Cloud<Epick> cloud(18);
     Points points = cloud.uniform(400);
-    Triangulation<Circumcenter_audit, CGAL::Flip_and_splice_repair_2> dt(points.begin(),
-                                                                         points.end(), audit);
+    Triangulation<Classifier, CGAL::Flip_and_splice_repair_2> dt(points.begin(), points.end(),
+                                                                 classifier);
     for (int frame = 0; frame < 30; ++frame) {
       cloud.shake(points, step);
       dt.update(points.begin(), points.end());
+      EXPECT_EQ(audit.missed, 0u) << "frame " << frame;
+      EXPECT_EQ(audit.false_alarms, 0u) << "frame " << frame;
       EXPECT_TRUE(dt.certify());
     }
   }
-  EXPECT_GT((*audit.counts)[0], 100000u);
-  EXPECT_GT((*audit.counts)[1], 10000u);
+  EXPECT_GT(audit.edges, 100000u);
+  EXPECT_GT(audit.broken, 10000u);
 }
 
 TEST(Estimated_voronoi_circumcenter_classifier, follows_translations)
@@ -1147,17 +1110,9 @@ struct News
   }
 };
 
-struct Changes_classifier
+struct Changes_classifier : Wrapped_classifier<CGAL::Point_distance_classifier_2>
 {
-  static constexpr bool is_exact = false;
-  CGAL::Point_distance_classifier_2 classifier{0.9};
   std::shared_ptr<News> news = std::make_shared<News>();
-
-  template <class Frame, class Classification>
-  void operator()(const Frame& frame, Classification& classified)
-  {
-    classifier(frame, classified);
-  }
 
   template <class Frame>
   void after_update(const Frame& frame)
@@ -1200,18 +1155,34 @@ double gap(const Frame& frame, const Edge_2& edge, const Epick::Point_2& c1,
   return ((c1.x() - c2.x()) * (q.y - p.y) - (c1.y() - c2.y()) * (q.x - p.x)) / length(p, q);
 }
 
-// Each model computes by how much an edge is inside of its bound, from references that it keeps by
-// ids. Positive: the edge must not be picked. Infinite: either is right.
-struct Point_distance_model
+// Calls f with each edge that was not there in the last frame.
+template <class Frame, class Function>
+void for_each_new_edge(const Frame& frame, const Function& f)
 {
-  using Classifier = CGAL::Point_distance_classifier_2;
-  static Classifier classifier() { return Classifier(0.9); }
-  std::map<Key, double> references{};
+  if (frame.everything_is_new())
+    for (const Edge_2& edge : frame.edges())
+      f(edge);
+  else
+    for (const Index e : frame.new_edges())
+      f(frame.edge(e));
+}
 
+// Each model computes by how much an edge is inside of its bound, from references that it keeps by
+// ids and may renew before it is asked. Positive: the edge must not be picked. Infinite: either is
+// right.
+struct Model_of_edges
+{
   template <class Frame>
   void begin(const Frame&)
   {
   }
+};
+
+struct Point_distance_model : Model_of_edges
+{
+  using Classifier = CGAL::Point_distance_classifier_2;
+  static Classifier classifier() { return Classifier(0.9); }
+  std::map<Key, double> references{};
 
   template <class Frame>
   double slack(const Frame& frame, Index e) const
@@ -1227,17 +1198,10 @@ struct Point_distance_model
   template <class Frame>
   void end(const Frame& frame)
   {
-    const auto renew = [&](Index e) {
-      const Edge_2& edge = frame.edge(e);
+    for_each_new_edge(frame, [&](const Edge_2& edge) {
       references[key(frame, edge)] =
           length(frame.position(edge.source), frame.position(edge.target));
-    };
-    if (frame.everything_is_new())
-      for (Index e = 0; e < frame.number_of_edges(); ++e)
-        renew(e);
-    else
-      for (const Index e : frame.new_edges())
-        renew(e);
+    });
   }
 };
 
@@ -1286,19 +1250,14 @@ struct Inflation_aware_model
   template <class Frame>
   void end(const Frame& frame)
   {
-    if (frame.everything_is_new())
-      for (const Edge_2& edge : frame.edges())
-        growths[key(frame, edge)] = 1;
-    else
-      for (const Index e : frame.new_edges())
-        growths[key(frame, frame.edge(e))] = 1;
+    for_each_new_edge(frame, [&](const Edge_2& edge) { growths[key(frame, edge)] = 1; });
     last.resize(frame.number_of_points());
     for (Index v = 1; v <= frame.number_of_vertices(); ++v)
       last[frame.id(v)] = frame.position(v);
   }
 };
 
-struct Voronoi_edge_length_model
+struct Voronoi_edge_length_model : Model_of_edges
 {
   using Classifier = CGAL::Voronoi_edge_length_classifier_2;
   static Classifier classifier() { return Classifier(0.5); }
@@ -1309,11 +1268,6 @@ struct Voronoi_edge_length_model
   {
     return length(frame.position(edge.source), frame.position(edge.target)) -
            length(frame.position(edge.left), frame.position(edge.right));
-  }
-
-  template <class Frame>
-  void begin(const Frame&)
-  {
   }
 
   template <class Frame>
@@ -1346,7 +1300,7 @@ struct Voronoi_edge_length_model
   }
 };
 
-struct Estimated_circumcenter_model
+struct Estimated_circumcenter_model : Model_of_edges
 {
   using Classifier = CGAL::Estimated_voronoi_circumcenter_classifier_2;
   static Classifier classifier() { return Classifier(); }
@@ -1372,11 +1326,6 @@ struct Estimated_circumcenter_model
     const auto v = frame.face(f);
     return CGAL::centroid(point(frame.position(v[0])), point(frame.position(v[1])),
                           point(frame.position(v[2])));
-  }
-
-  template <class Frame>
-  void begin(const Frame&)
-  {
   }
 
   template <class Frame>
@@ -1495,7 +1444,7 @@ void lead_through_everything_with_every_repair(const Classifier& classifier)
 
 TEST(Frames, announce_every_edge_and_face_that_flips_splices_and_rebuilds_have_changed)
 {
-  Changes_classifier classifier;
+  const Changes_classifier classifier{{CGAL::Point_distance_classifier_2(0.9)}};
   lead_through_everything_with_every_repair(classifier);
   EXPECT_GT(classifier.news->changed_edges, 1000u);
   EXPECT_GT(classifier.news->changed_sides, 100u) << "not new, but another opposite vertex";
@@ -1551,12 +1500,6 @@ TEST(Random_classifier, picks_the_same_p_of_all_points_under_the_same_seed)
   Cloud<Epick> cloud(20);
   const Points points = cloud.uniform(1000);
   using Dynamic = Triangulation<CGAL::Random_classifier_2>;
-  const auto ids = [](const Dynamic& dt) {
-    std::set<std::size_t> result;
-    for (const Index v : dt.classified_vertices())
-      result.insert(dt.frame().id(v));
-    return result;
-  };
   for (const double p : {0., 0.0025, 0.02}) {
     Dynamic first(points.begin(), points.end(), CGAL::Random_classifier_2(p, 5));
     Dynamic same(points.begin(), points.end(), CGAL::Random_classifier_2(p, 5));
@@ -1567,8 +1510,8 @@ TEST(Random_classifier, picks_the_same_p_of_all_points_under_the_same_seed)
       total += double(first.update(points.begin(), points.end()).classified);
       same.update(points.begin(), points.end());
       other.update(points.begin(), points.end());
-      ASSERT_EQ(ids(first), ids(same));
-      differs = differs || ids(first) != ids(other);
+      ASSERT_EQ(classified_ids(first), classified_ids(same));
+      differs = differs || classified_ids(first) != classified_ids(other);
     }
     EXPECT_EQ(differs, p > 0);
     const double mean = 100 * 1000 * p;
