@@ -5,12 +5,8 @@
 #include "scenario_runner/Recorded_motion.h"
 
 #include <string>
-#include <utility>
 
 void fuzz::examine(const std::string& input)
 {
-  auto recording = parsed_or_refused(input, scenario::parse_xyz);
-  if (recording) {
-    require_sound(std::move(*recording));
-  }
+  examine_recording(input, scenario::parse_xyz);
 }

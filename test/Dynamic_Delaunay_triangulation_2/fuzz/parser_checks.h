@@ -98,6 +98,16 @@ inline void require_sound(scenario::Recording recording)
   require(frames_seen == number_of_frames, "frames have been lost");
 }
 
+// Requires a sound recording, unless `parse` refuses the input.
+template <class Parse>
+void examine_recording(const std::string& input, Parse parse)
+{
+  auto recording = parsed_or_refused(input, parse);
+  if (recording) {
+    require_sound(std::move(*recording));
+  }
+}
+
 } // namespace fuzz
 
 #endif // DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_FUZZ_PARSER_CHECKS_H
