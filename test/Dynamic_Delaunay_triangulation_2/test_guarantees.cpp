@@ -76,9 +76,11 @@ TEST(Guarantees, what_is_delaunay_by_luck_can_be_certified)
   expect_exact(dt, moved);
 }
 
-template <class Dynamic>
-void follow_and_mend(Dynamic&& dt, Points points, Cloud<Epick>& cloud, double step)
+template <class Repair, class Classifier>
+void follow_and_mend(const Classifier& classifier, Points points, Cloud<Epick>& cloud, double step)
 {
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier, Repair> dt(points.begin(), points.end(),
+                                                                       classifier);
   for (int frame = 0; frame < 20; ++frame) {
     cloud.shake(points, step);
     dt.update(points.begin(), points.end());
@@ -97,21 +99,13 @@ TEST(Guarantees, thousands_of_rough_frames_under_every_heuristic_stay_valid_and_
     const double step = std::pow(10, -2 + 0.35 * (seed % 9));
     SCOPED_TRACE(testing::Message() << "seed " << seed << ", step " << step);
     ASSERT_NO_FATAL_FAILURE(
-        follow_and_mend(CGAL::Dynamic_Delaunay_triangulation_2<Epick, Random_classifier_2>(
-                            points.begin(), points.end(), Random_classifier_2(0.01, seed)),
-                        points, cloud, step));
-    ASSERT_NO_FATAL_FAILURE(follow_and_mend(
-        CGAL::Dynamic_Delaunay_triangulation_2<Epick, Random_classifier_2, CGAL::Flip_repair_2>(
-            points.begin(), points.end(), Random_classifier_2(0.05, seed)),
-        points, cloud, step));
+        follow_and_mend<CGAL::Default>(Random_classifier_2(0.01, seed), points, cloud, step));
     ASSERT_NO_FATAL_FAILURE(
-        follow_and_mend(CGAL::Dynamic_Delaunay_triangulation_2<Epick, Random_classifier_2,
-                                                               CGAL::Flip_and_splice_repair_2>(
-                            points.begin(), points.end(), Random_classifier_2(0.02, seed)),
-                        points, cloud, step));
-    ASSERT_NO_FATAL_FAILURE(follow_and_mend(
-        Heuristic(points.begin(), points.end(), CGAL::Point_distance_classifier_2(0.3)), points,
-        cloud, step));
+        follow_and_mend<CGAL::Flip_repair_2>(Random_classifier_2(0.05, seed), points, cloud, step));
+    ASSERT_NO_FATAL_FAILURE(follow_and_mend<CGAL::Flip_and_splice_repair_2>(
+        Random_classifier_2(0.02, seed), points, cloud, step));
+    ASSERT_NO_FATAL_FAILURE(follow_and_mend<CGAL::Default>(CGAL::Point_distance_classifier_2(0.3),
+                                                           points, cloud, step));
   }
 }
 
