@@ -60,11 +60,7 @@ private:
   Edge_2 m_edge{};
 };
 
-class Predicates : public testing::Test
-{
-};
-
-TEST_F(Predicates, in_integers_know_what_is_obvious)
+TEST(Predicates, in_integers_know_what_is_obvious)
 {
   EXPECT_EQ(exact_signs::orientation({0, 0}, {1, 0}, {0, tiniest}), 1);
   EXPECT_EQ(exact_signs::orientation({0, 0}, {0, tiniest}, {1, 0}), -1);
@@ -76,12 +72,12 @@ TEST_F(Predicates, in_integers_know_what_is_obvious)
   EXPECT_EQ(exact_signs::compare_distance({-largest, 0}, {largest, 0}, largest), 1);
 }
 
-TEST_F(Predicates, of_the_kernel_are_right_for_all_coordinates)
+TEST(Predicates, of_the_kernel_are_right_for_all_coordinates)
 {
   EXPECT_GT(expect_exact_kernel_predicates(1, 100000), 5000u);
 }
 
-TEST_F(Predicates, of_the_filters_claim_nothing_wrong_for_any_finite_doubles)
+TEST(Predicates, of_the_filters_claim_nothing_wrong_for_any_finite_doubles)
 {
   Quadruples quadruples(2);
   std::size_t proved = 0;
@@ -110,7 +106,7 @@ TEST_F(Predicates, of_the_filters_claim_nothing_wrong_for_any_finite_doubles)
 
 // Products of some 2^-1026: differences are rounded as ever, and a bound of five units of them in
 // the last place is zero.
-TEST_F(Predicates, of_the_orientation_claim_nothing_where_their_bound_underflows)
+TEST(Predicates, of_the_orientation_claim_nothing_where_their_bound_underflows)
 {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> number(-1, 1);
@@ -139,7 +135,7 @@ void expect_no_contradiction(const Quadruple& q, const Signs& signs)
 }
 
 // One of three terms overflows and the bound does not: a tie must not count as an empty circle.
-TEST_F(Predicates, of_the_filters_see_a_tie_in_a_huge_square)
+TEST(Predicates, of_the_filters_see_a_tie_in_a_huge_square)
 {
   const Position_2 a{-1e77, 0}, b{-1e77, -1e77}, c{0, -1e77}, d{0, 0};
   EXPECT_EQ(internal::filtered_in_circle(a, b, c, d), 0);
@@ -187,14 +183,14 @@ void expect_no_contradiction_near_circles(int exponent, double spread)
 
 // Some terms of the in-circle determinant overflow and others do not, and the product of both sizes
 // does.
-TEST_F(Predicates, of_nearly_cocircular_points_claim_nothing_where_terms_overflow)
+TEST(Predicates, of_nearly_cocircular_points_claim_nothing_where_terms_overflow)
 {
   for (const int exponent : {254, 255, 256})
     expect_no_contradiction_near_circles(exponent, 1e-3);
 }
 
 // The terms are nearly equal, and just below or above the largest double.
-TEST_F(Predicates, of_cocircular_points_claim_nothing_where_one_of_two_terms_overflows)
+TEST(Predicates, of_cocircular_points_claim_nothing_where_one_of_two_terms_overflows)
 {
   Random random(2);
   for (int i = 0; i < 20000; ++i) {
@@ -214,13 +210,13 @@ TEST_F(Predicates, of_cocircular_points_claim_nothing_where_one_of_two_terms_ove
 }
 
 // Both terms are subnormal numbers, whose last digit is larger than the bound.
-TEST_F(Predicates, of_nearly_cocircular_points_claim_nothing_where_terms_underflow)
+TEST(Predicates, of_nearly_cocircular_points_claim_nothing_where_terms_underflow)
 {
   for (const int exponent : {-260, -259, -258, -257, -254, -250, -248})
     expect_no_contradiction_near_circles(exponent, 0);
 }
 
-TEST_F(Predicates, of_four_edges_at_once_claim_nothing_wrong_for_any_finite_doubles)
+TEST(Predicates, of_four_edges_at_once_claim_nothing_wrong_for_any_finite_doubles)
 {
   Quadruples quadruples(3);
   std::size_t proved = 0;
@@ -262,7 +258,7 @@ BOOST_FORCEINLINE void expect_what_one_lane_proves(const std::vector<Edge_2>& ed
   }
 }
 
-TEST_F(Predicates, of_an_edge_are_the_same_in_any_number_of_lanes)
+TEST(Predicates, of_an_edge_are_the_same_in_any_number_of_lanes)
 {
   Quadruples quadruples(9);
   std::vector<Edge_2> edges;
@@ -283,7 +279,7 @@ TEST_F(Predicates, of_an_edge_are_the_same_in_any_number_of_lanes)
 }
 
 // With fused multiply-add instructions (1 + e) (1 - e) - 1 would be -e^2 instead of 0.
-TEST_F(Predicates, of_products_round_them_before_sums)
+TEST(Predicates, of_products_round_them_before_sums)
 {
   using internal::product;
   const volatile double more = 1 + 0x1p-30, less = 1 - 0x1p-30;
@@ -298,7 +294,7 @@ TEST_F(Predicates, of_products_round_them_before_sums)
 #ifdef __aarch64__
 
 // With the processor in the state that a game or a library linked with -ffast-math may have set.
-TEST_F(Predicates, compute_with_subnormal_numbers_where_a_program_flushes_them)
+TEST(Predicates, compute_with_subnormal_numbers_where_a_program_flushes_them)
 {
   constexpr std::uint64_t flushes = 1 << 24;
   std::uint64_t state, after;
@@ -339,7 +335,7 @@ bool is_nearly_outside(const Quadruple& q, double eps)
          factor * lengths;
 }
 
-TEST_F(Predicates, of_nearly_delaunay_leave_no_edge_alone_beyond_the_bound)
+TEST(Predicates, of_nearly_delaunay_leave_no_edge_alone_beyond_the_bound)
 {
   Quadruples quadruples(4);
   std::size_t left_alone = 0;
@@ -411,11 +407,7 @@ Quadruple moved(const Quadruple& q, double t, bool is_squeezed, Random& random)
   return result;
 }
 
-class Tolerances : public testing::Test
-{
-};
-
-TEST_F(Tolerances, are_kept_by_edges_of_any_length_anywhere)
+TEST(Tolerances, are_kept_by_edges_of_any_length_anywhere)
 {
   Quadruples any(5);
   std::size_t safe = 0;
@@ -435,7 +427,7 @@ TEST_F(Tolerances, are_kept_by_edges_of_any_length_anywhere)
   EXPECT_GT(safe, 2500u);
 }
 
-TEST_F(Tolerances, are_kept_by_hulls_of_any_extent_anywhere)
+TEST(Tolerances, are_kept_by_hulls_of_any_extent_anywhere)
 {
   Quadruples any(6);
   std::size_t safe = 0;
@@ -457,7 +449,7 @@ TEST_F(Tolerances, are_kept_by_hulls_of_any_extent_anywhere)
   EXPECT_GT(safe, 2500u);
 }
 
-TEST_F(Tolerances, take_no_vertex_for_near_that_is_not)
+TEST(Tolerances, take_no_vertex_for_near_that_is_not)
 {
   Quadruples any(7);
   std::size_t near = 0;
@@ -474,7 +466,7 @@ TEST_F(Tolerances, take_no_vertex_for_near_that_is_not)
 }
 
 // Its square is infinite, and so was the bound.
-TEST_F(Tolerances, take_no_vertex_for_near_whose_squared_distance_overflows)
+TEST(Tolerances, take_no_vertex_for_near_whose_squared_distance_overflows)
 {
   EXPECT_FALSE(internal::is_within(2e154, {0, 0}, {1e200, 0}));
   EXPECT_FALSE(internal::is_within(2e154, {-largest, 0}, {largest, 0}));
@@ -484,7 +476,7 @@ TEST_F(Tolerances, take_no_vertex_for_near_whose_squared_distance_overflows)
 using Points = std::vector<Epick::Point_2>;
 
 // Their slack is no number, which spoiled the choice of a tolerance for all.
-TEST_F(Tolerances, are_chosen_among_those_that_are_numbers)
+TEST(Tolerances, are_chosen_among_those_that_are_numbers)
 {
   if (!internal::is_within_limit(1e200))
     GTEST_SKIP() << "compiled for SSE4.1 or newer, which refuses points so far away";
@@ -504,7 +496,7 @@ TEST_F(Tolerances, are_chosen_among_those_that_are_numbers)
 }
 
 // Their squared products overflowed or underflowed, and the time was never, or late.
-TEST_F(Tolerances, of_lengths_are_used_up_in_the_same_frame_at_any_scale)
+TEST(Tolerances, of_lengths_are_used_up_in_the_same_frame_at_any_scale)
 {
   Random random(8);
   for (int i = 0; i < 20000; ++i) {
