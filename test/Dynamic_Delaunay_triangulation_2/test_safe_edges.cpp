@@ -946,12 +946,11 @@ struct Mean_positions
   std::size_t still = 0; // so many, from the first one on, do not move at all
 };
 
-template <class Kernel>
-Mean_positions<Kernel> jittered_lattice(std::size_t side, double jitter)
+Mean_positions<Epick> jittered_lattice(std::size_t side, double jitter)
 {
-  Mean_positions<Kernel> means{"lattice with exact rows on its hull", {}, 0};
-  Cloud<Kernel> cloud(21);
-  typename Cloud<Kernel>::Points inside;
+  Mean_positions<Epick> means{"lattice with exact rows on its hull", {}, 0};
+  Cloud<Epick> cloud(21);
+  Cloud<Epick>::Points inside;
   const double last = double(side - 1);
   for (const auto& p : cloud.grid(side, side))
     if (p.x() == 0 || p.y() == 0 || p.x() == last || p.y() == last)
@@ -964,70 +963,63 @@ Mean_positions<Kernel> jittered_lattice(std::size_t side, double jitter)
 }
 
 // A block in the middle of the lattice is left as it is.
-template <class Kernel>
-Mean_positions<Kernel> lattice_with_ties(std::size_t side)
+Mean_positions<Epick> lattice_with_ties(std::size_t side)
 {
-  Cloud<Kernel> cloud(22);
-  Mean_positions<Kernel> means{"lattice with a block of ties", cloud.grid(side, side), 0};
+  Cloud<Epick> cloud(22);
+  Mean_positions<Epick> means{"lattice with a block of ties", cloud.grid(side, side), 0};
   const double middle = double(side) / 2;
   for (auto& p : means.points)
-    if (std::abs(CGAL::to_double(p.x()) - middle) > 3 ||
-        std::abs(CGAL::to_double(p.y()) - middle) > 3)
+    if (std::abs(p.x() - middle) > 3 || std::abs(p.y() - middle) > 3)
       p = cloud.shifted(p, 0.1);
   return means;
 }
 
-template <class Kernel>
-Mean_positions<Kernel> hexagonal_lattice(std::size_t side)
+Mean_positions<Epick> hexagonal_lattice(std::size_t side)
 {
-  Mean_positions<Kernel> means{"hexagonal lattice", Cloud<Kernel>::grid(side, side), 0};
+  Mean_positions<Epick> means{"hexagonal lattice", Cloud<Epick>::grid(side, side), 0};
   for (auto& p : means.points) {
-    const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
-    p = typename Kernel::Point_2(x + y / 2, y * std::sqrt(0.75));
+    const double x = p.x(), y = p.y();
+    p = Epick::Point_2(x + y / 2, y * std::sqrt(0.75));
   }
   return means;
 }
 
-template <class Kernel>
-Mean_positions<Kernel> circle_around_a_cloud()
+Mean_positions<Epick> circle_around_a_cloud()
 {
-  Cloud<Kernel> cloud(23);
-  Mean_positions<Kernel> means{"circle around a cloud", cloud.on_circle(36), 0};
+  Cloud<Epick> cloud(23);
+  Mean_positions<Epick> means{"circle around a cloud", cloud.on_circle(36), 0};
   for (const auto& p : cloud.uniform(300))
     means.points.emplace_back(4 * p.x() - 34, 4 * p.y() - 34);
   return means;
 }
 
-template <class Kernel>
-Mean_positions<Kernel> clusters()
+Mean_positions<Epick> clusters()
 {
-  Cloud<Kernel> cloud(24);
-  Mean_positions<Kernel> means{"clusters", cloud.uniform(40), 0};
+  Cloud<Epick> cloud(24);
+  Mean_positions<Epick> means{"clusters", cloud.uniform(40), 0};
   for (std::size_t i = 0; i < 360; ++i)
     means.points.push_back(cloud.shifted(means.points[i % 40], i % 3 == 0 ? 0.001 : 0.1));
   return means;
 }
 
-template <class Kernel>
-std::vector<Mean_positions<Kernel>> all_means()
+std::vector<Mean_positions<Epick>> all_means()
 {
-  Cloud<Kernel> cloud(25);
+  Cloud<Epick> cloud(25);
   const auto uniform = cloud.uniform(350);
   return {{"uniform", uniform, 0},
-          {"uniform, far from the origin", scaled<Kernel>(uniform, 1, 1e9), 0},
-          jittered_lattice<Kernel>(20, 0.1),
-          lattice_with_ties<Kernel>(20),
-          hexagonal_lattice<Kernel>(18),
+          {"uniform, far from the origin", scaled<Epick>(uniform, 1, 1e9), 0},
+          jittered_lattice(20, 0.1),
+          lattice_with_ties(20),
+          hexagonal_lattice(18),
           {"circle", cloud.on_circle(36), 0},
-          circle_around_a_cloud<Kernel>(),
-          clusters<Kernel>()};
+          circle_around_a_cloud(),
+          clusters()};
 }
 
 // So many points that a jump leaves most edges as they are.
-template <class Kernel>
-Mean_positions<Kernel> many()
+Mean_positions<Epick> many()
 {
-  return {"many", Cloud<Kernel>(26).uniform(2500), 0};
+  return {"many", Cloud<Epick>(26).uniform(2500), 0};
 }
 
 // Every point goes round on an ellipse of its own, all of them slowly, some a little farther.
@@ -1149,7 +1141,7 @@ protected:
 
   static Dynamic triangulation_of(const Points& points)
   {
-    return Dynamic(points.begin(), points.end(), Audited<Classifier>());
+    return Dynamic(points.begin(), points.end());
   }
 
   // Follows points from `points_at(0)` on. Returns the triangulation after the last frame.
@@ -1172,7 +1164,7 @@ TYPED_TEST_SUITE(Skipping, Skipping_classifiers);
 
 TYPED_TEST(Skipping, follows_clouds_that_tremble_at_any_amplitude)
 {
-  for (const auto& means : all_means<Epick>())
+  for (const auto& means : all_means())
     for (const double amplitude : {1e-7, 1e-5, 1e-4, 1e-3, 1e-2}) {
       SCOPED_TRACE(testing::Message() << means.name << ", amplitude " << amplitude);
       ASSERT_NO_FATAL_FAILURE(this->followed(200, {means, amplitude}));
@@ -1182,7 +1174,7 @@ TYPED_TEST(Skipping, follows_clouds_that_tremble_at_any_amplitude)
 // If nothing were skipped, the other tests would prove nothing.
 TYPED_TEST(Skipping, happens_in_max_frames_of_calm_clouds)
 {
-  for (const auto& means : all_means<Epick>()) {
+  for (const auto& means : all_means()) {
     if (means.name == "circle") // nothing but ties
       continue;
     SCOPED_TRACE(means.name);
@@ -1230,7 +1222,7 @@ TYPED_TEST(Skipping, follows_clouds_whose_points_are_all_at_the_edge_of_the_tole
 
 TYPED_TEST(Skipping, follows_clouds_that_tremble_and_drift)
 {
-  for (const auto& means : all_means<Epick>())
+  for (const auto& means : all_means())
     for (const double drift : {1e-6, 1e-4, 1e-3}) {
       SCOPED_TRACE(testing::Message() << means.name << ", drift " << drift);
       ASSERT_NO_FATAL_FAILURE(this->followed(200, {means, 1e-4, drift}));
@@ -1239,7 +1231,7 @@ TYPED_TEST(Skipping, follows_clouds_that_tremble_and_drift)
 
 TYPED_TEST(Skipping, follows_calm_clouds_in_which_single_points_jump)
 {
-  for (const auto& means : all_means<Epick>())
+  for (const auto& means : all_means())
     for (const double amplitude : {1e-6, 1e-3}) {
       SCOPED_TRACE(testing::Message() << means.name << ", amplitude " << amplitude);
       const Trembling<Epick> trembling(means, amplitude);
@@ -1255,7 +1247,7 @@ TYPED_TEST(Skipping, follows_calm_clouds_in_which_single_points_jump)
 
 TYPED_TEST(Skipping, follows_a_calm_cloud_in_which_a_point_jumps_and_comes_back)
 {
-  const Trembling<Epick> trembling(many<Epick>(), 1e-5);
+  const Trembling<Epick> trembling(many(), 1e-5);
   const auto dt = this->followed(300, [&](int frame) {
     auto points = trembling.at(frame);
     if (frame % 20 > 10) {
@@ -1286,7 +1278,7 @@ TYPED_TEST(Skipping, follows_tiny_clouds_that_jump_and_tremble)
 
 TYPED_TEST(Skipping, follows_what_is_still_for_long_and_then_moves_and_stops_again)
 {
-  for (const auto& means : all_means<Epick>()) {
+  for (const auto& means : all_means()) {
     SCOPED_TRACE(means.name);
     const Trembling<Epick> motion(means, 0, 0.03);
     ASSERT_NO_FATAL_FAILURE(this->followed(160, [&](int frame) {
@@ -1500,6 +1492,10 @@ void update_with_faults(Dynamic& dt, const std::vector<typename Dynamic::Point>&
   *dt.repair().fault = 0;
 }
 
+template <class Classifier, class Kernel = Epick>
+using With_faults =
+    CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Audited<Classifier>, Faulty_repair>;
+
 template <class Kernel, class Classifier>
 void expect_it_goes_on_after_failures(const Mean_positions<Kernel>& means, int frames)
 {
@@ -1507,8 +1503,7 @@ void expect_it_goes_on_after_failures(const Mean_positions<Kernel>& means, int f
   Jumps<Kernel> jumps(61);
   Generator random(62);
   auto points = trembling.at(0);
-  CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Audited<Classifier>, Faulty_repair> dt(
-      points.begin(), points.end(), Audited<Classifier>());
+  With_faults<Classifier, Kernel> dt(points.begin(), points.end());
   for (int frame = 0; frame < frames; ++frame) {
     SCOPED_TRACE(testing::Message() << "frame " << frame);
     points = trembling.at(frame);
@@ -1523,19 +1518,18 @@ void expect_it_goes_on_after_failures(const Mean_positions<Kernel>& means, int f
 
 TYPED_TEST(Skipping, goes_on_after_updates_that_failed_in_any_way)
 {
-  for (const auto& means : all_means<Epick>()) {
+  for (const auto& means : all_means()) {
     SCOPED_TRACE(means.name);
     ASSERT_NO_FATAL_FAILURE((expect_it_goes_on_after_failures<Epick, TypeParam>(means, 300)));
   }
-  ASSERT_NO_FATAL_FAILURE((expect_it_goes_on_after_failures<Epick, TypeParam>(many<Epick>(), 200)));
+  ASSERT_NO_FATAL_FAILURE((expect_it_goes_on_after_failures<Epick, TypeParam>(many(), 200)));
 }
 
 TYPED_TEST(Skipping, is_not_deceived_by_a_loop_seen_in_a_frame_that_was_not_repaired)
 {
   const Corner_with_a_loop corner(1);
   const auto loop = corner.on_loop();
-  CGAL::Dynamic_Delaunay_triangulation_2<Epick, Audited<TypeParam>, Faulty_repair> dt(
-      loop.begin(), loop.end(), Audited<TypeParam>());
+  With_faults<TypeParam> dt(loop.begin(), loop.end());
   walk_outside(dt, corner);
   *dt.classifier().raises_alarm = true;
   *dt.repair().fault = 1;
@@ -1546,9 +1540,8 @@ TYPED_TEST(Skipping, is_not_deceived_by_a_loop_seen_in_a_frame_that_was_not_repa
 
 TYPED_TEST(Skipping, knows_what_a_repair_has_changed_that_failed)
 {
-  const auto home = many<Epick>().points;
-  CGAL::Dynamic_Delaunay_triangulation_2<Epick, Audited<TypeParam>, Faulty_repair> dt(
-      home.begin(), home.end(), Audited<TypeParam>());
+  const auto home = many().points;
+  With_faults<TypeParam> dt(home.begin(), home.end());
   stay(dt, home);
   for (std::size_t jumper = 0; jumper < 20; ++jumper) {
     auto points = home;
@@ -1635,12 +1628,11 @@ TYPED_TEST_SUITE(Skipping_with, Repairs);
 
 TYPED_TEST(Skipping_with, any_repair_is_exact)
 {
-  using Classifier = Audited<Eager_classifier>;
   const Trembling<Epick> trembling({"uniform", Cloud<Epick>(63).uniform(300), 0}, 1e-3);
   Jumps<Epick> jumps(64);
   const auto first = trembling.at(0);
-  CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier, TypeParam> dt(
-      first.begin(), first.end(), Classifier());
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, Audited<Eager_classifier>, TypeParam> dt(
+      first.begin(), first.end());
   expect_followed(dt, 200, [&](int frame) {
     auto points = trembling.at(frame);
     if (frame % 60 > 20)
@@ -1671,12 +1663,11 @@ TEST(Skipping_of_exact_coordinates, goes_on_after_updates_that_failed_in_any_way
 
 TEST(Skipping_of_exact_coordinates, rests_while_they_are_no_doubles)
 {
-  using Classifier = Audited<Eager_classifier>;
   const Trembling<Epeck> trembling({"uniform", Cloud<Epeck>(67).uniform(120), 0}, 1e-4);
   Jumps<Epeck> jumps(68);
   const auto first = trembling.at(0);
-  CGAL::Dynamic_Delaunay_triangulation_2<Epeck, Classifier> dt(first.begin(), first.end(),
-                                                               Classifier());
+  CGAL::Dynamic_Delaunay_triangulation_2<Epeck, Audited<Eager_classifier>> dt(first.begin(),
+                                                                              first.end());
   for (int frame = 0; frame < 150; ++frame) {
     auto points = trembling.at(frame);
     if (frame % 50 > 30)
@@ -1721,7 +1712,7 @@ void expect_the_same_as_without_skipping(const Mean_positions<Epick>& means, dou
 
 TYPED_TEST(Skipping, changes_nothing_about_any_frame)
 {
-  for (const auto& means : all_means<Epick>())
+  for (const auto& means : all_means())
     for (const double amplitude : {1e-5, 1e-3})
       for (const double drift : {0., 1e-4}) {
         SCOPED_TRACE(testing::Message()
@@ -1745,9 +1736,8 @@ TYPED_TEST(Skipping, names_each_broken_edge_of_two_close_points_that_change_plac
 // References that have held for long are taken anew.
 TYPED_TEST(Skipping, follows_what_is_calm_for_a_thousand_frames)
 {
-  const Trembling<Epick> trembling({"uniform", Cloud<Epick>(73).uniform(300), 0}, 1e-4);
-  auto dt = this->triangulation_of(trembling.at(0));
-  expect_followed(dt, 1200, [&](int frame) { return trembling.at(frame); });
+  const Mean_positions<Epick> means{"uniform", Cloud<Epick>(73).uniform(300), 0};
+  this->followed(1200, {means, 1e-4});
 }
 
 } // namespace
