@@ -29,6 +29,7 @@
 #include <cstdint>
 #include <iterator>
 #include <random>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -54,34 +55,38 @@ std::vector<Point> cloud(const benchmark::State& state, std::uint64_t seed)
   return points;
 }
 
+// Places among the points.
+std::vector<Point> anywhere(const benchmark::State& state)
+{
+  return cloud(state, 2);
+}
+
 double side(const benchmark::State& state)
 {
   return std::sqrt(double(state.range(0)));
 }
 
+template <class Triangulation>
+Triangulation made(const benchmark::State& state)
+{
+  if constexpr (std::is_same_v<Triangulation, Periodic>)
+    return Periodic(cloud(state, 1), CGAL::Periodic_cell_2(side(state), side(state)));
+  else
+    return Dynamic(cloud(state, 1));
+}
+
 // Runs `work(dt)`, which does something for every point, or place. The first call, which touches
 // its memory for the first time, does not count.
-template <class Triangulation, class Work>
-void run_on(const Triangulation& dt, benchmark::State& state, const Work& work)
+template <class Triangulation = Dynamic, class Work>
+void run(benchmark::State& state, const Work& work)
 {
+  const auto dt = made<Triangulation>(state);
   work(dt);
   for (auto _ : state)
     work(dt);
   state.counters["s/point"] =
       benchmark::Counter(double(state.range(0)), benchmark::Counter::kIsIterationInvariantRate |
                                                      benchmark::Counter::kInvert);
-}
-
-template <class Work>
-void run(benchmark::State& state, const Work& work)
-{
-  run_on(Dynamic(cloud(state, 1)), state, work);
-}
-
-template <class Work>
-void run_periodic(benchmark::State& state, const Work& work)
-{
-  run_on(Periodic(cloud(state, 1), CGAL::Periodic_cell_2(side(state), side(state))), state, work);
 }
 
 void neighbor_lists(benchmark::State& state)
@@ -114,61 +119,30 @@ void neighbor_lists_cgal(benchmark::State& state)
   });
 }
 
-// Measures all cells whole.
-struct Cells
-{
-  template <class Triangulation>
-  void operator()(const Triangulation& dt)
-  {
-    cells.compute(dt);
-    benchmark::DoNotOptimize(cells.areas().data());
-  }
-  CGAL::Voronoi_cell_measures_2 cells{};
-};
-
+template <class Triangulation>
 void whole_cells(benchmark::State& state)
 {
-  Cells cells;
-  run(state, [&](const Dynamic& dt) { cells(dt); });
-}
-
-void whole_cells_periodic(benchmark::State& state)
-{
-  Cells cells;
-  run_periodic(state, [&](const Periodic& dt) { cells(dt); });
+  CGAL::Voronoi_cell_measures_2 cells;
+  run<Triangulation>(state, [&](const Triangulation& dt) {
+    cells.compute(dt);
+    benchmark::DoNotOptimize(cells.areas().data());
+  });
 }
 
 // The forces of all points, without the measures that their weights would come from.
-struct Forces
-{
-  explicit Forces(const benchmark::State& state)
-  {
-    std::mt19937_64 random(3);
-    std::uniform_real_distribution<double> weight(-1, 1);
-    for (std::int64_t i = 0; i < state.range(0); ++i)
-      weights.push_back(weight(random));
-  }
-
-  template <class Triangulation>
-  void operator()(const Triangulation& dt)
-  {
-    gradients.compute(dt, weights, weights);
-    benchmark::DoNotOptimize(gradients.gradients().data());
-  }
-  CGAL::Voronoi_cell_gradients_2 gradients{};
-  std::vector<double> weights{};
-};
-
+template <class Triangulation>
 void forces(benchmark::State& state)
 {
-  Forces forces(state);
-  run(state, [&](const Dynamic& dt) { forces(dt); });
-}
-
-void forces_periodic(benchmark::State& state)
-{
-  Forces forces(state);
-  run_periodic(state, [&](const Periodic& dt) { forces(dt); });
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> weight(-1, 1);
+  std::vector<double> weights;
+  for (std::int64_t i = 0; i < state.range(0); ++i)
+    weights.push_back(weight(random));
+  CGAL::Voronoi_cell_gradients_2 gradients;
+  run<Triangulation>(state, [&](const Triangulation& dt) {
+    gradients.compute(dt, weights, weights);
+    benchmark::DoNotOptimize(gradients.gradients().data());
+  });
 }
 
 void voronoi_edges(benchmark::State& state)
@@ -181,7 +155,7 @@ void voronoi_edges(benchmark::State& state)
 
 void voronoi_edges_periodic(benchmark::State& state)
 {
-  run_periodic(state, [&](const Periodic& dt) {
+  run<Periodic>(state, [&](const Periodic& dt) {
     CGAL::for_each_voronoi_edge(dt, [](std::size_t, std::size_t, const auto&, double length) {
       benchmark::DoNotOptimize(length);
     });
@@ -226,7 +200,7 @@ void within_radius_of_each(benchmark::State& state)
 
 void nearest_to_places(benchmark::State& state)
 {
-  const std::vector<Point> places = cloud(state, 2);
+  const std::vector<Point> places = anywhere(state);
   run(state, [&](const Dynamic& dt) {
     Queries queries(dt);
     for (const Point& place : places)
@@ -236,7 +210,7 @@ void nearest_to_places(benchmark::State& state)
 
 void nearest_to_places_cgal(benchmark::State& state)
 {
-  const std::vector<Point> places = cloud(state, 2);
+  const std::vector<Point> places = anywhere(state);
   run(state, [&](const Dynamic& dt) {
     for (const Point& place : places)
       benchmark::DoNotOptimize(dt.id(dt.triangulation().nearest_vertex(place)));
@@ -256,18 +230,25 @@ std::vector<Point> grid(const benchmark::State& state)
   return places;
 }
 
-void natural_neighbors(benchmark::State& state, const std::vector<Point>& places)
+// To interpolate at.
+using Places = std::vector<Point> (*)(const benchmark::State& state);
+
+template <class Triangulation, Places places_of>
+void natural_neighbors(benchmark::State& state)
 {
+  const std::vector<Point> places = places_of(state);
   CGAL::Interpolation_weights_2 weights;
-  run(state, [&](const Dynamic& dt) {
+  run<Triangulation>(state, [&](const Triangulation& dt) {
     weights.compute_natural_neighbor(dt, places.begin(), places.end());
     benchmark::DoNotOptimize(weights.weights().data());
   });
 }
 
 // Writes the weights into arrays of the same form.
-void natural_neighbors_cgal(benchmark::State& state, const std::vector<Point>& places)
+template <Places places_of>
+void natural_neighbors_cgal(benchmark::State& state)
 {
+  const std::vector<Point> places = places_of(state);
   using Triangulation = Dynamic::Triangulation;
   std::vector<std::pair<Triangulation::Vertex_handle, double>> parts;
   Ids offsets, ids;
@@ -294,26 +275,6 @@ void natural_neighbors_cgal(benchmark::State& state, const std::vector<Point>& p
   });
 }
 
-void natural_neighbors_in_a_grid(benchmark::State& state)
-{
-  natural_neighbors(state, grid(state));
-}
-
-void natural_neighbors_in_a_grid_cgal(benchmark::State& state)
-{
-  natural_neighbors_cgal(state, grid(state));
-}
-
-void natural_neighbors_anywhere(benchmark::State& state)
-{
-  natural_neighbors(state, cloud(state, 2));
-}
-
-void natural_neighbors_anywhere_cgal(benchmark::State& state)
-{
-  natural_neighbors_cgal(state, cloud(state, 2));
-}
-
 void linear_in_a_grid(benchmark::State& state)
 {
   const std::vector<Point> places = grid(state);
@@ -324,32 +285,14 @@ void linear_in_a_grid(benchmark::State& state)
   });
 }
 
-void natural_neighbors_in_a_grid_periodic(benchmark::State& state)
-{
-  const std::vector<Point> places = grid(state);
-  CGAL::Interpolation_weights_2 weights;
-  run_periodic(state, [&](const Periodic& dt) {
-    weights.compute_natural_neighbor(dt, places.begin(), places.end());
-    benchmark::DoNotOptimize(weights.weights().data());
-  });
-}
-
 // The radius of bounded cells: discs of this radius hardly leave a gap.
 constexpr double radius = 0.7;
 
+template <class Triangulation>
 void bounded_cells(benchmark::State& state)
 {
   CGAL::Bounded_voronoi_cells_2 cells;
-  run(state, [&](const Dynamic& dt) {
-    cells.compute(dt, radius);
-    benchmark::DoNotOptimize(cells.pieces().data());
-  });
-}
-
-void bounded_cells_periodic(benchmark::State& state)
-{
-  CGAL::Bounded_voronoi_cells_2 cells;
-  run_periodic(state, [&](const Periodic& dt) {
+  run<Triangulation>(state, [&](const Triangulation& dt) {
     cells.compute(dt, radius);
     benchmark::DoNotOptimize(cells.pieces().data());
   });
@@ -402,15 +345,15 @@ void sizes(benchmark::internal::Benchmark* benchmark)
 
 BENCHMARK(neighbor_lists)->Apply(sizes);
 BENCHMARK(neighbor_lists_cgal)->Apply(sizes);
-BENCHMARK(whole_cells)->Apply(sizes);
-BENCHMARK(whole_cells_periodic)->Apply(sizes);
+BENCHMARK(whole_cells<Dynamic>)->Name("whole_cells")->Apply(sizes);
+BENCHMARK(whole_cells<Periodic>)->Name("whole_cells_periodic")->Apply(sizes);
 BENCHMARK(voronoi_edges)->Apply(sizes);
 BENCHMARK(voronoi_edges_periodic)->Apply(sizes);
-BENCHMARK(forces)->Apply(sizes);
-BENCHMARK(forces_periodic)->Apply(sizes);
+BENCHMARK(forces<Dynamic>)->Name("forces")->Apply(sizes);
+BENCHMARK(forces<Periodic>)->Name("forces_periodic")->Apply(sizes);
 BENCHMARK(clipped_cells)->Apply(sizes);
-BENCHMARK(bounded_cells)->Apply(sizes);
-BENCHMARK(bounded_cells_periodic)->Apply(sizes);
+BENCHMARK(bounded_cells<Dynamic>)->Name("bounded_cells")->Apply(sizes);
+BENCHMARK(bounded_cells<Periodic>)->Name("bounded_cells_periodic")->Apply(sizes);
 BENCHMARK(bounded_cells_in_a_hexagon)->Apply(sizes);
 BENCHMARK(bounded_forces)->Apply(sizes);
 BENCHMARK(nearest_neighbor_of_each)->Apply(sizes);
@@ -418,11 +361,21 @@ BENCHMARK(within_radius_of_each)->Apply(sizes);
 BENCHMARK(nearest_to_places)->Apply(sizes);
 BENCHMARK(nearest_to_places_cgal)->Apply(sizes);
 BENCHMARK(nearest_to_places_in_a_row)->Apply(sizes);
-BENCHMARK(natural_neighbors_in_a_grid)->Apply(sizes);
-BENCHMARK(natural_neighbors_in_a_grid_cgal)->Apply(sizes);
-BENCHMARK(natural_neighbors_in_a_grid_periodic)->Apply(sizes);
-BENCHMARK(natural_neighbors_anywhere)->Apply(sizes);
-BENCHMARK(natural_neighbors_anywhere_cgal)->Apply(sizes);
+BENCHMARK_TEMPLATE(natural_neighbors, Dynamic, grid)
+    ->Name("natural_neighbors_in_a_grid")
+    ->Apply(sizes);
+BENCHMARK_TEMPLATE(natural_neighbors_cgal, grid)
+    ->Name("natural_neighbors_in_a_grid_cgal")
+    ->Apply(sizes);
+BENCHMARK_TEMPLATE(natural_neighbors, Periodic, grid)
+    ->Name("natural_neighbors_in_a_grid_periodic")
+    ->Apply(sizes);
+BENCHMARK_TEMPLATE(natural_neighbors, Dynamic, anywhere)
+    ->Name("natural_neighbors_anywhere")
+    ->Apply(sizes);
+BENCHMARK_TEMPLATE(natural_neighbors_cgal, anywhere)
+    ->Name("natural_neighbors_anywhere_cgal")
+    ->Apply(sizes);
 BENCHMARK(linear_in_a_grid)->Apply(sizes);
 
 } // namespace
