@@ -62,6 +62,11 @@ def trials_of(summary):
     return max(int(row["trials"]) for row in summary.rows)
 
 
+def packing_of(scenario):
+    """What people call it, and the end of the names of its figures."""
+    return ("hexagonal", "_hexagonal") if scenario.endswith("hexagonal") else ("square", "")
+
+
 class Drawing:
     """The figures of one directory of results."""
 
@@ -127,7 +132,8 @@ class Drawing:
         axes.legend(loc="best", fontsize=7)
 
     # Figures 5.6, 5.8 and 5.9: surfaces over parameter and frame.
-    def surface(self, results, name, what, scenario, methods, trials, symbol):
+    def surface(self, name, experiment, what, scenario, methods, symbol):
+        results, summary = self.read(experiment), self.read(experiment + "_summary")
         figure, panels = new_figure(3, panel_height=2.6)
         parameters = [parameter_of(method) for method in methods]
         frames = numbers(results.select(scenario=scenario, method=methods[0]), "frame")
@@ -145,10 +151,10 @@ class Drawing:
             axes.set_title(title)
             axes.set_ylabel(symbol)
             axes.set_xlabel("frame")
-        self.draw_by_parameter(panels[2], self.read(name.summary), scenario, methods, parameters)
+        self.draw_by_parameter(panels[2], summary, scenario, methods, parameters)
         panels[2].set_xlabel(symbol)
-        self.save(figure, name.file,
-                  f"{what} Above: medians and means of {trials} trials. Below, over whole runs: "
+        self.save(figure, name,
+                  f"{what} Above: medians and means of {trials_of(summary)} trials. Below, over whole runs: "
                   "validity (mean, band: smallest to largest) and speedup over the fastest static "
                   "(median, band: quartiles; dotted: of the times of all frames together).", results)
 
@@ -168,27 +174,23 @@ class Drawing:
 
     def point_distance(self):
         results = self.read("point_distance")
-        trials = trials_of(self.read("point_distance_summary"))
         for scenario in results.values("scenario"):
             methods = [method for method in results.values("method") if method != EXACT]
-            packing = "hexagonal" if scenario.endswith("hexagonal") else "square"
-            suffix = "_hexagonal" if packing == "hexagonal" else ""
-            self.surface(results, Surface("fig_5_6_point_distance" + suffix,
-                                          "point_distance_summary"),
+            packing, suffix = packing_of(scenario)
+            self.surface("fig_5_6_point_distance" + suffix, "point_distance",
                          f"Point distance classifier on the dam break, {packing} packing, by its "
-                         "parameter x.", scenario, methods, trials, "parameter x")
+                         "parameter x.", scenario, methods, "parameter x")
 
     def random(self):
         results = self.read("random")
-        trials = trials_of(self.read("random_summary"))
         small = [method for method in results.values("method") if parameter_of(method) <= 0.005]
         large = [method for method in results.values("method")
                  if parameter_of(method) in (0, 0.005) or parameter_of(method) > 0.005]
         for name, methods, text in [("fig_5_8_random", large, ""),
                                     ("fig_5_9_random_small", small, ", up to 0.005")]:
-            self.surface(results, Surface(name, "random_summary"),
+            self.surface(name, "random",
                          f"Random classifier on the dam break, by its probability{text}.",
-                         "dam_break", methods, trials, "probability p")
+                         "dam_break", methods, "probability p")
 
     # Figure 5.11.
     def most_points(self):
@@ -262,10 +264,9 @@ class Drawing:
                 axes.set_ylabel(label)
             plain_logarithmic(panels[0].yaxis)
             panels[0].legend(ncol=2, loc="best")
-            packing = "hexagonal" if scenario.endswith("hexagonal") else "square"
+            packing, suffix = packing_of(scenario)
             panels[0].set_title(f"dam break, {packing} packing")
             panels[-1].set_xlabel("frame")
-            suffix = "_hexagonal" if packing == "hexagonal" else ""
             self.save(figure, "judge" + suffix,
                       "Simulations driven by the point distance classifier (means of "
                       f"{trials} trials) and by the exact triangulation (gray: smallest to largest "
@@ -348,14 +349,6 @@ class Drawing:
         plain_logarithmic(axes.yaxis)
         axes.set_ylabel("ns a point")
         axes.legend(loc="best", fontsize=7)
-
-
-class Surface:
-    """The names of a figure of a surface, and of the results of its whole runs."""
-
-    def __init__(self, file, summary):
-        self.file = file
-        self.summary = summary
 
 
 def main():

@@ -6,6 +6,7 @@
 
 import pathlib
 import sys
+from statistics import fmean
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "figures"))
 import figure_style as style  # noqa: E402
@@ -24,15 +25,11 @@ CAPTION = (
     "unit of time.")
 
 
-def mean(values):
-    return sum(values) / len(values)
-
-
 def draw_motion(axes, results):
     shapes = results.values("p0")
     for place, shape in enumerate(shapes):
         times = list(dict.fromkeys(row["time"] for row in results.select(p0=shape)))
-        heights = [mean(numbers(results.select(p0=shape, time=time), "mean_square"))
+        heights = [fmean(numbers(results.select(p0=shape, time=time), "mean_square"))
                    for time in times]
         axes.plot([float(time) for time in times], heights, color=shade(place, len(shapes)),
                   label=shape)
@@ -53,7 +50,7 @@ def draw_runs(axes, results, column, least):
     rows = results.rows
     heights = [max(value, least) for value in numbers(rows, column)]
     axes.plot(numbers(rows, "p0"), heights, "o", color=style.COLORS[2], markersize=3, alpha=0.6)
-    means = [max(mean(numbers(results.select(p0=shape), column)), least) for shape in shapes]
+    means = [max(fmean(numbers(results.select(p0=shape), column)), least) for shape in shapes]
     axes.plot([float(shape) for shape in shapes], means, color=style.COLORS[2])
     axes.axvline(EXPECTED, color="gray", linestyle="--", linewidth=0.8)
     axes.set_yscale("log")
