@@ -22,23 +22,6 @@ using namespace random_operations;
 
 inline constexpr std::size_t operations_of_trial = 200;
 
-// The parts of a trial that its seed decides before the first operation.
-struct Trial_start
-{
-  Random_decisions decisions;
-  const Family* family;
-  Setup setup;
-
-  // `family_name` is that of the only one that is wanted, or empty.
-  Trial_start(std::uint64_t seed, const std::string& family_name)
-    : decisions(seed)
-    , family(&any_family(decisions))
-  {
-    family = family_name.empty() ? family : &named(families(), family_name, "family");
-    setup = any_setup(*family, decisions);
-  }
-};
-
 struct Found
 {
   std::uint64_t trial;
@@ -93,13 +76,16 @@ public:
   // `family_name` is that of the only family that is wanted, or empty.
   Robustness_trial(std::uint64_t seed, const std::string& family_name, const Arithmetic& arithmetic)
     : m_seed(seed)
-    , m_start(seed, family_name)
     , m_arithmetic(arithmetic)
+    , m_decisions(seed)
+    , m_family(&any_family(m_decisions)) // is drawn in any case
   {
+    m_family = family_name.empty() ? m_family : &named(families(), family_name, "family");
+    m_setup = any_setup(*m_family, m_decisions);
   }
 
-  const Family& family() const { return *m_start.family; }
-  const Setup& setup() const { return m_start.setup; }
+  const Family& family() const { return *m_family; }
+  const Setup& setup() const { return m_setup; }
 
   // Runs the trial up to its first fault. Writes what it does to `told`, if that is not null. Calls
   // `before(operations_done)` before each operation.
@@ -112,8 +98,7 @@ public:
     }
     const auto subject = make_subject(setup());
     Counts counts;
-    Trial trial(family(), setup(), *subject, m_start.decisions, counts,
-                {arithmetic_in_use(), told});
+    Trial trial(family(), setup(), *subject, m_decisions, counts, {arithmetic_in_use(), told});
     try {
       trial.run(operations, [&] { before(trial.operations_done()); });
     } catch (const Finding& finding) {
@@ -134,8 +119,10 @@ private:
   }
 
   std::uint64_t m_seed;
-  Trial_start m_start;
   Arithmetic m_arithmetic;
+  Random_decisions m_decisions;
+  const Family* m_family;
+  Setup m_setup;
 };
 
 } // namespace robustness
