@@ -28,6 +28,7 @@
 
 #include "common/Cases.h"
 #include "common/Contest.h"
+#include "common/Statistics.h"
 #include "scenario_runner/Measurement.h"
 #include "scenario_runner/Motion.h"
 #include "scenario_runner/Simulated_motion.h"
@@ -163,14 +164,10 @@ private:
 void add_contestant(Figures& figures, const std::string& name, const std::vector<Times>& times,
                     double Times::*time, double unit)
 {
-  std::vector<double> values, ratios;
-  for (const Times& one : times) {
-    values.push_back(one.*time / unit);
-    ratios.push_back(one.*time / one.update);
-  }
   const std::string letter = name.substr(0, 1);
-  add_spread(figures, name, letter + '_', values);
-  figures[letter + "/u"] = run::spread(ratios)->median;
+  add_spread(figures, name, letter + '_',
+             values_of(times, [&](const Times& one) { return one.*time / unit; }));
+  figures[letter + "/u"] = median_ratio(values_of(times, time), values_of(times, &Times::update));
 }
 
 // `unit`: of the times, in nanoseconds.
@@ -184,11 +181,9 @@ void add_times(Figures& figures, const std::vector<Times>& times, double unit)
 double seconds_of(const std::vector<Times>& times)
 {
   constexpr double nanosecond = 1e-9;
-  double sum = 0.0;
-  for (const Times& one : times) {
-    sum += one.update + one.insert + one.ordered;
-  }
-  return sum * nanosecond;
+  return nanosecond * sum(values_of(times, [](const Times& one) {
+           return one.update + one.insert + one.ordered;
+         }));
 }
 
 // Iterations from `first` to `last`, which count from 1.

@@ -24,6 +24,8 @@
 
 #include "common/Cases.h"
 #include "common/Contest.h"
+#include "common/Statistics.h"
+#include "common/Timed_phases.h"
 #include "scenario_runner/Measurement.h"
 #include "scenario_runner/Repairs_and_policies.h"
 #include "scenario_runner/Simulated_motion.h"
@@ -48,55 +50,27 @@ using Ids = std::vector<std::size_t>;
 
 // TRIANGULATIONS ----------------------------------------------------------------------------------
 
-// Data that the classifiers and repairs of a contest share with it.
-struct Frame_notes
-{
-  Ids named;
-  double nanoseconds = 0.0; // of the repair
-};
-
-// Names the points in the notes. Nothing has to be proved.
-class Noted_classifier
+// Names these points. Nothing has to be proved.
+class Naming_classifier
 {
 public:
   static constexpr bool is_exact = false;
 
-  explicit Noted_classifier(const Frame_notes& notes)
-    : m_notes(&notes)
+  explicit Naming_classifier(const Ids& named)
+    : m_named(&named)
   {
   }
 
   template <class Frame, class Classification>
   void operator()(const Frame&, Classification& classified) const
   {
-    for (const std::size_t id : m_notes->named) {
+    for (const std::size_t id : *m_named) {
       classified.add_id(id);
     }
   }
 
 private:
-  const Frame_notes* m_notes;
-};
-
-template <class Repair>
-class Noting_repair
-{
-public:
-  Noting_repair(const Repair& repair, Frame_notes& notes)
-    : m_repair(repair)
-    , m_notes(&notes)
-  {
-  }
-
-  template <class Mender>
-  void operator()(Mender& mender) const
-  {
-    m_notes->nanoseconds = run::nanoseconds_of([&] { m_repair(mender); });
-  }
-
-private:
-  Repair m_repair;
-  Frame_notes* m_notes;
+  const Ids* m_named;
 };
 
 // One triangulation for each engine, all of the same points.
@@ -108,8 +82,9 @@ public:
     : m_times(run::engines().size())
   {
     for (const auto& [name, engine] : run::engines()) {
-      const typename Dynamic::Settings settings{
-          Noted_classifier(m_notes), Noting_repair<Repair>(repair, m_notes), {engine, engine}};
+      const typename Dynamic::Settings settings{Naming_classifier(m_named),
+                                                Clocked_repair<Repair>(repair, m_nanoseconds),
+                                                {engine, engine}};
       m_triangulations.emplace_back(points.begin(), points.end(), settings);
     }
   }
@@ -121,10 +96,10 @@ public:
   template <class Divisor>
   void measure(const Points& points, const Ids& named, Divisor divisor)
   {
-    m_notes.named = named;
+    m_named = named;
     in_turn(m_frames, m_times.size(), [&](std::size_t engine) {
       const auto report = m_triangulations[engine].update(points.begin(), points.end());
-      m_times[engine].push_back(m_notes.nanoseconds / divisor(report));
+      m_times[engine].push_back(m_nanoseconds / divisor(report));
     });
     ++m_frames;
   }
@@ -147,26 +122,17 @@ public:
       const std::string& name = run::engines()[engine].first;
       const std::string letter = name.substr(0, 1);
       add_spread(figures, name, letter + '_', m_times[engine]);
-      figures[letter + "/g"] = ratio_to_first(engine);
+      figures[letter + "/g"] = median_ratio(m_times[engine], m_times.front());
     }
     return result;
   }
 
 private:
-  // The median of the ratios in single frames: a disturbance of a whole frame hardly counts.
-  double ratio_to_first(std::size_t engine) const
-  {
-    std::vector<double> ratios;
-    for (std::size_t frame = 0; frame != m_frames; ++frame) {
-      ratios.push_back(m_times[engine][frame] / m_times.front()[frame]);
-    }
-    return run::spread(ratios)->median;
-  }
-
   using Dynamic =
-      CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, Noted_classifier, Noting_repair<Repair>>;
+      CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, Naming_classifier, Clocked_repair<Repair>>;
 
-  Frame_notes m_notes;
+  Ids m_named;
+  double m_nanoseconds = 0.0; // of the last repair
   std::vector<Dynamic> m_triangulations;
   std::vector<std::vector<double>> m_times;
   std::size_t m_frames = 0;
@@ -174,15 +140,24 @@ private:
 
 // REBUILDS ----------------------------------------------------------------------------------------
 
-Points displaced_grid(std::size_t number, scenario::Random_source& random)
+// The points of the next frame.
+using Move = Points (*)(const Points& points, scenario::Random_source& random);
+
+Points at_fresh_places(const Points& points, scenario::Random_source& random)
 {
-  const auto columns = static_cast<std::size_t>(std::lround(std::sqrt(number)));
-  Points points;
-  for (std::size_t i = 0; i != number; ++i) {
+  return random_cloud<Point>(points.size(), random);
+}
+
+Points on_displaced_grid(const Points& points, scenario::Random_source& random)
+{
+  const auto columns =
+      static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(points.size()))));
+  Points result;
+  for (std::size_t i = 0; i != points.size(); ++i) {
     const double x = static_cast<double>(i % columns) + random.uniform(-0.1, 0.1);
-    points.emplace_back(x, static_cast<double>(i / columns) + random.uniform(-0.1, 0.1));
+    result.emplace_back(x, static_cast<double>(i / columns) + random.uniform(-0.1, 0.1));
   }
-  return points;
+  return result;
 }
 
 Points stepped(const Points& points, scenario::Random_source& random)
@@ -203,8 +178,6 @@ std::size_t frames_for(std::size_t points)
   return std::clamp(all_points / points, fewest, most);
 }
 
-// `move(points, random)` gives the next frame.
-template <class Move>
 Case_result rebuild_case(std::size_t number, Move move)
 {
   scenario::Random_source random(number);
@@ -216,25 +189,6 @@ Case_result rebuild_case(std::size_t number, Move move)
   }
   contest.check();
   return contest.result(static_cast<double>(number));
-}
-
-Case_result jump_case(std::size_t number)
-{
-  return rebuild_case(number, [](const Points& points, scenario::Random_source& random) {
-    return random_cloud<Point>(points.size(), random);
-  });
-}
-
-Case_result step_case(std::size_t number)
-{
-  return rebuild_case(number, stepped);
-}
-
-Case_result grid_case(std::size_t number)
-{
-  return rebuild_case(number, [](const Points& points, scenario::Random_source& random) {
-    return displaced_grid(points.size(), random);
-  });
 }
 
 // SPLICES -----------------------------------------------------------------------------------------
@@ -317,20 +271,20 @@ const Case_table grid = {"Rebuilds of a square grid, displaced in every frame, n
 const Case_table splice = {"Splices by the size of their regions, ns a point of a region",
                            columns(1)};
 
-void add_rebuilds(Case_list& cases, const Case_table& table, const std::string& name,
-                  Case_result (*rebuild)(std::size_t))
+void add_rebuilds(Case_list& cases, const Case_table& table, const std::string& name, Move move)
 {
   for (const std::size_t number :
        {10u, 20u, 50u, 100u, 300u, 1000u, 10'000u, 100'000u, 1'000'000u}) {
-    cases.add(table, name + '/' + std::to_string(number), [=] { return rebuild(number); });
+    cases.add(table, name + '/' + std::to_string(number),
+              [=] { return rebuild_case(number, move); });
   }
 }
 
 void add_all(Case_list& cases)
 {
-  add_rebuilds(cases, jump, "jump", jump_case);
-  add_rebuilds(cases, step, "step", step_case);
-  add_rebuilds(cases, grid, "grid", grid_case);
+  add_rebuilds(cases, jump, "jump", at_fresh_places);
+  add_rebuilds(cases, step, "step", stepped);
+  add_rebuilds(cases, grid, "grid", on_displaced_grid);
   for (const unsigned padding : {0u, 1u, 2u, 3u, 5u, 13u}) {
     cases.add(splice, "splice/padding_" + std::to_string(padding),
               [=] { return splice_case(padding); });

@@ -27,6 +27,7 @@
 // the number `frames`.
 
 #include "common/Program.h"
+#include "common/Statistics.h"
 #include "scenario_runner/Progress.h"
 #include "thesis/Experiments.h"
 
@@ -75,26 +76,15 @@ struct Planned_experiment
   std::unique_ptr<Experiment> experiment;
   std::vector<Job> jobs;
 
-  double seconds() const
-  {
-    double sum = 0.0;
-    for (const Job& job : jobs) {
-      sum += job.seconds;
-    }
-    return sum;
-  }
+  double seconds() const { return common::sum(common::values_of(jobs, &Job::seconds)); }
 };
-
-bool is_wanted(const Experiment& experiment, const std::vector<std::string>& only)
-{
-  return only.empty() || std::find(only.begin(), only.end(), experiment.name()) != only.end();
-}
 
 std::vector<Planned_experiment> plan(const Settings& settings)
 {
   std::vector<Planned_experiment> planned;
   for (std::unique_ptr<Experiment>& experiment : all_experiments(settings)) {
-    if (is_wanted(*experiment, settings.only)) {
+    const auto& only = settings.only;
+    if (only.empty() || std::find(only.begin(), only.end(), experiment->name()) != only.end()) {
       std::vector<Job> jobs = experiment->jobs();
       planned.push_back({std::move(experiment), std::move(jobs)});
     }
@@ -102,29 +92,11 @@ std::vector<Planned_experiment> plan(const Settings& settings)
   return planned;
 }
 
-double seconds_of(const std::vector<Planned_experiment>& planned)
-{
-  double sum = 0.0;
-  for (const Planned_experiment& one : planned) {
-    sum += one.seconds();
-  }
-  return sum;
-}
-
-void run_jobs(const Planned_experiment& one, double& done, run::Progress_display& progress)
-{
-  for (const Job& job : one.jobs) {
-    job.work();
-    done += job.seconds;
-    progress.show(static_cast<std::size_t>(done));
-  }
-}
-
 bool run_experiments(const Settings& settings, const std::string& command)
 {
   using Clock = std::chrono::steady_clock;
   const std::vector<Planned_experiment> planned = plan(settings);
-  const double seconds = seconds_of(planned);
+  const double seconds = common::sum(common::values_of(planned, &Planned_experiment::seconds));
   const double minutes = std::ceil(seconds / 60.0);
   std::cout << "About " << minutes << (minutes == 1.0 ? " minute\n" : " minutes\n") << std::flush;
   std::filesystem::create_directories(settings.output);
@@ -134,7 +106,11 @@ bool run_experiments(const Settings& settings, const std::string& command)
     {
       run::Progress_display progress(static_cast<std::size_t>(std::ceil(seconds)), true,
                                      one.experiment->name().c_str());
-      run_jobs(one, done, progress);
+      for (const Job& job : one.jobs) {
+        job.work();
+        done += job.seconds;
+        progress.show(static_cast<std::size_t>(done));
+      }
     }
     one.experiment->write(settings.output, {"command: " + command});
     std::cout << one.experiment->name() << ": "

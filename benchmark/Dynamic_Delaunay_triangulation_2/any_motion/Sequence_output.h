@@ -97,9 +97,9 @@ public:
   {
     using Report = CGAL::Update_report_2;
     const auto median_a_point = [&](const auto& nanoseconds) {
-      return figures.median([&](const Frame_figures& frame) {
+      return common::median(common::values_of(figures.frames, [&](const Frame_figures& frame) {
         return frame.points == 0 ? 0.0 : nanoseconds(frame) / static_cast<double>(frame.points);
-      });
+      }));
     };
     m_table.write_row(
         figures.kind, figures.points(), figures.frames.size(), figures.median_ratio(),
@@ -176,11 +176,9 @@ private:
 
   static std::size_t slow_frames(const Sequence_figures& figures)
   {
-    std::size_t slow = 0;
-    for (const Frame_figures& frame : figures.frames) {
-      slow += frame.ratio() > slow_frame ? 1 : 0;
-    }
-    return slow;
+    return static_cast<std::size_t>(
+        std::count_if(figures.frames.begin(), figures.frames.end(),
+                      [](const Frame_figures& frame) { return frame.ratio() > slow_frame; }));
   }
 
   void write_frames(const Sequence_figures& figures)

@@ -6,7 +6,7 @@
 
 #include "../common/Contest.h"
 #include "../common/Fastest_static.h"
-#include "scenario_runner/Measurement.h"
+#include "../common/Statistics.h"
 #include "scenario_runner/Recorded_motion.h"
 #include "scenario_runner/Scenario_run.h"
 
@@ -44,45 +44,22 @@ struct Sequence_figures
   std::vector<Frame_figures> frames{};
   bool was_cut_short = false;
 
-  template <class Figure>
-  double median(Figure figure) const
-  {
-    std::vector<double> values;
-    for (const Frame_figures& frame : frames) {
-      values.push_back(figure(frame));
-    }
-    return run::spread(values)->median;
-  }
-
   // The number of points; of a changing population the median over the frames.
   std::size_t points() const
   {
     return static_cast<std::size_t>(
-        median([](const Frame_figures& frame) { return static_cast<double>(frame.points); }));
+        common::median(common::values_of(frames, &Frame_figures::points)));
   }
 
-  double median_ratio() const
-  {
-    return median([](const Frame_figures& frame) { return frame.ratio(); });
-  }
-
-  double worst_ratio() const
-  {
-    double worst = 0.0;
-    for (const Frame_figures& frame : frames) {
-      worst = (std::max)(worst, frame.ratio());
-    }
-    return worst;
-  }
+  std::vector<double> ratios() const { return common::values_of(frames, &Frame_figures::ratio); }
+  double median_ratio() const { return common::median(ratios()); }
+  double worst_ratio() const { return common::largest(ratios()); }
 
   // The mean over frames of a count in the reports.
   double mean(std::size_t CGAL::Update_report_2::*count) const
   {
-    double sum = 0.0;
-    for (const Frame_figures& frame : frames) {
-      sum += static_cast<double>(frame.report.*count);
-    }
-    return sum / static_cast<double>(frames.size());
+    return common::mean(
+        common::values_of(frames, [&](const Frame_figures& frame) { return frame.report.*count; }));
   }
 
   std::size_t rebuilds() const

@@ -5,6 +5,7 @@
 #define CLASSIFIERS_CLASSIFIER_FIGURES_H
 
 #include "../common/Cases.h"
+#include "../common/Statistics.h"
 #include "Classifier_run.h"
 
 #include <algorithm>
@@ -25,22 +26,9 @@ inline void add(const std::string& name, double value, Figures& figures)
   }
 }
 
-inline double sum(const std::vector<double>& values)
-{
-  double sum = 0.0;
-  for (const double value : values) {
-    sum += value;
-  }
-  return sum;
-}
-
 inline double sum(const std::vector<Cost_terms>& terms, double Cost_terms::*term)
 {
-  double sum = 0.0;
-  for (const Cost_terms& terms_of_frame : terms) {
-    sum += terms_of_frame.*term;
-  }
-  return sum;
+  return common::sum(common::values_of(terms, term));
 }
 
 // Vertices a frame.
@@ -79,7 +67,7 @@ inline void add_validity(const Classifier_record& record, Figures& figures)
 {
   if (!record.validity.empty()) {
     add("MCC_min", *std::min_element(record.validity.begin(), record.validity.end()), figures);
-    add("MCC_mean", sum(record.validity) / static_cast<double>(record.validity.size()), figures);
+    add("MCC_mean", common::mean(record.validity), figures);
   }
 }
 
@@ -127,7 +115,7 @@ inline common::Case_result policy_result(const Recorded_frames& recording,
   add("frames", frames, figures);
   common::Case_result result;
   for (std::size_t i = 0; i != names.size(); ++i) {
-    const double nanoseconds = sum(records[i].nanoseconds);
+    const double nanoseconds = common::sum(records[i].nanoseconds);
     add(names[i], nanoseconds / frames / points, figures);
     result.seconds += 1e-9 * nanoseconds;
   }

@@ -5,6 +5,7 @@
 #define CLASSIFIERS_CLASSIFIER_RUN_H
 
 #include "../common/Contest.h"
+#include "../common/Timed_phases.h"
 #include "Confusion.h"
 #include "Recorded_scenario.h"
 #include "scenario_runner/Classifiers.h"
@@ -49,7 +50,8 @@ inline Method method(const std::string& classifier)
 template <class Classifier>
 using Observed_triangulation =
     CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, Observed_classifier<Classifier>,
-                                           Observed_repair, CGAL::Default, run::Any_policy>;
+                                           common::Clocked_repair<run::Any_repair>, CGAL::Default,
+                                           run::Any_policy>;
 
 // Keeps a triangulation through a recording.
 template <class Classifier>
@@ -60,7 +62,8 @@ public:
     : m_triangulation(
           points.begin(), points.end(), run::Point_map(),
           {Observed_classifier<Classifier>(classifier, m_observation),
-           Observed_repair(run::make_repair(method.repair, method.padding), m_observation),
+           common::Clocked_repair<run::Any_repair>(run::make_repair(method.repair, method.padding),
+                                                   m_observation.terms.repair),
            CGAL::Static_engines_2(), run::make_policy(method.policy)})
   {
   }

@@ -6,7 +6,6 @@
 
 #include "scenario_runner/Measurement.h"
 #include "scenario_runner/Motion.h"
-#include "scenario_runner/Repairs_and_policies.h"
 #include "scenario_runner/Static_triangulation.h"
 
 #include <CGAL/enum.h>
@@ -159,26 +158,6 @@ public:
 
 private:
   Classifier m_classifier;
-  Observation* m_observation;
-};
-
-class Observed_repair
-{
-public:
-  Observed_repair(run::Any_repair repair, Observation& observation)
-    : m_repair(std::move(repair))
-    , m_observation(&observation)
-  {
-  }
-
-  template <class Mender>
-  void operator()(Mender& mender) const
-  {
-    m_observation->terms.repair = run::nanoseconds_of([&] { m_repair(mender); });
-  }
-
-private:
-  run::Any_repair m_repair;
   Observation* m_observation;
 };
 

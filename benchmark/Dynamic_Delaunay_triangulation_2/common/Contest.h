@@ -18,6 +18,8 @@
 
 namespace common {
 
+using Points = std::vector<run::Kernel::Point_2>;
+
 // Calls `compete(i)` for each contestant; the order rotates from frame to frame: whoever comes
 // first warms the caches for the others.
 template <class Compete>
@@ -41,12 +43,18 @@ std::vector<Point> random_cloud(std::size_t number, scenario::Random_source& ran
   return points;
 }
 
-inline run::Static_triangulation fresh_triangulation(const std::vector<scenario::Point>& points)
+inline Points places_of(const std::vector<scenario::Point>& points)
 {
-  std::vector<run::Kernel::Point_2> places;
+  Points places;
   for (const scenario::Point& point : points) {
     places.emplace_back(point.x, point.y);
   }
+  return places;
+}
+
+inline run::Static_triangulation fresh_triangulation(const std::vector<scenario::Point>& points)
+{
+  const Points places = places_of(points);
   return run::Static_triangulation(places.begin(), places.end());
 }
 

@@ -4,6 +4,7 @@
 #ifndef COMMON_FASTEST_STATIC_H
 #define COMMON_FASTEST_STATIC_H
 
+#include "Contest.h"
 #include "scenario_runner/Measurement.h"
 #include "scenario_runner/Recorded_motion.h"
 #include "scenario_runner/Static_triangulation.h"
@@ -19,7 +20,6 @@
 
 namespace common {
 
-using Points = std::vector<run::Kernel::Point_2>;
 using CGAL::Dynamic_Delaunay_triangulations_2::internal::for_each_in_rounds;
 
 // Halving boxes instead of sets of points takes a tenth off the whole on an even cloud.
@@ -136,10 +136,7 @@ private:
     m_insert.reset();
     m_ordered.reset();
     m_sorted.reset();
-    m_points.clear();
-    for (const scenario::Point& point : frame.points) {
-      m_points.emplace_back(point.x, point.y);
-    }
+    m_points = places_of(frame.points);
     m_unsorted = m_points;
   }
 

@@ -4,11 +4,14 @@
 #ifndef COMMON_TIMED_PHASES_H
 #define COMMON_TIMED_PHASES_H
 
+#include "scenario_runner/Measurement.h"
+
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Circumcircle_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_and_splice_repair_2.h>
 
 #include <chrono>
 #include <optional>
+#include <utility>
 
 namespace common {
 
@@ -131,6 +134,28 @@ public:
 
 private:
   Phase_marks* m_marks;
+};
+
+// Any repair, which notes how many nanoseconds its last call took.
+template <class Repair>
+class Clocked_repair
+{
+public:
+  Clocked_repair(Repair repair, double& nanoseconds)
+    : m_repair(std::move(repair))
+    , m_nanoseconds(&nanoseconds)
+  {
+  }
+
+  template <class Mender>
+  void operator()(Mender& mender) const
+  {
+    *m_nanoseconds = run::nanoseconds_of([&] { m_repair(mender); });
+  }
+
+private:
+  Repair m_repair;
+  double* m_nanoseconds;
 };
 
 } // namespace common

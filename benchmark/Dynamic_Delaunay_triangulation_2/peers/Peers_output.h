@@ -5,11 +5,13 @@
 #define PEERS_PEERS_OUTPUT_H
 
 #include "../common/Csv_file.h"
+#include "../common/Statistics.h"
 #include "../common/Table.h"
 #include "Peers_run.h"
 #include "scenario_runner/Number_text.h"
 #include "scenario_runner/Run_report.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <ostream>
@@ -32,7 +34,8 @@ inline void write_csv(const std::string& path, const std::vector<std::string>& r
       file.write_row(record.motion, record.points, peer.peer, peer.frames(), spread.median,
                      spread.low_quartile, spread.high_quartile, record.ratio(peer),
                      is_ours ? "-" : record.result(peer), peer.equal_frames, peer.wrong_edges,
-                     peer.missing_edges, peer.mean_validity(), peer.smallest_validity());
+                     peer.missing_edges, common::mean(peer.validities),
+                     *std::min_element(peer.validities.begin(), peer.validities.end()));
     }
   }
   file.finish();
@@ -80,7 +83,7 @@ inline void write_tables(std::ostream& out, const std::vector<Case_record>& reco
                       run::readable(spread.high_quartile), run::readable(record.ratio(peer)),
                       is_ours ? "" : record.result(peer),
                       std::to_string(peer.equal_frames) + '/' + std::to_string(peer.frames()),
-                      run::readable_validity(peer.mean_validity()));
+                      run::readable_validity(common::mean(peer.validities)));
     }
     out << '\n';
   }

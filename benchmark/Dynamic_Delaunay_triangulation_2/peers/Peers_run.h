@@ -16,11 +16,9 @@
 #include "Qhull_peer.h"
 #include "scenario_runner/Measurement.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -51,16 +49,6 @@ struct Peer_record
 
   std::size_t frames() const { return nanoseconds.size(); }
   run::Spread spread() const { return *run::spread(nanoseconds); }
-  double smallest_validity() const
-  {
-    return *std::min_element(validities.begin(), validities.end());
-  }
-
-  double mean_validity() const
-  {
-    return std::accumulate(validities.begin(), validities.end(), 0.0) /
-           static_cast<double>(validities.size());
-  }
 };
 
 struct Case_record

@@ -5,6 +5,7 @@
 #define PERIODIC_PERIODIC_OUTPUT_H
 
 #include "../common/Csv_file.h"
+#include "../common/Statistics.h"
 #include "../common/Table.h"
 #include "Periodic_run.h"
 #include "scenario_runner/Measurement.h"
@@ -12,7 +13,6 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <ostream>
@@ -49,18 +49,14 @@ struct Case_figures
         ratios.push_back(*frame.times[above] / *frame.times[below]);
       }
     }
-    return run::spread(ratios)->median;
+    return common::median(ratios);
   }
 
   // The mean count of a frame.
   template <class Count>
   double mean(const Count& count) const
   {
-    double sum = 0.0;
-    for (const Frame_figures& frame : frames) {
-      sum += static_cast<double>(count(frame));
-    }
-    return sum / static_cast<double>(frames.size());
+    return common::mean(common::values_of(frames, count));
   }
 };
 
@@ -69,71 +65,40 @@ class Case_table
 {
 public:
   explicit Case_table(std::ostream& out)
-    : m_table(out, name_width, columns())
+    : m_table(out, 15,
+              {{"frames", 7},     {"periodic", 10, 1}, {"q1", 8, 1},         {"q3", 8, 1},
+               {"worst", 8, 1},   {"plane", 10, 1},    {"q1", 8, 1},         {"q3", 8, 1},
+               {"ghosts", 10, 1}, {"q1", 8, 1},        {"q3", 8, 1},         {"CGAL", 10, 1},
+               {"q1", 8, 1},      {"q3", 8, 1},        {"p/plane", 9, 2},    {"ghosts/p", 9, 2},
+               {"CGAL/p", 9, 1},  {"flips", 10, 1},    {"relocated", 10, 1}, {"rebuilds", 9, 3},
+               {"copies", 8, 3}})
   {
     m_table.write_head("points, step");
   }
 
   void write_row(const Case_figures& figures)
   {
-    std::vector<std::string> cells{std::to_string(figures.frames.size())};
-    for (const Contestant contestant : {PERIODIC, PLANE, GHOSTS, CGAL_PERIODIC}) {
-      append_times(figures.times(contestant), contestant == PERIODIC, cells);
-    }
-    const auto append = [&](double value, int decimals) {
-      cells.push_back(common::cell(value, decimals));
+    const auto spread = [&](Contestant contestant) {
+      return *run::spread(figures.times(contestant));
     };
-    append(figures.median_ratio(PERIODIC, PLANE), 2);
-    append(figures.median_ratio(GHOSTS, PERIODIC), 2);
-    append(figures.median_ratio(CGAL_PERIODIC, PERIODIC), 1);
+    const run::Spread periodic = spread(PERIODIC), plane = spread(PLANE), ghosts = spread(GHOSTS),
+                      cgal = spread(CGAL_PERIODIC);
     const auto mean = [&](std::size_t CGAL::Update_report_2::*count) {
       return figures.mean([&](const Frame_figures& frame) { return frame.report.*count; });
     };
-    append(mean(&CGAL::Update_report_2::flips), 1);
-    append(mean(&CGAL::Update_report_2::relocated), 1);
-    append(figures.mean([](const Frame_figures& frame) { return frame.report.rebuilt(); }), 3);
-    append(figures.mean([](const Frame_figures& frame) { return frame.copies; }) /
-               static_cast<double>(figures.points),
-           3);
-    m_table.write_cells(std::to_string(figures.points) + ", " + common::csv_cell(figures.step),
-                        cells);
+    m_table.write_row(
+        std::to_string(figures.points) + ", " + common::csv_cell(figures.step),
+        figures.frames.size(), periodic.median, periodic.low_quartile, periodic.high_quartile,
+        common::largest(figures.times(PERIODIC)), plane.median, plane.low_quartile,
+        plane.high_quartile, ghosts.median, ghosts.low_quartile, ghosts.high_quartile, cgal.median,
+        cgal.low_quartile, cgal.high_quartile, figures.median_ratio(PERIODIC, PLANE),
+        figures.median_ratio(GHOSTS, PERIODIC), figures.median_ratio(CGAL_PERIODIC, PERIODIC),
+        mean(&CGAL::Update_report_2::flips), mean(&CGAL::Update_report_2::relocated),
+        figures.mean([](const Frame_figures& frame) { return frame.report.rebuilt(); }),
+        figures.mean(&Frame_figures::copies) / static_cast<double>(figures.points));
   }
 
 private:
-  static std::vector<common::Column> columns()
-  {
-    std::vector<common::Column> columns{{"frames", 7}};
-    for (const char* const name : {"periodic", "plane", "ghosts", "CGAL"}) {
-      columns.insert(columns.end(), {{name, 10}, {"q1", 8}, {"q3", 8}});
-      if (columns.size() == 4) {
-        columns.push_back({"worst", 8});
-      }
-    }
-    columns.insert(columns.end(), {{"p/plane", 9},
-                                   {"ghosts/p", 9},
-                                   {"CGAL/p", 9},
-                                   {"flips", 10},
-                                   {"relocated", 10},
-                                   {"rebuilds", 9},
-                                   {"copies", 8}});
-    return columns;
-  }
-
-  static void append_times(const std::vector<double>& times, bool has_worst,
-                           std::vector<std::string>& cells)
-  {
-    const run::Spread spread = *run::spread(times);
-    std::vector<double> values{spread.median, spread.low_quartile, spread.high_quartile};
-    if (has_worst) {
-      values.push_back(*std::max_element(times.begin(), times.end()));
-    }
-    for (const double value : values) {
-      cells.push_back(common::cell(value, 1));
-    }
-  }
-
-  static constexpr int name_width = 15;
-
   common::Table m_table;
 };
 
@@ -155,15 +120,9 @@ public:
 
   void write_row(const std::string& name, const std::array<std::vector<double>, 2>& times)
   {
-    std::vector<double> ratios;
-    for (std::size_t i = 0; i != times[0].size(); ++i) {
-      ratios.push_back(times[1][i] / times[0][i]);
-    }
-    const auto worst = [](const std::vector<double>& all) {
-      return *std::max_element(all.begin(), all.end());
-    };
-    m_table.write_row(name, times[0].size(), run::spread(times[0])->median, worst(times[0]),
-                      run::spread(times[1])->median, worst(times[1]), run::spread(ratios)->median);
+    m_table.write_row(name, times[0].size(), common::median(times[0]), common::largest(times[0]),
+                      common::median(times[1]), common::largest(times[1]),
+                      common::median_ratio(times[1], times[0]));
   }
 
 private:

@@ -4,10 +4,9 @@
 #ifndef SCALE_SCALE_FIGURES_H
 #define SCALE_SCALE_FIGURES_H
 
+#include "../common/Statistics.h"
 #include "Scale_run.h"
-#include "scenario_runner/Measurement.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -28,35 +27,26 @@ struct Figures
   std::array<double, 6> times() const { return {total, worst, read, classify, repair, certify}; }
 };
 
-template <class Value>
-std::vector<double> per_point(const Series& series, std::size_t points, const Value& value)
-{
-  std::vector<double> values;
-  for (const Frame_times& frame : series.frames) {
-    values.push_back(static_cast<double>(value(frame)) / static_cast<double>(points));
-  }
-  return values;
-}
-
 inline Figures figures_of(const Series& series, std::size_t points)
 {
-  const auto values = [&](const auto& value) { return per_point(series, points, value); };
-  const auto phase = [&](double common::Phase_times::*member) {
-    return run::spread(values([&](const Frame_times& frame) { return frame.phases.*member; }))
-        ->median;
+  const auto per_point = [&](const auto& value) {
+    return common::values_of(series.frames, [&](const Frame_times& frame) {
+      return static_cast<double>(value(frame)) / static_cast<double>(points);
+    });
   };
-  const std::vector<double> totals = values([](const Frame_times& frame) { return frame.total; });
-  double flips = 0.0;
-  for (const double number : values([](const Frame_times& frame) { return frame.update.flips; })) {
-    flips += number / static_cast<double>(series.frames.size());
-  }
-  return {run::spread(totals)->median,
-          *std::max_element(totals.begin(), totals.end()),
+  const auto phase = [&](double common::Phase_times::*member) {
+    return common::median(
+        per_point([&](const Frame_times& frame) { return frame.phases.*member; }));
+  };
+  const std::vector<double> totals =
+      per_point([](const Frame_times& frame) { return frame.total; });
+  return {common::median(totals),
+          common::largest(totals),
           phase(&common::Phase_times::read),
           phase(&common::Phase_times::classify),
           phase(&common::Phase_times::repair),
           phase(&common::Phase_times::certify),
-          flips};
+          common::mean(per_point([](const Frame_times& frame) { return frame.update.flips; }))};
 }
 
 // The bytes a point that a frame has to move, by the sizes of the arrays, each of them once: the

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -31,10 +30,7 @@ public:
     : m_kind(kind)
     , m_width(std::sqrt(static_cast<double>(points)))
   {
-    std::vector<Point> cloud;
-    for (std::size_t i = 0; i != points; ++i) {
-      cloud.push_back(random_point());
-    }
+    const common::Points cloud = common::random_cloud<Point>(points, m_random);
     m_dynamic = Dynamic(cloud.begin(), cloud.end());
     for (const Point& point : cloud) {
       m_handles.push_back(m_static.insert(point));
@@ -69,16 +65,15 @@ private:
 
   Point random_point()
   {
-    std::uniform_real_distribution<double> coordinate(0, m_width);
-    const double x = coordinate(m_random);
-    return {x, coordinate(m_random)};
+    const double x = m_random.uniform(0.0, m_width);
+    return {x, m_random.uniform(0.0, m_width)};
   }
 
   Point near(const Point& p)
   {
-    std::normal_distribution<double> step(0, 0.01);
-    const double dx = step(m_random);
-    return {p.x() + dx, p.y() + step(m_random)};
+    constexpr double step = 0.01;
+    const double dx = step * m_random.gaussian();
+    return {p.x() + dx, p.y() + step * m_random.gaussian()};
   }
 
   // Draws the points that change in this round, and their new places.
@@ -88,7 +83,8 @@ private:
     m_points.clear();
     std::vector<bool> is_drawn(m_handles.size());
     while (m_ids.size() != changes) {
-      const std::size_t id = m_random() % m_handles.size();
+      const auto id =
+          static_cast<std::size_t>(m_random.uniform(0.0, static_cast<double>(m_handles.size())));
       if (!is_drawn[id]) {
         is_drawn[id] = true;
         m_ids.push_back(id);
@@ -157,7 +153,7 @@ private:
 
   Kind m_kind;
   double m_width;
-  std::mt19937_64 m_random{1};
+  scenario::Random_source m_random{1};
   Dynamic m_dynamic;
   run::Static_triangulation m_static;
   std::vector<Handle> m_handles; // of each id

@@ -5,7 +5,6 @@
 #define SPEED_HOT_FRAMES_H
 
 #include "../common/Contest.h"
-#include "../common/Fastest_static.h"
 #include "scenario_runner/Measurement.h"
 #include "scenario_runner/Motion.h"
 
@@ -23,13 +22,13 @@ class Hot_frames
 {
 public:
   explicit Hot_frames(const std::vector<scenario::Point>& points)
-    : m_dynamic(to_places(points))
+    : m_dynamic(common::places_of(points))
   {
   }
 
   void add(const std::vector<scenario::Point>& points)
   {
-    m_frames.push_back(to_places(points));
+    m_frames.push_back(common::places_of(points));
     if (m_frames.size() == burst) {
       run_burst();
     }
@@ -45,15 +44,6 @@ private:
                                              CGAL::Default, Concurrency_tag>;
 
   static constexpr std::size_t burst = 8; // of 1000 points they fit in a second-level cache
-
-  static common::Points to_places(const std::vector<scenario::Point>& points)
-  {
-    common::Points places;
-    for (const scenario::Point& point : points) {
-      places.emplace_back(point.x, point.y);
-    }
-    return places;
-  }
 
   // The first update finds everything cold.
   void run_burst()

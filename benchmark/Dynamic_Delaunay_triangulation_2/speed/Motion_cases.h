@@ -5,6 +5,7 @@
 #define SPEED_MOTION_CASES_H
 
 #include "../common/Cases.h"
+#include "../common/Contest.h"
 #include "../common/Fastest_static.h"
 #include "../common/Teleport_motion.h"
 #include "scenario_runner/Measurement.h"
@@ -24,20 +25,15 @@ namespace speed {
 
 // The opponents where the last frame's order is useless: a spatial order has to be found while the
 // clock runs.
-class Unprepared_opponents
+class Unprepared_opponents : public run::Static_opponents
 {
 public:
   void prepare(const std::vector<scenario::Point>& points, bool population_changed)
   {
-    m_opponents.prepare(points, population_changed);
+    Static_opponents::prepare(points, population_changed);
     m_sorted.reset();
-    m_points.clear();
-    for (const scenario::Point& point : points) {
-      m_points.emplace_back(point.x, point.y);
-    }
+    m_points = common::places_of(points);
   }
-
-  double time_insert() { return m_opponents.time_insert(); }
 
   // Sorts along a Hilbert curve, and inserts in rounds along it.
   double time_fastest()
@@ -48,10 +44,7 @@ public:
     });
   }
 
-  const run::Static_triangulation& reference() const { return m_opponents.reference(); }
-
 private:
-  run::Static_opponents m_opponents;
   common::Points m_points;
   std::optional<run::Static_triangulation> m_sorted;
 };
@@ -96,21 +89,15 @@ Followed_frames run_frames(scenario::Motion& motion, const Frame_choice& frames)
   return {records, run.hot()};
 }
 
-inline double seconds_of_updates(const Speed_records& records)
-{
-  double nanoseconds = 0.0;
-  for (const Speed_record& record : records) {
-    nanoseconds += record.frame.nanoseconds.dynamic;
-  }
-  return 1e-9 * nanoseconds;
-}
-
 inline common::Case_result result_of(const Followed_frames& frames)
 {
-  common::Case_result result{speed_summary(frames.records),
-                             seconds_of_updates(counted(frames.records))};
+  const double nanoseconds =
+      common::sum(common::values_of(counted(frames.records), [](const Speed_record& record) {
+        return record.frame.nanoseconds.dynamic;
+      }));
+  common::Case_result result{speed_summary(frames.records), 1e-9 * nanoseconds};
   if (!frames.hot.empty()) {
-    result.figures["hot"] = run::spread(frames.hot)->median;
+    result.figures["hot"] = common::median(frames.hot);
   }
   return result;
 }

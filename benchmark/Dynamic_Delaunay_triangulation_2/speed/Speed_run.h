@@ -6,6 +6,7 @@
 
 #include "../common/Cases.h"
 #include "../common/Contest.h"
+#include "../common/Statistics.h"
 #include "../common/Timed_phases.h"
 #include "Hot_frames.h"
 #include "scenario_runner/Frame_record.h"
@@ -51,42 +52,28 @@ inline Speed_records counted(const Speed_records& records)
 template <class Value>
 std::vector<double> per_point(const Speed_records& records, Value value)
 {
-  std::vector<double> values;
-  for (const Speed_record& record : records) {
-    values.push_back(static_cast<double>(value(record)) / static_cast<double>(record.frame.points));
-  }
-  return values;
-}
-
-template <class Value>
-double median_per_point(const Speed_records& records, Value value)
-{
-  return run::spread(per_point(records, value))->median;
+  return common::values_of(records, [&](const Speed_record& record) {
+    return static_cast<double>(value(record)) / static_cast<double>(record.frame.points);
+  });
 }
 
 inline void add_counts(const Speed_records& records, Figures& figures)
 {
-  std::size_t points = 0;
-  double flips = 0.0;
-  double rebuilds = 0.0;
-  for (const Speed_record& record : records) {
-    const auto points_of_frame = static_cast<double>(record.frame.points);
-    points = (std::max)(points, record.frame.points);
-    flips += static_cast<double>(record.frame.update.flips) / points_of_frame;
-    rebuilds += record.frame.update.rebuilt() ? 1.0 : 0.0;
-  }
-  figures["points"] = static_cast<double>(points);
+  figures["points"] = common::largest(
+      common::values_of(records, [](const Speed_record& record) { return record.frame.points; }));
   figures["frames"] = static_cast<double>(records.size());
-  figures["flips"] = flips / static_cast<double>(records.size());
-  figures["rebuilds"] = rebuilds;
+  figures["flips"] = common::mean(
+      per_point(records, [](const Speed_record& record) { return record.frame.update.flips; }));
+  figures["rebuilds"] = common::sum(common::values_of(
+      records, [](const Speed_record& record) { return record.frame.update.rebuilt(); }));
 }
 
 // Medians, each of its own: they need not add up to the median of the whole.
 inline void add_phases(const Speed_records& records, Figures& figures)
 {
   const auto median = [&](double Phase_times::*phase) {
-    return median_per_point(records,
-                            [&](const Speed_record& record) { return record.phases.*phase; });
+    return common::median(
+        per_point(records, [&](const Speed_record& record) { return record.phases.*phase; }));
   };
   figures["read"] = median(&Phase_times::read);
   figures["classify"] = median(&Phase_times::classify);
@@ -102,9 +89,9 @@ inline void add_times(const Speed_records& records, Figures& figures)
   };
   const std::vector<double> dynamic = of_points(&run::Frame_times::dynamic);
   common::add_spread(figures, "dynamic", "", dynamic);
-  figures["worst"] = *std::max_element(dynamic.begin(), dynamic.end());
-  figures["insert"] = run::spread(of_points(&run::Frame_times::static_insert))->median;
-  figures["fastest"] = run::spread(of_points(&run::Frame_times::static_fastest))->median;
+  figures["worst"] = common::largest(dynamic);
+  figures["insert"] = common::median(of_points(&run::Frame_times::static_insert));
+  figures["fastest"] = common::median(of_points(&run::Frame_times::static_fastest));
   figures["vs_insert"] = figures["insert"] / figures["dynamic"];
   figures["vs_fastest"] = figures["fastest"] / figures["dynamic"];
 }

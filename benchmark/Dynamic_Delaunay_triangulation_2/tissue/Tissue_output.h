@@ -43,13 +43,10 @@ public:
       return record.mean(
           [&](const Observation& observation) { return observation.samples.back().*value; });
     };
-    m_table.write_row(
-        common::csv_cell(record.shape), at_end(&Sample::mean_square),
-        at_end(&Sample::cage_relative_mean_square), at_end(&Sample::self_overlap),
-        record.diffusivity(), *least, *most,
-        record.mean([](const Observation& observation) { return observation.exchange_rate; }),
-        record.mean([](const Observation& observation) { return observation.shape_index; }),
-        record.mean([](const Observation& observation) { return double(observation.rebuilds); }));
+    m_table.write_row(common::csv_cell(record.shape), at_end(&Sample::mean_square),
+                      at_end(&Sample::cage_relative_mean_square), at_end(&Sample::self_overlap),
+                      record.diffusivity(), *least, *most, record.mean(&Observation::exchange_rate),
+                      record.mean(&Observation::shape_index), record.mean(&Observation::rebuilds));
   }
 
 private:

@@ -4,6 +4,7 @@
 #ifndef TISSUE_TISSUE_SWEEP_H
 #define TISSUE_TISSUE_SWEEP_H
 
+#include "../common/Statistics.h"
 #include "examples/Dynamic_Delaunay_triangulation_2/voronoi_tissue/Observation.h"
 #include "scenario_runner/Progress.h"
 
@@ -62,21 +63,10 @@ struct Shape_record
   template <class Value>
   double mean(const Value& value) const
   {
-    double sum = 0.0;
-    for (const Observation& observation : observations) {
-      sum += value(observation);
-    }
-    return sum / static_cast<double>(observations.size());
+    return common::mean(common::values_of(observations, value));
   }
 
-  double diffusivity() const
-  {
-    double sum = 0.0;
-    for (const double diffusivity : diffusivities) {
-      sum += diffusivity;
-    }
-    return sum / static_cast<double>(diffusivities.size());
-  }
+  double diffusivity() const { return common::mean(diffusivities); }
 };
 
 inline Shape_record observe_shape(const Sweep_options& options, double shape)
