@@ -24,6 +24,13 @@ std::string csv_cell(const Value& value, int digits = 5)
   return text.str();
 }
 
+// Numbers and texts as cells.
+template <class... Values>
+std::vector<std::string> csv_cells(const Values&... values)
+{
+  return {csv_cell(values)...};
+}
+
 // Results of a benchmark, for people, plots and version control. Lines that start with `#` say what
 // made them.
 class Csv_file
@@ -41,7 +48,7 @@ public:
   template <class... Values>
   void write_row(const Values&... values)
   {
-    write_line({csv_cell(values)...});
+    write_line(csv_cells(values...));
   }
 
   // Cells that would need quotation marks are refused: not all plotting programs read them.
@@ -54,8 +61,6 @@ public:
     }
     m_writer.write_row(cells);
   }
-
-  const std::string& path() const { return m_path; }
 
   void finish() { m_writer.finish(); }
 

@@ -74,9 +74,8 @@ public:
     common::Csv_file file(directory / (name() + ".csv"), remarks, columns);
     for (const Scenario_rows& one : cases()) {
       for (const Scenario_rows::Row& row : one.rows) {
-        std::vector<std::string> cells = {one.scenario, method_name(row.method),
-                                          common::csv_cell(number_of_trials()),
-                                          common::csv_cell(m_frames)};
+        std::vector<std::string> cells =
+            common::csv_cells(one.scenario, method_name(row.method), number_of_trials(), m_frames);
         for (const Mean_and_extremes& value : row.values) {
           value.append_cells(cells);
         }

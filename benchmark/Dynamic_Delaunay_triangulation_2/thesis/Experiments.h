@@ -197,9 +197,7 @@ inline std::unique_ptr<Experiment> most_points(const Settings& settings)
     for (const Method& method : settings.is_quick ? exact_and_point_distance() : all_methods()) {
       experiment->add(scenario, method);
     }
-    const Method exact = classifiers::method("circumcircle");
-    experiment->add(scenario, exact, Contestant::static_insert);
-    experiment->add(scenario, exact, Contestant::static_fastest);
+    experiment->add_static(scenario, classifiers::method("circumcircle"));
   }
   return experiment;
 }

@@ -29,9 +29,13 @@ struct Physics
 {
   static constexpr std::size_t size = 5;
 
-  static std::vector<std::string> names()
+  static std::vector<std::string> columns()
   {
-    return {"kinetic", "energy", "center_x", "center_y", "front"};
+    std::vector<std::string> columns;
+    for (const char* const name : {"kinetic", "energy", "center_x", "center_y", "front"}) {
+      Mean_and_extremes::append_columns(name, columns);
+    }
+    return columns;
   }
 
   // Energies in units of mass, stiffness and diameter; the front is the largest x coordinate.
@@ -125,6 +129,15 @@ struct Frame_bin
   Frame_statistics statistics{};
   std::array<Mean_and_extremes, Physics::size> physics{};
   double last_time = 0.0; // of the motion
+
+  std::vector<std::string> physics_cells() const
+  {
+    std::vector<std::string> cells;
+    for (const Mean_and_extremes& value : physics) {
+      value.append_cells(cells);
+    }
+    return cells;
+  }
 };
 
 // Trials that differ in their seed alone.
@@ -167,10 +180,11 @@ public:
   std::size_t number_of_trials() const { return m_number_of_trials; }
 
   // Means over all frames of all trials, also those that were followed alone.
-  const Mean_and_extremes& dynamic() const { return m_dynamic; }
-  const Mean_and_extremes& classified() const { return m_classified; }
-  const Mean_and_extremes& flips() const { return m_flips; }
-  const Mean_and_extremes& rebuilt() const { return m_rebuilt; }
+  std::vector<std::string> cells_of_means() const
+  {
+    return common::csv_cells(m_dynamic.mean(), m_classified.mean(), m_flips.mean(),
+                             m_rebuilt.mean());
+  }
 
 private:
   std::size_t frame_of(std::size_t sample) const

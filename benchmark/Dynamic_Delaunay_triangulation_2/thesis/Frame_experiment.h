@@ -7,7 +7,6 @@
 #include "../common/Csv_file.h"
 #include "Experiment.h"
 #include "Frame_case.h"
-#include "Mean_and_extremes.h"
 #include "Trial.h"
 
 #include <cstddef>
@@ -33,8 +32,10 @@ public:
   {
     write_summary(directory / (name() + "_summary.csv"), remarks);
     if (cases().front().plan().bins > 1) {
-      write_bins(directory / (name() + ".csv"), remarks);
-      write_physics(directory / (name() + "_physics.csv"), remarks);
+      write_bins(directory / (name() + ".csv"), remarks, Frame_statistics::columns(),
+                 [](const Frame_bin& bin) { return bin.statistics.cells(); });
+      write_bins(directory / (name() + "_physics.csv"), remarks, Physics::columns(),
+                 [](const Frame_bin& bin) { return bin.physics_cells(); });
     }
   }
 
@@ -52,87 +53,54 @@ private:
 
   void run(Frame_case& one, std::uint64_t seed) const override { one.run(seed); }
 
-  static std::vector<std::string> columns_of_case()
+  using Cells = std::vector<std::string>;
+
+  static Cells joined(Cells first, const Cells& second, const Cells& third,
+                      const Cells& fourth = {})
   {
-    return {"scenario", "method", "points", "time_step"};
+    for (const Cells* const more : {&second, &third, &fourth}) {
+      first.insert(first.end(), more->begin(), more->end());
+    }
+    return first;
   }
 
-  static std::vector<std::string> cells_of(const Frame_case& one)
+  static Cells columns_of_case() { return {"scenario", "method", "points", "time_step"}; }
+
+  static Cells cells_of(const Frame_case& one)
   {
-    return {one.trial().scenario, method_name(one.trial().method), common::csv_cell(one.points()),
-            common::csv_cell(one.time_step())};
+    return common::csv_cells(one.trial().scenario, method_name(one.trial().method), one.points(),
+                             one.time_step());
   }
 
-  static void append(std::vector<std::string>& target, const std::vector<std::string>& more)
+  void write_summary(const std::filesystem::path& path, const Cells& remarks) const
   {
-    target.insert(target.end(), more.begin(), more.end());
-  }
-
-  void write_summary(const std::filesystem::path& path,
-                     const std::vector<std::string>& remarks) const
-  {
-    std::vector<std::string> columns = columns_of_case();
-    append(columns, {"trials", "frames"});
-    append(columns, Frame_statistics::columns());
-    append(columns, {"dynamic_mean", "classified", "flips", "rebuilt"});
-    common::Csv_file file(path, remarks, columns);
+    common::Csv_file file(path, remarks,
+                          joined(columns_of_case(), {"trials", "frames"},
+                                 Frame_statistics::columns(),
+                                 {"dynamic_mean", "classified", "flips", "rebuilt"}));
     for (const Frame_case& one : cases()) {
-      std::vector<std::string> cells = cells_of(one);
-      append(cells,
-             {common::csv_cell(one.number_of_trials()), common::csv_cell(one.plan().frames)});
-      append(cells, one.whole().cells());
-      for (const Mean_and_extremes* const value :
-           {&one.dynamic(), &one.classified(), &one.flips(), &one.rebuilt()}) {
-        cells.push_back(common::csv_cell(value->mean()));
-      }
-      file.write_line(cells);
+      file.write_line(joined(cells_of(one),
+                             common::csv_cells(one.number_of_trials(), one.plan().frames),
+                             one.whole().cells(), one.cells_of_means()));
     }
     file.finish();
   }
 
-  void write_bins(const std::filesystem::path& path, const std::vector<std::string>& remarks) const
+  // Writes `cells_of_bin(bin)` of all bins.
+  template <class Cells_of_bin>
+  void write_bins(const std::filesystem::path& path, const Cells& remarks, const Cells& columns,
+                  const Cells_of_bin& cells_of_bin) const
   {
-    std::vector<std::string> columns = columns_of_case();
-    append(columns, {"frame", "time"});
-    append(columns, Frame_statistics::columns());
-    common::Csv_file file(path, remarks, columns);
-    for_each_bin([&](const Frame_bin& bin, std::vector<std::string> cells) {
-      append(cells, bin.statistics.cells());
-      file.write_line(cells);
-    });
-    file.finish();
-  }
-
-  void write_physics(const std::filesystem::path& path,
-                     const std::vector<std::string>& remarks) const
-  {
-    std::vector<std::string> columns = columns_of_case();
-    append(columns, {"frame", "time"});
-    for (const std::string& name : Physics::names()) {
-      Mean_and_extremes::append_columns(name, columns);
-    }
-    common::Csv_file file(path, remarks, columns);
-    for_each_bin([&](const Frame_bin& bin, std::vector<std::string> cells) {
-      for (const Mean_and_extremes& value : bin.physics) {
-        value.append_cells(cells);
-      }
-      file.write_line(cells);
-    });
-    file.finish();
-  }
-
-  // Calls `use(bin, cells)` with the cells up to the time.
-  template <class Use>
-  void for_each_bin(Use use) const
-  {
+    common::Csv_file file(path, remarks, joined(columns_of_case(), {"frame", "time"}, columns));
     for (const Frame_case& one : cases()) {
       for (std::size_t bin = 0; bin != one.bins().size(); ++bin) {
-        std::vector<std::string> cells = cells_of(one);
-        append(cells, {common::csv_cell(one.frame_of_bin(bin)),
-                       common::csv_cell(one.bins()[bin].last_time)});
-        use(one.bins()[bin], std::move(cells));
+        const Frame_bin& results = one.bins()[bin];
+        file.write_line(joined(cells_of(one),
+                               common::csv_cells(one.frame_of_bin(bin), results.last_time),
+                               cells_of_bin(results)));
       }
     }
+    file.finish();
   }
 };
 

@@ -22,27 +22,15 @@
 
 namespace thesis {
 
-// The triangulation whose frames have to fit into the time.
-enum class Contestant { dynamic, static_insert, static_fastest };
-
 // A trial and a contestant, and the largest number of points found in each repetition.
 struct Most_points_case
 {
   Trial trial;
-  Contestant contestant;
-  std::vector<Frame_milliseconds> found;
+  std::string contestant;         // the name of the method, or of a static opponent
+  double run::Frame_times::*time; // of the triangulation whose frames have to fit
+  std::vector<Frame_milliseconds> found{};
 
-  std::string name() const
-  {
-    switch (contestant) {
-    case Contestant::static_insert:
-      return "static_insert";
-    case Contestant::static_fastest:
-      return "static_fastest";
-    default:
-      return method_name(trial.method);
-    }
-  }
+  bool is_static() const { return time != &run::Frame_times::dynamic; }
 };
 
 // The largest number of points under 40 ms a frame (thesis, figure 5.11).
@@ -57,10 +45,16 @@ public:
   {
   }
 
-  void add(const std::string& scenario, const Method& method,
-           Contestant contestant = Contestant::dynamic)
+  void add(const std::string& scenario, const Method& method)
   {
-    add_case({{scenario, method}, contestant, {}});
+    add_case({{scenario, method}, method_name(method), &run::Frame_times::dynamic});
+  }
+
+  // The static opponents, on the motion that the method drives.
+  void add_static(const std::string& scenario, const Method& method)
+  {
+    add_case({{scenario, method}, "static_insert", &run::Frame_times::static_insert});
+    add_case({{scenario, method}, "static_fastest", &run::Frame_times::static_fastest});
   }
 
   void write(const std::filesystem::path& directory,
@@ -72,7 +66,7 @@ public:
     for (const Most_points_case& one : cases()) {
       for (std::size_t trial = 0; trial != one.found.size(); ++trial) {
         const Frame_milliseconds& times = one.found[trial];
-        file.write_row(one.trial.scenario, one.name(), trial + 1, times.points,
+        file.write_row(one.trial.scenario, one.contestant, trial + 1, times.points,
                        times.upper_quartile, times.median, times.frames);
       }
     }
@@ -95,12 +89,12 @@ private:
     Most_points_search search(std::max<std::size_t>(first, least_first_try), scenario::max_points);
     one.found.push_back(search.run([&](std::size_t points) {
       trial.points = points;
-      return measure(trial, one.contestant);
+      return measure(trial, one);
     }));
   }
 
   // Frames are spread over as much of the scenario as the work allows.
-  Frame_milliseconds measure(const Trial& trial, Contestant contestant) const
+  Frame_milliseconds measure(const Trial& trial, const Most_points_case& one) const
   {
     constexpr std::size_t samples = 10, least_frames = 20;
     const auto motion = open(trial);
@@ -114,7 +108,7 @@ private:
     with_run(trial, *motion, [&](auto& run) {
       while (run.record().frame != frames) {
         const std::size_t frame = run.record().frame + 1;
-        if (contestant == Contestant::dynamic) {
+        if (!one.is_static()) {
           run.follow(false);
         } else if (counts(frame)) {
           run.measure();
@@ -122,24 +116,12 @@ private:
           run.follow(counts(frame + 1));
         }
         if (counts(frame)) {
-          milliseconds.push_back(1e-6 * time_of(contestant, run.record().nanoseconds));
+          milliseconds.push_back(1e-6 * (run.record().nanoseconds.*one.time));
         }
       }
     });
-    std::sort(milliseconds.begin(), milliseconds.end());
-    return {points, frames, run::quantile(milliseconds, 0.5), run::quantile(milliseconds, 0.75)};
-  }
-
-  static double time_of(Contestant contestant, const run::Frame_times& times)
-  {
-    switch (contestant) {
-    case Contestant::static_insert:
-      return times.static_insert;
-    case Contestant::static_fastest:
-      return times.static_fastest;
-    default:
-      return times.dynamic;
-    }
+    const run::Spread spread = *run::spread(milliseconds);
+    return {points, frames, spread.median, spread.high_quartile};
   }
 
   std::size_t m_work;
