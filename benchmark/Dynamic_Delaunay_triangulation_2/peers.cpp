@@ -102,7 +102,7 @@ std::vector<Case_record> run_cases(const std::vector<Peer_case>& cases,
 
 bool run_peers(const Peers_options& options, const std::string& command)
 {
-  const std::vector<Peer_case> cases = Peer_cases(options).get();
+  const std::vector<Peer_case> cases = peer_cases(options);
   if (cases.empty()) {
     throw std::runtime_error("there is no motion with '" + options.filter + "' in its name");
   }

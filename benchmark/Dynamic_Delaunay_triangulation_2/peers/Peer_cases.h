@@ -15,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace peers {
@@ -88,24 +89,25 @@ inline std::size_t usual_warm_up(std::size_t points)
   return points <= 1'000 ? 16 : points <= 10'000 ? 4 : points <= 100'000 ? 2 : 1;
 }
 
-class Peer_cases
+// All cases that were asked for.
+inline std::vector<Peer_case> peer_cases(const Peers_options& options)
 {
-public:
-  explicit Peer_cases(const Peers_options& options)
-    : m_options(options)
-  {
-    for (const std::size_t points : options.points()) {
-      add(points);
-    }
-  }
-
-  const std::vector<Peer_case>& get() const { return m_cases; }
-
-private:
-  void add(std::size_t points)
-  {
+  std::vector<Peer_case> cases;
+  for (const std::size_t points : options.points()) {
+    const auto add = [&](const std::string& motion, std::size_t passed_over, bool has_lasting_order,
+                         std::function<std::unique_ptr<scenario::Motion>()> open) {
+      const std::size_t frames = options.frames != 0
+                                     ? options.frames
+                                     : usual_frames(points, has_lasting_order, options.is_quick);
+      Peer_case added{
+          motion, points, std::move(open), has_lasting_order, passed_over, usual_warm_up(points),
+          frames};
+      if (added.name().find(options.filter) != std::string::npos) {
+        cases.push_back(std::move(added));
+      }
+    };
     for (const char* const step : {"0.0001", "0.001", "0.01", "0.1"}) {
-      add(std::string("brownian_") + step, points, 0, true,
+      add(std::string("brownian_") + step, 0, true,
           [=] { return open_scenario("brownian", points, std::stod(step)); });
     }
     // After these frames the water falls and the bodies have met, at every size: lengths and
@@ -113,30 +115,12 @@ private:
     const auto passed_over =
         static_cast<std::size_t>(60.0 * std::sqrt(static_cast<double>(points) / 1000.0));
     for (const char* const name : {"dam_break", "explosion"}) {
-      add(name, points, passed_over, true,
-          [=] { return open_scenario(name, points, std::nullopt); });
+      add(name, passed_over, true, [=] { return open_scenario(name, points, std::nullopt); });
     }
-    add("teleport", points, 0, false,
-        [=] { return std::make_unique<common::Teleport_motion>(points); });
+    add("teleport", 0, false, [=] { return std::make_unique<common::Teleport_motion>(points); });
   }
-
-  void add(const std::string& motion, std::size_t points, std::size_t passed_over,
-           bool has_lasting_order, std::function<std::unique_ptr<scenario::Motion>()> open)
-  {
-    const std::size_t frames = m_options.frames != 0
-                                   ? m_options.frames
-                                   : usual_frames(points, has_lasting_order, m_options.is_quick);
-    Peer_case added{
-        motion, points, std::move(open), has_lasting_order, passed_over, usual_warm_up(points),
-        frames};
-    if (added.name().find(m_options.filter) != std::string::npos) {
-      m_cases.push_back(std::move(added));
-    }
-  }
-
-  const Peers_options& m_options;
-  std::vector<Peer_case> m_cases;
-};
+  return cases;
+}
 
 } // namespace peers
 

@@ -148,19 +148,15 @@ private:
 
   scenario::Recorded_frame frame(std::size_t number) const
   {
+    // Coordinates that are too large for the package are replaced by the limit.
+    Field limits;
+    limits.limit = 1e153;
     scenario::Recorded_frame result{static_cast<double>(number), m_cloud.ids(), {}};
     for (const Place& place : m_cloud.points) {
-      result.points.push_back(
-          {kept(m_program.scale_x * place.x), kept(m_program.scale_y * place.y)});
+      const auto [x, y] = limits.kept({m_program.scale_x * place.x, m_program.scale_y * place.y});
+      result.points.push_back({x, y});
     }
     return result;
-  }
-
-  // Replaces coordinates that are too large for the package by the limit, and NaN by 0.
-  static double kept(double value)
-  {
-    constexpr double limit = 1e153;
-    return std::isnan(value) ? 0.0 : (std::max)(-limit, (std::min)(limit, value));
   }
 
   Program m_program;

@@ -5,6 +5,7 @@
 #define ROBUSTNESS_WATCHDOG_H
 
 #include <atomic>
+#include <charconv>
 #include <chrono>
 #include <condition_variable>
 #include <csignal>
@@ -52,13 +53,9 @@ public:
 
   Last_words& operator<<(std::uint64_t number)
   {
-    char digits[21] = {};
-    char* first = digits + 20;
-    do {
-      *--first = static_cast<char>('0' + number % 10);
-      number /= 10;
-    } while (number > 0);
-    return *this << first;
+    char digits[21] = {}; // the last one ends the text
+    std::to_chars(digits, digits + 20, number);
+    return *this << digits;
   }
 
   void say() const
