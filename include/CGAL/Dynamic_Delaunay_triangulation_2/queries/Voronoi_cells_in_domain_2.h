@@ -10,7 +10,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Polygonal_domain_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Voronoi_space_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/number_type_basic.h>
 #include <CGAL/Polygon_with_holes_2.h>
 
@@ -79,7 +78,6 @@ class Voronoi_cells_in_domain_2
 {
   using Base = Bounded_voronoi_cells_2;
   using Domain = Dynamic_Delaunay_triangulations_2::internal::Polygonal_domain_2;
-  using Index = Dynamic_Delaunay_triangulations_2::Index;
 
 public:
   /// \name Types
@@ -251,15 +249,13 @@ private:
   using Face_handle = Domain::Face_handle;
   using Clipped = Dynamic_Delaunay_triangulations_2::internal::Cell_in_domain_2;
 
-  // Cuts a cell, and adds its pieces and rings to a part. `faces`, if given, has the domain's face
-  // at the point of each id.
+  // Cuts cells, and adds their pieces and rings to a part.
   class Cutter_2
   {
   public:
-    Cutter_2(const Domain& domain, Rule rule, const std::vector<Face_handle>* faces = nullptr)
+    Cutter_2(const Domain& domain, Rule rule)
       : m_domain(domain)
       , m_rule(rule)
-      , m_faces(faces)
       , m_clipped(domain)
     {
     }
@@ -268,9 +264,7 @@ private:
     Measures operator()(const Space& space, size_type id, const Radius& radius, Part& part)
     {
       const Position p = space.position(id);
-      const Face_handle face = m_faces != nullptr
-                                   ? (*m_faces)[id]
-                                   : m_domain.locate(Domain::Point(p.x, p.y), m_last_face);
+      const Face_handle face = m_domain.locate(Domain::Point(p.x, p.y), m_last_face);
       if (m_rule != Rule::WHOLE && !face->info().is_inside)
         return {0, 0, p, 0, 0};
       cut_cell(
@@ -314,8 +308,7 @@ private:
 
     const Domain& m_domain;
     const Rule m_rule;
-    const std::vector<Face_handle>* const m_faces;
-    Face_handle m_last_face;
+    Face_handle m_last_face; // where the next search begins
     Clipped m_clipped;
   };
 
@@ -331,29 +324,13 @@ private:
     check_plane<Dynamic>();
     const Dynamic_Delaunay_triangulations_2::internal::Voronoi_space_2<Dynamic> space(dt);
     try {
-      find_faces(space);
-      compute_in(space, radius, Cutter_2(*m_domain, m_rule, &m_faces));
+      compute_in(space, radius, Cutter_2(*m_domain, m_rule));
       collect_rings();
     } catch (...) {
       clear();
       clear_rings();
       throw;
     }
-  }
-
-  template <class Space>
-  void find_faces(const Space& space)
-  {
-    m_faces.resize(space.number_of_ids());
-    space.for_each_range(space.number_of_cells(), [&](size_type first, size_type beyond) {
-      Face_handle last;
-      for (size_type c = first; c < beyond; ++c)
-        if (space.is_cell(Index(c))) {
-          const size_type id = space.id_of_cell(Index(c));
-          const Position p = space.position(id);
-          m_faces[id] = m_domain->locate(Domain::Point(p.x, p.y), last);
-        }
-    });
   }
 
   // Lists the rings of all parts in the order of ids, as the pieces are.
@@ -383,7 +360,6 @@ private:
 
   std::shared_ptr<const Domain> m_domain; // copies share it
   Rule m_rule;
-  std::vector<Face_handle> m_faces; // the domain's face at the point of each id
   std::vector<size_type> m_first_rings, m_first_pieces_of_rings;
   std::vector<double> m_ring_areas;
 };
