@@ -15,27 +15,42 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Collects changes of edges, positive for creations and negative for removals, and finds the edges
+// Collects changes of edges, positive for creations and negative for removals, and lists the edges
 // that these have created or removed in the end.
 template <class Edge>
 class Edge_balance_2
 {
 public:
-  struct Change
+  void note(const Edge& edge, int sign)
   {
-    Edge edge;
-    int sign;
-  };
-
-  void note(const Edge& edge, int sign) { m_changes.push_back({edge, sign}); }
-  void clear() { m_changes.clear(); }
-  // The changes so far, in any order.
-  std::vector<Change>& changes() { return m_changes; }
-
-  // Calls f(edge, sum) for each edge whose changes do not cancel, in ascending order.
+    m_changes.push_back({edge, sign});
+    m_are_listed = false;
+  }
+  void clear()
+  {
+    m_changes.clear();
+    m_are_listed = false;
+  }
+  // Calls f(edge), which may rename the edge, for each change.
   template <class Function>
-  void for_each_change(const Function& f)
+  void rename(const Function& f)
   {
+    for (Change& change : m_changes)
+      f(change.edge);
+    m_are_listed = false;
+  }
+  // Call it if `list()` would give edges other names than before.
+  void forget_lists() { m_are_listed = false; }
+
+  // Lists the edges whose changes do not cancel, as `name(edge)`, in ascending order. Does nothing
+  // if they are listed already.
+  template <class Name>
+  void list(const Name& name)
+  {
+    if (m_are_listed)
+      return;
+    m_created.clear();
+    m_removed.clear();
     std::sort(m_changes.begin(), m_changes.end(),
               [](const Change& a, const Change& b) { return a.edge < b.edge; });
     for (auto change = m_changes.begin(); change != m_changes.end();) {
@@ -44,12 +59,25 @@ public:
       for (; change != m_changes.end() && change->edge == edge; ++change)
         sum += change->sign;
       if (sum != 0)
-        f(edge, sum);
+        (sum > 0 ? m_created : m_removed).push_back(name(edge));
     }
+    std::sort(m_created.begin(), m_created.end());
+    std::sort(m_removed.begin(), m_removed.end());
+    m_are_listed = true;
   }
+  const std::vector<Edge>& created() const { return m_created; }
+  const std::vector<Edge>& removed() const { return m_removed; }
 
 private:
+  struct Change
+  {
+    Edge edge;
+    int sign;
+  };
+
   std::vector<Change> m_changes;
+  std::vector<Edge> m_created, m_removed;
+  bool m_are_listed = true;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
@@ -78,25 +106,16 @@ public:
   using Edge = std::pair<std::size_t, std::size_t>;
 
   /// the created edges, in ascending order.
-  const std::vector<Edge>& created_edges() const
-  {
-    sum_up();
-    return m_created;
-  }
+  const std::vector<Edge>& created_edges() const { return listed().created(); }
 
   /// the removed edges, in ascending order. Their ids may belong to points that no longer exist, or
   /// to new points that got the same ids.
-  const std::vector<Edge>& removed_edges() const
-  {
-    sum_up();
-    return m_removed;
-  }
+  const std::vector<Edge>& removed_edges() const { return listed().removed(); }
 
   /// forgets all recorded changes, and starts to record anew.
   void clear()
   {
     m_changes.clear();
-    m_is_summed_up = false;
     m_is_in_update = false;
   }
 
@@ -161,14 +180,18 @@ protected:
   static constexpr int half = 1;
   static constexpr int whole = 2;
 
-  void note(std::size_t i, std::size_t j, int sign)
-  {
-    m_is_summed_up = false;
-    m_changes.note(std::minmax(i, j), sign);
-  }
+  void note(std::size_t i, std::size_t j, int sign) { m_changes.note(std::minmax(i, j), sign); }
   /// \endcond
 
 private:
+  using Changes = Dynamic_Delaunay_triangulations_2::internal::Edge_balance_2<Edge>;
+
+  const Changes& listed() const
+  {
+    m_changes.list([](const Edge& edge) { return edge; });
+    return m_changes;
+  }
+
   // While there are no faces, notes all edges as removed before an update, and as created after it.
   template <class Dynamic>
   void note_line(const Dynamic& dt, int sign)
@@ -185,20 +208,7 @@ private:
       note(dt.id(v), dt.id(w), sign);
   }
 
-  void sum_up() const
-  {
-    if (m_is_summed_up)
-      return;
-    m_created.clear();
-    m_removed.clear();
-    m_changes.for_each_change(
-        [this](const Edge& edge, int sum) { (sum > 0 ? m_created : m_removed).push_back(edge); });
-    m_is_summed_up = true;
-  }
-
-  mutable Dynamic_Delaunay_triangulations_2::internal::Edge_balance_2<Edge> m_changes;
-  mutable std::vector<Edge> m_created, m_removed;
-  mutable bool m_is_summed_up = true;
+  mutable Changes m_changes;
   bool m_is_in_update = false;
 };
 

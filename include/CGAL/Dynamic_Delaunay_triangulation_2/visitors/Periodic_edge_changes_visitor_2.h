@@ -10,11 +10,41 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Edge_changes_visitor_2.h>
 #include <CGAL/Periodic_cell_2.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <tuple>
 #include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
+
+// An edge from point i to the image of point j by `shift`.
+template <class Id>
+struct Periodic_edge_2
+{
+  Id i, j;
+  Periodic_shift_2 shift;
+
+  friend bool operator<(const Periodic_edge_2& e, const Periodic_edge_2& f)
+  {
+    return std::tie(e.i, e.j, e.shift) < std::tie(f.i, f.j, f.shift);
+  }
+  friend bool operator==(const Periodic_edge_2& e, const Periodic_edge_2& f)
+  {
+    return std::tie(e.i, e.j, e.shift) == std::tie(f.i, f.j, f.shift);
+  }
+
+  // Returns the direction of the edge in which i is not larger than j, and where they are equal,
+  // the first number of the shift that is not 0 is positive.
+  Periodic_edge_2 in_order() const
+  {
+    const Periodic_edge_2 reverse{j, i, {-shift[0], -shift[1]}};
+    if (i != j)
+      return i < j ? *this : reverse;
+    return reverse < *this ? *this : reverse;
+  }
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 namespace CGAL {
 
@@ -37,47 +67,23 @@ edges. Asking for the lists costs that number times its logarithm.
 class Periodic_edge_changes_visitor_2 : public Delaunay_update_visitor_base_2
 {
 public:
-  /// an edge from point `i` to the image of point `j` by `shift`. `i` is not larger than `j`; where
+  /// an edge from point `i` to the image of point `j` by `shift`. These are its members: two ids,
+  /// and a `Periodic_shift_2`; `<` and `==` compare them in turn. `i` is not larger than `j`; where
   /// they are equal, the first number of `shift` that is not 0 is positive.
-  struct Edge
-  {
-    std::size_t i;          ///< an id
-    std::size_t j;          ///< an id
-    Periodic_shift_2 shift; ///< of j
-
-    /// compares `i`, `j` and `shift` in turn.
-    friend bool operator<(const Edge& e, const Edge& f)
-    {
-      return std::tie(e.i, e.j, e.shift) < std::tie(f.i, f.j, f.shift);
-    }
-    /// compares all members.
-    friend bool operator==(const Edge& e, const Edge& f)
-    {
-      return std::tie(e.i, e.j, e.shift) == std::tie(f.i, f.j, f.shift);
-    }
-  };
+  using Edge = Dynamic_Delaunay_triangulations_2::internal::Periodic_edge_2<std::size_t>;
 
   /// the created edges, in ascending order.
-  const std::vector<Edge>& created_edges() const
-  {
-    sum_up();
-    return m_created;
-  }
+  const std::vector<Edge>& created_edges() const { return listed().created(); }
 
   /// the removed edges, in ascending order. Their ids may belong to points that no longer exist, or
   /// to new points that got the same ids.
-  const std::vector<Edge>& removed_edges() const
-  {
-    sum_up();
-    return m_removed;
-  }
+  const std::vector<Edge>& removed_edges() const { return listed().removed(); }
 
   /// forgets all recorded changes, and starts to record anew.
   void clear()
   {
     m_changes.clear();
     m_ways.clear();
-    m_is_summed_up = false;
   }
 
   /// \cond
@@ -101,7 +107,7 @@ public:
     if (i >= m_ways.size())
       m_ways.resize(i + 1, Periodic_shift_2{0, 0});
     m_ways[i] = {m_ways[i][0] + shift[0], m_ways[i][1] + shift[1]};
-    m_is_summed_up = false;
+    m_changes.forget_lists();
   }
 
   template <class Dynamic>
@@ -111,15 +117,15 @@ public:
       s = {s[0] * multiples[0][0] + s[1] * multiples[1][0],
            s[0] * multiples[0][1] + s[1] * multiples[1][1]};
     };
-    for (auto& change : m_changes.changes())
-      exchange(change.edge.shift);
+    m_changes.rename([&](Edge& edge) { exchange(edge.shift); });
     for (Periodic_shift_2& way : m_ways)
       exchange(way);
-    m_is_summed_up = false;
   }
   /// \endcond
 
 private:
+  using Changes = Dynamic_Delaunay_triangulations_2::internal::Edge_balance_2<Edge>;
+
   Periodic_shift_2 way(std::size_t i) const
   {
     return i < m_ways.size() ? m_ways[i] : Periodic_shift_2{0, 0};
@@ -130,43 +136,24 @@ private:
   {
     for (std::size_t k = 0; k < 2; ++k)
       edge.shift[k] += of_i[k] - of_j[k];
-    return in_order(edge);
-  }
-
-  static Edge in_order(const Edge& edge)
-  {
-    const Edge reverse{edge.j, edge.i, {-edge.shift[0], -edge.shift[1]}};
-    if (edge.i != edge.j)
-      return edge.i < edge.j ? edge : reverse;
-    return reverse < edge ? edge : reverse;
+    return edge.in_order();
   }
 
   void note(std::size_t i, std::size_t j, const Periodic_shift_2& shift, int sign)
   {
-    m_is_summed_up = false;
     const Periodic_shift_2 of_i = way(i), of_j = way(j);
     m_changes.note(translated({i, j, shift}, {-of_i[0], -of_i[1]}, {-of_j[0], -of_j[1]}), sign);
   }
 
-  void sum_up() const
+  const Changes& listed() const
   {
-    if (m_is_summed_up)
-      return;
-    m_created.clear();
-    m_removed.clear();
-    m_changes.for_each_change([this](const Edge& edge, int sum) {
-      (sum > 0 ? m_created : m_removed).push_back(translated(edge, way(edge.i), way(edge.j)));
-    });
-    std::sort(m_created.begin(), m_created.end());
-    std::sort(m_removed.begin(), m_removed.end());
-    m_is_summed_up = true;
+    m_changes.list([this](const Edge& e) { return translated(e, way(e.i), way(e.j)); });
+    return m_changes;
   }
 
   // The edges have the shifts that they would have if no point had been translated since clear().
-  mutable Dynamic_Delaunay_triangulations_2::internal::Edge_balance_2<Edge> m_changes;
+  mutable Changes m_changes;
   std::vector<Periodic_shift_2> m_ways; // by which each id was translated since clear()
-  mutable std::vector<Edge> m_created, m_removed;
-  mutable bool m_is_summed_up = true;
 };
 
 } // namespace CGAL
