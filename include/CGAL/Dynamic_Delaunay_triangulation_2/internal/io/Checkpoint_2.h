@@ -10,6 +10,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Surface_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Guibas_stolfi_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_costs_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 #include <cstddef>
@@ -26,10 +27,9 @@ template <class State>
 class Checkpoint_writer_2
 {
   using Space = Checkpoint_space_2<State>;
-  using Memory = typename Space::Memory;
 
 public:
-  Checkpoint_writer_2(const State& state, bool is_certified, const Memory& memory)
+  Checkpoint_writer_2(const State& state, bool is_certified, const Repair_experience_2& memory)
     : m_state(state)
     , m_is_certified(is_certified)
     , m_memory(memory)
@@ -44,7 +44,8 @@ public:
     Checkpoint_output_2 file(out, subject);
     Space::write_kind(file, m_state);
     file.line("certified", m_is_certified ? "yes" : "no");
-    Space::write_memory(file, m_state, m_memory);
+    file.line("hopeless_share", m_memory.hopeless_share());
+    Space::write_dimension(file, m_state);
     write_points(file);
     if (Space::has_faces(m_state))
       write_topology(file);
@@ -95,7 +96,7 @@ private:
 
   const State& m_state;
   bool m_is_certified;
-  Memory m_memory;
+  Repair_experience_2 m_memory;
 };
 
 // Reads a triangulation that Checkpoint_writer_2 has written. Every value is validated before it is
@@ -117,7 +118,9 @@ public:
   {
     m_is_certified = m_file.flag_entry("certified", "yes", "no");
     const std::size_t line = m_file.line();
-    m_space.read_memory(m_is_certified);
+    m_memory.restore(
+        m_file.number_entry("hopeless_share", std::size_t(1), Repair_experience_2::all));
+    m_space.read_dimension(m_is_certified);
     read_points();
     if (m_space.has_faces())
       read_topology();
@@ -127,7 +130,7 @@ public:
   }
 
   bool is_certified() const { return m_is_certified; }
-  const typename Space::Memory& memory() const { return m_space.memory(); }
+  const Repair_experience_2& memory() const { return m_memory; }
 
 private:
   // POINTS --------------------------------------------------------------------------------------
@@ -303,6 +306,7 @@ private:
   Checkpoint_input_2& m_file;
   Checkpoint_arrays_2<Point> m_kept;
   Space m_space{m_file, m_kept};
+  Repair_experience_2 m_memory;
   bool m_is_certified = false;
   Index m_number_of_ids = 0;
   std::vector<Index> m_ids; // of the representatives, then of the duplicates, then the free ones

@@ -184,15 +184,6 @@ public:
     return number;
   }
 
-  double number(const char* what)
-  {
-    const std::string_view text = word(what);
-    double number;
-    if (!read_whole(text, number))
-      refuse(what, text, "a number");
-    return number;
-  }
-
   double finite(const char* what)
   {
     const std::string_view text = word(what);

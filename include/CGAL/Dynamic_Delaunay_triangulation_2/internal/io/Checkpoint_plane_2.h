@@ -14,7 +14,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Guibas_stolfi_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_builder_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_costs_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/Fraction_traits.h>
 #include <CGAL/Lazy_exact_nt.h>
@@ -129,7 +128,6 @@ class Checkpoint_plane_2
 {
 public:
   using Point = typename State::Point;
-  using Memory = Repair_experience_2;
 
   static constexpr Index first_vertex = infinite_index;
   static constexpr const char* wrong_corner = "these are no corner and no face of vertex ";
@@ -158,9 +156,8 @@ public:
     file.line("positions", state.are_coordinates_rounded() ? "rounded" : "exact");
   }
 
-  static void write_memory(Checkpoint_output_2& file, const State& state, const Memory& memory)
+  static void write_dimension(Checkpoint_output_2& file, const State& state)
   {
-    file.line("hopeless_share", memory.hopeless_share());
     file.line("dimension", state.triangulation().dimension());
   }
 
@@ -206,15 +203,12 @@ public:
       m_file.refuse("doubles are exact, and cannot be rounded");
   }
 
-  void read_memory(bool is_certified)
+  void read_dimension(bool is_certified)
   {
-    m_memory.restore(
-        m_file.number_entry("hopeless_share", std::size_t(1), Repair_experience_2::all));
     m_dimension = m_file.number_entry("dimension", -1, 2);
     if (m_dimension < 2 && !is_certified)
       m_file.refuse("in this dimension the triangulation has to be certified");
   }
-  const Memory& memory() const { return m_memory; }
 
   Index fewest_vertices() const { return Index(m_dimension + 1); }
   Index most_vertices() const { return m_dimension < 1 ? fewest_vertices() : max_vertices; }
@@ -317,7 +311,6 @@ private:
 
   Checkpoint_input_2& m_file;
   Checkpoint_arrays_2<Point>& m_kept;
-  Memory m_memory;
   int m_dimension = -1;
 };
 

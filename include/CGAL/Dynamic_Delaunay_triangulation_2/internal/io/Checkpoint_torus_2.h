@@ -15,14 +15,12 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Validity_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Guibas_stolfi_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_costs_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Periodic_cell_2.h>
 
 #include <array>
 #include <cmath>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
@@ -37,7 +35,6 @@ class Checkpoint_torus_2
 
 public:
   using Point = typename State::Point;
-  using Memory = Repair_experience_2;
 
   static constexpr Index first_vertex = infinite_index + 1;
   static constexpr const char* wrong_corner = "this is no corner of vertex ";
@@ -59,10 +56,7 @@ public:
       file.line("cell", cell.ax(), cell.ay(), cell.bx(), cell.by());
   }
 
-  static void write_memory(Checkpoint_output_2& file, const State&, const Memory& memory)
-  {
-    file.line("hopeless_share", memory.hopeless_share());
-  }
+  static void write_dimension(Checkpoint_output_2&, const State&) {}
 
   static std::array<double, 2> coordinates(const Point& p) { return {p.x(), p.y()}; }
   static std::array<double, 2> coordinates(const State& state, Vertex_index v)
@@ -94,12 +88,7 @@ public:
   {
   }
 
-  void read_memory(bool)
-  {
-    m_memory.restore(
-        m_file.number_entry("hopeless_share", std::size_t(1), Repair_experience_2::all));
-  }
-  const Memory& memory() const { return m_memory; }
+  static void read_dimension(bool) {}
 
   static Index fewest_vertices() { return 0; }
   static Index most_vertices() { return max_vertices; }
@@ -193,7 +182,6 @@ private:
   Checkpoint_input_2& m_file;
   Checkpoint_arrays_2<Point>& m_kept;
   Torus_2 m_torus;
-  Memory m_memory;
   std::vector<Periodic_shift_2> m_shifts; // of the apex of each half-edge
 };
 
