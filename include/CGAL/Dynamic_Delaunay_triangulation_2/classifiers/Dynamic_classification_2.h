@@ -81,13 +81,7 @@ public:
   /// classifies the four vertices of edge `e` because of that edge alone: repairs that work on
   /// edges start at `e`, and need not test the other edges of its vertices.
   /// \throws Unknown_index_error_2 if there is no such edge.
-  void add_edge(Edge_index e)
-  {
-    if (e >= m_state->arrays().number_of_edges())
-      throw Unknown_index_error_2("edge", e, m_state->arrays().number_of_edges());
-    list_edge(e);
-    add_vertices_of(e);
-  }
+  void add_edge(Edge_index e) { add(e, false); }
 
   /// classifies all vertices, because of all edges. Cost: a few nanoseconds a vertex, less than
   /// adding them one by one.
@@ -101,13 +95,7 @@ public:
   /// classifies the four vertices of edge `e`, which must be in the state `ILLEGAL`, as
   /// `add_edge()` does. Flipping the edge costs less then.
   /// \throws Unknown_index_error_2 if there is no such edge.
-  void add_illegal_edge(Edge_index e)
-  {
-    if (e >= m_state->arrays().number_of_edges())
-      throw Unknown_index_error_2("edge", e, m_state->arrays().number_of_edges());
-    list_illegal_edge(e);
-    add_vertices_of(e);
-  }
+  void add_illegal_edge(Edge_index e) { add(e, true); }
 
   /// classifies edge `e` of `frame` unless it is Delaunay. Decided exactly.
   template <class Frame>
@@ -115,10 +103,8 @@ public:
   {
     using Dynamic_Delaunay_triangulations_2::Edge_state_2;
     const Edge_state_2 state = frame.edge_state(e);
-    if (state == Edge_state_2::ILLEGAL)
-      add_illegal_edge(e);
-    else if (state != Edge_state_2::DELAUNAY)
-      add_edge(e);
+    if (state != Edge_state_2::DELAUNAY)
+      add(e, state == Edge_state_2::ILLEGAL);
   }
 
   /// classifies those edges of a list that are not Delaunay. Prefetches their data.
@@ -203,10 +189,7 @@ private:
   {
     m_vertices.insert_up_to(4 * broken.size(), [&](const auto& insert) {
       for (const Broken_edge& b : broken) {
-        if (b.is_illegal)
-          list_illegal_edge(b.edge);
-        else
-          list_edge(b.edge);
+        list(b.edge, b.is_illegal);
         for_each_finite(b.vertices, insert);
       }
     });
@@ -224,21 +207,21 @@ private:
                                                                     m_state->positions().data());
   }
 
-  void list_edge(Edge_index e)
+  void add(Edge_index e, bool is_illegal)
   {
-    m_edges.push_back(e);
-    std::swap(m_edges.back(), m_edges[m_edges.size() - 1 - m_number_of_illegal]);
-  }
-
-  void list_illegal_edge(Edge_index e)
-  {
-    m_edges.push_back(e);
-    ++m_number_of_illegal;
-  }
-
-  void add_vertices_of(Edge_index e)
-  {
+    if (e >= m_state->arrays().number_of_edges())
+      throw Unknown_index_error_2("edge", e, m_state->arrays().number_of_edges());
+    list(e, is_illegal);
     for_each_finite(vertices_of(e), [this](Vertex_index v) { m_vertices.insert(v); });
+  }
+
+  void list(Edge_index e, bool is_illegal)
+  {
+    m_edges.push_back(e);
+    if (is_illegal)
+      ++m_number_of_illegal;
+    else // illegal edges are the last ones
+      std::swap(m_edges.back(), m_edges[m_edges.size() - 1 - m_number_of_illegal]);
   }
 
   std::array<Index, 4> vertices_of(Edge_index e) const

@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_filter_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_and_splice_repair_2.h>
@@ -107,15 +108,11 @@ private:
 
   bool is_bounded(double product, const Position& p, const Position& q, const Position& r) const
   {
+    using Dynamic_Delaunay_triangulations_2::internal::squared_distance;
     constexpr double smallest_lengths = 1e-250; // smaller products may have underflowed
-    const double lengths = squared_length(p, q) * squared_length(q, r) * squared_length(r, p);
+    const double lengths = squared_distance(p, q) * squared_distance(q, r) * squared_distance(r, p);
     return lengths > smallest_lengths && std::isfinite(lengths) &&
            4 * product <= (1 - 1e-14) * m_eps * (2 - m_eps) * lengths;
-  }
-
-  static double squared_length(const Position& p, const Position& q)
-  {
-    return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y);
   }
 
   double m_eps;

@@ -12,8 +12,8 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Rounded_face_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/State_with_place_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Vertex_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/config.hpp>
@@ -21,7 +21,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
@@ -73,10 +72,7 @@ private:
   template <class FT>
   static const FT& checked(const FT& square)
   {
-    constexpr double largest = (std::numeric_limits<double>::max)();
-    const double value = CGAL::to_double(square);
-    if (!(value >= 0 && value <= largest))
-      throw Parameter_error_2("the squared radius", value, 0, largest);
+    check_extent("the squared radius", CGAL::to_double(square));
     return square;
   }
 

@@ -7,15 +7,14 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Query_space_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Vertex_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_type_basic.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -96,6 +95,11 @@ public:
   /// `Coordinate_range_error_2` if it is too large for this program, and in periodic space
   /// `Periodic_range_error_2` if the place is 2<sup>20</sup> cells or more from the origin. For a
   /// range of places, `id()` of these errors is the number of the place.
+  ///
+  /// Queries within a radius take its square, which can be exact where the radius is not, and throw
+  /// `Parameter_error_2` if that is negative or not a finite number. Queries with an
+  /// `OutputIterator`, which takes values of `Answer` if nothing else is said, return where the
+  /// next answer would be written.
   /// @{
 
   /// the point that is nearest to `p`; if several are equally near, the smallest answer. No value
@@ -159,12 +163,6 @@ public:
   ///
   /// Cost: that of `nearest()`, plus time proportional to the number of points found and of their
   /// neighbors; in periodic space O(k log k) for k images found.
-  /// \param p the center of the circle.
-  /// \param squared_radius the square of its radius, which can be exact where the radius is not.
-  /// \param answers where to write.
-  /// \tparam OutputIterator takes values of `Answer`.
-  /// \return where the next answer would be written.
-  /// \throws Parameter_error_2 if the squared radius is negative or not a finite number.
   template <class OutputIterator>
   OutputIterator within(const Point& p, const FT& squared_radius, OutputIterator answers) const
   {
@@ -181,7 +179,6 @@ public:
   /// \param begins receives where the answers for each place begin, and at its end the number of
   /// all answers; does not change if this throws.
   /// \tparam ForwardIterator has the value type `Point`.
-  /// \throws Parameter_error_2 if the squared radius is negative or not a finite number.
   template <class ForwardIterator>
   void within(ForwardIterator first, ForwardIterator beyond, const FT& squared_radius,
               std::vector<Answer>& answers, std::vector<size_type>& begins) const
@@ -200,13 +197,7 @@ public:
   ///
   /// Cost: proportional to the number of points found and of their neighbors; in periodic space
   /// O(k log k) for k images found.
-  /// \param id the id of the point at the center.
-  /// \param squared_radius the square of the radius.
-  /// \param answers where to write.
-  /// \tparam OutputIterator takes values of `Answer`.
-  /// \return where the next answer would be written.
   /// \throws Unknown_id_error_2 if no point has this id.
-  /// \throws Parameter_error_2 if the squared radius is negative or not a finite number.
   template <class OutputIterator>
   OutputIterator neighbors_within(size_type id, const FT& squared_radius,
                                   OutputIterator answers) const
@@ -224,10 +215,8 @@ private:
 
   static void check(const FT& squared_radius)
   {
-    constexpr double largest = (std::numeric_limits<double>::max)();
-    const double value = CGAL::to_double(squared_radius);
-    if (!(value >= 0 && value <= largest))
-      throw Parameter_error_2("the squared radius", value, 0, largest);
+    Dynamic_Delaunay_triangulations_2::internal::check_extent("the squared radius",
+                                                              CGAL::to_double(squared_radius));
   }
 
   // `number` is the number of the place in its range, for errors.

@@ -9,7 +9,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Query_space_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Weights_at_place_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Periodic_cell_2.h>
 
 #include <cstddef>

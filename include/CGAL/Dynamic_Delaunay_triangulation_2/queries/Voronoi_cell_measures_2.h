@@ -12,7 +12,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Vertex_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/number_type_basic.h>
 
 #include <array>
@@ -20,7 +19,6 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -157,6 +155,7 @@ public:
   template <class Dynamic>
   void compute(const Dynamic& dt, const Bbox_2& box)
   {
+    using Dynamic_Delaunay_triangulations_2::internal::check_extent;
     check_extent("the width of the box", box.xmax() - box.xmin());
     check_extent("the height of the box", box.ymax() - box.ymin());
     const Space<Dynamic> space(dt);
@@ -308,13 +307,6 @@ private:
       corners.swap(clipped);
     }
   };
-
-  static void check_extent(const char* name, double extent)
-  {
-    constexpr double largest = (std::numeric_limits<double>::max)();
-    if (!(extent >= 0 && extent <= largest))
-      throw Parameter_error_2(name, extent, 0, largest);
-  }
 
   template <class Dynamic>
   void clip_cells(const Dynamic& dt, const Bbox_2& box)

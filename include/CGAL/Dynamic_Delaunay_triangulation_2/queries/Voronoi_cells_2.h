@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <utility>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {

@@ -8,8 +8,6 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 
-#include <cstddef>
-
 namespace CGAL {
 
 /*!

@@ -9,6 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_type_basic.h>
 
@@ -17,6 +18,14 @@
 #include <limits>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
+
+// Throws unless a number is finite, and not negative. The error calls it `name`.
+inline void check_extent(const char* name, double extent)
+{
+  constexpr double largest = (std::numeric_limits<double>::max)();
+  if (!(extent >= 0 && extent <= largest))
+    throw Parameter_error_2(name, extent, 0, largest);
+}
 
 // The vector from one vertex to another, rounded once. It does not subtract rounded positions,
 // because points that an exact kernel distinguishes may have equal doubles as coordinates.
