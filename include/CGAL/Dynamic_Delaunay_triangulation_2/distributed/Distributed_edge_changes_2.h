@@ -7,10 +7,9 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_ranks_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Message_exchange_2.h>
 
 #include <algorithm>
-#include <cstddef>
+#include <array>
 #include <cstdint>
 #include <iterator>
 #include <map>
@@ -21,7 +20,7 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Lists the edges that were created and removed between two calls of `compare()`, over all ranks.
 // `Traits::Edge` can be compared, `Traits::end(edge)` is the id of one of its ends, and
-// `Traits::write(edge, message)` writes what `Traits::read(message)` reads.
+// `Traits::received()` returns what was given to `Traits::sent()`, which returns plain data.
 template <class Traits>
 class Distributed_edge_comparison_2
 {
@@ -55,26 +54,28 @@ public:
   const std::vector<Edge>& removed() const { return m_removed; }
 
 private:
+  struct Change
+  {
+    decltype(Traits::sent(Edge())) edge;
+    std::int64_t sign;
+  };
+
   // Sends all changes of an edge to one rank: if only its owner has changed they cancel out.
   void settle(Distributed_ranks_2& ranks, const std::vector<Edge>& created,
               const std::vector<Edge>& removed)
   {
-    std::vector<Message_2> messages = ranks.empty_messages();
-    const auto note = [&](const Edge& edge, std::int64_t sign) {
-      Message_2& message = messages[std::uint64_t(Traits::end(edge)) % ranks.size()];
-      Traits::write(edge, message);
-      message.write(sign);
-    };
-    for (const Edge& edge : created)
-      note(edge, 1);
-    for (const Edge& edge : removed)
-      note(edge, -1);
+    const auto changes = ranks.delivered<Change>([&](const auto& post) {
+      const auto note = [&](const Edge& edge, std::int64_t sign) {
+        post(std::uint64_t(Traits::end(edge)) % ranks.size(), {Traits::sent(edge), sign});
+      };
+      for (const Edge& edge : created)
+        note(edge, 1);
+      for (const Edge& edge : removed)
+        note(edge, -1);
+    });
     std::map<Edge, std::int64_t> sums;
-    for (Message_2& message : ranks.send(std::move(messages)))
-      while (!message.is_read()) {
-        const Edge edge = Traits::read(message);
-        sums[edge] += message.read<std::int64_t>();
-      }
+    for (const auto& [edge, sign] : changes)
+      sums[Traits::received(edge)] += sign;
     m_created.clear();
     m_removed.clear();
     for (const auto& [edge, sum] : sums)
@@ -123,23 +124,13 @@ public:
   const std::vector<Edge>& removed_edges() const { return m_edges.removed(); }
 
 private:
-  using Message = Dynamic_Delaunay_triangulations_2::internal::Message_2;
-
   struct Traits
   {
     using Edge = Distributed_edge_changes_2::Edge;
 
     static std::int64_t end(const Edge& edge) { return edge.first; }
-    static void write(const Edge& edge, Message& message)
-    {
-      message.write(edge.first);
-      message.write(edge.second);
-    }
-    static Edge read(Message& message)
-    {
-      const auto i = message.read<std::int64_t>();
-      return {i, message.read<std::int64_t>()};
-    }
+    static std::array<std::int64_t, 2> sent(const Edge& edge) { return {edge.first, edge.second}; }
+    static Edge received(const std::array<std::int64_t, 2>& ids) { return {ids[0], ids[1]}; }
   };
 
   Dynamic_Delaunay_triangulations_2::internal::Distributed_edge_comparison_2<Traits> m_edges;

@@ -10,10 +10,10 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_ranks_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Message_exchange_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/zones/Distributed_image_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Periodic_edge_changes_visitor_2.h>
 #include <CGAL/Periodic_cell_2.h>
 
 #include <algorithm>
@@ -22,7 +22,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -113,27 +112,25 @@ private:
       if (!are_equal(shift, no_shift))
         found.push_back({to.id, shift});
     };
-    std::vector<Message_2> messages = ranks.empty_messages();
-    const auto tell = [&](const Entry& entry, bool is_now) {
-      messages[std::uint64_t(entry.id) % ranks.size()].write(Sighting{entry, is_now});
-    };
-    auto then = m_own.begin();
-    for (const Entry& entry : own) {
-      for (; then != m_own.end() && then->id < entry.id; ++then)
-        tell(*then, false);
-      if (then != m_own.end() && then->id == entry.id)
-        compare(*then++, entry);
-      else
-        tell(entry, true);
-    }
-    for (; then != m_own.end(); ++then)
-      tell(*then, false);
-    std::map<Id, Entry> left, arrived;
-    for (Message_2& message : ranks.send(std::move(messages)))
-      while (!message.is_read()) {
-        const auto sighting = message.template read<Sighting>();
-        (sighting.is_now != 0 ? arrived : left).emplace(sighting.entry.id, sighting.entry);
+    const auto sightings = ranks.delivered<Sighting>([&](const auto& post) {
+      const auto tell = [&](const Entry& entry, bool is_now) {
+        post(std::uint64_t(entry.id) % ranks.size(), {entry, is_now});
+      };
+      auto then = m_own.begin();
+      for (const Entry& entry : own) {
+        for (; then != m_own.end() && then->id < entry.id; ++then)
+          tell(*then, false);
+        if (then != m_own.end() && then->id == entry.id)
+          compare(*then++, entry);
+        else
+          tell(entry, true);
       }
+      for (; then != m_own.end(); ++then)
+        tell(*then, false);
+    });
+    std::map<Id, Entry> left, arrived;
+    for (const auto& [entry, is_now] : sightings)
+      (is_now != 0 ? arrived : left).emplace(entry.id, entry);
     for (const auto& [id, entry] : left) {
       const auto to = arrived.find(id);
       if (to != arrived.end())
@@ -174,25 +171,9 @@ points that were wrapped.
 class Distributed_periodic_edge_changes_2
 {
 public:
-  /// an edge from point `i` to the image of point `j` by `shift`. `i` is not larger than `j`; where
-  /// they are equal, the first number of `shift` that is not 0 is positive.
-  struct Edge
-  {
-    std::int64_t i;         ///< an id
-    std::int64_t j;         ///< an id
-    Periodic_shift_2 shift; ///< of j
-
-    /// compares `i`, `j` and `shift` in turn.
-    friend bool operator<(const Edge& e, const Edge& f)
-    {
-      return std::tie(e.i, e.j, e.shift) < std::tie(f.i, f.j, f.shift);
-    }
-    /// compares all members.
-    friend bool operator==(const Edge& e, const Edge& f)
-    {
-      return std::tie(e.i, e.j, e.shift) == std::tie(f.i, f.j, f.shift);
-    }
-  };
+  /// an edge from point `i` to the image of point `j` by `shift`, with the members of
+  /// `Periodic_edge_changes_visitor_2::Edge`, and ids of 64 bits with a sign.
+  using Edge = Dynamic_Delaunay_triangulations_2::internal::Periodic_edge_2<std::int64_t>;
 
   /// compares the edges with those at the last call. At the first call all edges count as created.
   /// Collective.
@@ -209,11 +190,11 @@ public:
       own.push_back({ids[k], points[k].x(), points[k].y()});
     m_translations.compute(dt.ranks(), dt.cell(), std::move(own));
     m_edges.rename([&](const Edge& e) {
-      return in_order({e.i, e.j, m_translations.renamed(e.i, e.j, e.shift)});
+      return Edge{e.i, e.j, m_translations.renamed(e.i, e.j, e.shift)}.in_order();
     });
     std::vector<Edge> edges;
     dt.for_each_edge([&](std::int64_t i, std::int64_t j, const Periodic_shift_2& shift) {
-      edges.push_back(in_order({i, j, shift}));
+      edges.push_back(Edge{i, j, shift}.in_order());
     });
     m_edges.compare(dt.ranks(), std::move(edges));
   }
@@ -225,7 +206,6 @@ public:
 
 private:
   using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point_2;
-  using Message = Dynamic_Delaunay_triangulations_2::internal::Message_2;
   using Translations = Dynamic_Delaunay_triangulations_2::internal::Distributed_translations_2;
 
   struct Traits
@@ -233,16 +213,9 @@ private:
     using Edge = Distributed_periodic_edge_changes_2::Edge;
 
     static std::int64_t end(const Edge& edge) { return edge.i; }
-    static void write(const Edge& edge, Message& message) { message.write(edge); }
-    static Edge read(Message& message) { return message.read<Edge>(); }
+    static Edge sent(const Edge& edge) { return edge; }
+    static Edge received(const Edge& edge) { return edge; }
   };
-
-  // Returns the edge as it is listed: its reverse, for some edges from a point to its own image.
-  static Edge in_order(const Edge& edge)
-  {
-    const Edge reverse{edge.j, edge.i, {-edge.shift[0], -edge.shift[1]}};
-    return edge.i == edge.j && edge < reverse ? reverse : edge;
-  }
 
   Translations m_translations;
   Dynamic_Delaunay_triangulations_2::internal::Distributed_edge_comparison_2<Traits> m_edges;

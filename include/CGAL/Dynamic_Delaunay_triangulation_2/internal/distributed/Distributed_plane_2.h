@@ -52,7 +52,7 @@ public:
       m_corners = corners;
     m_box = Box_2();
     for (const Point& p : m_corners)
-      m_box.add(p.x(), p.y());
+      m_box.add({p.x(), p.y()});
   }
 
   // A box around all points that may be in the region of a question.
@@ -121,7 +121,7 @@ private:
           });
       if (first != points.owned().end())
         for (const Index place : {*first, *last})
-          corners.push_back({points.point(place).x(), points.point(place).y()});
+          corners.push_back(points.position(place));
       return corners;
     }
     const std::vector<std::uint8_t> are_owned = points.owned_vertices();

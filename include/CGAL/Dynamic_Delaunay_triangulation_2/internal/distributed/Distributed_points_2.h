@@ -78,6 +78,7 @@ public:
   // The id, position, shift and image of the held point at a place.
   Id id(Index place) const { return m_ids[place]; }
   const Point& point(Index place) const { return m_points[place]; }
+  Position_2 position(Index place) const { return {m_points[place].x(), m_points[place].y()}; }
   const Shift& shift(Index place) const { return m_shifts[place]; }
   Image image(Index place) const
   {
@@ -369,8 +370,7 @@ private:
         m_ranks.exchange().progress();
       if ((m_export_counts[place] > 0) != are_exports)
         continue;
-      const Position_2 before{m_points[place].x(), m_points[place].y()};
-      put(place, m_space.next_image(positions[k], before, last));
+      put(place, m_space.next_image(positions[k], position(place), last));
     }
   }
 
@@ -422,9 +422,8 @@ private:
     Owned_boxes boxes;
     boxes.stretches.resize((m_owned.size() + stretch - 1) / stretch);
     for (std::size_t k = 0; k < m_owned.size(); ++k) {
-      const Point& p = m_points[m_owned[k]];
-      boxes.stretches[k / stretch].add(p.x(), p.y());
-      boxes.all.add(p.x(), p.y());
+      boxes.stretches[k / stretch].add(position(m_owned[k]));
+      boxes.all.add(position(m_owned[k]));
     }
     return boxes;
   }

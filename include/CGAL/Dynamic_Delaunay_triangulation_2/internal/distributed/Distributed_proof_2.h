@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <set>
@@ -121,13 +120,6 @@ private:
   // True if this rank owns the only image of each point.
   bool has_no_others() const { return m_ranks.size() == 1 && !Space::is_periodic; }
 
-  // Calls f(question) for each face with an owned corner.
-  template <class Function>
-  void for_each_face(const Function& f) const
-  {
-    for_each_face(m_points.owned_vertices(), f);
-  }
-
   // Calls f(question) for each face with one of the corners whose number is not 0.
   template <class Function>
   void for_each_face(const std::vector<std::uint8_t>& are_corners, const Function& f) const
@@ -158,8 +150,8 @@ private:
     using Point = typename Kernel::Point_2;
     Questions open;
     if (m_points.dt().frame().number_of_faces() == 0 && !m_points.owned().empty()) {
-      const Point& p = m_points.point(m_points.owned().front());
-      open.push_back({Question::EVERYTHING, {}, p.x(), p.y()});
+      const Position_2 p = m_points.position(m_points.owned().front());
+      open.push_back({Question::EVERYTHING, {}, p.x, p.y});
     }
     std::vector<std::uint8_t> corners = m_points.owned_vertices();
     if (trusts_zone)
@@ -178,7 +170,7 @@ private:
   void take_out_dense(std::vector<std::uint8_t>& corners)
   {
     m_density.find_dense(m_zone, [&](const auto& add) {
-      m_points.for_each_ghost([&](Index place) { add(position(place)); });
+      m_points.for_each_ghost([&](Index place) { add(m_points.position(place)); });
     });
     const auto frame = m_points.dt().frame();
     const std::vector<Index>& owned = m_points.owned();
@@ -194,7 +186,7 @@ private:
     for (std::size_t k = 0; k < owned.size(); ++k) {
       if (k % marks_at_once == 0)
         m_ranks.exchange().progress();
-      m_density.add_own(m_zone, position(owned[k]));
+      m_density.add_own(m_zone, m_points.position(owned[k]));
     }
   }
 
@@ -204,8 +196,7 @@ private:
     std::vector<Box_2> own(boxes_per_rank);
     const std::vector<Index>& owned = m_points.owned();
     for (std::size_t k = 0; k < owned.size(); ++k)
-      own[k * boxes_per_rank / owned.size()].add(m_points.point(owned[k]).x(),
-                                                 m_points.point(owned[k]).y());
+      own[k * boxes_per_rank / owned.size()].add(m_points.position(owned[k]));
     m_boxes = m_ranks.gather(own).values;
   }
 
@@ -313,8 +304,7 @@ private:
   {
     const Box_2 box = m_outline.box_for(question);
     const Box_2 focus{question.x, question.y, question.x, question.y};
-    const double extent = (std::max)(box.x_high - box.x_low, box.y_high - box.y_low);
-    for (double reach = (std::max)(4 * search.cell_size(), extent / 256);; reach *= 4) {
+    for (double reach = (std::max)(4 * search.cell_size(), box.longer_side() / 256);; reach *= 4) {
       const Box_2 part = box.common_part(focus.enlarged(reach));
       std::vector<Found> found = find_inside(search, question, rank, part);
       if (found.size() > limit || part == box)
@@ -331,17 +321,12 @@ private:
       const Position_2 v = space.vector(shift);
       const Question moved = question.moved_back(v);
       search.for_each_inside(moved, box.moved({-v.x, -v.y}), [&](Index place) {
-        const Position_2 p = position(place);
+        const Position_2 p = m_points.position(place);
         if (box.contains(p.x + v.x, p.y + v.y) && !m_points.is_held_by(rank, place, shift))
           found.push_back({squared_distance(p, {moved.x, moved.y}), place, shift});
       });
     });
     return found;
-  }
-
-  Position_2 position(Index place) const
-  {
-    return {m_points.point(place).x(), m_points.point(place).y()};
   }
 
   // Renews the zone if it leaves more faces open than when it was new, or is old: else another
@@ -373,18 +358,17 @@ private:
   {
     Box_2 box;
     for (const Index place : m_points.owned())
-      box.add(position(place).x, position(place).y);
+      box.add(m_points.position(place));
     double size = usual_diameter() / 2;
     if (box.is_empty() || !(size > 0))
       return Distributed_zone_2();
-    const double extent = (std::max)(box.x_high - box.x_low, box.y_high - box.y_low);
+    const double extent = box.longer_side();
     const double most = double(Distributed_zone_2::most_cells - 1);
-    const double coordinates = (std::max)(
-        {std::abs(box.x_low), std::abs(box.x_high), std::abs(box.y_low), std::abs(box.y_high)});
+    const double coordinates = (std::max)(box.largest_x(), box.largest_y());
     size = (std::max)({size, extent / (most - 40), Space::finest_zone * coordinates});
     const double reach = (std::max)(16 * size, (std::min)(extent, (most * size - extent) / 2));
     Distributed_zone_2 zone(box.enlarged(reach), size, m_points.space().basis());
-    for_each_face([&](const Question& question) {
+    for_each_face(m_points.owned_vertices(), [&](const Question& question) {
       if (question.kind == Question::CIRCLE)
         m_cover.extend(question, zone, m_margin * size);
     });
@@ -396,10 +380,10 @@ private:
   double usual_diameter() const
   {
     std::vector<double> diameters;
-    for_each_face([&](const Question& question) {
+    for_each_face(m_points.owned_vertices(), [&](const Question& question) {
       const Box_2 box = question.kind == Question::CIRCLE ? question.box_of_disk() : Box_2();
-      if (box.x_high - box.x_low < Box_2::infinity && !box.is_empty())
-        diameters.push_back(box.x_high - box.x_low);
+      if (box.width() < Box_2::infinity && !box.is_empty())
+        diameters.push_back(box.width());
     });
     if (diameters.empty())
       return 0;

@@ -33,10 +33,17 @@ struct Box_2
     return b.x_low == c.x_low && b.y_low == c.y_low && b.x_high == c.x_high && b.y_high == c.y_high;
   }
   bool is_empty() const { return !(x_low <= x_high && y_low <= y_high); }
-  void add(double x, double y)
+  double width() const { return x_high - x_low; }
+  double height() const { return y_high - y_low; }
+  double longer_side() const { return (std::max)(width(), height()); }
+  // The largest absolute values of coordinates.
+  double largest_x() const { return (std::max)(std::abs(x_low), std::abs(x_high)); }
+  double largest_y() const { return (std::max)(std::abs(y_low), std::abs(y_high)); }
+
+  void add(const Position_2& p)
   {
-    x_low = (std::min)(x_low, x), y_low = (std::min)(y_low, y);
-    x_high = (std::max)(x_high, x), y_high = (std::max)(y_high, y);
+    x_low = (std::min)(x_low, p.x), y_low = (std::min)(y_low, p.y);
+    x_high = (std::max)(x_high, p.x), y_high = (std::max)(y_high, p.y);
   }
   bool meets(const Box_2& b) const
   {
@@ -176,8 +183,7 @@ private:
     const Box_2 w{box.x_low - p.x, box.y_low - p.y, box.x_high - p.x, box.y_high - p.y};
     const double length_u = std::abs(u.x) + std::abs(u.y);
     const double length_v = std::abs(v.x) + std::abs(v.y);
-    const double reach = (std::max)(std::abs(w.x_low), std::abs(w.x_high)) +
-                         (std::max)(std::abs(w.y_low), std::abs(w.y_high));
+    const double reach = w.largest_x() + w.largest_y();
     const double shortest = (std::min)(length_u, length_v);
     const double longest = (std::max)({length_u, length_v, reach});
     if (!(shortest > 0x1p-200 && longest < 0x1p200))

@@ -63,17 +63,12 @@ public:
 
   std::uint64_t sum(std::uint64_t value) { return reduced(value, MPI_UINT64_T, MPI_SUM); }
   std::uint64_t largest(std::uint64_t value) { return reduced(value, MPI_UINT64_T, MPI_MAX); }
-  std::int64_t largest(std::int64_t value) { return reduced(value, MPI_INT64_T, MPI_MAX); }
   std::int64_t lowest(std::int64_t value) { return reduced(value, MPI_INT64_T, MPI_MIN); }
   double largest(double value) { return reduced(value, MPI_DOUBLE, MPI_MAX); }
   template <std::size_t n>
   std::array<std::uint64_t, n> largest(const std::array<std::uint64_t, n>& values)
   {
-    const double begin = MPI_Wtime();
-    std::array<std::uint64_t, n> result;
-    MPI_Allreduce(values.data(), result.data(), int(n), MPI_UINT64_T, MPI_MAX, m_communicator);
-    m_exchange.add_seconds(MPI_Wtime() - begin);
-    return result;
+    return reduced(values, MPI_UINT64_T, MPI_MAX, int(n));
   }
   bool is_any(bool is_so) { return largest(std::uint64_t(is_so)) != 0; }
 
@@ -120,6 +115,20 @@ public:
     return m_exchange.finish();
   }
 
+  // Sends values, each to one rank: `fill(post)` calls post(rank, value). Returns the values that
+  // arrive here, ascending by senders; those of one sender are in the order in which it sent them.
+  template <class T, class Fill>
+  std::vector<T> delivered(const Fill& fill)
+  {
+    std::vector<Message_2> messages = empty_messages();
+    fill([&](std::size_t rank, const T& value) { messages[rank].write(value); });
+    std::vector<T> arrived;
+    for (Message_2& message : send(std::move(messages)))
+      while (!message.is_read())
+        arrived.push_back(message.template read<T>());
+    return arrived;
+  }
+
   // Reads input; if that throws on any rank it throws on all of them.
   template <class Read>
   void agree(const Read& read)
@@ -145,12 +154,13 @@ private:
     return copied;
   }
 
+  // T is a number, or an array of `count` numbers.
   template <class T>
-  T reduced(T value, MPI_Datatype type, MPI_Op operation)
+  T reduced(const T& values, MPI_Datatype type, MPI_Op operation, int count = 1)
   {
     const double begin = MPI_Wtime();
     T result;
-    MPI_Allreduce(&value, &result, 1, type, operation, m_communicator);
+    MPI_Allreduce(&values, &result, count, type, operation, m_communicator);
     m_exchange.add_seconds(MPI_Wtime() - begin);
     return result;
   }

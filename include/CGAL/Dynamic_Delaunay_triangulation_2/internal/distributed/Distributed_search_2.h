@@ -10,7 +10,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -31,17 +30,16 @@ public:
     : m_points(points)
   {
     for (const Index place : points.owned())
-      m_box.add(points.point(place).x(), points.point(place).y());
+      m_box.add(points.position(place));
     if (m_box.is_empty())
       return;
-    const double width = m_box.x_high - m_box.x_low, height = m_box.y_high - m_box.y_low;
-    const double coordinates = (std::max)({std::abs(m_box.x_low), std::abs(m_box.x_high),
-                                           std::abs(m_box.y_low), std::abs(m_box.y_high)});
+    const double width = m_box.width(), height = m_box.height();
+    const double coordinates = (std::max)(m_box.largest_x(), m_box.largest_y());
     const auto cells = (std::max)(1.0, double(points.owned().size()) / 2);
     // Cells are large enough for rounding to move their ends by far less than a cell. A row has no
     // more cells than there are points, however long the box is.
-    m_size = (std::max)({std::sqrt(width / cells) * std::sqrt(height),
-                         (std::max)(width, height) / cells, 0x1p-40 * coordinates, 0x1p-1000});
+    m_size = (std::max)({std::sqrt(width / cells) * std::sqrt(height), m_box.longer_side() / cells,
+                         0x1p-40 * coordinates, 0x1p-1000});
     m_columns = long(width / m_size) + 1;
     m_rows = long(height / m_size) + 1;
     sort_into_cells();
@@ -70,9 +68,9 @@ private:
 
   Cell cell_of(Index place) const
   {
-    const auto& p = m_points.point(place);
-    return {(std::min)(long((p.x() - m_box.x_low) / m_size), m_columns - 1),
-            (std::min)(long((p.y() - m_box.y_low) / m_size), m_rows - 1)};
+    const Position_2 p = m_points.position(place);
+    return {(std::min)(long((p.x - m_box.x_low) / m_size), m_columns - 1),
+            (std::min)(long((p.y - m_box.y_low) / m_size), m_rows - 1)};
   }
   std::size_t number(Cell cell) const { return std::size_t(cell.row * m_columns + cell.column); }
 

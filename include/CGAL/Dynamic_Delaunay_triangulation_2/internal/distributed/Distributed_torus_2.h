@@ -196,10 +196,8 @@ public:
       return;
     Box_2 around;
     for (const double x : {to.x_low - from.x_high, to.x_high - from.x_low})
-      for (const double y : {to.y_low - from.y_high, to.y_high - from.y_low}) {
-        const Position_2 m = multiples({x, y});
-        around.add(m.x, m.y);
-      }
+      for (const double y : {to.y_low - from.y_high, to.y_high - from.y_low})
+        around.add(multiples({x, y}));
     const double most = (std::max)({-around.x_low, around.x_high, -around.y_low, around.y_high});
     around = around.enlarged(0x1p-20 + 0x1p-30 * most); // for rounding
     for (double i = std::ceil(around.x_low); i <= around.x_high; ++i)

@@ -382,14 +382,10 @@ private:
   // Sends each id to one rank, so that repeated ones meet there. Returns the ids that arrive here.
   std::vector<Id> seen_here(const std::vector<Id>& ids)
   {
-    std::vector<Message_2> messages = m_ranks.empty_messages();
-    for (const Id id : ids)
-      messages[std::uint64_t(id) % m_ranks.size()].write(id);
-    std::vector<Id> seen;
-    for (Message_2& message : m_ranks.send(std::move(messages)))
-      while (!message.is_read())
-        seen.push_back(message.template read<Id>());
-    return seen;
+    return m_ranks.delivered<Id>([&](const auto& post) {
+      for (const Id id : ids)
+        post(std::uint64_t(id) % m_ranks.size(), id);
+    });
   }
 
   // Throws on all ranks if any of them sees an id twice.

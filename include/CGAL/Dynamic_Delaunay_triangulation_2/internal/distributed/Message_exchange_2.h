@@ -36,7 +36,6 @@ public:
   bool is_empty() const { return m_words.empty(); }
   bool is_read() const { return m_next == m_words.size(); }
   std::vector<std::uint64_t>& words() { return m_words; }
-  const std::vector<std::uint64_t>& words() const { return m_words; }
 
   template <class T>
   void write(const T& value)

@@ -133,8 +133,7 @@ public:
   void extend(const Question& disk, Distributed_zone_2& zone, double margin) const
   {
     const Box_2 box = disk.box_of_disk();
-    const double size = (std::max)(box.x_high - box.x_low, box.y_high - box.y_low);
-    if (size <= 8 * zone.cell_size())
+    if (box.longer_side() <= 8 * zone.cell_size())
       return zone.add(box.enlarged(margin));
     int budget = most_boxes;
     extend(disk, zone, margin, box.common_part(m_outline.box_for(disk)).enlarged(margin), budget);
@@ -148,16 +147,11 @@ private:
   static std::array<Box_2, 2> halves(const Box_2& box)
   {
     Box_2 first = box, second = box;
-    if (box.x_high - box.x_low > box.y_high - box.y_low)
-      first.x_high = second.x_low = box.x_low + (box.x_high - box.x_low) / 2;
+    if (box.width() > box.height())
+      first.x_high = second.x_low = box.x_low + box.width() / 2;
     else
-      first.y_high = second.y_low = box.y_low + (box.y_high - box.y_low) / 2;
+      first.y_high = second.y_low = box.y_low + box.height() / 2;
     return {first, second};
-  }
-
-  static bool is_small(const Box_2& box, double size)
-  {
-    return (std::max)(box.x_high - box.x_low, box.y_high - box.y_low) <= size;
   }
 
   bool is_covered(const Question& disk, const Distributed_zone_2& zone, const Box_2& box,
@@ -165,7 +159,7 @@ private:
   {
     if (!disk.may_meet<Kernel>(box) || zone.covers(box) || m_outline.excludes(box))
       return true;
-    if (is_small(box, zone.cell_size() / 4) || --budget < 0)
+    if (box.longer_side() <= zone.cell_size() / 4 || --budget < 0)
       return false;
     for (const Box_2& half : halves(box))
       if (!is_covered(disk, zone, half, budget))
@@ -179,7 +173,7 @@ private:
     const Box_2 around = box.enlarged(margin);
     if (!disk.may_meet<Kernel>(around) || m_outline.excludes_about(around))
       return;
-    if (is_small(box, zone.cell_size()))
+    if (box.longer_side() <= zone.cell_size())
       return zone.add(box);
     if (--budget < 0)
       return;

@@ -61,12 +61,9 @@ public:
     Box_2 around;
     for (const double x : {box.x_low, box.x_high})
       for (const double y : {box.y_low, box.y_high}) {
-        const Position_2 p = (*this)(x, y);
-        around.add(p.x, p.y);
+        around.add((*this)(x, y));
       }
-    const double reach = (std::max)(std::abs(box.x_low), std::abs(box.x_high)) +
-                         (std::max)(std::abs(box.y_low), std::abs(box.y_high));
-    return around.enlarged(0x1p-48 * reach);
+    return around.enlarged(0x1p-48 * (box.largest_x() + box.largest_y()));
   }
 
   Distributed_deformation_2 inverse() const

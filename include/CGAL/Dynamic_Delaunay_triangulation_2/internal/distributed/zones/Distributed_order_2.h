@@ -14,8 +14,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
@@ -38,48 +38,37 @@ public:
     const std::vector<Key> keys = keys_of(ranks, space, own);
     const std::vector<Key> splitters = find_splitters(ranks, keys);
     m_destinations.clear();
-    std::vector<Message_2> messages = ranks.empty_messages();
-    for (std::size_t k = 0; k < own.size(); ++k) {
-      const auto r = std::size_t(std::upper_bound(splitters.begin(), splitters.end(), keys[k]) -
-                                 splitters.begin());
-      m_destinations.push_back(r);
-      messages[r].write(keys[k]);
-      messages[r].write(own[k]);
-    }
-    std::vector<Arrival> arrivals;
-    for (Message_2& message : ranks.send(std::move(messages)))
-      while (!message.is_read()) {
-        const auto key = message.template read<Key>();
-        arrivals.push_back({key, message.template read<Entry>(), arrivals.size()});
+    const std::vector<Sent> arrived = ranks.delivered<Sent>([&](const auto& post) {
+      for (std::size_t k = 0; k < own.size(); ++k) {
+        const auto r = std::size_t(std::upper_bound(splitters.begin(), splitters.end(), keys[k]) -
+                                   splitters.begin());
+        m_destinations.push_back(r);
+        post(r, {keys[k], own[k]});
       }
-    std::sort(arrivals.begin(), arrivals.end(),
-              [](const Arrival& a, const Arrival& b) { return a.key < b.key; });
+    });
+    m_origins.resize(arrived.size());
+    std::iota(m_origins.begin(), m_origins.end(), std::size_t(0));
+    std::sort(m_origins.begin(), m_origins.end(),
+              [&](std::size_t k, std::size_t l) { return arrived[k].key < arrived[l].key; });
     std::vector<Entry> entries;
-    m_origins.clear();
-    for (const Arrival& arrival : arrivals) {
-      entries.push_back(arrival.entry);
-      m_origins.push_back(arrival.number);
-    }
+    for (const std::size_t k : m_origins)
+      entries.push_back(arrived[k].entry);
     return entries;
   }
 
   // How many points this rank owned before the last distribution.
   std::size_t size_before() const { return m_destinations.size(); }
-  // The ranks that they went to.
-  const std::vector<std::size_t>& destinations() const { return m_destinations; }
 
   // Returns data of the points that this rank owns now, given those of its points before.
   // Collective.
   template <class T>
   std::vector<T> carry(Distributed_ranks_2& ranks, const std::vector<T>& data) const
   {
-    std::vector<Message_2> messages = ranks.empty_messages();
-    for (std::size_t k = 0; k < data.size(); ++k)
-      messages[m_destinations[k]].write(data[k]);
-    std::vector<T> arrived, carried;
-    for (Message_2& message : ranks.send(std::move(messages)))
-      while (!message.is_read())
-        arrived.push_back(message.template read<T>());
+    const std::vector<T> arrived = ranks.delivered<T>([&](const auto& post) {
+      for (std::size_t k = 0; k < data.size(); ++k)
+        post(m_destinations[k], data[k]);
+    });
+    std::vector<T> carried;
     for (const std::size_t k : m_origins)
       carried.push_back(arrived[k]);
     return carried;
@@ -96,11 +85,10 @@ private:
       return std::tie(a.place, a.id) < std::tie(b.place, b.id);
     }
   };
-  struct Arrival
+  struct Sent
   {
     Key key;
     Entry entry;
-    std::size_t number;
   };
   struct Sample
   {
@@ -118,7 +106,7 @@ private:
     std::vector<typename Space::Image> images;
     for (const Entry& entry : own) {
       images.push_back(space.first_image({entry.x, entry.y}));
-      box.add(images.back().x, images.back().y);
+      box.add({images.back().x, images.back().y});
     }
     box.x_high = ranks.largest(box.x_high);
     box.y_high = ranks.largest(box.y_high);
@@ -162,7 +150,7 @@ private:
     return splitters;
   }
 
-  std::vector<std::size_t> m_destinations; // of the points before
+  std::vector<std::size_t> m_destinations; // the ranks that the points before went to
   std::vector<std::size_t> m_origins;      // of the points since: their numbers in order of arrival
 };
 

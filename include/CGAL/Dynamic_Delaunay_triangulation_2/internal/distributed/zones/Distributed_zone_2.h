@@ -48,8 +48,8 @@ public:
     , m_x(box.x_low)
     , m_y(box.y_low)
     , m_scale(1 / cell_size)
-    , m_columns(long((box.x_high - box.x_low) / cell_size) + 1)
-    , m_rows(long((box.y_high - box.y_low) / cell_size) + 1)
+    , m_columns(long(box.width() / cell_size) + 1)
+    , m_rows(long(box.height() / cell_size) + 1)
     , m_cells(std::size_t(m_columns) * std::size_t(m_rows), 0)
   {
   }
@@ -144,9 +144,7 @@ public:
   // A quick test: true only if all places in the box are in the zone.
   bool covers(const Box_2& box) const
   {
-    const bool is_finite =
-        box.x_high - box.x_low < Box_2::infinity && box.y_high - box.y_low < Box_2::infinity;
-    if (!is_finite)
+    if (!(box.width() < Box_2::infinity && box.height() < Box_2::infinity))
       return false;
     const auto [low, high] = cells_around(box);
     if (is_in_box(low) && is_in_box(high))
