@@ -6,7 +6,6 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Indexed_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Indexed_storage_2.h>
 #include <CGAL/Triangulation_data_structure_2.h>
@@ -17,7 +16,6 @@
 #include <memory>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
@@ -205,7 +203,7 @@ public:
   Vertex_handle copy_tds(const OtherTds& other,
                          typename OtherTds::Vertex_handle v = typename OtherTds::Vertex_handle())
   {
-    return copy_elements(
+    return copy_tds(
         other, v, [](const auto& from, auto& to) { to.set_point(from.point()); },
         [](const auto&, auto&) {});
   }
@@ -218,7 +216,36 @@ public:
   Vertex_handle copy_tds(const OtherTds& other, typename OtherTds::Vertex_handle v,
                          const ConvertVertex& convert_vertex, const ConvertFace& convert_face)
   {
-    return copy_elements(other, v, convert_vertex, convert_face);
+    Indexed_triangulation_data_structure_2 copy;
+    const std::size_t vertices = other.number_of_vertices();
+    const std::size_t faces = other.faces().size();
+    copy.vertices().reserve(vertices);
+    copy.faces().reserve(faces);
+    Unique_hash_map<typename OtherTds::Vertex_handle, Vertex_handle> copy_of_vertex(Vertex_handle(),
+                                                                                    vertices);
+    Unique_hash_map<typename OtherTds::Face_handle, Face_handle> copy_of_face(Face_handle(), faces);
+    for (auto w = other.vertices().begin(); w != other.vertices().end(); ++w) {
+      const Vertex_handle to = copy_of_vertex[w] = copy.create_vertex();
+      convert_vertex(*w, *to);
+    }
+    for (auto f = other.faces().begin(); f != other.faces().end(); ++f)
+      copy_of_face[f] = copy.create_face();
+    for (auto f = other.faces().begin(); f != other.faces().end(); ++f) {
+      const Face_handle to = copy_of_face[f];
+      for (int i = 0; i < 3; ++i) {
+        if (f->vertex(i) != typename OtherTds::Vertex_handle())
+          to->set_vertex(i, copy_of_vertex[f->vertex(i)]);
+        if (f->neighbor(i) != typename OtherTds::Face_handle())
+          to->set_neighbor(i, copy_of_face[f->neighbor(i)]);
+      }
+      convert_face(*f, *to);
+    }
+    for (auto w = other.vertices().begin(); w != other.vertices().end(); ++w)
+      if (w->face() != typename OtherTds::Face_handle())
+        copy_of_vertex[w]->set_face(copy_of_face[w->face()]);
+    copy.set_dimension(other.dimension());
+    swap(copy);
+    return v == typename OtherTds::Vertex_handle() ? Vertex_handle() : copy_of_vertex[v];
   }
 
   /// @}
@@ -280,42 +307,6 @@ private:
   {
     this->_vertices.attach(m_storage.get());
     this->_faces.attach(m_storage.get());
-  }
-
-  template <class OtherTds, class ConvertVertex, class ConvertFace>
-  Vertex_handle copy_elements(const OtherTds& other, typename OtherTds::Vertex_handle v,
-                              const ConvertVertex& convert_vertex, const ConvertFace& convert_face)
-  {
-    Indexed_triangulation_data_structure_2 copy;
-    const std::size_t vertices = other.number_of_vertices();
-    const std::size_t faces = other.faces().size();
-    copy.vertices().reserve(vertices);
-    copy.faces().reserve(faces);
-    Unique_hash_map<typename OtherTds::Vertex_handle, Vertex_handle> copy_of_vertex(Vertex_handle(),
-                                                                                    vertices);
-    Unique_hash_map<typename OtherTds::Face_handle, Face_handle> copy_of_face(Face_handle(), faces);
-    for (auto w = other.vertices().begin(); w != other.vertices().end(); ++w) {
-      const Vertex_handle to = copy_of_vertex[w] = copy.create_vertex();
-      convert_vertex(*w, *to);
-    }
-    for (auto f = other.faces().begin(); f != other.faces().end(); ++f)
-      copy_of_face[f] = copy.create_face();
-    for (auto f = other.faces().begin(); f != other.faces().end(); ++f) {
-      const Face_handle to = copy_of_face[f];
-      for (int i = 0; i < 3; ++i) {
-        if (f->vertex(i) != typename OtherTds::Vertex_handle())
-          to->set_vertex(i, copy_of_vertex[f->vertex(i)]);
-        if (f->neighbor(i) != typename OtherTds::Face_handle())
-          to->set_neighbor(i, copy_of_face[f->neighbor(i)]);
-      }
-      convert_face(*f, *to);
-    }
-    for (auto w = other.vertices().begin(); w != other.vertices().end(); ++w)
-      if (w->face() != typename OtherTds::Face_handle())
-        copy_of_vertex[w]->set_face(copy_of_face[w->face()]);
-    copy.set_dimension(other.dimension());
-    swap(copy);
-    return v == typename OtherTds::Vertex_handle() ? Vertex_handle() : copy_of_vertex[v];
   }
 
   std::unique_ptr<Storage> m_storage;

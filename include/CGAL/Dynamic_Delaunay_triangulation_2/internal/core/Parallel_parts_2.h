@@ -82,21 +82,26 @@ public:
     for_each(size, usual_size, f);
   }
 
+  // Calls f(i) for all i below `size`.
+  template <class Function>
+  static void for_each_element(std::size_t size, const Function& f)
+  {
+    for_each(size, [&](std::size_t, std::size_t first, std::size_t beyond) {
+      for (std::size_t i = first; i < beyond; ++i)
+        f(i);
+    });
+  }
+
   // True if is(first, beyond) is true for all parts. May skip parts once it was false for one.
   template <class Predicate>
-  static bool all_of(std::size_t size, std::size_t least, const Predicate& is)
+  static bool all_of(std::size_t size, const Predicate& is)
   {
     std::atomic<bool> are{true};
-    for_each(size, least, [&](std::size_t, std::size_t first, std::size_t beyond) {
+    for_each(size, [&](std::size_t, std::size_t first, std::size_t beyond) {
       if (are.load(std::memory_order_relaxed) && !is(first, beyond))
         are.store(false, std::memory_order_relaxed);
     });
     return are;
-  }
-  template <class Predicate>
-  static bool all_of(std::size_t size, const Predicate& is)
-  {
-    return all_of(size, usual_size, is);
   }
 
   // The sum of count(first, beyond) over all parts. Counts are integers.

@@ -51,9 +51,9 @@ template <class Point>
 class Positions_2
 {
   using Arrays = Point_arrays_2<Point>;
-  using Stored_point = typename Arrays::Stored_point;
 
 public:
+  using Stored_point = typename Arrays::Stored_point;
   static constexpr bool points_are_two_doubles = Arrays::points_are_two_doubles;
 
   // The first of the points must be that of the infinite vertex.
@@ -179,10 +179,7 @@ private:
 
   void set(Vertex_index v, const Point& p)
   {
-    const Position_2 position = approximation(p);
-    m_points[v] = Arrays::stored(position, p);
-    if constexpr (!points_are_two_doubles)
-      m_positions[v] = position;
+    Staged{m_points.data(), m_positions.data()}.set(v, approximation(p), p);
   }
 
   // Sets the present and the previous position of a new vertex that takes the number of another.
@@ -253,6 +250,24 @@ private:
   {
     m_positions.swap(other.m_positions);
     std::swap(m_are_exact, other.m_are_exact);
+  }
+
+  // Collects the points of other vertices, where vertex v has the point `point(v)`, for exchange().
+  // Threads share the vertices.
+  template <class Parts, class Function>
+  void collect(std::size_t vertices, const Function& point, std::vector<Stored_point>& points,
+               std::vector<Position_2>& positions) const
+  {
+    points.resize(vertices + 1);
+    points.front() = m_points.front();
+    if constexpr (!points_are_two_doubles)
+      positions.resize(vertices + 1, nan_point());
+    const Staged all{points.data(), positions.data()};
+    Parts::for_each_element(vertices, [&](std::size_t i) {
+      const Vertex_index v = Index(i + 1);
+      const Point& p = point(v);
+      all.set(v, approximation(p), p);
+    });
   }
 
   // Exchanges the points of all vertices, and the positions if they are stored separately.

@@ -397,7 +397,7 @@ public:
   bool has_coincident_vertices() const
   {
     return !m_order.template are_distinct<Parts>(
-        [this](Index v, Index w) { return m_predicates.compare_xy(v, w) == EQUAL; });
+        [this](Index v, Index w) { return m_predicates.coincide(v, w); });
   }
 
   // Calls f(v, w) for every vertex w that coincides with earlier ones, of which v is the first.
@@ -405,7 +405,7 @@ public:
   void for_each_coincident_pair(const Function& f) const
   {
     for (std::size_t first = 0, i = 1; i < m_order.size(); ++i)
-      if (is_where_the_last_one_is(i))
+      if (m_predicates.coincide(m_order[i - 1], m_order[i]))
         f(m_order[first], m_order[i]);
       else
         first = i;
@@ -426,11 +426,6 @@ public:
   void release() { m_order.release(); }
 
 private:
-  bool is_where_the_last_one_is(std::size_t i) const
-  {
-    return m_predicates.compare_xy(m_order[i - 1], m_order[i]) == EQUAL;
-  }
-
   const State& m_state;
   Vertex_predicates_2<State> m_predicates;
   Spatial_order_2 m_order;

@@ -40,7 +40,7 @@ class Torus_builder_2
   using Kind = Periodic_change_2::Kind;
   using Parts = typename State::Parts;
   using Point = typename State::Point;
-  using Point_arrays = Point_arrays_2<Point>;
+  using Positions = typename State::Positions;
 
 public:
   explicit Torus_builder_2(State& state)
@@ -62,10 +62,8 @@ public:
   {
     std::vector<Index> ids = ids_without(gone);
     std::vector<Point> points(ids.size());
-    Parts::for_each(ids.size(), [&](std::size_t, std::size_t first, std::size_t beyond) {
-      for (std::size_t i = first; i < beyond; ++i)
-        points[i] = m_state.point_of_id(ids[i]);
-    });
+    Parts::for_each_element(ids.size(),
+                            [&](std::size_t i) { points[i] = m_state.point_of_id(ids[i]); });
     ids.insert(ids.end(), coming_ids.begin(), coming_ids.end());
     points.insert(points.end(), coming_points.begin(), coming_points.end());
     const auto comes_second = [this](Point_id id) { return !keeps_vertex(id); };
@@ -182,8 +180,7 @@ private:
     } catch (...) {
       m_relocation.forget();
       exchange_content(before);
-      m_editing.log().erase(m_editing.log().begin() + std::ptrdiff_t(logged),
-                            m_editing.log().end());
+      m_editing.log().resize(logged);
       throw;
     }
   }
@@ -206,7 +203,7 @@ private:
     write_points(vertices, [&](Vertex_index v) { return points[faces.points[v]]; });
     write_faces(faces);
     ids().resize(Index(vertices));
-    for_each_in_parts(vertices, [&](std::size_t i) {
+    Parts::for_each_element(vertices, [&](std::size_t i) {
       ids().set_representative(Index(i + 1), point_ids[faces.points[i + 1]]);
     });
     triangulator.release();
@@ -219,7 +216,7 @@ private:
     State empty(m_state.torus().cell());
     empty.m_ids.reset(ids().number_of_ids());
     exchange_content(empty);
-    m_editing.log().erase(m_editing.log().begin() + std::ptrdiff_t(logged), m_editing.log().end());
+    m_editing.log().resize(logged);
     return false;
   }
 
@@ -300,17 +297,9 @@ private:
   template <class Function>
   void write_points(std::size_t vertices, const Function& point)
   {
-    std::vector<typename Point_arrays::Stored_point> points(vertices + 1);
+    std::vector<typename Positions::Stored_point> points;
     std::vector<Position_2> positions;
-    points.front() = m_state.m_points.front();
-    if constexpr (!Point_arrays::points_are_two_doubles)
-      positions.assign(vertices + 1, nan_point());
-    for_each_in_parts(vertices, [&](std::size_t i) {
-      const Point& p = point(Index(i + 1));
-      points[i + 1] = Point_arrays::stored(approximation(p), p);
-      if constexpr (!Point_arrays::points_are_two_doubles)
-        positions[i + 1] = approximation(p);
-    });
+    m_state.m_positions.template collect<Parts>(vertices, point, points, positions);
     m_state.m_positions.exchange(points, positions);
   }
 
@@ -319,21 +308,18 @@ private:
   {
     m_editing.changes().everything_is_new = true;
     const Index vertices = m_state.number_of_vertices();
-    arrays().resize(vertices, 2 * vertices);
     m_state.m_shifts = faces.shifts;
-    for_each_in_parts(2 * std::size_t(vertices), [&](std::size_t f) {
-      for (const Halfedge_index h : Halfedge_arrays_2::halfedges_of(Face_index(Index(f))))
-        arrays().set_apex_and_twin(h, faces.apexes[h], faces.twins[h]);
+    arrays().template write<Parts>(vertices, 2 * vertices, [&](Face_index f, Index i) {
+      const Halfedge_index h = Arrays::halfedge_in(f, i);
+      return std::pair(faces.apexes[h], faces.twins[h]);
     });
-    arrays().template find_corners<Parts>();
-    arrays().template number_edges<Parts>();
   }
 
   // Hides the edges of faces that cross the border. One of an edge's faces hides it, so that no two
   // threads do.
   void hide_shifted_edges()
   {
-    for_each_in_parts(arrays().number_of_faces(), [&](std::size_t number) {
+    Parts::for_each_element(arrays().number_of_faces(), [&](std::size_t number) {
       const Face_index f = Index(number);
       if (!m_state.crosses_border(f))
         return;
@@ -342,16 +328,6 @@ private:
         if (f <= beyond || !m_state.crosses_border(beyond))
           arrays().hide_edge(arrays().edge_of(h));
       }
-    });
-  }
-
-  // Calls f(i) for all i below `size`.
-  template <class Function>
-  static void for_each_in_parts(std::size_t size, const Function& f)
-  {
-    Parts::for_each(size, [&](std::size_t, std::size_t first, std::size_t beyond) {
-      for (std::size_t i = first; i < beyond; ++i)
-        f(i);
     });
   }
 

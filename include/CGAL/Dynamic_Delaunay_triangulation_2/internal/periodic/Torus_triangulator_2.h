@@ -77,19 +77,14 @@ public:
     const auto arrange_all = [&](auto& data) {
       std::remove_reference_t<decltype(data)> arranged(data.size());
       arranged[infinite_index] = data[infinite_index];
-      Parts::for_each(order.size(), [&](std::size_t, std::size_t first, std::size_t beyond) {
-        for (std::size_t i = first; i < beyond; ++i)
-          arranged[i + 1] = data[order[i]];
-      });
+      Parts::for_each_element(order.size(),
+                              [&](std::size_t i) { arranged[i + 1] = data[order[i]]; });
       data.swap(arranged);
     };
     arrange_all(m_positions);
     arrange_all(m_points);
     arrange_all(m_shifts);
-    Parts::for_each(order.size(), [&](std::size_t, std::size_t first, std::size_t beyond) {
-      for (std::size_t i = first; i < beyond; ++i)
-        order.renumber(i, Index(i + 1));
-    });
+    Parts::for_each_element(order.size(), [&](std::size_t i) { order.renumber(i, Index(i + 1)); });
   }
 
   void release()
@@ -273,18 +268,8 @@ private:
         });
     m_cloud.template arrange<Parts>(m_order);
     m_vertex_of_image.resize(m_cloud.size());
-    for_each_in_parts(m_order.size(), [&](std::size_t i) {
+    Parts::for_each_element(m_order.size(), [&](std::size_t i) {
       m_vertex_of_image[i + 1] = vertex_of_point[m_cloud.point_of(Index(i + 1))];
-    });
-  }
-
-  // Calls f(i) for all i below `size`.
-  template <class Function>
-  static void for_each_in_parts(std::size_t size, const Function& f)
-  {
-    Parts::for_each(size, [&](std::size_t, std::size_t first, std::size_t beyond) {
-      for (std::size_t i = first; i < beyond; ++i)
-        f(i);
     });
   }
 
@@ -365,7 +350,7 @@ private:
   {
     const Index planar_faces = m_planar.number_of_faces();
     m_face_numbers.resize(planar_faces);
-    for_each_in_parts(planar_faces, [&](std::size_t f) {
+    Parts::for_each_element(planar_faces, [&](std::size_t f) {
       m_face_numbers[f] = is_kept(Index(f)) ? infinite_index : null_index;
     });
     const Index kept = number_in_parts(
@@ -373,7 +358,7 @@ private:
         [&](std::size_t f, Index number) { m_face_numbers[f] = number; });
     m_faces.apexes.resize(3 * std::size_t(kept));
     m_faces.shifts.resize(3 * std::size_t(kept));
-    for_each_in_parts(planar_faces, [&](std::size_t f) {
+    Parts::for_each_element(planar_faces, [&](std::size_t f) {
       if (m_face_numbers[f] == null_index)
         return;
       const Index h = Flat_faces_2::first_halfedge(Index(f)), to = 3 * m_face_numbers[f];
@@ -430,7 +415,7 @@ private:
   {
     const std::size_t corners = m_faces.apexes.size();
     std::vector<std::atomic<Index>> start(points + 1); // one of each vertex's corners, plus one
-    for_each_in_parts(corners, [&](std::size_t h) {
+    Parts::for_each_element(corners, [&](std::size_t h) {
       start[m_faces.apexes[h]].store(Index(h + 1), std::memory_order_relaxed);
     });
     return Parts::sum(points, [&](std::size_t first, std::size_t beyond) {

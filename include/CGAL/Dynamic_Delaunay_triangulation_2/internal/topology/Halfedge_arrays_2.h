@@ -6,15 +6,12 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -235,13 +232,6 @@ private:
 
   // WRITING -------------------------------------------------------------------------------------
 
-  void clear()
-  {
-    m_halfedges.clear();
-    m_corner.clear();
-    drop_edges();
-  }
-
   void drop_edges()
   {
     m_edges.clear();
@@ -271,8 +261,6 @@ private:
     m_corner[v] = h;
   }
 
-  void set_twin(Halfedge_index h, Halfedge_index g) { m_halfedges[h].twin = g; }
-
   void link(Halfedge_index h, Halfedge_index g)
   {
     m_halfedges[h].twin = g;
@@ -293,13 +281,24 @@ private:
   void set_corner(Vertex_index v, Halfedge_index h) { m_corner[v] = h; }
 
   // WRITING EVERYTHING --------------------------------------------------------------------------
-  //
-  // Call set_apex_and_twin() for each half-edge, then find_corners(), then number_edges().
 
-  void set_apex_and_twin(Halfedge_index h, Vertex_index v, Halfedge_index g)
+  // Writes all faces, finds the corners and numbers the edges. `apex_and_twin(f, i)` returns those
+  // of the i-th half-edge of face f. Threads share the faces.
+  template <class Parts, class Function>
+  void write(Index vertices, Index faces, const Function& apex_and_twin)
   {
-    m_halfedges[h].apex = v;
-    m_halfedges[h].twin = g;
+    resize(vertices, faces);
+    Parts::for_each_element(faces, [&](std::size_t number) {
+      const Face_index f = Index(number);
+      for (Index i = 0; i < 3; ++i) {
+        const Halfedge_index h = halfedge_in(f, i);
+        const auto [apex, twin] = apex_and_twin(f, i);
+        m_halfedges[h].apex = apex;
+        m_halfedges[h].twin = twin;
+      }
+    });
+    find_corners<Parts>();
+    number_edges<Parts>();
   }
 
   // Finds twins and corners, and numbers the edges, if only the vertices and the neighbors of faces

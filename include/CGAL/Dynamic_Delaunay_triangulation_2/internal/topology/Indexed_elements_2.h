@@ -82,9 +82,17 @@ public:
   Element& operator*() const { return m_element; }
   Element* operator->() const { return &m_element; }
 
+  // The number from i on that an element has, or that of the end.
+  static Index next(const Storage& s, Index i)
+  {
+    while (i < Element::size_with_holes(s) && Element::is_hole(s, i))
+      ++i;
+    return i < Element::size_with_holes(s) ? i : end_index;
+  }
+
   Indexed_handle_2& operator++()
   {
-    m_element.m_index = Element::next(*m_element.m_storage, m_element.m_index + 1);
+    m_element.m_index = next(*m_element.m_storage, m_element.m_index + 1);
     return *this;
   }
   Indexed_handle_2 operator++(int)
@@ -170,12 +178,6 @@ public:
   static Index size_with_holes(const Storage& s) { return s.vertices_with_holes(); }
   static std::size_t size(const Storage& s) { return s.number_of_vertices(); }
   static bool is_hole(const Storage& s, Vertex_index v) { return s.is_erased_vertex(v); }
-  static Index next(const Storage& s, Vertex_index v)
-  {
-    while (v < size_with_holes(s) && is_hole(s, v))
-      ++v;
-    return v < size_with_holes(s) ? Index(v) : Vertex_handle::end_index;
-  }
   static Vertex_handle create(Storage& s) { return {&s, s.create_vertex()}; }
   static Vertex_handle create(Storage& s, const Point& p)
   {
@@ -305,12 +307,6 @@ public:
   static Index size_with_holes(const Storage& s) { return s.faces_with_holes(); }
   static std::size_t size(const Storage& s) { return s.number_of_faces(); }
   static bool is_hole(const Storage& s, Face_index f) { return s.is_erased_face(f); }
-  static Index next(const Storage& s, Face_index f)
-  {
-    while (f < size_with_holes(s) && is_hole(s, f))
-      ++f;
-    return f < size_with_holes(s) ? Index(f) : Face_handle::end_index;
-  }
   static Face_handle create(Storage& s) { return {&s, s.create_face()}; }
   static Face_handle create(Storage& s, const Vertex_handle& v0, const Vertex_handle& v1,
                             const Vertex_handle& v2)
@@ -431,7 +427,10 @@ public:
 
   void attach(Storage* storage) { m_storage = storage; }
 
-  iterator begin() const { return m_storage == nullptr ? end() : at(Element::next(*m_storage, 0)); }
+  iterator begin() const
+  {
+    return m_storage == nullptr ? end() : at(iterator::next(*m_storage, 0));
+  }
   iterator end() const { return at(iterator::end_index); }
   size_type size() const { return m_storage == nullptr ? 0 : Element::size(*m_storage); }
   bool empty() const { return size() == 0; }
@@ -464,30 +463,20 @@ private:
   Storage* m_storage = nullptr;
 };
 
-// Bases that make Indexed_vertex_2 and Indexed_face_2 the vertices and faces of CGAL's structure.
-template <class Storage>
-struct Indexed_vertex_base_2
+// The base that makes Indexed_vertex_2 or Indexed_face_2 the vertices or faces of CGAL's structure.
+template <class Element>
+struct Indexed_base_2
 {
   template <class Tds>
   struct Rebind_TDS
   {
-    using Other = Indexed_vertex_2<Storage>;
+    using Other = Element;
   };
 };
 
 template <class Storage>
-struct Indexed_face_base_2
-{
-  template <class Tds>
-  struct Rebind_TDS
-  {
-    using Other = Indexed_face_2<Storage>;
-  };
-};
-
-template <class Storage>
-using Indexed_tds_base_2 =
-    Triangulation_data_structure_2<Indexed_vertex_base_2<Storage>, Indexed_face_base_2<Storage>>;
+using Indexed_tds_base_2 = Triangulation_data_structure_2<Indexed_base_2<Indexed_vertex_2<Storage>>,
+                                                          Indexed_base_2<Indexed_face_2<Storage>>>;
 
 } // namespace internal
 } // namespace Dynamic_Delaunay_triangulations_2
@@ -514,9 +503,8 @@ class Compact_container<Dynamic_Delaunay_triangulations_2::internal::Indexed_fac
 };
 
 template <class Storage>
-class Triangulation_ds_vertex_circulator_2<Triangulation_data_structure_2<
-    Dynamic_Delaunay_triangulations_2::internal::Indexed_vertex_base_2<Storage>,
-    Dynamic_Delaunay_triangulations_2::internal::Indexed_face_base_2<Storage>>>
+class Triangulation_ds_vertex_circulator_2<
+    Dynamic_Delaunay_triangulations_2::internal::Indexed_tds_base_2<Storage>>
   : public Bidirectional_circulator_base<
         Dynamic_Delaunay_triangulations_2::internal::Indexed_vertex_2<Storage>>,
     public Triangulation_cw_ccw_2

@@ -70,8 +70,6 @@ public:
     return {added.first, added.second};
   }
 
-  std::vector<std::string> names() const { return m_arrays.properties(); }
-
   // Makes room for so many more elements. Then append() throws only what copying a value throws.
   void reserve_extra(std::size_t number)
   {
@@ -100,9 +98,15 @@ public:
 
   bool empty() const { return m_arrays.n_properties() == 0; }
 
-  // Renumbers the values. `others` is a copy of this object. The element with number i has the
-  // number before[i] in `others`, or is new if that is `null_index`. Memory must be reserved.
-  void renumber(const Indexed_properties_2& others, const std::vector<Index>& before)
+  // Returns what renumber() needs, and reserves memory for it.
+  Indexed_properties_2 prepare(const std::vector<Index>& before)
+  {
+    reserve(before.size());
+    return *this;
+  }
+  // Renumbers the values: the element with number i had the number before[i], or is new if that is
+  // `null_index`. Throws only what copying a value throws.
+  void renumber(const Indexed_properties_2& prepared, const std::vector<Index>& before)
   {
     m_arrays.resize(before.size());
     if (empty())
@@ -111,7 +115,7 @@ public:
       if (before[i] == null_index)
         m_arrays.reset(i);
       else
-        m_arrays.transfer(others.m_arrays, before[i], i);
+        m_arrays.transfer(prepared.m_arrays, before[i], i);
   }
 
 private:
@@ -120,47 +124,73 @@ private:
   Container m_arrays;
 };
 
-// The array of `info()`; none if `Info` is void.
-template <class Info>
-struct Info_array_2
+// All that users keep at vertices or faces: properties, and the values of `info()`.
+template <class Handle, class Info>
+class User_data_2 : public Indexed_properties_2<Handle>
 {
   static_assert(!std::is_same_v<Info, bool>, "take char: there are no references to single bits");
+  using Properties = Indexed_properties_2<Handle>;
 
-  void reserve(std::size_t number) { values.reserve(number); }
-  void reserve_extra(std::size_t number) { internal::reserve_extra(values, number); }
-  void append() { values.emplace_back(); }
-  void resize(std::size_t number) { values.resize(number); }
-  void reset(Index i) { values[i] = Info(); }
+public:
+  Info& info(Index i) { return m_infos[i]; }
+  bool empty() const { return false; }
+
+  void reserve(std::size_t number)
+  {
+    Properties::reserve(number);
+    m_infos.reserve(number);
+  }
+  void reserve_extra(std::size_t number)
+  {
+    Properties::reserve_extra(number);
+    internal::reserve_extra(m_infos, number);
+  }
+  void append()
+  {
+    Properties::append();
+    m_infos.emplace_back();
+  }
+  void resize(std::size_t number)
+  {
+    Properties::resize(number);
+    m_infos.resize(number);
+  }
+  void reset(Index i)
+  {
+    Properties::reset(i);
+    m_infos[i] = Info();
+  }
   void move_last_to(Index i)
   {
-    if (i + std::size_t(1) != values.size())
-      values[i] = std::move(values.back());
-    values.pop_back();
+    Properties::move_last_to(i);
+    if (i + std::size_t(1) != m_infos.size())
+      m_infos[i] = std::move(m_infos.back());
+    m_infos.pop_back();
   }
-  // Returns the values, renumbered as by `Indexed_properties_2::renumber()`.
-  Info_array_2 renumbered(const std::vector<Index>& before) const
+
+  User_data_2 prepare(const std::vector<Index>& before)
   {
-    Info_array_2 others;
-    others.resize(before.size());
+    User_data_2 prepared;
+    static_cast<Properties&>(prepared) = Properties::prepare(before);
+    prepared.m_infos.resize(before.size());
     for (std::size_t i = 0; i < before.size(); ++i)
       if (before[i] != null_index)
-        others.values[i] = values[before[i]];
-    return others;
+        prepared.m_infos[i] = m_infos[before[i]];
+    return prepared;
+  }
+  void renumber(User_data_2& prepared, const std::vector<Index>& before)
+  {
+    Properties::renumber(prepared, before);
+    m_infos.swap(prepared.m_infos);
   }
 
-  std::vector<Info> values;
+private:
+  std::vector<Info> m_infos;
 };
 
-template <>
-struct Info_array_2<void>
+template <class Handle>
+class User_data_2<Handle, void> : public Indexed_properties_2<Handle>
 {
-  void reserve(std::size_t) {}
-  void reserve_extra(std::size_t) {}
-  void append() {}
-  void resize(std::size_t) {}
-  void reset(Index) {}
-  void move_last_to(Index) {}
-  Info_array_2 renumbered(const std::vector<Index>&) const { return {}; }
 };
 
 template <class Element>
@@ -202,10 +232,8 @@ public:
   Indexed_storage_2(const Indexed_storage_2& other)
     : m_arrays(other.m_arrays, Halfedge_arrays_2::Without_edges())
     , m_points(other.m_points)
-    , m_vertex_properties(other.m_vertex_properties)
-    , m_face_properties(other.m_face_properties)
-    , m_vertex_infos(other.m_vertex_infos)
-    , m_face_infos(other.m_face_infos)
+    , m_vertex_data(other.m_vertex_data)
+    , m_face_data(other.m_face_data)
     , m_free_vertices(other.m_free_vertices)
     , m_free_faces(other.m_free_faces)
     , m_erased_vertices(other.m_erased_vertices)
@@ -229,10 +257,10 @@ public:
   bool is_written_by_handles() const { return m_is_written_by_handles; }
   void note_written_by_handle() { m_is_written_by_handles = true; }
 
-  Vertex_properties& vertex_properties() { return m_vertex_properties; }
-  Face_properties& face_properties() { return m_face_properties; }
-  auto& vertex_info(Vertex_index v) { return m_vertex_infos.values[v]; }
-  auto& face_info(Face_index f) { return m_face_infos.values[f]; }
+  Vertex_properties& vertex_properties() { return m_vertex_data; }
+  Face_properties& face_properties() { return m_face_data; }
+  auto& vertex_info(Vertex_index v) { return m_vertex_data.info(v); }
+  auto& face_info(Face_index f) { return m_face_data.info(f); }
 
   Index vertices_with_holes() const { return m_arrays.number_of_vertices(); }
   Index faces_with_holes() const { return m_arrays.faces_with_holes(); }
@@ -257,17 +285,14 @@ public:
       m_free_vertices.pop_back();
       --m_erased_vertices;
       m_arrays.m_corner[v] = null_index;
-      m_vertex_properties.reset(v);
-      m_vertex_infos.reset(v);
+      m_vertex_data.reset(v);
       return v;
     }
     reserve_extra(m_points, 1);
     reserve_extra(m_arrays.m_corner, 1);
-    m_vertex_properties.reserve_extra(1);
-    m_vertex_infos.reserve_extra(1);
+    m_vertex_data.reserve_extra(1);
     m_points.emplace_back();
-    m_vertex_properties.append();
-    m_vertex_infos.append();
+    m_vertex_data.append();
     m_arrays.m_corner.push_back(null_index);
     return Index(m_arrays.m_corner.size()) - 1;
   }
@@ -281,15 +306,12 @@ public:
       f = m_free_faces.back();
       m_free_faces.pop_back();
       --m_erased_faces;
-      m_face_properties.reset(f);
-      m_face_infos.reset(f);
+      m_face_data.reset(f);
     } else {
       f = faces_with_holes();
       reserve_extra(m_arrays.m_halfedges, 3);
-      m_face_properties.reserve_extra(1);
-      m_face_infos.reserve_extra(1);
-      m_face_properties.append();
-      m_face_infos.append();
+      m_face_data.reserve_extra(1);
+      m_face_data.append();
       m_arrays.m_halfedges.resize(m_arrays.m_halfedges.size() + 3);
     }
     for (const Halfedge_index h : Halfedge_arrays_2::halfedges_of(f))
@@ -347,8 +369,7 @@ public:
     note_written_by_handle();
     m_points.clear();
     m_arrays.m_corner.clear();
-    m_vertex_properties.resize(0);
-    m_vertex_infos.resize(0);
+    m_vertex_data.resize(0);
     m_free_vertices.clear();
     m_erased_vertices = 0;
   }
@@ -358,8 +379,7 @@ public:
     note_written_by_handle();
     m_arrays.m_halfedges.clear();
     m_arrays.drop_edges();
-    m_face_properties.resize(0);
-    m_face_infos.resize(0);
+    m_face_data.resize(0);
     m_free_faces.clear();
     m_erased_faces = 0;
   }
@@ -368,14 +388,12 @@ public:
   {
     m_points.reserve(number);
     m_arrays.m_corner.reserve(number);
-    m_vertex_properties.reserve(number);
-    m_vertex_infos.reserve(number);
+    m_vertex_data.reserve(number);
   }
   void reserve_faces(std::size_t number)
   {
     m_arrays.m_halfedges.reserve(3 * number);
-    m_face_properties.reserve(number);
-    m_face_infos.reserve(number);
+    m_face_data.reserve(number);
   }
 
   // NUMBERING -------------------------------------------------------------------------------------
@@ -389,8 +407,8 @@ public:
         vertices_with_holes(), [this](Vertex_index v) { return is_erased_vertex(v); });
     const auto [faces_before, new_face] = numbers_without_holes(
         faces_with_holes(), [this](Face_index f) { return is_erased_face(f); });
-    Renumbered_face_data face_data(m_face_properties, m_face_infos, faces_before);
-    Renumbered_vertex_data vertex_data(m_vertex_properties, m_vertex_infos, vertices_before);
+    auto face_data = m_face_data.prepare(faces_before);
+    auto vertex_data = m_vertex_data.prepare(vertices_before);
     m_arrays.drop_edges(); // nothing throws from here on, unless copying a point or a value does
     for (Vertex_index v = 0; v < Index(vertices_before.size()); ++v) {
       m_points[v] = std::move(m_points[vertices_before[v]]);
@@ -406,8 +424,8 @@ public:
     m_points.resize(vertices_before.size());
     m_arrays.m_corner.resize(vertices_before.size());
     m_arrays.m_halfedges.resize(3 * faces_before.size());
-    vertex_data.take(m_vertex_properties, m_vertex_infos);
-    face_data.take(m_face_properties, m_face_infos);
+    m_vertex_data.renumber(vertex_data, vertices_before);
+    m_face_data.renumber(face_data, faces_before);
     m_free_vertices.clear();
     m_free_faces.clear();
     m_erased_vertices = m_erased_faces = 0;
@@ -422,70 +440,20 @@ private:
   friend class Plane_editing_2;
 
   // WHERE THE EDITOR AND THE BUILDER WRITE --------------------------------------------------------
-  // They write points and arrays themselves, and call these functions so that user data follow.
-
-  // After this, append_slot() throws only what copying a value throws.
-  void reserve_for_slot()
-  {
-    m_vertex_properties.reserve_extra(1);
-    m_face_properties.reserve_extra(2);
-    m_vertex_infos.reserve_extra(1);
-    m_face_infos.reserve_extra(2);
-  }
-
-  // Appends the user data of a vertex and two faces.
-  void append_slot()
-  {
-    m_vertex_properties.append();
-    m_vertex_infos.append();
-    for (int i = 0; i < 2; ++i) {
-      m_face_properties.append();
-      m_face_infos.append();
-    }
-  }
+  // They write points and arrays themselves, and call these functions and those of m_vertex_data
+  // and m_face_data so that user data follow.
 
   void reserve_data(std::size_t vertices, std::size_t faces)
   {
-    m_vertex_properties.reserve(vertices);
-    m_vertex_infos.reserve(vertices);
-    m_face_properties.reserve(faces);
-    m_face_infos.reserve(faces);
+    m_vertex_data.reserve(vertices);
+    m_face_data.reserve(faces);
   }
 
   // Resizes the user data to these numbers of elements.
   void resize_data(std::size_t vertices, std::size_t faces)
   {
-    m_vertex_properties.resize(vertices);
-    m_vertex_infos.resize(vertices);
-    m_face_properties.resize(faces);
-    m_face_infos.resize(faces);
-  }
-
-  auto renumbered_vertex_data(const std::vector<Index>& before)
-  {
-    return Renumbered_vertex_data(m_vertex_properties, m_vertex_infos, before);
-  }
-  template <class Data>
-  void take_vertex_data(Data& data)
-  {
-    data.take(m_vertex_properties, m_vertex_infos);
-  }
-
-  void resize_vertex_data(std::size_t vertices)
-  {
-    m_vertex_properties.resize(vertices);
-    m_vertex_infos.resize(vertices);
-  }
-  void resize_face_data(std::size_t faces)
-  {
-    m_face_properties.resize(faces);
-    m_face_infos.resize(faces);
-  }
-
-  // Whether vertices have an `info()` or properties.
-  bool has_vertex_data() const
-  {
-    return !std::is_void_v<Vertex_info> || !m_vertex_properties.empty();
+    m_vertex_data.resize(vertices);
+    m_face_data.resize(faces);
   }
 
   // Takes over everything from another storage, which must have no holes.
@@ -494,10 +462,8 @@ private:
     CGAL_precondition(!other.has_holes());
     m_arrays = other.m_arrays;
     m_points = other.m_points;
-    m_vertex_properties = other.m_vertex_properties;
-    m_face_properties = other.m_face_properties;
-    m_vertex_infos = other.m_vertex_infos;
-    m_face_infos = other.m_face_infos;
+    m_vertex_data = other.m_vertex_data;
+    m_face_data = other.m_face_data;
     m_is_written_by_handles = other.m_is_written_by_handles;
   }
 
@@ -510,51 +476,6 @@ private:
     resize_data(m_points.size(), m_arrays.faces_with_holes());
     m_is_written_by_handles = other.m_is_written_by_handles;
   }
-
-  void renew_vertex(Vertex_index v)
-  {
-    m_vertex_properties.reset(v);
-    m_vertex_infos.reset(v);
-  }
-
-  void move_last_vertex_data_to(Vertex_index v)
-  {
-    m_vertex_properties.move_last_to(v);
-    m_vertex_infos.move_last_to(v);
-  }
-  void move_last_face_data_to(Face_index f)
-  {
-    m_face_properties.move_last_to(f);
-    m_face_infos.move_last_to(f);
-  }
-
-  // The user data of elements with new numbers: the element with number i had the number before[i],
-  // or is new if that is `null_index`. Constructed in advance, so that take() needs no memory.
-  template <class Data, class Infos>
-  class Renumbered_data
-  {
-  public:
-    Renumbered_data(Data& properties, const Infos& infos, const std::vector<Index>& before)
-      : m_before(before)
-      , m_properties(properties)
-      , m_infos(infos.renumbered(before))
-    {
-      properties.reserve(before.size());
-    }
-
-    void take(Data& properties, Infos& infos)
-    {
-      properties.renumber(m_properties, m_before);
-      std::swap(infos, m_infos);
-    }
-
-  private:
-    const std::vector<Index>& m_before;
-    Data m_properties;
-    Infos m_infos;
-  };
-  using Renumbered_vertex_data = Renumbered_data<Vertex_properties, Info_array_2<Vertex_info>>;
-  using Renumbered_face_data = Renumbered_data<Face_properties, Info_array_2<Face_info>>;
 
   static constexpr Index erased_index = null_index - 1;
 
@@ -605,10 +526,8 @@ private:
 
   Halfedge_arrays_2 m_arrays;
   Points m_points;
-  Vertex_properties m_vertex_properties;
-  Face_properties m_face_properties;
-  Info_array_2<Vertex_info> m_vertex_infos;
-  Info_array_2<Face_info> m_face_infos;
+  User_data_2<Vertex_handle, Vertex_info> m_vertex_data;
+  User_data_2<Face_handle, Face_info> m_face_data;
   std::vector<Index> m_free_vertices, m_free_faces; // holes to be filled, the last one first
   std::size_t m_erased_vertices = 0, m_erased_faces = 0;
   bool m_is_written_by_handles = false;

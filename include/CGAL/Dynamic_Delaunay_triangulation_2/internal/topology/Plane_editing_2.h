@@ -45,9 +45,9 @@ public:
   template <class Visitor, class Dynamic>
   void start_visit(Visitor& visitor, const Dynamic* dynamic)
   {
-    calls().start(visitor, dynamic);
+    m_topology.m_visitor_calls.start(visitor, dynamic);
   }
-  void finish_visit() { calls().finish(); }
+  void finish_visit() { m_topology.m_visitor_calls.finish(); }
 
   // MEMORY OF CHANGES ---------------------------------------------------------------------------
 
@@ -69,16 +69,25 @@ public:
     using Edge = typename State::Triangulation::Edge;
     const auto f = m_topology.face_handle(Arrays::face_of(h));
     const int place = int(Arrays::place_of(h));
-    calls().before_flip(Edge(f, place));
+    const Edge before(f, place), after(f, Triangulation_cw_ccw_2::ccw(place));
+    tell([&](auto& visitor, auto& dt) { visitor.before_flip(dt, before); });
     m_arrays.flip(h);
-    calls().after_flip(Edge(f, Triangulation_cw_ccw_2::ccw(place)));
+    tell([&](auto& visitor, auto& dt) { visitor.after_flip(dt, after); });
   }
 
   void set_corner(Halfedge_index h, Vertex_index v) { m_arrays.set_apex(h, v); }
   void put_in(const Slot& slot, Face_index f, typename State::Frame) { m_arrays.put_in(slot, f); }
 
-  void before_face(Face_index f) { calls().before_face_removal(m_topology.face_handle(f)); }
-  void after_face(Face_index f) { calls().after_face_creation(m_topology.face_handle(f)); }
+  void before_face(Face_index f)
+  {
+    const auto face = m_topology.face_handle(f);
+    tell([&](auto& visitor, auto& dt) { visitor.before_face_removal(dt, face); });
+  }
+  void after_face(Face_index f)
+  {
+    const auto face = m_topology.face_handle(f);
+    tell([&](auto& visitor, auto& dt) { visitor.after_face_creation(dt, face); });
+  }
   static void before_edge(Index) {}
   static void after_edge(Index) {}
 
@@ -86,27 +95,30 @@ public:
 
   void after_vertex_creation(Vertex_index v)
   {
-    calls().after_vertex_creation(m_topology.vertex_handle(v), ids().representative(v));
+    tell([&](auto& visitor, auto& dt) { visitor.after_vertex_creation(dt, handle(v), id(v)); });
   }
   void before_vertex_removal(Vertex_index v)
   {
-    calls().before_vertex_removal(m_topology.vertex_handle(v), ids().representative(v));
+    tell([&](auto& visitor, auto& dt) { visitor.before_vertex_removal(dt, handle(v), id(v)); });
   }
   void before_vertex_relocation(Vertex_index v)
   {
-    calls().before_vertex_relocation(m_topology.vertex_handle(v), ids().representative(v));
+    tell([&](auto& visitor, auto& dt) { visitor.before_vertex_relocation(dt, handle(v), id(v)); });
   }
   void before_vertex_merge(Index goes, Index stays)
   {
-    calls().before_vertex_merge(m_topology.vertex_handle(goes), ids().representative(goes),
-                                m_topology.vertex_handle(stays));
+    tell([&](auto& visitor, auto& dt) {
+      visitor.before_vertex_merge(dt, handle(goes), id(goes), handle(stays));
+    });
   }
 
   static void reserve_for_id_change(Index) {}
   static void before_id_change(Index) {}
   void after_id_change(Vertex_index v, Index former, const Position_2&)
   {
-    calls().after_id_change(m_topology.vertex_handle(v), former);
+    tell([&](auto& visitor, auto& dt) {
+      visitor.after_id_change(dt, handle(v), std::size_t(former));
+    });
   }
 
   static void reserve_for_move() {}
@@ -114,18 +126,36 @@ public:
 
   // DATA OF USERS -------------------------------------------------------------------------------
 
-  void reserve_for_slot() { m_storage.reserve_for_slot(); }
-  void append_slot() { m_storage.append_slot(); }
+  // Reserves memory for the data of a vertex and two faces. Then append_slot() throws only what
+  // copying a value throws.
+  void reserve_for_slot()
+  {
+    m_storage.m_vertex_data.reserve_extra(1);
+    m_storage.m_face_data.reserve_extra(2);
+  }
+  void append_slot()
+  {
+    m_storage.m_vertex_data.append();
+    m_storage.m_face_data.append();
+    m_storage.m_face_data.append();
+  }
   void resize_data(std::size_t vertices, std::size_t faces)
   {
     m_storage.resize_data(vertices, faces);
   }
-  void renew_vertex(Vertex_index v) { m_storage.renew_vertex(v); }
-  void move_last_vertex_data_to(Vertex_index v) { m_storage.move_last_vertex_data_to(v); }
-  void move_last_face_data_to(Face_index f) { m_storage.move_last_face_data_to(f); }
+  void renew_vertex(Vertex_index v) { m_storage.m_vertex_data.reset(v); }
+  void move_last_vertex_data_to(Vertex_index v) { m_storage.m_vertex_data.move_last_to(v); }
+  void move_last_face_data_to(Face_index f) { m_storage.m_face_data.move_last_to(f); }
 
 private:
-  typename Topology::Visitor_calls& calls() { return m_topology.m_visitor_calls; }
+  // Calls f(visitor, triangulation) if the user has a visitor.
+  template <class Function>
+  void tell(const Function& f)
+  {
+    m_topology.m_visitor_calls.call(f);
+  }
+  auto handle(Vertex_index v) const { return m_topology.vertex_handle(v); }
+  std::size_t id(Vertex_index v) const { return m_topology.m_ids.representative(v); }
 
   State& m_state;
   Topology& m_topology;

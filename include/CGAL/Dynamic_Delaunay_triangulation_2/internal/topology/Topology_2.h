@@ -11,7 +11,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Point_ids_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 
-#include <cstddef>
 #include <exception>
 #include <type_traits>
 #include <utility>
@@ -29,7 +28,7 @@ template <class Visitor, class Dynamic>
 class Visitor_calls_2
 {
 public:
-  // False for the default visitor; then none of the calls is compiled.
+  // False for the default visitor; then no call is compiled.
   static constexpr bool is_heard = !std::is_void_v<Dynamic>;
 
   // Called in each update, because both objects may have other addresses than in the last one.
@@ -47,61 +46,7 @@ public:
       std::rethrow_exception(std::exchange(m_failure, nullptr));
   }
 
-  template <class Edge>
-  void before_flip(const Edge& e)
-  {
-    call([&](auto& visitor, auto& dt) { visitor.before_flip(dt, e); });
-  }
-
-  template <class Edge>
-  void after_flip(const Edge& e)
-  {
-    call([&](auto& visitor, auto& dt) { visitor.after_flip(dt, e); });
-  }
-
-  template <class Face_handle>
-  void before_face_removal(Face_handle f)
-  {
-    call([&](auto& visitor, auto& dt) { visitor.before_face_removal(dt, f); });
-  }
-
-  template <class Face_handle>
-  void after_face_creation(Face_handle f)
-  {
-    call([&](auto& visitor, auto& dt) { visitor.after_face_creation(dt, f); });
-  }
-
-  template <class Vertex_handle>
-  void after_vertex_creation(Vertex_handle v, std::size_t id)
-  {
-    call([&](auto& visitor, auto& dt) { visitor.after_vertex_creation(dt, v, id); });
-  }
-
-  template <class Vertex_handle>
-  void before_vertex_removal(Vertex_handle v, std::size_t id)
-  {
-    call([&](auto& visitor, auto& dt) { visitor.before_vertex_removal(dt, v, id); });
-  }
-
-  template <class Vertex_handle>
-  void before_vertex_relocation(Vertex_handle v, std::size_t id)
-  {
-    call([&](auto& visitor, auto& dt) { visitor.before_vertex_relocation(dt, v, id); });
-  }
-
-  template <class Vertex_handle>
-  void before_vertex_merge(Vertex_handle v, std::size_t id, Vertex_handle stays)
-  {
-    call([&](auto& visitor, auto& dt) { visitor.before_vertex_merge(dt, v, id, stays); });
-  }
-
-  template <class Vertex_handle>
-  void after_id_change(Vertex_handle v, std::size_t id_before)
-  {
-    call([&](auto& visitor, auto& dt) { visitor.after_id_change(dt, v, id_before); });
-  }
-
-private:
+  // Calls f(visitor, triangulation).
   template <class Function>
   void call(const Function& f) noexcept
   {
@@ -116,6 +61,7 @@ private:
     }
   }
 
+private:
   Visitor* m_visitor = nullptr;
   const Dynamic* m_dynamic = nullptr;
   std::exception_ptr m_failure;

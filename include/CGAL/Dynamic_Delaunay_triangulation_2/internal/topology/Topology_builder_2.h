@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Point_ids_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Positions_2.h>
@@ -15,6 +16,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Guibas_stolfi_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Static_triangulator_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Plane_editing_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
 #include <CGAL/enum.h>
 
@@ -63,11 +65,10 @@ public:
     m_order = std::move(order);
     m_point_ids.resize(vertices + std::size_t(1)); // the infinite vertex has no point
     m_points.resize(vertices + std::size_t(1));
-    Parts::for_each(vertices, [&](std::size_t, std::size_t first, std::size_t beyond) {
-      for (Vertex_index v = Index(first) + 1; v <= beyond; ++v) {
-        m_point_ids[v] = m_state.ids().representative(v);
-        m_points[v] = m_state.point(v);
-      }
+    Parts::for_each_element(vertices, [&](std::size_t i) {
+      const Vertex_index v = Index(i + 1);
+      m_point_ids[v] = m_state.ids().representative(v);
+      m_points[v] = m_state.point(v);
     });
     number_points(m_state.ids().number_of_ids(), [](Index) { return true; });
   }
@@ -133,13 +134,11 @@ private:
   {
     m_place_of_vertex.resize(m_order.size());
     m_ids.resize(Index(m_order.size()));
-    Parts::for_each(m_order.size(), [&](std::size_t, std::size_t i, std::size_t beyond) {
-      for (; i < beyond; ++i) {
-        const Index place = m_order[i], vertex = Index(i) + 1;
-        m_place_of_vertex[i] = place;
-        m_ids.set_representative(vertex, m_point_ids[place]);
-        m_order.renumber(i, vertex);
-      }
+    Parts::for_each_element(m_order.size(), [&](std::size_t i) {
+      const Index place = m_order[i], vertex = Index(i) + 1;
+      m_place_of_vertex[i] = place;
+      m_ids.set_representative(vertex, m_point_ids[place]);
+      m_order.renumber(i, vertex);
     });
   }
 
@@ -148,10 +147,8 @@ private:
     const boost::counting_iterator<Index> first(0), beyond(Index(m_points.size()));
     if (m_state.positions_are_exact()) {
       std::vector<Position_2> positions(m_points.size());
-      Parts::for_each(m_points.size(), [&](std::size_t, std::size_t i, std::size_t end) {
-        for (; i < end; ++i)
-          positions[i] = approximation(m_points[i]);
-      });
+      Parts::for_each_element(m_points.size(),
+                              [&](std::size_t i) { positions[i] = approximation(m_points[i]); });
       m_order.template sort<Parts>(positions, first, beyond);
     } else
       m_order.sort_by_comparisons(first, beyond, [this](Index i, Index j) {
@@ -209,6 +206,7 @@ public:
     , m_storage(state.m_topology.m_storage)
     , m_arrays(state.m_topology.m_storage.m_arrays)
     , m_positions(state.m_positions)
+    , m_editing(state)
     , m_vertex_order(state)
     , m_numbering(state)
     , m_triangulator(state)
@@ -312,10 +310,8 @@ public:
   // are then as in new vertices and faces. Throws nothing after reserve_for_exchange().
   void exchange(State& other)
   {
-    auto& visitor_calls = m_topology.m_visitor_calls;
     tell_of_faces_before();
-    for_each_vertex(
-        [&](Vertex_handle v, Point_id id) { visitor_calls.before_vertex_removal(v, id); });
+    for_each_vertex([this](Vertex_index v) { m_editing.before_vertex_removal(v); });
     const int dimension = m_state.triangulation().dimension();
     set_dimension(other.triangulation().dimension());
     other.m_topology.m_triangulation.tds().set_dimension(dimension);
@@ -323,8 +319,7 @@ public:
     std::swap(m_topology.m_ids, other.m_topology.m_ids);
     std::swap(m_topology.m_changes, other.m_topology.m_changes);
     m_positions.exchange_all_but_points(other.m_positions);
-    for_each_vertex(
-        [&](Vertex_handle v, Point_id id) { visitor_calls.after_vertex_creation(v, id); });
+    for_each_vertex([this](Vertex_index v) { m_editing.after_vertex_creation(v); });
     tell_of_faces_after();
   }
 
@@ -369,11 +364,11 @@ private:
 
   void tell_of_faces_before()
   {
-    for_each_face([this](Face_handle f) { m_topology.m_visitor_calls.before_face_removal(f); });
+    for_each_face([this](Face_index f) { m_editing.before_face(f); });
   }
   void tell_of_faces_after()
   {
-    for_each_face([this](Face_handle f) { m_topology.m_visitor_calls.after_face_creation(f); });
+    for_each_face([this](Face_index f) { m_editing.after_face(f); });
   }
 
   // Calls f(face) for all faces if the visitor listens.
@@ -382,29 +377,29 @@ private:
   {
     if constexpr (State::Visitor_calls::is_heard)
       for (Face_index face = 0; face < m_arrays.number_of_faces(); ++face)
-        f(m_topology.face_handle(face));
+        f(face);
   }
 
-  // Calls f(vertex, id of its representative) if the visitor listens.
+  // Calls f(vertex) for all finite vertices if the visitor listens.
   template <class Function>
   void for_each_vertex(const Function& f) const
   {
     if constexpr (State::Visitor_calls::is_heard)
       for (Vertex_index v = 1; v <= m_state.number_of_vertices(); ++v)
-        f(m_topology.vertex_handle(v), m_topology.m_ids.representative(v));
+        f(v);
   }
 
   // Tells the visitor of the vertices that vanish when `next_ids` replace the present ids.
   void tell_of_going_vertices(const Ids& next_ids)
   {
-    auto& visitor_calls = m_topology.m_visitor_calls;
-    for_each_vertex([&](Vertex_handle v, Point_id id) {
+    const Ids& ids = m_topology.m_ids;
+    for_each_vertex([&](Vertex_index v) {
+      const Point_id id = ids.representative(v);
       if (!next_ids.is_taken(id) || goes(id))
-        visitor_calls.before_vertex_removal(v, id);
+        m_editing.before_vertex_removal(v);
       else if (!next_ids.is_representative(id)) {
         const Index stays = next_ids.representative(next_ids.vertex(id)); // keeps its vertex, too
-        visitor_calls.before_vertex_merge(v, id,
-                                          m_topology.vertex_handle(m_topology.m_ids.vertex(stays)));
+        m_editing.before_vertex_merge(v, ids.vertex(stays));
       }
     });
   }
@@ -412,9 +407,9 @@ private:
   // Tells the visitor of the vertices that did not exist with `former_ids`.
   void tell_of_new_vertices(const Ids& former_ids)
   {
-    for_each_vertex([&](Vertex_handle v, Point_id id) {
-      if (!keeps_vertex(id, former_ids))
-        m_topology.m_visitor_calls.after_vertex_creation(v, id);
+    for_each_vertex([&](Vertex_index v) {
+      if (!keeps_vertex(m_topology.m_ids.representative(v), former_ids))
+        m_editing.after_vertex_creation(v);
     });
   }
 
@@ -506,9 +501,11 @@ private:
     Ids& ids = m_numbering.ids();
     std::vector<Stored_point> points;
     std::vector<Position_2> positions;
-    collect_points(points, positions);
+    m_positions.template collect<Parts>(
+        ids.number_of_representatives(),
+        [this](Vertex_index v) -> const Point& { return m_numbering.point(v); }, points, positions);
     const std::vector<Index> before = numbers_before();
-    auto data = m_storage.renumbered_vertex_data(before);
+    auto data = m_storage.m_vertex_data.prepare(before);
     m_numbering.release_points();
     tell_of_going_vertices(ids);
     const auto exchange = [&] {
@@ -524,31 +521,12 @@ private:
       throw;
     }
     m_positions.forget_previous();
-    if (m_storage.has_vertex_data())
-      m_storage.take_vertex_data(data);
+    if (m_storage.m_vertex_data.empty())
+      m_storage.m_vertex_data.resize(m_positions.positions().size());
     else
-      m_storage.resize_vertex_data(m_positions.positions().size());
+      m_storage.m_vertex_data.renumber(data, before);
     tell_of_new_vertices(ids);
     m_numbering.release();
-  }
-
-  // Collects the points of the vertices as m_numbering numbers them, and of the infinite one.
-  void collect_points(std::vector<Stored_point>& points, std::vector<Position_2>& positions)
-  {
-    const std::size_t vertices = m_numbering.ids().number_of_representatives() + std::size_t(1);
-    points.resize(vertices);
-    points.front() = m_positions.m_points.front();
-    if constexpr (!Positions::points_are_two_doubles)
-      positions.resize(vertices, nan_point());
-    Parts::for_each(vertices - 1, [&](std::size_t, std::size_t first, std::size_t beyond) {
-      for (Vertex_index v = Index(first) + 1; v <= beyond; ++v) {
-        const Point& p = m_numbering.point(v);
-        const Position_2 position = approximation(p);
-        points[v] = Arrays::stored(position, p);
-        if constexpr (!Positions::points_are_two_doubles)
-          positions[v] = position;
-      }
-    });
   }
 
   // Returns for each vertex, as m_numbering numbers them, its former number, or `null_index` if it
@@ -556,7 +534,7 @@ private:
   std::vector<Index> numbers_before()
   {
     std::vector<Index> before;
-    if (!m_storage.has_vertex_data())
+    if (m_storage.m_vertex_data.empty())
       return before;
     const Ids &ids = m_numbering.ids(), &present_ids = m_topology.m_ids;
     before.push_back(infinite_index);
@@ -592,18 +570,12 @@ private:
 
   void take_faces(const Flat_faces_2& faces)
   {
-    const Index number = faces.number_of_faces();
-    m_arrays.resize(m_state.number_of_vertices(), number);
-    Parts::for_each(number, [&](std::size_t, std::size_t first, std::size_t beyond) {
-      for (Face_index f = Index(first); f < beyond; ++f)
-        for (Index i = 0; i < 3; ++i) {
-          const Halfedge_index h = Flat_faces_2::first_halfedge(f) + i;
-          m_arrays.set_apex_and_twin(Halfedge_arrays_2::halfedge_in(f, i), faces.apex(h),
-                                     Flat_faces_2::number_in_arrays(faces.twin(h)));
-        }
-    });
-    m_arrays.template find_corners<Parts>();
-    m_arrays.template number_edges<Parts>();
+    const auto apex_and_twin = [&](Face_index f, Index i) {
+      const Halfedge_index h = Flat_faces_2::first_halfedge(f) + i;
+      return std::pair(faces.apex(h), Flat_faces_2::number_in_arrays(faces.twin(h)));
+    };
+    m_arrays.template write<Parts>(m_state.number_of_vertices(), faces.number_of_faces(),
+                                   apex_and_twin);
     set_dimension(2);
     finish_faces();
   }
@@ -611,7 +583,7 @@ private:
   // Resizes the user data at faces. Their values belonged to other faces before.
   void finish_faces()
   {
-    m_storage.resize_face_data(m_arrays.faces_with_holes());
+    m_storage.m_face_data.resize(m_arrays.faces_with_holes());
     m_storage.m_is_written_by_handles = false;
   }
 
@@ -659,6 +631,7 @@ private:
   Storage& m_storage;
   Halfedge_arrays_2& m_arrays;
   Positions& m_positions;
+  Plane_editing_2<State> m_editing; // tells the visitor
   Vertex_order_2<State> m_vertex_order;
   Point_numbering_2<State> m_numbering;
   std::vector<bool> m_goes; // by ids: the points that build_with() leaves out

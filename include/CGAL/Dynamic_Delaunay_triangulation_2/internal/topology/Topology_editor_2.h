@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Triangulation_state_2.h>
@@ -14,11 +15,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_parts_2.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <new>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {

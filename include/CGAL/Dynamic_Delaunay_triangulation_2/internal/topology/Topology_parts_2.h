@@ -9,9 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <initializer_list>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
@@ -52,12 +50,6 @@ public:
     return edge.source != edge.target && has_vertex(part, edge.source) &&
            has_vertex(part, edge.target) && has_vertex(part, edge.left) &&
            has_vertex(part, edge.right);
-  }
-
-  bool has_all(std::size_t part, std::initializer_list<Index> vertices) const
-  {
-    return std::all_of(vertices.begin(), vertices.end(),
-                       [&](Vertex_index v) { return has_vertex(part, v); });
   }
 
   // Prefetches a later edge of the list, for a pass that calls part_of() and is_inside().
