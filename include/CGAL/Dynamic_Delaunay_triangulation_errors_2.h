@@ -24,6 +24,16 @@ class Dynamic_Delaunay_triangulation_error_2 : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
+
+  /// \cond
+protected:
+  // Joins the parts of a message.
+  template <class... Parts>
+  static std::string text(const Parts&... parts)
+  {
+    return Dynamic_Delaunay_triangulations_2::internal::message_text(parts...);
+  }
+  /// \endcond
 };
 
 /*!
@@ -37,7 +47,8 @@ class Non_finite_coordinate_error_2 : public Dynamic_Delaunay_triangulation_erro
 public:
   /// \cond
   Non_finite_coordinate_error_2(std::size_t id, double x, double y)
-    : Dynamic_Delaunay_triangulation_error_2(message(id, x, y))
+    : Dynamic_Delaunay_triangulation_error_2(text("point ", id, " has the coordinates (", x, ", ",
+                                                  y, "): both must be finite numbers"))
     , m_id(id)
     , m_x(x)
     , m_y(y)
@@ -54,12 +65,6 @@ public:
   double y() const { return m_y; }
 
 private:
-  static std::string message(std::size_t id, double x, double y)
-  {
-    return Dynamic_Delaunay_triangulations_2::internal::message_text(
-        "point ", id, " has the coordinates (", x, ", ", y, "): both must be finite numbers");
-  }
-
   std::size_t m_id;
   double m_x, m_y;
 };
@@ -77,7 +82,9 @@ class Coordinate_range_error_2 : public Dynamic_Delaunay_triangulation_error_2
 public:
   /// \cond
   Coordinate_range_error_2(std::size_t id, double x, double y, double limit)
-    : Dynamic_Delaunay_triangulation_error_2(message(id, x, y, limit))
+    : Dynamic_Delaunay_triangulation_error_2(
+          text("point ", id, " has the coordinates (", x, ", ", y, "): both must be smaller than ",
+               limit, " in absolute value where CGAL is compiled for SSE4.1 or AVX"))
     , m_id(id)
     , m_x(x)
     , m_y(y)
@@ -97,13 +104,6 @@ public:
   double limit() const { return m_limit; }
 
 private:
-  static std::string message(std::size_t id, double x, double y, double limit)
-  {
-    return Dynamic_Delaunay_triangulations_2::internal::message_text(
-        "point ", id, " has the coordinates (", x, ", ", y, "): both must be smaller than ", limit,
-        " in absolute value where CGAL is compiled for SSE4.1 or AVX");
-  }
-
   std::size_t m_id;
   double m_x, m_y, m_limit;
 };
@@ -119,7 +119,10 @@ class Point_count_error_2 : public Dynamic_Delaunay_triangulation_error_2
 public:
   /// \cond
   Point_count_error_2(std::size_t expected, std::size_t given)
-    : Dynamic_Delaunay_triangulation_error_2(message(expected, given))
+    : Dynamic_Delaunay_triangulation_error_2(text(
+          "given are ", given, (given > expected ? " or more" : ""), " entries, and ", expected,
+          " are due: in a frame one position for each id from 0 to the last, any one for those of "
+          "removed points"))
     , m_expected(expected)
     , m_given(given)
   {
@@ -132,14 +135,6 @@ public:
   std::size_t given() const { return m_given; }
 
 private:
-  static std::string message(std::size_t expected, std::size_t given)
-  {
-    return Dynamic_Delaunay_triangulations_2::internal::message_text(
-        "given are ", given, (given > expected ? " or more" : ""), " entries, and ", expected,
-        " are due: in a frame one position for each id from 0 to the last, any one for those of "
-        "removed points");
-  }
-
   std::size_t m_expected, m_given;
 };
 
@@ -154,7 +149,9 @@ class Point_limit_error_2 : public Dynamic_Delaunay_triangulation_error_2
 public:
   /// \cond
   Point_limit_error_2(std::size_t number, std::size_t limit)
-    : Dynamic_Delaunay_triangulation_error_2(message(number, limit))
+    : Dynamic_Delaunay_triangulation_error_2(text("there would be ", number,
+                                                  (number == limit + 1 ? " or more" : ""),
+                                                  " points: a triangulation holds at most ", limit))
     , m_number(number)
     , m_limit(limit)
   {
@@ -167,13 +164,6 @@ public:
   std::size_t limit() const { return m_limit; }
 
 private:
-  static std::string message(std::size_t number, std::size_t limit)
-  {
-    return Dynamic_Delaunay_triangulations_2::internal::message_text(
-        "there would be ", number, (number == limit + 1 ? " or more" : ""),
-        " points: a triangulation holds at most ", limit);
-  }
-
   std::size_t m_number, m_limit;
 };
 
@@ -202,13 +192,12 @@ public:
 private:
   static std::string message(std::size_t id, std::size_t number_of_ids)
   {
-    using Dynamic_Delaunay_triangulations_2::internal::message_text;
-    const std::string start = message_text("there is no point with id ", id, ": ");
+    const std::string start = text("there is no point with id ", id, ": ");
     if (id < number_of_ids)
       return start + "it was removed";
     if (number_of_ids == 0)
       return start + "the triangulation never had any points";
-    return message_text(start, "ids run from 0 to ", number_of_ids - 1);
+    return text(start, "ids run from 0 to ", number_of_ids - 1);
   }
 
   std::size_t m_id, m_number_of_ids;
@@ -224,7 +213,8 @@ class Unknown_index_error_2 : public Dynamic_Delaunay_triangulation_error_2
 public:
   /// \cond
   Unknown_index_error_2(const std::string& what, std::size_t index, std::size_t bound)
-    : Dynamic_Delaunay_triangulation_error_2(message(what, index, bound))
+    : Dynamic_Delaunay_triangulation_error_2(
+          text("there is no ", what, " ", index, ": their indices are smaller than ", bound))
     , m_index(index)
     , m_bound(bound)
   {
@@ -237,12 +227,6 @@ public:
   std::size_t bound() const { return m_bound; }
 
 private:
-  static std::string message(const std::string& what, std::size_t index, std::size_t bound)
-  {
-    return Dynamic_Delaunay_triangulations_2::internal::message_text(
-        "there is no ", what, " ", index, ": their indices are smaller than ", bound);
-  }
-
   std::size_t m_index, m_bound;
 };
 
@@ -336,7 +320,8 @@ class Parameter_error_2 : public Dynamic_Delaunay_triangulation_error_2
 public:
   /// \cond
   Parameter_error_2(const std::string& name, double value, double lowest, double highest)
-    : Dynamic_Delaunay_triangulation_error_2(message(name, value, lowest, highest))
+    : Dynamic_Delaunay_triangulation_error_2(
+          text(name, " is ", value, ": it must be from ", lowest, " to ", highest))
     , m_value(value)
   {
   }
@@ -346,12 +331,6 @@ public:
   double value() const { return m_value; }
 
 private:
-  static std::string message(const std::string& name, double value, double lowest, double highest)
-  {
-    return Dynamic_Delaunay_triangulations_2::internal::message_text(
-        name, " is ", value, ": it must be from ", lowest, " to ", highest);
-  }
-
   double m_value;
 };
 
@@ -367,9 +346,7 @@ class Domain_error_2 : public Dynamic_Delaunay_triangulation_error_2
 public:
   /// \cond
   Domain_error_2(std::size_t corner, const std::string& demand)
-    : Dynamic_Delaunay_triangulation_error_2(
-          Dynamic_Delaunay_triangulations_2::internal::message_text("corner ", corner,
-                                                                    " of the domain: ", demand))
+    : Dynamic_Delaunay_triangulation_error_2(text("corner ", corner, " of the domain: ", demand))
     , m_corner(corner)
   {
   }
@@ -395,17 +372,11 @@ class Periodic_cell_error_2 : public Dynamic_Delaunay_triangulation_error_2
 public:
   /// \cond
   Periodic_cell_error_2(double ax, double ay, double bx, double by, const std::string& demand)
-    : Dynamic_Delaunay_triangulation_error_2(message(ax, ay, bx, by, demand))
+    : Dynamic_Delaunay_triangulation_error_2(text("a periodic cell has the vectors (", ax, ", ", ay,
+                                                  ") and (", bx, ", ", by, "): ", demand))
   {
   }
   /// \endcond
-
-private:
-  static std::string message(double ax, double ay, double bx, double by, const std::string& demand)
-  {
-    return Dynamic_Delaunay_triangulations_2::internal::message_text(
-        "a periodic cell has the vectors (", ax, ", ", ay, ") and (", bx, ", ", by, "): ", demand);
-  }
 };
 
 /*!
@@ -419,7 +390,10 @@ class Periodic_range_error_2 : public Dynamic_Delaunay_triangulation_error_2
 public:
   /// \cond
   Periodic_range_error_2(std::size_t id, double x, double y, double limit)
-    : Dynamic_Delaunay_triangulation_error_2(message(id, x, y, limit))
+    : Dynamic_Delaunay_triangulation_error_2(
+          text("point ", id, " has the coordinates (", x, ", ", y,
+               "): both of its multiples of the cell's vectors must be below ", limit,
+               " in absolute value"))
     , m_id(id)
   {
   }
@@ -430,14 +404,6 @@ public:
   std::size_t id() const { return m_id; }
 
 private:
-  static std::string message(std::size_t id, double x, double y, double limit)
-  {
-    return Dynamic_Delaunay_triangulations_2::internal::message_text(
-        "point ", id, " has the coordinates (", x, ", ", y,
-        "): both of its multiples of the cell's vectors must be below ", limit,
-        " in absolute value");
-  }
-
   std::size_t m_id;
 };
 
