@@ -12,16 +12,13 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/Dynamic_triangulation_base_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Triangulation_state_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_plane_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Validity_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Plane_editing_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_builder_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/accepts_inexact_predicates_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Delaunay_update_visitor_base_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
@@ -29,13 +26,9 @@
 #include <CGAL/tags.h>
 
 #include <array>
-#include <cstddef>
 #include <iterator>
 #include <string>
 #include <string_view>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 
@@ -50,7 +43,9 @@ template <class Traits, class Classifier_, class Repair_, class Tds_, class Upda
           class Visitor_, class ConcurrencyTag>
 struct Triangulation_types_2<Dynamic_Delaunay_triangulation_2<
     Traits, Classifier_, Repair_, Tds_, UpdatePolicy, Visitor_, ConcurrencyTag>>
-  : Chosen_types_2<Classifier_, Repair_, UpdatePolicy, Visitor_, Delaunay_update_visitor_base_2>
+  : Chosen_types_2<Dynamic_Delaunay_triangulation_2<Traits, Classifier_, Repair_, Tds_,
+                                                    UpdatePolicy, Visitor_, ConcurrencyTag>,
+                   Classifier_, Repair_, UpdatePolicy, Visitor_>
 {
   static constexpr bool is_exact = !Are_known_to_be_inexact_2<Traits>::value;
   static_assert(is_exact || accepts_inexact_predicates_2<Traits>,
@@ -58,23 +53,13 @@ struct Triangulation_types_2<Dynamic_Delaunay_triangulation_2<
                 "Exact_predicates_inexact_constructions_kernel, or see "
                 "accepts_inexact_predicates_2");
 
-  using Parts =
-      Chosen_types_2<Classifier_, Repair_, UpdatePolicy, Visitor_, Delaunay_update_visitor_base_2>;
-  using Shown_to_visitor =
-      std::conditional_t<Parts::has_visitor,
-                         Dynamic_Delaunay_triangulation_2<Traits, Classifier_, Repair_, Tds_,
-                                                          UpdatePolicy, Visitor_, ConcurrencyTag>,
-                         void>;
   using Geom_traits = Traits;
   using Concurrency_tag = ConcurrencyTag;
   using Tds = typename Default::Get<Tds_, Indexed_triangulation_data_structure_2<Traits>>::type;
-  using State =
-      Triangulation_state_2<Traits, Tds, Visitor_calls_2<typename Parts::Visitor, Shown_to_visitor>,
-                            ConcurrencyTag>;
+  using Visitor_calls = Visitor_calls_2<typename Triangulation_types_2::Visitor,
+                                        typename Triangulation_types_2::Shown_to_visitor>;
+  using State = Triangulation_state_2<Traits, Tds, Visitor_calls, ConcurrencyTag>;
   using Input = Input_frame_2<State>;
-  using Update = Update_2<State>;
-  using Checkpoint_writer = Checkpoint_writer_2<State>;
-  using Checkpoint_reader = Checkpoint_reader_2<State>;
   static constexpr std::string_view checkpoint_subject = "Dynamic_Delaunay_triangulation_2";
 
   // The argument from which an empty state is constructed.

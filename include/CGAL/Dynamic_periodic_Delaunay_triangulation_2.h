@@ -9,7 +9,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Circumcircle_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/Dynamic_triangulation_base_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_input_2.h>
@@ -20,7 +19,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_slack_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Border_splice_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Delaunay_update_visitor_base_2.h>
@@ -29,12 +27,8 @@
 #include <CGAL/tags.h>
 
 #include <array>
-#include <cstddef>
-#include <iostream>
 #include <iterator>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 
@@ -48,24 +42,19 @@ namespace internal {
 template <class Kernel, class C, class R, class P, class V, class ConcurrencyTag>
 struct Triangulation_types_2<
     Dynamic_periodic_Delaunay_triangulation_2<Kernel, C, R, P, V, ConcurrencyTag>>
-  : Chosen_types_2<C, R, P, V, Delaunay_update_visitor_base_2>
+  : Chosen_types_2<Dynamic_periodic_Delaunay_triangulation_2<Kernel, C, R, P, V, ConcurrencyTag>, C,
+                   R, P, V>
 {
   static_assert(has_double_coordinates<typename Kernel::Point_2>,
                 "the coordinates of points in periodic space must be of type double");
 
   using Geom_traits = Kernel;
   using Concurrency_tag = ConcurrencyTag;
-  using Parts = Chosen_types_2<C, R, P, V, Delaunay_update_visitor_base_2>;
-  using Shown_to_visitor = std::conditional_t<
-      Parts::has_visitor,
-      Dynamic_periodic_Delaunay_triangulation_2<Kernel, C, R, P, V, ConcurrencyTag>, void>;
-  using State = Periodic_triangulation_state_2<
-      typename Kernel::Point_2, Periodic_visitor_calls_2<typename Parts::Visitor, Shown_to_visitor>,
-      ConcurrencyTag>;
+  using Visitor_calls = Periodic_visitor_calls_2<typename Triangulation_types_2::Visitor,
+                                                 typename Triangulation_types_2::Shown_to_visitor>;
+  using State =
+      Periodic_triangulation_state_2<typename Kernel::Point_2, Visitor_calls, ConcurrencyTag>;
   using Input = Periodic_input_2<State>;
-  using Update = Update_2<State>;
-  using Checkpoint_writer = Checkpoint_writer_2<State>;
-  using Checkpoint_reader = Checkpoint_reader_2<State>;
   static constexpr std::string_view checkpoint_subject =
       "Dynamic_periodic_Delaunay_triangulation_2";
   static constexpr bool is_exact = true; // the predicates are the package's own

@@ -11,8 +11,10 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Dynamic_classification_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Input_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Validity_check_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Dynamic_triangulation_settings_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
@@ -20,6 +22,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Dynamic_frame_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Border_splice_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_and_splice_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Delaunay_update_visitor_base_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/iterator.h>
 #include <CGAL/property_map.h>
@@ -59,17 +62,18 @@ struct Usual_repair_2<Classifier, std::void_t<typename Classifier::Usual_repair>
   using type = typename Classifier::Usual_repair;
 };
 
-// The part of these types that users choose.
-template <class Chosen_classifier, class Chosen_repair, class Chosen_policy, class Chosen_visitor,
-          class Default_visitor>
+// The part of these types that users choose for the triangulation `Dynamic`.
+template <class Dynamic, class Chosen_classifier, class Chosen_repair, class Chosen_policy,
+          class Chosen_visitor>
 struct Chosen_types_2
 {
   using Classifier = typename Default::Get<Chosen_classifier, Circumcircle_classifier_2>::type;
   using Repair =
       typename Default::Get<Chosen_repair, typename Usual_repair_2<Classifier>::type>::type;
   using Policy = typename Default::Get<Chosen_policy, Always_dynamic_policy_2>::type;
-  using Visitor = typename Default::Get<Chosen_visitor, Default_visitor>::type;
-  static constexpr bool has_visitor = !std::is_same_v<Visitor, Default_visitor>;
+  using Visitor = typename Default::Get<Chosen_visitor, Delaunay_update_visitor_base_2>::type;
+  using Shown_to_visitor =
+      std::conditional_t<std::is_same_v<Visitor, Delaunay_update_visitor_base_2>, void, Dynamic>;
 };
 
 // Instantiates all that updates of a class of triangulations need; after `extern`, leaves the
@@ -103,7 +107,7 @@ class Dynamic_triangulation_base_2
   /// \cond
 protected:
   using State = typename Types::State;
-  using Update = typename Types::Update;
+  using Update = Dynamic_Delaunay_triangulations_2::internal::Update_2<State>;
   using Change = Dynamic_Delaunay_triangulations_2::internal::Change_2<typename State::Point>;
   using Population_input = Dynamic_Delaunay_triangulations_2::internal::Population_input_2<State>;
   using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point_2;
@@ -567,8 +571,8 @@ public:
   void write_checkpoint(std::ostream& out, std::string_view subject, const Append& append) const
   {
     const Floating_point floating_point;
-    typename Types::Checkpoint_writer(m_core->state, is_certified(), m_core->update.memory())
-        .write(out, subject, append);
+    using Writer = Dynamic_Delaunay_triangulations_2::internal::Checkpoint_writer_2<State>;
+    Writer(m_core->state, is_certified(), m_core->update.memory()).write(out, subject, append);
   }
 
   // For `Dynamic_population_2`: `read_more` reads the lines that `append` wrote. When the whole
@@ -577,16 +581,17 @@ public:
   void read_checkpoint(std::istream& in, std::string_view subject, const ReadAppendix& read_more,
                        const Exchange& exchange_more)
   {
+    using Reader = Dynamic_Delaunay_triangulations_2::internal::Checkpoint_reader_2<State>;
     const Floating_point floating_point;
     Dynamic_Delaunay_triangulations_2::internal::Checkpoint_input_2 file(in, subject);
-    typename Types::Checkpoint_reader reader(file);
+    Reader reader(file);
     State state(Types::space(m_core->state));
     reader.read(state);
     read_more(file, state.ids());
     file.finish();
     Delaunay_classifier classifier = m_classifier;
     inform_classifier(classifier, Frame(state));
-    m_core->update.reserve_for_exchange(state);
+    m_core->update.tools().reserve_for_exchange(state);
     start_visit();
     m_classifier = std::move(classifier); // from here on only the visitor may throw
     m_core->update.exchange(state, reader.is_certified(), reader.memory());
@@ -632,7 +637,7 @@ protected:
     Core(const typename Types::Space& space, const Static_engines_2& engines)
       : state(space)
     {
-      update.set_engines(engines);
+      update.tools().set_engines(engines);
     }
 
     State state;
@@ -708,13 +713,13 @@ private:
 
   std::unique_ptr<Core> empty_core() const
   {
-    return std::make_unique<Core>(Types::space(m_core->state), m_core->update.engines());
+    return std::make_unique<Core>(Types::space(m_core->state), tools().engines());
   }
 
   // Calls `before_update()`; if that throws, nothing has changed yet.
   void start_visit()
   {
-    m_visitor.before_update(std::as_const(derived()));
+    m_visitor.before_update(derived());
     m_core->update.tools().editor().start_visit(m_visitor, &derived());
   }
 
@@ -723,7 +728,7 @@ private:
   void finish_visit(const Update_report_2& report)
   {
     m_core->update.tools().editor().finish_visit();
-    m_visitor.after_update(std::as_const(derived()), report);
+    m_visitor.after_update(derived(), report);
   }
 
   Update_report_2 run_phases(Change& change)
@@ -737,7 +742,6 @@ private:
     return report;
   }
 
-  Derived& derived() { return static_cast<Derived&>(*this); }
   const Derived& derived() const { return static_cast<const Derived&>(*this); }
 
   const auto& tools() const { return std::as_const(m_core->update).tools(); }

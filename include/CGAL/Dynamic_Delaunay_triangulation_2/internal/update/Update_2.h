@@ -12,11 +12,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_filter_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_costs_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_tools_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Dynamic_frame_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Dynamic_mender_2.h>
@@ -51,9 +49,6 @@ public:
 
   bool is_certified() const { return m_is_certified; }
 
-  const Static_engines_2& engines() const { return m_tools.engines(); }
-  void set_engines(const Static_engines_2& engines) { m_tools.set_engines(engines); }
-
   // Makes the empty triangulation a copy of `other`, and takes over what `update` knows.
   void copy(const State& other, const Update_2& update)
   {
@@ -66,10 +61,8 @@ public:
   // What a checkpoint keeps besides the state.
   const Repair_experience_2& memory() const { return m_experience; }
 
-  void reserve_for_exchange(const State& other) { m_tools.reserve_for_exchange(other); }
-
   // Exchanges everything for what was read from a checkpoint. The classifier was told of that
-  // already. Throws nothing after reserve_for_exchange().
+  // already. Throws nothing after reserve_for_exchange() of the tools.
   void exchange(State& other, bool is_certified, const Repair_experience_2& memory)
   {
     m_tools.exchange(other);
