@@ -72,19 +72,9 @@ public:
   /// \name Creation
   /// @{
 
-  /// triangulates the points of all ranks in the torus with this cell. Collective. Any points may
-  /// be given by any rank; they are distributed evenly, unless the load factor is infinite: then
-  /// each rank owns the points that it was given, in their order, for as long as `distribute()` is
-  /// not called.
-  ///
-  /// Points are distributed anew if a rank owns more points than the load factor times the average,
-  /// plus 64; or, from 32 calls after the last distribution on, if a rank holds more points than
-  /// the load factor times m, plus 64, where m is the least number of points that the fullest rank
-  /// has held since then.
-  ///
-  /// Cost: sorting, sending and triangulating all points once, and some rounds of questions. The
-  /// arguments are checked before anything is sent: a rank with bad ones throws its own error, and
-  /// all other ranks throw Distributed_input_error_2.
+  /// triangulates the points of all ranks in the torus with this cell. Collective. Which rank owns
+  /// a point, when points are distributed anew, what this costs, and what happens if a rank has bad
+  /// arguments: all that is as for `Distributed_dynamic_Delaunay_triangulation_2`.
   /// \tparam InputIterator its values are pairs of an `Id` and a `Point`.
   /// \throws Parameter_error_2 if the load factor is less than 1 or NaN; Periodic_cell_error_2 if
   /// the cell is a slab, or so thin or extreme that doubles cannot tell how far points are apart in

@@ -16,6 +16,7 @@
 #include <CGAL/number_type_basic.h>
 #include <CGAL/Point_2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -221,6 +222,15 @@ inline Position_2 circumcenter(const Position_2& u, const Position_2& v)
   const double scale = 0.5 / cross(u, v);
   return {(product(v.y, uu) - product(u.y, vv)) * scale,
           (product(u.x, vv) - product(v.x, uu)) * scale};
+}
+
+// Returns the value below which one in `part` of the values lies. Reorders the values, of which
+// there must be one.
+inline double quantile(std::vector<double>& values, std::size_t part)
+{
+  const auto place = values.begin() + std::ptrdiff_t(values.size() / part);
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
 }
 
 // True if an edge at infinity has a finite face that is not counterclockwise, or a finite end at

@@ -10,21 +10,16 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Parallel_parts_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Positions_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_slack_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/accepts_inexact_predicates_2.h>
-#include <CGAL/number_type_basic.h>
 #include <CGAL/tags.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {

@@ -62,14 +62,8 @@ public:
   // Throws if a point with one of these ids is too far away.
   void check(const std::vector<Point>& points, const std::vector<Index>& ids) const
   {
-    check(points, ids, m_state.torus().cell());
-  }
-  static void check(const std::vector<Point>& points, const std::vector<Index>& ids,
-                    const Periodic_cell_2& cell)
-  {
-    const Torus_2 torus(cell);
     for (std::size_t i = 0; i < points.size(); ++i)
-      checked_position(points[i], ids[i], torus);
+      checked_position(points[i], ids[i], m_state.torus());
   }
 
   // A FRAME -------------------------------------------------------------------------------------

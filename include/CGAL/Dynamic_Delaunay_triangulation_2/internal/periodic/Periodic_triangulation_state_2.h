@@ -171,8 +171,8 @@ public:
   // Whether a face is in the gap beside a slab, between its sides.
   bool is_in_gap(Face_index f) const
   {
-    return are_across(Halfedge_arrays_2::halfedge_in(f, 0), Halfedge_arrays_2::halfedge_in(f, 1)) ||
-           are_across(Halfedge_arrays_2::halfedge_in(f, 0), Halfedge_arrays_2::halfedge_in(f, 2));
+    const auto [h, i, k] = Halfedge_arrays_2::halfedges_of(f);
+    return are_across(h, i) || are_across(h, k);
   }
 
   // Returns what must be added to a shift in the face beyond h to get it in the face of h.
@@ -372,11 +372,9 @@ public:
   {
     if (m_arrays.is_empty_face(f))
       return {nan_point(), nan_point(), nan_point()};
-    return {Position_2{0, 0},
-            rounded_vector(image(Halfedge_arrays_2::halfedge_in(f, 0)),
-                           image(Halfedge_arrays_2::halfedge_in(f, 1))),
-            rounded_vector(image(Halfedge_arrays_2::halfedge_in(f, 0)),
-                           image(Halfedge_arrays_2::halfedge_in(f, 2)))};
+    const auto [h, i, k] = Halfedge_arrays_2::halfedges_of(f);
+    return {Position_2{0, 0}, rounded_vector(image(h), image(i)),
+            rounded_vector(image(h), image(k))};
   }
 
   Point point_of_id(Point_id id) const
@@ -390,9 +388,7 @@ private:
   {
     if (m_torus.is_short(q - p))
       return p;
-    const Periodic_shift_2 shift = shift_of_step(p, q);
-    const Position_2 way = m_torus.vector({double(shift[0]), double(shift[1])});
-    return {p.x + way.x, p.y + way.y};
+    return m_torus.rounded({p, shift_of_step(p, q)});
   }
 
   // NaNs across the gap beside a slab.

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
@@ -56,7 +55,7 @@ public:
       const Vertex_index v = Index(1 + i * vertices / sample_size);
       m_sample.push_back(distance(frame.position(v), frame.previous_position(v)));
     }
-    m_typical_step = quantile(2);
+    m_typical_step = quantile(m_sample, 2);
   }
 
   // Takes the positions of the frame as references, with the tolerance that makes one edge in
@@ -178,17 +177,7 @@ private:
       if (!std::isnan(slack)) // NaN at infinity, and where squares overflow
         m_sample.push_back(slack);
     }
-    m_tolerance = quantile(share);
-  }
-
-  // The value that one in `part` of the sample is smaller than.
-  double quantile(std::size_t part)
-  {
-    if (m_sample.empty())
-      return 0;
-    const auto place = m_sample.begin() + std::ptrdiff_t(m_sample.size() / part);
-    std::nth_element(m_sample.begin(), place, m_sample.end());
-    return *place;
+    m_tolerance = m_sample.empty() ? 0 : quantile(m_sample, share);
   }
 
   // Each part of the edges has a list of its own.

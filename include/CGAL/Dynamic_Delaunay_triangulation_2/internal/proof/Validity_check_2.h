@@ -152,10 +152,11 @@ private:
   bool are_arrays_consistent() const
   {
     const auto& arrays = m_state.arrays();
-    const bool has_vertices = !State::is_periodic || has_faces(); // at least the infinite one
+    const bool has_vertices =
+        !State::is_periodic || m_state.spans_plane(); // at least the infinite one
     if (has_vertices && m_state.positions().size() != arrays.number_of_vertices())
       return false;
-    if (!has_faces())
+    if (!m_state.spans_plane())
       return arrays.number_of_faces() == 0;
     const auto is_face = [&](Face_index f) { return !arrays.is_empty_face(f); };
     const auto has_corner = [&](Vertex_index v) {
@@ -165,14 +166,6 @@ private:
            all_of(0, arrays.number_of_halfedges(),
                   [this](Halfedge_index h) { return is_halfedge_consistent(h); }) &&
            all_of(first_vertex, arrays.number_of_vertices(), has_corner);
-  }
-
-  bool has_faces() const
-  {
-    if constexpr (State::is_periodic)
-      return m_state.number_of_vertices() > 0;
-    else
-      return m_state.spans_plane();
   }
 
   bool is_space_covered() const
@@ -186,7 +179,7 @@ private:
   // Whether no two edges have the same ends, as seen from one end, and none ends where it begins.
   bool is_simplicial() const
   {
-    if (!has_faces())
+    if (!m_state.spans_plane())
       return true;
     using Arrays = Halfedge_arrays_2;
     std::vector<typename State::Corner> ends;
@@ -221,7 +214,7 @@ private:
 
   bool is_delaunay() const
   {
-    if (State::is_periodic || has_faces())
+    if (State::is_periodic || m_state.spans_plane())
       return Certificate_2<State>(m_state).holds();
     if constexpr (!State::is_periodic)
       try { // on a line the triangulation is CGAL's own work

@@ -43,17 +43,11 @@ public:
                       unsigned padding, Splice_limits_2& limits)
   {
     const std::size_t bound = m_state.arrays().number_of_vertices();
-    m_inner.clear(bound);
     m_border.clear(bound);
     m_spliced.clear(bound);
     m_boundary_edges.clear();
     m_prepared.clear();
-    for (const Vertex_index v : classified)
-      if (!m_state.arrays().is_outside(v))
-        m_inner.insert(v);
-    m_number_of_classified = m_inner.size();
-    for (unsigned layer = 0; layer < padding; ++layer)
-      add_layer();
+    m_number_of_classified = collect_region(m_state, classified, padding, m_inner);
     if (m_cluster.is_too_large(m_inner.size()))
       return Splice_result_2::TOO_LARGE;
     for (std::size_t i = 0; i < m_inner.size(); ++i)
@@ -78,16 +72,6 @@ public:
   const std::vector<Index>& boundary_edges() const { return m_boundary_edges; }
 
 private:
-  void add_layer()
-  {
-    const std::size_t size = m_inner.size();
-    for (std::size_t i = 0; i < size; ++i)
-      m_state.arrays().for_each_neighbor(m_inner[i], [&](Vertex_index w) {
-        if (w != infinite_index)
-          m_inner.insert(w);
-      });
-  }
-
   // Makes new faces for the cluster of the i-th inner vertex: all inner vertices that are connected
   // with it and not spliced yet.
   Splice_result_2 make_cluster(const Topology_editor_2<State>& editor, std::size_t i,
@@ -163,15 +147,9 @@ public:
   // Collects the region around `classified`. Skips vertices that are in no face.
   void run(const std::vector<Index>& classified, unsigned padding)
   {
-    m_vertices.clear(m_state.arrays().number_of_vertices());
-    for (const Vertex_index v : classified)
-      if (!m_state.arrays().is_outside(v))
-        m_vertices.insert(v);
-    m_number_of_classified = m_vertices.size();
-    for (unsigned layer = 0; layer < padding; ++layer)
-      add_layer();
+    m_number_of_classified = collect_region(m_state, classified, padding, m_vertices);
     m_number_of_inner = m_vertices.size();
-    add_layer();
+    add_layer(m_state, m_vertices);
   }
 
   // All vertices of the region, except the border.
@@ -180,14 +158,6 @@ public:
   std::vector<Index> border() const { return part(m_number_of_inner, m_vertices.size()); }
 
 private:
-  void add_layer()
-  {
-    const std::size_t size = m_vertices.size();
-    for (std::size_t i = 0; i < size; ++i)
-      m_state.arrays().for_each_neighbor(m_vertices[i],
-                                         [&](Vertex_index w) { m_vertices.insert(w); });
-  }
-
   std::vector<Index> part(std::size_t first, std::size_t beyond) const
   {
     const std::vector<Index>& all = m_vertices.members();

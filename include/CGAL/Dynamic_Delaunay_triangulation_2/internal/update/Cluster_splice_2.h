@@ -30,6 +30,33 @@ struct Splice_limits_2
   std::size_t enlargements = 0; // out, of all clusters
 };
 
+// Adds the finite neighbors of the vertices of a region, from the `first` vertex on.
+template <class State>
+void add_layer(const State& state, Index_set_2& region, std::size_t first = 0)
+{
+  for (const std::size_t beyond = region.size(); first < beyond; ++first)
+    state.arrays().for_each_neighbor(region[first], [&](Vertex_index w) {
+      if (w != infinite_index)
+        region.insert(w);
+    });
+}
+
+// Replaces a region by those of these vertices that are in faces, and some layers around them.
+// Returns how many of these vertices there are; they come first.
+template <class State>
+std::size_t collect_region(const State& state, const std::vector<Index>& vertices, unsigned layers,
+                           Index_set_2& region)
+{
+  region.clear(state.arrays().number_of_vertices());
+  for (const Vertex_index v : vertices)
+    if (!state.arrays().is_outside(v))
+      region.insert(v);
+  const std::size_t inner = region.size();
+  for (unsigned layer = 0; layer < layers; ++layer)
+    add_layer(state, region);
+  return inner;
+}
+
 // Makes the new faces around a cluster of connected vertices. Writes nothing.
 //
 // A splice is correct only if the old and the new faces have the same boundary, edge for edge (an
@@ -152,11 +179,7 @@ private:
         m_cluster.insert(v);
     for (std::size_t first = 0; doubles && m_cluster.size() < 2 * size;) {
       const std::size_t beyond = m_cluster.size();
-      for (; first < beyond; ++first)
-        m_state.arrays().for_each_neighbor(m_cluster[first], [&](Vertex_index w) {
-          if (w != infinite_index)
-            m_cluster.insert(w);
-        });
+      add_layer(m_state, m_cluster, std::exchange(first, beyond));
       if (m_cluster.size() == beyond)
         return;
     }

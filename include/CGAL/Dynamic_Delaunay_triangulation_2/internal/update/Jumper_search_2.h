@@ -257,14 +257,6 @@ private:
     return difference;
   }
 
-  // Returns the value below which one in `part` of the values lies. Reorders them.
-  static double quantile(std::vector<double>& values, std::size_t part)
-  {
-    const auto place = values.begin() + std::ptrdiff_t(values.size() / part);
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
-  }
-
   const State& m_state;
   Index_set_2 m_seen;
   std::vector<Index> m_suspects, m_jumpers;

@@ -276,10 +276,10 @@ public:
     }
   }
 
-  void take_out_farthest()
+  // Returns whether any vertex is out.
+  bool take_out_farthest()
   {
-    if (can_take_out())
-      take_out(m_jumpers.find_farthest(m_open.uncertain()));
+    return can_take_out() && take_out(m_jumpers.find_farthest(m_open.uncertain()));
   }
 
   void flip()
@@ -605,7 +605,7 @@ private:
   // Takes out each uncertain edge's vertex that moved farthest, then flips. True if any is out.
   bool put_in_farthest_anew()
   {
-    const bool are_out = can_take_out() && take_out(m_jumpers.find_farthest(m_open.uncertain()));
+    const bool are_out = take_out_farthest();
     if (are_out)
       flip_inverted();
     return are_out;

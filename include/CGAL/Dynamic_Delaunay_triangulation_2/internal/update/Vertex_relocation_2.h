@@ -12,7 +12,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Star_polygon_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Point_location_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/accepts_inexact_predicates_2.h>
 
 #include <boost/iterator/counting_iterator.hpp>
 
