@@ -49,7 +49,8 @@ public:
   // \pre The corners are counterclockwise.
   template <class State>
   Rounded_face_2(const State& state, const std::array<typename State::Corner, 3>& corners)
-    : m_face{std::array<Position_2, 3>{state.vector(corners[1], corners[2], m_off),
+    : m_off(0)
+    , m_face{std::array<Position_2, 3>{state.vector(corners[1], corners[2], m_off),
                                        state.vector(corners[2], corners[0], m_off),
                                        state.vector(corners[0], corners[1], m_off)},
              m_off} // braces, because m_off must be read after the vectors
@@ -58,7 +59,7 @@ public:
     for (std::size_t i = 0; i < 3; ++i)
       m_cotangents[i] = -dot(m_face.side((i + 1) % 3), m_face.side((i + 2) % 3)) * inverse;
     std::size_t shortest = 0;
-    for (const std::size_t i : {1, 2}) {
+    for (std::size_t i = 1; i < 3; ++i) {
       m_longest = squared_length(i) > squared_length(m_longest) ? i : m_longest;
       shortest = squared_length(i) < squared_length(shortest) ? i : shortest;
     }
@@ -90,7 +91,7 @@ public:
 private:
   static constexpr double unit = 0x1p-53;
 
-  double m_off = 0; // how far coordinates are off at most, besides rounding
+  double m_off; // how far coordinates are off at most, besides rounding
   const Voronoi_face_2 m_face;
   std::array<double, 3> m_cotangents;
   std::size_t m_longest = 0;
