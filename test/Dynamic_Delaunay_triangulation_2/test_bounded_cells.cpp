@@ -6,6 +6,7 @@
 
 #include "oracle.h"
 #include "replaced_heap.h"
+#include "visible_cell.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_gradients_2.h>
@@ -29,16 +30,13 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+using namespace domain_oracle;
 using Point = Epick::Point_2;
-using Points = std::vector<Point>;
 using Numbers = std::vector<double>;
 using Plane = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
 using Torus = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick>;
 using Cells = CGAL::Bounded_voronoi_cells_2;
 using Side = Cells::Side;
-using Real = long double;
-
-const Real pi = std::acos(Real(-1));
 
 Plane triangulation(const Points& points)
 {
@@ -56,128 +54,7 @@ Real between(std::mt19937& random, double low, double high)
 }
 
 // -------------------------------------------------------------------------------------------------
-// The oracle: what is seen from a point, direction by direction. A line has distance h, and its
-// normal has a direction. Each direction is bounded by the nearest line, or by the radius.
-
-struct Line
-{
-  Real h, direction;
-  std::size_t other; // the id of the neighbor
-  bool is_wall;
-};
-
-struct Swept
-{
-  Real area = 0, perimeter = 0, wall = 0, free = 0;
-  std::map<std::size_t, Real> contacts;
-};
-
-class Sweep
-{
-public:
-  Sweep(std::vector<Line> lines, Real radius)
-    : m_lines(std::move(lines))
-    , m_radius(radius)
-  {
-    const auto is_far = [&](const Line& line) { return line.h >= radius; };
-    m_lines.erase(std::remove_if(m_lines.begin(), m_lines.end(), is_far), m_lines.end());
-  }
-
-  // Sweeps around the point. `radii` are those of all points.
-  Swept run(const Numbers& radii) const
-  {
-    Swept swept;
-    const std::vector<Real> turns = directions();
-    for (std::size_t i = 0; i + 1 < turns.size(); ++i)
-      add(turns[i], turns[i + 1], radii, swept);
-    return swept;
-  }
-
-private:
-  // The directions in which another line, or the radius, may become the nearest bound.
-  std::vector<Real> directions() const
-  {
-    std::vector<Real> result{0, 2 * pi};
-    const auto add = [&](Real direction) {
-      result.push_back(direction - 2 * pi * std::floor(direction / (2 * pi)));
-    };
-    for (const Line& line : m_lines) {
-      if (std::isfinite(m_radius)) {
-        const Real half = std::acos(line.h / m_radius);
-        add(line.direction - half);
-        add(line.direction + half);
-      }
-      for (const Line& other : m_lines) { // h / cos(t - d) = h' / cos(t - d')
-        const Real x = line.h * std::cos(other.direction) - other.h * std::cos(line.direction);
-        const Real y = line.h * std::sin(other.direction) - other.h * std::sin(line.direction);
-        if (x != 0 || y != 0) {
-          add(std::atan2(-x, y));
-          add(std::atan2(x, -y));
-        }
-      }
-    }
-    std::sort(result.begin(), result.end());
-    return result;
-  }
-
-  void add(Real from, Real to, const Numbers& radii, Swept& swept) const
-  {
-    const Real middle = (from + to) / 2;
-    const Line* nearest = nullptr;
-    Real distance = m_radius;
-    for (const Line& line : m_lines) {
-      const Real cosine = std::cos(middle - line.direction);
-      if (cosine > 0 && line.h / cosine < distance) {
-        nearest = &line;
-        distance = line.h / cosine;
-      }
-    }
-    if (nearest == nullptr) {
-      swept.area += m_radius * m_radius * (to - from) / 2;
-      swept.perimeter += m_radius * (to - from);
-      swept.free += m_radius * (to - from);
-      return;
-    }
-    const auto place = [&](Real turn) { return nearest->h * std::tan(turn - nearest->direction); };
-    const Real u = place(from), v = place(to);
-    swept.area += nearest->h * (v - u) / 2;
-    swept.perimeter += v - u;
-    if (nearest->is_wall) {
-      swept.wall += v - u;
-      return;
-    }
-    const Real reach = radii[nearest->other];
-    const Real half = reach > nearest->h ? std::sqrt(reach * reach - nearest->h * nearest->h) : 0;
-    const Real contact = (std::max)((std::min)(v, half) - (std::max)(u, -half), Real(0));
-    swept.contacts[nearest->other] += contact;
-    swept.free += v - u - contact;
-  }
-
-  std::vector<Line> m_lines;
-  Real m_radius;
-};
-
-Line bisector(const Point& p, Real x, Real y, std::size_t other)
-{
-  return {std::hypot(x - p.x(), y - p.y()) / 2, std::atan2(y - p.y(), x - p.x()), other, false};
-}
-
-// The lines of all other points and of all walls.
-std::vector<Line> lines_around(const Points& points, std::size_t id, const Points& domain)
-{
-  std::vector<Line> lines;
-  const Point& p = points[id];
-  for (std::size_t j = 0; j < points.size(); ++j)
-    if (j != id)
-      lines.push_back(bisector(p, points[j].x(), points[j].y(), j));
-  for (std::size_t i = 0; i < domain.size(); ++i) {
-    const Point &q = domain[i], &r = domain[(i + 1) % domain.size()];
-    const Real x = Real(r.x()) - q.x(), y = Real(r.y()) - q.y();
-    const Real h = ((Real(q.x()) - p.x()) * y - (Real(q.y()) - p.y()) * x) / std::hypot(x, y);
-    lines.push_back({h, std::atan2(-x, y), i, true});
-  }
-  return lines;
-}
+// Comparison with sweeps: the cells are convex, so all of a cell is visible from its point.
 
 // The lines of all images that are no farther than `reach`.
 std::vector<Line> lines_around_images(const Points& points, std::size_t id,
@@ -190,7 +67,7 @@ std::vector<Line> lines_around_images(const Points& points, std::size_t id,
         if (j != id || s != 0 || t != 0) {
           const Line line = bisector(points[id], points[j].x() + s * cell.ax() + t * cell.bx(),
                                      points[j].y() + s * cell.ay() + t * cell.by(), j);
-          if (line.h <= reach)
+          if (line.distance(vector(points[id])) <= reach)
             lines.push_back(line);
         }
   return lines;
@@ -206,7 +83,7 @@ std::map<std::size_t, Real> contacts_of(const Cells& cells, std::size_t id)
 }
 
 // Expects lengths within rounding of the size of the whole, and areas within a relative 1e-12.
-void expect_swept(const Cells& cells, std::size_t id, const Swept& swept, double unit)
+void expect_swept(const Cells& cells, std::size_t id, const Measured& swept, double unit)
 {
   SCOPED_TRACE(testing::Message() << "id " << id);
   const double error = 1e-13 * unit;
@@ -258,8 +135,8 @@ TEST(Discs, are_cut_by_the_bisectors_of_all_other_points)
       cells.compute(dt, radius);
       const Numbers radii(points.size(), radius);
       for (std::size_t id = 0; id < points.size(); ++id) {
-        const Sweep sweep(lines_around(points, id, {}), radius);
-        ASSERT_NO_FATAL_FAILURE(expect_swept(cells, id, sweep.run(radii), radius));
+        const Visible_cell sweep(points[id], lines_around(points, id, {}), radius);
+        ASSERT_NO_FATAL_FAILURE(expect_swept(cells, id, sweep.measure(radii), radius));
         ASSERT_NO_FATAL_FAILURE(expect_closed(cells, id, radius));
       }
     }
@@ -278,8 +155,8 @@ TEST(Discs, touch_where_both_of_them_reach_if_their_radii_differ)
     Cells cells;
     cells.compute(triangulation(points), radii);
     for (std::size_t id = 0; id < points.size(); ++id) {
-      const Sweep sweep(lines_around(points, id, {}), radii[id]);
-      ASSERT_NO_FATAL_FAILURE(expect_swept(cells, id, sweep.run(radii), 2));
+      const Visible_cell sweep(points[id], lines_around(points, id, {}), radii[id]);
+      ASSERT_NO_FATAL_FAILURE(expect_swept(cells, id, sweep.measure(radii), 2));
       ASSERT_NO_FATAL_FAILURE(expect_closed(cells, id, 2));
       for (const auto& [other, length] : contacts_of(cells, id))
         ASSERT_NEAR(double(contacts_of(cells, other)[id]), double(length), 1e-13);
@@ -307,11 +184,11 @@ TEST(Discs, are_whole_where_no_other_one_is_near)
 TEST(Discs, that_hardly_overlap_are_neither_whole_nor_empty)
 {
   for (double distance = 2; distance > 1.999; distance -= 1e-5) {
+    const Points points{Point(0, 0), Point(distance, 0)};
     Cells cells;
-    cells.compute(triangulation({Point(0, 0), Point(distance, 0)}), 1);
-    const Numbers radii{1, 1};
-    const Sweep sweep(lines_around({Point(0, 0), Point(distance, 0)}, 0, {}), 1);
-    ASSERT_NO_FATAL_FAILURE(expect_swept(cells, 0, sweep.run(radii), 1));
+    cells.compute(triangulation(points), 1);
+    const Visible_cell sweep(points[0], lines_around(points, 0, {}), 1);
+    ASSERT_NO_FATAL_FAILURE(expect_swept(cells, 0, sweep.measure({1, 1}), 1));
   }
   // a sliver between two bisectors far away from each other, and nothing else
   for (const double gap : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {
@@ -328,30 +205,14 @@ TEST(Discs, that_hardly_overlap_are_neither_whole_nor_empty)
 // -------------------------------------------------------------------------------------------------
 // Domains.
 
-const Points triangle{Point(-1, -2), Point(9, 1), Point(2, 8)};
-const Points trapezium{Point(-0.5, -0.25), Point(6, 0), Point(4, 5.5), Point(0.125, 6)};
-
-double area_of(const Points& domain)
-{
-  Real area = 0;
-  for (std::size_t i = 0; i < domain.size(); ++i) {
-    const Point &p = domain[i], &q = domain[(i + 1) % domain.size()];
-    area += (Real(p.x()) * q.y() - Real(q.x()) * p.y()) / 2;
-  }
-  return double(area);
-}
-
-bool is_inside(const Point& p, const Points& domain)
-{
-  for (std::size_t i = 0; i < domain.size(); ++i)
-    if (CGAL::orientation(domain[i], domain[(i + 1) % domain.size()], p) != CGAL::LEFT_TURN)
-      return false;
-  return true;
-}
+const Points corners_of_triangle{Point(-1, -2), Point(9, 1), Point(2, 8)};
+const Points corners_of_trapezium{Point(-0.5, -0.25), Point(6, 0), Point(4, 5.5), Point(0.125, 6)};
+const Polygon triangle(corners_of_triangle.begin(), corners_of_triangle.end());
+const Polygon trapezium(corners_of_trapezium.begin(), corners_of_trapezium.end());
 
 TEST(Domains, end_cells_at_their_walls)
 {
-  for (const Points& domain : {triangle, trapezium})
+  for (const Polygon& domain : {triangle, trapezium})
     for (const double radius : {0.3, 0.8, 3.0, infinity}) {
       SCOPED_TRACE(testing::Message() << domain.size() << " walls, radius " << radius);
       const Points points = Cloud<Epick>(7).uniform(40);
@@ -362,11 +223,11 @@ TEST(Domains, end_cells_at_their_walls)
       int inside = 0;
       for (std::size_t id = 0; id < points.size(); ++id) {
         ASSERT_NO_FATAL_FAILURE(expect_closed(cells, id, 10));
-        if (!is_inside(points[id], domain))
+        if (!domain.has_on_bounded_side(points[id]))
           continue;
         ++inside;
-        const Sweep sweep(lines_around(points, id, domain), radius);
-        ASSERT_NO_FATAL_FAILURE(expect_swept(cells, id, sweep.run(radii), 10));
+        const Visible_cell sweep(points[id], lines_around(points, id, Domain(domain)), radius);
+        ASSERT_NO_FATAL_FAILURE(expect_swept(cells, id, sweep.measure(radii), 10));
       }
       EXPECT_GT(inside, 10);
     }
@@ -374,13 +235,13 @@ TEST(Domains, end_cells_at_their_walls)
 
 TEST(Domains, are_filled_by_cells_without_radius_wherever_the_points_are)
 {
-  for (const Points& domain : {triangle, trapezium})
+  for (const Polygon& domain : {triangle, trapezium})
     for (const std::size_t number : {1u, 2u, 3u, 50u, 2000u}) {
       Cells cells;
       cells.set_domain(domain.begin(), domain.end());
       const Points points = Cloud<Epick>(3).uniform(number);
       cells.compute(triangulation(points), infinity);
-      EXPECT_NEAR(sum(cells.areas()), area_of(domain), 1e-13 * area_of(domain));
+      EXPECT_NEAR(sum(cells.areas()), domain.area(), 1e-13 * domain.area());
       EXPECT_EQ(sum(cells.free_lengths()), 0);
       double walls = 0;
       for (std::size_t i = 0; i < domain.size(); ++i)
@@ -453,14 +314,14 @@ TEST(Domains, must_be_convex_and_counterclockwise)
   EXPECT_EQ(refused_corner(star), 0);
   EXPECT_THROW(cells.set_domain(CGAL::Bbox_2(0, 0, 0, 1)), CGAL::Domain_error_2);
   // the last valid domain stays, and is refused in periodic space
-  EXPECT_EQ(refused_corner(trapezium), -1);
+  EXPECT_EQ(refused_corner(corners_of_trapezium), -1);
   EXPECT_EQ(refused_corner(star), 0);
   cells.compute(triangulation({Point(1, 1)}), infinity);
-  EXPECT_NEAR(cells.areas()[0], area_of(trapezium), 1e-12);
+  EXPECT_NEAR(cells.areas()[0], trapezium.area(), 1e-12);
   const Points point{Point(1, 1)};
   const Torus torus(point.begin(), point.end(), CGAL::Periodic_cell_2(5, 5));
   EXPECT_THROW(cells.compute(torus, 1), CGAL::Domain_error_2);
-  EXPECT_NEAR(cells.areas()[0], area_of(trapezium), 1e-12);
+  EXPECT_NEAR(cells.areas()[0], trapezium.area(), 1e-12);
 }
 
 // -------------------------------------------------------------------------------------------------
@@ -480,7 +341,8 @@ TEST(Periodic_cells, are_cut_by_the_bisectors_of_all_images)
         const Numbers radii(points.size(), radius);
         for (std::size_t id = 0; id < points.size(); ++id) {
           const auto lines = lines_around_images(points, id, cell, number < 20 ? 5 : 2);
-          ASSERT_NO_FATAL_FAILURE(expect_swept(cells, id, Sweep(lines, radius).run(radii), 10));
+          const Visible_cell sweep(points[id], lines, radius);
+          ASSERT_NO_FATAL_FAILURE(expect_swept(cells, id, sweep.measure(radii), 10));
           ASSERT_NO_FATAL_FAILURE(expect_closed(cells, id, 10));
         }
       }
@@ -495,7 +357,8 @@ TEST(Corners, may_be_on_the_circle)
   std::mt19937 random(15);
   const auto below = [&](int n) { return int(random() % unsigned(n)); };
   const CGAL::Periodic_cell_2 periodic_cell(4, 4);
-  const Points walls{Point(0.25, 0.25), Point(3.75, 0.25), Point(3.75, 3.25), Point(0.25, 3.25)};
+  const Points corners{Point(0.25, 0.25), Point(3.75, 0.25), Point(3.75, 3.25), Point(0.25, 3.25)};
+  const Domain domain(Polygon(corners.begin(), corners.end()));
   for (int round = 0; round < 400; ++round) {
     SCOPED_TRACE(testing::Message() << "round " << round);
     const double steps[] = {0.5, std::sqrt(0.5), 1, std::sqrt(1.25), std::sqrt(2.0), 1.25, 1.5};
@@ -511,7 +374,7 @@ TEST(Corners, may_be_on_the_circle)
       radii.push_back(have_one ? common : steps[below(7)]);
     }
     const auto expect = [&](const Cells& cells, std::size_t id, const std::vector<Line>& lines) {
-      const Swept swept = Sweep(lines, radii[id]).run(radii);
+      const Measured swept = Visible_cell(points[id], lines, radii[id]).measure(radii);
       ASSERT_NEAR(cells.areas()[id], double(swept.area), 1e-12) << "id " << id;
       ASSERT_NEAR(cells.perimeters()[id], double(swept.perimeter), 1e-12) << "id " << id;
       ASSERT_NEAR(cells.free_lengths()[id], double(swept.free), error) << "id " << id;
@@ -524,11 +387,11 @@ TEST(Corners, may_be_on_the_circle)
     cells.compute(Torus(points.begin(), points.end(), periodic_cell), radii);
     for (std::size_t id = 0; id < points.size(); ++id)
       ASSERT_NO_FATAL_FAILURE(expect(cells, id, lines_around_images(points, id, periodic_cell, 2)));
-    cells.set_domain(walls.begin(), walls.end());
+    cells.set_domain(corners.begin(), corners.end());
     cells.compute(triangulation(points), radii);
     for (std::size_t id = 0; id < points.size(); ++id)
-      if (is_inside(points[id], walls)) {
-        ASSERT_NO_FATAL_FAILURE(expect(cells, id, lines_around(points, id, walls)));
+      if (domain.outer_boundary().has_on_bounded_side(points[id])) {
+        ASSERT_NO_FATAL_FAILURE(expect(cells, id, lines_around(points, id, domain)));
       }
   }
 }
@@ -671,10 +534,10 @@ struct Energy
 
 template <class Triangulation>
 void expect_gradients(Triangulation& dt, const Points& points, const Numbers& radii,
-                      const Points& domain)
+                      const Polygon& domain)
 {
   Cells cells;
-  if (!domain.empty())
+  if (!domain.is_empty())
     cells.set_domain(domain.begin(), domain.end());
   const auto energy = [&](const Points& where, const Numbers& reach) {
     dt.update(where.begin(), where.end());

@@ -47,13 +47,10 @@ double sum(const Numbers& numbers)
 
 double area(const Domain& domain)
 {
-  CGAL::Polygon_2<Epeck> exact;
   Epeck::FT result = 0;
   const auto add = [&](const Polygon& ring, int sign) {
-    exact.clear();
-    for (auto p = ring.vertices_begin(); p != ring.vertices_end(); ++p)
-      exact.push_back({p->x(), p->y()});
-    result += sign * CGAL::abs(exact.area());
+    const auto corners = query_oracle::exact_points(ring.container());
+    result += sign * CGAL::abs(CGAL::Polygon_2<Epeck>(corners.begin(), corners.end()).area());
   };
   add(domain.outer_boundary(), 1);
   for (const Polygon& hole : domain.holes())
@@ -272,7 +269,8 @@ void expect_right(const Points& points, const Domain& domain, double radius, boo
       continue; // the sweep would look through the wall
     SCOPED_TRACE("visible");
     const Cells& visible = cells.at(Rule::VISIBLE);
-    const Measured measured = Visible_cell(points, id, domain, radius).measure();
+    const Measured measured =
+        Visible_cell(points[id], lines_around(points, id, domain), radius).measure();
     ASSERT_NO_FATAL_FAILURE(expect_area(visible, id, points[id], measured));
     ASSERT_NEAR(visible.perimeters()[id], double(measured.perimeter), length_error);
     if (is_general) {
