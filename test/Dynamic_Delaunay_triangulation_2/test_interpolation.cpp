@@ -4,7 +4,7 @@
 // Weights of natural neighbors and linear ones, against CGAL's natural neighbors of exact numbers
 // and against exact faces; in periodic space among all images around.
 
-#include "oracle.h"
+#include "query_oracle.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Interpolation_weights_2.h>
@@ -26,24 +26,21 @@
 
 namespace {
 
+using namespace query_oracle;
+
 constexpr double largest_error = 1e-12;
 
 using Weights = CGAL::Interpolation_weights_2;
 using Number = Epeck::FT;
-using Exact_point = Epeck::Point_2;
 using Exact_triangulation = CGAL::Delaunay_triangulation_2<Epeck>;
 using Shift = CGAL::Periodic_shift_2;
 using Periodic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick>;
 
-double rounded(const Number& x)
-{
-  return CGAL::to_double(x.exact());
-}
-
 template <class Point>
-Exact_point exact(const Point& p)
+Exact_triangulation exact_triangulation(const std::vector<Point>& points)
 {
-  return Exact_point(p.x(), p.y());
+  const Exact_points all = exact_points(points);
+  return Exact_triangulation(all.begin(), all.end());
 }
 
 // The weights that are not 0, by their points.
@@ -75,6 +72,17 @@ void expect_near(const Weight_of& weights, const Weight_of& expected)
     };
     ASSERT_NEAR(in(weights), in(expected), largest_error) << p;
   }
+}
+
+// The weights at one of the places: `where(i)` is the point of entry i.
+template <class Where>
+Weight_of weights_at(const Weights& weights, std::size_t place, const Where& where)
+{
+  Weight_of result;
+  for (std::size_t i = weights.offsets()[place]; i < weights.offsets()[place + 1]; ++i)
+    if (weights.weights()[i] != 0)
+      result[where(i)] = weights.weights()[i];
+  return result;
 }
 
 // Expects what holds for both kinds of weights at one place: `where(i)` is the point of entry i.
@@ -112,26 +120,12 @@ protected:
   static std::map<std::string, Places> clouds()
   {
     using Source = Cloud<Kernel>;
-    std::map<std::string, Places> clouds;
-    clouds["no point"] = {};
-    clouds["one"] = {Place(3, 4)};
-    clouds["two"] = {Place(3, 4), Place(5, 4)};
-    clouds["line"] = Source(1).on_line(20);
+    std::map<std::string, Places> clouds = clouds_of_all_kinds<Kernel>();
     clouds["triangle"] = {Place(0, 0), Place(4, 1), Place(1, 3)};
-    clouds["circle"] = Source::on_circle(36);
-    clouds["circle and center"] = Source::on_circle(36);
-    clouds["circle and center"].push_back(Place(0, 0));
-    clouds["lattice"] = Source::grid(7, 6);
-    clouds["random"] = Source(2).uniform(80);
-    clouds["coincident"] = Source(3).uniform(30);
-    for (const std::size_t i : {4u, 9u, 4u, 2u})
-      clouds["coincident"].push_back(clouds["coincident"][i]);
     clouds["flat"] = Source(4).uniform(40);
     for (Place& p : clouds["flat"])
       p = Place(p.x(), p.y() * 1e-6);
-    clouds["nearly straight hull"] = Source(5).uniform(60);
-    for (int i = 0; i <= 8; ++i)
-      clouds["nearly straight hull"].push_back(Place(i, -1e-13 * i * (8 - i)));
+    clouds["nearly straight hull"] = cloud_with_nearly_straight_hull<Kernel>();
     clouds["huge"] = scaled<Kernel>(Source(6).uniform(40), 1e90);
     clouds["largest"] = scaled<Kernel>(Source(6).uniform(20), 1e150);
     clouds["tiny"] = scaled<Kernel>(Source(7).uniform(40), 1e-90);
@@ -164,17 +158,7 @@ protected:
     return places;
   }
 
-  // The weights that are not 0 at one of the places, by their points.
-  static Weight_of weights_at(const Weights& weights, const Subject& dt, std::size_t place)
-  {
-    Weight_of result;
-    for (std::size_t i = weights.offsets()[place]; i < weights.offsets()[place + 1]; ++i)
-      if (weights.weights()[i] != 0)
-        result[exact(dt.point(weights.ids()[i]))] = weights.weights()[i];
-    return result;
-  }
-
-  static bool has_empty_circle(const std::vector<Exact_point>& points,
+  static bool has_empty_circle(const Exact_points& points,
                                const std::array<Exact_point, 3>& corners)
   {
     return !CGAL::collinear(corners[0], corners[1], corners[2]) &&
@@ -186,8 +170,8 @@ protected:
 
   // The exact linear weights at a place, which must be in the triangle of three points with a
   // circle that no point is in, or on a side of such a triangle.
-  static Weight_of linear_oracle(const std::vector<Exact_point>& points,
-                                 const std::vector<Exact_point>& corners, const Exact_point& p)
+  static Weight_of linear_oracle(const Exact_points& points, const Exact_points& corners,
+                                 const Exact_point& p)
   {
     Weight_of weights;
     if (corners.size() == 1)
@@ -225,16 +209,13 @@ TYPED_TEST(Interpolation_of, natural_neighbors_have_the_weights_that_cgal_finds_
     Weights weights;
     weights.compute_natural_neighbor(dt, places.begin(), places.end());
     ASSERT_EQ(weights.number_of_places(), places.size());
-    std::vector<Exact_point> exact_points;
-    for (const auto& p : points)
-      exact_points.push_back(exact(p));
-    const Exact_triangulation fresh(exact_points.begin(), exact_points.end());
+    const Exact_triangulation fresh = exact_triangulation(points);
+    const auto where = [&](std::size_t entry) { return exact(dt.point(weights.ids()[entry])); };
     for (std::size_t i = 0; i < places.size(); ++i) {
       SCOPED_TRACE(i);
       const Exact_point p = exact(places[i]);
-      ASSERT_NO_FATAL_FAILURE(expect_near(this->weights_at(weights, dt, i), oracle(fresh, p)));
-      ASSERT_NO_FATAL_FAILURE(expect_sound(
-          weights, i, p, [&](std::size_t entry) { return exact(dt.point(weights.ids()[entry])); }));
+      ASSERT_NO_FATAL_FAILURE(expect_near(weights_at(weights, i, where), oracle(fresh, p)));
+      ASSERT_NO_FATAL_FAILURE(expect_sound(weights, i, p, where));
     }
   }
 }
@@ -248,23 +229,21 @@ TYPED_TEST(Interpolation_of, linear_weights_are_those_of_the_face_or_edge_that_t
     Weights weights, natural;
     weights.compute_linear(dt, places.begin(), places.end());
     natural.compute_natural_neighbor(dt, places.begin(), places.end());
-    std::vector<Exact_point> exact_points;
-    for (const auto& p : points)
-      exact_points.push_back(exact(p));
+    const Exact_points all = exact_points(points);
+    const auto where = [&](std::size_t entry) { return exact(dt.point(weights.ids()[entry])); };
     for (std::size_t i = 0; i < places.size(); ++i) {
       SCOPED_TRACE(i);
       ASSERT_EQ(weights.is_outside(i), natural.is_outside(i));
-      std::vector<Exact_point> corners;
+      Exact_points corners;
       for (std::size_t entry = weights.offsets()[i]; entry < weights.offsets()[i + 1]; ++entry)
-        corners.push_back(exact(dt.point(weights.ids()[entry])));
+        corners.push_back(where(entry));
       if (corners.size() == 3 &&
           CGAL::orientation(corners[0], corners[1], corners[2]) == CGAL::RIGHT_TURN)
         std::swap(corners[0], corners[1]);
       const Exact_point p = exact(places[i]);
-      Weight_of expected = this->linear_oracle(exact_points, corners, p);
-      ASSERT_NO_FATAL_FAILURE(expect_near(this->weights_at(weights, dt, i), expected));
-      ASSERT_NO_FATAL_FAILURE(expect_sound(
-          weights, i, p, [&](std::size_t entry) { return exact(dt.point(weights.ids()[entry])); }));
+      Weight_of expected = this->linear_oracle(all, corners, p);
+      ASSERT_NO_FATAL_FAILURE(expect_near(weights_at(weights, i, where), expected));
+      ASSERT_NO_FATAL_FAILURE(expect_sound(weights, i, p, where));
     }
   }
 }
@@ -397,37 +376,16 @@ TEST(Interpolation, any_number_of_points_can_be_natural_neighbors)
 
 // PERIODIC SPACE ----------------------------------------------------------------------------------
 
-// All images around a place, triangulated without rounding. The points may be given many cells away
+// Compares weights with those among all images around. The points may be given many cells away
 // along the first vector.
-class Image_oracle
-{
-public:
-  Image_oracle(const Periodic& dt, const Exact_point& place, int reach, int away)
-  {
-    const CGAL::Periodic_cell_2& cell = dt.cell();
-    const Epeck::Vector_2 a(cell.ax(), cell.ay()),
-        b = cell.is_slab() ? CGAL::NULL_VECTOR : Epeck::Vector_2(cell.bx(), cell.by());
-    std::vector<Exact_point> images;
-    for (std::size_t id = 0; id < dt.number_of_ids(); ++id)
-      for (int i = -reach; i <= reach; ++i)
-        for (int j = cell.is_slab() ? 0 : -reach; j <= (cell.is_slab() ? 0 : reach); ++j)
-          images.push_back(exact(dt.point(id)) + Number(i - away) * a + Number(j) * b);
-    m_dt.insert(images.begin(), images.end());
-    m_weights = oracle(m_dt, place);
-  }
-  const Weight_of& weights() const { return m_weights; }
-
-private:
-  Exact_triangulation m_dt;
-  Weight_of m_weights;
-};
-
 void expect_periodic(const Periodic& dt, const Points& places, int away = 0)
 {
   const CGAL::Periodic_cell_2& cell = dt.cell();
   Weights weights;
   weights.compute_natural_neighbor(dt, places.begin(), places.end());
   ASSERT_EQ(weights.shifts().size(), weights.ids().size());
+  const Exact_points images = images_around(dt, 4, away);
+  const Exact_triangulation fresh(images.begin(), images.end());
   const auto image = [&](std::size_t entry) {
     const Shift& shift = weights.shifts()[entry];
     const auto p = exact(dt.point(weights.ids()[entry]));
@@ -438,11 +396,7 @@ void expect_periodic(const Periodic& dt, const Points& places, int away = 0)
   for (std::size_t place = 0; place < places.size(); ++place) {
     SCOPED_TRACE(place);
     const Exact_point p = exact(places[place]);
-    Weight_of found;
-    for (std::size_t i = weights.offsets()[place]; i < weights.offsets()[place + 1]; ++i)
-      if (weights.weights()[i] != 0)
-        found[image(i)] = weights.weights()[i];
-    ASSERT_NO_FATAL_FAILURE(expect_near(found, Image_oracle(dt, p, 4, away).weights()));
+    ASSERT_NO_FATAL_FAILURE(expect_near(weights_at(weights, place, image), oracle(fresh, p)));
     ASSERT_NO_FATAL_FAILURE(expect_sound(weights, place, p, image));
   }
 }
@@ -499,17 +453,12 @@ TEST(Interpolation, ties_of_all_kinds_are_decided_as_without_rounding)
     }
     const Plane dt(points.begin(), points.end());
     const Weights weights = natural(dt, places);
-    std::vector<Exact_point> exact_points;
-    for (const auto& p : points)
-      exact_points.push_back(exact(p));
-    const Exact_triangulation fresh(exact_points.begin(), exact_points.end());
+    const Exact_triangulation fresh = exact_triangulation(points);
+    const auto where = [&](std::size_t entry) { return exact(dt.point(weights.ids()[entry])); };
     for (std::size_t place = 0; place < places.size(); ++place) {
       SCOPED_TRACE(place);
-      Weight_of found;
-      for (std::size_t i = weights.offsets()[place]; i < weights.offsets()[place + 1]; ++i)
-        if (weights.weights()[i] != 0)
-          found[exact(dt.point(weights.ids()[i]))] = weights.weights()[i];
-      ASSERT_NO_FATAL_FAILURE(expect_near(found, oracle(fresh, exact(places[place]))));
+      ASSERT_NO_FATAL_FAILURE(
+          expect_near(weights_at(weights, place, where), oracle(fresh, exact(places[place]))));
     }
     places.resize(6);
     points = scaled<Epick>(points, 0.25);

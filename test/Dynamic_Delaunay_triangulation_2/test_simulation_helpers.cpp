@@ -4,7 +4,7 @@
 // Neighbor lists, measures of Voronoi cells, and queries for points, compared with results that do
 // not depend on them: of CGAL's circulators, of exact polygons, and of searches among all points.
 
-#include "oracle.h"
+#include "query_oracle.h"
 #include "replaced_heap.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
@@ -32,6 +32,8 @@
 
 namespace test_simulation_helpers {
 
+using namespace query_oracle;
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Ids = std::vector<std::size_t>;
@@ -49,27 +51,6 @@ protected:
   using Place = typename Kernel::Point_2;
   using Number = typename Kernel::FT;
   using Places = std::vector<Place>;
-
-  // Clouds of all kinds, by their names.
-  static std::map<std::string, Places> clouds()
-  {
-    using Source = Cloud<Kernel>;
-    std::map<std::string, Places> clouds;
-    clouds["no point"] = {};
-    clouds["one"] = {Place(3, 4)};
-    clouds["two"] = {Place(3, 4), Place(5, 4)};
-    clouds["two in one place"] = {Place(3, 4), Place(3, 4)};
-    clouds["line"] = Source(1).on_line(20);
-    clouds["circle"] = Source::on_circle(36);
-    clouds["circle and center"] = Source::on_circle(36);
-    clouds["circle and center"].push_back(Place(0, 0));
-    clouds["lattice"] = Source::grid(7, 6);
-    clouds["random"] = Source(2).uniform(80);
-    clouds["coincident"] = Source(3).uniform(30);
-    for (const std::size_t i : {4u, 9u, 4u, 2u})
-      clouds["coincident"].push_back(clouds["coincident"][i]);
-    return clouds;
-  }
 
   // A triangulation after an update, removals and insertions.
   static Subject veteran()
@@ -92,7 +73,7 @@ protected:
   template <class Check>
   static void for_each_triangulation(const Check& check)
   {
-    for (const auto& [name, points] : clouds()) {
+    for (const auto& [name, points] : clouds_of_all_kinds<Kernel>()) {
       SCOPED_TRACE(name);
       ASSERT_NO_FATAL_FAILURE(check(Subject(points.begin(), points.end())));
     }
@@ -250,16 +231,13 @@ TEST(Simulation_helpers, lists_neighbors_and_faces_are_there_without_a_certifica
 // -------------------------------------------------------------------------------------------------
 // Voronoi cells, by exact polygons.
 
-using Exact_point = Epeck::Point_2;
-using Polygon = std::vector<Exact_point>;
-
 struct Cell
 {
   double area = infinity, perimeter = infinity;
   std::optional<Exact_point> centroid{};
 };
 
-Cell measured(const Polygon& polygon)
+Cell measured(const Exact_points& polygon)
 {
   Epeck::FT doubled_area = 0;
   Epeck::Vector_2 moment(0, 0);
@@ -277,46 +255,6 @@ Cell measured(const Polygon& polygon)
   return cell;
 }
 
-template <class Point>
-Exact_point exact(const Point& p)
-{
-  return Exact_point(p.x(), p.y());
-}
-
-// The part of the polygon that is no nearer to w than to v.
-Polygon clipped(const Polygon& polygon, const Exact_point& v, const Exact_point& w)
-{
-  const auto bisector = CGAL::bisector(v, w); // v is on its positive side
-  Polygon result;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Exact_point &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-    const Epeck::FT at_p = bisector.a() * p.x() + bisector.b() * p.y() + bisector.c();
-    const Epeck::FT at_q = bisector.a() * q.x() + bisector.b() * q.y() + bisector.c();
-    if (at_p >= 0)
-      result.push_back(p);
-    if (at_p * at_q < 0)
-      result.push_back(p + (q - p) * (at_p / (at_p - at_q)));
-  }
-  return result;
-}
-
-Polygon polygon_of(const CGAL::Bbox_2& box)
-{
-  return {Exact_point(box.xmin(), box.ymin()), Exact_point(box.xmax(), box.ymin()),
-          Exact_point(box.xmax(), box.ymax()), Exact_point(box.xmin(), box.ymax())};
-}
-
-// The cell of a place in a box, cut by the bisectors with all points.
-template <class Point>
-Cell clipped_cell(const std::vector<Point>& places, const Point& place, const CGAL::Bbox_2& box)
-{
-  Polygon polygon = polygon_of(box);
-  for (const Point& other : places)
-    if (other != place)
-      polygon = clipped(polygon, exact(place), exact(other));
-  return measured(polygon);
-}
-
 // The cell of a vertex, by the circumcenters of its faces.
 template <class Dynamic>
 Cell whole_cell(const Dynamic& dt, std::size_t id)
@@ -324,7 +262,7 @@ Cell whole_cell(const Dynamic& dt, std::size_t id)
   const auto& triangulation = dt.triangulation();
   if (triangulation.dimension() < 2)
     return {};
-  Polygon polygon;
+  Exact_points polygon;
   auto face = triangulation.incident_faces(dt.vertex(id));
   const auto first = face;
   do {
@@ -352,12 +290,6 @@ void expect_close(double value, double expected, double tolerance, std::size_t i
     ASSERT_EQ(value, expected) << "id " << id;
   else
     ASSERT_NEAR(value, expected, tolerance * (std::max)(1.0, expected)) << "id " << id;
-}
-
-// Rounded to the last digit: CGAL::to_double() is exact only for numbers that have been computed.
-double rounded(const Epeck::FT& number)
-{
-  return CGAL::to_double(CGAL::exact(number));
 }
 
 // Expects the centroid of a cell, or its point for a cell that has none.
@@ -439,8 +371,9 @@ TYPED_TEST(Simulation_helpers, clipped_cells_are_what_all_bisectors_leave_of_the
       measures.compute(dt, box);
       ASSERT_EQ(measures.centroids().size(), dt.number_of_ids());
       for (std::size_t id = 0; id < dt.number_of_ids(); ++id)
-        ASSERT_NO_FATAL_FAILURE(expect_cell(
-            measures, dt, id, 1e-10, [&] { return clipped_cell(places, dt.point(id), box); }));
+        ASSERT_NO_FATAL_FAILURE(expect_cell(measures, dt, id, 1e-10, [&] {
+          return measured(clipped_cell(places, dt.point(id), box));
+        }));
     }
   });
 }
@@ -452,7 +385,7 @@ TYPED_TEST(Simulation_helpers, clipped_cells_add_up_to_the_box_wherever_the_poin
   for (const double scale : {1e-6, 0.01, 1.0, 100.0, 1e6})
     for (const double offset : {0.0, -3.0, 1e4}) {
       SCOPED_TRACE(std::to_string(scale) + " " + std::to_string(offset));
-      for (auto [name, points] : TestFixture::clouds()) {
+      for (auto [name, points] : clouds_of_all_kinds<TypeParam>()) {
         if (points.empty())
           continue;
         SCOPED_TRACE(name);
@@ -517,8 +450,8 @@ TYPED_TEST(Simulation_helpers, centroids_are_right_at_all_sizes)
     const CGAL::Bbox_2 box(unit, unit, 5 * unit, 6 * unit);
     measures.compute(dt, box);
     for (std::size_t id = 0; id < points.size(); ++id)
-      ASSERT_NO_FATAL_FAILURE(
-          expect_centroid(measures, dt, id, clipped_cell(points, points[id], box), 1e-10 * unit));
+      ASSERT_NO_FATAL_FAILURE(expect_centroid(
+          measures, dt, id, measured(clipped_cell(points, points[id], box)), 1e-10 * unit));
   }
 }
 
@@ -624,7 +557,8 @@ TEST(Simulation_helpers, points_that_only_an_exact_kernel_tells_apart_have_cells
   const CGAL::Bbox_2 box(-3, -3, 4, 4);
   measures.compute(dt, box);
   for (std::size_t id = 0; id < points.size(); ++id)
-    EXPECT_NEAR(measures.areas()[id], clipped_cell(points, points[id], box).area, 1e-12) << id;
+    EXPECT_NEAR(measures.areas()[id], measured(clipped_cell(points, points[id], box)).area, 1e-12)
+        << id;
   EXPECT_NEAR(sum(measures.areas()), 49, 1e-12);
   Queries<Exact> queries(dt);
   EXPECT_EQ(queries.nearest({2, 1}), 1u);
