@@ -3,6 +3,7 @@
 //
 // What tests of checkpoints do with files of any kind: read, edit and forge them, and run out of
 // disk and memory. Only one file of a program may include this header: it replaces the heap.
+// `Checkpoint_files` tests what holds in every space.
 
 #ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_CHECKPOINT_FILES_H
 #define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_CHECKPOINT_FILES_H
@@ -168,5 +169,128 @@ void expect_nothing_to_change_without_memory(Read& target, const std::string& te
     ASSERT_EQ(checkpoint_of(target), is_read ? text : before);
   }
 }
+
+// Forges the file of a triangulation. What is not refused goes on as a copy of it does:
+// `expect_common_future(dt, copy, i)` says so of the i-th one.
+template <class Dynamic, class Expect>
+void expect_forgeries_to_be_harmless(const std::string& original, const Dynamic& empty,
+                                     unsigned seed, int number, const Expect& expect_common_future)
+{
+  Forger forger(original, seed);
+  int accepted = 0;
+  for (int i = 0; i < number; ++i) {
+    const std::string text = forger.forged();
+    Dynamic dt = empty;
+    if (refusal(dt, text).line() > 0) {
+      ASSERT_EQ(dt.number_of_points(), 0u);
+      continue;
+    }
+    ++accepted;
+    Dynamic other = empty;
+    read(other, checkpoint_of(dt));
+    ASSERT_EQ(checkpoint_of(dt), checkpoint_of(other));
+    ASSERT_NO_FATAL_FAILURE(expect_common_future(dt, other, i)) << text;
+  }
+  EXPECT_GT(accepted, 0);
+  EXPECT_LT(accepted, number);
+}
+
+// A space has an `empty()` triangulation, a small `specimen()` whose checkpoint has everything that
+// a file can have, and an `other_one()`.
+template <class Space>
+class Checkpoint_files : public testing::Test
+{
+protected:
+  static std::string text() { return checkpoint_of(Space::specimen()); }
+
+  // Where a file is refused by a triangulation, which it leaves empty; 0 if it is not.
+  static std::size_t line_of_refusal(const std::string& text)
+  {
+    auto dt = Space::empty();
+    const std::size_t line = refusal(dt, text).line();
+    EXPECT_EQ(dt.number_of_points(), 0u);
+    return line;
+  }
+};
+TYPED_TEST_SUITE_P(Checkpoint_files);
+
+TYPED_TEST_P(Checkpoint_files, that_are_cut_off_anywhere_are_refused)
+{
+  const std::string text = this->text();
+  for (std::size_t size = 0; size < text.size(); ++size)
+    ASSERT_GT(this->line_of_refusal(text.substr(0, size)), 0u) << size;
+}
+
+TYPED_TEST_P(Checkpoint_files, with_any_byte_changed_or_missing_are_refused)
+{
+  const std::string text = this->text();
+  for (std::size_t place = 0; place < text.size(); ++place) {
+    for (const char c : {'0', '1', '7', ' ', '\n', '-', '.', 'e', 'x', '\0', '\xff'}) {
+      std::string edited = text;
+      edited[place] = c;
+      if (edited != text) {
+        ASSERT_GT(this->line_of_refusal(edited), 0u) << place << " " << int(c);
+      }
+    }
+    std::string shorter = text;
+    shorter.erase(place, 1);
+    ASSERT_GT(this->line_of_refusal(shorter), 0u) << place;
+  }
+}
+
+TYPED_TEST_P(Checkpoint_files, that_announce_much_need_no_memory)
+{
+  const std::string text = this->text();
+  for (const char* announced : {"700000000", "4000000000", "1000000000000000000",
+                                "99999999999999999999999999", "-1", "715827882"})
+    for (const char* name :
+         {"ids", "vertices", "duplicates", "free_ids", "faces", "corners", "edges"}) {
+      const std::size_t place = text.find(std::string(1, '\n') + name + ' ') + 1;
+      std::string edited = text;
+      edited.replace(place, text.find('\n', place) - place, std::string(name) + ' ' + announced);
+      edited = resealed(edited);
+      replaced_heap::largest_allocation = 0;
+      ASSERT_GT(this->line_of_refusal(edited), 0u) << name << " " << announced;
+      EXPECT_LT(replaced_heap::largest_allocation, 100000u) << name << " " << announced;
+    }
+}
+
+TYPED_TEST_P(Checkpoint_files, change_nothing_if_they_are_refused)
+{
+  const std::string text = this->text();
+  auto dt = TypeParam::other_one();
+  for (std::size_t size = 0; size < text.size(); size += 7)
+    ASSERT_TRUE(state_after_reading(dt, text.substr(0, size)) & std::ios::failbit) << size;
+  EXPECT_EQ(state_after_reading(dt, "garbage\n" + text), std::ios::failbit);
+}
+
+TYPED_TEST_P(Checkpoint_files, change_nothing_if_memory_runs_out)
+{
+  auto dt = TypeParam::other_one();
+  expect_nothing_to_change_without_memory(dt, this->text());
+  EXPECT_TRUE(dt.is_valid());
+}
+
+TYPED_TEST_P(Checkpoint_files, say_where_a_disk_is_full)
+{
+  const auto dt = TypeParam::specimen();
+  const std::size_t size = checkpoint_of(dt).size();
+  for (std::size_t bytes = 0; bytes <= size; ++bytes) {
+    Full_disk disk(bytes), other_disk(bytes);
+    std::ostream out(&disk), other_out(&other_disk);
+    if (bytes < size) {
+      ASSERT_THROW(dt.write_checkpoint(out), CGAL::Checkpoint_error_2) << bytes;
+    } else {
+      EXPECT_NO_THROW(dt.write_checkpoint(out));
+    }
+    other_out << dt;
+    ASSERT_EQ(other_out.fail(), bytes < size) << bytes;
+  }
+}
+
+REGISTER_TYPED_TEST_SUITE_P(Checkpoint_files, that_are_cut_off_anywhere_are_refused,
+                            with_any_byte_changed_or_missing_are_refused,
+                            that_announce_much_need_no_memory, change_nothing_if_they_are_refused,
+                            change_nothing_if_memory_runs_out, say_where_a_disk_is_full);
 
 #endif // DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_CHECKPOINT_FILES_H

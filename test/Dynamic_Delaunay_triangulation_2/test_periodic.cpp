@@ -4,6 +4,7 @@
 // Triangulations of flat tori whose points and cells move.
 
 #include "digest_of_motion.h"
+#include "periodic_operations.h"
 #include "periodic_oracle.h"
 #include "random_points.h"
 
@@ -37,57 +38,36 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
 using Cell = CGAL::Periodic_cell_2;
 using Triangulation = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel>;
+template <class Visitor>
+using Visited =
+    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::Default,
+                                                    CGAL::Default, Visitor>;
 using Vector = Kernel::Vector_2;
 namespace internal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
 using CGAL::Dynamic_Delaunay_triangulations_2::Edge_state_2;
 using CGAL::Dynamic_Delaunay_triangulations_2::Index;
 using CGAL::Dynamic_Delaunay_triangulations_2::Position_2;
 
-void move_randomly(std::mt19937_64& random, std::vector<Point>& points, double step)
-{
-  std::normal_distribution<double> normal(0, step);
-  for (Point& p : points) {
-    const double x = p.x() + normal(random);
-    p = Point(x, p.y() + normal(random));
-  }
-}
-
-Point image(const Point& p, const Cell& cell, int i, int j)
-{
-  return Point(p.x() + i * cell.ax() + j * cell.bx(), p.y() + i * cell.ay() + j * cell.by());
-}
-
 // A visitor that keeps a set of edges only by the changes of which it is notified.
 class Ledger : public CGAL::Delaunay_update_visitor_base_2
 {
   using Shift = CGAL::Periodic_shift_2;
-  using Edge = std::tuple<std::size_t, std::size_t, Shift>;
+  using Edge = Directed_edge;
 
 public:
   const std::set<Edge>& edges() const { return m_edges; }
 
   template <class Dynamic>
-  static std::set<Edge> edges_of(const Dynamic& dt)
-  {
-    std::set<Edge> edges;
-    dt.for_each_edge([&](std::size_t i, std::size_t j, const Shift& shift) {
-      edges.insert({i, j, shift});
-      edges.insert({j, i, {-shift[0], -shift[1]}});
-    });
-    return edges;
-  }
-
-  template <class Dynamic>
   void after_edge_removal(const Dynamic&, std::size_t i, std::size_t j, const Shift& shift)
   {
     EXPECT_EQ(m_edges.erase({i, j, shift}), 1u);
-    EXPECT_EQ(m_edges.erase({j, i, {-shift[0], -shift[1]}}), 1u);
+    EXPECT_EQ(m_edges.erase(reversed({i, j, shift})), 1u);
   }
   template <class Dynamic>
   void after_edge_creation(const Dynamic&, std::size_t i, std::size_t j, const Shift& shift)
   {
     EXPECT_TRUE(m_edges.insert({i, j, shift}).second);
-    EXPECT_TRUE(m_edges.insert({j, i, {-shift[0], -shift[1]}}).second);
+    EXPECT_TRUE(m_edges.insert(reversed({i, j, shift})).second);
   }
   template <class Dynamic>
   void after_translation(const Dynamic&, std::size_t id, const Shift& shift)
@@ -305,19 +285,11 @@ TEST(Translations_of_the_lattice, change_no_edge_where_they_are_exact)
     pt.update(points);
     wrapped.update(moved);
     ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(wrapped));
-    std::set<std::tuple<std::size_t, std::size_t, int, int>> edges, edges_of_wrapped;
-    const auto both_ways = [](auto& set, std::size_t i, std::size_t j, int a, int b) {
-      set.insert({i, j, a, b});
-      set.insert({j, i, -a, -b});
-    };
-    pt.for_each_edge([&](std::size_t i, std::size_t j, const CGAL::Periodic_shift_2& s) {
-      both_ways(edges, i, j, s[0], s[1]);
-    });
-    wrapped.for_each_edge([&](std::size_t i, std::size_t j, const CGAL::Periodic_shift_2& s) {
-      both_ways(edges_of_wrapped, i, j, s[0] + images[j][0] - images[i][0],
-                s[1] + images[j][1] - images[i][1]);
-    });
-    ASSERT_EQ(edges, edges_of_wrapped) << frame;
+    std::set<Directed_edge> edges_of_wrapped;
+    for (const auto& [i, j, s] : edges_both_ways(wrapped))
+      edges_of_wrapped.insert(
+          {i, j, {s[0] + images[j][0] - images[i][0], s[1] + images[j][1] - images[i][1]}});
+    ASSERT_EQ(edges_both_ways(pt), edges_of_wrapped) << frame;
   }
 }
 
@@ -1031,14 +1003,12 @@ TEST(A_builder, has_a_result_for_points_all_over_the_cell_and_none_for_a_grid)
 TEST(A_frame_in_which_everything_breaks, is_triangulated_anew_at_once)
 {
   std::mt19937_64 random(44);
-  CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::Default,
-                                                  CGAL::Default, Ledger>
-      pt(random_points(random, 120, 20), Cell(20, 20));
+  Visited<Ledger> pt(random_points(random, 120, 20), Cell(20, 20));
   const CGAL::Update_report_2 report = pt.update(random_points(random, 120, 20));
   EXPECT_EQ(report.rebuild_reason, CGAL::Rebuild_reason_2::TOO_MUCH_BROKEN);
   EXPECT_EQ(report.flips, 0u);
   ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
-  EXPECT_EQ(pt.visitor().edges(), Ledger::edges_of(pt));
+  EXPECT_EQ(pt.visitor().edges(), edges_both_ways(pt));
 }
 
 TEST(A_stream, in_which_all_go_far_together_is_followed_by_flips)
@@ -1233,9 +1203,7 @@ TEST(An_edge_that_is_safe, stays_delaunay_wherever_its_corners_go_within_the_tol
 // VISITORS ----------------------------------------------------------------------------------------
 
 using Changes = CGAL::Periodic_edge_changes_visitor_2;
-using Watched =
-    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::Default,
-                                                    CGAL::Default, Changes>;
+using Watched = Visited<Changes>;
 
 TEST(Neighbor_exchanges, are_one_edge_for_another)
 {
@@ -1300,19 +1268,19 @@ TEST(Edge_changes, turn_the_edges_of_before_into_those_of_now)
     std::vector<Point> points = random_points(random, 25, 3);
     Watched pt(points, cell);
     for (int frame = 0; frame < 20; ++frame) {
-      auto edges = Ledger::edges_of(pt);
+      auto edges = edges_both_ways(pt);
       pt.visitor().clear();
       move_randomly(random, points, 0.1); // never wrapped, so no edge gets another name
       pt.update(points);
       for (const Changes::Edge& e : pt.visitor().removed_edges()) {
         EXPECT_EQ(edges.erase({e.i, e.j, e.shift}), 1u);
-        EXPECT_EQ(edges.erase({e.j, e.i, {-e.shift[0], -e.shift[1]}}), 1u);
+        EXPECT_EQ(edges.erase(reversed({e.i, e.j, e.shift})), 1u);
       }
       for (const Changes::Edge& e : pt.visitor().created_edges()) {
         edges.insert({e.i, e.j, e.shift});
-        edges.insert({e.j, e.i, {-e.shift[0], -e.shift[1]}});
+        edges.insert(reversed({e.i, e.j, e.shift}));
       }
-      ASSERT_EQ(edges, Ledger::edges_of(pt));
+      ASSERT_EQ(edges, edges_both_ways(pt));
     }
   }
 }
@@ -1327,15 +1295,13 @@ TEST(Edge_changes, of_a_checkpoint_are_all_edges_also_where_a_slab_becomes_a_tor
   };
   const std::string torus = checkpoint(20, Cell(3, 0, 1, 3)),
                     slab = checkpoint(15, Cell(Vector(3, 1))), empty = checkpoint(0, Cell(1, 1));
-  CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::Default,
-                                                  CGAL::Default, Ledger>
-      pt(random_points(random, 10, 3), Cell(3, 3));
+  Visited<Ledger> pt(random_points(random, 10, 3), Cell(3, 3));
   for (const std::string* text : {&slab, &torus, &torus, &slab, &slab, &empty, &slab}) {
     std::istringstream file(*text);
     ASSERT_TRUE(file >> pt);
-    ASSERT_EQ(pt.visitor().edges(), Ledger::edges_of(pt));
+    ASSERT_EQ(pt.visitor().edges(), edges_both_ways(pt));
     pt.insert(Point(1, 1));
-    ASSERT_EQ(pt.visitor().edges(), Ledger::edges_of(pt));
+    ASSERT_EQ(pt.visitor().edges(), edges_both_ways(pt));
   }
 }
 
@@ -1358,9 +1324,7 @@ struct Thrower : CGAL::Delaunay_update_visitor_base_2
 
 TEST(A_visitor_that_throws, changes_nothing_or_hears_no_more)
 {
-  CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::Default,
-                                                  CGAL::Default, Thrower>
-      pt(Cell(2, 2));
+  Visited<Thrower> pt(Cell(2, 2));
   pt.insert(Point(0, 0));
   pt.visitor().throws_before = true;
   EXPECT_THROW(pt.insert(Point(1, 1)), std::runtime_error);
@@ -1537,127 +1501,27 @@ TEST(A_population, says_at_which_place_of_the_range_a_point_is_that_it_refuses)
 
 // EVERYTHING AT RANDOM --------------------------------------------------------------------------
 
-class Random_operations
+void operate_randomly(std::uint64_t seed)
 {
-public:
-  explicit Random_operations(std::uint64_t seed)
-    : m_random(seed)
-    , m_is_slab(seed % 4 == 0)
-    , m_pt(random_cell())
-    , m_limit(seed % 10 == 0 ? 200 : 12)
-  {
-  }
-
-  void run(int operations)
-  {
-    for (int i = 0; i < operations; ++i) {
-      step();
-      ASSERT_NO_FATAL_FAILURE(expect_points());
-      ASSERT_TRUE(m_pt.is_valid()) << i;
-      ASSERT_EQ(m_pt.visitor().edges(), Ledger::edges_of(m_pt)) << i;
-      if (i % 20 == 0) {
-        ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(m_pt)) << i;
-      }
+  Random_operations<Visited<Ledger>> operations(seed, seed % 10 == 0 ? 200 : 12);
+  const auto& pt = operations.triangulation();
+  for (int i = 0; i < 200; ++i) {
+    operations.step();
+    ASSERT_NO_FATAL_FAILURE(operations.expect_points());
+    ASSERT_TRUE(pt.is_valid()) << i;
+    ASSERT_EQ(pt.visitor().edges(), edges_both_ways(pt)) << i;
+    if (i % 20 == 0) {
+      ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt)) << i;
     }
   }
-
-private:
-  double side() const { return 3; }
-
-  Cell random_cell()
-  {
-    if (m_is_slab)
-      return Cell::slab(random_between(m_random, -4, 4), m_random() % 2 == 0 ? 0 : side());
-    if (m_random() % 2 == 0)
-      return Cell(side(), side());
-    return Cell(side(), random_between(m_random, -1, 1), random_between(m_random, -4, 4),
-                side() * random_between(m_random, 0.3, 1));
-  }
-
-  Point random_point()
-  {
-    const double grid = m_random() % 2 == 0 ? 0.25 : 0;
-    const double extent = m_random() % 8 == 0 ? 50 : side();
-    return random_points(m_random, 1, extent, grid)[0];
-  }
-
-  std::size_t random_id()
-  {
-    auto it = m_points.begin();
-    std::advance(it, m_random() % m_points.size());
-    return it->first;
-  }
-
-  void step()
-  {
-    const auto kind = m_random() % 10;
-    if (m_points.empty() || kind < 2 || (m_limit > 100 && kind == 3)) {
-      const Point p = random_point();
-      const std::size_t id = m_pt.insert(p);
-      ASSERT_TRUE(m_points.emplace(id, p).second);
-    } else if (kind < 4 || m_points.size() > m_limit) {
-      const std::size_t id = random_id();
-      m_pt.remove(id);
-      m_points.erase(id);
-    } else if (kind < 6) {
-      const std::size_t id = random_id();
-      m_points[id] = m_random() % 2 == 0 ? random_point() : moved(m_points[id], 0.1);
-      m_pt.move(id, m_points[id]);
-    } else {
-      if (m_points.size() < 3 && m_random() % 4 == 0)
-        m_limit = 1 + m_random() % (m_limit > 100 ? 200 : 40);
-      update(kind);
-    }
-  }
-
-  Point moved(const Point& p, double step)
-  {
-    std::vector<Point> one{p};
-    move_randomly(m_random, one, step);
-    return one[0];
-  }
-
-  void update(std::uint64_t kind)
-  {
-    const double step = std::pow(10.0, random_between(m_random, -4, 0));
-    Cell cell = m_pt.cell();
-    if (kind == 8)
-      cell = m_random() % 4 == 0 ? random_cell()
-             : m_is_slab         ? Cell::slab(cell.ax() * 1.02, cell.ay())
-                         : Cell(cell.ax() * 1.02, cell.ay(), cell.bx() + 0.1, cell.by() * 0.99);
-    std::vector<Point> next(m_pt.number_of_ids());
-    for (auto& [id, p] : m_points) {
-      if (kind == 9 ? m_random() % 10 == 0 : m_random() % 3 == 0)
-        p = kind == 9 ? random_point() : moved(p, step);
-      if (m_random() % 5 == 0)
-        p = image(p, cell, int(m_random() % 3) - 1, m_is_slab ? 0 : int(m_random() % 3) - 1);
-      next[id] = p;
-    }
-    m_pt.update(next, cell);
-  }
-
-  void expect_points() const
-  {
-    ASSERT_EQ(m_pt.number_of_points(), m_points.size());
-    for (const auto& [id, p] : m_points)
-      ASSERT_EQ(m_pt.point(id), p);
-  }
-
-  std::mt19937_64 m_random;
-  bool m_is_slab;
-  CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::Default,
-                                                  CGAL::Default, Ledger>
-      m_pt;
-  std::map<std::size_t, Point> m_points;
-  std::size_t m_limit;
-};
+}
 
 TEST(Random_operations, end_exactly_delaunay)
 {
   const char* const more = std::getenv("PERIODIC_RUNS");
   const std::uint64_t runs = more ? std::strtoull(more, nullptr, 10) : 20;
   for (std::uint64_t seed = 1; seed <= runs; ++seed)
-    ASSERT_NO_FATAL_FAILURE(Random_operations(seed).run(200)) << "seed " << seed;
+    ASSERT_NO_FATAL_FAILURE(operate_randomly(seed)) << "seed " << seed;
 }
 
 // The digest of a motion with edges across the border of an oblique cell.

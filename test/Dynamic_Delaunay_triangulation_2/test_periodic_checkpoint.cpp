@@ -5,6 +5,7 @@
 // no checkpoint of one is refused and changes nothing.
 
 #include "checkpoint_files.h"
+#include "periodic_operations.h"
 #include "periodic_oracle.h"
 #include "random_points.h"
 
@@ -93,149 +94,96 @@ void expect_equal(const Triangulation& pt, const Triangulation& other)
   }
 }
 
-// Random calls, equal for a run and for one that is written and read again and again.
+// A run, and one that is written and read again and again: as if they were one triangulation.
 class Interrupted_run
 {
 public:
-  // A run with up to about `points` points.
-  Interrupted_run(std::uint64_t seed, std::size_t points)
-    : m_random(seed)
-    , m_points(points)
-    , m_is_slab(seed % 3 == 0)
-    , m_grid(seed % 2 == 0 ? 0.25 : 0)
-    , m_run(random_cell())
-    , m_interrupted(m_run.cell())
+  explicit Interrupted_run(const Cell& cell)
+    : m_run(cell)
+    , m_interrupted(cell)
   {
-    insert(below(m_points + 1));
   }
 
-  void go_on(int calls)
+  const Cell& cell() const { return m_run.cell(); }
+  std::size_t number_of_ids() const { return m_run.number_of_ids(); }
+  std::size_t number_of_points() const { return m_run.number_of_points(); }
+  Point point(std::size_t id) const { return m_interrupted.point(id); }
+
+  std::size_t insert(const Point& p)
   {
-    for (int call = 0; call < calls; ++call) {
-      SCOPED_TRACE(testing::Message() << "call " << call);
-      if (below(3) == 0)
-        m_interrupted = restored(m_interrupted);
-      ASSERT_NO_FATAL_FAILURE(any_call());
-      ASSERT_TRUE(m_interrupted.is_valid());
-      ASSERT_NO_FATAL_FAILURE(expect_equal(m_run, m_interrupted));
-    }
+    const std::size_t id = m_run.insert(p);
+    EXPECT_EQ(m_interrupted.insert(p), id);
+    return id;
+  }
+  template <class Iterator, class Output>
+  void insert(Iterator begin, Iterator end, Output out)
+  {
+    std::vector<std::size_t> ids, other_ids;
+    EXPECT_EQ(all_of(m_run.insert(begin, end, std::back_inserter(ids))),
+              all_of(m_interrupted.insert(begin, end, std::back_inserter(other_ids))));
+    EXPECT_EQ(ids, other_ids);
+    std::copy(ids.begin(), ids.end(), out);
+  }
+  void remove(std::size_t id)
+  {
+    EXPECT_EQ(all_of(m_run.remove(id)), all_of(m_interrupted.remove(id)));
+  }
+  void move(std::size_t id, const Point& p)
+  {
+    EXPECT_EQ(all_of(m_run.move(id, p)), all_of(m_interrupted.move(id, p)));
+  }
+  void update(const std::vector<Point>& points, const Cell& cell)
+  {
+    EXPECT_EQ(all_of(m_run.update(points, cell)), all_of(m_interrupted.update(points, cell)));
+  }
+
+  void interrupt() { m_interrupted = restored(m_interrupted); }
+
+  void expect_equal() const
+  {
+    ASSERT_TRUE(m_interrupted.is_valid());
+    ASSERT_NO_FATAL_FAILURE(test_periodic_checkpoint::expect_equal(m_run, m_interrupted));
+  }
+  void expect_equal_checkpoints() const
+  {
     ASSERT_EQ(checkpoint_of(m_run), checkpoint_of(m_interrupted));
   }
 
 private:
-  static double side() { return 3; }
-  std::size_t below(std::size_t end) { return std::size_t(m_random() % end); }
-
-  Cell random_cell()
-  {
-    if (m_is_slab)
-      return Cell::slab(random_between(m_random, 1, 4), below(2) == 0 ? 0 : side());
-    return below(2) == 0 ? Cell(side(), side())
-                         : Cell(side(), random_between(m_random, -1, 1),
-                                random_between(m_random, -4, 4), 0.7 * side());
-  }
-
-  template <class Call>
-  void both(const Call& call)
-  {
-    const CGAL::Update_report_2 report = call(m_run), other_report = call(m_interrupted);
-    ASSERT_EQ(all_of(report), all_of(other_report));
-  }
-
-  void any_call()
-  {
-    const bool has_points = m_run.number_of_points() > 0;
-    switch (below(has_points ? 9 : 1)) {
-    case 0:
-      return insert(m_run.number_of_points() < m_points ? 1 + below(4) : 0);
-    case 1: {
-      const std::size_t id = any_id();
-      return both([&](Triangulation& t) { return t.remove(id); });
-    }
-    case 2: { // to where another point is, or an image of it
-      const Point p = image(m_run.point(any_id()));
-      const std::size_t id = any_id();
-      return both([&](Triangulation& t) { return t.move(id, p); });
-    }
-    case 3: {
-      const std::size_t id = any_id();
-      const Point p = moved(m_run.point(id), 0.1);
-      return both([&](Triangulation& t) { return t.move(id, p); });
-    }
-    case 4:
-      return frame(random_cell());
-    case 5:
-      return frame(m_is_slab ? Cell::slab(m_run.cell().ax() * 1.02, m_run.cell().ay())
-                             : Cell(m_run.cell().ax(), m_run.cell().ay(), m_run.cell().bx() + 0.1,
-                                    m_run.cell().by() * 0.99));
-    default:
-      return frame(m_run.cell());
-    }
-  }
-
-  void insert(std::size_t number)
-  {
-    const auto points = random_points(m_random, number, side(), below(2) == 0 ? m_grid : 0);
-    std::vector<std::size_t> ids, other_ids;
-    const auto report = m_run.insert(points.begin(), points.end(), std::back_inserter(ids));
-    const auto other_report =
-        m_interrupted.insert(points.begin(), points.end(), std::back_inserter(other_ids));
-    ASSERT_EQ(all_of(report), all_of(other_report));
-    ASSERT_EQ(ids, other_ids);
-  }
-
-  // All move; some jump, some are wrapped, and some go to a grid, where many are on one circle.
-  void frame(const Cell& cell)
-  {
-    const double step = std::pow(10.0, random_between(m_random, -4, 0));
-    std::vector<Point> points(m_run.number_of_ids());
-    for (std::size_t id = 0; id < points.size(); ++id) {
-      if (!m_run.has_id(id))
-        continue;
-      points[id] = below(3) == 0 ? m_run.point(id) : moved(m_run.point(id), step);
-      if (below(10) == 0)
-        points[id] = random_points(m_random, 1, side(), m_grid)[0];
-      if (below(5) == 0)
-        points[id] = image(points[id]);
-    }
-    both([&](Triangulation& t) { return t.update(points, cell); });
-  }
-
-  Point moved(const Point& p, double step)
-  {
-    const double x = p.x() + random_between(m_random, -step, step);
-    return Point(x, p.y() + random_between(m_random, -step, step));
-  }
-
-  Point image(const Point& p)
-  {
-    const int i = int(below(3)) - 1, j = m_is_slab ? 0 : int(below(3)) - 1;
-    const Cell& cell = m_run.cell();
-    return Point(p.x() + i * cell.ax() + j * cell.bx(), p.y() + i * cell.ay() + j * cell.by());
-  }
-
-  std::size_t any_id()
-  {
-    std::vector<std::size_t> ids;
-    for (std::size_t id = 0; id < m_run.number_of_ids(); ++id)
-      if (m_run.has_id(id))
-        ids.push_back(id);
-    return ids[below(ids.size())];
-  }
-
-  std::mt19937_64 m_random;
-  std::size_t m_points;
-  bool m_is_slab;
-  double m_grid;
   Triangulation m_run, m_interrupted;
 };
+
+// With up to about `most` points.
+void interrupt_at_random(std::uint64_t seed, std::size_t most, int calls)
+{
+  Random_operations<Interrupted_run> operations(seed, most);
+  Interrupted_run& run = operations.triangulation();
+  std::mt19937_64 random(seed);
+  operations.insert(random() % (most + 1));
+  for (int call = 0; call < calls; ++call) {
+    SCOPED_TRACE(testing::Message() << "call " << call);
+    if (random() % 3 == 0)
+      run.interrupt();
+    const auto kind = random() % 6;
+    if (kind == 0)
+      operations.insert(run.number_of_points() < most ? 1 + random() % 4 : 0);
+    else if (kind == 1 && run.number_of_points() > 0)
+      operations.meet();
+    else
+      operations.step();
+    ASSERT_NO_FATAL_FAILURE(run.expect_equal());
+    ASSERT_NO_FATAL_FAILURE(operations.expect_points());
+    ASSERT_FALSE(testing::Test::HasFailure());
+  }
+  ASSERT_NO_FATAL_FAILURE(run.expect_equal_checkpoints());
+}
 
 TEST(Periodic_checkpoints, a_run_goes_on_as_if_it_had_not_been_interrupted)
 {
   for (std::uint64_t seed = 1; seed <= 24; ++seed)
-    ASSERT_NO_FATAL_FAILURE(Interrupted_run(seed, 12).go_on(150)) << "seed " << seed;
+    ASSERT_NO_FATAL_FAILURE(interrupt_at_random(seed, 12, 150)) << "seed " << seed;
   for (std::uint64_t seed = 25; seed <= 30; ++seed)
-    ASSERT_NO_FATAL_FAILURE(Interrupted_run(seed, 250).go_on(30)) << "seed " << seed;
+    ASSERT_NO_FATAL_FAILURE(interrupt_at_random(seed, 250, 30)) << "seed " << seed;
 }
 
 // Points that stream, where some jump: which points count as jumping depends on the mean of the
@@ -476,47 +424,20 @@ std::size_t line_of_refusal(const std::string& text)
   return line;
 }
 
-TEST(Periodic_checkpoints, a_file_that_is_cut_off_anywhere_is_refused)
+struct Torus
 {
-  for (const Cell& cell : {Cell(3, 0, 1, 3), Cell::slab(3, 1)}) {
-    const std::string text = checkpoint_of(specimen(cell));
-    for (std::size_t size = 0; size < text.size(); ++size)
-      ASSERT_GT(line_of_refusal(text.substr(0, size)), 0u) << size;
-  }
-}
-
-TEST(Periodic_checkpoints, a_file_with_any_byte_changed_or_missing_is_refused)
+  static Triangulation empty() { return Triangulation(Cell(1, 1)); }
+  static Triangulation specimen() { return test_periodic_checkpoint::specimen(); }
+  static Triangulation other_one() { return test_periodic_checkpoint::specimen(Cell::slab(3, 1)); }
+};
+struct Slab
 {
-  const std::string text = checkpoint_of(specimen());
-  for (std::size_t place = 0; place < text.size(); ++place) {
-    for (const char c : {'0', '7', ' ', '\n', '-', '.', 'x', '\0', '\xff'}) {
-      std::string edited = text;
-      edited[place] = c;
-      if (edited != text) {
-        ASSERT_GT(line_of_refusal(edited), 0u) << place << " " << int(c);
-      }
-    }
-    std::string shorter = text;
-    shorter.erase(place, 1);
-    ASSERT_GT(line_of_refusal(shorter), 0u) << place;
-  }
-}
-
-TEST(Periodic_checkpoints, nothing_changes_if_a_file_is_refused)
-{
-  const std::string text = checkpoint_of(specimen());
-  Triangulation pt = specimen(Cell::slab(3, 1));
-  for (std::size_t size = 0; size < text.size(); size += 7)
-    ASSERT_TRUE(state_after_reading(pt, text.substr(0, size)) & std::ios::failbit);
-  EXPECT_EQ(state_after_reading(pt, "garbage\n" + text), std::ios::failbit);
-}
-
-TEST(Periodic_checkpoints, nothing_changes_if_memory_runs_out)
-{
-  Triangulation pt = specimen(Cell::slab(3, 1));
-  expect_nothing_to_change_without_memory(pt, checkpoint_of(specimen()));
-  EXPECT_TRUE(pt.is_valid());
-}
+  static Triangulation empty() { return Torus::empty(); }
+  static Triangulation specimen() { return Torus::other_one(); }
+  static Triangulation other_one() { return Torus::specimen(); }
+};
+using Periodic_spaces = testing::Types<Torus, Slab>;
+INSTANTIATE_TYPED_TEST_SUITE_P(Periodic_checkpoints, Checkpoint_files, Periodic_spaces);
 
 TEST(Periodic_checkpoints, a_refusal_says_where_and_why)
 {
@@ -598,22 +519,6 @@ TEST(Periodic_checkpoints, points_have_to_be_in_range_and_duplicates_where_their
         << point;
   const std::string duplicate = '\n' + line_below(text, "duplicates") + '\n';
   EXPECT_EQ(line_of_refusal(replaced(text, duplicate, duplicate.substr(0, 5) + "1 1\n")), 14u);
-}
-
-TEST(Periodic_checkpoints, what_is_announced_costs_no_memory)
-{
-  const std::string text = checkpoint_of(specimen());
-  for (const char* announced :
-       {"700000000", "4000000000", "1000000000000000000", "-1", "715827882"})
-    for (const char* name :
-         {"ids", "vertices", "duplicates", "free_ids", "faces", "corners", "edges"}) {
-      const std::size_t place = text.find(std::string(1, '\n') + name + ' ') + 1;
-      std::string edited = text;
-      edited.replace(place, text.find('\n', place) - place, std::string(name) + ' ' + announced);
-      replaced_heap::largest_allocation = 0;
-      ASSERT_GT(line_of_refusal(resealed(edited)), 0u) << name << " " << announced;
-      EXPECT_LT(replaced_heap::largest_allocation, 100000u) << name << " " << announced;
-    }
 }
 
 // SURFACES ----------------------------------------------------------------------------------------
@@ -711,48 +616,24 @@ TEST(Periodic_checkpoints, faces_that_are_no_torus_are_refused)
 
 TEST(Periodic_checkpoints, a_forged_file_is_refused_or_harmless)
 {
+  const auto expect_common_update = [](Triangulation& pt, Triangulation& other, int) {
+    ASSERT_TRUE(!pt.is_certified() || pt.is_valid());
+    std::vector<Point> points(pt.number_of_ids());
+    for (std::size_t id = 0; id < points.size(); ++id)
+      if (pt.has_id(id))
+        points[id] = Point(pt.point(id).x() + 0.01 * double(id), pt.point(id).y());
+    ASSERT_EQ(all_of(pt.update(points)), all_of(other.update(points)));
+    ASSERT_TRUE(pt.is_valid());
+    ASSERT_NO_FATAL_FAILURE(expect_equal(pt, other));
+  };
   for (const Cell& cell : {Cell(3, 0, 1, 3), Cell::slab(3, 1)})
     for (const bool is_certified : {true, false}) {
       std::string text = checkpoint_of(specimen(cell));
       if (!is_certified)
         text = replaced(text, "certified yes", "certified no");
-      Forger forger(text, unsigned(is_certified));
-      int accepted = 0;
-      for (int i = 0; i < 2500; ++i) {
-        const std::string forged = forger.forged();
-        Triangulation pt(Cell(1, 1));
-        if (refusal(pt, forged).line() > 0) {
-          ASSERT_EQ(pt.number_of_points(), 0u);
-          continue;
-        }
-        ++accepted;
-        ASSERT_TRUE(!pt.is_certified() || pt.is_valid()) << forged;
-        Triangulation other = restored(pt);
-        ASSERT_EQ(checkpoint_of(pt), checkpoint_of(other));
-        std::vector<Point> points(pt.number_of_ids());
-        for (std::size_t id = 0; id < points.size(); ++id)
-          if (pt.has_id(id))
-            points[id] = Point(pt.point(id).x() + 0.01 * double(id), pt.point(id).y());
-        ASSERT_EQ(all_of(pt.update(points)), all_of(other.update(points))) << forged;
-        ASSERT_TRUE(pt.is_valid()) << forged;
-        ASSERT_NO_FATAL_FAILURE(expect_equal(pt, other));
-      }
-      EXPECT_GT(accepted, 0);
+      expect_forgeries_to_be_harmless(text, Triangulation(Cell(1, 1)), unsigned(is_certified), 2500,
+                                      expect_common_update);
     }
-}
-
-TEST(Periodic_checkpoints, a_full_disk_is_noticed)
-{
-  const Triangulation pt = specimen();
-  const std::size_t size = checkpoint_of(pt).size();
-  for (std::size_t bytes = 0; bytes < size; ++bytes) {
-    Full_disk disk(bytes);
-    std::ostream out(&disk);
-    ASSERT_THROW(pt.write_checkpoint(out), Checkpoint_error_2) << bytes;
-    Full_disk other_disk(bytes);
-    std::ostream other_out(&other_disk);
-    ASSERT_FALSE(other_out << pt) << bytes;
-  }
 }
 
 } // namespace test_periodic_checkpoint

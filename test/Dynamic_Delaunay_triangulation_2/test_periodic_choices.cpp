@@ -106,19 +106,6 @@ private:
   double m_side;
 };
 
-using Edge = std::pair<std::array<std::size_t, 2>, Shift>;
-
-template <class Dynamic>
-std::set<Edge> edges_of(const Dynamic& pt)
-{
-  std::set<Edge> edges;
-  pt.for_each_edge([&](std::size_t i, std::size_t j, const Shift& shift) {
-    edges.insert({{i, j}, shift});
-    edges.insert({{j, i}, {-shift[0], -shift[1]}});
-  });
-  return edges;
-}
-
 // CLASSIFIERS -------------------------------------------------------------------------------------
 
 template <class Classifier>
@@ -571,7 +558,7 @@ TEST(A_classifier_that_throws, changes_nothing)
     for (std::size_t frame = 0; frame < 60; ++frame) {
       const Cell before = pt.cell(), cell = all[frame % all.size()];
       const std::vector<Point> points = cloud.points;
-      const std::set<Edge> edges = edges_of(pt);
+      const std::set<Directed_edge> edges = edges_both_ways(pt);
       cloud.shake(0.05);
       cloud.wrap(before);
       cloud.jump();
@@ -582,7 +569,7 @@ TEST(A_classifier_that_throws, changes_nothing)
       EXPECT_EQ(pt.cell(), before);
       for (std::size_t id = 0; id < points.size(); ++id)
         EXPECT_EQ(pt.point(id), points[id]);
-      ASSERT_EQ(edges_of(pt), edges) << frame;
+      ASSERT_EQ(edges_both_ways(pt), edges) << frame;
       EXPECT_TRUE(pt.update(cloud.points, cell).certified);
       ASSERT_TRUE(pt.is_valid()) << frame;
     }
@@ -640,7 +627,7 @@ TYPED_TEST(A_repair, ends_in_the_same_triangulation_as_any_other)
       EXPECT_TRUE(pt.update(cloud.points).certified);
       usual.update(cloud.points);
       ASSERT_TRUE(pt.is_valid()) << frame;
-      ASSERT_EQ(edges_of(pt), edges_of(usual)) << frame;
+      ASSERT_EQ(edges_both_ways(pt), edges_both_ways(usual)) << frame;
     }
   }
 }
@@ -773,7 +760,7 @@ TEST(Engines, end_in_the_same_triangulation)
   Dynamic::Settings settings;
   settings.engines.whole = CGAL::Static_engine_2::INSERTION;
   const Dynamic inserts(cloud.points, Cell(22, 22), settings);
-  EXPECT_EQ(edges_of(inserts), edges_of(Dynamic(cloud.points, Cell(22, 22))));
+  EXPECT_EQ(edges_both_ways(inserts), edges_both_ways(Dynamic(cloud.points, Cell(22, 22))));
 }
 
 // OBJECTS -----------------------------------------------------------------------------------------
@@ -796,12 +783,12 @@ TEST(A_copy, goes_on_with_the_same_classifier_and_results)
     const CGAL::Update_report_2 of_copy = copy.update(cloud.points);
     EXPECT_EQ(report.classified, of_copy.classified);
     EXPECT_EQ(report.flips, of_copy.flips);
-    ASSERT_EQ(edges_of(pt), edges_of(copy));
+    ASSERT_EQ(edges_both_ways(pt), edges_both_ways(copy));
   }
   Dynamic taken(std::move(pt));
   EXPECT_EQ(pt.number_of_points(), 0u);
   EXPECT_EQ(pt.classifier().x(), 0.9);
-  EXPECT_EQ(edges_of(taken), edges_of(copy));
+  EXPECT_EQ(edges_both_ways(taken), edges_both_ways(copy));
   pt.insert(Point(1, 1));
   EXPECT_TRUE(pt.is_valid());
 }
