@@ -6,6 +6,8 @@
 
 #define CGAL_TEST_SUITE 1 // the viewer then opens no window
 
+#include "random_points.h"
+
 #include <CGAL/convert_to_periodic_2_delaunay_triangulation_2.h>
 #include <CGAL/draw_dynamic_periodic_delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
@@ -46,14 +48,7 @@ using Triangulation = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel>;
 // Points in the unit square, with so few bits that wrapping them needs no rounding.
 std::vector<Point> short_points(std::mt19937_64& random, std::size_t number)
 {
-  std::uniform_real_distribution<double> between(0, 1);
-  const auto coordinate = [&] { return std::floor(between(random) * 0x1p30) * 0x1p-30; };
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < number; ++i) {
-    const double x = coordinate();
-    points.push_back(Point(x, coordinate()));
-  }
-  return points;
+  return random_points(random, number, 1, 0x1p-30);
 }
 
 // NEIGHBOR LISTS ----------------------------------------------------------------------------------
@@ -418,15 +413,9 @@ void expect_right_answers(const Triangulation& pt, const std::vector<Point>& pla
 std::vector<Point> places_around(std::mt19937_64& random, std::size_t number, double extent,
                                  double grid)
 {
-  std::uniform_real_distribution<double> between(-extent, 2 * extent);
-  const auto coordinate = [&] {
-    return grid > 0 ? std::floor(between(random) / grid) * grid : between(random);
-  };
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < number; ++i) {
-    const double x = coordinate();
-    points.push_back(Point(x, coordinate()));
-  }
+  std::vector<Point> points = random_points(random, number, 3 * extent, grid);
+  for (Point& p : points)
+    p = p - Vector(extent, extent);
   return points;
 }
 
