@@ -131,7 +131,7 @@ private:
   std::size_t separator_in(std::string_view line) const
   {
     const std::size_t place = m_separator == Separator::blanks
-                                  ? line.find_first_of(" \t")
+                                  ? line.find_first_of(" \t\r")
                                   : line.find(static_cast<char>(m_separator));
     return (std::min)(place, line.size());
   }

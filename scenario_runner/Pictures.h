@@ -106,7 +106,7 @@ private:
   std::size_t m_every;
 };
 
-// Files of some frames of a run, which are written while the frames pass.
+// Files of some frames of a run.
 class Frame_output
 {
 public:
@@ -126,7 +126,8 @@ public:
     }
   }
 
-  // To be called after the last frame: only then files have their names.
+  // To be called after the last frame: only then single files, and lists of files, have their
+  // names.
   virtual void finish() = 0;
 
 private:

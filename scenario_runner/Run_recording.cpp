@@ -21,7 +21,6 @@ namespace {
 
 using scenario::Cell;
 using scenario::Point;
-using scenario::Shift;
 using Json = nlohmann::ordered_json;
 
 // Numbers in ascending order, as differences.

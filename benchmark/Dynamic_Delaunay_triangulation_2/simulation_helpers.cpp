@@ -345,15 +345,15 @@ void sizes(benchmark::internal::Benchmark* benchmark)
 
 BENCHMARK(neighbor_lists)->Apply(sizes);
 BENCHMARK(neighbor_lists_cgal)->Apply(sizes);
-BENCHMARK(whole_cells<Dynamic>)->Name("whole_cells")->Apply(sizes);
-BENCHMARK(whole_cells<Periodic>)->Name("whole_cells_periodic")->Apply(sizes);
+BENCHMARK_TEMPLATE(whole_cells, Dynamic)->Name("whole_cells")->Apply(sizes);
+BENCHMARK_TEMPLATE(whole_cells, Periodic)->Name("whole_cells_periodic")->Apply(sizes);
 BENCHMARK(voronoi_edges)->Apply(sizes);
 BENCHMARK(voronoi_edges_periodic)->Apply(sizes);
-BENCHMARK(forces<Dynamic>)->Name("forces")->Apply(sizes);
-BENCHMARK(forces<Periodic>)->Name("forces_periodic")->Apply(sizes);
+BENCHMARK_TEMPLATE(forces, Dynamic)->Name("forces")->Apply(sizes);
+BENCHMARK_TEMPLATE(forces, Periodic)->Name("forces_periodic")->Apply(sizes);
 BENCHMARK(clipped_cells)->Apply(sizes);
-BENCHMARK(bounded_cells<Dynamic>)->Name("bounded_cells")->Apply(sizes);
-BENCHMARK(bounded_cells<Periodic>)->Name("bounded_cells_periodic")->Apply(sizes);
+BENCHMARK_TEMPLATE(bounded_cells, Dynamic)->Name("bounded_cells")->Apply(sizes);
+BENCHMARK_TEMPLATE(bounded_cells, Periodic)->Name("bounded_cells_periodic")->Apply(sizes);
 BENCHMARK(bounded_cells_in_a_hexagon)->Apply(sizes);
 BENCHMARK(bounded_forces)->Apply(sizes);
 BENCHMARK(nearest_neighbor_of_each)->Apply(sizes);

@@ -46,6 +46,7 @@ std::vector<Point> random_cloud(std::size_t number, scenario::Random_source& ran
 inline Points places_of(const std::vector<scenario::Point>& points)
 {
   Points places;
+  places.reserve(points.size());
   for (const scenario::Point& point : points) {
     places.emplace_back(point.x, point.y);
   }

@@ -148,7 +148,7 @@ private:
 
   scenario::Recorded_frame frame(std::size_t number) const
   {
-    // Coordinates that are too large for the package are replaced by the limit.
+    // Replaces coordinates that are too large for the package by the limit, and NaN by 0.
     Field limits;
     limits.limit = 1e153;
     scenario::Recorded_frame result{static_cast<double>(number), m_cloud.ids(), {}};

@@ -53,7 +53,7 @@ public:
 
   Last_words& operator<<(std::uint64_t number)
   {
-    char digits[21] = {}; // the last one ends the text
+    char digits[21] = {}; // one more than any number has: zeros end the text
     std::to_chars(digits, digits + 20, number);
     return *this << digits;
   }

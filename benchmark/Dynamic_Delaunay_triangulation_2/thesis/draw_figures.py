@@ -153,8 +153,9 @@ class Drawing:
             axes.set_xlabel("frame")
         self.draw_by_parameter(panels[2], summary, scenario, methods, parameters)
         panels[2].set_xlabel(symbol)
+        trials = trials_of(summary)
         self.save(figure, name,
-                  f"{what} Above: medians and means of {trials_of(summary)} trials. Below, over whole runs: "
+                  f"{what} Above: medians and means of {trials} trials. Below, over whole runs: "
                   "validity (mean, band: smallest to largest) and speedup over the fastest static "
                   "(median, band: quartiles; dotted: of the times of all frames together).", results)
 
