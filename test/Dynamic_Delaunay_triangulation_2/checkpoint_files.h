@@ -203,14 +203,17 @@ class Checkpoint_files : public testing::Test
 protected:
   static std::string text() { return checkpoint_of(Space::specimen()); }
 
-  // Where a file is refused by a triangulation, which it leaves empty; 0 if it is not.
-  static std::size_t line_of_refusal(const std::string& text)
+  // Where a file is refused by a triangulation, which it leaves empty; 0 if it is not. One
+  // triangulation refuses all files of a test.
+  std::size_t line_of_refusal(const std::string& text)
   {
-    auto dt = Space::empty();
-    const std::size_t line = refusal(dt, text).line();
-    EXPECT_EQ(dt.number_of_points(), 0u);
+    const std::size_t line = refusal(m_dt, text).line();
+    EXPECT_EQ(m_dt.number_of_points(), 0u);
     return line;
   }
+
+private:
+  decltype(Space::empty()) m_dt = Space::empty();
 };
 TYPED_TEST_SUITE_P(Checkpoint_files);
 

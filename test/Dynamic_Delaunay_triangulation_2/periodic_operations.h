@@ -102,6 +102,15 @@ public:
     m_pt.move(id, m_points[id]);
   }
 
+  // A frame in which most points shake and some jump, maybe with another cell.
+  void shake()
+  {
+    const double step = std::pow(10.0, random_between(m_random, -4, 0));
+    update(m_random() % 3 == 0 ? next_cell() : m_pt.cell(), [&](const Point& p) {
+      return m_random() % 10 == 0 ? random_point() : m_random() % 3 == 0 ? p : moved(p, step);
+    });
+  }
+
   // Expects all points where they went.
   void expect_points() const
   {
@@ -153,20 +162,33 @@ private:
   void update(std::uint64_t kind)
   {
     const double step = std::pow(10.0, random_between(m_random, -4, 0));
-    Cell cell = m_pt.cell();
-    if (kind == 8)
-      cell = m_random() % 4 == 0 ? random_cell()
-             : m_is_slab         ? Cell::slab(cell.ax() * 1.02, cell.ay())
-                         : Cell(cell.ax() * 1.02, cell.ay(), cell.bx() + 0.1, cell.by() * 0.99);
+    update(kind == 8 ? next_cell() : m_pt.cell(), [&](const Point& p) {
+      if (kind == 9)
+        return m_random() % 10 == 0 ? random_point() : p;
+      return m_random() % 3 == 0 ? moved(p, step) : p;
+    });
+  }
+
+  // Moves each point p to `next_place(p)`, or to an image of that.
+  template <class Next_place>
+  void update(const Cell& cell, const Next_place& next_place)
+  {
     std::vector<Point> next(m_pt.number_of_ids());
     for (auto& [id, p] : m_points) {
-      if (kind == 9 ? m_random() % 10 == 0 : m_random() % 3 == 0)
-        p = kind == 9 ? random_point() : moved(p, step);
+      p = next_place(p);
       if (m_random() % 5 == 0)
         p = random_image(p, cell);
       next[id] = p;
     }
     m_pt.update(next, cell);
+  }
+
+  Cell next_cell()
+  {
+    const Cell& cell = m_pt.cell();
+    return m_random() % 4 == 0 ? random_cell()
+           : m_is_slab         ? Cell::slab(cell.ax() * 1.02, cell.ay())
+                       : Cell(cell.ax() * 1.02, cell.ay(), cell.bx() + 0.1, cell.by() * 0.99);
   }
 
   std::mt19937_64 m_random;

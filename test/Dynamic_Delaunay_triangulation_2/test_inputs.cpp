@@ -298,7 +298,10 @@ TEST(Ranges, of_users_ids_are_read_by_updates_insertions_moves_and_removals)
   people.move(first, beyond, id_map, point_map);
   ASSERT_NO_FATAL_FAILURE(expect_exact(people.triangulation(), points));
   cloud.shake(points, 0.1);
+  people.remove(std::array<int, 2>{1003, 1004});
+  people.insert(-1, Point(2, 2));
   people.update(first, beyond, id_map, point_map);
+  EXPECT_TRUE(people.has(1003) && people.has(1004) && !people.has(-1));
   ASSERT_NO_FATAL_FAILURE(expect_exact(people.triangulation(), points));
 
   people.insert(std::list<std::pair<int, Point>>{{3, {0.5, 0.25}}, {4, {2, 2}}});

@@ -1506,7 +1506,7 @@ void operate_randomly(std::uint64_t seed)
   Random_operations<Visited<Ledger>> operations(seed, seed % 10 == 0 ? 200 : 12);
   const auto& pt = operations.triangulation();
   for (int i = 0; i < 200; ++i) {
-    operations.step();
+    ASSERT_NO_FATAL_FAILURE(operations.step());
     ASSERT_NO_FATAL_FAILURE(operations.expect_points());
     ASSERT_TRUE(pt.is_valid()) << i;
     ASSERT_EQ(pt.visitor().edges(), edges_both_ways(pt)) << i;

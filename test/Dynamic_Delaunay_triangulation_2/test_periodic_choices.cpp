@@ -675,6 +675,25 @@ TEST(A_relocation_repair, proves_everything_where_a_heuristic_classifier_names_f
   }
 }
 
+// The outermost points of a slab cannot be taken out.
+TEST(A_relocation_repair, proves_everything_where_a_heuristic_classifier_names_who_has_to_stay)
+{
+  std::size_t classified = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Cloud cloud(seed, 8, 4);
+    Triangulation<CGAL::Random_classifier_2, CGAL::Relocation_repair_2> pt(
+        cloud.points, Cell(Vector(4, 1)), CGAL::Random_classifier_2(0.05));
+    for (int frame = 0; frame < 20; ++frame) {
+      cloud.shake(0.3);
+      const CGAL::Update_report_2 report = pt.update(cloud.points);
+      EXPECT_EQ(report.certified, report.classified > 0) << seed << ' ' << frame;
+      ASSERT_TRUE(pt.is_valid()) << seed << ' ' << frame;
+      classified += report.classified;
+    }
+  }
+  EXPECT_GT(classified, 50u);
+}
+
 TEST(A_relocation_repair, moves_the_classified_vertices)
 {
   Cloud cloud(17, 200, 15);

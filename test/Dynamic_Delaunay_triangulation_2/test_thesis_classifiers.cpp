@@ -131,7 +131,7 @@ struct Wrapped_classifier
 
 struct Audit
 {
-  std::size_t edges = 0, broken = 0, missed = 0, false_alarms = 0;
+  std::size_t edges = 0, named = 0, broken = 0, missed = 0, false_alarms = 0;
 };
 
 // Counts, before anything is repaired, the broken edges that a classifier has missed, and the edges
@@ -156,6 +156,7 @@ struct Audited : Wrapped_classifier<Classifier>
       audit->false_alarms += !is_broken && is_picked && !classified.is_everything();
     }
     audit->edges += frame.number_of_edges();
+    audit->named += named.size();
   }
 };
 
@@ -1014,6 +1015,7 @@ TEST(Voronoi_circumcenter_classifier, agrees_with_the_exact_one_on_moving_clouds
   }
   EXPECT_GT(audit.edges, 100000u);
   EXPECT_GT(audit.broken, 10000u);
+  EXPECT_EQ(audit.named, audit.broken);
 }
 
 TEST(Estimated_voronoi_circumcenter_classifier, follows_translations)

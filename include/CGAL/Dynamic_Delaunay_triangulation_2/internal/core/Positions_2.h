@@ -123,7 +123,8 @@ private:
     m_other_positions.resize(m_positions.size(), nan_point());
   }
 
-  // Where to put the frame, for every finite vertex. Threads may share the vertices.
+  // Where to put points, and positions if they are stored separately. Threads may share the
+  // vertices.
   struct Staged
   {
     Stored_point* points;

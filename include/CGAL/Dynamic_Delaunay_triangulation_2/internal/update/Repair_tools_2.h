@@ -611,13 +611,18 @@ private:
     return are_out;
   }
 
-  // Takes the vertices of a region out, to be put in again after the repair, and flips around.
+  // Takes the vertices of a region out, to be put in again after the repair, and flips around. Then
+  // a proof is always required, because vertices can be located only where all is proved.
   void put_in_anew(const std::vector<Index>& vertices, unsigned padding)
   {
     if (has_rebuilt())
       return;
     m_splice.run(vertices, padding);
     const std::vector<Index> region = m_splice.inner();
+    if (!m_task.has_to_prove) {
+      examine_everything();
+      flip();
+    }
     if (has_rebuilt() || region.empty())
       return;
     if (!can_spare(region.size()) ||
