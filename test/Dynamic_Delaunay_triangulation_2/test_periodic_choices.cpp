@@ -661,9 +661,9 @@ TEST(A_rebuild_repair, rebuilds_where_anything_is_classified)
 // Vertices are located where all is Delaunay, so the repair needs a proof, whatever was classified.
 TEST(A_relocation_repair, proves_everything_where_a_heuristic_classifier_names_few_of_many)
 {
-  Cloud cloud(18, 300, 20);
+  Cloud cloud(18, 100, 10);
   Triangulation<CGAL::Random_classifier_2, CGAL::Relocation_repair_2> pt(
-      cloud.points, Cell(20, 20), CGAL::Random_classifier_2(0.02));
+      cloud.points, Cell(10, 10), CGAL::Random_classifier_2(0.04));
   for (int frame = 0; frame < 20; ++frame) {
     cloud.shake(0.2);
     const CGAL::Update_report_2 report = pt.update(cloud.points);
