@@ -50,7 +50,7 @@ double area(const Domain& domain)
   Epeck::FT result = 0;
   const auto add = [&](const Polygon& ring, int sign) {
     const auto corners = query_oracle::exact_points(ring.container());
-    result += sign * CGAL::abs(CGAL::Polygon_2<Epeck>(corners.begin(), corners.end()).area());
+    result += sign * CGAL::abs(CGAL::polygon_area_2(corners.begin(), corners.end(), Epeck()));
   };
   add(domain.outer_boundary(), 1);
   for (const Polygon& hole : domain.holes())
