@@ -105,7 +105,7 @@ void add_output_options(CLI::App& app, Run_options& options)
       ->type_name("FILE.csv");
   app.add_option("--radius", options.radius, "where the cells of --cells end around their points")
       ->type_name("R")
-      ->check(number(scenario::positive_up_to(1e150)));
+      ->check(number(scenario::positive_up_to(1e100)));
   app.add_option("--domain", options.domain,
                  "the polygon, perhaps with holes, in which the cells of --cells are, as "
                  "well-known text or GeoJSON")

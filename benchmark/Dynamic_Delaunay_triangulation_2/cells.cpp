@@ -9,6 +9,9 @@
 //
 //   update             of points that take normal steps of a hundredth of the spacing
 //   plain_cells        area, perimeter and centroid of unbounded or whole cells
+//   periodic_cells     the same in a torus, and in a slab
+//   periodic_radius    Bounded_voronoi_cells_2, with radius 0.7, in a torus: measures alone
+//   ..._threads        the same by all threads, by the clock
 //   radius, hexagon    Bounded_voronoi_cells_2, with radius 0.7, and in a convex domain: measures
 //                      alone, or with the pieces of all boundaries
 //   hall, forest       Voronoi_cells_in_domain_2, by its three rules, and with a radius
@@ -25,6 +28,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cells_in_domain_2.h>
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 
 #include <benchmark/benchmark.h>
 
@@ -43,6 +47,11 @@ namespace {
 
 using namespace cells;
 using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Kernel>;
+template <class ConcurrencyTag>
+using Periodic =
+    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Circumcircle_classifier_2,
+                                                    CGAL::Default, CGAL::Default, CGAL::Default,
+                                                    ConcurrencyTag>;
 using Cells = CGAL::Voronoi_cells_in_domain_2;
 using Rule = Cells::Rule;
 
@@ -132,21 +141,51 @@ void update(benchmark::State& state)
 }
 
 // The first call, which touches its memory for the first time, does not count.
-template <class Computation>
-void run(benchmark::State& state, bool is_forest, const Computation& compute)
+template <class Triangulation, class Computation>
+void run(benchmark::State& state, const Triangulation& dt, const Computation& compute)
 {
-  const Points points = cloud(state, pillars(state, is_forest));
-  const Dynamic dt(points.begin(), points.end());
   compute(dt);
   for (auto _ : state)
     compute(dt);
   count(state);
+}
+template <class Computation>
+void run(benchmark::State& state, bool is_forest, const Computation& compute)
+{
+  const Points points = cloud(state, pillars(state, is_forest));
+  run(state, Dynamic(points.begin(), points.end()), compute);
 }
 
 void plain_cells(benchmark::State& state)
 {
   CGAL::Voronoi_cell_measures_2 cells;
   run(state, false, [&](const Dynamic& dt) { cells.compute(dt); });
+}
+
+template <class Computation>
+void run_periodic(benchmark::State& state, bool is_slab, bool by_threads,
+                  const Computation& compute)
+{
+  const CGAL::Periodic_cell_2 torus(side(state), side(state)),
+      slab(Kernel::Vector_2(side(state), 0));
+  const CGAL::Periodic_cell_2& cell = is_slab ? slab : torus;
+  const Points points = cloud(state, 4);
+  if (by_threads)
+    run(state, Periodic<CGAL::Parallel_if_available_tag>(points, cell), compute);
+  else
+    run(state, Periodic<CGAL::Sequential_tag>(points, cell), compute);
+}
+
+void periodic_cells(benchmark::State& state, bool is_slab, bool by_threads)
+{
+  CGAL::Voronoi_cell_measures_2 cells;
+  run_periodic(state, is_slab, by_threads, [&](const auto& dt) { cells.compute(dt); });
+}
+
+void periodic_radius(benchmark::State& state, bool by_threads)
+{
+  CGAL::Bounded_voronoi_cells_2 cells;
+  run_periodic(state, false, by_threads, [&](const auto& dt) { cells.compute_measures(dt, 0.7); });
 }
 
 void bounded(benchmark::State& state, CGAL::Bounded_voronoi_cells_2& cells, double radius,
@@ -228,6 +267,12 @@ void small_sizes(benchmark::internal::Benchmark* benchmark)
 
 BENCHMARK(update)->Apply(sizes);
 BENCHMARK(plain_cells)->Apply(sizes);
+BENCHMARK_CAPTURE(periodic_cells, torus, false, false)->Apply(sizes);
+BENCHMARK_CAPTURE(periodic_cells, torus_threads, false, true)->Apply(sizes)->UseRealTime();
+BENCHMARK_CAPTURE(periodic_cells, slab, true, false)->Apply(sizes);
+BENCHMARK_CAPTURE(periodic_cells, slab_threads, true, true)->Apply(sizes)->UseRealTime();
+BENCHMARK_CAPTURE(periodic_radius, torus, false)->Apply(sizes);
+BENCHMARK_CAPTURE(periodic_radius, torus_threads, true)->Apply(sizes)->UseRealTime();
 BENCHMARK_CAPTURE(radius, measures, false)->Apply(sizes);
 BENCHMARK_CAPTURE(radius, pieces, true)->Apply(sizes);
 BENCHMARK_CAPTURE(hexagon, measures, false)->Apply(sizes);

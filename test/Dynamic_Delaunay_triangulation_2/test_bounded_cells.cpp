@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_gradients_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_surface_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_gradients_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 
@@ -877,6 +878,41 @@ TEST(Threads, change_nothing)
   ASSERT_EQ(alone.pieces().size(), together.pieces().size());
   for (std::size_t i = 0; i < alone.pieces().size(); ++i)
     ASSERT_EQ(alone.pieces()[i].length, together.pieces()[i].length);
+}
+
+template <class Tag>
+using Periodic_by = CGAL::Dynamic_periodic_Delaunay_triangulation_2<
+    Epick, CGAL::Circumcircle_classifier_2, CGAL::Default, CGAL::Default, CGAL::Default, Tag>;
+
+TEST(Threads, change_nothing_in_periodic_space)
+{
+  Points points = Cloud<Epick>(10).uniform(80000); // fewer are not shared
+  points[17] = points[79000];                      // they have one cell
+  for (const CGAL::Periodic_cell_2& cell :
+       {CGAL::Periodic_cell_2(283, 285), CGAL::Periodic_cell_2(Epick::Vector_2(285, 1))}) {
+    const Periodic_by<CGAL::Sequential_tag> one(points, cell);
+    const Periodic_by<CGAL::Parallel_if_available_tag> many(points, cell);
+    CGAL::Voronoi_cell_measures_2 alone, together;
+    alone.compute(one);
+    together.compute(many);
+    EXPECT_EQ(alone.areas(), together.areas());
+    EXPECT_EQ(alone.perimeters(), together.perimeters());
+    const Numbers weights(points.size(), 1), areas(one.number_of_ids(), 2);
+    CGAL::Voronoi_cell_gradients_2 gradients_alone, gradients_together;
+    gradients_alone.compute(one, areas, weights);
+    gradients_together.compute(many, areas, weights);
+    Cells cells_alone, cells_together;
+    cells_alone.compute(one, 0.6);
+    cells_together.compute(many, 0.6);
+    EXPECT_EQ(cells_alone.areas(), cells_together.areas());
+    EXPECT_EQ(cells_alone.first_pieces(), cells_together.first_pieces());
+    for (std::size_t id = 0; id < points.size(); ++id) {
+      ASSERT_EQ(alone.centroids()[id].x, together.centroids()[id].x);
+      ASSERT_EQ(gradients_alone.gradients()[id].x, gradients_together.gradients()[id].x);
+      ASSERT_EQ(gradients_alone.gradients()[id].y, gradients_together.gradients()[id].y);
+      ASSERT_EQ(cells_alone.centroids()[id].y, cells_together.centroids()[id].y);
+    }
+  }
 }
 
 } // namespace

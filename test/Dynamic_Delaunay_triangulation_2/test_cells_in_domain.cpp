@@ -9,6 +9,7 @@
 #include "replaced_heap.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cells_in_domain_2.h>
 
 #include <algorithm>
@@ -656,6 +657,199 @@ TEST(Cells_in_domains, scale_with_the_unit_however_large_or_small)
         ASSERT_EQ(of_large.areas()[id], unit * unit * cells.areas()[id]);
     }
   }
+}
+
+// -------------------------------------------------------------------------------------------------
+// Points far from the domain.
+
+using Bounded = CGAL::Bounded_voronoi_cells_2;
+using Measures = CGAL::Voronoi_cell_measures_2;
+using CGAL::Bbox_2;
+
+Polygon polygon(const Bbox_2& box)
+{
+  return polygon({Point(box.xmin(), box.ymin()), Point(box.xmax(), box.ymin()),
+                  Point(box.xmax(), box.ymax()), Point(box.xmin(), box.ymax())});
+}
+
+// The areas of the cells in a box by each class, with the same radius where there is one.
+std::map<std::string, Numbers> areas_in(const Bbox_2& box, const Points& points,
+                                        double radius = infinity)
+{
+  const Plane dt = triangulation(points);
+  Bounded bounded;
+  bounded.set_domain(box);
+  bounded.compute(dt, radius);
+  Cells whole(Domain(polygon(box)));
+  whole.compute(dt, radius);
+  Measures measures;
+  measures.compute(dt, box);
+  return {{"bounded", bounded.areas()}, {"whole", whole.areas()}, {"clipped", measures.areas()}};
+}
+
+void expect_areas(const Bbox_2& box, const Points& points, const Numbers& expected,
+                  double radius = infinity)
+{
+  for (const auto& [name, areas] : areas_in(box, points, radius)) {
+    SCOPED_TRACE(name);
+    ASSERT_EQ(areas.size(), expected.size());
+    for (std::size_t id = 0; id < areas.size(); ++id)
+      ASSERT_DOUBLE_EQ(areas[id], expected[id]) << id;
+  }
+}
+
+// The area of a cell in a box, rounded at the end.
+double exact_area(const Points& points, std::size_t id, const Bbox_2& box)
+{
+  const auto polygon = query_oracle::clipped_cell(points, points[id], box);
+  return query_oracle::rounded(CGAL::polygon_area_2(polygon.begin(), polygon.end(), Epeck()));
+}
+
+TEST(Points_far_away, share_a_tiny_room)
+{
+  const Points points{Point(0, 0), Point(1, 0), Point(0, 1)};
+  const double x = 1e6, y = 1e6 + 1e-6; // rounded: the room has its own corners
+  const double side = y - x;
+  expect_areas(Bbox_2(x, x, y, y), points, {0, side * side / 2, side * side / 2});
+  expect_areas(Bbox_2(x, x, y, y), points, {0, side * side / 2, side * side / 2}, 1e7);
+}
+
+TEST(Points_far_away, have_a_room_for_themselves)
+{
+  const Bbox_2 room(-3, -1, 3, 1);
+  for (const double x : {1e3, 1e17, 1e100, 1e160, 1e308}) {
+    SCOPED_TRACE(x);
+    expect_areas(room, {Point(x, 0)}, {12});
+    expect_areas(room, {Point(-x, x)}, {12});
+    expect_areas(room, {Point(x, 1), Point(-x, 1)}, {6, 6});
+    expect_areas(room, {Point(0, x), Point(1, x / 2)}, {0, 12});
+  }
+  const Plane dt = triangulation({Point(1e100, 0)});
+  Bounded cells;
+  cells.set_domain(room);
+  cells.compute(dt, infinity);
+  EXPECT_EQ(cells.pieces().size(), 4u);
+  EXPECT_DOUBLE_EQ(cells.perimeters()[0], 16);
+  EXPECT_DOUBLE_EQ(cells.wall_lengths()[0], 16);
+  EXPECT_NEAR(cells.centroids()[0].x, 0, 1e-15);
+  EXPECT_NEAR(cells.centroids()[0].y, 0, 1e-15);
+  cells.compute(dt, 1e99);
+  EXPECT_EQ(cells.areas()[0], 0);
+  EXPECT_EQ(cells.centroids()[0].x, 1e100);
+}
+
+TEST(Points_far_away, touch_where_both_of_them_reach)
+{
+  Bounded cells;
+  cells.set_domain(Bbox_2(-1, -1, 1, 1));
+  const double reach = 3000 + 0x1p-13;
+  cells.compute(triangulation({Point(-3000, 0), Point(3000, 0)}), Numbers{1e4, reach});
+  const double contact = 2 * std::sqrt((reach - 3000) * (reach + 3000));
+  EXPECT_NEAR(cells.areas()[0], 2, 1e-14);
+  EXPECT_NEAR(cells.free_lengths()[0], 2 - contact, 1e-11);
+  EXPECT_NEAR(cells.wall_lengths()[0], 4, 1e-14);
+}
+
+TEST(Points_far_away, have_the_areas_of_exact_polygons)
+{
+  std::mt19937 random(31);
+  const auto power = [&](int least, int most) {
+    return std::pow(10, std::uniform_real_distribution<double>(least, most)(random));
+  };
+  const auto sign = [&] { return random() % 2 == 0 ? 1 : -1; };
+  double worst = 0, worst_of_large = 0;
+  for (int round = 0; round < 600; ++round) {
+    SCOPED_TRACE(testing::Message() << "round " << round);
+    const double unit = round % 3 == 0 ? power(-60, 60) : 1, size = unit * power(-6, 6);
+    const double x = unit * sign() * power(-8, 8), y = unit * sign() * power(-8, 8);
+    const Bbox_2 box(x, y, x + size, y + size * power(-2, 2));
+    const double width = box.xmax() - box.xmin(), height = box.ymax() - box.ymin();
+    if (!(width > 0 && height > 0))
+      continue;
+    Points points;
+    const double farthest = double(random() % 16);
+    for (std::size_t i = 1 + random() % 12; i > 0; --i) {
+      const double distance = (width + height) * power(-2, int(farthest));
+      points.emplace_back(x + sign() * distance * power(-2, 0), y + sign() * distance);
+    }
+    const double extent = (width + height) * (width + height), area = width * height;
+    const auto areas = areas_in(box, points);
+    for (std::size_t id = 0; id < points.size(); ++id) {
+      const auto first = std::find(points.begin(), points.end(), points[id]);
+      if (first != points.begin() + std::ptrdiff_t(id))
+        continue;
+      const double sharers = double(std::count(points.begin(), points.end(), points[id]));
+      const double expected = exact_area(points, id, box) / sharers;
+      for (const auto& [name, found] : areas) {
+        const double error = std::abs(found[id] - expected);
+        ASSERT_GE(found[id], 0) << name;
+        ASSERT_LE(error, 0x1p-46 * extent) << name << ", " << expected << ", id " << id;
+        worst = (std::max)(worst, error / extent);
+        if (expected > area / 1000)
+          worst_of_large = (std::max)(worst_of_large, error / expected);
+      }
+    }
+    for (const auto& [name, found] : areas)
+      ASSERT_NEAR(sum(found), area, 0x1p-45 * extent) << name;
+  }
+  RecordProperty("worst_of_squared_extent", std::to_string(worst * 1e15) + "e-15");
+  RecordProperty("worst_relative_of_a_thousandth", std::to_string(worst_of_large * 1e15) + "e-15");
+}
+
+TEST(Points_far_away, fill_halls_with_pillars)
+{
+  std::mt19937 random(32);
+  const Domain hall = hall_with_pillars();
+  for (const double distance : {10., 1e3, 1e8, 1e20})
+    for (int round = 0; round < 20; ++round) {
+      SCOPED_TRACE(testing::Message() << distance << ", round " << round);
+      std::uniform_real_distribution<double> coordinate(-distance, distance);
+      Points points;
+      for (int i = 0; i < 4; ++i) {
+        const double x = coordinate(random);
+        points.emplace_back(x, coordinate(random));
+      }
+      Cells cells(hall);
+      cells.compute(triangulation(points));
+      ASSERT_NEAR(sum(cells.areas()), area(hall), 1e-11);
+      for (std::size_t id = 0; id < points.size(); ++id) {
+        double expected = exact_area(points, id, hall.outer_boundary().bbox());
+        for (const Polygon& pillar : hall.holes())
+          expected -= exact_area(points, id, pillar.bbox());
+        ASSERT_NEAR(cells.areas()[id], expected, 1e-11);
+      }
+    }
+}
+
+TEST(Points_close_together, have_cells_of_their_own)
+{
+  for (const double distance : {1e-100, 1e-160, 1e-200, 1e-300})
+    expect_areas(Bbox_2(-1, -1, 1, 1), {Point(0, 0), Point(distance, 0)}, {2, 2});
+}
+
+TEST(Domains_as_large_as_areas_are_numbers, are_the_largest)
+{
+  Bounded bounded;
+  bounded.set_domain(Bbox_2(0, 0, 1e100, 1e100));
+  try {
+    bounded.set_domain(Bbox_2(0, 0, 1, 1e101));
+    FAIL() << "accepted";
+  } catch (const CGAL::Domain_error_2& error) {
+    EXPECT_EQ(error.corner(), 2u);
+  }
+  EXPECT_THROW(Cells(Domain(polygon(Bbox_2(0, 0, 1, 1e101)))), CGAL::Domain_error_2);
+  const Points points{Point(0, 0), Point(1e160, 0), Point(0, 1e160)};
+  const Plane dt = triangulation(points);
+  Measures measures;
+  EXPECT_THROW(measures.compute(dt, Bbox_2(0, 0, 1e160, 1)), CGAL::Parameter_error_2);
+  EXPECT_THROW(measures.compute(dt, Bbox_2(0, 0, 1, 1e154)), CGAL::Parameter_error_2);
+  EXPECT_TRUE(measures.areas().empty());
+  expect_areas(Bbox_2(0, 0, 1e100, 1e100), points, {1e200, 0, 0});
+  bounded.remove_domain();
+  EXPECT_THROW(bounded.compute(dt, 1e101), CGAL::Parameter_error_2);
+  bounded.compute(triangulation({Point(0, 0), Point(1e100, 0)}), 1e100);
+  for (const CGAL::Bounded_voronoi_cells_2::Position& centroid : bounded.centroids())
+    EXPECT_TRUE(std::isfinite(centroid.x) && std::isfinite(centroid.y));
 }
 
 TEST(Cells_in_domains, need_no_points)

@@ -25,6 +25,7 @@
 #include <random>
 #include <set>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace test_voronoi_cells {
@@ -634,66 +635,11 @@ TEST(Gradients, need_a_weight_for_each_id)
 // -------------------------------------------------------------------------------------------------
 // Space with an open side.
 
-// A torus without the edges and faces that leave the cell upwards or downwards.
-class Strip
-{
-public:
-  struct Frame
-  {
-    static constexpr bool is_periodic = true;
-  };
-
-  explicit Strip(const Torus& torus)
-    : m_torus(torus)
-  {
-  }
-
-  const Periodic_cell& cell() const { return m_torus.cell(); }
-  bool is_certified() const { return true; }
-  std::size_t number_of_points() const { return m_torus.number_of_points(); }
-  std::size_t number_of_vertices() const { return m_torus.number_of_vertices(); }
-  std::size_t number_of_ids() const { return m_torus.number_of_ids(); }
-  bool has_id(std::size_t id) const { return m_torus.has_id(id); }
-  Point point(std::size_t id) const { return m_torus.point(id); }
-  std::size_t representative(std::size_t id) const { return m_torus.representative(id); }
-  Epick::Vector_2 vector(std::size_t i, std::size_t j, const Shift& shift) const
-  {
-    return m_torus.vector(i, j, shift);
-  }
-  template <class Function>
-  void for_each_edge(const Function& f) const
-  {
-    m_torus.for_each_edge([&](std::size_t i, std::size_t j, const Shift& shift) {
-      if (shift[1] == 0)
-        f(i, j, shift);
-    });
-  }
-  template <class Function>
-  void for_each_neighbor(std::size_t id, const Function& f) const
-  {
-    m_torus.for_each_neighbor(id, [&](std::size_t j, const Shift& shift) {
-      if (shift[1] == 0)
-        f(j, shift);
-    });
-  }
-  template <class Function>
-  void for_each_face(const Function& f) const
-  {
-    m_torus.for_each_face(
-        [&](const std::array<std::size_t, 3>& ids, const std::array<Shift, 3>& shifts) {
-          if (shifts[1][1] == 0 && shifts[2][1] == 0)
-            f(ids, shifts);
-        });
-  }
-
-private:
-  const Torus& m_torus;
-};
-
 TEST(Cells_at_an_open_side, are_unbounded_as_on_the_hull)
 {
-  for (const double angle : {0.0, 0.3, 1.1}) {
-    const double c = std::cos(angle), s = std::sin(angle), height = std::sqrt(0.75);
+  using Direction = std::pair<double, double>;
+  for (const auto& [c, s] : {Direction(1, 0), Direction(0, 1), Direction(-1, 0)}) {
+    const double height = std::sqrt(0.75);
     Points points; // rows of five, four of them
     for (int row = 0; row < 4; ++row)
       for (int i = 0; i < 5; ++i) {
@@ -701,7 +647,7 @@ TEST(Cells_at_an_open_side, are_unbounded_as_on_the_hull)
         points.push_back(Point(c * x - s * y, s * x + c * y));
       }
     const Torus torus(points, Periodic_cell(5 * c, 5 * s, -50 * s, 50 * c));
-    const Strip strip(torus);
+    const Torus strip(points, Periodic_cell(Epick::Vector_2(5 * c, 5 * s)));
     Measures measures;
     measures.compute(strip);
     const auto is_inside = [](std::size_t id) { return id >= 5 && id < 15; };

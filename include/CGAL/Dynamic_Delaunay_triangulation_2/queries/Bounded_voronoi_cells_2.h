@@ -8,6 +8,7 @@
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Bounded_cell_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Exact_lines_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Voronoi_space_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
@@ -60,11 +61,14 @@ Every measure has an entry for each id.
 Accuracy: a chord at the distance h from the point, from u to u', adds h (u' - u) / 2 to the area,
 and an arc with the angle w adds r^2 w / 2. If the point is inside of the domain all of these are
 positive, so the area has a relative error of a few roundings for each piece, however thin the cell
-is. Lengths have errors of a few roundings of the radius, except where curves are nearly tangent:
-two discs that touch may have a contact of 10^-8 radii, or none.
+is; walls are off by a few roundings of the domain's extent. The cell of a point outside has an area
+that is off by a few roundings of the squared extent of the domain, however far away the point is,
+or of the squared radius, if the point is two extents away and the domain is not within the radius.
+Areas are never negative. Lengths have errors of a few roundings of the radius, except where curves
+are nearly tangent: two discs that touch may have a contact of 10^-8 radii, or none.
 
-An object keeps its memory. In the plane, threads share the points if the triangulation has the
-`Parallel_tag`; the result is the same.
+An object keeps its memory. Threads share the points if the triangulation has the `Parallel_tag`;
+the result is the same.
 
 \sa `Bounded_voronoi_gradients_2`
 \sa `Bounded_voronoi_surface_2`
@@ -125,8 +129,9 @@ public:
 
   /// sets the domain to a convex polygon, whose corners have `x()` and `y()`, counterclockwise.
   ///
-  /// \throws Domain_error_2 if there are fewer than three corners, if one of them is not finite or
-  /// no left turn, or if they turn around more than once; nothing changes.
+  /// \throws Domain_error_2 if there are fewer than three corners, if one of them is not finite, is
+  /// farther than 1e100 from the first one, or is no left turn, or if they turn around more than
+  /// once; nothing changes.
   template <class InputIterator>
   void set_domain(InputIterator first, InputIterator beyond)
   {
@@ -135,6 +140,7 @@ public:
       corners.push_back({CGAL::to_double(first->x()), CGAL::to_double(first->y())});
     check(corners);
     m_domain = std::move(corners);
+    m_surroundings = surroundings();
     m_normals.clear();
     for (size_type i = 0; i < m_domain.size(); ++i) {
       const Position &p = m_domain[i], &q = m_domain[next(i)];
@@ -144,7 +150,8 @@ public:
   }
   /// sets the domain to a box.
   ///
-  /// \throws Domain_error_2 if it has no area, or is not finite; nothing changes.
+  /// \throws Domain_error_2 if it has no area, is not finite, or is larger than 1e100; nothing
+  /// changes.
   void set_domain(const Bbox_2& box)
   {
     using Point = Exact_predicates_inexact_constructions_kernel::Point_2;
@@ -154,7 +161,11 @@ public:
     set_domain(corners.begin(), corners.end());
   }
   /// removes the domain.
-  void remove_domain() { m_domain.clear(); }
+  void remove_domain()
+  {
+    m_domain.clear();
+    m_surroundings = Surroundings();
+  }
   /// whether a place is in the domain or on a wall, exactly; true if there is no domain.
   ///
   /// Cost: linear in the number of walls. \pre Its coordinates are finite.
@@ -180,7 +191,7 @@ public:
   /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_2` or
   /// `Dynamic_periodic_Delaunay_triangulation_2`.
   /// \throws Parameter_error_2 unless the radius is from 2.2e-308, the smallest normal double, to
-  /// 1e150, or infinite with a domain; nothing changes.
+  /// 1e100, or infinite with a domain; nothing changes.
   /// \throws Domain_error_2 in periodic space if there is a domain; nothing changes.
   /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
   template <class Dynamic>
@@ -267,6 +278,7 @@ public:
   /// \cond
 protected:
   using Polygon = Dynamic_Delaunay_triangulations_2::internal::Bounded_cell_2;
+  using Surroundings = Dynamic_Delaunay_triangulations_2::internal::Surroundings_2;
 
   // What the pieces on a side of a cell record.
   struct Label
@@ -300,12 +312,15 @@ protected:
     size_type part, first_piece, first_ring, pieces, rings;
   };
 
-  // Adds up the measures of a cell around p, piece by piece, and lists the pieces.
+  // Adds up the measures of the cell of p, piece by piece, and lists the pieces. These are relative
+  // to an origin, which is p if there are arcs.
   class Boundary_2
   {
   public:
-    Boundary_2(const Position& p, size_type id, double radius, std::vector<Piece>* pieces)
-      : m_p(p)
+    Boundary_2(const Position& origin, const Position& p, size_type id, double radius,
+               std::vector<Piece>* pieces)
+      : m_origin(origin)
+      , m_to_p{p.x - origin.x, p.y - origin.y}
       , m_id(id)
       , m_radius(radius)
       , m_pieces(pieces)
@@ -324,10 +339,13 @@ protected:
       // what the neighbor does not reach is free
       double contact_first = first, contact_last = last;
       if (label.side == Side::NEIGHBOR && label.radius < m_radius) {
-        const double half =
-            label.radius > h ? std::sqrt((label.radius - h) * (label.radius + h)) : 0;
-        contact_first = (std::min)((std::max)(first, -half), last);
-        contact_last = (std::max)((std::min)(last, half), contact_first);
+        using namespace Dynamic_Delaunay_triangulations_2::internal;
+        const double from_p = h - dot(n, m_to_p), middle = cross(n, m_to_p);
+        const double half = label.radius > from_p
+                                ? std::sqrt((label.radius - from_p) * (label.radius + from_p))
+                                : 0;
+        contact_first = (std::min)((std::max)(first, middle - half), last);
+        contact_last = (std::max)((std::min)(last, middle + half), contact_first);
       }
       const auto add_part = [&](Side side, double u, double v) {
         if (u < v)
@@ -346,12 +364,12 @@ protected:
       add(Side::FREE, free_label(m_id), from, to, m_radius * angle, angle);
     }
 
-    double area() const { return m_measures.area; }
     Measures measures() const
     {
       Measures result = m_measures;
+      result.area = (std::max)(result.area, 0.0); // rounding can make the sum negative
       if (const double weight = 3 * result.area; weight > 0)
-        result.centroid = {m_p.x + m_moment.x / weight, m_p.y + m_moment.y / weight};
+        result.centroid = {m_origin.x + m_moment.x / weight, m_origin.y + m_moment.y / weight};
       return result;
     }
 
@@ -370,13 +388,13 @@ protected:
       piece.side = side;
       piece.other = label.other;
       piece.shift = label.shift;
-      piece.from = {m_p.x + from.x, m_p.y + from.y};
-      piece.to = {m_p.x + to.x, m_p.y + to.y};
+      piece.from = {m_origin.x + from.x, m_origin.y + from.y};
+      piece.to = {m_origin.x + to.x, m_origin.y + to.y};
       piece.length = length;
       piece.angle = angle;
     }
 
-    const Position m_p;
+    const Position m_origin, m_to_p;
     const size_type m_id;
     const double m_radius;
     std::vector<Piece>* const m_pieces; // null: none are listed
@@ -389,7 +407,7 @@ protected:
 
   static void check_radius(double radius, bool may_be_infinite)
   {
-    constexpr double least = (std::numeric_limits<double>::min)(), most = 1e150;
+    constexpr double least = (std::numeric_limits<double>::min)(), most = 1e100;
     if (!(radius >= least && (radius <= most || (may_be_infinite && std::isinf(radius)))))
       throw Parameter_error_2("the radius", radius, least, most);
   }
@@ -414,10 +432,8 @@ protected:
       return Point(corners[i % corners.size()].x, corners[i % corners.size()].y);
     };
     double turned = 0;
-    for (size_type i = 0; i < corners.size(); ++i) {
-      if (!std::isfinite(corners[i].x) || !std::isfinite(corners[i].y))
-        throw Domain_error_2(i, "it is not finite");
-    }
+    for (size_type i = 0; i < corners.size(); ++i)
+      Dynamic_Delaunay_triangulations_2::internal::check_domain_corner(i, corners[i], corners[0]);
     for (size_type i = 0; i < corners.size(); ++i) {
       const Point p = point(i + corners.size() - 1), q = point(i), r = point(i + 1);
       if (orientation(p, q, r) != LEFT_TURN)
@@ -436,13 +452,25 @@ protected:
     Measures operator()(const Space& space, size_type id, const Radius& radius, Part& part) const
     {
       const Position p = space.position(id);
+      if (cells.m_surroundings.are_seen_from_afar(p, radius(id)))
+        return cells.measure_from_afar(space, id, radius, part);
       cut_cell(
           space, id, radius, [&] { return cells.reach(p); }, part.polygon, part.labels);
       cells.cut_by_walls(p, part.polygon, part.labels);
-      return measure(p, id, radius(id), part);
+      return measure(p, p, id, radius(id), part);
     }
     const Bounded_voronoi_cells_2& cells;
   };
+
+  // Cuts and measures a cell relative to the center of the domain.
+  template <class Space, class Radius>
+  Measures measure_from_afar(const Space& space, size_type id, const Radius& radius,
+                             Part& part) const
+  {
+    cut_from_afar(space, id, radius, m_surroundings, part.polygon, part.labels);
+    cut_by_walls(m_surroundings.center, part.polygon, part.labels);
+    return measure(m_surroundings.center, space.position(id), id, radius(id), part);
+  }
 
   template <class Dynamic>
   void check_space() const
@@ -600,13 +628,44 @@ protected:
     }
   }
 
+  // Makes `cell` the part of a Voronoi cell around a domain that the cell's point sees from afar,
+  // relative to the center of the domain. The walls still have to cut it.
+  template <class Space, class Radius>
+  static void cut_from_afar(const Space& space, size_type id, const Radius& radius,
+                            const Surroundings& domain, Polygon& cell, std::vector<Label>& labels)
+  {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    const Position p = space.position(id);
+    bool is_empty = false;
+    labels.clear();
+    cell.start(std::numeric_limits<double>::infinity(), 2 * domain.reach);
+    space.for_each_neighbor(id, [&](const Voronoi_neighbor_2& neighbor) {
+      if (neighbor.is_infinite() || is_empty)
+        return;
+      const Position q = space.position(neighbor.id);
+      const Division_2 sides =
+          division(p - domain.center, q - domain.center, neighbor.vector, domain.reach);
+      is_empty = sides == Division_2::ALL_BEYOND;
+      if (sides != Division_2::UNKNOWN)
+        return;
+      const auto [normal, distance] = exact_bisector(p, q, neighbor.vector, domain.center);
+      cell.cut(normal, distance, labels.size());
+      labels.push_back({Side::NEIGHBOR, neighbor.id, neighbor.shift, radius(neighbor.id)});
+    });
+    if (is_empty)
+      cell.start(std::numeric_limits<double>::infinity());
+  }
+
   template <class Space, class Function>
   static void for_each_bisector(const Space& space, size_type id, const Function& f)
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
+    constexpr double least = 1e-150; // its square is a normal number
     space.for_each_neighbor(id, [&](const Voronoi_neighbor_2& neighbor) {
       const Position& way = neighbor.vector;
-      const double length = std::sqrt(dot(way, way));
+      double length = std::sqrt(dot(way, way));
+      if (length < least)
+        length = std::hypot(way.x, way.y);
       f(neighbor, Position{way.x / length, way.y / length}, length / 2);
     });
   }
@@ -627,6 +686,16 @@ protected:
 
   size_type next(size_type corner) const { return corner + 1 < m_domain.size() ? corner + 1 : 0; }
 
+  Surroundings surroundings() const
+  {
+    Position least = m_domain.front(), most = least;
+    for (const Position& corner : m_domain) {
+      least = {(std::min)(least.x, corner.x), (std::min)(least.y, corner.y)};
+      most = {(std::max)(most.x, corner.x), (std::max)(most.y, corner.y)};
+    }
+    return {least, most};
+  }
+
   // Returns the distance from p to the farthest corner of the domain.
   double reach(const Position& p) const
   {
@@ -636,10 +705,11 @@ protected:
     return farthest;
   }
 
-  // Returns the measures of the polygon around p, and appends its pieces.
-  static Measures measure(const Position& p, size_type id, double radius, Part& part)
+  // Returns the measures of the polygon of p, relative to the origin, and appends its pieces.
+  static Measures measure(const Position& origin, const Position& p, size_type id, double radius,
+                          Part& part)
   {
-    Boundary_2 boundary(p, id, radius, part.has_pieces ? &part.pieces : nullptr);
+    Boundary_2 boundary(origin, p, id, radius, part.has_pieces ? &part.pieces : nullptr);
     part.polygon.for_each_piece(
         [&](size_type number, const Position& n, double h, double first, double last) {
           boundary.add_chord(part.labels[number], n, h, first, last);
@@ -686,6 +756,7 @@ protected:
 private:
   std::vector<Position> m_domain;  // its corners, or none
   std::vector<Position> m_normals; // of the walls, outward
+  Surroundings m_surroundings;
   std::vector<double> m_radii, m_areas, m_perimeters, m_wall_lengths, m_free_lengths;
   std::vector<Position> m_centroids;
   std::vector<Piece> m_pieces;

@@ -114,8 +114,8 @@ public:
 
   /// computes the vectors of all points. There is one weight for each id.
   ///
-  /// Cost: linear, one pass over the faces; in periodic space one more, and one over the edges; two
-  /// more if a face is so flat that rounding hides its orientation.
+  /// Cost: linear, one pass over the faces; in a slab one more; two more if a face is so flat that
+  /// rounding hides its orientation.
   /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_2` or
   ///   `Dynamic_periodic_Delaunay_triangulation_2`.
   /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
@@ -131,7 +131,7 @@ public:
     m_gradients.clear();
     m_gradients.reserve(space.number_of_ids());
     m_cells.assign(space.number_of_cells(), Cell());
-    space.for_each_open_cell(m_missing_faces, [this](Index c) { m_cells[c].is_unbounded = true; });
+    space.for_each_open_cell([this](Index c) { m_cells[c].is_unbounded = true; });
     if (!add_faces(space, area_weights, perimeter_weights)) {
       find_flat(space);
       add_faces(space, area_weights, perimeter_weights);
@@ -270,7 +270,6 @@ private:
   std::vector<Vector> m_gradients;
   std::vector<Cell> m_cells;
   Dynamic_Delaunay_triangulations_2::internal::Cell_sums_2<Vector> m_sums;
-  std::vector<int> m_missing_faces; // of each cell
 };
 
 } // namespace CGAL

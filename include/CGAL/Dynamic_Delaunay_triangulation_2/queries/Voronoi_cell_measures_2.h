@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Exact_lines_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Voronoi_face_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Voronoi_space_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
@@ -14,6 +15,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/number_type_basic.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -71,13 +73,16 @@ sooner.
 neighbors, one after the other. The result is the cell, since the cell is where the point is as near
 as any of its Delaunay neighbors. Nothing is divided by values that may vanish: flat faces and
 points on a line are no special cases. Two neighbors cut along the same line, rounding included, so
-no area between them is lost or counted twice. With \f$D\f$ the diameter of the box and all points
-whose cells reach into it, corners of cells have errors of about \f$10^{-16} D\f$. The centroid is a
-mean of places between these corners, with weights that are never negative. So it stays between
-them, however thin the cell is. Where a cell is about as wide as it is long, the centroid is as
-accurate as its corners.
+no area between them is lost or counted twice. With \f$D\f$ the diameter of the box, corners of
+cells have errors of about \f$10^{-16} D\f$, and areas of about \f$10^{-16} D^2\f$, however far away
+the points are: if they are several diameters away, exact arithmetic places their bisectors. Areas
+are never negative. Coordinates that are no doubles are rounded first. The centroid is a mean of
+places between these corners, with weights that are never negative. So it stays between them,
+however thin the cell is. Where a cell is about as wide as it is long, the centroid is as accurate
+as its corners.
 
-Coordinates may be of any size whose square is still a double.
+For whole cells, coordinates may be of any size whose cube is still a double; for clipped cells, of
+any size.
 
 An object keeps its memory: `compute()` allocates nothing if the triangulation had as many ids and
 vertices before, and, for clipped cells, if no cell has more corners than any cell before.
@@ -113,7 +118,7 @@ public:
 
   /// measures the whole cells.
   ///
-  /// Cost: linear, one pass over the faces; in periodic space one more, and one over the edges.
+  /// Cost: linear, one pass over the faces; in a slab one more.
   /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_2` or
   ///   `Dynamic_periodic_Delaunay_triangulation_2`.
   /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
@@ -130,7 +135,7 @@ public:
         [this](Index c, const Cell& part) {
           m_cells[c].add(part.area, part.perimeter, part.moment);
         });
-    space.for_each_open_cell(m_missing_faces, [&](Index c) { m_cells[c] = Cell::unbounded(); });
+    space.for_each_open_cell([&](Index c) { m_cells[c] = Cell::unbounded(); });
     settle(space, [&](Index id, Index c) {
       const Position p = space.position(id);
       const Cell& cell = m_cells[c];
@@ -150,14 +155,15 @@ public:
   /// cell's corners. Both are six or less on average; only a point with very many neighbors costs
   /// much more. \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`.
   /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
-  /// \throws Parameter_error_2 if the width or height of the box is negative or not a finite
-  /// number; nothing changes.
+  /// \throws Parameter_error_2 unless the width and the height of the box are from 0 to 1e153;
+  /// nothing changes.
   template <class Dynamic>
   void compute(const Dynamic& dt, const Bbox_2& box)
   {
     using Dynamic_Delaunay_triangulations_2::internal::check_extent;
-    check_extent("the width of the box", box.xmax() - box.xmin());
-    check_extent("the height of the box", box.ymax() - box.ymin());
+    constexpr double largest = 1e153; // its square is a double
+    check_extent("the width of the box", box.xmax() - box.xmin(), largest);
+    check_extent("the height of the box", box.ymax() - box.ymin(), largest);
     const Space<Dynamic> space(dt);
     start(space);
     m_cell_centroids.resize(m_cells.size());
@@ -315,15 +321,28 @@ private:
     const auto frame = dt.frame();
     const Differences<Dynamic> vector(dt);
     // relative to its center the box is the same for all points
-    const Position center{box.xmin() + (box.xmax() - box.xmin()) / 2,
-                          box.ymin() + (box.ymax() - box.ymin()) / 2};
-    const Position low = Position{box.xmin(), box.ymin()} - center;
-    const Position high = Position{box.xmax(), box.ymax()} - center;
-    const auto clip_cell = [&](Index v, Polygon& polygon) {
+    const Position least{box.xmin(), box.ymin()}, most{box.xmax(), box.ymax()};
+    const auto [center, reach] = Surroundings_2(least, most);
+    const Position low = least - center, high = most - center;
+    const auto clip_from_afar = [&, center = center, reach = reach](Index v, Index w,
+                                                                    Polygon& polygon) {
+      const Position p = frame.position(v), q = frame.position(w);
+      const Division_2 sides = division(p - center, q - center, vector(v, w), reach);
+      if (sides == Division_2::ALL_BEYOND)
+        polygon.corners.clear();
+      if (sides != Division_2::UNKNOWN)
+        return;
+      const auto [normal, distance] = exact_bisector(p, q, vector(v, w), center);
+      polygon.clip(normal, distance);
+    };
+    const auto clip_cell = [&, center = center, reach = reach](Index v, Polygon& polygon) {
       polygon.corners = {low, {high.x, low.y}, high, {low.x, high.y}};
       const Position p = frame.position(v) - center;
       frame.state().for_each_finite_neighbor(v, [&](Index w) {
         const Position q = frame.position(w) - center;
+        const double distances = Surroundings_2::size(p) + Surroundings_2::size(q);
+        if (distances > 8 * reach) // the same for both cells, so that they are cut alike
+          return clip_from_afar(v, w, polygon);
         const Position middle{p.x / 2 + q.x / 2, p.y / 2 + q.y / 2};
         const Position direction = vector(v, w);
         polygon.clip(direction, dot(direction, middle));
@@ -362,6 +381,7 @@ private:
       mean.x += share * ((u.x + v.x) / 3 - mean.x);
       mean.y += share * ((u.y + v.y) / 3 - mean.y);
     }
+    cell.area = (std::max)(cell.area, 0.0); // rounding can make the sum negative
     if (weight == 0)
       return std::nullopt;
     return Position{corners[0].x + mean.x, corners[0].y + mean.y};
@@ -371,7 +391,6 @@ private:
   std::vector<Position> m_centroids;
   std::vector<Cell> m_cells;
   Dynamic_Delaunay_triangulations_2::internal::Cell_sums_2<Cell> m_sums;
-  std::vector<int> m_missing_faces;       // of each cell
   std::vector<Position> m_cell_centroids; // of each cell, if cells are clipped
   std::vector<Polygon> m_polygons;        // of each part
 };

@@ -62,7 +62,9 @@ an entry for each id.
 Method: the domain is triangulated once, and each cell is cut by the triangles that it reaches,
 starting at its point. Accuracy: areas have a relative error of a few roundings for each piece. If
 walls cut the cell, the error is larger by the ratio of the squared extent of the cell, measured
-from its point, to its area. Exact predicates find what walls hide.
+from its point, to its area; for a point that is two extents of the domain away, and has all of it
+within its radius, of the squared extent of the domain to that area. Areas are never negative. Exact
+predicates find what walls hide.
 
 An object keeps its memory. Threads share the points if the triangulation has the `Parallel_tag`;
 the result is the same. Nothing of this is compiled unless its header is included.
@@ -118,8 +120,8 @@ public:
   /// converted to them. Its boundaries may turn either way. Cost: \f$O(n \log n)\f$ for n corners.
   ///
   /// \throws Domain_error_2 with the number of a corner, unless it has an outer boundary, all
-  /// corners are finite, all boundaries are simple, and holes are inside of the outer boundary,
-  /// outside of each other, and do not touch.
+  /// corners are finite and within 1e100 of the first one, all boundaries are simple, and holes are
+  /// inside of the outer boundary, outside of each other, and do not touch.
   template <class Kernel, class Container>
   explicit Voronoi_cells_in_domain_2(const Polygon_with_holes_2<Kernel, Container>& domain,
                                      Rule rule = Rule::WHOLE)
@@ -172,7 +174,7 @@ public:
   /// points outside of the domain's convex hull, also to the number of the domain's corners.
   /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_2`.
   /// \throws Parameter_error_2 unless the radius is from 2.2e-308, the smallest normal double, to
-  /// 1e150, or infinite.
+  /// 1e100, or infinite.
   /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`. Nothing changes if one
   /// of these is thrown.
   template <class Dynamic>
@@ -267,24 +269,40 @@ private:
       const Face_handle face = m_domain.locate(Domain::Point(p.x, p.y), m_last_face);
       if (m_rule != Rule::WHOLE && !face->info().is_inside)
         return {0, 0, p, 0, 0};
+      if (m_domain.surroundings().are_seen_from_afar(p, radius(id)))
+        return measure_from_afar(space, id, radius, face, part);
       cut_cell(
           space, id, radius, [&] { return m_domain.reach(p); }, part.polygon, part.labels);
       if (m_clipped.start(p, radius(id), face, part.polygon))
-        return measure_clipped(p, id, radius(id), part);
+        return measure_clipped(p, p, id, radius(id), part);
       part.rings.push_back({part.pieces.size(), 0});
-      const Measures measures = measure(p, id, radius(id), part);
+      const Measures measures = measure(p, p, id, radius(id), part);
       part.rings.back().area = measures.area;
       return measures;
     }
 
   private:
-    Measures measure_clipped(const Position& p, size_type id, double radius, Part& part)
+    template <class Space, class Radius>
+    Measures measure_from_afar(const Space& space, size_type id, const Radius& radius,
+                               Face_handle face, Part& part)
+    {
+      const Surroundings domain = m_domain.surroundings();
+      const Position p = space.position(id);
+      cut_from_afar(space, id, radius, domain, part.polygon, part.labels);
+      if (part.polygon.sides().empty())
+        return {0, 0, p, 0, 0};
+      m_clipped.start(domain.center, std::numeric_limits<double>::infinity(), face, part.polygon);
+      return measure_clipped(domain.center, p, id, radius(id), part);
+    }
+
+    Measures measure_clipped(const Position& origin, const Position& p, size_type id, double radius,
+                             Part& part)
     {
       if (m_rule == Rule::WHOLE)
         m_clipped.take_all();
       else if (m_rule == Rule::VISIBLE)
         m_clipped.take_visible();
-      Boundary_2 boundary(p, id, radius, &part.pieces);
+      Boundary_2 boundary(origin, p, id, radius, &part.pieces);
       m_clipped.for_each_ring([&](double area, const std::vector<Clipped::Piece>& pieces) {
         part.rings.push_back({part.pieces.size(), area});
         for (const Clipped::Piece& piece : pieces)

@@ -8,6 +8,7 @@
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Exact_lines_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Decimal_number_2.h>
@@ -111,6 +112,7 @@ public:
   }
   static Position_2 corner(Vertex_handle v) { return {v->point().x(), v->point().y()}; }
 
+  Surroundings_2 surroundings() const { return {m_least, m_most}; }
   // Returns an upper bound on the distances of all corners from p.
   double reach(const Position_2& p) const
   {
@@ -127,8 +129,7 @@ private:
       if (ring.size() < 3)
         throw Domain_error_2(number, "a closed line of walls has at least three corners");
       for (const Position_2& p : ring) {
-        if (!std::isfinite(p.x) || !std::isfinite(p.y))
-          throw Domain_error_2(number, "it is not finite");
+        check_domain_corner(number, p, rings[0][0]);
         insert_corner(p);
         ++number;
       }

@@ -27,7 +27,7 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // A triangulation as Voronoi cells see it, by the same functions in the plane and in periodic
 // space. Cells have numbers; points that coincide share one. A cell is open, and so unbounded, if
-// an edge at its point has a single face.
+// an edge at its point has a single face, or none.
 template <class Dynamic, bool = Dynamic::Frame::is_periodic>
 class Voronoi_space_2;
 
@@ -41,34 +41,23 @@ struct Voronoi_neighbor_2
   bool is_infinite() const { return std::isnan(vector.x); }
 };
 
-// THE PLANE ---------------------------------------------------------------------------------------
-
+// What is alike in both spaces. Cells are numbered as vertices are, in an order of space. Not every
+// number is that of a cell.
 template <class Dynamic>
-class Voronoi_space_2<Dynamic, false>
+class Voronoi_cells_of_frame_2
 {
-  static_assert(Has_euclidean_circles_2<typename Dynamic::Geom_traits>::value,
-                "these traits have circles of their own, and Voronoi cells are computed for the "
-                "Euclidean ones");
+protected:
+  using Frame = typename Dynamic::Frame;
+  using Parts = typename Frame::Parts;
 
 public:
-  // Throws unless the triangulation is certified.
-  explicit Voronoi_space_2(const Dynamic& dt)
-    : m_dimension(dt.triangulation().dimension())
-    , m_frame(dt.frame())
-    , m_vector(dt)
-    , m_cells_of_part(number_of_cells() / number_of_face_parts() + 1)
-  {
-  }
-
   Index number_of_ids() const { return m_frame.number_of_ids(); }
   bool has_id(std::size_t id) const { return m_frame.has_id(id); }
   bool is_representative(std::size_t id) const { return m_frame.id(m_frame.vertex(id)) == id; }
   Index number_of_cells() const { return m_frame.number_of_vertices() + 1; }
   Index cell(std::size_t id) const { return m_frame.vertex(id); }
-  // Cells are numbered in an order of space. Not every number is that of a cell.
   bool is_cell(Index c) const { return !m_frame.is_infinite(c); }
   std::size_t id_of_cell(Index c) const { return m_frame.id(c); }
-  Position_2 position(std::size_t id) const { return m_frame.position(m_frame.vertex(id)); }
 
   template <class Function>
   void for_each_duplicate(const Function& f) const
@@ -87,19 +76,6 @@ public:
     return c - part * m_cells_of_part < m_cells_of_part; // unsigned: false if c is smaller
   }
 
-  // Calls f(part, cells, face).
-  template <class Function>
-  void for_each_face(const Function& f) const
-  {
-    if (m_dimension < 2)
-      return;
-    Parts::for_each(m_frame.number_of_faces(), faces_of_part(),
-                    [&](std::size_t part, std::size_t first, std::size_t beyond) {
-                      for (std::size_t i = first; i < beyond; ++i)
-                        call_with_face(part, Index(i), f);
-                    });
-  }
-
   // Calls f(first, beyond) for parts of the ids, or of the cells.
   template <class Function>
   static void for_each_range(std::size_t size, const Function& f)
@@ -109,13 +85,74 @@ public:
     });
   }
 
+protected:
+  explicit Voronoi_cells_of_frame_2(const Frame& frame)
+    : m_frame(frame)
+    , m_cells_of_part(number_of_cells() / number_of_face_parts() + 1)
+  {
+  }
+
+  // Calls f(part, i) for the number i of each face.
   template <class Function>
-  void for_each_open_cell(std::vector<int>&, const Function& f) const
+  void for_each_face_number(const Function& f) const
+  {
+    Parts::for_each(m_frame.number_of_faces(), faces_of_part(),
+                    [&](std::size_t part, std::size_t first, std::size_t beyond) {
+                      for (std::size_t i = first; i < beyond; ++i)
+                        f(part, Index(i));
+                    });
+  }
+
+  const Frame m_frame;
+
+private:
+  // Fewer and larger parts have fewer faces between them.
+  std::size_t faces_of_part() const
+  {
+    constexpr std::size_t max_parts = 32;
+    return (std::max)(Parts::usual_size, std::size_t(m_frame.number_of_faces()) / max_parts);
+  }
+
+  const std::size_t m_cells_of_part;
+};
+
+// THE PLANE ---------------------------------------------------------------------------------------
+
+template <class Dynamic>
+class Voronoi_space_2<Dynamic, false> : public Voronoi_cells_of_frame_2<Dynamic>
+{
+  using Base = Voronoi_cells_of_frame_2<Dynamic>;
+  using Base::m_frame;
+  static_assert(Has_euclidean_circles_2<typename Dynamic::Geom_traits>::value,
+                "these traits have circles of their own, and Voronoi cells are computed for the "
+                "Euclidean ones");
+
+public:
+  // Throws unless the triangulation is certified.
+  explicit Voronoi_space_2(const Dynamic& dt)
+    : Base(dt.frame())
+    , m_dimension(dt.triangulation().dimension())
+    , m_vector(dt)
+  {
+  }
+
+  Position_2 position(std::size_t id) const { return m_frame.position(m_frame.vertex(id)); }
+
+  // Calls f(part, cells, face).
+  template <class Function>
+  void for_each_face(const Function& f) const
+  {
+    if (m_dimension == 2)
+      this->for_each_face_number([&](std::size_t part, Index i) { call_with_face(part, i, f); });
+  }
+
+  template <class Function>
+  void for_each_open_cell(const Function& f) const
   {
     if (m_dimension == 2)
       m_frame.for_each_neighbor(infinite_index, f);
     else
-      for (Vertex_index v = 1; v < number_of_cells(); ++v)
+      for (Vertex_index v = 1; v < this->number_of_cells(); ++v)
         f(v);
   }
 
@@ -142,15 +179,6 @@ public:
   }
 
 private:
-  using Parts = typename Dynamic::Frame::Parts;
-
-  // Fewer and larger parts have fewer faces between them.
-  std::size_t faces_of_part() const
-  {
-    constexpr std::size_t max_parts = 32;
-    return (std::max)(Parts::usual_size, std::size_t(m_frame.number_of_faces()) / max_parts);
-  }
-
   template <class Function>
   BOOST_FORCEINLINE void call_with_face(std::size_t part, Index i, const Function& f) const
   {
@@ -168,98 +196,62 @@ private:
   }
 
   const int m_dimension;
-  const typename Dynamic::Frame m_frame;
   const Vertex_differences_2<Dynamic> m_vector;
-  const std::size_t m_cells_of_part;
 };
 
 // PERIODIC SPACE ----------------------------------------------------------------------------------
 
 template <class Dynamic>
-class Voronoi_space_2<Dynamic, true>
+class Voronoi_space_2<Dynamic, true> : public Voronoi_cells_of_frame_2<Dynamic>
 {
+  using Base = Voronoi_cells_of_frame_2<Dynamic>;
+  using Base::m_frame;
+
 public:
   // Throws unless the triangulation is certified.
   explicit Voronoi_space_2(const Dynamic& dt)
-    : m_dt(dt)
+    : Base(dt.frame())
     , m_cell(dt.cell())
   {
     check_certified(dt);
   }
 
-  Index number_of_ids() const { return Index(m_dt.number_of_ids()); }
-  bool has_id(std::size_t id) const { return m_dt.has_id(id); }
-  bool is_representative(std::size_t id) const { return m_dt.representative(id) == id; }
-  Index number_of_cells() const { return number_of_ids(); }
-  Index cell(std::size_t id) const { return Index(m_dt.representative(id)); }
-  bool is_cell(Index c) const { return has_id(c) && is_representative(c); }
-  std::size_t id_of_cell(Index c) const { return c; }
+  // As the point was given: duplicates may be given by other images.
   Position_2 position(std::size_t id) const
   {
-    const auto p = m_dt.point(id);
-    return {p.x(), p.y()};
+    return approximation(m_frame.state().point_of_id(Index(id)));
   }
-
-  template <class Function>
-  void for_each_duplicate(const Function& f) const
-  {
-    if (m_dt.number_of_points() == m_dt.number_of_vertices())
-      return;
-    for (Point_id id = 0; id < number_of_ids(); ++id)
-      if (has_id(id) && !is_representative(id))
-        f(id);
-  }
-
-  // Its faces are visited one after the other, by one thread.
-  static std::size_t number_of_face_parts() { return 1; }
-  static bool has_cell(std::size_t, Index) { return true; }
 
   // Calls f(part, cells, face).
   template <class Function>
   void for_each_face(const Function& f) const
   {
-    m_dt.for_each_face(
-        [&](const std::array<std::size_t, 3>& ids, const std::array<Periodic_shift_2, 3>& shifts) {
-          const Position_2 p = position(ids[0]), q = position(ids[1]), r = position(ids[2]);
-          const Position_2 first = vector(p, q, shifts[1]);
-          const Position_2 second = vector(q, r, difference(shifts[2], shifts[1]));
-          const Position_2 last = vector(r, p, {-shifts[2][0], -shifts[2][1]});
-          f(std::size_t(0), std::array<Index, 3>{Index(ids[0]), Index(ids[1]), Index(ids[2])},
-            Voronoi_face_2({second, last, first}, error(p, first, shifts[1], last, shifts[2])));
-        });
+    this->for_each_face_number([&](std::size_t part, Index i) {
+      if (!m_frame.state().is_in_gap(i))
+        call_with_face(part, i, f);
+    });
   }
 
+  // The cells of a torus are all closed. Those beside the gap of a slab are open.
   template <class Function>
-  static void for_each_range(std::size_t size, const Function& f)
+  void for_each_open_cell(const Function& f) const
   {
-    f(Index(0), Index(size));
-  }
-
-  // At the point of a closed cell, there are as many faces as ends of edges.
-  template <class Function>
-  void for_each_open_cell(std::vector<int>& missing_faces, const Function& f) const
-  {
-    missing_faces.assign(number_of_cells(), 0);
-    m_dt.for_each_edge([&](std::size_t i, std::size_t j, const Periodic_shift_2&) {
-      ++missing_faces[i];
-      ++missing_faces[j];
-    });
-    m_dt.for_each_face([&](const std::array<std::size_t, 3>& ids, const auto&) {
-      for (const std::size_t id : ids)
-        --missing_faces[id];
-    });
-    for (Point_id id = 0; id < number_of_cells(); ++id)
-      if (missing_faces[id] > 0)
-        f(id);
+    if (!m_cell.is_slab())
+      return;
+    for (Face_index i = 0; i < m_frame.number_of_faces(); ++i)
+      if (m_frame.state().is_in_gap(i))
+        for (const Vertex_index v : m_frame.face(i))
+          f(v);
   }
 
   // Calls f(neighbor) counterclockwise.
   template <class Function>
   void for_each_neighbor(std::size_t id, const Function& f) const
   {
-    const Position_2 p = position(cell(id));
-    m_dt.for_each_neighbor(id, [&](std::size_t j, const Periodic_shift_2& shift) {
-      f(Voronoi_neighbor_2{j, shift, vector(p, position(j), shift)});
+    const Vertex_index v = m_frame.vertex(id);
+    const Position_2 p = m_frame.position(v);
+    m_frame.state().for_each_finite_neighbor(v, [&](Vertex_index w, const Periodic_shift_2& shift) {
+      f(Voronoi_neighbor_2{m_frame.id(w), shift, vector(p, m_frame.position(w), shift)});
     });
   }
 
@@ -269,15 +261,31 @@ public:
                                      const Voronoi_neighbor_2& left) const
   {
     const Position_2 last{-left.vector.x, -left.vector.y};
-    const Position_2 opposite =
-        vector(position(right.id), position(left.id), difference(left.shift, right.shift));
+    const Position_2 opposite = vector(position_of_cell(right.id), position_of_cell(left.id),
+                                       difference(left.shift, right.shift));
     const Voronoi_face_2 face(
         {opposite, last, right.vector},
-        error(position(cell(id)), right.vector, right.shift, last, left.shift));
+        error(position_of_cell(id), right.vector, right.shift, last, left.shift));
     return face.is_flat() ? std::nullopt : std::optional<Voronoi_face_2>(face);
   }
 
 private:
+  template <class Function>
+  BOOST_FORCEINLINE void call_with_face(std::size_t part, Face_index i, const Function& f) const
+  {
+    const auto [h, k, l] = Halfedge_arrays_2::halfedges_of(i);
+    const std::array<Index, 3> v = m_frame.state().arrays().face(i);
+    const Position_2 &p = m_frame.position(v[0]), &q = m_frame.position(v[1]),
+                     &r = m_frame.position(v[2]);
+    const Periodic_shift_2 s = m_frame.state().shift_between(h, k),
+                           t = m_frame.state().shift_between(h, l);
+    const Position_2 first = vector(p, q, s), second = vector(q, r, difference(t, s));
+    const Position_2 last = vector(r, p, {-t[0], -t[1]});
+    f(part, v, Voronoi_face_2({second, last, first}, error(p, first, s, last, t)));
+  }
+
+  Position_2 position_of_cell(std::size_t id) const { return m_frame.position(m_frame.vertex(id)); }
+
   static Periodic_shift_2 difference(const Periodic_shift_2& s, const Periodic_shift_2& t)
   {
     return {s[0] - t[0], s[1] - t[1]};
@@ -306,7 +314,6 @@ private:
                       times(std::abs(s[1]) + std::abs(t[1]), b));
   }
 
-  const Dynamic& m_dt;
   const Periodic_cell_2& m_cell;
 };
 

@@ -19,10 +19,10 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Throws unless a number is finite, and not negative. The error calls it `name`.
-inline void check_extent(const char* name, double extent)
+// Throws unless a number is not negative, and finite or up to a limit. The error calls it `name`.
+inline void check_extent(const char* name, double extent,
+                         double largest = (std::numeric_limits<double>::max)())
 {
-  constexpr double largest = (std::numeric_limits<double>::max)();
   if (!(extent >= 0 && extent <= largest))
     throw Parameter_error_2(name, extent, 0, largest);
 }
