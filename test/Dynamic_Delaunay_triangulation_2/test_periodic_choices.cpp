@@ -5,6 +5,7 @@
 
 #include "periodic_oracle.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Estimated_voronoi_circumcenter_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Inflation_aware_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Nearly_delaunay_classifier_2.h>
@@ -39,6 +40,7 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -337,6 +339,170 @@ TEST(A_random_classifier, that_names_nobody_is_followed_by_a_repair_of_all_where
     }
   EXPECT_GT(flips, 1000u);
 }
+
+// WITHOUT A CERTIFICATE ---------------------------------------------------------------------------
+
+template <class Dynamic>
+void expect_that_empty_ranges_change_nothing(Dynamic& dt, const std::vector<Point>& moved)
+{
+  dt.update(moved);
+  ASSERT_FALSE(dt.is_certified());
+  const std::vector<Point> no_points;
+  const std::vector<std::size_t> no_ids;
+  const std::vector<std::pair<std::size_t, Point>> no_movers;
+  for (const CGAL::Update_report_2& report :
+       {dt.insert(no_points), dt.remove(no_ids), dt.move(no_movers)}) {
+    EXPECT_FALSE(report.certified);
+    EXPECT_EQ(report.flips, 0u);
+  }
+  EXPECT_FALSE(dt.is_certified());
+  EXPECT_FALSE(dt.certify());
+  dt.mend();
+  dt.insert(no_points);
+  EXPECT_TRUE(dt.is_certified());
+}
+
+TEST(An_empty_range, changes_nothing_after_a_heuristic_frame_in_any_space)
+{
+  Cloud cloud(41, 60, 10);
+  const std::vector<Point> before = cloud.points;
+  cloud.shake(0.5);
+  CGAL::Dynamic_Delaunay_triangulation_2<Kernel, CGAL::Random_classifier_2> plane(
+      before.begin(), before.end(), CGAL::Random_classifier_2(0));
+  ASSERT_NO_FATAL_FAILURE(expect_that_empty_ranges_change_nothing(plane, cloud.points));
+  for (const Cell& cell : {Cell(10, 10), Cell(Vector(10, 0))}) {
+    Triangulation<CGAL::Random_classifier_2> pt(before, cell, CGAL::Random_classifier_2(0));
+    ASSERT_NO_FATAL_FAILURE(expect_that_empty_ranges_change_nothing(pt, cloud.points));
+  }
+}
+
+using Edges = std::set<std::tuple<std::size_t, std::size_t, Shift>>;
+
+// All listed edges, in both directions.
+template <class Periodic>
+Edges edges_of(const Periodic& pt)
+{
+  Edges edges;
+  pt.for_each_edge([&](std::size_t i, std::size_t j, const Shift& shift) {
+    edges.emplace(i, j, shift);
+    edges.emplace(j, i, Shift{-shift[0], -shift[1]});
+  });
+  return edges;
+}
+
+// The sides of all listed faces, counterclockwise.
+template <class Periodic>
+Edges sides_of(const Periodic& pt)
+{
+  Edges sides;
+  pt.for_each_face([&](const auto& ids, const auto& shifts) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t k = (i + 1) % 3;
+      sides.emplace(ids[i], ids[k],
+                    Shift{shifts[k][0] - shifts[i][0], shifts[k][1] - shifts[i][1]});
+    }
+  });
+  return sides;
+}
+
+template <class Periodic>
+Triangulation<CGAL::Circumcircle_classifier_2> fresh(const Periodic& pt)
+{
+  std::vector<Point> points;
+  for (std::size_t id = 0; id < pt.number_of_ids(); ++id)
+    points.push_back(pt.point(id));
+  return Triangulation<CGAL::Circumcircle_classifier_2>(points, pt.cell());
+}
+
+// An edge across the gap, which nobody sees, was not Delaunay.
+TEST(A_slab, is_certified_where_all_listed_edges_are_delaunay)
+{
+  std::vector<Point> points{Point(0, 0),      Point(0.5, 0),    Point(0.25, 0.5),
+                            Point(0.75, 0.5), Point(0.0625, 1), Point(0.5625, 1)};
+  Triangulation<CGAL::Random_classifier_2> pt(points, Cell(Vector(1, 0)),
+                                              CGAL::Random_classifier_2(0));
+  points[4] = Point(-0.0625, 1);
+  points[5] = Point(0.4375, 1);
+  EXPECT_FALSE(pt.update(points).certified);
+  const Edges edges = edges_of(pt);
+  ASSERT_EQ(edges, edges_of(fresh(pt)));
+  EXPECT_TRUE(pt.certify());
+  EXPECT_EQ(edges_of(pt), edges);
+  EXPECT_TRUE(pt.is_valid(true));
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+  pt.insert(Point(0.3, 2));
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+}
+
+// Edges alone do not tell: if a strip is turned over, all its faces are clockwise.
+TEST(A_slab, is_certified_if_and_only_if_its_edges_and_faces_are_those_of_a_fresh_one)
+{
+  int certified = 0, refused = 0, gaps = 0;
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    SCOPED_TRACE(seed);
+    Cloud cloud(seed, seed % 3 == 0 ? 3 + seed % 17 : 3, 1);
+    const Cell cell(seed % 2 == 0 ? Vector(1, 0) : Vector(-0.5, 1));
+    Triangulation<CGAL::Point_distance_classifier_2> pt(
+        cloud.points, cell, CGAL::Point_distance_classifier_2(seed % 4 == 0 ? 0.5 : 0.0));
+    for (int frame = 0; frame < 6; ++frame) {
+      cloud.shake(seed % 5 == 0 ? 0.2 : 0.03);
+      cloud.wrap(cell);
+      pt.update(cloud.points);
+      const Edges edges = edges_of(pt), sides = sides_of(pt);
+      const auto changes = pt.frame().new_edges();
+      const auto expected = fresh(pt);
+      const bool is_right = edges == edges_of(expected) && sides == sides_of(expected);
+      const bool was_certified = pt.is_certified();
+      ASSERT_EQ(pt.certify(), is_right) << frame;
+      ASSERT_TRUE(edges_of(pt) == edges && sides_of(pt) == sides) << frame;
+      ASSERT_TRUE(pt.is_valid(true)) << frame;
+      certified += is_right && !was_certified;
+      gaps += is_right && pt.frame().new_edges() != changes;
+      refused += !is_right;
+      if (is_right) {
+        ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt)) << frame;
+      }
+    }
+  }
+  EXPECT_GT(certified, 50);
+  EXPECT_GT(refused, 50);
+  EXPECT_GT(gaps, 5);
+}
+
+// The edges that no face has, and that the boundary does not visit in both directions.
+template <class Periodic>
+std::pair<std::size_t, std::size_t> edges_without_faces(const Periodic& pt)
+{
+  const Edges sides = sides_of(pt);
+  Edges boundary;
+  pt.for_each_boundary_edge(
+      [&](std::size_t i, std::size_t j, const Shift& shift) { boundary.emplace(i, j, shift); });
+  std::size_t without_faces = 0, not_twice = 0;
+  for (const auto& [i, j, shift] : edges_of(pt))
+    if (sides.count({i, j, shift}) == 0 && sides.count({j, i, {-shift[0], -shift[1]}}) == 0) {
+      ++without_faces;
+      not_twice += boundary.count({i, j, shift}) == 0;
+    }
+  return {without_faces / 2, not_twice};
+}
+
+TEST(An_uncertified_slab, may_have_edges_in_no_face_with_the_gap_on_both_sides)
+{
+  std::vector<Point> points;
+  for (int i = 0; i < 8; ++i)
+    points.emplace_back(i, 0);
+  Triangulation<CGAL::Random_classifier_2> row(points, Cell(Vector(8, 0)),
+                                               CGAL::Random_classifier_2(0));
+  points[3] = Point(3, 0.5); // nobody names it: the row stays
+  row.update(points);
+  EXPECT_EQ(edges_without_faces(row), (std::pair<std::size_t, std::size_t>(8, 0)));
+  EXPECT_FALSE(row.certify());
+  row.mend();
+  EXPECT_EQ(edges_without_faces(row).first, 0u);
+}
+
+// CLASSIFIERS AND POINTS THAT COME AND GO
+// -----------------------------------------------------------
 
 // Among few points a vertex may have several images of one neighbor around it. Then the polygon
 // that it leaves cannot always be triangulated without doubling an edge.

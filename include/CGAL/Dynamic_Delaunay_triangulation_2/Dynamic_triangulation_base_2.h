@@ -273,7 +273,8 @@ public:
   ///
   /// Nothing changes if `move()` throws one of these, or if the range throws. After any other
   /// exception the triangulation is not certified; `mend()` certifies it again.
-  /// \post `is_certified()` if it was, if the classifier is exact, or in periodic space.
+  /// \post `is_certified()` if it was, if the classifier is exact, or in periodic space, if the
+  /// range is not empty.
   template <class InputIterator>
   Update_report_2 move(InputIterator first, InputIterator beyond)
   {
@@ -333,6 +334,8 @@ public:
   /// adds the points of the range. Their ids are written to `ids` first. Rebuilds if there is more
   /// than about one new point for every nine or ten vertices, in periodic space for every three.
   /// Throws what `insert(p)` throws; then nothing changes, and no id is written.
+  /// \post That of `insert(p)`, if the range is not empty. With a heuristic classifier, an empty
+  /// one changes nothing.
   template <class InputIterator, class OutputIterator>
   Update_report_2 insert(InputIterator first, InputIterator beyond, OutputIterator ids)
   {
@@ -384,10 +387,10 @@ public:
   Update_report_2 remove(size_type id) { return remove(&id, &id + 1); }
 
   /// removes the points with these ids. Rebuilds if these are more than about one in nine or ten
-  /// vertices, in periodic space one in three.
-  /// \tparam InputIterator its values are integers.
-  /// \throws Unknown_id_error_2 if an id belongs to no point; nothing changes.
-  /// \throws Repeated_id_error_2 if an id is given more than once; nothing changes.
+  /// vertices, in periodic space one in three. \post That of `remove(id)`, if the range is not
+  /// empty. \tparam InputIterator its values are integers. \throws Unknown_id_error_2 if an id
+  /// belongs to no point; nothing changes. \throws Repeated_id_error_2 if an id is given more than
+  /// once; nothing changes.
   template <class InputIterator>
   Update_report_2 remove(InputIterator first, InputIterator beyond)
   {
@@ -413,13 +416,14 @@ public:
   bool is_certified() const { return Types::is_exact && m_core->update.is_certified(); }
 
   /// tests whether the triangulation is Delaunay, by exact predicates at every edge, and certifies
-  /// it if so. Changes nothing else. The result is false if an exception has left points without
-  /// their own vertices, or has left an uncertified triangulation that does not span the plane.
-  /// Cost: one pass over all edges; none if it is certified already.
+  /// it if so. Changes nothing else, but for edges across the gap beside a slab, which are not
+  /// listed. The result is false if an exception has left points without their own vertices, or has
+  /// left an uncertified triangulation that does not span the plane. Cost: one pass over all edges,
+  /// and flips in the gap; none if it is certified already.
   bool certify()
   {
     const Floating_point floating_point;
-    return Types::is_exact && m_core->update.certify();
+    return Types::is_exact && m_core->update.certify(m_classifier);
   }
 
   /// makes the triangulation Delaunay and certified, whatever the classifier is: all edges are

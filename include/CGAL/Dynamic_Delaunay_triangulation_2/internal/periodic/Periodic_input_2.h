@@ -176,10 +176,12 @@ private:
     return points;
   }
 
+  // One too many stands for any number, because not all ranges can be counted.
   void check_count(std::size_t given) const
   {
-    if (given != m_state.ids().number_of_ids())
-      throw Point_count_error_2(m_state.ids().number_of_ids(), given);
+    const std::size_t ids = m_state.ids().number_of_ids();
+    if (given != ids)
+      throw Point_count_error_2(ids, (std::min)(given, ids + 1));
   }
 
   void stage_points(const Points_by_id& points, const Periodic_cell_2& cell,

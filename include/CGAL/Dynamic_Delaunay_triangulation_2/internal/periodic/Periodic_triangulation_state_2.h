@@ -344,6 +344,14 @@ public:
     return m_torus.are_across(a.shift, b.shift) || m_torus.are_across(b.shift, c.shift) ||
            m_torus.are_across(c.shift, d.shift);
   }
+  // Whether an edge goes across that gap, and so would the one by which a flip replaces it.
+  bool flips_across_gap(Edge_index e) const
+  {
+    if (!is_shifted(e) || m_arrays.is_empty_edge(e))
+      return false;
+    const auto [a, b, c, d] = corners_at(m_arrays.halfedge(e));
+    return m_torus.are_across(b.shift, c.shift) && m_torus.are_across(a.shift, d.shift);
+  }
   bool breaks_hull(Edge_index e) const
   {
     return is_at_infinity(e) && Edge_test(*this).state(e) != Edge_state_2::DELAUNAY;

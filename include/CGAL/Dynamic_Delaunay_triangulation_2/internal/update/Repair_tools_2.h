@@ -353,6 +353,36 @@ public:
     forget();
   }
 
+  // Whether a flip would exchange this edge across the gap beside a slab for another one there, and
+  // make it Delaunay.
+  bool is_illegal_across_gap(Edge_index e) const
+  {
+    return m_state.flips_across_gap(e) &&
+           typename State::Edge_test(m_state).state(e) == Edge_state_2::ILLEGAL;
+  }
+  std::vector<Index> illegal_edges_across_gap() const
+  {
+    std::vector<Index> edges;
+    for (Edge_index e = 0; e < number_of_edges(); ++e)
+      if (is_illegal_across_gap(e))
+        edges.push_back(e);
+    return edges;
+  }
+  // Lawson's flips, from these edges on, of edges across the gap alone. If all faces in the gap are
+  // counterclockwise, as they are where all other edges are right, the gap then is Delaunay.
+  void flip_across_gap(std::vector<Index>& edges)
+  {
+    while (!edges.empty()) {
+      const Edge_index e = edges.back();
+      edges.pop_back();
+      const Halfedge_index h = m_state.arrays().halfedge(e);
+      if (!is_illegal_across_gap(e) || !m_editor.can_flip(h))
+        continue;
+      m_editor.flip(h);
+      m_state.arrays().for_each_side(e, [&](Edge_index side) { edges.push_back(side); });
+    }
+  }
+
 private:
   void relocate_one_by_one()
   {

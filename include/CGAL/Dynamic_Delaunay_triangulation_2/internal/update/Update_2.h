@@ -90,11 +90,17 @@ public:
   // Whether all points to remove in this call, or in the last one, were removed.
   bool has_removed() const { return m_has_removed; }
 
-  // Whether the triangulation is Delaunay; changes only the certified flag.
-  bool certify()
+  // Whether the triangulation is Delaunay; changes only the certified flag, and edges across the
+  // gap beside a slab, which are not listed.
+  template <class Classifier>
+  bool certify(Classifier& classifier)
   {
-    m_is_certified = m_is_certified || (m_state.spans_plane() && parted_duplicates().empty() &&
-                                        Certificate_2<State>(m_state).holds());
+    if (m_is_certified || !m_state.spans_plane() || !parted_duplicates().empty())
+      return m_is_certified;
+    const Certificate_2<State> certificate(m_state);
+    m_is_certified = certificate.holds();
+    if constexpr (State::is_periodic)
+      m_is_certified = m_is_certified || (mend_gap(classifier) && certificate.holds());
     return m_is_certified;
   }
 
@@ -118,7 +124,7 @@ private:
   {
     Update_report_2 report;
     const bool was_certified = std::exchange(m_is_certified, false);
-    if (change.is_empty() && !m_state.spans_plane()) {
+    if (change.is_empty() && !(Classifier::is_exact && m_state.spans_plane())) {
       m_is_certified = was_certified;
       return report;
     }
@@ -405,6 +411,23 @@ private:
     m_is_certified = has_to || report.rebuilt();
     if (change.is_frame)
       learn(report.rebuild_reason);
+  }
+
+  // Flips what can be flipped across the gap beside a slab. False if there is nothing to flip.
+  template <class Classifier>
+  bool mend_gap(Classifier& classifier)
+  {
+    std::vector<Index> edges;
+    if (m_state.torus().cell().is_slab())
+      edges = m_tools.illegal_edges_across_gap();
+    if (edges.empty())
+      return false;
+    m_tools.editor().begin_changes(std::exchange(m_is_classifier_informed, false));
+    m_tools.flip_across_gap(edges);
+    m_tools.editor().end_changes();
+    inform_classifier(classifier, Frame(m_state));
+    m_is_classifier_informed = true;
+    return true;
   }
 
   void learn(Rebuild_reason_2 reason)
