@@ -197,18 +197,17 @@ std::vector<Array> planar_triangle_arrays(const Dynamic& dt, const Row_numbers& 
   return {{std::move(corners), {3}}, {std::move(neighbors), {3}}};
 }
 
-// Faces and the shifts of their corners.
+// Finite faces without their neighbors, and in periodic space the shifts of their corners.
 template <class Dynamic>
-std::vector<Array> periodic_triangle_arrays(const Dynamic& dt, const Row_numbers& rows)
+std::vector<Array> corner_arrays(const Dynamic& dt, const Row_numbers& rows)
 {
   Integers corners, shifts;
   corners.reserve(6 * dt.number_of_vertices());
-  shifts.reserve(12 * dt.number_of_vertices());
-  dt.for_each_face([&](const std::array<std::size_t, 3>& ids,
-                       const std::array<CGAL::Periodic_shift_2, 3>& its_shifts) {
+  shifts.reserve(is_periodic_triangulation<Dynamic> ? 12 * dt.number_of_vertices() : 0);
+  dt.for_each_face([&](const std::array<std::size_t, 3>& ids, const auto&... its_shifts) {
     for (std::size_t k = 0; k < 3; ++k) {
       corners.push_back(rows[ids[k]]);
-      append(shifts, its_shifts[k]);
+      (append(shifts, its_shifts[k]), ...);
     }
   });
   return {{std::move(corners), {3}}, {std::move(shifts), {3, 2}}};
@@ -218,36 +217,23 @@ std::vector<Array> periodic_triangle_arrays(const Dynamic& dt, const Row_numbers
 template <class Dynamic>
 std::vector<Array> neighbor_list_arrays(const Dynamic& dt, const Row_numbers& rows)
 {
+  CGAL::Delaunay_neighbor_lists_2 lists;
+  lists.compute(dt);
   Integers begins{0}, neighbors, shifts;
   begins.reserve(rows.size() + 1);
-  neighbors.reserve(6 * dt.number_of_points());
-  if constexpr (is_periodic_triangulation<Dynamic>) {
-    shifts.reserve(12 * dt.number_of_points());
-    for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
-      if (dt.has_id(id) && dt.representative(id) == id) {
-        dt.for_each_neighbor(id, [&](std::size_t j, const CGAL::Periodic_shift_2& shift) {
-          neighbors.push_back(rows[j]);
-          append(shifts, shift);
-        });
-      }
-      if (dt.has_id(id) || !rows.are_dense()) {
-        begins.push_back(std::int32_t(neighbors.size()));
-      }
+  neighbors.reserve(lists.neighbors().size());
+  for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
+    for (const auto j : lists.neighbors(id)) {
+      neighbors.push_back(rows[j]);
     }
-    return {{std::move(begins)}, {std::move(neighbors)}, {std::move(shifts), {2}}};
-  } else {
-    CGAL::Delaunay_neighbor_lists_2 lists;
-    lists.compute(dt);
-    for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
-      for (const auto j : lists.neighbors(id)) {
-        neighbors.push_back(rows[j]);
-      }
-      if (dt.has_id(id) || !rows.are_dense()) {
-        begins.push_back(std::int32_t(neighbors.size()));
-      }
+    if (dt.has_id(id) || !rows.are_dense()) {
+      begins.push_back(std::int32_t(neighbors.size()));
     }
-    return {{std::move(begins)}, {std::move(neighbors)}};
   }
+  for (const CGAL::Periodic_shift_2& shift : lists.shifts()) {
+    append(shifts, shift);
+  }
+  return {{std::move(begins)}, {std::move(neighbors)}, {std::move(shifts), {2}}};
 }
 
 // Areas, perimeters, centroids and shape indices.
@@ -318,7 +304,7 @@ template <class Dynamic>
 std::vector<Array> triangle_arrays(const Dynamic& dt, const Row_numbers& rows)
 {
   if constexpr (is_periodic_triangulation<Dynamic>) {
-    return periodic_triangle_arrays(dt, rows);
+    return corner_arrays(dt, rows);
   } else {
     return planar_triangle_arrays(dt, rows);
   }
@@ -406,6 +392,8 @@ std::vector<Array> read_arrays(const Dynamic& dt, const Row_numbers& rows, Group
     return {set_array(dt, rows)};
   case Group::BROKEN_EDGES:
     return broken_edge_arrays(dt, rows);
+  case Group::CORNERS:
+    return corner_arrays(dt, rows);
   }
   return {};
 }

@@ -72,7 +72,9 @@ inline std::optional<Error_description> error_description(const std::exception_p
   } catch (const CGAL::Domain_error_2& e) {
     return Description{"DomainError", e.what(), {{"corner", e.corner()}}};
   } catch (const CGAL::Periodic_cell_error_2& e) {
-    return Description{"PeriodicCellError", e.what()};
+    return Description{"PeriodicCellError",
+                       e.what(),
+                       {{"ax", e.ax()}, {"ay", e.ay()}, {"bx", e.bx()}, {"by", e.by()}}};
   } catch (const CGAL::Periodic_range_error_2& e) {
     return Description{"PeriodicRangeError", e.what(), {{"id", e.id()}}};
   } catch (const CGAL::Checkpoint_error_2& e) {

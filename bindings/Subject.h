@@ -76,7 +76,8 @@ enum class Group {
   RIDGES,
   CHANGES,
   SETS,
-  BROKEN_EDGES
+  BROKEN_EDGES,
+  CORNERS // triangles without their neighbors
 };
 
 struct Settings

@@ -374,9 +374,21 @@ public:
   Periodic_cell_error_2(double ax, double ay, double bx, double by, const std::string& demand)
     : Dynamic_Delaunay_triangulation_error_2(text("a periodic cell has the vectors (", ax, ", ", ay,
                                                   ") and (", bx, ", ", by, "): ", demand))
+    , m_ax(ax)
+    , m_ay(ay)
+    , m_bx(bx)
+    , m_by(by)
   {
   }
   /// \endcond
+
+  double ax() const { return m_ax; } ///< of the first vector.
+  double ay() const { return m_ay; } ///< of the first vector.
+  double bx() const { return m_bx; } ///< of the second vector, 0 in a slab.
+  double by() const { return m_by; } ///< of the second vector, 0 in a slab.
+
+private:
+  double m_ax, m_ay, m_bx, m_by;
 };
 
 /*!

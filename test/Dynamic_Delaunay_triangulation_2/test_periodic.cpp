@@ -392,6 +392,15 @@ TEST(A_cell, must_be_finite_and_have_an_area)
   EXPECT_THROW(Triangulation(Cell(1e-200, 1e-200)), CGAL::Periodic_cell_error_2);
   EXPECT_THROW(Triangulation(Cell(1, 0, 1e12, 1)), CGAL::Periodic_cell_error_2);
   EXPECT_THROW(Triangulation(Cell(1e200, 1e200)), CGAL::Periodic_cell_error_2);
+  try {
+    Cell(1, 2, 3, 6);
+    FAIL() << "its vectors are parallel";
+  } catch (const CGAL::Periodic_cell_error_2& error) {
+    EXPECT_EQ(error.ax(), 1);
+    EXPECT_EQ(error.ay(), 2);
+    EXPECT_EQ(error.bx(), 3);
+    EXPECT_EQ(error.by(), 6);
+  }
   const Cell from_vectors(Kernel::Vector_2(1, 2), Kernel::Vector_2(3, 5));
   EXPECT_EQ(from_vectors, Cell(1, 2, 3, 5));
   EXPECT_EQ(from_vectors.area(), 1);
