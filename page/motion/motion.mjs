@@ -38,11 +38,11 @@ export class Motion {
   constructor(wasm, text, numberOfPoints) {
     const bytes = new TextEncoder().encode(text);
     this.wasm = wasm;
-    const place = wasm.motion_text(bytes.length);
+    const place = wasm.motion_text(bytes.length) >>> 0; // integers have a sign here, addresses have none
     new Uint8Array(wasm.memory.buffer, place, bytes.length).set(bytes);
     this.player = wasm.motion_open(numberOfPoints);
     if (this.player === 0) {
-      throw new RangeError(textAt(wasm, wasm.motion_error()));
+      throw new RangeError(textAt(wasm, wasm.motion_error() >>> 0));
     }
     this.factor = wasm.motion_factor(this.player);
     this.spacing = wasm.motion_spacing(this.player);
@@ -51,7 +51,7 @@ export class Motion {
   get numberOfPoints() { return this.wasm.motion_number_of_points(this.player); }
 
   points() {
-    return new Float64Array(this.wasm.memory.buffer, this.wasm.motion_points(this.player),
+    return new Float64Array(this.wasm.memory.buffer, this.wasm.motion_points(this.player) >>> 0,
                             2 * this.numberOfPoints).slice();
   }
 
@@ -62,7 +62,7 @@ export class Motion {
   remove(point) { this.wasm.motion_remove(this.player, this.checked(point)); }
 
   advance(edges) {
-    const place = this.wasm.motion_neighbors(this.player, edges.length / 2);
+    const place = this.wasm.motion_neighbors(this.player, edges.length / 2) >>> 0;
     new Uint32Array(this.wasm.memory.buffer, place, edges.length).set(edges);
     this.wasm.motion_advance(this.player);
   }

@@ -1,8 +1,21 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** Two coordinates of each point, or two ids of each edge: flat, without rows. */
-export type Numbers = ArrayLike<number>;
+declare global {
+  interface SymbolConstructor { // as newer versions of TypeScript have it, for `using`
+    readonly dispose: unique symbol;
+  }
+}
+
+/** Points: flat, two coordinates for each, which is the fast way; or rows [x, y]. */
+export type Points = ArrayLike<number> | ArrayLike<ArrayLike<number>>;
+
+/** One id, or several. */
+export type Ids = number | ArrayLike<number> | Iterable<number>;
+
+/** The address of a WebAssembly module of this package, its bytes, or the compiled module. In Node.js an address without a
+    protocol is a path. */
+export type Wasm = string | URL | ArrayBuffer | ArrayBufferView | (WebAssembly.Module & object);
 
 /** A parallelogram that repeats itself. Without `b` a slab: periodic along `a`, open across. */
 export interface Cell {
@@ -23,6 +36,9 @@ export interface Options {
   padding?: number;
   /** Of the classifiers that use random numbers. */
   seed?: number;
+  /** Where the WebAssembly module is, if a bundler has not put it beside the bundle: the one for these options, or that
+      of all. */
+  wasm?: Wasm;
 }
 
 /** Counts of the last change, as in `CGAL::Update_report_2`. */
@@ -50,6 +66,8 @@ export interface ShiftedEdges {
   shifts: Int32Array;
 }
 
+/** Of points that coincide, one has the edges: the list of each other one is that one alone, and its list ends with the
+    others. The list of a removed id is empty. */
 export interface NeighborLists {
   /** The neighbors of id i are neighbors[begins[i]] to before neighbors[begins[i + 1]]. */
   begins: Int32Array;
@@ -116,24 +134,29 @@ export interface Choices {
   policies: string;
 }
 
-/** What the package refuses. `name` is that of the error in Python, `details` the numbers that it carries. */
+/** Thrown for bad input and wrong use, before anything changes. `name` is that of the error in Python, or "ModuleError" if
+    a WebAssembly module cannot be loaded; `details` is what the message speaks of, such as an id, a coordinate or a key. If
+    memory runs out, a RangeError is thrown. */
 export class DynamicDelaunayError extends Error {
-  readonly details: Record<string, number>;
+  private constructor();
+  readonly details: Record<string, number | string>;
 }
 
-/** The Delaunay triangulation of moving points. Ids are 0, 1, ... in the order of insertion. */
+/** The Delaunay triangulation of moving points. A new point gets the smallest id that is free: the first ones 0, 1, ..., and
+    later ones first the ids of removed points. */
 export class Triangulation {
-  /** `points`: two coordinates of each. Loads the WebAssembly module at the first call. */
-  static create(points?: Numbers, options?: Options): Promise<Triangulation>;
+  private constructor();
+  /** Loads the WebAssembly module at the first call. */
+  static create(points?: Points, options?: Options): Promise<Triangulation>;
   /** What `classifier`, `repair` and `policy` may be. */
-  static choices(): Promise<Choices>;
+  static choices(options?: { wasm?: Wasm }): Promise<Choices>;
 
-  /** The next frame: two coordinates for each id, those of removed ids being ignored; the cell may change. */
-  update(points: Numbers, cell?: Cell): Report;
-  move(ids: Numbers, points: Numbers): Report;
+  /** The next frame: a point for each id, those of removed ids being ignored; the cell may change. */
+  update(points: Points, cell?: Cell): Report;
+  move(ids: Ids, points: Points): Report;
   /** Returns the new ids. */
-  insert(points: Numbers): Int32Array;
-  remove(ids: Numbers): Report;
+  insert(points: Points): Int32Array;
+  remove(ids: Ids): Report;
   /** Makes a triangulation Delaunay that a heuristic classifier has left. */
   mend(): Report;
   /** Proves by exact predicates that every edge is locally Delaunay, or answers false. */
@@ -156,17 +179,20 @@ export class Triangulation {
   /** Pairs: a point without a vertex of its own, and the one that has it. */
   duplicates(): Int32Array;
   edges(): Int32Array;
-  /** Counterclockwise. */
+  /** Three ids for each, counterclockwise. */
   triangles(): Int32Array;
+  /** Three for each triangle: the number of the triangle across from each corner, -1 on the border. Only in the plane. Takes
+      several times as long as `triangles()`. */
+  neighbors(): Int32Array;
   /** In the plane all shifts are zero, and the array is empty. */
   edgesWithShifts(): ShiftedEdges;
   trianglesWithShifts(): ShiftedEdges;
   neighborLists(): NeighborLists;
   /** In the plane cells can be cut by a box: xmin, ymin, xmax, ymax. */
   cells(box?: [number, number, number, number]): Cells;
-  /** `domain`: two coordinates of each corner of a convex polygon, counterclockwise; only in the plane. A point may be
+  /** `domain`: the corners of a convex polygon, counterclockwise; only in the plane. A point may be
       outside: its cell is what the domain has of it. Without a domain there must be a radius. */
-  boundedCells(bounds?: { radius?: number; domain?: Numbers }): BoundedCells;
+  boundedCells(bounds?: { radius?: number; domain?: Points }): BoundedCells;
   /** Counterclockwise; none if the cell is not bounded. */
   cellCorners(id: number): Float64Array;
   voronoiEdges(): VoronoiEdges;
@@ -177,6 +203,7 @@ export class Triangulation {
   /** Edges that are not locally Delaunay, after an update by a heuristic classifier. */
   brokenEdges(): ShiftedEdges;
 
-  /** Gives the memory back. Nothing may be called afterwards. */
+  /** Gives the memory back to the WebAssembly module, for other triangulations. Nothing else may be called afterwards. */
   dispose(): void;
+  [Symbol.dispose](): void;
 }

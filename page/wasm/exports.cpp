@@ -86,8 +86,10 @@ void keep_error(const std::exception_ptr& exception)
     last_error = {"RangeError", "there is not enough memory", ""};
   } catch (const std::length_error&) {
     last_error = {"RangeError", "there are too many points for the memory of WebAssembly", ""};
+  } catch (const std::invalid_argument& e) {
+    last_error = {"InputValueError", e.what(), ""};
   } catch (const std::exception& e) {
-    last_error = {"TypeError", e.what(), ""};
+    last_error = {"Error", e.what(), ""}; // a defect, not the user's
   }
 }
 

@@ -3,11 +3,19 @@
 
 #include "page/wasm/Subjects.h"
 
+#include <emscripten/emscripten.h>
+
 namespace page {
 
 std::unique_ptr<Subject> make_subject(const Settings& settings)
 {
   return make_periodic_usual(settings);
+}
+
+// Of which kind of triangulations this module is.
+extern "C" EMSCRIPTEN_KEEPALIVE const char* dd_kind()
+{
+  return "periodic";
 }
 
 } // namespace page

@@ -20,6 +20,12 @@ std::unique_ptr<Subject> make_subject(const Settings& settings)
   return is_exact ? make_planar_exact(settings) : make_planar_heuristic(settings);
 }
 
+// Of which kind of triangulations this module is.
+extern "C" EMSCRIPTEN_KEEPALIVE const char* dd_kind()
+{
+  return "all";
+}
+
 // Lines of what can be chosen: classifiers with `exact` or `heuristic`, and the letter and the
 // usual value of a parameter; repairs; and one line of policies.
 extern "C" EMSCRIPTEN_KEEPALIVE const char* dd_choices()

@@ -6,7 +6,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { pathToFileURL } from "node:url";
+import { fileURLToPath, pathToFileURL } from "node:url";
 import { gzipSync } from "node:zlib";
 
 const folder = pathToFileURL(process.env.PACKAGE_FOLDER + "/");
@@ -23,6 +23,12 @@ function randomIntegers(seed) {
 
 function rows(numbers, size) {
   return Array.from({ length: numbers.length / size }, (_, i) => Array.from(numbers.subarray(size * i, size * (i + 1))));
+}
+
+// Whether two large arrays have the same bytes.
+function areSame(...arrays) {
+  const [a, b] = arrays.map(({ buffer, byteOffset, byteLength }) => Buffer.from(buffer, byteOffset, byteLength));
+  return a.equals(b);
 }
 
 // SIGNS BY INTEGERS OF ANY SIZE, for points with integer coordinates
@@ -119,6 +125,7 @@ test("cells end at a radius and in a convex domain", async () => {
     const length = Math.hypot(cells.ends[2 * k] - cells.starts[2 * k], cells.ends[2 * k + 1] - cells.starts[2 * k + 1]);
     assert.ok(Math.abs(length - cells.lengths[k]) < 1e-9 && cells.angles[k] === 0);
   }
+  assert.deepEqual(triangulation.boundedCells({ domain: [[0, 0], [700, 0], [900, 1000], [0, 1000]] }), cells);
   const small = triangulation.boundedCells({ radius: 50, domain });
   assert.ok(small.areas.every((area, id) => area <= Math.min(cells.areas[id] * (1 + 1e-9), 2500 * Math.PI)));
   assert.ok(sum(small.freeLengths) > 0);
@@ -126,9 +133,10 @@ test("cells end at a radius and in a convex domain", async () => {
   const cell = { a: [1000, 0], b: [0, 1000] };
   const periodic = await Triangulation.create(integerPoints(random, 100, 1000).flat(), { cell });
   assert.ok(Math.abs(sum(periodic.boundedCells({ radius: 1e4 }).areas) - 1e6) < 1e-6);
-  const refused = [[{}, "ParameterError"], [{ radius: -1 }, "ParameterError"], [{ radius: "1" }, "TypeError"],
-                   [{ domain: [0, 0, 0, 1, 1, 1] }, "DomainError"], [{ domain: [0, 0, 1] }, "TypeError"],
-                   [{ domain: [0, 0, 1, 0] }, "DomainError"], [{ domain: [0, 0, NaN, 0, 1, 1] }, "DomainError"]];
+  const refused = [[{}, "ParameterError"], [{ radius: -1 }, "ParameterError"], [{ radius: "1" }, "InputTypeError"],
+                   [{ domain: [0, 0, 0, 1, 1, 1] }, "DomainError"], [{ domain: [0, 0, 1] }, "InputValueError"],
+                   [{ domain: [0, 0, 1, 0] }, "DomainError"], [{ domain: [0, 0, NaN, 0, 1, 1] }, "DomainError"],
+                   [{ Radius: 3 }, "InputValueError"], [3, "InputTypeError"], [null, "InputTypeError"]];
   for (const [bounds, name] of refused) {
     assert.throws(() => triangulation.boundedCells(bounds), { name });
   }
@@ -155,6 +163,50 @@ test("points come and go, and ids stay", async () => {
   points.forEach((p, i) => { if (p) points[i] = [p[0] + 1, p[1]]; });
   triangulation.update(points.flatMap(p => p ?? [NaN, NaN]));
   expectDelaunay(triangulation, points);
+  assert.deepEqual(Array.from(triangulation.insert([7, 7, 8, 8, 9, 9])), [7, 50, 52], "the smallest free ids come first");
+});
+
+test("points may be rows, and ids one, an array or a set", async () => {
+  const points = [[0, 0], [4, 0], [0, 4], [5, 5], [2, 2]];
+  const triangulation = await Triangulation.create(points);
+  assert.deepEqual(triangulation.points(), new Float64Array(points.flat()));
+  triangulation.update(points.map(([x, y]) => Float32Array.of(x + 1, y)));
+  assert.equal(triangulation.points()[8], 3);
+  assert.deepEqual(Array.from(triangulation.insert([[7, 7]])), [5]);
+  assert.equal(triangulation.move(4, [[1, 1]]).relocated + triangulation.move(4, [2, 1]).relocated >= 0, true);
+  assert.deepEqual(Array.from(triangulation.points().slice(8, 10)), [2, 1]);
+  assert.equal(triangulation.remove(4).removed, 1);
+  assert.equal(triangulation.remove(new Set([5, 0])).removed, 2);
+  assert.equal(triangulation.remove([]).removed, 0);
+  assert.deepEqual([0, 1, 2, 3, 4, 5].filter(id => triangulation.has(id)), [1, 2, 3]);
+  for (const array of [Float32Array, Int32Array, Uint8Array]) {
+    assert.equal((await Triangulation.create(array.of(0, 0, 4, 0, 0, 4))).numberOfPoints, 3);
+  }
+});
+
+test("what is no list of points or ids is refused, and changes nothing", async () => {
+  const triangulation = await Triangulation.create([0, 0, 4, 0, 0, 4]);
+  const wrongPoints = ["0011", 5, null, () => 0, {}, new Map(), new DataView(new ArrayBuffer(16)), new ArrayBuffer(16),
+                       Buffer.alloc(16), BigInt64Array.of(0n, 1n), ["0", "1"], [0, "1"], [0, null], [true, false],
+                       [, 1], [[0, 0], 1], [[0, 0], [1]], [[0, 0, 0]], [["0", "0"]], [{ x: 0, y: 0 }], [[0, 0], null],
+                       ["ab", "cd"], { length: 2 }, { length: 1.5 }, { length: -2 }, [0, 0, 1, [1]], [0, 1, 2]];
+  for (const points of wrongPoints) {
+    const isWrong = error => error instanceof DynamicDelaunayError && /Input(Type|Value)Error/.test(error.name);
+    assert.throws(() => triangulation.insert(points), isWrong);
+    assert.throws(() => triangulation.update(points), isWrong);
+    assert.throws(() => triangulation.boundedCells({ domain: points }), isWrong);
+    await assert.rejects(Triangulation.create(points), isWrong);
+  }
+  for (const [ids, name] of [["1", "InputTypeError"], [undefined, "InputTypeError"], [null, "InputTypeError"],
+                             [{}, "InputTypeError"], [["1"], "InputTypeError"], [[1n], "InputTypeError"],
+                             [new Map([[0, 1]]), "InputTypeError"], [NaN, "InputValueError"], [[0.5], "InputValueError"],
+                             [-1, "UnknownIdError"], [3, "UnknownIdError"], [new Set([7]), "UnknownIdError"]]) {
+    assert.throws(() => triangulation.remove(ids), { name });
+    assert.throws(() => triangulation.move(ids, [1, 1]), { name });
+  }
+  assert.throws(() => triangulation.move([0, 1], [1, 1]), { name: "PointCountError", details: { expected: 2, given: 1 } });
+  assert.deepEqual(Array.from(triangulation.points()), [0, 0, 4, 0, 0, 4]);
+  assert.ok(triangulation.isCertified);
 });
 
 test("a triangulation begins with no points, and with points on a line", async () => {
@@ -184,6 +236,39 @@ test("changed edges lead from one frame to the next", async () => {
     changes += created.length;
   }
   assert.ok(changes > 100);
+});
+
+test("neighbors of triangles are those across from each corner", async () => {
+  const random = randomIntegers(22);
+  const triangulation = await Triangulation.create(integerPoints(random, 100, 10000).flat());
+  const triangles = rows(triangulation.triangles(), 3), neighbors = rows(triangulation.neighbors(), 3);
+  assert.equal(neighbors.length, triangles.length);
+  let border = 0;
+  triangles.forEach((corners, t) => corners.forEach((corner, k) => {
+    const beyond = neighbors[t][k];
+    border += beyond === -1;
+    if (beyond !== -1) {
+      const shared = corners.filter(id => id !== corner);
+      assert.ok(shared.every(id => triangles[beyond].includes(id)) && !triangles[beyond].includes(corner));
+      assert.ok(neighbors[beyond].includes(t));
+    }
+  }));
+  assert.equal(3 * triangles.length + border, triangulation.edges().length); // each edge is a side of two, or of one
+  const periodic = await Triangulation.create([0, 0], { cell: { a: [1, 0], b: [0, 1] } });
+  assert.throws(() => periodic.neighbors(), { name: "UseError" });
+});
+
+test("of points that coincide one has the edges, and its list ends with the others", async () => {
+  for (const cell of [undefined, { a: [10, 0], b: [0, 10] }]) {
+    const triangulation = await Triangulation.create([0, 0, 4, 0, 0, 4, 0, 0, 4, 4, 0, 0], cell && { cell });
+    triangulation.remove(4);
+    const { begins, neighbors, shifts } = triangulation.neighborLists();
+    const listOf = id => Array.from(neighbors.subarray(begins[id], begins[id + 1]));
+    assert.deepEqual(rows(triangulation.duplicates(), 2), [[3, 0], [5, 0]]);
+    assert.deepEqual([listOf(0).slice(-2), listOf(3), listOf(4), listOf(5)], [[3, 5], [0], [], [0]]);
+    assert.equal(neighbors.length, triangulation.edges().length + 4);
+    assert.equal(shifts.length, cell ? 2 * neighbors.length : 0);
+  }
 });
 
 test("neighbor lists are the edges from both ends", async () => {
@@ -306,30 +391,87 @@ test("errors say what is wrong, with its numbers, and change nothing", async () 
   assert.throws(() => triangulation.update([0, 0, 1, NaN, 0, 1]),
                 isError("NonFiniteCoordinateError", { id: 1, x: 1, y: NaN }));
   assert.throws(() => triangulation.remove([8]), isError("UnknownIdError", { id: 8, number_of_ids: 3 }));
-  assert.throws(() => triangulation.update([0, 0, 1]), /3 coordinates: give two for each point/);
-  assert.throws(() => triangulation.move([0], [1]), TypeError);
-  assert.throws(() => triangulation.remove([0.5]), /0.5 is no id/);
+  assert.throws(() => triangulation.update([0, 0, 1]), isError("InputValueError", { length: 3 }));
+  assert.throws(() => triangulation.move([0], [1]), isError("InputValueError", { length: 1 }));
+  assert.throws(() => triangulation.remove([0.5]), isError("InputValueError", { id: 0.5 }));
+  const options = [[{ classifier: "none" }, "InputValueError", {}], [{ colour: 1 }, "InputValueError", { key: "colour" }],
+                   [{ toString: 1 }, "InputValueError", { key: "toString" }], [{ classifier: 3 }, "InputTypeError", {}],
+                   [{ classifier: "circumcircle\0none" }, "InputTypeError", {}], [{ padding: -1 }, "InputValueError", { value: -1 }],
+                   [{ padding: "1" }, "InputTypeError", {}], [{ seed: 0.5 }, "InputValueError", { value: 0.5 }],
+                   [{ wasm: 7 }, "InputTypeError", {}], [{ cell: null }, "InputTypeError", {}], [{ cell: 4 }, "InputTypeError", {}],
+                   [{ cell: { a: [1], b: [0, 1] } }, "InputValueError", {}], [{ cell: { a: [1, 0], B: [0, 1] } }, "InputValueError", { key: "B" }],
+                   [{ cell: { a: ["1", 0] } }, "InputTypeError", {}],
+                   [{ cell: { a: [1, 1], b: [2, 2] } }, "PeriodicCellError", { ax: 1, ay: 1, bx: 2, by: 2 }],
+                   [{ cell: { a: [NaN, 1] } }, "PeriodicCellError", { ax: NaN, ay: 1, bx: 0, by: 0 }],
+                   [{ classifier: "point_distance:7" }, "InputValueError", {}],
+                   ["periodic", "InputTypeError", {}], [null, "InputTypeError", {}], [[], "InputTypeError", {}]];
+  for (const [choice, name, details] of options) {
+    await assert.rejects(Triangulation.create([], choice), isError(name, details));
+  }
   await assert.rejects(Triangulation.create([], { classifier: "none" }), /there is no classifier 'none'/);
-  await assert.rejects(Triangulation.create([], { colour: 1 }), /there is no option 'colour'/);
-  await assert.rejects(Triangulation.create([], { cell: { a: [1, 1], b: [2, 2] } }),
-                       error => error.name === "PeriodicCellError");
-  const ids = [2 ** 40, 2 ** 32, 2 ** 32 - 1, -1]; // of 32 bits some of them would be 0
-  ids.forEach(id => assert.throws(() => triangulation.remove([id]), /is no id/));
+  await assert.rejects(Triangulation.create([], { colour: 1 }), /there is no 'colour' in options: allowed are classifier, /);
+  await assert.rejects(Triangulation.choices({ classifier: 1 }), isError("InputValueError", { key: "classifier" }));
+  const ids = [2 ** 40, 2 ** 32, 2 ** 32 - 1, -1, 2 ** 32 - 2, 8]; // of 32 bits some of them would be 0
+  ids.forEach(id => {
+    assert.throws(() => triangulation.remove(id), isError("UnknownIdError", { id, number_of_ids: 3 }));
+    assert.throws(() => triangulation.cellCorners(id), isError("UnknownIdError", { id, number_of_ids: 3 }));
+  });
   assert.ok(ids.every(id => !triangulation.has(id)));
-  assert.throws(() => triangulation.remove([2 ** 32 - 2]), error => error.name === "UnknownIdError");
   assert.throws(() => triangulation.remove([1, 1]), isError("RepeatedIdError", { id: 1 }));
-  assert.throws(() => triangulation.update([0, 0, 1, 0, 0, 1], { a: [1, 0] }), /the plane has no cell/);
-  assert.throws(() => triangulation.cells([0, 0]), /four numbers/);
+  assert.throws(() => triangulation.update([0, 0, 1, 0, 0, 1], { a: [1, 0] }), isError("UseError", {}));
+  assert.throws(() => triangulation.cells([0, 0]), isError("InputValueError", {}));
+  assert.throws(() => triangulation.cells(["0", "0", "1", "1"]), isError("InputTypeError", {}));
   assert.throws(() => triangulation.cells([5, 5, 0, 0]), error => error.name === "ParameterError");
-  assert.throws(() => triangulation.insert({ length: 2 ** 31 }), RangeError);
-  await assert.rejects(Triangulation.create(5), /points are an array/);
-  await assert.rejects(Triangulation.create([], { padding: -1 }), /padding is -1: it must be an integer from 0 to 100/);
-  await assert.rejects(Triangulation.create([], { seed: 0.5 }), /seed is 0.5/);
-  await assert.rejects(Triangulation.create([], { cell: { a: [1], b: [0, 1] } }), /cell.a must be two numbers/);
+  assert.throws(() => new Triangulation(), isError("UseError", {}));
+  assert.throws(() => triangulation.insert({ length: 2 ** 30 }), RangeError);
+  assert.throws(() => triangulation.insert({ length: 2 ** 33 }), RangeError);
+  const periodic = await Triangulation.create([0, 0], { cell: { a: [1, 0], b: [0, 1] } });
+  const isThin = isError("PeriodicCellError", { ax: 1, ay: 0, bx: 1e12, by: 1 });
+  assert.throws(() => periodic.update([0, 0], { a: [1, 0], b: [1e12, 1] }), isThin);
+  assert.throws(() => periodic.cells([0, 0, 1, 1]), isError("InputValueError", {}));
+  assert.throws(() => periodic.update([0, 0], null), isError("InputTypeError", {}));
   assert.deepEqual(Array.from(triangulation.points()), [0, 0, 1, 0, 0, 1]);
   assert.ok(triangulation.isCertified);
   triangulation.dispose();
+  triangulation.dispose();
+  for (const call of [t => t.edges(), t => t.update([]), t => t.report, t => t.numberOfIds, t => t.has(0), t => t.mend()]) {
+    assert.throws(() => call(triangulation), isError("UseError", {}));
+  }
+});
+
+test("a block with `using` disposes of its triangulation", { skip: !Symbol.dispose }, async () => {
+  const triangulation = await Triangulation.create([0, 0]);
+  triangulation[Symbol.dispose]();
   assert.throws(() => triangulation.edges(), /disposed/);
+});
+
+test("a WebAssembly module is taken as an address, a path, bytes or compiled, if it is the right one", async () => {
+  const address = name => new URL(name, folder), bytes = readFileSync(address("dynamic_delaunay.wasm"));
+  const given = [address("dynamic_delaunay.wasm"), address("dynamic_delaunay.wasm").href, fileURLToPath(address("dynamic_delaunay.wasm")),
+                 `data:application/wasm;base64,${bytes.toString("base64")}`, bytes, new Uint8Array(bytes).buffer,
+                 await WebAssembly.compile(bytes), address("dynamic_delaunay_all.wasm")];
+  for (const wasm of given) {
+    for (let time = 0; time < 2; ++time) {
+      assert.equal((await Triangulation.create([0, 0, 1, 0, 0, 1], { wasm })).triangles().length, 3);
+    }
+  }
+  const all = address("dynamic_delaunay_all.wasm"), cell = { a: [1, 0], b: [0, 1] };
+  assert.ok((await Triangulation.create([0, 0], { wasm: all, cell, classifier: "random:0.5" })).isPeriodic);
+  assert.ok((await Triangulation.choices({ wasm: all })).repairs.length > 0);
+  const refused = (promise, message) => assert.rejects(promise, error => {
+    assert.ok(error instanceof DynamicDelaunayError && error.name === "ModuleError");
+    assert.match(error.message, message);
+    return true;
+  });
+  await refused(Triangulation.create([], { wasm: bytes, cell }), /is the module for 'plane', and this needs the one for 'periodic'/);
+  await refused(Triangulation.choices({ wasm: bytes }), /this needs the one for 'all'/);
+  await refused(Triangulation.create([], { wasm: address("dynamic_delaunay_periodic.wasm") }), /needs the one for 'plane'/);
+  await refused(Triangulation.create([], { wasm: address("README.md") }), /README.md is no WebAssembly/);
+  await refused(Triangulation.create([], { wasm: address("nothing.wasm") }), /nothing.wasm cannot be loaded as WebAssembly: ENOENT/);
+  await refused(Triangulation.create([], { wasm: "http://127.0.0.1:1/a.wasm" }), /a.wasm cannot be loaded as WebAssembly: /);
+  await refused(Triangulation.create([], { wasm: bytes.subarray(0, 1000) }), /cannot be loaded/);
+  await refused(Triangulation.create([], { wasm: new Uint8Array(3) }), /is no WebAssembly/);
+  await refused(Triangulation.create([], { wasm: Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0) }), /no module of this package/);
 });
 
 test("arrays stay when memory grows", async () => {
@@ -341,6 +483,33 @@ test("arrays stay when memory grows", async () => {
   assert.equal(large.numberOfPoints, 200000);
   assert.deepEqual(Array.from(edges), copy);
   assert.equal(first.update([0, 0, 2, 0, 0, 1]).certified, true);
+});
+
+test("memory beyond 2 GiB is read where it is, and the end of it is an error that others survive", async () => {
+  const size = 800_000, random = randomIntegers(23), triangulations = [];
+  const wasm = readFileSync(new URL("dynamic_delaunay.wasm", folder)); // with a memory of its own
+  const points = Float64Array.from({ length: 2 * size }, () => random(1 << 30));
+  const expected = await Triangulation.create(points);
+  const [edges, triangles] = [expected.edges(), expected.triangles()];
+  for (let number = 0; number < 10; ++number) {
+    triangulations.push(await Triangulation.create(points, { wasm }));
+  }
+  for (const triangulation of triangulations) { // older ones as well
+    assert.ok(areSame(triangulation.edges(), edges));
+  }
+  const last = triangulations.at(-1);
+  assert.ok(areSame(last.points(), points));
+  assert.ok(areSame(last.triangles(), triangles));
+  assert.equal(last.update(points).certified, true);
+  assert.throws(() => last.remove(size), { name: "UnknownIdError", details: { id: size, number_of_ids: size } });
+  await assert.rejects(async () => {
+    while (triangulations.length < 40) {
+      triangulations.push(await Triangulation.create(points, { wasm }));
+    }
+  }, { name: "RangeError", message: /not enough memory/ });
+  assert.ok(triangulations.length > 13);
+  assert.ok(areSame(last.edges(), edges));
+  triangulations.forEach(triangulation => triangulation.dispose());
 });
 
 test("the code of the README runs", async () => {
