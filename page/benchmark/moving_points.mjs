@@ -48,6 +48,23 @@ export async function measure({ size, step, frames, block }, contestants) {
   return times;
 }
 
+// What follows by a triangulation of the package, and reads what it is told to after each update.
+export async function packageContestant(Triangulation, read = () => {}) {
+  const triangulation = await Triangulation.create();
+  return {
+    follow: points => {
+      if (triangulation.numberOfIds === 0) {
+        triangulation.insert(points);
+      } else if (!triangulation.update(points).certified) {
+        throw new Error("a frame is not certified");
+      }
+      read(triangulation);
+    },
+    edges: () => triangulation.edges().length / 2,
+    end: () => triangulation.dispose(),
+  };
+}
+
 export function quantile(times, share) {
   const sorted = Float64Array.from(times).sort();
   return sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))];

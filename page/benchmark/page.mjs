@@ -10,7 +10,8 @@
 //
 // Points make normal steps of 0.003 spacings, on each axis. All contestants follow the same frames, in Node.js in blocks
 // of 20 in turn. Times are medians over the frames, a point, with the slowest frame; `edges` of all contestants are
-// compared at the end. An update includes the copy of the points into WebAssembly's memory.
+// compared at the end. An update includes the copy of the points into WebAssembly's memory. "+ triangles" is an update and
+// triangles(), which copies them out of there; delaunator leaves its triangles where a program reads them.
 
 import { spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
@@ -21,7 +22,7 @@ import { parseArgs } from "node:util";
 import { pathToFileURL } from "node:url";
 import { gzipSync } from "node:zlib";
 
-import { measure, quantile } from "./moving_points.mjs";
+import { measure, packageContestant, quantile } from "./moving_points.mjs";
 
 const STEP = 0.003; // spacings
 const BLOCK = 20;
@@ -164,27 +165,18 @@ function delaunatorContestant(Delaunator) {
 
 async function measureInNode(size, frames, Delaunator) {
   const { Triangulation } = await import(pathToFileURL(join(options.package, "dynamic_delaunay.mjs")));
-  const native = new Native(options.native), inNode = await Triangulation.create();
+  const native = new Native(options.native);
   const contestants = [
-    { name: "native", follow: points => native.follow(points), edges: () => native.edges },
-    {
-      name: "node",
-      follow: points => {
-        if (inNode.numberOfIds === 0) {
-          inNode.insert(points);
-        } else if (!inNode.update(points).certified) {
-          throw new Error("a frame is not certified");
-        }
-      },
-      edges: () => inNode.edges().length / 2,
-    },
+    { name: "native", follow: points => native.follow(points), edges: () => native.edges, end: () => native.end() },
+    { name: "node", ...await packageContestant(Triangulation) },
+    { name: "node + triangles", ...await packageContestant(Triangulation, triangulation => triangulation.triangles()) },
   ];
   if (Delaunator) {
     contestants.push({ name: "delaunator", ...delaunatorContestant(Delaunator) });
   }
   const times = await measure({ size, step: STEP, frames, block: BLOCK }, contestants);
-  native.end();
   const edges = contestants.map(({ edges }) => edges());
+  contestants.forEach(({ end }) => end?.());
   if (edges.some(number => number !== edges[0])) {
     throw new Error(`the contestants differ: ${edges} edges`);
   }
@@ -208,15 +200,17 @@ function writeTable(rows) {
 async function writeTimes(frames) {
   const Delaunator = await loadDelaunator();
   const inChromium = options.chromium ? await measureInChromium(frames) : null;
-  const names = ["native", "node", ...(inChromium ? ["chromium"] : []), ...(Delaunator ? ["delaunator"] : [])];
-  const rows = [["points", ...names, "ms in node", ...(inChromium ? ["ms in chromium"] : []), "node/native",
-                 ...(Delaunator ? ["delaunator/node"] : [])]];
+  const names = ["native", "node", "node + triangles", ...(inChromium ? ["chromium", "chromium + triangles"] : []),
+                 ...(Delaunator ? ["delaunator"] : [])];
+  const ratios = [["node", "native"], ...(Delaunator ? [["delaunator", "node"], ["delaunator", "node + triangles"]] : [])];
+  const rows = [["points", ...names, "ms in node", ...(inChromium ? ["ms in chromium"] : []),
+                 ...ratios.map(([a, b]) => (b.includes("+") ? `${a}/(${b})` : `${a}/${b}`))]];
   for (const size of SIZES) {
-    const times = { ...(await measureInNode(size, frames, Delaunator)), chromium: inChromium?.times[size] };
+    const times = { ...(await measureInNode(size, frames, Delaunator)), ...inChromium?.times[size] };
     const median = name => quantile(times[name], 0.5);
     rows.push([String(size), ...names.map(name => cell(size, times[name])), median("node").toFixed(3),
-               ...(inChromium ? [median("chromium").toFixed(3)] : []), (median("node") / median("native")).toFixed(2),
-               ...(Delaunator ? [(median("delaunator") / median("node")).toFixed(1)] : [])]);
+               ...(inChromium ? [median("chromium").toFixed(3)] : []),
+               ...ratios.map(([a, b]) => (median(a) / median(b)).toFixed(b === "native" ? 2 : 1))]);
   }
   console.log(`Node.js ${process.version}${inChromium ? `, ${inChromium.browser}` : ""}; ${cpus()[0].model}`);
   console.log(`Nanoseconds a point: the median of ${frames} frames, and the slowest one\n`);
@@ -247,7 +241,7 @@ async function writeRobustness(operations, seed) {
   const [done, wrong, lost, crashed] = [0, 1, 2, 3].map(core.count);
   console.log(`\n${done} operations in WebAssembly, ${wrong} wrong, ${lost} lost, ${crashed} crashed; seed ${seed}, ` +
               `${((performance.now() - begin) / 1000).toFixed(1)} s`);
-  const bytes = new Uint8Array(core.memory.buffer), address = core.findings();
+  const bytes = new Uint8Array(core.memory.buffer), address = core.findings() >>> 0;
   process.stdout.write(new TextDecoder().decode(bytes.subarray(address, bytes.indexOf(0, address))));
   if (wrong + lost + crashed > 0) {
     process.exitCode = 1;
