@@ -364,7 +364,12 @@ export class Triangulation {
     numberOfPairs("points", points);
     const all = completed(options);
     const triangulation = new Triangulation(creating, await loadFor(all), all);
-    triangulation.insert(points);
+    try {
+      triangulation.insert(points);
+    } catch (error) {
+      triangulation.dispose(); // at once, as memory may have run out
+      throw error;
+    }
     return triangulation;
   }
 

@@ -509,6 +509,9 @@ test("memory beyond 2 GiB is read where it is, and the end of it is an error tha
   }, { name: "RangeError", message: /not enough memory/ });
   assert.ok(triangulations.length > 13);
   assert.ok(areSame(last.edges(), edges));
+  triangulations.splice(0, 2).forEach(triangulation => triangulation.dispose());
+  triangulations.push(await Triangulation.create(points, { wasm })); // in the memory of those
+  assert.ok(areSame(triangulations.at(-1).triangles(), triangles));
   triangulations.forEach(triangulation => triangulation.dispose());
 });
 
