@@ -18,6 +18,32 @@ const char* kind_name(const std::optional<Cell>& cell)
 
 } // namespace
 
+std::int64_t Point_names::id(std::string_view name)
+{
+  const auto [place, is_new] = m_ids.emplace(name, static_cast<std::int64_t>(m_names.size()));
+  if (is_new) {
+    m_names.push_back(&place->first);
+  }
+  return place->second;
+}
+
+std::shared_ptr<const Point_name_list> Point_names::list() const
+{
+  auto list = std::make_shared<Point_name_list>();
+  for (const std::string* const name : m_names) {
+    list->push_back(*name);
+  }
+  return list;
+}
+
+void set_names(Recording& frames, const Point_names& names)
+{
+  const std::shared_ptr<const Point_name_list> list = names.list();
+  for (Recorded_frame& frame : frames) {
+    frame.names = list;
+  }
+}
+
 void Frame_rows::begin(std::size_t size, const Text_scanner& scanner)
 {
   m_rows.clear();
@@ -48,6 +74,63 @@ void Frame_rows::sort_into(Recorded_frame& frame, const Text_scanner& scanner,
   }
 }
 
+void Recording_rows::number_frames_by_time()
+{
+  std::vector<double> times;
+  for (const Row& row : m_rows) {
+    times.push_back(row.time);
+  }
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  for (Row& row : m_rows) {
+    row.frame = std::lower_bound(times.begin(), times.end(), row.time) - times.begin();
+  }
+}
+
+Recording Recording_rows::recording(const Text_scanner& scanner,
+                                    const std::function<std::string(std::int64_t)>& id_text)
+{
+  const auto before = [](const Row& a, const Row& b) {
+    return std::tie(a.frame, a.id, a.line) < std::tie(b.frame, b.id, b.line);
+  };
+  if (!std::is_sorted(m_rows.begin(), m_rows.end(), before)) {
+    std::sort(m_rows.begin(), m_rows.end(), before);
+  }
+  check_ids(scanner, id_text);
+  Recording frames;
+  for (auto row = m_rows.begin(); row != m_rows.end();) {
+    const auto end = std::find_if(row, m_rows.end(),
+                                  [row](const Row& other) { return other.frame != row->frame; });
+    Recorded_frame& frame = frames.emplace_back();
+    frame.time = row->time;
+    frame.number = row->frame;
+    frame.ids.reserve(static_cast<std::size_t>(end - row));
+    frame.points.reserve(static_cast<std::size_t>(end - row));
+    for (; row != end; ++row) {
+      frame.ids.push_back(row->id);
+      frame.points.push_back(row->point);
+    }
+  }
+  m_rows.clear();
+  return frames;
+}
+
+void Recording_rows::check_ids(const Text_scanner& scanner,
+                               const std::function<std::string(std::int64_t)>& id_text) const
+{
+  const auto twice =
+      std::adjacent_find(m_rows.begin(), m_rows.end(), [](const Row& a, const Row& b) {
+        return a.frame == b.frame && a.id == b.id;
+      });
+  if (twice != m_rows.end()) {
+    throw Scenario_error(scanner.file(),
+                         "id " + id_text(twice->id) + " is twice in frame " +
+                             std::to_string(twice->frame) + ", first in line " +
+                             std::to_string(twice->line),
+                         (twice + 1)->line);
+  }
+}
+
 std::size_t number_of(const Text_scanner& scanner, std::string_view text, const std::string& what)
 {
   const std::int64_t number = scanner.integer(text, "number of " + what);
@@ -64,6 +147,21 @@ double finite_number(const Text_scanner& scanner, std::string_view text, std::st
     scanner.fail(std::string(what) + " " + in_quotes(text) + " is not a finite number");
   }
   return value;
+}
+
+void check_ascends(const Text_scanner& scanner, const std::string& what, std::int64_t number,
+                   std::size_t line, const Recording& frames_before)
+{
+  if (!frames_before.empty() && number <= frames_before.back().number) {
+    throw Scenario_error(
+        scanner.file(),
+        what + " " + std::to_string(number) + " follows " +
+            std::to_string(frames_before.back().number) +
+            ": numbers have to ascend. A run that was continued writes some again, "
+            "and one that was reset starts over: remove what is there twice, or "
+            "split the file",
+        line);
+  }
 }
 
 std::optional<Cell> cell_of_box(const Text_scanner& scanner, const Cell& box)

@@ -9,12 +9,31 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace scenario {
+
+// Ids for points that have names: 0, 1, 2 and so on, in the order in which the names first appear.
+class Point_names
+{
+public:
+  std::int64_t id(std::string_view name);
+  const std::string& name(std::int64_t id) const { return *m_names[static_cast<std::size_t>(id)]; }
+  std::shared_ptr<const Point_name_list> list() const;
+
+private:
+  std::unordered_map<std::string, std::int64_t> m_ids;
+  std::vector<const std::string*> m_names;
+};
+
+// Gives the names to all frames, where ids stand for names.
+void set_names(Recording& frames, const Point_names& names);
 
 // The points of one frame of a recording, in any order, and the lines that they are in.
 class Frame_rows
@@ -41,12 +60,55 @@ private:
   std::vector<Row> m_rows;
 };
 
+// The points of all frames of a recording, in any order.
+class Recording_rows
+{
+public:
+  struct Row
+  {
+    std::int64_t frame;
+    std::int64_t id;
+    double time;
+    Point point;
+    std::size_t line;
+  };
+
+  bool empty() const { return m_rows.empty(); }
+  void add(const Row& row) { m_rows.push_back(row); }
+
+  template <class Renamed>
+  void rename(const Renamed& renamed)
+  {
+    for (Row& row : m_rows) {
+      row.id = renamed(row.id);
+    }
+  }
+
+  // The points of one time become a frame: 0, 1, 2 and so on.
+  void number_frames_by_time();
+
+  // The frames in the order of their numbers. Forgets all rows.
+  // \throws Scenario_error if an id is twice in a frame; `id_text` is how the message calls it.
+  Recording recording(const Text_scanner& scanner,
+                      const std::function<std::string(std::int64_t)>& id_text);
+
+private:
+  void check_ids(const Text_scanner& scanner,
+                 const std::function<std::string(std::int64_t)>& id_text) const;
+
+  std::vector<Row> m_rows;
+};
+
 // \throws Scenario_error, with the scanner's line, if the text is no integer from 0 on. `what` is
 // counted.
 std::size_t number_of(const Text_scanner& scanner, std::string_view text, const std::string& what);
 
 // \throws Scenario_error, with the scanner's line, if the text is no finite number.
 double finite_number(const Text_scanner& scanner, std::string_view text, std::string_view what);
+
+// \throws Scenario_error if the number is not above that of the frame before. `what` is numbered.
+void check_ascends(const Text_scanner& scanner, const std::string& what, std::int64_t number,
+                   std::size_t line, const Recording& frames_before);
 
 // The cell that a box makes; none if no side is periodic.
 // \throws Scenario_error, with the scanner's line, if space cannot be repeated by it.

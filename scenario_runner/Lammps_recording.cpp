@@ -64,16 +64,19 @@ private:
   void read_section(std::string_view line, Recording& frames)
   {
     if (line == "ITEM: TIMESTEP") {
-      begin_frame();
+      begin_frame(frames);
     } else if (line == "ITEM: UNITS") {
       data_line();
     } else if (line == "ITEM: TIME") {
+      check_first(!m_time, line);
       m_time = finite_number(m_scanner, data_line(), "time");
     } else if (!m_frame_is_open) {
       m_scanner.fail("expected ITEM: TIMESTEP, found " + in_quotes(line));
     } else if (line == "ITEM: NUMBER OF ATOMS") {
+      check_first(!m_number_of_atoms, line);
       m_number_of_atoms = number_of(m_scanner, data_line(), "atoms");
     } else if (starts_with(line, "ITEM: BOX BOUNDS")) {
+      check_first(!m_box, "ITEM: BOX BOUNDS");
       read_box(line);
     } else if (starts_with(line, "ITEM: ATOMS")) {
       read_atoms(line, frames);
@@ -82,12 +85,20 @@ private:
     }
   }
 
-  void begin_frame()
+  void check_first(bool is_first, std::string_view item) const
+  {
+    if (!is_first) {
+      m_scanner.fail(std::string(item) + " is twice in a frame");
+    }
+  }
+
+  void begin_frame(const Recording& frames)
   {
     if (m_frame_is_open) {
       fail_truncated("the next one begins before its atoms");
     }
     m_timestep = m_scanner.integer(data_line(), "timestep");
+    check_ascends(m_scanner, "timestep", m_timestep, m_scanner.line_number(), frames);
     m_frame_is_open = true;
     m_number_of_atoms.reset();
     m_box.reset();
@@ -104,12 +115,41 @@ private:
     const bool has_vectors = begins_with({"abc", "origin"});
     const bool is_tilted = begins_with({"xy", "xz", "yz"});
     words.erase(words.begin(), words.begin() + (has_vectors ? 2 : is_tilted ? 3 : 0));
-    const auto is_periodic = [&words](std::size_t axis) {
-      return axis < words.size() && words[axis] == "pp";
-    };
+    check_boundaries(words);
+    const auto is_periodic = [&words](std::size_t axis) { return words[axis] == "pp"; };
     m_box.emplace(has_vectors ? read_vectors({is_periodic(0), is_periodic(1)})
                               : read_bounds(is_tilted, {is_periodic(0), is_periodic(1)}));
     m_cell = cell_of_box(m_scanner, *m_box);
+  }
+
+  // Dumps of LAMMPS before 2010 have no boundaries. The box was periodic then, unless the input of
+  // the run said otherwise, which nobody knows here.
+  void check_boundaries(const std::vector<std::string_view>& words) const
+  {
+    if (words.empty()) {
+      m_scanner.fail("ITEM: BOX BOUNDS does not say which sides are periodic: add pp pp pp to the "
+                     "line if all were, or ff ff ff if none was");
+    }
+    if (words.size() != 3 || !std::all_of(words.begin(), words.end(), is_boundary)) {
+      m_scanner.fail("the boundaries of the box are " + in_quotes(joined(words)) +
+                     ", expected one for each of x, y and z: pp if it is periodic, or else two of "
+                     "f, s and m");
+    }
+  }
+
+  static bool is_boundary(std::string_view word)
+  {
+    return word == "pp" ||
+           (word.size() == 2 && word.find_first_not_of("fsm") == std::string_view::npos);
+  }
+
+  static std::string joined(const std::vector<std::string_view>& words)
+  {
+    std::string text;
+    for (const std::string_view word : words) {
+      text += (text.empty() ? "" : " ") + std::string(word);
+    }
+    return text;
   }
 
   Cell read_bounds(bool is_tilted, const std::array<bool, 2>& is_periodic)
@@ -169,6 +209,7 @@ private:
     }
     const Columns columns = read_columns(header);
     Recorded_frame frame;
+    frame.number = m_timestep;
     frame.time = m_time.value_or(static_cast<double>(m_timestep));
     frame.cell = m_cell;
     check_kind(m_scanner, m_cell, frames);
@@ -186,6 +227,7 @@ private:
   {
     split_at_blanks(header, m_fields);
     const std::vector<std::string_view> names(m_fields.begin() + 2, m_fields.end());
+    check_names(names);
     const auto position = [&names](std::string_view name) {
       return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
     };
@@ -201,6 +243,15 @@ private:
     }
     m_scanner.fail("column '" + std::string(position("x") == missing ? "x" : "y") +
                    "' is missing; read are the pairs x y, xu yu, xs ys and xsu ysu");
+  }
+
+  void check_names(std::vector<std::string_view> names) const
+  {
+    std::sort(names.begin(), names.end());
+    const auto twice = std::adjacent_find(names.begin(), names.end());
+    if (twice != names.end()) {
+      m_scanner.fail("column " + in_quotes(*twice) + " is there twice");
+    }
   }
 
   void check_scaling(bool scaled) const

@@ -18,30 +18,14 @@ namespace scenario {
 
 namespace {
 
-enum class Motion_format { scenario, csv, lammps_dump, xyz };
-
 std::filesystem::path without_gz(const std::filesystem::path& file)
 {
   return lower_case(file.extension().string()) == ".gz" ? file.parent_path() / file.stem() : file;
 }
 
-// The format of a file by its name alone; nothing if the name does not tell.
-std::optional<Motion_format> motion_format(const std::filesystem::path& file)
+bool is_scenario_file(const std::string& path)
 {
-  const std::string extension = lower_case(without_gz(file).extension().string());
-  if (extension == ".json") {
-    return Motion_format::scenario;
-  }
-  if (extension == ".csv" || extension == ".tsv" || extension == ".txt") {
-    return Motion_format::csv;
-  }
-  if (extension == ".lammpstrj" || extension == ".dump") {
-    return Motion_format::lammps_dump;
-  }
-  if (extension == ".xyz" || extension == ".extxyz") {
-    return Motion_format::xyz;
-  }
-  return std::nullopt;
+  return lower_case(without_gz(path).extension().string()) == ".json";
 }
 
 // The name of a recording, after its file.
@@ -53,8 +37,7 @@ std::string recording_name(const std::string& path)
 // A .txt file in a directory of recordings is more likely a description than a recording.
 bool is_recording(const std::filesystem::path& file)
 {
-  const auto format = motion_format(file);
-  return format && *format != Motion_format::scenario && without_gz(file).extension() != ".txt";
+  return format_by_name(file.string()) && without_gz(file).extension() != ".txt";
 }
 
 void check_overrides(const std::string& path, const Overrides& overrides)
@@ -83,23 +66,23 @@ std::unique_ptr<Motion> open_scenario(const std::string& path, const Overrides& 
   return make_motion(description, std::get<Brownian_description>(description.kind), overrides);
 }
 
+// A file need not have a known extension, but if it is not even there, its name may be the mistake.
+void check_name(const std::string& path)
+{
+  std::error_code ignored;
+  if (!is_standard_input(path) && !format_by_name(path) &&
+      !std::filesystem::exists(path, ignored)) {
+    throw Scenario_error(path, "is not there, and has the unknown extension " +
+                                   in_quotes(without_gz(path).extension().string()) +
+                                   ", allowed are " + motion_extensions + ", also followed by .gz");
+  }
+}
+
 void refuse_overrides(const std::string& path, const Overrides& overrides)
 {
   if (overrides.points || overrides.time_step || overrides.seed || overrides.packing) {
     throw Scenario_error(path, "is a recording: its number of points, time step, seed and packing "
                                "cannot be chosen");
-  }
-}
-
-Recording read_recording(const std::string& path, Motion_format format)
-{
-  switch (format) {
-  case Motion_format::lammps_dump:
-    return read_lammps_dump(path);
-  case Motion_format::xyz:
-    return read_xyz_motion(path);
-  default:
-    return read_csv_motion(path);
   }
 }
 
@@ -126,24 +109,23 @@ std::unique_ptr<Brownian_motion> make_motion(const Scenario_description& descrip
       description.name, brownian, overrides.seed.value_or(description.seed), description.frames);
 }
 
-std::unique_ptr<Motion> open_motion(const std::string& path, const Overrides& overrides)
+std::unique_ptr<Motion> open_motion(const std::string& path, const Overrides& overrides,
+                                    const Table_columns& columns)
 {
-  const auto format = is_standard_input(path) ? Motion_format::csv : motion_format(path);
-  if (!format) {
-    throw Scenario_error(path, "has the unknown extension '" +
-                                   without_gz(path).extension().string() + "', allowed are " +
-                                   motion_extensions + ", also followed by .gz");
+  if (!is_scenario_file(path)) {
+    check_name(path);
+    refuse_overrides(path, overrides);
+    return std::make_unique<Recorded_motion>(recording_name(path), read_recording(path, columns));
   }
-  if (*format == Motion_format::scenario) {
-    return open_scenario(path, overrides);
+  if (!columns.empty()) {
+    throw Scenario_error(path, "is no table, so its columns cannot be named");
   }
-  refuse_overrides(path, overrides);
-  return std::make_unique<Recorded_motion>(recording_name(path), read_recording(path, *format));
+  return open_scenario(path, overrides);
 }
 
 Scenario_facts scenario_facts(const std::string& path, const std::optional<std::size_t>& points)
 {
-  if (motion_format(path) != Motion_format::scenario) {
+  if (!is_scenario_file(path)) {
     return {};
   }
   const Scenario_description description = read_scenario_file(path);

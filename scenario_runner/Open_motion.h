@@ -18,12 +18,12 @@
 
 namespace scenario {
 
-inline const std::string motion_extensions =
-    ".json, .csv, .tsv, .txt, .lammpstrj, .dump, .xyz or .extxyz";
+inline const std::string motion_extensions = ".json, " + recording_extensions;
 
-// Opens a scenario or a recording, which the name of the file tells apart, compressed or not; or a
-// CSV recording from standard input, as "-".
-std::unique_ptr<Motion> open_motion(const std::string& path, const Overrides& overrides = {});
+// Opens a scenario, whose extension is .json, or any recording, compressed or not; or a recording
+// from standard input, as "-". `columns` are those of a table.
+std::unique_ptr<Motion> open_motion(const std::string& path, const Overrides& overrides = {},
+                                    const Table_columns& columns = {});
 
 std::unique_ptr<Particle_motion> make_motion(const Scenario_description& description,
                                              Particle_description particles,

@@ -42,6 +42,15 @@ bool is_standard_input(const std::string& path)
   return path == "-";
 }
 
+Recording read_recording(const std::string& path, const Table_columns& columns)
+{
+  if (is_standard_input(path)) {
+    const std::string name = "standard input";
+    return parse_recording(name, read_standard_input(name), columns);
+  }
+  return parse_recording(path, read_text_file(path), columns);
+}
+
 Recording read_csv_motion(const std::string& path)
 {
   if (is_standard_input(path)) {

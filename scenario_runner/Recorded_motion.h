@@ -9,12 +9,17 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace scenario {
+
+// The text that a file has as the id of a point, by the number that stands for it.
+using Point_name_list = std::vector<std::string>;
 
 // Ids ascending, each once; points in the same order.
 struct Recorded_frame
@@ -23,6 +28,8 @@ struct Recorded_frame
   std::vector<std::int64_t> ids;
   std::vector<Point> points;
   std::optional<Cell> cell{}; // none where its box is not periodic
+  std::int64_t number = 0;    // in the file, ascending: of the frame, or of the time step
+  std::shared_ptr<const Point_name_list> names{}; // of all frames; null where ids are numbers
 };
 
 using Recording = std::vector<Recorded_frame>;
@@ -49,11 +56,27 @@ private:
   bool m_population_changed = false;
 };
 
+// What a table's columns are, where their names do not tell: of each pair the first is `frame`,
+// `time`, `id`, `x` or `y`, the second the title of that column; or the first words alone, in the
+// order of the columns, and a dash for any other column.
+struct Table_columns
+{
+  std::vector<std::pair<std::string, std::string>> by_title{};
+  std::vector<std::string> in_order{};
+
+  bool empty() const { return by_title.empty() && in_order.empty(); }
+};
+
+// Columns from a text as `frame,id,-,x,y` or `frame=t,id=label`.
+// \throws std::invalid_argument, with what is allowed
+Table_columns table_columns(const std::string& text);
+
 // Tables of positions, a row for a point in a frame, in the dialects of R, pandas, PeTrack and
 // others. `frame`, `id`, `x`, `y` and, if it is there, `time` are looked up by name in a header,
 // further columns are ignored. Rows come in any order; lines that begin with # are comments.
 // \throws Scenario_error, in which the text is called `file`
-Recording parse_csv(const std::string& file, std::string_view text);
+Recording parse_csv(const std::string& file, std::string_view text,
+                    const Table_columns& columns = {});
 
 // The text dumps of the molecular dynamics program LAMMPS. Coordinates are taken from the first of
 // the column pairs `x y`, `xu yu`, `xs ys`, `xsu ysu` that is there; the last two are fractions of
@@ -67,8 +90,27 @@ Recording parse_lammps_dump(const std::string& file, std::string_view text);
 // \throws Scenario_error, in which the text is called `file`
 Recording parse_xyz(const std::string& file, std::string_view text);
 
+// The data files of MTrackJ. A point is known by its track, and a frame by its time.
+// \throws Scenario_error, in which the text is called `file`
+Recording parse_mtrackj(const std::string& file, std::string_view text);
+
+enum class Recording_format { TABLE, LAMMPS_DUMP, XYZ, MTRACKJ };
+
+// The extensions of recordings, for messages.
+inline const std::string recording_extensions =
+    ".csv, .tsv, .txt, .pp, .lammpstrj, .dump, .xyz, .extxyz or .mdf";
+
+// The format by the extension of a file, compressed or not; nothing if that does not tell.
+std::optional<Recording_format> format_by_name(const std::string& path);
+
+// Parses a text of any of these formats: its beginning tells which, or else the name of its file.
+// \throws Scenario_error, in which the text is called `file`
+Recording parse_recording(const std::string& file, std::string_view text,
+                          const Table_columns& columns = {});
+
 // Read a file; the path - stands for standard input.
 bool is_standard_input(const std::string& path);
+Recording read_recording(const std::string& path, const Table_columns& columns = {});
 Recording read_csv_motion(const std::string& path);
 Recording read_lammps_dump(const std::string& path);
 Recording read_xyz_motion(const std::string& path);

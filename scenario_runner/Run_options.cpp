@@ -52,6 +52,12 @@ void add_method_options(CLI::App& app, Run_options& options)
 void add_motion_options(CLI::App& app, Run_options& options)
 {
   scenario::Overrides& overrides = options.overrides;
+  add_option(
+      app, "--columns", "LIST",
+      "what the columns of a table are, where their names do not tell: frame, time, id, x and "
+      "y in their order and a dash for any other, as frame,id,-,x,y; or with their titles, as "
+      "frame=t,id=label",
+      [&](const std::string& text) { options.columns = scenario::table_columns(text); });
   app.add_option("--frames", options.frames,
                  "frames after the first one; default what the scenario says")
       ->type_name("N")
@@ -193,8 +199,8 @@ Run_options parse_options(CLI::App& app, int argc, const char* const* argv)
                   "compares the time with fresh triangulations.");
   app.add_option("SCENARIO", options.scenario,
                  "a scenario; or a " + scenario::motion_extensions +
-                     " file, also followed by .gz; or - for CSV from standard input; default "
-                     "dam_break")
+                     " file, also followed by .gz, or any LAMMPS dump; or - for a recording from "
+                     "standard input; default dam_break")
       ->type_name("");
   add_method_options(app, options);
   add_motion_options(app, options);

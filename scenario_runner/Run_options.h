@@ -6,6 +6,7 @@
 
 #include "scenario_runner/Cells_in_domains.h"
 #include "scenario_runner/Method_choice.h"
+#include "scenario_runner/Recorded_motion.h"
 #include "scenario_runner/Scenario_file.h"
 
 #include <cstddef>
@@ -31,6 +32,7 @@ struct Run_options
   unsigned threads = 1;
   std::optional<std::size_t> frames{};
   scenario::Overrides overrides{};
+  scenario::Table_columns columns{};
   std::optional<std::string> report{};
   std::optional<std::string> csv{};
   std::optional<std::string> svg{};

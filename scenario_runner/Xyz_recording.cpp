@@ -4,12 +4,11 @@
 #include "scenario_runner/Frame_reading.h"
 #include "scenario_runner/Recorded_motion.h"
 #include "scenario_runner/Text_input.h"
+#include "scenario_runner/Xyz_comment.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,85 +18,6 @@
 namespace scenario {
 
 namespace {
-
-// The values in the second line of a frame, by their keys in lower case. Text that is no key=value
-// is a comment.
-class Xyz_comment
-{
-public:
-  Xyz_comment(const Text_scanner& scanner, std::string_view line)
-    : m_scanner(scanner)
-  {
-    while (!(line = trimmed(line)).empty()) {
-      const std::size_t end = end_of_name(line);
-      const std::string name = lower_case(std::string(line.substr(0, end)));
-      line.remove_prefix(end);
-      if (!line.empty() && line.front() == '=') {
-        line.remove_prefix(1);
-        m_values.insert_or_assign(name, take_value(line));
-      }
-    }
-  }
-
-  std::optional<std::string_view> value(const std::string& key) const
-  {
-    const auto found = m_values.find(key);
-    return found == m_values.end() ? std::nullopt : std::optional(found->second);
-  }
-
-  // The numbers in the value of a key.
-  std::vector<double> numbers(const std::string& key, std::size_t size) const
-  {
-    std::vector<std::string_view> fields;
-    split_at_blanks(*value(key), fields);
-    if (fields.size() != size) {
-      m_scanner.fail(key + " has " + std::to_string(fields.size()) + " numbers instead of " +
-                     std::to_string(size));
-    }
-    std::vector<double> numbers;
-    for (const std::string_view field : fields) {
-      numbers.push_back(finite_number(m_scanner, field, key));
-    }
-    return numbers;
-  }
-
-private:
-  static std::size_t end_of_name(std::string_view line)
-  {
-    const auto ends = [](char c) { return c == '=' || is_blank(c); };
-    return static_cast<std::size_t>(std::find_if(line.begin(), line.end(), ends) - line.begin());
-  }
-
-  // Takes a value up to the next blank, or between quotes, braces or brackets.
-  std::string_view take_value(std::string_view& line) const
-  {
-    constexpr std::string_view openings = "\"'{[", closings = "\"'}]";
-    const std::size_t kind = line.empty() ? openings.npos : openings.find(line.front());
-    if (kind == openings.npos) {
-      const std::size_t end =
-          static_cast<std::size_t>(std::find_if(line.begin(), line.end(), is_blank) - line.begin());
-      return taken(line, end);
-    }
-    line.remove_prefix(1);
-    const std::size_t end = line.find(closings[kind]);
-    if (end == line.npos) {
-      m_scanner.fail("a value begins with " + std::string(1, openings[kind]) + " and has no end");
-    }
-    const std::string_view value = taken(line, end);
-    line.remove_prefix(1);
-    return value;
-  }
-
-  static std::string_view taken(std::string_view& line, std::size_t size)
-  {
-    const std::string_view value = line.substr(0, size);
-    line.remove_prefix(size);
-    return value;
-  }
-
-  const Text_scanner& m_scanner;
-  std::map<std::string, std::string_view> m_values;
-};
 
 class Xyz_parser
 {
@@ -117,6 +37,9 @@ public:
     if (frames.empty()) {
       throw Scenario_error(m_scanner.file(), "is empty, expected a number of points");
     }
+    if (m_ids_are_text) {
+      set_names(frames, m_names);
+    }
     return frames;
   }
 
@@ -124,7 +47,10 @@ private:
   struct Columns
   {
     std::size_t count = 0;
+    bool are_all = false;     // no others may follow
+    bool ends_with_z = false; // which rows of plane motion may leave out
     std::optional<std::size_t> id{};
+    bool ids_are_text = false;
     std::optional<std::size_t> position{}; // of x, before y
   };
 
@@ -137,33 +63,50 @@ private:
     }
     const Xyz_comment comment(m_scanner, line);
     Recorded_frame frame;
-    frame.time = time(comment, frames.size());
+    frame.number = number(comment, frames);
+    frame.time = comment.has("time") ? comment.number("time") : static_cast<double>(frame.number);
     frame.cell = cell(comment);
     check_kind(m_scanner, frame.cell, frames);
-    const Columns columns =
-        read_columns(comment.value("properties").value_or("species:S:1:pos:R:3"));
+    const Columns columns = read_columns(comment);
+    if (!frames.empty() && columns.ids_are_text != m_ids_are_text) {
+      m_scanner.fail("the ids of some frames are text, those of others are numbers");
+    }
+    m_ids_are_text = columns.ids_are_text;
     read_points(size, columns);
-    m_rows.sort_into(frame, m_scanner, "frame " + std::to_string(frames.size()));
+    m_rows.sort_into(frame, m_scanner, "frame " + std::to_string(frame.number));
     frames.push_back(std::move(frame));
   }
 
-  double time(const Xyz_comment& comment, std::size_t frame) const
+  // Either all frames are numbered, or none is.
+  std::int64_t number(const Xyz_comment& comment, const Recording& frames)
   {
-    return comment.value("time") ? comment.numbers("time", 1)[0] : static_cast<double>(frame);
+    if (frames.empty()) {
+      m_has_numbers = comment.has("frame");
+    }
+    if (comment.has("frame") != m_has_numbers) {
+      m_scanner.fail(m_has_numbers ? "the frame has no Frame=, those before it have"
+                                   : "the frame has a Frame=, those before it have none");
+    }
+    if (!m_has_numbers) {
+      return static_cast<std::int64_t>(frames.size());
+    }
+    const std::int64_t number = comment.integer("frame");
+    check_ascends(m_scanner, "Frame", number, m_scanner.line_number(), frames);
+    return number;
   }
 
   std::optional<Cell> cell(const Xyz_comment& comment) const
   {
     const std::array<bool, 2> is_periodic = periodic_sides(comment);
-    if (!comment.value("lattice")) {
+    if (!comment.has("lattice")) {
       if (is_periodic[0] || is_periodic[1]) {
         m_scanner.fail("the frame is periodic by its pbc, but has no Lattice");
       }
       return std::nullopt;
     }
-    const std::vector<double> vectors = comment.numbers("lattice", 9);
+    const std::vector<double> vectors = comment.matrix("lattice");
     Point corner{0.0, 0.0};
-    if (comment.value("origin")) {
+    if (comment.has("origin")) {
       const std::vector<double> origin = comment.numbers("origin", 3);
       corner = {origin[0], origin[1]};
     }
@@ -172,56 +115,30 @@ private:
   }
 
   // A lattice without pbc is periodic.
-  std::array<bool, 2> periodic_sides(const Xyz_comment& comment) const
+  static std::array<bool, 2> periodic_sides(const Xyz_comment& comment)
   {
-    const auto text = comment.value("pbc");
-    if (!text) {
-      const bool has_lattice = comment.value("lattice").has_value();
-      return {has_lattice, has_lattice};
+    if (!comment.has("pbc")) {
+      return {comment.has("lattice"), comment.has("lattice")};
     }
-    std::vector<std::string_view> fields;
-    split_at_blanks(*text, fields);
-    if (fields.size() != 3) {
-      m_scanner.fail("pbc is " + in_quotes(*text) + ", expected three of T and F");
-    }
-    return {is_true(fields[0]), is_true(fields[1])};
-  }
-
-  bool is_true(std::string_view word) const
-  {
-    const std::string name = lower_case(std::string(word));
-    if (name == "t" || name == "true" || name == "1") {
-      return true;
-    }
-    if (name == "f" || name == "false" || name == "0") {
-      return false;
-    }
-    m_scanner.fail("pbc has " + in_quotes(word) + ", expected T or F");
+    const std::vector<bool> sides = comment.truths("pbc", 3);
+    return {sides[0], sides[1]};
   }
 
   // The columns by a text of the form name:type:number:name:type:number...
-  Columns read_columns(std::string_view properties) const
+  Columns read_columns(const Xyz_comment& comment) const
   {
+    const bool has_properties = comment.has("properties");
+    const std::string properties =
+        has_properties ? comment.text("properties") : "species:S:1:pos:R:3";
     std::vector<std::string_view> words;
     split_at(':', properties, words);
     if (words.size() % 3 != 0) {
       m_scanner.fail("Properties are not triples of a name, a type and a number of columns");
     }
-    constexpr std::int64_t most_columns = 10'000;
     Columns columns;
+    columns.are_all = has_properties;
     for (std::size_t i = 0; i != words.size(); i += 3) {
-      const std::string name = lower_case(std::string(words[i]));
-      const std::int64_t number = m_scanner.integer(words[i + 2], "number of columns");
-      if (number < 1 || number > most_columns) {
-        m_scanner.fail("property " + in_quotes(words[i]) + " has " + std::to_string(number) +
-                       " columns, allowed are 1 to " + std::to_string(most_columns));
-      }
-      if (name == "id") {
-        columns.id = columns.count;
-      } else if (name == "pos" && number >= 2) {
-        columns.position = columns.count;
-      }
-      columns.count += static_cast<std::size_t>(number);
+      add_property(columns, words[i], words[i + 1], number_of_columns(words[i], words[i + 2]));
     }
     if (!columns.position) {
       m_scanner.fail("Properties have no positions, expected pos:R:3");
@@ -229,7 +146,49 @@ private:
     return columns;
   }
 
-  void read_points(std::size_t size, const Columns& columns)
+  std::size_t number_of_columns(std::string_view property, std::string_view text) const
+  {
+    constexpr std::int64_t most_columns = 10'000;
+    const std::int64_t number = m_scanner.integer(text, "number of columns");
+    if (number < 1 || number > most_columns) {
+      m_scanner.fail("property " + in_quotes(property) + " has " + std::to_string(number) +
+                     " columns, allowed are 1 to " + std::to_string(most_columns));
+    }
+    return static_cast<std::size_t>(number);
+  }
+
+  void add_property(Columns& columns, std::string_view property, std::string_view type,
+                    std::size_t number) const
+  {
+    const std::string name = lower_case(std::string(property));
+    if (name == "id") {
+      check_property(property, type, "IRS", !columns.id && number == 1, "one column");
+      columns.id = columns.count;
+      columns.ids_are_text = type == "S";
+    } else if (name == "pos") {
+      check_property(property, type, "IR", !columns.position && number >= 2,
+                     "two or three columns");
+      columns.position = columns.count;
+    } else {
+      check_property(property, type, "IRLS", true, "");
+    }
+    columns.count += number;
+    columns.ends_with_z = name == "pos" && number == 3;
+  }
+
+  void check_property(std::string_view property, std::string_view type, std::string_view types,
+                      bool is_right, const char* wanted) const
+  {
+    if (type.size() != 1 || types.find(type) == types.npos) {
+      m_scanner.fail("property " + in_quotes(property) + " has the type " + in_quotes(type) +
+                     ", allowed is one of " + std::string(types));
+    }
+    if (!is_right) {
+      m_scanner.fail("property " + in_quotes(property) + " has to be there once, with " + wanted);
+    }
+  }
+
+  void read_points(std::size_t size, Columns columns)
   {
     m_rows.begin(size, m_scanner);
     for (std::size_t i = 0; i != size; ++i) {
@@ -239,23 +198,58 @@ private:
                        " points expected, " + std::to_string(i) + " found");
       }
       split_at_blanks(line, m_fields);
-      if (m_fields.size() < columns.count) {
-        m_scanner.fail("the point has " + std::to_string(m_fields.size()) + " fields, " +
-                       std::to_string(columns.count) + " columns are named");
+      if (i == 0 && columns.ends_with_z && m_fields.size() + 1 == columns.count) {
+        --columns.count; // in this row, so in all of the frame
+        columns.are_all = true;
       }
-      const std::int64_t id = columns.id ? m_scanner.integer(m_fields[*columns.id], "id")
-                                         : static_cast<std::int64_t>(i);
-      const std::string name = std::to_string(id);
-      m_rows.add(id,
-                 {m_scanner.coordinate(m_fields[*columns.position], "x", name),
-                  m_scanner.coordinate(m_fields[*columns.position + 1], "y", name)},
-                 m_scanner.line_number());
+      check_fields(columns);
+      const std::int64_t id = point_id(columns, i);
+      const std::string name =
+          columns.ids_are_text ? in_quotes(m_fields[*columns.id]) : std::to_string(id);
+      m_rows.add(
+          id,
+          {coordinate(*columns.position, "x", name), coordinate(*columns.position + 1, "y", name)},
+          m_scanner.line_number());
     }
+  }
+
+  void check_fields(const Columns& columns) const
+  {
+    if (m_fields.size() < columns.count || (columns.are_all && m_fields.size() > columns.count)) {
+      m_scanner.fail("the point has " + std::to_string(m_fields.size()) + " fields, " +
+                     std::to_string(columns.count) + " columns are named");
+    }
+  }
+
+  std::int64_t point_id(const Columns& columns, std::size_t place)
+  {
+    if (!columns.id) {
+      return static_cast<std::int64_t>(place);
+    }
+    const std::string_view text = m_fields[*columns.id];
+    if (columns.ids_are_text) {
+      return m_names.id(text);
+    }
+    const auto number = m_scanner.whole_number(text, "id");
+    if (!number) {
+      m_scanner.fail("id " + in_quotes(text) + " is not an integer");
+    }
+    return *number;
+  }
+
+  double coordinate(std::size_t column, std::string_view name, const std::string& id) const
+  {
+    const std::string_view text = m_fields[column];
+    return may_be_of_fortran(text) ? m_scanner.coordinate(with_usual_exponent(text), name, id)
+                                   : m_scanner.coordinate(text, name, id);
   }
 
   Text_scanner m_scanner;
   std::vector<std::string_view> m_fields;
   Frame_rows m_rows;
+  Point_names m_names;
+  bool m_ids_are_text = false;
+  bool m_has_numbers = false;
 };
 
 } // namespace

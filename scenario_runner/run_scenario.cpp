@@ -168,7 +168,7 @@ std::unique_ptr<scenario::Motion> open(const std::string& path, const run::Run_o
   if (is_recording) {
     overrides.seed.reset(); // only the random classifier needs it
   }
-  return scenario::open_motion(path, overrides);
+  return scenario::open_motion(path, overrides, options.columns);
 }
 
 // Prints the table, and throws if the output cannot be written.

@@ -270,6 +270,27 @@ TEST(Recordings, may_come_from_standard_input)
       << content_of(errors);
 }
 
+TEST(Recordings, from_standard_input_may_be_of_any_format)
+{
+  const std::string path = temporary_path("piped.json");
+  const std::string command = "\"" RUN_SCENARIO "\" - --quiet --report \"" + path + "\" < \"" +
+                              write_file("piped", small_dump()) + "\"";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  expect_exact_report(Json::parse(content_of(path)), 5);
+}
+
+TEST(Recordings, may_have_columns_that_are_named_by_an_option)
+{
+  std::string csv = small_csv();
+  csv.replace(0, csv.find('\n'), "a,b,c,d,e");
+  const std::string path = write_file("unknown.csv", csv);
+  expect_refusal({path}, {"'frame', 'id', 'x' and 'y' are missing", "--columns frame,id,x,y"});
+  expect_exact_report(report_of({path, "--columns", "frame,time,id,x,y"}), 7);
+  expect_exact_report(report_of({path, "--columns", "frame=A,id=C,x=D,y=E"}), 7);
+  expect_refusal({path, "--columns", "frame,id,x"}, {"--columns", "'frame,id,x'", "allowed are"});
+  expect_refusal({"dam_break", "--columns", "frame,id,x,y"}, {"is no table"});
+}
+
 TEST(Recordings, end_where_they_end_and_seed_the_random_classifier)
 {
   const Json report = report_of({write_file("small.csv", small_csv()), "--frames", "1000",

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <set>
@@ -279,6 +280,25 @@ TEST(Tables_on_the_page, say_what_values_may_be)
       }
     }
   }
+}
+
+TEST(Dialects_on_the_page, are_those_that_are_tested)
+{
+  std::set<std::string> files;
+  for (const auto& file : std::filesystem::directory_iterator(DIALECTS_FOLDER)) {
+    files.insert("`" + file.path().filename().string() + "`");
+  }
+  std::set<std::string> on_the_page;
+  const std::string tests = content_of(DIALECTS_FOLDER "/../test_recording_dialects.cpp");
+  for (const std::string& line : lines_of(page())) {
+    const auto cells = line.rfind("| ", 0) == 0 ? cells_of(line) : std::vector<std::string>();
+    if (cells.size() == 4 && cells[3].rfind("`Dialect.", 0) == 0) {
+      on_the_page.insert(cells[2]);
+      const std::string name = cells[3].substr(9, cells[3].size() - 10);
+      EXPECT_TRUE(contains(tests, "TEST(Dialect, " + name + ")")) << name;
+    }
+  }
+  EXPECT_EQ(on_the_page, files);
 }
 
 } // namespace

@@ -413,7 +413,7 @@ TEST(Xyz_file, with_a_mistake_is_refused_with_its_line)
                      {"line 2", "length is 0"});
   expect_refused_xyz("1\npbc=\"T F F\"\nX 1 2 0\n", {"line 2", "no Lattice"});
   expect_refused_xyz("1\npbc=\"T F\"\nX 1 2 0\n", {"line 2", "three of T and F"});
-  expect_refused_xyz("1\npbc=\"T F x\"\nX 1 2 0\n", {"no Lattice"});
+  expect_refused_xyz("1\npbc=\"T F x\"\nX 1 2 0\n", {"line 2", "expected T or F"});
   expect_refused_xyz("1\npbc=\"y F F\"\nX 1 2 0\n", {"line 2", "expected T or F"});
   expect_refused_xyz("1\nProperties=species:S\nX 1 2 0\n", {"line 2", "triples"});
   expect_refused_xyz("1\nProperties=species:S:1\nX 1 2 0\n", {"line 2", "pos:R:3"});

@@ -8,5 +8,7 @@
 
 void fuzz::examine(const std::string& input)
 {
-  examine_recording(input, scenario::parse_csv);
+  examine_recording(input, [](const std::string& file, const std::string& text) {
+    return scenario::parse_csv(file, text);
+  });
 }

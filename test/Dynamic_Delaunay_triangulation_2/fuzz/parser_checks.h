@@ -81,10 +81,23 @@ inline void require_sound(const scenario::Cell& cell)
   require(cell.is_slab() || cell.area() != 0.0, "a cell is flat");
 }
 
+inline void require_sound(const scenario::Recorded_frame& frame)
+{
+  const auto has_name = [&frame](std::int64_t id) {
+    return id >= 0 && static_cast<std::size_t>(id) < frame.names->size();
+  };
+  require(!frame.names || std::all_of(frame.ids.begin(), frame.ids.end(), has_name),
+          "an id has no name, others have");
+}
+
 inline void require_sound(scenario::Recording recording)
 {
   const std::size_t number_of_frames = recording.size();
   require(number_of_frames != 0, "a recording has no frame");
+  for (std::size_t i = 0; i != number_of_frames; ++i) {
+    require_sound(recording[i]);
+    require(i == 0 || recording[i - 1].number < recording[i].number, "frames do not ascend");
+  }
   scenario::Recorded_motion motion("motion", std::move(recording));
   std::size_t frames_seen = 0;
   do {
