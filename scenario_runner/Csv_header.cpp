@@ -247,9 +247,10 @@ void Csv_header::check_units(const std::string& x_title, const std::string& y_ti
 void Csv_header::fail_missing() const
 {
   std::vector<std::string> names;
-  for (const Csv_column column : {frame, id, x, y}) {
+  const Csv_column order = m_split.dialect.names[frame].empty() ? time : frame;
+  for (const Csv_column column : {order, id, x, y}) {
     const std::string& name = m_split.dialect.names[column];
-    if (!name.empty() && positions_of(name, m_split.titles).empty()) {
+    if (positions_of(name, m_split.titles).empty()) {
       names.push_back(in_quotes(name));
     }
   }

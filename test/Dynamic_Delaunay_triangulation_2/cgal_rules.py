@@ -27,7 +27,7 @@ PACKAGE_INFO = ["copyright", "dependencies", "description.txt", "license.txt", "
 PROJECTS = {"test": "Tests", "examples": "Examples"}
 CODE = {".h", ".cpp"}
 DRAWN = {".png", ".svg"}
-AS_FOUND = "fuzz/corpus"  # input as other programs write it, or libFuzzer
+AS_FOUND = ("fuzz/corpus", "/dialects/")  # input as other programs write it, or libFuzzer
 COMMENT_OR_TEXT = re.compile(r"//[^\n]*|/\*.*?\*/|\"(?:\\.|[^\"\\\n])*\"", re.S)
 MACRO_OF_OTHERS = re.compile(r"\b(?:emit|far|foreach|forever|hyper|interface|near|signals|slots|small)\b")
 
@@ -88,7 +88,7 @@ def broken_in_file(root, path):
     data = path.read_bytes()
     if os.access(path, os.X_OK) and not data.startswith(b"#!"):
         yield f"{name}: can be executed, and is no script"
-    if AS_FOUND in name.as_posix():
+    if any(folder in name.as_posix() for folder in AS_FOUND):
         return
     try:
         text = data.decode()

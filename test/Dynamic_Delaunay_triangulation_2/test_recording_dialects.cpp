@@ -242,6 +242,7 @@ TEST(Unknown_columns, are_refused_with_the_names_that_are_known)
                        {"'frame', 'id', 'x' and 'y' are missing", "particle", "TRACK_ID",
                         "$PEDESTRIAN:NO", "--columns frame,id,x,y"});
   expect_refused_table("TRACK_ID,POSITION_X,FRAME\n0,1,2\n", "", 1, {"'position_y' is missing"});
+  expect_refused_table("Nr,TID,x,y\n1,1,2,3\n", "", 1, {"'t' is missing"});
 }
 
 TEST(Names_of_other_programs, give_way_to_the_usual_ones)
