@@ -149,6 +149,12 @@ if(Python3_FOUND)
   add_test(NAME cgal_rules
     COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/cgal_rules.py" "${PROJECT_SOURCE_DIR}")
   set_tests_properties(shown_code cgal_rules PROPERTIES LABELS test TIMEOUT 60)
+  find_program(BASH_PROGRAM bash)
+  if(BASH_PROGRAM)
+    add_test(NAME dev_script
+      COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/dev_script.py" "${PROJECT_SOURCE_DIR}/dev")
+    set_tests_properties(dev_script PROPERTIES LABELS test TIMEOUT 60)
+  endif()
   if(Python3_VERSION VERSION_GREATER_EQUAL 3.11) # which reads TOML
     add_test(NAME mutations_fit
       COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/mutations/run.py" --check)
