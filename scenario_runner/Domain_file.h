@@ -4,21 +4,12 @@
 #ifndef SCENARIO_RUNNER_DOMAIN_FILE_H
 #define SCENARIO_RUNNER_DOMAIN_FILE_H
 
-#include "scenario_runner/Cell.h"
 #include "scenario_runner/Cells_in_domains.h"
+#include "scenario_runner/Polygon_text.h"
 
 #include <string>
-#include <vector>
 
 namespace scenario {
-
-// Corners without the first one at the end again: counterclockwise of the boundary, clockwise of
-// the holes.
-struct Polygon
-{
-  std::vector<Point> boundary;
-  std::vector<std::vector<Point>> holes;
-};
 
 // From a file .wkt in well-known text, or .geojson or .json in GeoJSON.
 // \throws Scenario_error

@@ -216,6 +216,16 @@ std::string read_standard_input(const std::string& name)
   return read_text(std::cin, name, 0);
 }
 
+std::string_view without_byte_order_mark(const std::string& file, std::string_view text)
+{
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  const std::string_view start = text.substr(0, 2);
+  if (start == "\xFF\xFE" || start == "\xFE\xFF") {
+    throw Scenario_error(file, "is UTF-16 text, expected UTF-8", 1);
+  }
+  return text.substr(text.substr(0, mark.size()) == mark ? mark.size() : 0);
+}
+
 std::string joined(const std::vector<std::string>& words)
 {
   std::string text;
@@ -294,16 +304,8 @@ bool is_number(std::string_view text, std::uint64_t& value)
 
 Text_scanner::Text_scanner(std::string file, std::string_view text)
   : m_file(std::move(file))
-  , m_rest(text)
+  , m_rest(without_byte_order_mark(m_file, text))
 {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (m_rest.substr(0, byte_order_mark.size()) == byte_order_mark) {
-    m_rest.remove_prefix(byte_order_mark.size());
-  }
-  const std::string_view start = m_rest.substr(0, 2);
-  if (start == "\xFF\xFE" || start == "\xFE\xFF") {
-    throw Scenario_error(m_file, "is UTF-16 text, expected UTF-8", 1);
-  }
 }
 
 bool Text_scanner::next_line(std::string_view& line)

@@ -55,6 +55,10 @@ inline Range positive_up_to(double high)
 std::string read_text_file(const std::string& path);
 std::string read_standard_input(const std::string& name);
 
+// The text behind its byte-order mark, if it has one.
+// \throws Scenario_error, in which the text is called `file`, if the mark is that of UTF-16
+std::string_view without_byte_order_mark(const std::string& file, std::string_view text);
+
 std::string joined(const std::vector<std::string>& words);
 std::string lower_case(std::string text);
 bool is_blank(char c);
