@@ -40,7 +40,7 @@ void Cell_log::write(const Run_view& run)
     const Shown_cell& cell = cells[i];
     const std::optional<double> density =
         cell.area > 0.0 ? std::optional(1.0 / cell.area) : std::nullopt;
-    m_file.write(run.record().frame, motion.time(), motion.ids()[i], motion.points()[i].x,
+    m_file.write(run.record().number, motion.time(), motion.id_text(i), motion.points()[i].x,
                  motion.points()[i].y, cell.area, density, cell.perimeter, cell.contacts,
                  cell.free_length, cell.wall_length);
   }

@@ -26,8 +26,9 @@ struct Frame_times
 
 struct Frame_record
 {
-  std::size_t frame = 0;
-  double time = 0.0; // of the motion
+  std::size_t frame = 0;   // how many came before it
+  std::int64_t number = 0; // that the motion's recording has for it, or else the same
+  double time = 0.0;       // of the motion
   std::size_t points = 0;
   bool population_changed = false;
   CGAL::Update_report_2 update{};

@@ -37,6 +37,21 @@ public:
   virtual const std::vector<Point>& points() const = 0;
   virtual double time() const = 0;
 
+  // The number that a recording has for the frame. Numbers ascend; without them frames are counted
+  // from 0 on.
+  virtual std::optional<std::int64_t> frame_number() const { return std::nullopt; }
+
+  // What a recording calls the points, by their ids; null if it calls them by numbers. The same in
+  // all frames.
+  virtual const std::vector<std::string>* names() const { return nullptr; }
+
+  // What the user calls the point in this place.
+  std::string id_text(std::size_t place) const
+  {
+    const std::int64_t id = ids()[place];
+    return names() ? (*names())[static_cast<std::size_t>(id)] : std::to_string(id);
+  }
+
   // The cell of the frame; none where space is not periodic. Either all frames have a cell of one
   // kind, or none has one. Points need not lie in it: each stands for all its images.
   virtual std::optional<Cell> cell() const { return std::nullopt; }

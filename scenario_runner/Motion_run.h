@@ -247,7 +247,7 @@ private:
     try {
       work();
     } catch (const std::exception& error) {
-      throw std::runtime_error("frame " + std::to_string(m_record.frame) + ": " + error.what());
+      throw std::runtime_error("frame " + std::to_string(frame_number()) + ": " + error.what());
     }
   }
 
@@ -266,9 +266,15 @@ private:
     return is_there;
   }
 
+  std::int64_t frame_number() const
+  {
+    return m_motion.frame_number().value_or(static_cast<std::int64_t>(m_record.frame));
+  }
+
   void begin_frame()
   {
     check_coordinates();
+    m_record.number = frame_number();
     m_record.time = m_motion.time();
     m_record.points = m_motion.points().size();
     m_record.population_changed = m_motion.population_changed();
@@ -281,7 +287,7 @@ private:
     for (std::size_t i = 0; i != m_motion.points().size(); ++i) {
       const scenario::Point& point = m_motion.points()[i];
       if (!std::isfinite(point.x) || !std::isfinite(point.y)) {
-        throw std::runtime_error("the point with id " + std::to_string(m_motion.ids()[i]) +
+        throw std::runtime_error("the point with id " + m_motion.id_text(i) +
                                  " has left all bounds; a smaller time step may keep it");
       }
     }

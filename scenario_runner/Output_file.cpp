@@ -83,11 +83,17 @@ Output_directory::Output_directory(const std::string& path)
   }
 }
 
-std::string frame_file_name(std::size_t frame, const std::string& ending)
+std::string id_table_of(const std::string& path)
 {
-  const std::string number = std::to_string(frame);
-  const std::size_t zeros = 5 - (std::min<std::size_t>)(5, number.size());
-  return "frame_" + std::string(zeros, '0') + number + ending;
+  return path + ".ids.csv";
+}
+
+std::string frame_file_name(std::int64_t number, const std::string& ending)
+{
+  const std::string sign = number < 0 ? "-" : "";
+  const std::string digits = std::to_string(number).substr(sign.size());
+  const std::size_t zeros = 5 - (std::min<std::size_t>)(5, digits.size());
+  return "frame_" + sign + std::string(zeros, '0') + digits + ending;
 }
 
 } // namespace run

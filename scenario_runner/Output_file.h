@@ -4,7 +4,7 @@
 #ifndef SCENARIO_RUNNER_OUTPUT_FILE_H
 #define SCENARIO_RUNNER_OUTPUT_FILE_H
 
-#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -47,8 +47,11 @@ private:
   std::filesystem::path m_path;
 };
 
-// `ending` begins with a dot.
-std::string frame_file_name(std::size_t frame, const std::string& ending);
+// The table that has the names of points whose ids are numbers in the file `path`.
+std::string id_table_of(const std::string& path);
+
+// `number`: of the frame. `ending` begins with a dot.
+std::string frame_file_name(std::int64_t number, const std::string& ending);
 
 } // namespace run
 

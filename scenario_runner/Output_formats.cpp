@@ -44,6 +44,20 @@ scenario::Cell written_cell(const Run_view& run, const Bounds& bounds)
       bounds.low, {{{bounds.width(), 0.0}, {0.0, bounds.height()}}}, {false, false}});
 }
 
+// Whether other programs read a text as one word of a line.
+bool is_word(const std::string& text)
+{
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+    return static_cast<unsigned char>(c) > ' ' && c != '\x7F' && c != '"' && c != '\'';
+  });
+}
+
+// Whether the motion has names for ids, which can stand in a column of XYZ.
+bool has_words_for_ids(const scenario::Motion& motion)
+{
+  return motion.names() && std::all_of(motion.names()->begin(), motion.names()->end(), is_word);
+}
+
 void write_xyz_head(std::ostream& out, const Run_view& run, const Bounds& bounds)
 {
   const scenario::Cell cell = written_cell(run, bounds);
@@ -54,8 +68,9 @@ void write_xyz_head(std::ostream& out, const Run_view& run, const Bounds& bounds
   }
   out << "0 0 1\" Origin=\"" << number_text(cell.corner.x) << ' ' << number_text(cell.corner.y)
       << " -0.5\" pbc=\"" << letter(cell.is_periodic[0]) << letter(cell.is_periodic[1])
-      << "F\" Properties=id:I:1:species:S:1:pos:R:3:set:I:1 Time="
-      << number_text(run.motion().time()) << " Frame=" << run.record().frame << '\n';
+      << "F\" Properties=id:" << (has_words_for_ids(run.motion()) ? 'S' : 'I')
+      << ":1:species:S:1:pos:R:3:set:I:1 Time=" << number_text(run.motion().time())
+      << " Frame=" << run.record().number << '\n';
 }
 
 // The time stands before the time step, as LAMMPS itself has it.
@@ -63,7 +78,7 @@ void write_lammps_head(std::ostream& out, const Run_view& run, const Bounds& bou
 {
   out << "ITEM: TIME\n"
       << number_text(run.motion().time()) << "\nITEM: TIMESTEP\n"
-      << run.record().frame << "\nITEM: NUMBER OF ATOMS\n"
+      << run.record().number << "\nITEM: NUMBER OF ATOMS\n"
       << run.motion().points().size() << '\n';
   if (const auto cell = run.motion().cell()) {
     scenario::write_lammps_box(out, *cell);
@@ -135,6 +150,16 @@ private:
   std::vector<Shown_triangle> m_triangles;
 };
 
+// A text as VTK has it among others: its bytes as numbers, and a zero.
+std::string vtk_text(const std::string& text)
+{
+  std::string bytes;
+  for (const char c : text) {
+    bytes += std::to_string(static_cast<unsigned char>(c)) + ' ';
+  }
+  return bytes + '0';
+}
+
 std::string space_text(const scenario::Point& p)
 {
   return number_text(p.x) + ' ' + number_text(p.y) + " 0";
@@ -169,7 +194,7 @@ void Frame_log::write(const Run_view& run)
     return;
   }
   const CGAL::Update_report_2& update = record.update;
-  m_file.write(record.frame, record.time, record.points, record.population_changed,
+  m_file.write(record.number, record.time, record.points, record.population_changed,
                record.certified, record.validity, rebuild_reason_name(update.rebuild_reason),
                update.classified, update.padded, update.border, update.flips, update.splices,
                update.enlargements, update.relocated, record.nanoseconds.dynamic,
@@ -179,6 +204,7 @@ void Frame_log::write(const Run_view& run)
 Point_log::Point_log(const std::string& path, Format format, const Frame_choice& choice,
                      const std::optional<scenario::Box>& box)
   : Frame_output(choice)
+  , m_path(path)
   , m_file(path)
   , m_format(format)
   , m_box(box)
@@ -196,13 +222,34 @@ void Point_log::write(const Run_view& run)
   } else {
     write_lammps_head(out, run, bounds);
   }
+  const bool has_words = is_xyz && has_words_for_ids(run.motion());
+  if (run.motion().names() && !has_words && !m_id_table) {
+    write_id_table(*run.motion().names());
+  }
   const char* const species = is_xyz ? " X " : " 1 "; // X is an unknown one
   const std::vector<Vertex_set> sets = run.sets();
   for (std::size_t i = 0; i != points.size(); ++i) {
-    out << run.motion().ids()[i] << species << number_text(points[i].x) << ' '
-        << number_text(points[i].y) << " 0 " << static_cast<unsigned>(sets[i]) << '\n';
+    out << (has_words ? run.motion().id_text(i) : std::to_string(run.motion().ids()[i])) << species
+        << number_text(points[i].x) << ' ' << number_text(points[i].y) << " 0 "
+        << static_cast<unsigned>(sets[i]) << '\n';
   }
   m_file.check();
+}
+
+void Point_log::write_id_table(const std::vector<std::string>& names)
+{
+  m_id_table.emplace(id_table_of(m_path), std::vector<std::string>{"id", "name"});
+  for (std::size_t id = 0; id != names.size(); ++id) {
+    m_id_table->write(id, names[id]);
+  }
+}
+
+void Point_log::finish()
+{
+  m_file.finish();
+  if (m_id_table) {
+    m_id_table->finish();
+  }
 }
 
 void write_vtk_grid(std::ostream& out, const Run_view& run)
@@ -218,6 +265,8 @@ void write_vtk_grid(std::ostream& out, const Run_view& run)
          "<UnstructuredGrid>\n<FieldData>\n";
   write_array(out, R"(type="Float64" Name="TimeValue" NumberOfTuples="1")", 1,
               [&](std::size_t) { return number_text(motion.time()); });
+  write_array(out, R"(type="Int64" Name="Frame" NumberOfTuples="1")", 1,
+              [&](std::size_t) { return run.record().number; });
   if (cell) {
     write_grid_cell(out, *cell);
   }
@@ -225,6 +274,10 @@ void write_vtk_grid(std::ostream& out, const Run_view& run)
       << triangles.size() << "\">\n<PointData Scalars=\"set\">\n";
   write_array(out, R"(type="Int64" Name="id")", points.size(),
               [&](std::size_t i) { return motion.ids()[points.original(i)]; });
+  if (motion.names()) {
+    write_array(out, R"(type="String" Name="name")", points.size(),
+                [&](std::size_t i) { return vtk_text(motion.id_text(points.original(i))); });
+  }
   write_array(out, R"(type="UInt8" Name="set")", points.size(),
               [&](std::size_t i) { return static_cast<unsigned>(sets[points.original(i)]); });
   if (cell) {
@@ -258,11 +311,11 @@ Vtk_series::Vtk_series(const std::string& directory, const Frame_choice& choice)
 
 void Vtk_series::write(const Run_view& run)
 {
-  const std::size_t frame = run.record().frame;
-  Output_file file(m_directory.path_of(frame_file_name(frame, grid_ending)));
+  const std::int64_t number = run.record().number;
+  Output_file file(m_directory.path_of(frame_file_name(number, grid_ending)));
   write_vtk_grid(file.stream(), run);
   file.finish();
-  m_frames.push_back(frame);
+  m_numbers.push_back(number);
   m_times.push_back(run.record().time);
 }
 
@@ -273,9 +326,9 @@ void Vtk_series::finish()
          "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
          "<Collection>\n";
   const std::vector<double> times = distinct_times();
-  for (std::size_t i = 0; i != m_frames.size(); ++i) {
+  for (std::size_t i = 0; i != m_numbers.size(); ++i) {
     out << "<DataSet timestep=\"" << number_text(times[i]) << "\" part=\"0\" file=\""
-        << frame_file_name(m_frames[i], grid_ending) << "\"/>\n";
+        << frame_file_name(m_numbers[i], grid_ending) << "\"/>\n";
   }
   out << "</Collection>\n</VTKFile>\n";
   m_collection.finish();
@@ -287,7 +340,7 @@ std::vector<double> Vtk_series::distinct_times() const
 {
   const bool ascend =
       std::adjacent_find(m_times.begin(), m_times.end(), std::greater_equal<>()) == m_times.end();
-  return ascend ? m_times : std::vector<double>(m_frames.begin(), m_frames.end());
+  return ascend ? m_times : std::vector<double>(m_numbers.begin(), m_numbers.end());
 }
 
 } // namespace run

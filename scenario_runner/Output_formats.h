@@ -10,6 +10,7 @@
 #include "scenario_runner/Pictures.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -34,6 +35,8 @@ private:
 
 // The points of some frames of a run in one file, a line each: id, species, x, y, z and the number
 // of the set. Above them is the cell, if space is periodic, or else the box or that of the points.
+// Where a motion has names for ids, and the format cannot have them, it gets numbers, and
+// id_table_of(path) has the name of each.
 class Point_log : public Frame_output
 {
 public:
@@ -44,12 +47,15 @@ public:
   Point_log(const std::string& path, Format format, const Frame_choice& choice,
             const std::optional<scenario::Box>& box);
 
-  void finish() override { m_file.finish(); }
+  void finish() override;
 
 private:
   void write(const Run_view& run) override;
+  void write_id_table(const std::vector<std::string>& names);
 
+  std::string m_path;
   Output_file m_file;
+  std::optional<Csv_writer> m_id_table;
   Format m_format;
   std::optional<scenario::Box> m_box;
 };
@@ -73,7 +79,7 @@ private:
 
   Output_directory m_directory;
   Output_file m_collection;
-  std::vector<std::size_t> m_frames;
+  std::vector<std::int64_t> m_numbers; // of frames
   std::vector<double> m_times;
 };
 

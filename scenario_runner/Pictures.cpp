@@ -123,7 +123,7 @@ private:
   void write_caption() const
   {
     const Frame_record& record = m_run.record();
-    m_out << "<text x=\"20\" y=\"" << number(font_size + 4.0) << "\">frame " << record.frame
+    m_out << "<text x=\"20\" y=\"" << number(font_size + 4.0) << "\">frame " << record.number
           << ", time " << readable_time(record.time)
           << (record.update.rebuilt() ? ", triangulated anew" : "") << "</text>\n";
   }
@@ -283,7 +283,7 @@ void write_picture_page(std::ostream& out, const std::string& name,
   out << "<li>Keys: left and right, home and end, space to play</li>\n</ul>\n"
          "<details id=\"frames\" open><summary>All pictures</summary>\n<ol id=\"list\">\n";
   for (const Listed_picture& picture : pictures) {
-    out << "<li><a href=\"" << picture.file << "\">frame " << picture.frame << ", time "
+    out << "<li><a href=\"" << picture.file << "\">frame " << picture.number << ", time "
         << readable_time(picture.time) << "</a></li>\n";
   }
   out << "</ol>\n</details>\n<script>" << picture_page_script << "</script>\n</body>\n</html>\n";
@@ -304,11 +304,11 @@ void Picture_series::write(const Run_view& run)
   const Frame_record& record = run.record();
   const Picture_geometry geometry = picture_geometry(run);
   const Picture_view view(picture_bounds(geometry, m_box));
-  const std::string file_name = frame_file_name(record.frame, ".svg");
+  const std::string file_name = frame_file_name(record.number, ".svg");
   Output_file file(m_directory.path_of(file_name));
   Svg_picture(file.stream(), run, geometry, view).write();
   file.finish();
-  m_pictures.push_back({file_name, record.frame, record.time});
+  m_pictures.push_back({file_name, record.number, record.time});
 }
 
 void Picture_series::finish()

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <ostream>
@@ -146,7 +147,7 @@ inline Frame_choice about_thirty(std::size_t frames)
 struct Listed_picture
 {
   std::string file;
-  std::size_t frame;
+  std::int64_t number; // of the frame
   double time;
 };
 

@@ -11,9 +11,22 @@
 
 namespace scenario {
 
+namespace {
+
+bool numbers_ascend(const Recording& recording)
+{
+  const auto do_not_ascend = [](const Recorded_frame& a, const Recorded_frame& b) {
+    return a.number >= b.number;
+  };
+  return std::adjacent_find(recording.begin(), recording.end(), do_not_ascend) == recording.end();
+}
+
+} // namespace
+
 Recorded_motion::Recorded_motion(std::string name, Recording recording)
   : Motion(std::move(name))
   , m_recording(std::move(recording))
+  , m_has_numbers(numbers_ascend(m_recording))
 {
   if (m_recording.empty()) {
     throw std::invalid_argument("a recorded motion needs at least one frame");
@@ -25,6 +38,11 @@ bool Recorded_motion::has_fixed_population() const
   return std::all_of(m_recording.begin(), m_recording.end(), [this](const Recorded_frame& frame) {
     return frame.ids == m_recording.front().ids;
   });
+}
+
+std::optional<std::int64_t> Recorded_motion::frame_number() const
+{
+  return m_has_numbers ? std::optional(frame().number) : std::nullopt;
 }
 
 bool Recorded_motion::advance(const Neighbor_edges&)

@@ -43,6 +43,8 @@ public:
   const std::vector<Point>& points() const override { return frame().points; }
   double time() const override { return frame().time; }
   std::optional<Cell> cell() const override { return frame().cell; }
+  std::optional<std::int64_t> frame_number() const override;
+  const std::vector<std::string>* names() const override { return frame().names.get(); }
   bool has_fixed_population() const override;
   bool population_changed() const override { return m_population_changed; }
   std::size_t frames() const override { return m_recording.size() - 1; }
@@ -52,6 +54,7 @@ private:
   const Recorded_frame& frame() const { return m_recording[m_current]; }
 
   Recording m_recording;
+  bool m_has_numbers; // which ascend
   std::size_t m_current = 0;
   bool m_population_changed = false;
 };

@@ -5,12 +5,15 @@
 
 #include "scenario_runner/Command_line.h"
 #include "scenario_runner/Open_motion.h"
+#include "scenario_runner/Output_file.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
 
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <optional>
+#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -134,7 +137,8 @@ bool is_one_file(const std::filesystem::path& a, const std::filesystem::path& b)
   return a.lexically_normal() == b.lexically_normal() || std::filesystem::equivalent(a, b, ignored);
 }
 
-// Two outputs must not write the same file, and none may replace the recording.
+// Two outputs must not write the same file, and none may replace the recording. Tables of ids are
+// written only if ids are text, which is not known yet.
 void check_files(const Run_options& options)
 {
   std::vector<std::pair<std::string, std::string>> files;
@@ -145,10 +149,16 @@ void check_files(const Run_options& options)
   if (options.domain) {
     files.emplace_back("--domain", *options.domain);
   }
+  const auto ids_of = [](const std::optional<std::string>& file) {
+    return file ? std::optional(id_table_of(*file)) : std::nullopt;
+  };
   for (const auto& [name, file] :
        {std::pair("--report", options.report), std::pair("--csv", options.csv),
         std::pair("--html", options.html), std::pair("--xyz", options.xyz),
-        std::pair("--lammps", options.lammps), std::pair("--cells", options.cells)}) {
+        std::pair("the table of ids of --xyz", ids_of(options.xyz)),
+        std::pair("--lammps", options.lammps),
+        std::pair("the table of ids of --lammps", ids_of(options.lammps)),
+        std::pair("--cells", options.cells)}) {
     if (!file) {
       continue;
     }

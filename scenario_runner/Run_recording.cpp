@@ -118,7 +118,7 @@ Json columns(const std::vector<Frame_record>& records)
     return column(records, [member](const Frame_record& record) { return record.update.*member; });
   };
   using Report = CGAL::Update_report_2;
-  return {{"frame", column(records, [](const Frame_record& record) { return record.frame; })},
+  return {{"frame", column(records, [](const Frame_record& record) { return record.number; })},
           {"time", column(records, [](const Frame_record& record) { return record.time; })},
           {"points", column(records, [](const Frame_record& record) { return record.points; })},
           {"certified",
@@ -160,6 +160,9 @@ void Run_recording::add(const Run_view& run)
 {
   const scenario::Motion& motion = run.motion();
   m_records.push_back(run.record());
+  if (m_records.size() == 1 && motion.names()) {
+    m_names = *motion.names();
+  }
   m_cells.push_back(motion.cell());
   const Places places = follow(motion);
   add_edges(run.edges(), places);
@@ -387,6 +390,7 @@ void Run_recording::write(std::ostream& out, const std::string& name,
   out << script_text({{"name", name},
                       {"method", method},
                       {"numbers", m_points.size()},
+                      {"names", m_names.empty() ? Json() : Json(m_names)},
                       {"low", {low.x, low.y}},
                       {"high", {high.x, high.y}},
                       {"quantum", quantum()},

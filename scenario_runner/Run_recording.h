@@ -81,7 +81,8 @@ private:
   std::vector<Followed_point> m_points; // by number
   std::vector<Number> m_numbers;        // of the ids of the last frame, in their order
   std::vector<std::int64_t> m_ids;
-  std::vector<Edge> m_edges; // of the last frame, ascending
+  std::vector<std::string> m_names; // by id, where ids are text
+  std::vector<Edge> m_edges;        // of the last frame, ascending
   std::vector<Triangle> m_triangles;
   Packed_bytes m_changes;
   std::vector<Frame_positions> m_positions;

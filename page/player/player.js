@@ -193,7 +193,7 @@ class Player {
     if (number >= 0) {
       const { positions, sets, speeds } = picture.scene;
       const set = setNames[sets[number]];
-      element("told").textContent = `point ${recording.frame(this.place).ids[number]} at ` +
+      element("told").textContent = `point ${recording.nameOf(this.place, number)} at ` +
         `(${shortNumber(positions[2 * number])}, ${shortNumber(positions[2 * number + 1])}), ` +
         `speed ${shortNumber(speeds[number])}` + (set === "none" ? "" : `, ${set}`);
     }

@@ -7,6 +7,7 @@
 // The text is a JSON object with
 //   name, method    what ran, and what kept the triangulation
 //   numbers         how many points there were in all; each has a number
+//   names           null, or what users call the points, by their ids
 //   low, high       the bounds of all that is drawn
 //   quantum         position = low + quantum * whole numbers
 //   speedScale      the speed that has the last color
@@ -175,6 +176,7 @@ export class Recording {
     this.bounds = { low: json.low, high: json.high };
     this.quantum = json.quantum;
     this.numbers = json.numbers;
+    this.names = json.names;
     this.length = json.columns.frame.length;
     this.bytes = { positions: new Bytes(json.positions), changes: new Bytes(json.changes) };
     this.cells = [];
@@ -207,6 +209,12 @@ export class Recording {
     }
     this.last = { place, frame };
     return frame;
+  }
+
+  // What users call a point that is there in this frame.
+  nameOf(place, number) {
+    const id = this.frame(place).ids[number];
+    return this.names ? this.names[id] : `${id}`;
   }
 
   // By the distance to the frame before, in the unit of the motion; 0 where a point is new.

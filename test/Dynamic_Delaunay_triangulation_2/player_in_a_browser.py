@@ -6,10 +6,10 @@
     player_in_a_browser.py CHROMIUM RUN_SCENARIO [DIRECTORY]
 
 Runs in the plane, in periodic space, with a heuristic classifier and of points that come and go are written, and opened in
-frames of both widths. There the pages are scrubbed, played, zoomed and switched as a person does it. On each frame what the
-page says of points and edges has to be what `--csv` and `--vtk` have, every change has to change the picture, and nothing
-may be wider than the screen, or be written to the console. With a DIRECTORY pictures of the pages, light and dark, are put
-there to be looked at.
+frames of both widths. There the pages are scrubbed, played, zoomed and switched as a person does it. On each frame what
+the page says of its number, of points and edges has to be what `--csv` and `--vtk` have, every change has to change the
+picture, and nothing may be wider than the screen, or be written to the console. With a DIRECTORY pictures of the pages,
+light and dark, are put there to be looked at.
 """
 
 import csv
@@ -22,7 +22,7 @@ import tempfile
 
 SCREENS = {"desktop": (1280, 800), "phone": (390, 844)}
 COMING_AND_GOING = "frame,id,x,y\n" + "".join(
-    f"{frame},{i},{(i * 37 % 100) / 10 + 0.01 * frame * (i % 5)},{(i * 61 % 97) / 10}\n"
+    f"{100 + 5 * frame},p{i},{(i * 37 % 100) / 10 + 0.01 * frame * (i % 5)},{(i * 61 % 97) / 10}\n"
     for frame in range(12) for i in range(40 + frame) if (i + frame) % 11)
 RUNS = {
     "plane": ["dam_break", "--points", "300", "--frames", "40"],
@@ -67,7 +67,8 @@ async function look(name, expected, screen, [width, height]) {
   const order = [...expected.frames.keys()].map(k => k * 7 % (last + 1));
   for (const place of new Set([...order, last, 0])) { // to and fro
     scrub(place);
-    const { points, edges, wrong, certified } = expected.frames[place], said = $("state").textContent;
+    const { number, points, edges, wrong, certified } = expected.frames[place], said = $("state").textContent;
+    check($("shown").textContent.includes(`frame ${number} of ${expected.frames[last].number}`), $("shown").textContent);
     check(said.includes(`${points} points`) && said.includes(`${edges} edges`), `frame ${place} has ${points} points ` +
       `and ${edges} edges, not: ${said}`);
     check(said.includes("certified") === certified, `frame ${place}: ${said}`);
@@ -76,7 +77,11 @@ async function look(name, expected, screen, [width, height]) {
   await changes("scrubbing", () => scrub(last));
   await changes("Home", () => pressed("Home"));
   await changes("End", () => pressed("End"));
-  check($("shown").textContent.includes(`frame ${last} of ${last}`), $("shown").textContent);
+  for (let k = 0; k !== 900 && $("told").hidden; ++k) { // until a point is near
+    const at = { clientX: k % 30 / 30 * width, clientY: Math.floor(k / 30) / 30 * height };
+    $("picture").dispatchEvent(new window.PointerEvent("pointermove", at));
+  }
+  check(RegExp(`^point ${expected.id} at `).test($("told").textContent), `it tells "${$("told").textContent}"`);
   await changes("the button back", () => $("back").click());
   scrub(last - 1);
   for (const layer of ["edges", "points", "voronoi", "circumcircles", "speeds"]) {
@@ -156,16 +161,21 @@ def written(program, folder, name, arguments):
     with open(table, newline="") as file:
         rows = [None, *csv.DictReader(file)]
     frames = []
-    for place, row in enumerate(rows):
-        grid = grids / f"frame_{place:05}.vtu"
+    files = re.findall(r'file="(.+?)"', (grids / "frames.pvd").read_text())
+    for row, file in zip(rows, files, strict=True):
+        grid = grids / file
         content = grid.read_text()
         points = int(row["points"]) if row else int(re.search(r'NumberOfPoints="(\d+)"', content)[1])
         if not row and "CellSides" in content:
             points = int(rows[1]["points"])
         delaunay = re.search(r'Name="delaunay"[^>]*>(.*?)</DataArray>', content, re.S)[1].split()
-        frames.append({"points": points, "edges": edges_of(grid), "wrong": "0" in delaunay,
+        number = int(file.removeprefix("frame_").removesuffix(".vtu"))
+        if row and int(row["frame"]) != number:
+            sys.exit(f"{name}: {file} is of frame {row['frame']}")
+        frames.append({"number": number, "points": points, "edges": edges_of(grid), "wrong": "0" in delaunay,
                        "certified": row["certified"] == "1" if row else True})
-    return {"page": page.as_uri(), "timed": in_virtual_time(page).as_uri(), "frames": frames, "title": "coming & <going>" if name == "population" else arguments[0]}
+    return {"page": page.as_uri(), "timed": in_virtual_time(page).as_uri(), "frames": frames,
+            "id": r"p\d+" if name == "population" else r"\d+", "title": "coming & <going>" if name == "population" else arguments[0]}
 
 
 def in_virtual_time(page):

@@ -107,6 +107,7 @@ inline void expect_equal_recordings(const scenario::Recording& frames,
   ASSERT_EQ(frames.size(), others.size());
   for (std::size_t i = 0; i != others.size(); ++i) {
     SCOPED_TRACE(i);
+    EXPECT_EQ(frames[i].number, others[i].number);
     EXPECT_EQ(frames[i].ids, others[i].ids);
     EXPECT_EQ(frames[i].time, others[i].time);
     EXPECT_EQ(frames[i].cell, others[i].cell);

@@ -31,6 +31,7 @@
 #include <istream>
 #include <limits>
 #include <map>
+#include <optional>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -38,6 +39,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -77,8 +79,10 @@ std::vector<Number> numbers(const std::string& text)
 
 struct Grid
 {
+  std::int64_t number; // of the frame
   double time;
   std::vector<std::int64_t> ids;
+  std::vector<std::string> names; // none where ids are numbers
   std::vector<std::int64_t> sets;
   std::vector<std::int64_t> delaunay;
   std::vector<scenario::Point> points;
@@ -97,6 +101,22 @@ std::string array_of(const Xml& element, const std::string& name)
     }
   }
   throw std::runtime_error("there is no array " + name);
+}
+
+// The texts of the array `name`, if there is one: each is its bytes as numbers, and a zero.
+std::vector<std::string> names_in(const Xml& point_data)
+{
+  std::vector<std::string> names(1);
+  for (const auto& [tag, child] : point_data) {
+    if (tag == "DataArray" && child.get<std::string>("<xmlattr>.Name") == "name") {
+      EXPECT_EQ(child.get<std::string>("<xmlattr>.type"), "String");
+      for (const std::int64_t byte : numbers<std::int64_t>(array_of(point_data, "name"))) {
+        byte == 0 ? names.emplace_back() : names.back().push_back(static_cast<char>(byte));
+      }
+    }
+  }
+  names.pop_back();
+  return names;
 }
 
 void read_points(const Xml& piece, Grid& grid)
@@ -134,6 +154,8 @@ Grid read_grid(std::istream& in)
   const Xml& whole = xml.get_child("VTKFile.UnstructuredGrid");
   const Xml& piece = whole.get_child("Piece");
   Grid grid;
+  grid.number = numbers<std::int64_t>(array_of(whole.get_child("FieldData"), "Frame")).at(0);
+  grid.names = names_in(piece.get_child("PointData"));
   grid.time = numbers<double>(array_of(whole.get_child("FieldData"), "TimeValue")).at(0);
   grid.ids = numbers<std::int64_t>(array_of(piece.get_child("PointData"), "id"));
   grid.sets = numbers<std::int64_t>(array_of(piece.get_child("PointData"), "set"));
@@ -181,7 +203,7 @@ scenario::Recording read_xyz(const std::string& path)
   const std::regex size("\\d+"), point("-?\\d+ X \\S+ \\S+ 0 [0-3]");
   const std::regex head("Lattice=\"(?!0 )\\d\\S* 0 0 0 (?!0 )\\d\\S* 0 0 0 1\" "
                         "Origin=\"\\S+ \\S+ \\S+\" pbc=\"F F F\" "
-                        "Properties=id:I:1:species:S:1:pos:R:3:set:I:1 Time=\\S+ Frame=\\d+");
+                        "Properties=id:I:1:species:S:1:pos:R:3:set:I:1 Time=\\S+ Frame=-?\\d+");
   std::ifstream in(path);
   for (std::string line; std::getline(in, line);) {
     EXPECT_TRUE(std::regex_match(line, size) || std::regex_match(line, head) ||
@@ -195,7 +217,7 @@ scenario::Recording recording_of(const Collection& collection)
 {
   scenario::Recording frames;
   for (const Grid& grid : collection.grids) {
-    frames.push_back({grid.time, grid.ids, grid.points});
+    frames.push_back({grid.time, grid.ids, grid.points, std::nullopt, grid.number});
   }
   return frames;
 }
@@ -448,6 +470,148 @@ TEST(Formats, of_a_dump_that_is_run_again_are_the_same)
   EXPECT_EQ(content_of(third.xyz), content_of(second.xyz));
 }
 
+// Frames by their numbers: their times, and positions by what the user calls the points.
+using Named_points = std::map<std::string, std::pair<double, double>>;
+using Named_frames = std::map<std::int64_t, std::pair<double, Named_points>>;
+
+Named_frames named(const scenario::Recording& recording)
+{
+  Named_frames frames;
+  scenario::Recorded_motion motion("motion", recording);
+  do {
+    auto& [time, points] = frames[motion.frame_number().value_or(-1)];
+    time = motion.time();
+    for (std::size_t i = 0; i != motion.ids().size(); ++i) {
+      points[motion.id_text(i)] = {motion.points()[i].x, motion.points()[i].y};
+    }
+  } while (motion.advance({}));
+  return frames;
+}
+
+// With the ids of a table instead of their numbers.
+Named_frames renamed(const scenario::Recording& recording, const std::string& table)
+{
+  std::map<std::string, std::string> names;
+  std::ifstream in(table);
+  std::string line;
+  std::getline(in, line);
+  EXPECT_EQ(line, "id,name");
+  while (std::getline(in, line)) {
+    const std::size_t comma = line.find(',');
+    names[line.substr(0, comma)] = line.substr(comma + 1);
+  }
+  Named_frames frames;
+  for (const auto& [number, frame] : named(recording)) {
+    frames[number].first = frame.first;
+    for (const auto& [id, point] : frame.second) {
+      frames[number].second[names.at(id)] = point;
+    }
+  }
+  return frames;
+}
+
+Named_frames named(const Collection& collection)
+{
+  Named_frames frames;
+  for (const Grid& grid : collection.grids) {
+    auto& [time, points] = frames[grid.number];
+    time = grid.time;
+    for (std::size_t i = 0; i != grid.points.size(); ++i) {
+      points[grid.names.at(i)] = {grid.points[i].x, grid.points[i].y};
+    }
+  }
+  return frames;
+}
+
+// A recording whose frames have numbers with gaps, and whose ids are text, as names of people.
+std::string named_csv(const std::string& somebody)
+{
+  return "frame,time,id,x,y\n-7,0.5,Zo\xC3\xAB,0,0\n-7,0.5,7,4,0\n-7,0.5," + somebody +
+         ",4,3\n120,1.5," + somebody + ",4,3.1\n120,1.5,7,4.1,0\n120,1.5,a;b,2,1\n" +
+         "120,1.5,Zo\xC3\xAB,0.1,0\n1000000,9,7,4.2,0\n1000000,9,a;b,2,1.1\n1000000,9," + somebody +
+         ",4,3.2\n";
+}
+
+TEST(Frames_and_ids, of_a_recording_are_those_of_all_files)
+{
+  for (const std::string somebody : {"Anna", "Anna Maria"}) {
+    SCOPED_TRACE(somebody);
+    const std::string csv = write_file("named.csv", named_csv(somebody));
+    const Named_frames frames = named(scenario::read_csv_motion(csv));
+    ASSERT_EQ(frames.size(), 3u);
+    ASSERT_EQ(frames.at(120).second.at(somebody).second, 3.1);
+    const std::string cells = temporary_path("named_cells.csv"), log = temporary_path("log.csv");
+    const Written written =
+        write_all("named", {csv, "--cells", cells, "--radius", "2", "--csv", log});
+    EXPECT_EQ(named(scenario::read_csv_motion(cells)), frames);
+    EXPECT_EQ(named(read_collection(written.directory)), frames);
+    EXPECT_EQ(renamed(scenario::read_lammps_dump(written.dump), written.dump + ".ids.csv"), frames);
+    const scenario::Recording xyz = scenario::read_xyz_motion(written.xyz);
+    const std::string table = written.xyz + ".ids.csv";
+    if (somebody == "Anna") {
+      EXPECT_EQ(named(xyz), frames);
+      EXPECT_FALSE(std::filesystem::exists(table));
+    } else {
+      EXPECT_EQ(renamed(xyz, table), frames);
+    }
+    const std::string rows = content_of(log);
+    EXPECT_EQ(number_of_lines(rows), 3u);
+    EXPECT_NE(rows.find("\n120,1.5,4,"), std::string::npos) << rows;
+    EXPECT_NE(rows.find("\n1000000,9,3,"), std::string::npos) << rows;
+  }
+}
+
+TEST(Frames_and_ids, of_a_recording_are_those_of_pictures_and_the_page)
+{
+  const std::string csv = write_file("shown.csv", named_csv("Anna <Maria>"));
+  const std::filesystem::path pictures = temporary_path("named_pictures");
+  const std::string page = temporary_path("named.html");
+  run_quietly({csv, "--svg", pictures.string(), "--html", page});
+  std::set<std::string> names;
+  for (const auto& file : std::filesystem::directory_iterator(pictures)) {
+    names.insert(file.path().filename().string());
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"frame_-00007.svg", "frame_00120.svg",
+                                          "frame_1000000.svg", "index.html"}));
+  EXPECT_NE(content_of((pictures / "frame_00120.svg").string()).find("frame 120, time 1.5"),
+            std::string::npos);
+  EXPECT_NE(content_of((pictures / "index.html").string()).find("frame_-00007.svg\">frame -7, "),
+            std::string::npos);
+  const std::string text = content_of(page);
+  EXPECT_NE(text.find("\"frame\":[-7,120,1000000]"), std::string::npos);
+  EXPECT_NE(text.find("\"names\":[\"Zo\xC3\xAB\",\"7\",\"Anna \\u003cMaria>\",\"a;b\"]"),
+            std::string::npos);
+}
+
+TEST(Frames_and_ids, of_a_dump_and_of_xyz_are_read_back_and_written_again)
+{
+  std::string dump = small_dump();
+  for (int frame = 5; frame >= 0; --frame) { // steps 0, 1, 2 to 100, 350, 600
+    const std::string head = "TIMESTEP\n";
+    dump.replace(dump.find(head + std::to_string(frame) + "\n") + head.size(), 1,
+                 std::to_string(100 + 250 * frame));
+  }
+  const std::string path = write_file("steps.dump", dump);
+  const scenario::Recording recording = scenario::read_lammps_dump(path);
+  EXPECT_EQ(recording.back().number, 1350);
+  expect_all_formats(write_all("steps", {path}), recording);
+  expect_all_formats(write_all("steps_again", {temporary_path("steps.xyz")}), recording);
+}
+
+TEST(Frames_and_ids, without_numbers_that_ascend_are_counted)
+{
+  scenario::Recording recording(3);
+  EXPECT_EQ(scenario::Recorded_motion("none", recording).frame_number(), std::nullopt);
+  for (std::size_t i = 0; i != 3; ++i) {
+    recording[i].number = static_cast<std::int64_t>(10 * i) - 4;
+  }
+  scenario::Recorded_motion motion("numbers", recording);
+  EXPECT_EQ(motion.frame_number(), -4);
+  motion.advance({});
+  EXPECT_EQ(motion.frame_number(), 6);
+  EXPECT_EQ(motion.names(), nullptr);
+}
+
 TEST(Every, chooses_the_frames_of_all_formats)
 {
   const std::filesystem::path pictures = temporary_path("every_pictures");
@@ -517,6 +681,9 @@ TEST(One_file, is_not_read_and_written)
     expect_refusal({path, option, path}, {option, "SCENARIO"});
   }
   EXPECT_EQ(content_of(path), small_dump());
+  const std::string table = write_file("only.xyz.ids.csv", named_csv("Anna Maria"));
+  expect_refusal({table, "--xyz", temporary_path("only.xyz")}, {"table of ids", "SCENARIO"});
+  EXPECT_EQ(content_of(table), named_csv("Anna Maria"));
 }
 
 TEST(Files, of_a_run_that_fails_are_as_they_were)
