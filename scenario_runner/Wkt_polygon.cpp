@@ -268,7 +268,9 @@ private:
       m_scanner.fail(name + " has " + std::to_string(values.size()) +
                          (values.size() == 1 ? " number" : " numbers") + ", expected " +
                          std::to_string(numbers) +
-                         (numbers == 2 ? "; a type with heights is POLYGON Z" : " by its type"),
+                         (numbers > 2         ? " by its type"
+                          : values.size() > 2 ? "; a type with heights is POLYGON Z"
+                                              : ""),
                      begin);
     }
     return {values[0], values[1]};
