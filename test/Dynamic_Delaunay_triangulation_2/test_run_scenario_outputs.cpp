@@ -111,7 +111,11 @@ std::vector<std::string> names_in(const Xml& point_data)
     if (tag == "DataArray" && child.get<std::string>("<xmlattr>.Name") == "name") {
       EXPECT_EQ(child.get<std::string>("<xmlattr>.type"), "String");
       for (const std::int64_t byte : numbers<std::int64_t>(array_of(point_data, "name"))) {
-        byte == 0 ? names.emplace_back() : names.back().push_back(static_cast<char>(byte));
+        if (byte == 0) {
+          names.emplace_back();
+        } else {
+          names.back() += static_cast<char>(byte);
+        }
       }
     }
   }
