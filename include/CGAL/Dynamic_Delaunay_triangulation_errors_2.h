@@ -112,7 +112,7 @@ private:
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
 A frame has too few or too many points, or a list, such as one of radii, weights or data, has too
-few or too many entries.
+few or too many entries. Points of a random-access range are counted before any of them is read.
 */
 class Point_count_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
@@ -120,7 +120,8 @@ public:
   /// \cond
   Point_count_error_2(std::size_t expected, std::size_t given)
     : Dynamic_Delaunay_triangulation_error_2(text(
-          "given are ", given, (given > expected ? " or more" : ""), " entries, and ", expected,
+          "given are ", given, (given == expected + 1 ? " or more" : ""), " entries, and ",
+          expected,
           " are due: in a frame one position for each id from 0 to the last, any one for those of "
           "removed points"))
     , m_expected(expected)

@@ -13,7 +13,12 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_repair_2.h>
 
 #include <array>
+#include <deque>
 #include <limits>
+#include <list>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace test_guarantees {
 
@@ -144,10 +149,47 @@ TEST(Guarantees, too_few_and_too_many_positions_are_refused_and_nothing_changes)
       FAIL() << "no exception";
     } catch (const CGAL::Point_count_error_2& error) {
       EXPECT_EQ(error.expected(), 50u);
-      EXPECT_EQ(error.given(), std::min<std::size_t>(count, 51));
+      EXPECT_EQ(error.given(), count);
     }
     expect_exact(dt, points);
   }
+}
+
+// What a call reports as given, and whether it says that there may be more.
+template <class Dynamic, class Range>
+std::pair<std::size_t, bool> reported_count(Dynamic& dt, const Range& range)
+{
+  try {
+    dt.update(range.begin(), range.end());
+  } catch (const CGAL::Point_count_error_2& error) {
+    return {error.given(), std::string(error.what()).find(" or more") != std::string::npos};
+  }
+  return {0, false};
+}
+
+// A vector has a length, so its points are not read; other ranges are read as far as is due.
+template <class Dynamic>
+void expect_one_report_of_too_many(Dynamic& dt, std::size_t ids)
+{
+  using Point = typename Dynamic::Point;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Point> too_many(ids + 40, Point(nan, 0));
+  EXPECT_EQ(reported_count(dt, too_many), std::make_pair(ids + 40, false));
+  const std::deque<Point> many(ids + 40, Point(nan, 0));
+  EXPECT_EQ(reported_count(dt, many), std::make_pair(ids + 40, false));
+  const std::list<Point> list(ids + 40, Point(0.5, 0.5));
+  EXPECT_EQ(reported_count(dt, list), std::make_pair(ids + 1, true));
+}
+
+TEST(Guarantees, a_vector_of_too_many_positions_is_reported_in_one_way)
+{
+  Cloud<Epick> cloud(6);
+  Points points = cloud.uniform(50);
+  Exact dt(points.begin(), points.end());
+  expect_one_report_of_too_many(dt, 50);
+  points.push_back(points.front()); // points that coincide are read one by one
+  Exact with_duplicates(points.begin(), points.end());
+  expect_one_report_of_too_many(with_duplicates, 51);
 }
 
 TEST(Guarantees, an_unknown_id_is_refused)

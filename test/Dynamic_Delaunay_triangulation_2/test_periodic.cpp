@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <deque>
 #include <iterator>
 #include <limits>
 #include <list>
@@ -422,8 +423,15 @@ TEST(Wrong_input, is_refused_and_changes_nothing)
   EXPECT_THROW(pt.update(next, Cell(1, 0, 1e12, 1)), CGAL::Periodic_cell_error_2);
   next.pop_back();
   EXPECT_THROW(pt.update(next), CGAL::Point_count_error_2);
-  next.resize(11);
-  EXPECT_THROW(pt.update(next), CGAL::Point_count_error_2);
+  next.assign(20, Point(infinity, 0)); // counted, as in the plane, and not read
+  try {
+    pt.update(next);
+    ADD_FAILURE() << "too many points were taken";
+  } catch (const CGAL::Point_count_error_2& error) {
+    EXPECT_EQ(error.given(), 20u);
+    EXPECT_EQ(std::string(error.what()).find(" or more"), std::string::npos);
+  }
+  EXPECT_THROW(pt.update(std::deque<Point>(10, Point(infinity, 0))), CGAL::Point_count_error_2);
   EXPECT_THROW(pt.move(9, Point(0, 0)), CGAL::Unknown_id_error_2);
   EXPECT_THROW(pt.move(8, Point(infinity, 0)), CGAL::Non_finite_coordinate_error_2);
   EXPECT_THROW(pt.remove(9), CGAL::Unknown_id_error_2);

@@ -103,6 +103,16 @@ std::size_t length_within_limit(const InputIterator& first, const InputIterator&
   return 0;
 }
 
+// Throws unless a random-access range has a position for each id. Other ranges are counted while
+// they are read.
+template <class InputIterator>
+void check_frame_length(const InputIterator& first, const InputIterator& beyond, std::size_t ids)
+{
+  if constexpr (is_random_access<InputIterator>)
+    if (const std::size_t given = std::size_t(beyond - first); given != ids)
+      throw Point_count_error_2(ids, given);
+}
+
 // Reads and checks the positions of a frame before anything changes, and can take the frame back.
 // Only this class has the key with which a topology lets the points of duplicates be exchanged.
 template <class State>
@@ -129,6 +139,7 @@ public:
   template <class InputIterator, class PointMap>
   void stage(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
+    check_frame_length(first, beyond, m_state.ids().number_of_ids());
     m_next_duplicates = m_state.ids().duplicates();
     m_were_exact = m_positions.are_exact();
     m_positions.begin_frame();
@@ -178,10 +189,6 @@ private:
   bool stage_all_representatives(RandomAccessIterator first, RandomAccessIterator beyond,
                                  const PointMap& point_map)
   {
-    const std::size_t ids = m_state.ids().number_of_ids();
-    const std::size_t given = std::size_t(beyond - first);
-    if (given != ids)
-      throw Point_count_error_2(ids, (std::min)(given, ids + 1));
     const Index points = m_state.ids().number_of_representatives();
     std::atomic<bool> are_right{true}, are_exact{true};
     Parts::for_each(points, [&](std::size_t, std::size_t begin, std::size_t end) {

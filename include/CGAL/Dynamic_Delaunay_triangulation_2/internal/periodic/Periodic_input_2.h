@@ -86,9 +86,9 @@ public:
     using Identity_map = boost::typed_identity_property_map<Point>;
     const std::vector<Index> gone = std::exchange(m_gone, {});
     check_next(cell);
+    check_frame_length(first, beyond, m_state.ids().number_of_ids());
     if constexpr (is_in_memory<InputIterator> && std::is_same_v<Value, Point> &&
                   std::is_same_v<PointMap, Identity_map>) {
-      check_count(std::size_t(beyond - first));
       stage_points({first == beyond ? nullptr : &*first}, cell, gone);
     } else { // other ranges may be costly to read twice
       const std::vector<Point> points = copied(first, beyond, point_map);
@@ -172,16 +172,9 @@ private:
       auto&& value = *first;
       points.push_back(get(point_map, value));
     }
-    check_count(points.size());
+    if (points.size() != ids)
+      throw Point_count_error_2(ids, points.size());
     return points;
-  }
-
-  // One too many stands for any number, because not all ranges can be counted.
-  void check_count(std::size_t given) const
-  {
-    const std::size_t ids = m_state.ids().number_of_ids();
-    if (given != ids)
-      throw Point_count_error_2(ids, (std::min)(given, ids + 1));
   }
 
   void stage_points(const Points_by_id& points, const Periodic_cell_2& cell,
