@@ -80,6 +80,16 @@ enum class Group {
   CORNERS // triangles without their neighbors
 };
 
+// What is asked of many places at once, or with a squared radius.
+enum class Query { NEAREST, WITHIN, NATURAL_WEIGHTS, LINEAR_WEIGHTS, ALPHA_SHAPE };
+
+struct Question
+{
+  Query query;
+  Rows places{};
+  double extent = 0; // the radius of WITHIN, the alpha of ALPHA_SHAPE
+};
+
 struct Settings
 {
   std::string classifier;
@@ -132,6 +142,8 @@ public:
   virtual CGAL::Bounded_voronoi_gradients_2 bounded_gradients(const Bounded_cells& bounded,
                                                               const Rows& area_weights,
                                                               const Rows& length_weights) const = 0;
+
+  virtual std::vector<Array> answer(const Question& question) const = 0;
 
   virtual std::string checkpoint() const = 0;
   virtual void restore(const std::string& checkpoint) = 0;

@@ -6,6 +6,7 @@
 
 #include "bindings/Array_reading.h"
 #include "bindings/Bounded_cells.h"
+#include "bindings/Place_queries.h"
 #include "bindings/Row_iterator.h"
 #include "bindings/Subject.h"
 
@@ -217,6 +218,15 @@ public:
     }
   }
 
+  std::vector<Array> answer(const Question& question) const override
+  {
+    if constexpr (Kinds::has_extras) {
+      return answer_arrays(dt(), Row_numbers(dt(), has_user_ids), question);
+    } else {
+      return refuse_extra(), std::vector<Array>();
+    }
+  }
+
   std::string checkpoint() const override
   {
     if constexpr (Kinds::has_extras) {
@@ -247,7 +257,8 @@ public:
 private:
   [[noreturn]] static bool refuse_extra()
   {
-    throw std::logic_error("this binding has no checkpoints, checks of validity or gradients");
+    throw std::logic_error(
+        "this binding has no checkpoints, checks of validity, gradients or queries");
   }
 
   const auto& owner() const

@@ -13,9 +13,12 @@ from ._triangulations import CellMeasures, DynamicDelaunay, PeriodicDelaunay, Pe
 from .bounded import BoundedCellGradients, BoundedCells, CellPieces, CellSurface, Side
 from .errors import *  # noqa: F403
 from .neighbors import NeighborList
+from .places import AlphaClass, AlphaShape, InterpolationWeights, NearestPoints, PointsWithin
 from .trajectory import Frame, track
 
 __all__ = [
+    "AlphaClass",
+    "AlphaShape",
     "BoundedCellGradients",
     "BoundedCells",
     "CellMeasures",
@@ -24,9 +27,12 @@ __all__ = [
     "ClassifierFrame",
     "DynamicDelaunay",
     "Frame",
+    "InterpolationWeights",
+    "NearestPoints",
     "NeighborList",
     "PeriodicDelaunay",
     "PeriodicPopulation",
+    "PointsWithin",
     "Population",
     "Side",
     "UpdateReport",

@@ -68,6 +68,13 @@ class Group:
     RIDGES: Group
     CHANGES: Group
 
+class Query:
+    NEAREST: Query
+    WITHIN: Query
+    NATURAL_WEIGHTS: Query
+    LINEAR_WEIGHTS: Query
+    ALPHA_SHAPE: Query
+
 class Cell:
     def __init__(self, ax: float, ay: float, bx: float, by: float, is_slab: bool) -> None: ...
     @property
@@ -115,6 +122,7 @@ class Triangulation:
     def _bounded_gradients(
         self, cells: BoundedCells, area_weights: ArrayLike, length_weights: ArrayLike
     ) -> tuple[NDArray[np.float64], ...]: ...
+    def _answer(self, query: Query, places: ArrayLike, extent: float) -> tuple[NDArray[Any], ...]: ...
     def _cell_corners(self, id: int) -> NDArray[np.float64]: ...
     def _has_id(self, id: int) -> bool: ...
     def mend(self) -> UpdateReport: ...

@@ -12,10 +12,19 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._core import ClassifierFrame, Group, UpdateReport
+from ._core import ClassifierFrame, Group, Query, UpdateReport
 from .bounded import BoundedCells, Domain, rings_of
-from .errors import InputIndexError, InputTypeError, InputValueError, PeriodicCellError, UnknownIdError
+from .errors import (
+    InputIndexError,
+    InputTypeError,
+    InputValueError,
+    NotRecordedError,
+    ParameterError,
+    PeriodicCellError,
+    UnknownIdError,
+)
 from .neighbors import NeighborList
+from .places import AlphaShape, InterpolationWeights, NearestPoints, PointsWithin
 
 Classifier = Union[str, Callable[[ClassifierFrame], Any]]
 Self = TypeVar("Self", bound="_Triangulation")
@@ -99,6 +108,15 @@ def _floats(name: str, numbers: ArrayLike) -> NDArray[np.float64]:
         raise InputValueError(f"{name} must be real numbers: {error}") from None
 
 
+def _extent(name: str, number: Any) -> float:
+    array = _floats(name, number)
+    if array.ndim != 0:
+        raise InputValueError(f"{name} has the shape {array.shape}: it must be one number")
+    if not array >= 0:
+        raise InputValueError(f"{name} is {array}: it must be 0 or more")
+    return float(array)
+
+
 def _cell(cell: ArrayLike) -> _core.Cell:
     """From two sides, two vectors as rows, or one vector as one row."""
     array = _floats("a cell", cell)
@@ -143,6 +161,12 @@ class _Triangulation(_core.Triangulation):
         """Whether an array is one of this triangulation's, and nothing has changed since it was made. Views of an
         array, such as slices, are not known: ask for the array itself."""
         return self._is_current(array)
+
+    def _changes(self) -> tuple[NDArray[Any], ...]:
+        if not getattr(self, "_settings", {"changes": True})["changes"]:
+            kind = type(self).__name__
+            raise NotRecordedError(f"changed edges are recorded only with changes=True, as by {kind}(..., changes=True)")
+        return self._arrays(Group.CHANGES)
 
     @property
     def ids(self) -> NDArray[np.int64]:
@@ -191,8 +215,10 @@ class _Triangulation(_core.Triangulation):
 
     @property
     def areas(self) -> NDArray[np.float64]:
-        """float64 (rows,): areas of the Voronoi cells, in the squared unit of the coordinates; infinite on the hull, 0
-        for removed ids. Points that coincide share their cell's area."""
+        """float64 (rows,): areas of the Voronoi cells, in the squared unit of the coordinates. ``inf`` where a cell is
+        unbounded: of the points on the convex hull, so of all points on one line, and in a slab of those on its border;
+        a torus has none. ``clipped_cells()`` and ``bounded_cells()`` bound them. 0 for removed ids. Points that
+        coincide share their cell's area."""
         return self._arrays(Group.CELLS)[0]
 
     @property
@@ -247,7 +273,70 @@ class _Triangulation(_core.Triangulation):
         nothing; DomainError if a domain is no such polygon; InputValueError if there is no such rule."""
         radii = _floats("the radius", radius)
         one = float(radii) if radii.ndim == 0 else None
+        if one == np.inf and domain is None:
+            raise _nothing_bounds_cells(has_domains=not isinstance(self, _Periodic))
         return BoundedCells(self, self._bounded_cells(one, radius, rings_of(domain), rule))
+
+    def nearest(self, places: ArrayLike) -> NearestPoints:
+        """The nearest point of each place: rows, distances and shifts, for places (m, 2), or one, (2,). Decided
+        exactly. Cost: about n**(1/3) for each place; less if it is near the last one.
+
+        NonFiniteCoordinateError if a place is not finite; its ``id`` is the number of the place."""
+        return NearestPoints(*self._answer(Query.NEAREST, _rows(places), 0.0))
+
+    def _lists(
+        self, query: Query, places: ArrayLike, extent: float = 0.0
+    ) -> tuple[tuple[NDArray[Any], ...], tuple[int, int]]:
+        """What is found for each place, and the numbers of places and rows."""
+        while True:
+            rows = self._number_of_rows
+            arrays = self._answer(query, _rows(places), extent)
+            if rows == self._number_of_rows:  # else another thread has changed the triangulation in between
+                return arrays, (len(arrays[0]) - 1, rows)
+
+    @property
+    def _number_of_rows(self) -> int:
+        return self.number_of_points if isinstance(self, _ByIds) else self.number_of_ids
+
+    def within(self, places: ArrayLike, radius: float) -> PointsWithin:
+        """All points within a radius of each place, as lists one after the other, for places (m, 2), or one, (2,).
+        Those on the circle belong to it. In periodic space these are images, of which one point may have several.
+
+        A point that is farther than the radius by less than 2**-52 of it may be in the list. Around points, as
+        ``within(triangulation.points, radius)``, each finds itself as well. Cost: that of ``nearest()``, plus the
+        number of points that are found.
+
+        NonFiniteCoordinateError if a place is not finite; InputValueError if the radius is negative or NaN, or if it is
+        so large, compared to a periodic cell, that 32 bits could not count the images."""
+        (indptr, indices, distances, shifts), shape = self._lists(Query.WITHIN, places, _extent("the radius", radius))
+        return PointsWithin(indptr, indices, distances, shifts, shape)
+
+    def interpolation_weights(self, places: ArrayLike, method: str = "natural") -> InterpolationWeights:
+        """The weights by which values at the points are interpolated at places (m, 2), or one, (2,). By ``"natural"``
+        they are Sibson's, of natural neighbors, smooth except at the points; by ``"linear"`` the barycentric
+        coordinates in the triangle.
+
+        The weights hold for any values, so they are computed once for many: ``weights.interpolate(values)`` has the
+        values at the places. Of points that coincide, only the one that represents them has weights. Cost: that of
+        ``nearest()``.
+
+        NonFiniteCoordinateError if a place is not finite; InputValueError if there is no such method."""
+        queries = {"natural": Query.NATURAL_WEIGHTS, "linear": Query.LINEAR_WEIGHTS}
+        if not isinstance(method, str) or method not in queries:
+            raise InputValueError(f"the method is {method!r}: it must be 'natural' or 'linear'")
+        (indptr, indices, weights, shifts), shape = self._lists(queries[method], places)
+        return InterpolationWeights(indptr, indices, weights, shifts, shape)
+
+    def alpha_shape(self, alpha: float) -> AlphaShape:
+        """The alpha shape of the points: what is left of the triangulation when a disc, whose squared radius is
+        ``alpha``, erases what it can reach without covering a point. Decided exactly, as CGAL's ``Alpha_shape_2`` in
+        its general mode. Cost: linear.
+
+        InputValueError if alpha is negative, or not a finite number."""
+        number = _extent("alpha", alpha)
+        if number == np.inf:
+            raise InputValueError("alpha is inf: it must be a finite number, the square of a radius")
+        return AlphaShape(*self._answer(Query.ALPHA_SHAPE, np.empty((0, 2)), number))
 
     def neighbor_list(self) -> NeighborList:
         """Pairs of neighbors with vectors and the lengths of Voronoi edges, as freud's. Of points that coincide, only
@@ -270,9 +359,11 @@ class _Triangulation(_core.Triangulation):
         """The triangulation with all its numbers, as text. A run goes on from it as if it had not been interrupted."""
         return self._checkpoint()
 
-    def restore(self, checkpoint: bytes) -> None:
+    def restore(self, checkpoint: Optional[bytes] = None) -> None:
         """Replace everything by a checkpoint of the same kind. CheckpointError if it is damaged, or if
         anything follows; nothing changes."""
+        _check_loads(self, "restore", checkpoint)
+        assert checkpoint is not None
         try:
             text = bytes(memoryview(checkpoint))
         except TypeError as error:
@@ -284,8 +375,10 @@ class _Triangulation(_core.Triangulation):
         with open(path, "wb") as file:
             file.write(self.checkpoint())
 
-    def load(self, path: Union[str, os.PathLike[str]]) -> None:
-        """Replace everything by the checkpoint in a file."""
+    def load(self, path: Union[str, os.PathLike[str], None] = None) -> None:
+        """Replace everything by the checkpoint in a file: ``dt = DynamicDelaunay(); dt.load(path)``."""
+        _check_loads(self, "load", path)
+        assert path is not None
         with open(path, "rb") as file:
             self.restore(file.read())
 
@@ -307,6 +400,24 @@ class _Triangulation(_core.Triangulation):
     def __repr__(self) -> str:
         certified = "certified" if self.is_certified else "not certified"
         return f"<{type(self).__name__} of {self.number_of_points} points, {certified}>"
+
+
+def _nothing_bounds_cells(has_domains: bool) -> ParameterError:
+    wanted = "a radius, bounded_cells(2.5), or a domain, bounded_cells(domain=corners)"
+    error = ParameterError(
+        "the radius is inf, as it is without one, and there is no domain: cells need an end. Give "
+        + (wanted if has_domains else "a finite radius, bounded_cells(2.5)")
+    )
+    error.value = np.inf
+    return error
+
+
+def _check_loads(triangulation: Any, call: str, given: Any) -> None:
+    if given is None or not isinstance(triangulation, _Triangulation):
+        raise InputTypeError(
+            f"{call}() is called by a triangulation, of which it replaces everything, with one argument: "
+            f"dt = DynamicDelaunay(), or another kind, and then dt.{call}(...)"
+        )
 
 
 def _restored(kind: type[Self], settings: dict[str, Any], checkpoint: bytes) -> Self:
@@ -359,10 +470,16 @@ class _Planar(_Triangulation):
 
     def clipped_cells(self, box: ArrayLike) -> CellMeasures:
         """Measures of the parts of the Voronoi cells inside a box (xmin, ymin, xmax, ymax). Cells of the hull are
-        bounded there. Cost: linear."""
+        bounded there. Cost: linear. InputValueError if the box is empty, as matplotlib's (xmin, xmax, ymin, ymax)
+        mostly is."""
         sides = _floats("a box", box)
         if sides.shape != (4,):
             raise InputValueError(f"a box has the shape {sides.shape}: it must be (4,), for xmin, ymin, xmax and ymax")
+        if not (sides[:2] < sides[2:]).all() or not np.isfinite(sides).all():
+            raise InputValueError(
+                f"the box {tuple(sides.tolist())} is empty or not finite: its numbers are xmin, ymin, xmax and ymax, in "
+                "this order, with xmin < xmax and ymin < ymax"
+            )
         return CellMeasures(*self._clipped_cells(*sides))
 
 
@@ -394,15 +511,41 @@ class _Periodic(_Triangulation):
     @property
     def created_edge_shifts(self) -> NDArray[np.int32]:
         """int32 (k, 2): the shifts of ``created_edges``."""
-        return self._arrays(Group.CHANGES)[2]
+        return self._changes()[2]
 
     @property
     def removed_edge_shifts(self) -> NDArray[np.int32]:
         """int32 (k, 2): the shifts of ``removed_edges``, as they would be called now."""
-        return self._arrays(Group.CHANGES)[3]
+        return self._changes()[3]
 
 
-class DynamicDelaunay(_Planar):
+class _ByNumbers(_Triangulation):
+    """Points with the ids 0, 1, 2, ..."""
+
+    def insert(self, points: ArrayLike) -> NDArray[np.int64]:
+        """Add points, float (m, 2), or one, (2,); return their ids, int64 (m,)."""
+        return self._insert(_rows(points), None)
+
+    def remove(self, ids: ArrayLike) -> UpdateReport:
+        """Remove points by their ids, int (m,), or one."""
+        return self._remove(_list(ids))
+
+    def move(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport:
+        """Move some points, int (m,), or one, to positions, float (m, 2) or (2,). All others stay."""
+        return self._move(_list(ids), _rows(points))
+
+    @property
+    def created_edges(self) -> NDArray[np.int32]:
+        """int32 (k, 2): edges of now that were not there before the last call. Needs ``changes=True``."""
+        return self._changes()[0]
+
+    @property
+    def removed_edges(self) -> NDArray[np.int32]:
+        """int32 (k, 2): edges before the last call that are not there now. Needs ``changes=True``."""
+        return self._changes()[1]
+
+
+class DynamicDelaunay(_ByNumbers, _Planar):
     """The Delaunay triangulation of moving points in the plane.
 
     Points have the ids 0, 1, 2, ... in the order in which they are given, and keep them; the id of a removed point is
@@ -454,30 +597,8 @@ class DynamicDelaunay(_Planar):
         ids are ignored. Cost: a pass over the edges, of which most are skipped where all is calm."""
         return self._update(points, None, None)
 
-    def insert(self, points: ArrayLike) -> NDArray[np.int64]:
-        """Add points, float (m, 2), or one, (2,); return their ids, int64 (m,)."""
-        return self._insert(_rows(points), None)
 
-    def remove(self, ids: ArrayLike) -> UpdateReport:
-        """Remove points by their ids, int (m,), or one."""
-        return self._remove(_list(ids))
-
-    def move(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport:
-        """Move some points, int (m,), or one, to positions, float (m, 2) or (2,). All others stay."""
-        return self._move(_list(ids), _rows(points))
-
-    @property
-    def created_edges(self) -> NDArray[np.int32]:
-        """int32 (k, 2): edges of now that were not there before the last call. Needs ``changes=True``."""
-        return self._arrays(Group.CHANGES)[0]
-
-    @property
-    def removed_edges(self) -> NDArray[np.int32]:
-        """int32 (k, 2): edges before the last call that are not there now. Needs ``changes=True``."""
-        return self._arrays(Group.CHANGES)[1]
-
-
-class PeriodicDelaunay(_Periodic):
+class PeriodicDelaunay(_ByNumbers, _Periodic):
     """The Delaunay triangulation of moving points in a periodic cell, which may change with every frame.
 
     It is of one sheet, and exact: n points have 3n edges and 2n triangles. An edge goes from a point to the image of
@@ -515,12 +636,6 @@ class PeriodicDelaunay(_Periodic):
         Where a point is wrapped, it has gone to the nearest image."""
         return self._update(points, None, None if cell is None else _cell(cell))
 
-    insert = DynamicDelaunay.insert
-    remove = DynamicDelaunay.remove
-    move = DynamicDelaunay.move
-    created_edges = DynamicDelaunay.created_edges
-    removed_edges = DynamicDelaunay.removed_edges
-
 
 class _ByIds(_Triangulation):
     """Points that come and go, by any integers of 64 bits as ids.
@@ -545,13 +660,13 @@ class _ByIds(_Triangulation):
     def created_edges(self) -> NDArray[np.int64]:
         """int64 (k, 2): edges of now, by the ids of both ends, that were not there before the last call. Needs
         ``changes=True``."""
-        return self._arrays(Group.CHANGES)[0]
+        return self._changes()[0]
 
     @property
     def removed_edges(self) -> NDArray[np.int64]:
         """int64 (k, 2): edges before the last call, by the ids of both ends, that are not there now; the points may
         have left. Needs ``changes=True``."""
-        return self._arrays(Group.CHANGES)[1]
+        return self._changes()[1]
 
 
 def _given(name: str, array: Optional[ArrayLike]) -> ArrayLike:

@@ -155,15 +155,64 @@ class BoundedCells:
 
     Points that coincide share a cell: each has an equal share of its area, and the whole of its lengths and its
     centroid. The pieces are those of the point that represents them; the others have none.
+
+    Cells can be pickled, with all but ``gradients()``, which need the triangulation. A copy is the object itself, since
+    cells do not change.
     """
+
+    _triangulation: Optional[_Triangulation]
+    _computed: Optional[_core.BoundedCells]
 
     def __init__(self, triangulation: _Triangulation, core: _core.BoundedCells) -> None:
         self._triangulation = triangulation
-        self._core = core
+        self._computed = core
+
+    @property
+    def _core(self) -> _core.BoundedCells:
+        assert self._computed is not None  # pickled cells have all that is asked of it
+        return self._computed
+
+    def __copy__(self) -> BoundedCells:
+        return self
+
+    def __deepcopy__(self, _memo: Any) -> BoundedCells:
+        return self
+
+    def __getstate__(self) -> dict[str, Any]:
+        names = ["_measures", "points", "are_inside", "pieces", "_rings", "_are_convex", "_vectors"]
+        return {name: getattr(self, name) for name in [*names, *(["surface"] if self._are_convex else [])]}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        for value in state.values():
+            for array in value if isinstance(value, tuple) else [value]:
+                if isinstance(array, np.ndarray):
+                    array.flags.writeable = False
+        vars(self).update(state, _triangulation=None, _computed=None)
 
     @cached_property
     def _measures(self) -> tuple[NDArray[np.float64], ...]:
         return self._core._measures()
+
+    @cached_property
+    def _rings(self) -> tuple[NDArray[np.int32], ...]:
+        return self._core._rings()
+
+    @cached_property
+    def _are_convex(self) -> bool:
+        return self._core._are_convex()
+
+    @cached_property
+    def _vectors(self) -> Optional[NDArray[np.float64]]:
+        """Those of the periodic cell."""
+        cell = self._core._cell()
+        return None if cell is None else np.array(cell.numbers).reshape(2, 2)
+
+    def _check_convex(self, what: str) -> None:
+        if not self._are_convex:
+            raise UseError(
+                f"these cells have no {what}: only those of the rule 'whole' have, without a domain or in one that is "
+                "convex and has no straight corner"
+            )
 
     @property
     def radii(self) -> NDArray[np.float64]:
@@ -217,6 +266,7 @@ class BoundedCells:
     @cached_property
     def surface(self) -> CellSurface:
         """The border of all cells together, as lines. UseError where cells have none; see ``bounded_cells()``."""
+        self._check_convex("surface")
         return CellSurface(*self._core._surface())
 
     @cached_property
@@ -230,9 +280,8 @@ class BoundedCells:
         touching = self.pieces.sides == Side.NEIGHBOR
         first, second = self._owners[touching].astype(np.int32), self.pieces.others[touching]
         vectors = self.points[second] - self.points[first]
-        cell = self._core._cell()
-        if cell is not None:
-            vectors += self.pieces.shifts[touching] @ np.array(cell.numbers).reshape(2, 2)
+        if self._vectors is not None:
+            vectors += self.pieces.shifts[touching] @ self._vectors
         counts = np.bincount(first, minlength=len(self.areas))
         return NeighborList(first, second, vectors, self.pieces.lengths[touching], counts)
 
@@ -244,6 +293,10 @@ class BoundedCells:
 
         For the energy ``((areas - 1)**2 + (perimeters - 3.8)**2).sum()`` these are ``2 * (areas - 1)`` and
         ``np.repeat(2 * (perimeters - 3.8), np.diff(pieces.indptr))``."""
+        self._check_convex("gradients")
+        if self._triangulation is None:
+            raise UseError("these cells were pickled, without the triangulation that gradients need: make them by "
+                           "bounded_cells() where they are used")
         return BoundedCellGradients(
             *self._triangulation._bounded_gradients(self._core, area_weights, length_weights)
         )
@@ -275,7 +328,7 @@ class BoundedCells:
         two; or no place of an arc is farther than the ``tolerance`` from its segments.
 
         UseError where cells may have several rings: ``polygons()`` has them."""
-        if not self._core._are_convex():
+        if not self._are_convex:
             raise UseError("these cells may have several rings, as walls divide them: polygons() has all of them")
         corners, firsts = self._polyline(np.arange(len(self.pieces.sides)), segments, tolerance)
         return np.split(corners, firsts[self.pieces.indptr[1:-1]])[: len(self.areas)]
@@ -285,7 +338,7 @@ class BoundedCells:
         counterclockwise, and the list of its holes, clockwise, all float64 (k, 2) with corners as in ``rings()``. So
         ``shapely.geometry.MultiPolygon(cells.polygons()[row])`` is a cell."""
         corners, firsts = self._polyline(np.arange(len(self.pieces.sides)), segments, tolerance)
-        indptr, rows, are_holes = self._core._rings()
+        indptr, rows, are_holes = self._rings
         cells: list[list[Polygon]] = [[] for _ in self.areas]
         for ring, row, is_hole in zip(np.split(corners, firsts[indptr[1:-1]]), rows, are_holes):
             if is_hole:
@@ -302,7 +355,7 @@ class BoundedCells:
         pieces = surface.pieces.astype(np.int64)
         corners, firsts = self._polyline(pieces, segments, tolerance)
         starts, ends = self.pieces.starts[pieces], self.pieces.ends[pieces]
-        is_periodic = self._core._cell() is not None
+        is_periodic = self._vectors is not None
         lines = []
         for begin, end in zip(surface.indptr[:-1], surface.indptr[1:]):
             line = np.concatenate([corners[firsts[begin] : firsts[end]], ends[end - 1 : end]])

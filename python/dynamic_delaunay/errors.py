@@ -1,7 +1,10 @@
 # Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""What is raised for bad input and wrong use, before anything changes. Messages say what is allowed."""
+"""What is raised for bad input and wrong use, before anything changes. Messages say what is allowed.
+
+Whatever an attribute may raise is an ``AttributeError`` as well. So ``hasattr()`` has an answer, and what lists all
+attributes, such as a notebook, passes over those that an object cannot have now."""
 
 
 class DynamicDelaunayError(Exception):
@@ -20,8 +23,8 @@ class InputIndexError(DynamicDelaunayError, IndexError):
     """There is no such row; or a classifier has named a vertex or an edge that does not exist."""
 
 
-class UseError(DynamicDelaunayError, RuntimeError):
-    """An object is used when it cannot be: before ``__init__()``, or by its own classifier."""
+class UseError(DynamicDelaunayError, RuntimeError, AttributeError):
+    """An object is used when it cannot be: before ``__init__()``, or by its own classifier; or it has no such part."""
 
 
 class NonFiniteCoordinateError(DynamicDelaunayError, ValueError):
@@ -67,8 +70,12 @@ class RepeatedIdError(DynamicDelaunayError, ValueError):
     id: int
 
 
-class UncertifiedTriangulationError(DynamicDelaunayError, RuntimeError):
+class UncertifiedTriangulationError(DynamicDelaunayError, RuntimeError, AttributeError):
     """What is asked for needs an exact triangulation: call ``mend()`` after a heuristic update."""
+
+
+class NotRecordedError(InputValueError, AttributeError):
+    """Changed edges are asked for, which are recorded only with ``changes=True``."""
 
 
 class ParameterError(DynamicDelaunayError, ValueError):
@@ -95,6 +102,7 @@ class PeriodicRangeError(DynamicDelaunayError, ValueError):
 
 
 class CheckpointError(DynamicDelaunayError, ValueError):
-    """A checkpoint is damaged, has something after its end, or cannot be written. ``line``, or 0 if the error concerns no line."""
+    """A checkpoint is damaged, has something after its end, or cannot be written. ``line``, or 0 if the error concerns
+    no line."""
 
     line: int

@@ -3,7 +3,6 @@
 
 #include "python/src/Bounded_cells_in_python.h"
 
-#include "python/src/Errors.h"
 #include "python/src/Numpy.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_surface_2.h>
@@ -13,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -77,11 +75,12 @@ std::vector<Array> inside_arrays(const Bounded_cells& bounded)
   return {{std::move(are_inside)}};
 }
 
-// Where the pieces of each line begin, pieces, their rows; areas, windings, and 1 for closed lines.
+// Of cells that have a surface: where the pieces of each line begin, pieces, their rows; areas,
+// windings, and 1 for closed lines.
 std::vector<Array> surface_arrays(const Bounded_cells& bounded)
 {
   CGAL::Bounded_voronoi_surface_2 surface;
-  surface.compute(convex_cells(bounded, "surface"));
+  surface.compute(std::get<Cells>(bounded.cells));
   Integers rows, windings, are_closed;
   for (const std::size_t id : surface.ids()) {
     rows.push_back(bounded.rows[id]);
@@ -113,17 +112,6 @@ auto arrays_by(const Make& make)
 }
 
 } // namespace
-
-const Cells& convex_cells(const Bounded_cells& bounded, const char* what)
-{
-  const Cells* const cells = std::get_if<Cells>(&bounded.cells);
-  if (cells == nullptr) {
-    throw Use_error(std::string("these cells have no ") + what +
-                    ": only those of the rule 'whole' have, without a domain or in one that is "
-                    "convex and has no straight corner");
-  }
-  return *cells;
-}
 
 std::vector<Array> gradient_arrays(const Bounded_cells& bounded,
                                    const CGAL::Bounded_voronoi_gradients_2& gradients)

@@ -21,10 +21,6 @@ struct Bounded_cells_in_python
   std::uint64_t version; // of the triangulation
 };
 
-// Those that have a surface and gradients. `what` is for the message.
-// \throws Use_error
-const CGAL::Bounded_voronoi_cells_2& convex_cells(const Bounded_cells& bounded, const char* what);
-
 // By positions and by radii.
 std::vector<Array> gradient_arrays(const Bounded_cells& bounded,
                                    const CGAL::Bounded_voronoi_gradients_2& gradients);

@@ -3,6 +3,7 @@
 
 #include "python/src/Numpy.h"
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -33,7 +34,7 @@ py::array numbers(py::handle object, const std::string& kinds, const std::string
   }
   if (array.size() > 0 && kinds.find(array.dtype().kind()) == std::string::npos) {
     throw py::type_error(name + " have the type " + std::string(py::str(array.dtype())) + ": " +
-                         (kinds == "iu" ? "integers" : "real numbers") + " are needed");
+                         (kinds == "iuf" ? "integers" : "real numbers") + " are needed");
   }
   return array;
 }
@@ -64,6 +65,22 @@ bool is_plain(py::handle object, py::ssize_t dimensions)
   const auto* const type = py::detail::array_descriptor_proxy(array->descr);
   return array->nd == dimensions && type->byteorder == '=' &&
          type->type_num == py::detail::npy_format_descriptor<Number>::value;
+}
+
+// Ids as programs write them that know floating point alone, such as pandas where some are missing.
+// Beyond 2^53 not all integers are doubles.
+py::array whole_numbers(const py::array& array, const std::string& name)
+{
+  const py::array numbers = of_type<double>(array);
+  const auto flat = py::array_t<double>(numbers).unchecked<1>();
+  for (py::ssize_t i = 0; i < flat.shape(0); ++i) {
+    if (!(std::trunc(flat(i)) == flat(i) && std::abs(flat(i)) <= 0x1p53)) {
+      throw py::type_error(name + " are real numbers, of which number " + std::to_string(i) +
+                           " is " + std::string(py::str(py::float_(flat(i)))) +
+                           ": integers are needed, or whole numbers up to 2**53");
+    }
+  }
+  return of_type<std::int64_t>(numbers);
 }
 
 Input input(py::array array)
@@ -105,9 +122,12 @@ Input ids_input(py::handle object, const std::string& name)
   if (is_plain<std::int64_t>(object, 1)) {
     return input(py::reinterpret_borrow<py::array>(object));
   }
-  const py::array array = numbers(object, "iu", name);
+  const py::array array = numbers(object, "iuf", name);
   if (array.ndim() != 1) {
     throw py::value_error(name + " have the shape " + shape_text(array) + ": it must be (n,)");
+  }
+  if (array.dtype().kind() == 'f') {
+    return input(whole_numbers(array, name));
   }
   if (array.size() > 0 && array.dtype().kind() == 'u' && array.itemsize() == 8 &&
       array.attr("max")().cast<std::uint64_t>() > std::uint64_t(INT64_MAX)) {

@@ -213,9 +213,16 @@ public:
         throw Use_error("the triangulation has changed since these cells were made: gradients "
                         "need those of now");
       }
-      convex_cells(cells.bounded, "gradients");
       return gradient_arrays(cells.bounded,
                              subject.bounded_gradients(cells.bounded, areas.rows, lengths.rows));
+    }));
+  }
+
+  py::tuple answer(Query query, const py::object& places, double extent)
+  {
+    const Input input = points_input(places, "places");
+    return to_numpy(read([&](const Subject& subject) {
+      return subject.answer({query, input.rows, extent});
     }));
   }
 
@@ -439,6 +446,12 @@ void bind_triangulation(py::module_& module)
       .value("CELLS", Group::CELLS)
       .value("RIDGES", Group::RIDGES)
       .value("CHANGES", Group::CHANGES);
+  py::enum_<Query>(module, "Query")
+      .value("NEAREST", Query::NEAREST)
+      .value("WITHIN", Query::WITHIN)
+      .value("NATURAL_WEIGHTS", Query::NATURAL_WEIGHTS)
+      .value("LINEAR_WEIGHTS", Query::LINEAR_WEIGHTS)
+      .value("ALPHA_SHAPE", Query::ALPHA_SHAPE);
   py::class_<Cell>(module, "Cell")
       .def(py::init([](double ax, double ay, double bx, double by, bool is_slab) {
         return Cell{ax, ay, bx, by, is_slab};
@@ -475,6 +488,7 @@ void bind_triangulation(py::module_& module)
            })
       .def("_bounded_cells", &Triangulation::bounded_cells)
       .def("_bounded_gradients", &Triangulation::bounded_gradients)
+      .def("_answer", &Triangulation::answer)
       .def("_cell_corners",
            [](Triangulation& t, std::int64_t id) {
              return to_numpy(t.read([&](const Subject& s) { return s.cell_corners(id); }));

@@ -3,6 +3,9 @@
 
 """Bounded Voronoi cells, against what is seen from a point in many directions."""
 
+import copy
+import inspect
+import pickle
 import threading
 
 import numpy as np
@@ -571,3 +574,57 @@ def test_cells_are_of_one_moment_while_another_thread_moves_the_points():
     finally:
         is_over.set()
         mover.join()
+
+
+ROOM_WITH_A_PILLAR = [SQUARE, [(0.4, 0.4), (0.6, 0.4), (0.6, 0.6), (0.4, 0.6)]]
+
+
+@pytest.mark.parametrize(
+    "cells",
+    [
+        DynamicDelaunay(POINTS).bounded_cells(0.1),
+        DynamicDelaunay(POINTS).bounded_cells(0.1, PENTAGON),
+        DynamicDelaunay(POINTS).bounded_cells(0.3, ROOM_WITH_A_PILLAR),
+        DynamicDelaunay(POINTS).bounded_cells(0.3, SQUARE, rule="visible"),
+        PeriodicDelaunay(POINTS, (1, 1)).bounded_cells(0.05),
+        DynamicDelaunay().bounded_cells(1),
+    ],
+)
+def test_cells_can_be_pickled_and_copied(cells):
+    sent = pickle.loads(pickle.dumps(cells))
+    sent = pickle.loads(pickle.dumps(sent, protocol=2))
+    for name, value in inspect.getmembers(cells, lambda value: isinstance(value, (np.ndarray, tuple))):
+        if name.startswith("_"):
+            continue
+        arrays, expected = (v if isinstance(v, tuple) else (v,) for v in (getattr(sent, name), value))
+        for array, original in zip(arrays, expected):
+            assert array is None or np.array_equal(array, original, equal_nan=original.dtype.kind == "f"), name
+            assert array is None or not array.flags.writeable
+    assert np.array_equal(sent.neighbor_list().vectors, cells.neighbor_list().vectors)
+    assert all(map(np.array_equal, flattened(sent.polygons()), flattened(cells.polygons())))
+    assert hasattr(sent, "surface") == hasattr(cells, "surface")
+    if hasattr(cells, "surface"):
+        assert all(map(np.array_equal, sent.surface_lines(), cells.surface_lines()))
+        assert all(map(np.array_equal, sent.rings(), cells.rings()))
+        with pytest.raises(errors.UseError, match="these cells were pickled, without the triangulation"):
+            sent.gradients(np.ones(len(sent.areas)), np.ones(len(sent.pieces.sides)))
+    for copied in (copy.copy(cells), copy.deepcopy({"cells": cells})["cells"]):
+        assert np.array_equal(copied.areas, cells.areas)
+
+
+def flattened(polygons):
+    return [ring for components in polygons for outer, holes in components for ring in (outer, *holes)]
+
+
+def test_copied_cells_have_gradients():
+    dt = DynamicDelaunay(POINTS)
+    cells = copy.deepcopy(dt.bounded_cells(0.1))
+    assert np.isfinite(cells.gradients(np.ones(60), np.ones(len(cells.pieces.sides))).by_positions).all()
+
+
+def test_says_what_bounds_cells():
+    with pytest.raises(errors.ParameterError, match="cells need an end. Give a radius, .* a domain"):
+        DynamicDelaunay(POINTS).bounded_cells()
+    with pytest.raises(errors.ParameterError, match="cells need an end. Give a finite radius") as refused:
+        PeriodicDelaunay(POINTS, (1, 1)).bounded_cells()
+    assert refused.value.value == np.inf

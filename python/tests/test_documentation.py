@@ -4,6 +4,7 @@
 import ast
 import inspect
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -14,15 +15,19 @@ import dynamic_delaunay
 from dynamic_delaunay import DynamicDelaunay, PeriodicDelaunay, PeriodicPopulation, Population, _core, errors
 
 PACKAGE = pathlib.Path(dynamic_delaunay.__file__).parent
+PACKAGE_README = pathlib.Path(__file__).parents[1] / "README.md"
 ARRAYS = (DynamicDelaunay, Population, PeriodicDelaunay, PeriodicPopulation)
 
 
 def test_stubs_have_all_that_the_module_has():
-    stubs = {node.name: node for node in ast.parse((PACKAGE / "_core.pyi").read_text()).body if hasattr(node, "name")}
+    body = ast.parse((PACKAGE / "_core.pyi").read_text()).body
+    stubs = {node.name: node for node in body if isinstance(node, ast.ClassDef)}
     kinds = {name: kind for name, kind in vars(_core).items() if inspect.isclass(kind)}
     assert stubs.keys() == kinds.keys()
+    functions = {node.name for node in body if isinstance(node, ast.FunctionDef)}
+    assert functions == {name for name, member in vars(_core).items() if inspect.isbuiltin(member)}
     for name, kind in kinds.items():
-        if name == "Group":  # an enumeration
+        if name in ("Group", "Query"):  # enumerations
             continue
         stubbed = {node.name for node in stubs[name].body if isinstance(node, ast.FunctionDef)} - {"__init__"}
         assert stubbed == {member for member in vars(kind) if not member.startswith("__")}
@@ -61,7 +66,7 @@ def test_has_the_version_of_the_headers():
 
 def test_exceptions_are_documented_and_have_one_base():
     kinds = [kind for kind in vars(errors).values() if inspect.isclass(kind)]
-    assert len(kinds) == 17
+    assert len(kinds) == 18
     for kind in kinds:
         assert kind.__doc__ and issubclass(kind, errors.DynamicDelaunayError)
         assert getattr(dynamic_delaunay, kind.__name__) is kind
@@ -72,3 +77,9 @@ def test_type_checkers_find_no_fault_also_for_the_oldest_python():
     command = [sys.executable, "-m", "mypy", "--strict", "--cache-dir=/dev/null", "--python-version=3.9", str(PACKAGE)]
     checked = subprocess.run(command, capture_output=True, text=True, check=False)
     assert checked.returncode == 0, checked.stdout
+
+
+def test_the_program_of_the_description_runs():
+    (program,) = re.findall(r"^```python\n(.*?)^```$", PACKAGE_README.read_text(), re.MULTILINE | re.DOTALL)
+    output = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout
+    assert output.endswith("certified: True\n")

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 import copy
+import inspect
 import pickle
 
 import numpy as np
@@ -140,7 +141,7 @@ def test_refuses_unknown_ids(id):
     assert id not in dt and 10**30 not in dt
 
 
-@pytest.mark.parametrize("ids", [[1.0], ["1"], [True], [None]])
+@pytest.mark.parametrize("ids", [[1.5], ["1"], [True], [None]])
 def test_refuses_ids_that_are_no_integers(ids):
     with pytest.raises(TypeError, match="integers are needed"):
         DynamicDelaunay(POINTS).remove(ids)
@@ -322,6 +323,63 @@ def test_refuses_ids_that_do_not_fit():
         Population([1, 2], [(0, 0)])
     with pytest.raises(ValueError, match="shape"):
         Population([[1]], [(0, 0)])
+
+
+def test_takes_ids_that_are_whole_numbers_as_floats():
+    population = Population(np.array([3.0, -7.0, 2.0**53]), OTHERS[:3])
+    assert population.ids.tolist() == [3, -7, 2**53]
+    population.update([-7.0, 3.0], OTHERS[:2])
+    population.move([3.0], [(2, 2)])
+    population.remove(-7.0)
+    assert population.ids.tolist() == [3] and population.points.tolist() == [[2, 2]]
+    for bad, text in ((1.5, "1.5"), (np.nan, "nan"), (np.inf, "inf"), (2.0**54, r"1.8\d*e\+16")):
+        with pytest.raises(TypeError, match=f"ids are real numbers, of which number 1 is {text}: integers are needed"):
+            population.update([3.0, bad], OTHERS[:2])
+    assert population.ids.tolist() == [3]
+    for ids in ([], np.empty(0)):
+        population.update(ids, np.empty((0, 2)))
+
+
+@pytest.mark.parametrize("box", [(0, 1, 0, 1), (0, 0, 0, 1), (1, 0, 0, 1), (0, 0, np.nan, 1), (0, 0, np.inf, 1)])
+def test_a_box_that_is_empty_or_in_another_order_is_refused(box):
+    with pytest.raises(errors.InputValueError, match="xmin, ymin, xmax and ymax, in this order"):
+        DynamicDelaunay(POINTS).clipped_cells(box)
+
+
+@pytest.mark.parametrize("kind", [DynamicDelaunay, PeriodicDelaunay, Population, PeriodicPopulation])
+def test_attributes_that_an_object_cannot_have_are_not_there(kind):
+    ids = [] if kind in (DynamicDelaunay, PeriodicDelaunay) else [np.arange(60)]
+    triangulation = kind(*ids, POINTS, classifier="point_distance:0.1")
+    assert not hasattr(triangulation, "created_edges") and hasattr(triangulation, "areas")
+    triangulation.update(*ids, 1.001 * POINTS)
+    assert not triangulation.is_certified and not hasattr(triangulation, "areas")
+    names = {name for name, _ in inspect.getmembers(triangulation)}
+    assert "edges" in names and not names & {"created_edges", "removed_edges", "areas", "ridges"}
+    recorded = kind(*ids, POINTS, changes=True)
+    assert {"created_edges", "removed_edges", "areas"} <= {name for name, _ in inspect.getmembers(recorded)}
+    assert not hasattr(kind.__new__(kind), "edges")
+    with pytest.raises(errors.NotRecordedError, match=rf"{kind.__name__}\(..., changes=True\)"):
+        triangulation.removed_edges
+
+
+def test_load_by_the_class_says_how_it_is_called(tmp_path):
+    DynamicDelaunay(POINTS).save(tmp_path / "file")
+    for call in (lambda: DynamicDelaunay.load(tmp_path / "file"), lambda: DynamicDelaunay().load()):
+        with pytest.raises(errors.InputTypeError, match=r"load\(\) is called by a triangulation, .* dt.load\(...\)"):
+            call()
+    with pytest.raises(errors.InputTypeError, match=r"restore\(\) is called by a triangulation"):
+        DynamicDelaunay.restore(DynamicDelaunay(POINTS).checkpoint())
+    dt = DynamicDelaunay()
+    dt.load(tmp_path / "file")
+    assert np.array_equal(dt.points, POINTS)
+
+
+def test_says_which_areas_are_infinite():
+    points = [(0, 0), (4, 0), (4, 4), (0, 4), (2, 2)]
+    assert np.isinf(DynamicDelaunay(points).areas).tolist() == [True] * 4 + [False]
+    assert np.isinf(DynamicDelaunay([(0, 0), (1, 0), (2, 0)]).areas).all()
+    assert np.isfinite(PeriodicDelaunay(points, (5, 5)).areas).all()
+    assert np.isinf(PeriodicDelaunay(points, [(5, 0)]).areas).tolist() == [True] * 4 + [False]
 
 
 def test_refuses_an_id_that_is_given_twice():

@@ -96,6 +96,8 @@ def test_a_wheel_says_for_which_python_and_numpy_it_is(wheel):
     assert {n.partition("/")[2] for n in names if n.startswith("dynamic_delaunay/")} == \
         {*modules, "py.typed", core.partition("/")[2]}
     assert any(n.endswith("/LICENSE") for n in names)
+    assert metadata["Description-Content-Type"] == "text/markdown"
+    assert metadata.get_payload(decode=True).decode().strip() == (ROOT / "python/README.md").read_text().strip()
     assert f"-cp{sys.version_info[0]}{sys.version_info[1]}-" in wheel.name
     assert metadata["Name"] == "dynamic-delaunay" and metadata["Requires-Python"] == ">=3.9"
     requirement = metadata["Requires-Dist"].replace(" ", "").replace("(", "").replace(")", "")
