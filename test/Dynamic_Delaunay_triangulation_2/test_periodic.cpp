@@ -23,7 +23,6 @@
 #include <deque>
 #include <iterator>
 #include <limits>
-#include <list>
 #include <map>
 #include <random>
 #include <set>
@@ -443,28 +442,6 @@ TEST(Wrong_input, is_refused_and_changes_nothing)
     EXPECT_EQ(pt.point(id), points[id]);
   EXPECT_EQ(pt.number_of_points(), 9u);
   ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
-}
-
-TEST(Wrong_input, of_too_many_points_is_reported_alike_for_vectors_and_lists)
-{
-  std::mt19937_64 random(10);
-  const std::vector<Point> points = random_points(random, 9, 3);
-  Triangulation pt(points, Cell(3, 3));
-  const auto given = [&](const auto& range) {
-    try {
-      pt.update(range);
-    } catch (const CGAL::Point_count_error_2& error) {
-      EXPECT_EQ(error.expected(), 9u);
-      return error.given();
-    }
-    return std::size_t(0);
-  };
-  for (const std::size_t number : {0u, 8u, 10u, 12u, 1000u}) {
-    const std::vector<Point> vector(number, Point(1, 1));
-    const std::list<Point> list(vector.begin(), vector.end());
-    EXPECT_EQ(given(vector), (std::min)(number, std::size_t(10)));
-    EXPECT_EQ(given(list), given(vector));
-  }
 }
 
 TEST(Wrong_input, is_refused_also_where_points_walk_out_of_range_in_small_steps)
