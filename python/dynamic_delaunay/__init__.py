@@ -4,7 +4,7 @@
 """Delaunay triangulations of moving points, kept exact while the points move.
 
 ``DynamicDelaunay`` for points in the plane, ``PeriodicDelaunay`` for periodic cells, ``Population`` for points that
-come and go, and ``track()`` for whole trajectories.
+come and go, ``track()`` for whole trajectories, and ``read_recording()`` for files of them.
 """
 
 from . import errors
@@ -14,6 +14,7 @@ from .bounded import BoundedCellGradients, BoundedCells, CellPieces, CellSurface
 from .errors import *  # noqa: F403
 from .neighbors import NeighborList
 from .places import AlphaClass, AlphaShape, InterpolationWeights, NearestPoints, PointsWithin
+from .recording import RecordedFrame, read_recording
 from .trajectory import Frame, track
 
 __all__ = [
@@ -34,9 +35,11 @@ __all__ = [
     "PeriodicPopulation",
     "PointsWithin",
     "Population",
+    "RecordedFrame",
     "Side",
     "UpdateReport",
     "__version__",
     "errors",
+    "read_recording",
     "track",
 ]

@@ -9,6 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 
 __version__: str
 
+def _read_recording(path: bytes, columns: str) -> list[tuple[Any, ...]]: ...
+def _table_columns(titles: list[str]) -> tuple[int, ...]: ...
+
 class UpdateReport:
     @property
     def classified(self) -> int: ...

@@ -101,6 +101,13 @@ class PeriodicRangeError(DynamicDelaunayError, ValueError):
     id: int
 
 
+class RecordingError(DynamicDelaunayError, ValueError):
+    """A file of recorded motion, or a table, cannot be read as it should. ``line``, or 0 if the error concerns no
+    line."""
+
+    line: int
+
+
 class CheckpointError(DynamicDelaunayError, ValueError):
     """A checkpoint is damaged, has something after its end, or cannot be written. ``line``, or 0 if the error concerns
     no line."""

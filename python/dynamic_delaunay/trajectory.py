@@ -11,6 +11,7 @@ from typing import Any, NamedTuple, Optional, Union
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _core
 from ._core import UpdateReport
 from ._triangulations import DynamicDelaunay, PeriodicDelaunay, PeriodicPopulation, Population
 from .errors import (
@@ -21,6 +22,7 @@ from .errors import (
     NonFiniteCoordinateError,
     PeriodicRangeError,
 )
+from .recording import RecordedFrame
 
 Followed = Union[DynamicDelaunay, PeriodicDelaunay, Population, PeriodicPopulation]
 
@@ -81,10 +83,10 @@ def track(trajectory: Any, cell: Any = None, *, progress: bool = False, **settin
     ----------
     trajectory
         An array (frames, n, 2), or anything that iterates over arrays (n, 2), or over pairs (ids, points) if points
-        come and go; or a pandas table with the columns frame, id, x and y, in any order of rows. Ids are integers or
-        text.
+        come and go; what ``read_recording()`` returns; or a pandas table with the columns frame, id, x and y, in any
+        order of rows, by these names or by those of trackpy, TrackMate, PedPy and others. Ids are integers or text.
     cell
-        Of a periodic space; see PeriodicDelaunay.
+        Of a periodic space; see PeriodicDelaunay. Without it a recording has its own cells.
     progress : bool
         Whether tqdm shows how far it is, if it is installed.
     settings
@@ -156,6 +158,8 @@ def _whose(error: DynamicDelaunayError, read: _Read) -> str:
 def _read(number: int, frame: Any) -> _Read:
     if isinstance(frame, _Read):
         return frame
+    if isinstance(frame, RecordedFrame):
+        return _Read(frame.number, frame.ids, frame.points, frame.cell)
     if isinstance(frame, tuple):
         return _Read(number, frame[0], frame[1], None)
     return _Read(number, None, frame, None)
@@ -169,22 +173,21 @@ def _column(table: Any, title: Any) -> NDArray[Any]:
 
 
 def _frames_of_table(table: Any) -> Iterator[_Read]:
-    missing = {"frame", "id", "x", "y"}.difference(table.columns)
-    if missing:
-        raise InputValueError(f"the table has no column {', '.join(sorted(missing))}: it must have frame, id, x and y")
-    numbers = _column(table, "frame")
+    titles = list(table.columns)
+    frame, time, id, x, y = _core._table_columns([str(title) for title in titles])
+    numbers = _column(table, titles[time if frame < 0 else frame])
     try:
-        points = table[["x", "y"]].to_numpy(dtype=np.float64)
+        points = table[[titles[x], titles[y]]].to_numpy(dtype=np.float64)
         are_missing = np.isnan(np.asarray(numbers, dtype=np.float64))
     except (TypeError, ValueError) as error:
         raise InputValueError(
             f"the table has frames or positions that are no numbers: {error}. Further header lines, as TrackMate "
-            "writes them, are left out by pandas.read_csv(path, skiprows=[1, 2, 3])"
+            "writes them, are left out by pandas.read_csv(path, skiprows=[1, 2, 3]), or by read_recording(path)"
         ) from None
     if are_missing.any():
         raise InputValueError(f"row {np.argmax(are_missing)} of the table has no frame")
     order = np.argsort(numbers, kind="stable")
-    ids, points = _column(table, "id")[order], points[order]
+    ids, points = _column(table, titles[id])[order], points[order]
     numbers, begins = np.unique(numbers[order], return_index=True)
     for number, begin, end in zip(numbers, begins, [*begins[1:], len(ids)]):
         yield _Read(number, ids[begin:end], points[begin:end], None)

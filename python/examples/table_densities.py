@@ -17,7 +17,7 @@ from dynamic_delaunay import track
 tracks = pandas.read_csv(sys.argv[1])
 picture = (tracks.x.min(), tracks.y.min(), tracks.x.max(), tracks.y.max())
 tables = []
-for frame in track(tracks.rename(columns={"particle": "id"})):
+for frame in track(tracks):
     particles = frame.triangulation
     density = 1 / particles.clipped_cells(picture).areas
     tables.append(pandas.DataFrame({"frame": frame.number, "particle": particles.ids, "density": density}))

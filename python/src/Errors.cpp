@@ -4,6 +4,7 @@
 #include "python/src/Errors.h"
 
 #include "bindings/Error_description.h"
+#include "scenario_runner/Text_input.h"
 
 #include <pybind11/pybind11.h>
 
@@ -63,6 +64,9 @@ void translate_refusal(const std::exception_ptr& exception)
     set_error("InputIndexError", error.what());
   } catch (const Use_error& error) {
     set_error("UseError", error.what());
+  } catch (const scenario::Scenario_error& error) {
+    using namespace py::literals;
+    set_error("RecordingError", error.what(), py::dict("line"_a = error.line()));
   }
 }
 

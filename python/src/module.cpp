@@ -9,6 +9,7 @@
 #include "python/src/Function_in_python.h"
 #include "python/src/Numpy.h"
 #include "python/src/Python_settings.h"
+#include "python/src/Recording_in_python.h"
 #include "python/src/Triangle_walk.h"
 #include "scenario_runner/Threads.h"
 
@@ -532,6 +533,7 @@ PYBIND11_MODULE(_core, module)
   bind_report(module);
   bind_classifier_frame(module);
   bind_bounded_cells(module);
+  bind_recordings(module);
   bind_triangulation(module);
 }
 

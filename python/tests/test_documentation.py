@@ -66,7 +66,7 @@ def test_has_the_version_of_the_headers():
 
 def test_exceptions_are_documented_and_have_one_base():
     kinds = [kind for kind in vars(errors).values() if inspect.isclass(kind)]
-    assert len(kinds) == 18
+    assert len(kinds) == 19
     for kind in kinds:
         assert kind.__doc__ and issubclass(kind, errors.DynamicDelaunayError)
         assert getattr(dynamic_delaunay, kind.__name__) is kind

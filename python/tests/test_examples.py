@@ -81,14 +81,6 @@ def test_lammps_neighbors(tmp_path):
     assert next(lines, None) is None
 
 
-def test_lammps_neighbors_refuse_a_tilted_box(tmp_path):
-    dump = tmp_path / "tilted.lammpstrj"
-    dump.write_text("ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS xy xz yz pp pp pp\n")
-    run = subprocess.run([sys.executable, EXAMPLES / "lammps_neighbors.py", dump], capture_output=True, text=True,
-                         check=False)
-    assert run.returncode == 1 and "step 7: the box must be periodic in x and y, and not tilted" in run.stderr
-
-
 def test_table_densities(tmp_path):
     pandas = pytest.importorskip("pandas")
     x, y = (numbers.ravel() for numbers in np.meshgrid(np.arange(5.0), np.arange(4.0)))

@@ -23,7 +23,9 @@ NO_PART = shutil.ignore_patterns(".git", "build", "build-*", "recordings", "*.eg
 TOOLS = ("build", "pip", "pybind11", "setuptools", "wheel")
 
 FIRST_FRAME = """
-import dynamic_delaunay, numpy
+import dynamic_delaunay, gzip, numpy, pathlib
+pathlib.Path("tracks.csv.gz").write_bytes(gzip.compress(b"frame,id,x,y\\n7,1,0,0\\n"))
+assert dynamic_delaunay.read_recording("tracks.csv.gz")[0].number == 7
 points = numpy.random.default_rng(1).random((1000, 2))
 triangulation = dynamic_delaunay.DynamicDelaunay(points)
 print(dynamic_delaunay.__file__)

@@ -44,7 +44,7 @@ def test_follows_a_table():
         assert np.array_equal(population.points, points)
         assert edge_set(population.edges) == edges_by_scipy(points)
     assert numbers == list(range(0, 200, 10))
-    with pytest.raises(ValueError, match="no column id, x"):
+    with pytest.raises(ValueError, match="'id' and 'x' are missing"):
         next(track(table[["frame", "y"]]))
 
 
